@@ -1,0 +1,21 @@
+# shellcheck shell=sh
+# chapters.sh - read by the other scripts here: which chapters there are.
+
+stems() {
+    for file in chapters/[0-9][0-9]_*.c; do
+        basename "$file" .c
+    done
+}
+
+# stem_of NAME: the stem of 03, 3 or 03_shadows; the first one of no name.
+stem_of() {
+    for stem in $(stems); do
+        case $stem in
+        "$1" | "$1"_* | 0"$1"_*) echo "$stem"; return ;;
+        esac
+        [ -z "$1" ] && { echo "$stem"; return; }
+    done
+    printf 'make: CHAPTER=%s: no such chapter: there are %s\n' "$1" \
+        "$(stems | tr '\n' ' ' | sed 's/ $//; s/ /, /g')" >&2
+    return 1
+}

@@ -1,0 +1,239 @@
+# listings.awk - one page for listings.sh: the page on standard input or as operand, the page with
+# fresh blocks on standard output. Variables: mode (write, check), page, build.
+
+function fail(text)
+{
+    print page ":" FNR ": " text > "/dev/stderr"
+    bad = 1
+}
+
+# ---- What a source file defines ----
+
+# A line of a source without strings and comments, so that only code is left to count.
+function bare(line)
+{
+    gsub(/'(\\.|[^'\\])'/, "0", line)
+    gsub(/"(\\.|[^"\\])*"/, "0", line)
+    if (in_comment) {
+        if (!index(line, "*/"))
+            return ""
+        sub(/^.*\*\//, "", line)
+        in_comment = 0
+    }
+    sub(/\/\/.*/, "", line)
+    gsub(/\/\*([^*]|\*+[^*\/])*\*+\//, "", line)
+    if (index(line, "/*")) {
+        sub(/\/\*.*/, "", line)
+        in_comment = 1
+    }
+    sub(/[ \t]+$/, "", line)
+    return line
+}
+
+function count(text, pattern)
+{
+    return gsub(pattern, "", text)
+}
+
+# Note that file defines name from line first to line last.
+function define(file, name, first, last)
+{
+    definitions[file, name]++
+    from[file, name] = first
+    to[file, name] = last
+}
+
+# Note the names that a statement at column 0 defines.
+function define_statement(file, text, first, last,    at, head, mark, piece, n, i)
+{
+    at = match(text, /[{=;(\[]/)
+    head = substr(text, 1, at - 1)
+    mark = substr(text, at, 1)
+    sub(/[ \t]+$/, "", head)
+    if (mark == "(" && !index(text, "{"))
+        return
+    if (head ~ /^extern /)
+        return
+    if (mark == ";" && head ~ /^(struct|enum|union) [A-Za-z0-9_]+$/)
+        return
+    n = split(head, piece, ",")
+    for (i = 1; i <= n; i++)
+        if (match(piece[i], /[A-Za-z0-9_]+$/))
+            define(file, substr(piece[i], RSTART), first, last)
+}
+
+# Read a file once, and every definition in it. Returns the number of its lines, -1 when unreadable.
+function read_source(file,    line, n, code, first, text, depth, word)
+{
+    if (file in lines)
+        return lines[file]
+    n = first = depth = in_comment = 0
+    while ((getline line < file) > 0) {
+        source[file, ++n] = line
+        if (line ~ /\\$/ || source[file, n - 1] ~ /\\$/) {
+            if (line ~ /^#define / && split(line, word, /[ (]/) >= 2)
+                define(file, word[2], n, n)
+            continue
+        }
+        code = bare(line)
+        if (line ~ /^#define / && split(line, word, /[ (]/) >= 2)
+            define(file, word[2], n, n)
+        if (line ~ /^#/)
+            continue
+        if (!first && code ~ /^[A-Za-z_]/) {
+            first = n
+            text = ""
+        }
+        if (!first)
+            continue
+        text = text " " code
+        depth += count(code, "[{]") - count(code, "[}]")
+        if (depth <= 0 && (code ~ /;$/ || (code ~ /}$/ && text ~ /^[^={\[]*\(/))) {
+            define_statement(file, substr(text, 2), first, n)
+            first = depth = 0
+        }
+    }
+    lines[file] = n > 0 ? n : -1
+    close(file)
+    return lines[file]
+}
+
+# The listing of a name, lines joined by newlines; "" after an error.
+function listing(file, name, comment,    first, last, text, i)
+{
+    if (read_source(file) < 0) {
+        fail("listing: " file ": cannot be read, or is empty")
+        return ""
+    }
+    first = 1
+    last = lines[file]
+    if (name != "*") {
+        if (definitions[file, name] != 1) {
+            fail("listing: " file (definitions[file, name] ? \
+                ": defines " name " more than once" : ": defines no " name))
+            return ""
+        }
+        first = from[file, name]
+        last = to[file, name]
+    }
+    while (comment && source[file, first - 1] ~ /^\/\//)
+        first--
+    for (i = first; i <= last; i++)
+        text = text source[file, i] "\n"
+    return "```" (file ~ /\.[ch]$/ ? "c" : file ~ /\.(glsl|frag|vert)$/ ? "glsl" : "") "\n" \
+        text "```\n"
+}
+
+# ---- The table of parameters ----
+
+# The trimmed part of a line from column a to before column b; to the end where b is 0.
+function cell(line, a, b,    text)
+{
+    text = b ? substr(line, a, b - a) : substr(line, a)
+    gsub(/^ +| +$/, "", text)
+    gsub(/\|/, "\\|", text)
+    return text
+}
+
+# The parameters of a program as a table of Markdown; "" after an error. The words of --list's first
+# line say where its columns begin.
+function table(stem,    command, line, text, n, name, at, i)
+{
+    command = build "/" stem " --list"
+    n = split("name value range unit meaning", name, " ")
+    text = "| name | value | range | unit | meaning |\n| --- | --- | --- | --- | --- |\n"
+    while ((command | getline line) > 0) {
+        if (!at[1])
+            for (i = 1; i <= n; i++)
+                at[i] = index(line, name[i])
+        else {
+            text = text "| `" cell(line, at[1], at[2]) "` |"
+            for (i = 2; i <= n; i++)
+                text = text " " cell(line, at[i], i < n ? at[i + 1] : 0) " |"
+            text = text "\n"
+        }
+    }
+    if (close(command) != 0 || !at[1] || !at[2] || !at[3] || !at[4] || !at[5]) {
+        fail("parameters: " command ": failed, or prints no table: run make first")
+        return ""
+    }
+    return text
+}
+
+# ---- The page ----
+
+# What a marker asks for; "" after an error.
+function block(line,    word, n)
+{
+    n = split(line, word, " ")
+    if (word[2] == "parameters:" && n == 4 && word[4] == "-->")
+        return table(word[3])
+    if (word[2] == "code:" && word[n] == "-->" && (n == 5 || (n == 6 && word[5] == "with-comment")))
+        return listing(word[3], word[4], n == 6)
+    fail("malformed marker: " line)
+    return ""
+}
+
+# The block below a marker has been read: write it afresh.
+function finish()
+{
+    if (old != fresh && mode == "check") {
+        print page ":" at ": differs from its source (make docs rewrites it): " marker \
+            > "/dev/stderr"
+        bad = 1
+    }
+    printf "%s", fresh
+    state = "text"
+}
+
+BEGIN { state = "text" }
+
+# The first line below a marker: the block begins, or there is none yet.
+state == "marker" {
+    table_wanted = marker ~ /^<!-- parameters:/
+    if (table_wanted ? /^\|/ : /^```/) {
+        state = table_wanted ? "table" : "listing"
+        old = $0 "\n"
+        next
+    }
+    finish()
+}
+
+state == "listing" {
+    old = old $0 "\n"
+    if (/^```$/)
+        finish()
+    next
+}
+
+state == "table" {
+    if (/^\|/) {
+        old = old $0 "\n"
+        next
+    }
+    finish()
+}
+
+# Markers inside another fence are shown, not obeyed.
+state == "text" && /^```/ { fenced = !fenced }
+
+{ print }
+
+state == "text" && !fenced && /^<!-- *(code|parameters):/ {
+    marker = $0
+    at = FNR
+    old = ""
+    fresh = block($0)
+    if (fresh != "")
+        state = "marker"
+}
+
+END {
+    if (state == "listing")
+        fail("the fence below line " at " has no end")
+    else if (state != "text")
+        finish()
+    if (fenced)
+        fail("a fence has no end")
+    exit bad
+}

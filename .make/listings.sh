@@ -1,0 +1,47 @@
+#!/bin/sh
+# listings.sh - rewrite the listings and the tables of parameters in the pages from their sources.
+#
+#   .make/listings.sh [--check] [PAGE...]     default: README.md and docs/*.md
+#
+# A page holds a marker on a line of its own, and the block below it is written by this script:
+#
+#   <!-- code: shaders/march.glsl march -->               what the file defines under this name
+#   <!-- code: shaders/march.glsl march with-comment -->  with the comment block above it
+#   <!-- code: chapters/first_steps/1_screen.frag * -->   the whole file
+#   <!-- parameters: 01_normal_colouring -->              what build/01_normal_colouring --list prints
+#
+# A name is a function, struct, enum, variable or #define that begins at column 0; prototypes,
+# forward and extern declarations define nothing. An error (a name that is gone or defined twice,
+# a malformed marker, a fence without end) gives status 1 and leaves the page as it was. --check
+# changes nothing and gives status 1 when a block differs from its source.
+set -eu
+cd "$(dirname "$0")/.."
+
+mode="write"
+if [ "${1-}" = --check ]; then
+    mode="check"
+    shift
+fi
+if [ $# -eq 0 ]; then
+    set --
+    for page in README.md docs/*.md; do
+        [ -f "$page" ] && set -- "$@" "$page"
+    done
+fi
+
+fresh=$(mktemp)
+trap 'rm -f "$fresh"' EXIT
+status=0
+for page in "$@"; do
+    if [ ! -r "$page" ]; then
+        echo "$page: cannot be read" >&2
+        status=1
+    elif ! awk -v mode="$mode" -v page="$page" -v build="${BUILD:-build}" \
+        -f .make/listings.awk "$page" >"$fresh"; then
+        status=1
+    elif [ "$mode" = write ] && ! cmp -s "$fresh" "$page"; then
+        cat "$fresh" >"$page"
+        echo "$page: listings rewritten"
+    fi
+done
+exit "$status"

@@ -1,0 +1,212 @@
+#!/bin/sh
+# setup.sh [--check|--all] SET... - see to it that what the sets need is on this machine.
+#
+# Sets: run (build and render), test, lint. Where nothing is missing this asks only files and
+# commands: no network, no package manager. Else, as root it installs; with a terminal and sudo it
+# says what it will install and lets sudo ask; otherwise it prints the one command and fails.
+#   --check  install nothing
+#   --all    also what is useful but not needed
+# The tests are handed to need by name.
+# shellcheck disable=SC2317
+set -u
+
+mode=install all=
+case ${1-} in
+--check) mode=check; shift ;;
+--all) all=1; shift ;;
+esac
+
+# ---- What is missing ----
+
+# The column of the package tables below that names this machine's packages.
+manager=none column=1
+for candidate in apt-get dnf pacman brew; do
+    if command -v "$candidate" >/dev/null 2>&1; then
+        manager=$candidate
+        break
+    fi
+    column=$((column + 1))
+done
+
+packages='' purposes='' extra=''
+
+# names_here APT|DNF|PACMAN|BREW: the packages of this machine's column; '-' means there is none.
+names_here() {
+    [ "$manager" = none ] && return
+    name=$(printf '%s' "$1" | cut -d '|' -f "$column")
+    [ "$name" = - ] || printf ' %s' "$name"
+}
+
+# need PURPOSE PACKAGES TEST...: when the test fails, the packages are missing.
+need() {
+    purpose=$1 names=$2
+    shift 2
+    "$@" >/dev/null 2>&1 && return
+    # Where the package manager has no such package, what needs it is skipped, and says so.
+    found=$(names_here "$names")
+    [ "$manager" != none ] && [ -z "$found" ] && return
+    packages=$packages$found
+    purposes="$purposes${purposes:+, }$purpose"
+}
+
+has_command() { command -v "$1"; }
+has_library() { pkg-config --exists "$1"; }
+has_header() { printf '#include <%s>\n' "$1" | cc -E - ; }
+has_sanitizers() {
+    [ "$(uname)" = Darwin ] || [ -e "$(cc -print-file-name=libasan.so)" ]
+}
+has_driver() {
+    [ "$(uname)" = Darwin ] && return
+    for file in /usr/lib/*/dri/swrast_dri.so /usr/lib*/dri/swrast_dri.so \
+        /usr/lib/*/libgallium-*.so /usr/lib*/libgallium-*.so; do
+        [ -e "$file" ] && return
+    done
+    return 1
+}
+
+need_run() {
+    need 'a C compiler' 'gcc libc6-dev|gcc glibc-devel|gcc|gcc' has_header stdio.h
+    need 'pkg-config' 'pkg-config|pkgconf-pkg-config|pkgconf|pkg-config' has_command pkg-config
+    need 'GLFW for windows' 'libglfw3-dev|glfw-devel|glfw|glfw' has_library glfw3
+    need 'EGL to render without one' 'libegl-dev libegl1|libglvnd-devel mesa-libEGL|libglvnd mesa|-' \
+        has_library egl
+    need 'OpenGL headers' 'libgl-dev|libglvnd-devel|libglvnd|mesa' has_header GL/glcorearb.h
+    need 'the Mesa software renderer' 'libgl1-mesa-dri|mesa-dri-drivers|mesa|-' has_driver
+    need 'libpng' 'libpng-dev|libpng-devel|libpng|libpng' has_library libpng
+    need 'cglm' 'libcglm-dev|cglm-devel|cglm|cglm' has_library cglm
+    # Gone from Mesa 25.1 on: the programs do without it.
+    has_library osmesa >/dev/null 2>&1 ||
+        extra=$(names_here 'libosmesa6-dev|mesa-libOSMesa-devel|-|-')
+}
+
+need_test() {
+    need_run
+    need 'cmocka' 'libcmocka-dev|libcmocka-devel|cmocka|cmocka' has_library cmocka
+    need 'git' 'git|git|git|git' has_command git
+    need 'the sanitizers' '-|libasan libubsan|-|-' has_sanitizers
+    need 'a virtual display' 'xvfb|xorg-x11-server-Xvfb|xorg-server-xvfb|-' has_command Xvfb
+    need 'real key and mouse events' 'xdotool|xdotool|xdotool|-' has_command xdotool
+    need 'a window manager' 'openbox|openbox|openbox|-' has_command openbox
+    need 'wmctrl' 'wmctrl|wmctrl|wmctrl|-' has_command wmctrl
+    need 'ImageMagick' 'imagemagick|ImageMagick|imagemagick|imagemagick' has_command convert
+}
+
+need_lint() {
+    need_run
+    need 'cmocka' 'libcmocka-dev|libcmocka-devel|cmocka|cmocka' has_library cmocka
+    need 'gcc' 'gcc|gcc|gcc|gcc' has_command gcc
+    need 'clang' 'clang|clang|clang|llvm' has_command clang
+    need 'clang-format' 'clang-format|clang-tools-extra|clang|clang-format' has_command clang-format
+    need 'clang-tidy' 'clang-tidy|clang-tools-extra|clang|llvm' has_command clang-tidy
+    need 'cppcheck' 'cppcheck|cppcheck|cppcheck|cppcheck' has_command cppcheck
+    need 'ShellCheck' 'shellcheck|ShellCheck|shellcheck|shellcheck' has_command shellcheck
+    need 'glslangValidator' 'glslang-tools|glslang|glslang|glslang' has_command glslangValidator
+}
+
+look() {
+    packages='' purposes='' extra=''
+    for set in "$@"; do
+        case $set in
+        run) need_run ;;
+        test) need_test ;;
+        lint) need_lint ;;
+        *) printf 'setup.sh: %s: no such set: run, test or lint\n' "$set" >&2; exit 2 ;;
+        esac
+    done
+    # Two sets may name one package.
+    packages=$(echo "$packages" | tr ' ' '\n' | sort -u | tr '\n' ' ')
+    packages=${packages# } packages=${packages% }
+}
+
+# ---- What is done about it ----
+
+# Of the packages that are useful but not needed, those that there are.
+available() {
+    for name in $extra; do
+        if [ "$manager" = apt-get ]; then
+            apt-cache show "$name" >/dev/null 2>&1 && printf ' %s' "$name"
+        else
+            dnf -q info "$name" >/dev/null 2>&1 && printf ' %s' "$name"
+        fi
+    done
+}
+
+refresh_command() {
+    case $manager in
+    apt-get) echo 'apt-get -q update' ;;
+    pacman) echo 'pacman -Sy --noconfirm' ;;
+    *) echo true ;;
+    esac
+}
+
+install_command() {
+    case $manager in
+    apt-get) echo "env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=120 install --no-install-recommends" ;;
+    dnf) echo 'dnf -y install' ;;
+    pacman) echo 'pacman -S --needed --noconfirm' ;;
+    brew) echo 'brew install' ;;
+    esac
+}
+
+# What a person would type.
+one_command() {
+    as='sudo '
+    [ "$(id -u)" = 0 ] && as=
+    case $manager in
+    apt-get) echo "${as}apt-get update && ${as}apt-get install -y --no-install-recommends $1" ;;
+    dnf) echo "${as}dnf install $1" ;;
+    pacman) echo "${as}pacman -Sy --needed $1" ;;
+    brew) echo "brew install $1" ;;
+    esac
+}
+
+# Run a command quietly; where it fails, show the end of what it said.
+quietly() {
+    sh -c "$1" >>build/setup.log 2>&1 && return
+    tail -n 15 build/setup.log >&2
+    printf 'setup: %s failed: see build/setup.log\n' "$manager" >&2
+    exit 1
+}
+
+carry_out() { # AS: sudo or nothing
+    mkdir -p build && : >build/setup.log || exit 1
+    quietly "$1 $(refresh_command)"
+    # Only after the refresh does a fresh machine know what there is.
+    quietly "$1 $(install_command) $packages$(available)"
+}
+
+look "$@"
+if [ -n "$all" ] && [ -z "$packages" ] && [ -n "$(available)" ]; then
+    purposes='OSMesa, a second way to render without a window'
+    packages=$(available)
+fi
+[ -z "$purposes" ] && exit 0
+
+if [ "$manager" = none ]; then
+    printf 'setup: this machine lacks: %s. No apt-get, dnf, pacman or brew here: install them by hand.\n' \
+        "$purposes" >&2
+    exit 1
+fi
+
+can_sudo() { [ -t 0 ] && [ -t 2 ] && command -v sudo >/dev/null; }
+
+if [ "$mode" = install ] && [ "$manager" != brew ] && [ "$(id -u)" = 0 ]; then
+    printf 'setup: installing %s (%s: %s)\n' "$purposes" "$manager" "$packages"
+    carry_out ''
+elif [ "$mode" = install ] && [ "$manager" != brew ] && can_sudo; then
+    printf 'setup: %s will be installed (sudo %s: %s)\n' "$purposes" "$manager" "$packages"
+    sudo -v || exit 1
+    carry_out sudo
+elif [ "$mode" = install ] && [ "$manager" = brew ] && [ -t 0 ] && [ "$(id -u)" != 0 ]; then
+    printf 'setup: installing %s (brew: %s)\n' "$purposes" "$packages"
+    carry_out ''
+else
+    printf 'setup: this machine lacks: %s. Install with:\n  %s\n' "$purposes" \
+        "$(one_command "$packages$(available)")" >&2
+    exit 1
+fi
+
+look "$@"
+[ -z "$purposes" ] && exit 0
+printf 'setup: still missing after the installation: %s\n' "$purposes" >&2
+exit 1

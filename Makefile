@@ -1,0 +1,145 @@
+# Every command that a person types: `make help` lists them. GNU make 3.81 suffices.
+# Chapters, modules and tests are found by name, never listed.
+
+CFLAGS ?= -O2 -g
+OPTIONS =
+CHAPTER =
+SUITE =
+FORCE =
+SANITIZE =
+export CHAPTER SUITE FORCE
+
+# Recursive makes run in parallel, unless the caller has said how.
+CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+JOBS = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(CPUS))
+AGAIN = $(MAKE) --no-print-directory $(JOBS)
+
+# ---- What this machine has ----
+
+found = $(shell pkg-config --exists $(1) 2>/dev/null && echo yes)
+BACKENDS := $(if $(call found,glfw3),glfw) $(if $(call found,egl),egl) \
+            $(if $(call found,osmesa),osmesa)
+LIBRARIES := libpng $(if $(filter glfw,$(BACKENDS)),glfw3) $(if $(filter egl,$(BACKENDS)),egl)
+
+HAVE := $(if $(filter glfw,$(BACKENDS)),-DHAVE_GLFW) $(if $(filter egl,$(BACKENDS)),-DHAVE_EGL) \
+        $(if $(filter osmesa,$(BACKENDS)),-DHAVE_OSMESA)
+# Other people's headers are not held to our warnings: -isystem.
+HEADERS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(LIBRARIES) cglm 2>/dev/null))
+LINK := $(shell pkg-config --libs $(LIBRARIES) 2>/dev/null) -ldl -lm
+CMOCKA := $(shell pkg-config --libs cmocka 2>/dev/null)
+
+# Short lines; V=1 shows the whole commands.
+V =
+say = $(if $(V),,@echo '$(1)' &&)
+
+WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+LANGUAGE = -std=c11 -D_XOPEN_SOURCE=700
+COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
+
+# ---- What is built ----
+
+# The sanitizers: `make SANITIZE=1 programs tests` builds the same into build/sanitize/. Mesa unloads
+# its drivers, and a leak report from unloaded code has no names: so dlclose is empty there.
+ifeq ($(SANITIZE),)
+BUILD = build
+INSTRUMENT =
+EXTRA =
+else
+BUILD = build/sanitize
+INSTRUMENT = -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+EXTRA = $(BUILD)/tests/no_dlclose.o
+endif
+
+ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,common/context_$(name).c))
+ABSENT += common/$(if $(filter glfw,$(BACKENDS)),window_none.c,window.c common/window_input.c)
+COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(wildcard common/*.c)))
+STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
+SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
+PROGRAMS := $(STEMS:%=$(BUILD)/%)
+TESTS := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard tests/test_*.c)))
+
+all: ## build every chapter's program into build/ (the default)
+	@.make/setup.sh --check run
+	@$(AGAIN) programs
+
+programs: $(PROGRAMS)
+tests: $(TESTS) $(BUILD)/tests/compare
+
+$(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
+
+$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
+
+$(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/image.o $(BUILD)/common/report.o $(EXTRA)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
+
+$(BUILD)/%.o: %.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call say,$(CC) $<) $(CC) $(COMPILE) -MMD -MP -c -o $@ $<
+
+# Everything is compiled again when the compiler, the flags or what the machine has change.
+$(BUILD)/flags: always
+	@mkdir -p $(@D)
+	@echo '$(CC) $(COMPILE) $(LINK)' | cmp -s - $@ || echo '$(CC) $(COMPILE) $(LINK)' > $@
+
+-include $(wildcard $(BUILD)/common/*.d $(BUILD)/chapters/*.d $(BUILD)/tests/*.d)
+
+# ---- What a person asks for ----
+
+run: ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2'; without a display, render all
+	@.make/setup.sh run
+	@$(AGAIN) programs
+	@.make/run.sh $(OPTIONS)
+
+test: ## run every test; make test SUITE=camera runs one
+	@.make/setup.sh test
+	@$(AGAIN) programs tests
+	@$(AGAIN) SANITIZE=1 programs tests
+	@tests/run.sh $(SUITE)
+
+test-gpu: ## compare the references with this machine's own GPU; reports, does not judge
+	@.make/setup.sh run
+	@$(AGAIN) programs build/tests/compare
+	@tests/references.sh gpu
+
+gallery: ## render every picture of tests/images.txt into build/gallery/
+	@.make/setup.sh run
+	@$(AGAIN) programs
+	@tests/references.sh gallery
+
+references: ## render the reference pictures again; those within tolerance stay (FORCE=1 rewrites all)
+	@.make/setup.sh run
+	@$(AGAIN) programs build/tests/compare
+	@tests/references.sh update
+
+diff: ## show what changed since the chapter before: make diff CHAPTER=03
+	@.make/diff.sh
+
+lint: ## hold C, GLSL and scripts against every checker; warnings are errors
+	@.make/setup.sh lint
+	@$(AGAIN) programs
+	@CFLAGS='$(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS)' .make/lint.sh
+
+format: ## lay out the C sources by .clang-format
+	@.make/setup.sh lint
+	@clang-format -i $(wildcard common/*.[ch] chapters/*.c tests/*.[ch])
+
+docs: ## rewrite the listings in docs/ from the sources that they show
+	@.make/listings.sh
+
+setup: ## install what run, test and lint need
+	@.make/setup.sh --all run test lint
+
+clean: ## remove build/
+	rm -rf build
+
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
+
+always:
+.PHONY: all programs tests run test test-gpu gallery references diff lint format docs setup clean \
+        help always
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.SECONDARY:

@@ -1,0 +1,42 @@
+// camera.h - where the eye is and where it looks: pure mathematics, no OpenGL.
+//
+// World: y up, right-handed. Pan 0 and tilt 0 look along -z; a positive pan turns to the right
+// (towards +x), a positive tilt turns up.
+#ifndef CAMERA_H
+#define CAMERA_H
+
+#include <cglm/cglm.h>
+
+// Beyond this tilt the view direction nears the vertical, where "right" has no direction.
+#define CAMERA_TILT_LIMIT 89.0f // degrees
+
+struct camera {
+    vec3 position; // scene units
+    float pan;     // degrees, any; kept in [-180, 180) by camera_turn
+    float tilt;    // degrees, in [-CAMERA_TILT_LIMIT, CAMERA_TILT_LIMIT]
+};
+
+// The orthonormal, right-handed frame of the eye: right x up = -forward.
+struct camera_basis {
+    vec3 right, up, forward;
+};
+
+// The frame of a camera:
+//   forward = (sin pan cos tilt, sin tilt, -cos pan cos tilt)
+//   right   = normalize(forward x (0, 1, 0)) = (cos pan, 0, sin pan)
+//   up      = right x forward
+//   camera   position is not used; tilt within its limit
+//   returns  the basis, by value
+struct camera_basis camera_basis_of(const struct camera *camera);
+
+// Turn by angles in degrees; the tilt stops at its limit, the pan wraps into [-180, 180).
+void camera_turn(struct camera *camera, float pan, float tilt);
+
+// Move in the camera's own frame.
+//   direction  (right, up, forward), each usually -1, 0 or 1; right and forward follow the view,
+//              up is the world's y. A direction of length 0 moves nothing; any other is normalised,
+//              so that a diagonal is no faster than a straight line.
+//   distance   scene units: speed times seconds, so that the path does not depend on the frame rate
+void camera_move(struct camera *camera, const float direction[3], float distance);
+
+#endif

@@ -1,0 +1,249 @@
+#include "chapter.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#ifdef __APPLE__
+#include <mach-o/dyld.h>
+#endif
+
+#include "context.h"
+#include "image.h"
+#include "options.h"
+#include "renderer.h"
+#include "report.h"
+#include "window.h"
+
+enum { DONE = 0, NOT_DONE = 1, WRONG_COMMAND_LINE = 2 };
+
+// What one run of a chapter works with.
+struct run {
+    const struct chapter *chapter;
+    struct options options;
+    char root[PATH_MAX];   // the project's folder
+    char shader[PATH_MAX]; // the shader to run
+};
+
+// The path of this program's own file; programs find the project from there, so that they run from
+// any directory.
+static bool program_path(char path[PATH_MAX])
+{
+#ifdef __APPLE__
+    char raw[PATH_MAX];
+    uint32_t size = sizeof raw;
+    return _NSGetExecutablePath(raw, &size) == 0 && realpath(raw, path) != NULL;
+#else
+    return realpath("/proc/self/exe", path) != NULL;
+#endif
+}
+
+// Find the project's folder: --root, or the nearest folder above the program that holds shaders/.
+static bool find_root(struct run *run)
+{
+    char probe[PATH_MAX + 32];
+    if (run->options.root != NULL) {
+        snprintf(probe, sizeof probe, "%s/shaders/screen.vert", run->options.root);
+        if (realpath(run->options.root, run->root) != NULL && access(probe, R_OK) == 0)
+            return true;
+        report("--root %s: no shaders/screen.vert in it: give the project's folder",
+               run->options.root);
+        return false;
+    }
+    char *slash = NULL;
+    if (program_path(run->root))
+        while ((slash = strrchr(run->root, '/')) != NULL && slash != run->root) {
+            *slash = '\0';
+            snprintf(probe, sizeof probe, "%s/shaders/screen.vert", run->root);
+            if (access(probe, R_OK) == 0)
+                return true;
+        }
+    report("shaders/screen.vert: not found above this program's folder: give --root DIR");
+    return false;
+}
+
+static bool find_shader(struct run *run)
+{
+    int length = run->options.shader != NULL
+                     ? snprintf(run->shader, sizeof run->shader, "%s", run->options.shader)
+                     : snprintf(run->shader, sizeof run->shader, "%s/chapters/%s.frag", run->root,
+                                run->chapter->stem);
+    if (length < (int)sizeof run->shader)
+        return true;
+    report("%.40s...: the path of the shader is too long", run->shader);
+    return false;
+}
+
+static int print_shader(const struct run *run)
+{
+    struct shader_source source;
+    if (!shader_read(&source, run->shader, run->root))
+        return NOT_DONE;
+    char *text = shader_has_view(&source, run->options.view)
+                     ? shader_text(&source, run->options.view)
+                     : NULL;
+    shader_free(&source);
+    if (text == NULL)
+        return NOT_DONE;
+    fputs(text, stdout);
+    free(text);
+    return DONE;
+}
+
+static int list_parameters(const struct run *run)
+{
+    struct shader_source source;
+    struct parameters parameters = {0};
+    if (!shader_read(&source, run->shader, run->root))
+        return NOT_DONE;
+    int status = NOT_DONE;
+    if (parameters_read(&parameters, &source)) {
+        status = DONE;
+        for (int i = 0; i < run->options.setting_count && status == DONE; i++)
+            if (!parameters_assign(&parameters, run->options.settings[i]))
+                status = WRONG_COMMAND_LINE;
+        if (status == DONE)
+            parameters_print(&parameters, stdout);
+    }
+    parameters_free(&parameters);
+    shader_free(&source);
+    return status;
+}
+
+static int print_version(const struct run *run)
+{
+    struct context context = {0};
+    char text[512];
+    if (!context_open_offscreen(&context, run->options.backend))
+        return NOT_DONE;
+    context_describe(&context, text, sizeof text);
+    printf("%s: %s\n", run->chapter->stem, text);
+    context_close(&context);
+    return DONE;
+}
+
+// The table of --probe: what the march of one ray knew at each step, then a line that says why it
+// ended and what the pixel cost.
+static void print_probe(const struct renderer_probe *probe)
+{
+    static const char *const ends[] = {"no march", "hit", "miss: passed the far limit",
+                                       "miss: the steps ran out"};
+    int rows = probe->steps < RENDERER_PROBE_STEPS ? probe->steps : RENDERER_PROBE_STEPS;
+    printf("step,t,distance,x,y,z\n");
+    for (int i = 0; i < rows; i++) {
+        const struct renderer_step *step = &probe->step[i];
+        printf("%d,%.9g,%.9g,%.9g,%.9g,%.9g\n", i, (double)step->t, (double)step->distance,
+               (double)step->position[0], (double)step->position[1], (double)step->position[2]);
+    }
+    printf("# %s; steps: %d, with shadow rays %d; evaluations of the scene: %d\n",
+           ends[probe->end], probe->steps, probe->all_steps, probe->evaluations);
+}
+
+static int run_probe(struct renderer *renderer, const struct renderer_inputs *inputs,
+                     const struct options *options)
+{
+    struct renderer_probe *probe = malloc(sizeof *probe);
+    bool done = probe != NULL &&
+                renderer_probe(renderer, inputs, options->probe_x, options->probe_y, probe);
+    if (done)
+        print_probe(probe);
+    free(probe);
+    return done ? DONE : NOT_DONE;
+}
+
+static int write_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
+                         const char *path)
+{
+    struct image image = {0};
+    bool done = renderer_picture(renderer, inputs, &image) && image_write_png(&image, path);
+    image_free(&image);
+    return done ? DONE : NOT_DONE;
+}
+
+static struct renderer_inputs still_inputs(const struct options *options)
+{
+    return (struct renderer_inputs){.width = options->width,
+                                    .height = options->height,
+                                    .camera = options->camera,
+                                    .time = options->time,
+                                    .samples = options->samples};
+}
+
+// With a context and a renderer: load the shader, then carry out what was asked.
+static int work(struct run *run, struct context *context, struct renderer *renderer)
+{
+    const struct options *options = &run->options;
+    renderer->view = options->view;
+    if (!renderer_load(renderer, run->shader))
+        return NOT_DONE;
+    for (int i = 0; i < options->setting_count; i++)
+        if (!parameters_assign(&renderer->parameters, options->settings[i]))
+            return WRONG_COMMAND_LINE;
+    if (context->window != NULL)
+        return window_run(context, renderer, options, run->chapter->title, run->chapter->stem,
+                          run->shader)
+                   ? DONE
+                   : NOT_DONE;
+    struct renderer_inputs inputs = still_inputs(options);
+    int status = options->has_probe ? run_probe(renderer, &inputs, options) : DONE;
+    if (status == DONE && options->output != NULL)
+        status = write_picture(renderer, &inputs, options->output);
+    return status;
+}
+
+static int open_and_work(struct run *run)
+{
+    struct context context = {0};
+    struct renderer renderer = {0};
+    const struct options *options = &run->options;
+    bool still = options->output != NULL || options->has_probe;
+    if (options->output != NULL && !image_check_target(options->output))
+        return NOT_DONE;
+    bool opened = still ? context_open_offscreen(&context, options->backend)
+                        : context_open_window(&context, options->backend, run->chapter->title,
+                                              options->width, options->height);
+    int status = NOT_DONE;
+    if (opened && renderer_open(&renderer, &context.gl, run->root))
+        status = work(run, &context, &renderer);
+    renderer_close(&renderer);
+    context_close(&context);
+    return status;
+}
+
+static int act(struct run *run, const char *program)
+{
+    if (run->options.action == OPTIONS_HELP) {
+        options_print_help(stdout, program, run->chapter->title, run->chapter->shows);
+        return DONE;
+    }
+    if (run->options.action == OPTIONS_VERSION)
+        return print_version(run);
+    if (!find_root(run) || !find_shader(run))
+        return NOT_DONE;
+    switch (run->options.action) {
+    case OPTIONS_PRINT_SHADER:
+        return print_shader(run);
+    case OPTIONS_LIST:
+        return list_parameters(run);
+    default:
+        return open_and_work(run);
+    }
+}
+
+int chapter_run(const struct chapter *chapter, int argc, char **argv)
+{
+    struct run run = {.chapter = chapter};
+    if (!options_parse(&run.options, argc, argv))
+        return WRONG_COMMAND_LINE;
+    if (!run.options.has_camera)
+        run.options.camera = chapter->camera;
+    int status = act(&run, argv[0]);
+    options_free(&run.options);
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        report("standard output: cannot be written: is the disk full?");
+        return NOT_DONE;
+    }
+    return status;
+}

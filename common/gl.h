@@ -1,0 +1,80 @@
+// gl.h - the OpenGL functions that this program uses, in one table, found through the backend.
+//
+// Calls go through the table alone (gl->DrawArrays), never to a linked libGL: libOSMesa exports the
+// same names, and two backends may follow each other in one process. The list stays inside what
+// OpenGL 3.3 core and OpenGL ES 3.0 share.
+#ifndef GL_H
+#define GL_H
+
+#include <stdbool.h>
+
+#include <GL/glcorearb.h>
+
+// X(type, name): one line for each function.
+#define GL_FUNCTIONS(X)                                                                            \
+    X(PFNGLATTACHSHADERPROC, AttachShader)                                                         \
+    X(PFNGLBINDBUFFERPROC, BindBuffer)                                                             \
+    X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                   \
+    X(PFNGLBINDTEXTUREPROC, BindTexture)                                                           \
+    X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                   \
+    X(PFNGLBLENDCOLORPROC, BlendColor)                                                             \
+    X(PFNGLBLENDFUNCPROC, BlendFunc)                                                               \
+    X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                                                   \
+    X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                     \
+    X(PFNGLCLEARPROC, Clear)                                                                       \
+    X(PFNGLCLEARCOLORPROC, ClearColor)                                                             \
+    X(PFNGLCOMPILESHADERPROC, CompileShader)                                                       \
+    X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                       \
+    X(PFNGLCREATESHADERPROC, CreateShader)                                                         \
+    X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                                             \
+    X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                                       \
+    X(PFNGLDELETESHADERPROC, DeleteShader)                                                         \
+    X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                                     \
+    X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                                             \
+    X(PFNGLDISABLEPROC, Disable)                                                                   \
+    X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                             \
+    X(PFNGLENABLEPROC, Enable)                                                                     \
+    X(PFNGLFINISHPROC, Finish)                                                                     \
+    X(PFNGLFLUSHPROC, Flush)                                                                       \
+    X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                         \
+    X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                                   \
+    X(PFNGLGENTEXTURESPROC, GenTextures)                                                           \
+    X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                   \
+    X(PFNGLGETERRORPROC, GetError)                                                                 \
+    X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                           \
+    X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                               \
+    X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                         \
+    X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                 \
+    X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                           \
+    X(PFNGLGETSTRINGPROC, GetString)                                                               \
+    X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                             \
+    X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                           \
+    X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                           \
+    X(PFNGLREADPIXELSPROC, ReadPixels)                                                             \
+    X(PFNGLSCISSORPROC, Scissor)                                                                   \
+    X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                         \
+    X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                             \
+    X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                       \
+    X(PFNGLUNIFORM1FPROC, Uniform1f)                                                               \
+    X(PFNGLUNIFORM1IPROC, Uniform1i)                                                               \
+    X(PFNGLUNIFORM2FPROC, Uniform2f)                                                               \
+    X(PFNGLUNIFORM3FPROC, Uniform3f)                                                               \
+    X(PFNGLUNIFORM4FPROC, Uniform4f)                                                               \
+    X(PFNGLUSEPROGRAMPROC, UseProgram)                                                             \
+    X(PFNGLVIEWPORTPROC, Viewport)
+
+// A function of any type, to be cast to its own before a call.
+typedef void (*gl_function)(void);
+
+struct gl {
+#define GL_MEMBER(type, name) type name;
+    GL_FUNCTIONS(GL_MEMBER)
+#undef GL_MEMBER
+};
+
+// Fill the table for the current context.
+//   find     the backend's look-up; takes "glDrawArrays", returns NULL for what it lacks
+// Returns false, reported with the name of the first function that the driver lacks.
+bool gl_load(struct gl *gl, gl_function (*find)(const char *name));
+
+#endif

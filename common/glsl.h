@@ -1,0 +1,26 @@
+// glsl.h - the little of GLSL's grammar that the harness reads itself: comments and functions.
+#ifndef GLSL_H
+#define GLSL_H
+
+#include <stdbool.h>
+
+// Overwrite comments with blanks; line ends stay, so that lines and columns keep their numbers.
+// A line comment whose last character is a backslash goes on in the next line, as drivers have it.
+//   keep_line_comments  leave the comments that begin with // as they are
+// Returns NULL, or the place of the first block comment that is never closed.
+char *glsl_blank_comments(char *text, bool keep_line_comments);
+
+// True for a letter, a digit or an underscore of the basic alphabet, whatever the locale.
+bool glsl_is_word(char c);
+
+// The first place where word stands as a whole identifier, or NULL.
+//   code  a text without comments
+const char *glsl_find_word(const char *code, const char *word);
+
+// True when the code defines a function of this name; a prototype defines nothing.
+bool glsl_defines(const char *code, const char *name);
+
+// The first call of a function of this name, or NULL; prototypes and definitions are no calls.
+const char *glsl_find_call(const char *code, const char *name);
+
+#endif

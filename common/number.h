@@ -1,0 +1,25 @@
+// number.h - decimal numbers as people type them, the same in every locale.
+#ifndef NUMBER_H
+#define NUMBER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+// Read a number at the beginning of a text: "3", "-3", "1.", ".5", "1e-6"; no blanks, no
+// hexadecimal, no "inf", no "nan".
+//   value  receives the number; infinite when it is too large for a double
+// Returns the number of characters that it takes, 0 when the text does not begin with a number.
+size_t number_begin(const char *text, double *value);
+
+// Read a text that is one finite number and nothing else. Returns false, not reported, otherwise.
+bool number_read(const char *text, double *value);
+
+// As number_read, for a whole number from minimum to maximum; "3.0" is not whole, "+3" is.
+bool number_read_int(const char *text, int minimum, int maximum, int *value);
+
+// The shortest text that a shader reads as the same float; a whole number below 1e10 stands in
+// full.
+//   size  at least 32
+void number_text(double value, char *text, size_t size);
+
+#endif

@@ -1,0 +1,57 @@
+// options.h - the command line of every chapter program.
+#ifndef OPTIONS_H
+#define OPTIONS_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+#include "camera.h"
+#include "context.h"
+#include "shader.h"
+
+#define OPTIONS_SIZE_LIMIT 16384 // pixels, each way
+#define OPTIONS_SAMPLES_LIMIT 8  // samples along each side of a pixel
+
+enum options_action {
+    OPTIONS_RUN,          // a window, or a file, or a probe
+    OPTIONS_PRINT_SHADER, // --print-shader
+    OPTIONS_LIST,         // --list
+    OPTIONS_HELP,         // --help
+    OPTIONS_VERSION       // --version
+};
+
+// What the command line asks for. Strings point into argv.
+struct options {
+    enum options_action action;
+    const char *output;           // PNG to write, or NULL
+    int width, height;            // pixels, 1 to OPTIONS_SIZE_LIMIT; defaults set by options_parse
+    double time;                  // seconds
+    const char **settings;        // NAME=VALUE, in the order given; owned, see options_free
+    int setting_count;
+    bool has_camera;
+    struct camera camera;         // meaningful when has_camera
+    int samples;                  // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel
+    enum shader_view view;
+    bool has_probe;
+    int probe_x, probe_y;         // a pixel of the picture; 0,0 is bottom left
+    enum context_backend backend;
+    const char *shader;           // --shader, or NULL for the chapter's own
+    const char *root;             // --root, or NULL: found from the program's own place
+};
+
+// Read the command line.
+//   options  filled in; defaults: window 960x540, file or probe 640x360, time 0, 1 sample, picture
+// Returns false after one reported line (what was given, what is expected): exit status 2. Checked
+// here: syntax, ranges, the probe inside the picture, no operand left over. Not here: the names and
+// ranges of parameters, which only the shader knows.
+bool options_parse(struct options *options, int argc, char **argv);
+
+// Free what options_parse allocated.
+void options_free(struct options *options);
+
+// The text of --help.
+//   program  how the program was called
+//   title, shows   of the chapter
+void options_print_help(FILE *file, const char *program, const char *title, const char *shows);
+
+#endif

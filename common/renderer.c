@@ -1,0 +1,339 @@
+#include "renderer.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "report.h"
+
+// A tile is what one draw call covers: small enough that no single draw holds a GPU for seconds.
+#define TILE 512 // pixels
+
+// A file is drawn in bands of at most this many pixels, so that the float target stays small.
+#define BAND_PIXELS (4 * 1024 * 1024)
+
+bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root)
+{
+    *renderer = (struct renderer){.gl = gl, .root = root, .focal_length = 1.0f};
+    char path[4096];
+    snprintf(path, sizeof path, "%s/shaders/screen.vert", root);
+    if (!shader_read(&renderer->vertex, path, root))
+        return false;
+    gl->GenVertexArrays(1, &renderer->vertex_array);
+    gl->GenFramebuffers(1, &renderer->framebuffer);
+    gl->GenTextures(1, &renderer->texture);
+    return true;
+}
+
+static void forget_programs(struct renderer *renderer)
+{
+    for (int i = 0; i < SHADER_PROGRAM_COUNT; i++) {
+        if (renderer->program[i] != 0)
+            renderer->gl->DeleteProgram(renderer->program[i]);
+        renderer->program[i] = 0;
+    }
+}
+
+void renderer_close(struct renderer *renderer)
+{
+    if (renderer->gl == NULL)
+        return;
+    forget_programs(renderer);
+    renderer->gl->DeleteTextures(1, &renderer->texture);
+    renderer->gl->DeleteFramebuffers(1, &renderer->framebuffer);
+    renderer->gl->DeleteVertexArrays(1, &renderer->vertex_array);
+    shader_free(&renderer->vertex);
+    shader_free(&renderer->fragment);
+    parameters_free(&renderer->parameters);
+    *renderer = (struct renderer){0};
+}
+
+bool renderer_load(struct renderer *renderer, const char *path)
+{
+    struct shader_source source = {0};
+    struct parameters parameters = {0};
+    GLuint program = 0;
+    if (shader_read(&source, path, renderer->root) && parameters_read(&parameters, &source) &&
+        shader_has_view(&source, renderer->view))
+        program = shader_link(renderer->gl, &renderer->vertex, &source, renderer->view);
+    if (program == 0) {
+        shader_free(&source);
+        parameters_free(&parameters);
+        return false;
+    }
+    parameters_keep(&parameters, &renderer->parameters);
+    forget_programs(renderer);
+    shader_free(&renderer->fragment);
+    parameters_free(&renderer->parameters);
+    renderer->fragment = source;
+    renderer->parameters = parameters;
+    renderer->program[renderer->view] = program;
+    return true;
+}
+
+// Compile a view, or the probe, of the loaded shader where that was not done yet.
+static bool compile_view(struct renderer *renderer, enum shader_view view)
+{
+    if (renderer->program[view] != 0)
+        return true;
+    if (!shader_has_view(&renderer->fragment, view))
+        return false;
+    renderer->program[view] =
+        shader_link(renderer->gl, &renderer->vertex, &renderer->fragment, view);
+    return renderer->program[view] != 0;
+}
+
+bool renderer_set_view(struct renderer *renderer, enum shader_view view)
+{
+    if (!compile_view(renderer, view))
+        return false;
+    renderer->view = view;
+    return true;
+}
+
+// Bind the float target, made anew when its size changes.
+static bool bind_target(struct renderer *renderer, int width, int height)
+{
+    const struct gl *gl = renderer->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, renderer->framebuffer);
+    if (renderer->target_width == width && renderer->target_height == height)
+        return true;
+    gl->BindTexture(GL_TEXTURE_2D, renderer->texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, NULL);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, renderer->texture,
+                             0);
+    if (gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
+        gl->GetError() != GL_NO_ERROR) {
+        renderer->target_width = 0;
+        report("float target %dx%d: the driver cannot make it: try a smaller --size or another "
+               "--backend",
+               width, height);
+        return false;
+    }
+    renderer->target_width = width;
+    renderer->target_height = height;
+    return true;
+}
+
+// The place of a uniform in the program in use; -1, which OpenGL ignores, where it is not used.
+static GLint place(const struct renderer *renderer, GLuint program, const char *name)
+{
+    return renderer->gl->GetUniformLocation(program, name);
+}
+
+static void set_vector(const struct renderer *renderer, GLuint program, const char *name,
+                       const float v[3])
+{
+    renderer->gl->Uniform3f(place(renderer, program, name), v[0], v[1], v[2]);
+}
+
+static void set_parameter(const struct renderer *renderer, GLuint program,
+                          const struct parameter *parameter)
+{
+    const struct gl *gl = renderer->gl;
+    GLint at = place(renderer, program, parameter->name);
+    float v[4] = {(float)parameter->value[0], (float)parameter->value[1],
+                  (float)parameter->value[2], (float)parameter->value[3]};
+    if (parameter->type != PARAMETER_FLOAT)
+        gl->Uniform1i(at, (GLint)parameter->value[0]);
+    else if (parameter->components == 1)
+        gl->Uniform1f(at, v[0]);
+    else if (parameter->components == 2)
+        gl->Uniform2f(at, v[0], v[1]);
+    else if (parameter->components == 3)
+        gl->Uniform3f(at, v[0], v[1], v[2]);
+    else
+        gl->Uniform4f(at, v[0], v[1], v[2], v[3]);
+}
+
+// Everything that stays the same for all tiles and samples of a picture.
+static GLuint use_program(struct renderer *renderer, const struct renderer_inputs *inputs,
+                          enum shader_view view)
+{
+    const struct gl *gl = renderer->gl;
+    GLuint program = renderer->program[view];
+    struct camera_basis basis = camera_basis_of(&inputs->camera);
+    gl->UseProgram(program);
+    gl->Uniform3f(place(renderer, program, "iResolution"), (float)inputs->width,
+                  (float)inputs->height, 1.0f);
+    gl->Uniform1f(place(renderer, program, "iTime"), (float)inputs->time);
+    gl->Uniform1f(place(renderer, program, "iTimeDelta"), (float)inputs->time_delta);
+    gl->Uniform1i(place(renderer, program, "iFrame"), inputs->frame);
+    gl->Uniform4f(place(renderer, program, "iMouse"), inputs->mouse[0], inputs->mouse[1],
+                  inputs->mouse[2], inputs->mouse[3]);
+    set_vector(renderer, program, "iCameraPosition", inputs->camera.position);
+    set_vector(renderer, program, "iCameraRight", basis.right);
+    set_vector(renderer, program, "iCameraUp", basis.up);
+    set_vector(renderer, program, "iCameraForward", basis.forward);
+    gl->Uniform1f(place(renderer, program, "focalLength"), renderer->focal_length);
+    for (int i = 0; i < renderer->parameters.count; i++)
+        set_parameter(renderer, program, &renderer->parameters.item[i]);
+    gl->BindVertexArray(renderer->vertex_array);
+    return program;
+}
+
+// One draw of the triangle.
+//   offset  what is added to gl_FragCoord to give the place in the picture: target and jitter
+//   jitter  the part of it that moves the sample inside its pixel
+static void draw_pass(const struct renderer *renderer, GLuint program, const float offset[2],
+                      const float jitter[2])
+{
+    renderer->gl->Uniform2f(place(renderer, program, "iPixelOffset"), offset[0], offset[1]);
+    renderer->gl->Uniform2f(place(renderer, program, "iPixelJitter"), jitter[0], jitter[1]);
+    renderer->gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+// All samples of the tile that the scissor holds, averaged by blending: sum of samples / count.
+// Sample (i, j) of n x n stands at ((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5) from the pixel's
+// centre, so that one sample is the centre and the picture does not shift with n.
+static void draw_samples(const struct renderer *renderer, GLuint program, int samples, int bottom)
+{
+    for (int k = 0; k < samples * samples; k++) {
+        float jitter[2] = {((float)(k % samples) + 0.5f) / (float)samples - 0.5f,
+                           ((float)(k / samples) + 0.5f) / (float)samples - 0.5f};
+        float offset[2] = {jitter[0], (float)bottom + jitter[1]};
+        draw_pass(renderer, program, offset, jitter);
+    }
+}
+
+bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
+                   int rows)
+{
+    const struct gl *gl = renderer->gl;
+    if (!bind_target(renderer, inputs->width, rows))
+        return false;
+    GLuint program = use_program(renderer, inputs, renderer->view);
+    // The viewport is the whole picture, of which the target holds a part: so the triangle is set
+    // up in the same way whatever the part.
+    gl->Viewport(0, -bottom, inputs->width, inputs->height);
+    gl->Enable(GL_SCISSOR_TEST);
+    float share = 1.0f / (float)(inputs->samples * inputs->samples);
+    if (inputs->samples > 1) {
+        gl->Enable(GL_BLEND);
+        gl->BlendColor(share, share, share, share);
+        gl->BlendFunc(GL_CONSTANT_COLOR, GL_ONE);
+        gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    }
+    for (int y = 0; y < rows; y += TILE)
+        for (int x = 0; x < inputs->width; x += TILE) {
+            gl->Scissor(x, y, TILE, TILE);
+            if (inputs->samples > 1)
+                gl->Clear(GL_COLOR_BUFFER_BIT);
+            draw_samples(renderer, program, inputs->samples, bottom);
+            gl->Flush();
+        }
+    gl->Disable(GL_BLEND);
+    gl->Disable(GL_SCISSOR_TEST);
+    return true;
+}
+
+void renderer_present(struct renderer *renderer, int framebuffer_width, int framebuffer_height)
+{
+    const struct gl *gl = renderer->gl;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl->BlitFramebuffer(0, 0, renderer->target_width, renderer->target_height, 0, 0,
+                        framebuffer_width, framebuffer_height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void renderer_read(struct renderer *renderer, float *values)
+{
+    const struct gl *gl = renderer->gl;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->framebuffer);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl->ReadPixels(0, 0, renderer->target_width, renderer->target_height, GL_RGBA, GL_FLOAT,
+                   values);
+}
+
+// A NaN becomes 0: the comparison is false for it.
+static unsigned char byte_of(float value)
+{
+    return (unsigned char)(value > 0.0f ? fminf(value, 1.0f) * 255.0f + 0.5f : 0.0f);
+}
+
+static void store_rows(struct image *image, const float *values, int bottom, int rows)
+{
+    for (int row = 0; row < rows; row++) {
+        size_t y = (size_t)(image->height - 1 - (bottom + row));
+        unsigned char *pixel = image->pixel + 3 * (size_t)image->width * y;
+        const float *value = values + 4 * (size_t)image->width * (size_t)row;
+        for (int x = 0; x < image->width; x++)
+            for (int channel = 0; channel < 3; channel++)
+                pixel[3 * x + channel] = byte_of(value[4 * x + channel]);
+    }
+}
+
+bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
+                      struct image *image)
+{
+    int band = BAND_PIXELS / inputs->width;
+    if (band > inputs->height)
+        band = inputs->height;
+    float *values = malloc(4 * sizeof *values * (size_t)inputs->width * (size_t)band);
+    if (values == NULL || !image_create(image, inputs->width, inputs->height)) {
+        if (values == NULL)
+            report("picture %dx%d: not enough memory: try a smaller --size", inputs->width,
+                   inputs->height);
+        free(values);
+        return false;
+    }
+    bool done = true;
+    for (int bottom = 0; bottom < inputs->height && done; bottom += band) {
+        int rows = inputs->height - bottom < band ? inputs->height - bottom : band;
+        done = renderer_draw(renderer, inputs, bottom, rows);
+        if (done) {
+            renderer_read(renderer, values);
+            store_rows(image, values, bottom, rows);
+        }
+    }
+    free(values);
+    if (!done)
+        image_free(image);
+    return done;
+}
+
+// Column k of the target holds what shaders/main.glsl writes for step k:
+//   row 0  t, distance, steps of the first march, why it ended
+//   row 1  position x, y, z, -
+//   row 2  steps of all marches, evaluations, -, -
+static void unpack_probe(const float *values, struct renderer_probe *probe)
+{
+    const float(*row)[RENDERER_PROBE_STEPS][4] = (const float(*)[RENDERER_PROBE_STEPS][4])values;
+    probe->steps = (int)row[0][0][2];
+    probe->end = (enum renderer_end)(int)row[0][0][3];
+    probe->all_steps = (int)row[2][0][0];
+    probe->evaluations = (int)row[2][0][1];
+    for (int k = 0; k < RENDERER_PROBE_STEPS; k++) {
+        probe->step[k].t = row[0][k][0];
+        probe->step[k].distance = row[0][k][1];
+        memcpy(probe->step[k].position, row[1][k], sizeof probe->step[k].position);
+    }
+}
+
+bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
+                    struct renderer_probe *probe)
+{
+    enum { ROWS = 3 };
+    const struct gl *gl = renderer->gl;
+    if (!compile_view(renderer, SHADER_PROBE) ||
+        !bind_target(renderer, RENDERER_PROBE_STEPS, ROWS))
+        return false;
+    GLuint program = use_program(renderer, inputs, SHADER_PROBE);
+    gl->Uniform2f(place(renderer, program, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
+    gl->Viewport(0, 0, RENDERER_PROBE_STEPS, ROWS);
+    const float none[2] = {0.0f, 0.0f};
+    draw_pass(renderer, program, none, none);
+    float *values = malloc(4 * sizeof *values * RENDERER_PROBE_STEPS * ROWS);
+    if (values == NULL) {
+        report("probe %d,%d: not enough memory", x, y);
+        return false;
+    }
+    renderer_read(renderer, values);
+    unpack_probe(values, probe);
+    free(values);
+    return true;
+}

@@ -1,0 +1,60 @@
+#include "report.h"
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <string.h>
+
+#define LINE_SIZE 8192 // two of the longest paths fit
+
+// True for a character that a terminal could obey instead of showing.
+static bool is_control(unsigned char character)
+{
+    return character < 0x20 || character == 0x7f;
+}
+
+// True at the two bytes of U+0080 to U+009F in UTF-8: terminals obey these as well.
+static bool is_wide_control(const unsigned char *text)
+{
+    return text[0] == 0xc2 && text[1] >= 0x80 && text[1] <= 0x9f;
+}
+
+// Print a text with '?' for its control characters, except those in allowed, and end its last line.
+// A text that fits the buffer leaves in one write, so that programs side by side don't mix lines.
+static void print_clean(const char *text, const char *allowed)
+{
+    char clean[LINE_SIZE + 1];
+    size_t length = 0;
+    bool ended = false;
+    for (const unsigned char *at = (const unsigned char *)text; *at != '\0'; at++) {
+        bool wide = is_wide_control(at);
+        bool bad = wide || (is_control(*at) && strchr(allowed, *at) == NULL);
+        if (length == sizeof clean - 1) {
+            fwrite(clean, 1, length, stderr);
+            length = 0;
+        }
+        clean[length++] = bad ? '?' : (char)*at;
+        ended = *at == '\n' && !bad;
+        at += wide;
+    }
+    if (!ended)
+        clean[length++] = '\n';
+    fwrite(clean, 1, length, stderr);
+}
+
+void report(const char *format, ...)
+{
+    char text[LINE_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    if (length >= (int)sizeof text)
+        strcpy(text + sizeof text - 4, "...");
+    print_clean(length < 0 ? format : text, "");
+}
+
+void report_lines(const char *text)
+{
+    print_clean(text, "\n\t");
+}

@@ -1,0 +1,237 @@
+#include "shader.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "glsl.h"
+#include "report.h"
+
+#define NAME_SIZE 128 // of a function in a link error
+
+// One explanation under way.
+struct explanation {
+    const struct shader_source *source;
+    int prelude; // lines that shader_text puts first
+    char *code;  // the expanded text without comments
+    char *text;  // what is explained so far
+    size_t size, capacity;
+    int shown;       // expanded line that was shown last, 0 for none
+    bool has_errors; // the log holds an error, so that its warnings only hide it
+};
+
+// What one line of a log says.
+struct message {
+    int line;         // of the compiled text, 0 when the log line names none
+    const char *kind; // "error" or "warning"
+    const char *text; // what follows
+};
+
+static bool append(struct explanation *e, const char *text, size_t length)
+{
+    if (e->size + length + 1 > e->capacity) {
+        size_t capacity = 2 * e->capacity + length + 256;
+        char *grown = realloc(e->text, capacity);
+        if (grown == NULL)
+            return false;
+        e->text = grown;
+        e->capacity = capacity;
+    }
+    memcpy(e->text + e->size, text, length);
+    e->size += length;
+    e->text[e->size] = '\0';
+    return true;
+}
+
+static bool append_text(struct explanation *e, const char *text)
+{
+    return append(e, text, strlen(text));
+}
+
+static const char *skip_blanks(const char *c)
+{
+    return c + strspn(c, " \t");
+}
+
+// Skip a prefix; NULL when c is NULL or begins otherwise.
+static const char *skip(const char *c, const char *prefix)
+{
+    size_t length = strlen(prefix);
+    return c != NULL && strncmp(c, prefix, length) == 0 ? c + length : NULL;
+}
+
+// Read a number of a log; NULL when there is none.
+static const char *skip_number(const char *c, int *number)
+{
+    int digits = c != NULL ? (int)strspn(c, "0123456789") : 0;
+    if (digits == 0 || digits > 8)
+        return NULL;
+    *number = atoi(c);
+    return c + digits;
+}
+
+// "error: text", "error C1008: text", "preprocessor error: text", "text": the driver's code stays.
+static void split_kind(const char *c, struct message *message)
+{
+    static const char *const kinds[] = {"error", "warning", "preprocessor error", "fatal error",
+                                        "preprocessor warning"};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        const char *rest = skip(c, kinds[i]);
+        if (rest == NULL || (*rest != ':' && *rest != ' '))
+            continue;
+        message->kind = strstr(kinds[i], "error") != NULL ? "error" : "warning";
+        c = skip_blanks(rest + (*rest == ':'));
+        break;
+    }
+    message->text = c;
+}
+
+// Mesa "0:12(3): error: text", NVIDIA "0(12) : error C1008: text", others "ERROR: 0:12: text".
+static struct message read_message(const char *log)
+{
+    struct message message = {.kind = "error", .text = log};
+    int file, line, column;
+    const char *other = skip(log, "ERROR: ");
+    if (other == NULL && (other = skip(log, "WARNING: ")) != NULL)
+        message.kind = "warning";
+    const char *number = skip_number(other != NULL ? other : log, &file);
+    const char *end = skip_number(
+        number != NULL && (*number == ':' || *number == '(') ? number + 1 : NULL, &line);
+    if (end == NULL)
+        return message;
+    if (*number == '(')
+        end = skip(end, ")");
+    else if (*end == '(')
+        end = skip(skip_number(end + 1, &column), ")");
+    end = end != NULL ? skip(skip_blanks(end), ":") : NULL;
+    if (end == NULL)
+        return message;
+    message.line = line;
+    split_kind(skip_blanks(end), &message);
+    return message;
+}
+
+// The expanded line that holds a place in the code.
+static int line_of(const char *code, const char *place)
+{
+    int line = 1;
+    for (const char *c = code; c < place; c++)
+        line += *c == '\n';
+    return line;
+}
+
+// A link error names a function and no line: `foo', "float foo(vec3);" or foo( . Find the first
+// call of a name that stands so. Returns the expanded line, or 0.
+static int line_of_call(const struct explanation *e, const char *log)
+{
+    for (const char *c = log; *c != '\0';) {
+        size_t length = 0;
+        while (glsl_is_word(c[length]))
+            length++;
+        char name[NAME_SIZE];
+        bool quoted = length > 0 && c > log && strchr("`'\"", c[-1]) != NULL && c[length] != '\0' &&
+                      strchr("'\"", c[length]) != NULL;
+        if (length > 0 && length < sizeof name && (quoted || *skip_blanks(c + length) == '(')) {
+            snprintf(name, sizeof name, "%.*s", (int)length, c);
+            const char *call = glsl_find_call(e->code, name);
+            if (call != NULL)
+                return line_of(e->code, call);
+        }
+        c += length > 0 ? length : 1;
+    }
+    return 0;
+}
+
+// The expanded line of a message, or 0. A text that ends too early is blamed on the line after its
+// last one.
+static int expanded_line(const struct explanation *e, const struct message *message)
+{
+    int line = message->line - e->prelude;
+    int count = e->source->line_count;
+    if (message->line == 0)
+        return 0;
+    return line == count + 1 ? count : line >= 1 && line <= count ? line : 0;
+}
+
+// The line as its author wrote it, without what the log line adds.
+static bool append_source(struct explanation *e, int line)
+{
+    const char *text = e->source->text;
+    for (int i = 1; i < line; i++)
+        text = strchr(text, '\n') + 1;
+    text = skip_blanks(text);
+    return append_text(e, "    ") && append(e, text, strcspn(text, "\n")) && append_text(e, "\n");
+}
+
+static bool explain_line(struct explanation *e, const char *log)
+{
+    struct message message = read_message(log);
+    int line = expanded_line(e, &message);
+    if (message.line != 0 && e->has_errors && strcmp(message.kind, "warning") == 0)
+        return true;
+    if (message.line == 0 && (line = line_of_call(e, log)) != 0)
+        split_kind(skip(log, "ERROR: ") != NULL ? log + strlen("ERROR: ") : log, &message);
+    if (line == 0) {
+        e->shown = 0;
+        return append_text(e, log) && append_text(e, "\n");
+    }
+    const struct shader_line *from = &e->source->lines[line - 1];
+    char place[32];
+    snprintf(place, sizeof place, ":%d: ", from->line);
+    bool again = line == e->shown;
+    e->shown = line;
+    return append_text(e, e->source->files[from->file]) && append_text(e, place) &&
+           append_text(e, message.kind) && append_text(e, ": ") && append_text(e, message.text) &&
+           append_text(e, "\n") && (again || append_source(e, line));
+}
+
+// True when the same line stands earlier in the log.
+static bool is_repeated(const char *log, const char *line, size_t length)
+{
+    for (const char *c = log; c < line; c += strcspn(c, "\n") + 1)
+        if (strcspn(c, "\r\n") == length && strncmp(c, line, length) == 0)
+            return true;
+    return false;
+}
+
+// Explain each line of the log, or only see whether one of them is an error.
+static bool explain_lines(struct explanation *e, const char *log, bool only_look)
+{
+    for (const char *c = log; *c != '\0';) {
+        size_t length = strcspn(c, "\n");
+        size_t trimmed = length;
+        while (trimmed > 0 && strchr(" \t\r", c[trimmed - 1]) != NULL)
+            trimmed--;
+        if (trimmed > 0 && !is_repeated(log, c, trimmed)) {
+            char *line = strndup(c, trimmed);
+            if (line == NULL)
+                return false;
+            struct message message = read_message(line);
+            e->has_errors |= message.line != 0 && strcmp(message.kind, "error") == 0;
+            bool done = only_look || explain_line(e, line);
+            free(line);
+            if (!done)
+                return false;
+        }
+        c += length + (c[length] == '\n');
+    }
+    return true;
+}
+
+char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log)
+{
+    (void)view; // every view has a prelude of the same length
+    struct explanation e = {.source = source, .prelude = source->form == SHADER_WHOLE ? 0 : 2};
+    e.code = strdup(source->text);
+    bool done = e.code != NULL && append_text(&e, "");
+    if (done) {
+        glsl_blank_comments(e.code, false);
+        done = explain_lines(&e, log, true) && explain_lines(&e, log, false);
+    }
+    free(e.code);
+    if (done)
+        return e.text;
+    free(e.text);
+    report("%s: not enough memory to explain the driver's errors", source->files[0]);
+    return NULL;
+}

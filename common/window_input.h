@@ -1,0 +1,77 @@
+// window_input.h - what the hands do, gathered from GLFW's events between two frames. For window.c
+// alone.
+#ifndef WINDOW_INPUT_H
+#define WINDOW_INPUT_H
+
+#include <stdbool.h>
+
+#define GLFW_INCLUDE_NONE // OpenGL's names come from gl.h
+#include <GLFW/glfw3.h>
+
+#define WINDOW_INPUT_EVENTS 64 // key presses kept between two frames; more are dropped
+
+enum window_action {
+    WINDOW_END,
+    WINDOW_PAUSE,
+    WINDOW_RESTART,
+    WINDOW_SCREENSHOT,
+    WINDOW_FULL_SCREEN,
+    WINDOW_ORTHOGRAPHIC,
+    WINDOW_CHOOSE, // amount: -1 the parameter before, 1 the next
+    WINDOW_CHANGE, // amount: key presses
+    WINDOW_RESET,
+    WINDOW_VIEW // amount: enum shader_view
+};
+
+struct window_event {
+    enum window_action action;
+    int amount;
+};
+
+// Keys that act as long as they are held.
+enum window_key {
+    WINDOW_KEY_LEFT,
+    WINDOW_KEY_RIGHT,
+    WINDOW_KEY_UP,
+    WINDOW_KEY_DOWN,
+    WINDOW_KEY_DOWN_TOO,
+    WINDOW_KEY_FORWARD,
+    WINDOW_KEY_BACK,
+    WINDOW_KEY_FASTER,
+    WINDOW_KEY_COUNT
+};
+
+enum window_pointer { WINDOW_POINTER_FREE, WINDOW_POINTER_PRESSED, WINDOW_POINTER_DRAGS };
+
+struct window_input {
+    GLFWwindow *window;
+    // Since the last window_input_forget:
+    double travel[3]; // seconds of movement right, up, forward; more where faster is held
+    double look[2];   // pixels that the pointer looked to the right and down
+    double wheel;     // notches, away from the person positive
+    bool damaged;     // the window must be drawn again
+    struct window_event event[WINDOW_INPUT_EVENTS];
+    int events;
+    // Kept from frame to frame:
+    bool held[WINDOW_KEY_COUNT];
+    double counted; // travel holds all movement up to this time of glfwGetTime
+    enum window_pointer state;
+    bool captured;
+    bool jumped;       // the next place of the pointer is no movement
+    double pointer[2]; // where it was last
+};
+
+// Receive the events of a window from now on.
+//   input  must outlive the window's last event
+void window_input_open(struct window_input *input, GLFWwindow *window);
+
+// Count the movement up to now. To be called before travel is read.
+void window_input_count(struct window_input *input);
+
+// Start the next frame: what was gathered is forgotten; held keys stay held.
+void window_input_forget(struct window_input *input);
+
+// True while a key is held that moves the camera.
+bool window_input_moves(const struct window_input *input);
+
+#endif

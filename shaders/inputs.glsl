@@ -1,0 +1,23 @@
+// inputs.glsl - what the harness tells a shader for each picture, and where a pixel is.
+//
+// The names are Shadertoy's where Shadertoy has one.
+
+uniform vec3  iResolution;     // size of the picture in pixels (x, y), and 1
+uniform float iTime;           // time of the picture, seconds
+uniform float iTimeDelta;      // time since the picture before, seconds
+uniform int   iFrame;          // number of the picture, from zero
+uniform vec4  iMouse;          // the mouse, in pixels
+uniform vec3  iCameraPosition; // the eye, scene units
+uniform vec3  iCameraRight;    // the camera's orthonormal basis:
+uniform vec3  iCameraUp;       //   right x up = -forward
+uniform vec3  iCameraForward;  //
+uniform vec2  iPixelOffset;    // from this draw's pixels to the picture's: tile and sample
+
+// Where a point of the picture lies on the screen: y from -1 (bottom) to 1 (top), x from -aspect
+// to aspect, the same unit along both.
+//   pixel    in pixels, (0, 0) the bottom left corner of the picture; pixel centres are at .5
+//   formula  (2 pixel - resolution) / resolution.y
+vec2 screenPosition(vec2 pixel)
+{
+    return (2.0 * pixel - iResolution.xy) / iResolution.y;
+}

@@ -1,0 +1,49 @@
+// main.glsl - main(): runs the chapter's pixelRay and rayColour, then shows the colour, or what the
+// trace holds.
+//
+// The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 the numbers of a probe.
+
+#include "inputs.glsl"
+#include "scene.glsl"
+#include "views.glsl"
+
+out vec4 fragColour;
+
+#if VIEW == 4
+
+uniform vec2 iProbe; // centre of the pixel whose ray is marched, in pixels
+
+// Column k, row 0: t, distance, steps of the first march, why it ended. Row 1: position.
+// Row 2: steps of all marches, evaluations.
+void main()
+{
+    trace = Trace(0, 0, 0, 0, 0.0, END_NONE, 0, vec3(0.0), int(gl_FragCoord.x), 0.0, 0.0);
+    Ray ray = pixelRay(screenPosition(iProbe));
+    rayColour(ray);
+    int row = int(gl_FragCoord.y);
+    if (row == 0)
+        fragColour = vec4(trace.wantedT, trace.wantedDistance, float(trace.steps), float(trace.end));
+    else if (row == 1)
+        fragColour = vec4(ray.origin + trace.wantedT * ray.direction, 0.0);
+    else
+        fragColour = vec4(float(trace.allSteps), float(trace.evaluations), 0.0, 0.0);
+}
+
+#else
+
+void main()
+{
+    trace = Trace(0, 0, 0, 0, 0.0, END_NONE, 0, vec3(0.0), -1, 0.0, 0.0);
+    vec2 pixel = gl_FragCoord.xy + iPixelOffset;
+    vec3 colour = rayColour(pixelRay(screenPosition(pixel)));
+#if VIEW == 1
+    colour = normalView();
+#elif VIEW == 2
+    colour = depthView();
+#elif VIEW == 3
+    colour = stepView(pixel);
+#endif
+    fragColour = vec4(clamp(colour, 0.0, 1.0), 1.0);
+}
+
+#endif

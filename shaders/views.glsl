@@ -1,0 +1,94 @@
+// views.glsl - the trace as a picture: the first normal, the depth, the number of steps.
+#include "scene.glsl"
+
+// Compiled only when one of these views is asked for.
+#if VIEW >= 1 && VIEW <= 3
+
+// Nothing was found along the ray.
+const vec3 VIEW_NOTHING = vec3(0.09, 0.10, 0.13);
+
+// The first normal N of the pixel's rays, as 0.5 N + 0.5: x red, y green, z blue.
+vec3 normalView()
+{
+    return trace.normals > 0 ? 0.5 * trace.normal + 0.5 : VIEW_NOTHING;
+}
+
+// Where the first march ended: white at the eye, darker with the distance, 1 / (1 + (t / 5)^2). A
+// miss is a blue that no depth has.
+vec3 depthView()
+{
+    return trace.end == END_HIT ? vec3(1.0 / (1.0 + trace.t * trace.t / 25.0)) : VIEW_NOTHING;
+}
+
+// Colours, as the screen expects them, from night blue over teal and green to yellow. The lightness
+// L of OKLab rises evenly from 0.17 to 0.95 while the hue turns from 285 to 105 degrees: equal
+// steps look equal, and the order can be read as grey, so that nobody needs to tell red from green.
+// Source of OKLab: B. Ottosson, 'A perceptual color space for image processing' (2020).
+const vec3 RAMP[9] = vec3[9](
+    vec3(0.057, 0.020, 0.187), vec3(0.036, 0.131, 0.331), vec3(0.010, 0.263, 0.395),
+    vec3(0.012, 0.390, 0.466), vec3(0.035, 0.523, 0.523), vec3(0.024, 0.666, 0.538),
+    vec3(0.373, 0.791, 0.482), vec3(0.702, 0.881, 0.439), vec3(0.994, 0.957, 0.451));
+
+// The ramp at x in [0, 1].
+vec3 evenRamp(float x)
+{
+    int i = min(int(8.0 * x), 7);
+    return mix(RAMP[i], RAMP[i + 1], 8.0 * x - float(i));
+}
+
+// The number of steps at the light end of the ramp; more is shown as so many.
+const float STEPS_SHOWN = 64.0;
+
+// True on the strokes of a decimal digit drawn in a grid of 3 x 5 cells.
+//   digit  0 to 9
+//   cell   column from the left (0 to 2), row from the bottom (0 to 4)
+bool digitCell(int digit, ivec2 cell)
+{
+    // Bit 3 row + column: five rows of three bits, the bottom row lowest.
+    const int strokes[10] = int[10](31599, 9879, 31183, 31207, 23524, 29671, 29679, 30866, 31727, 31719);
+    return ((strokes[digit] >> (3 * cell.y + cell.x)) & 1) == 1;
+}
+
+// True on the strokes of a number.
+//   place  in cells, from the number's bottom left corner; a digit is 4 cells apart from the next
+bool numberCell(int number, vec2 place)
+{
+    ivec2 cell = ivec2(floor(place));
+    int digits = number < 10 ? 1 : (number < 100 ? 2 : 3);
+    int column = cell.x / 4;
+    if (cell.x < 0 || cell.y < 0 || cell.y > 4 || column >= digits || cell.x % 4 == 3)
+        return false;
+    for (int i = digits - 1 - column; i > 0; i--)
+        number /= 10;
+    return digitCell(number % 10, ivec2(cell.x % 4, cell.y));
+}
+
+// The legend over a colour: the ramp along the bottom, with 0, 16, 32, 48, 64 over it. Left out where
+// the picture is too small for it.
+//   pixel  in pixels of the picture
+vec3 stepLegend(vec3 colour, vec2 pixel)
+{
+    float unit = max(1.0, floor(iResolution.y / 180.0)); // side of a cell of a digit, in pixels
+    vec2 place = floor(pixel / unit) - vec2(7.0, 5.0);   // in cells, from the ramp's corner
+    bool fits = iResolution.x >= 92.0 * unit && iResolution.y >= 40.0 * unit;
+    if (!fits || place.x < -4.0 || place.x > 73.0 || place.y < -2.0 || place.y > 12.0)
+        return colour;
+    bool ramp = place.x >= 0.0 && place.x <= 64.0 && place.y >= 0.0 && place.y < 4.0;
+    colour = ramp ? evenRamp(place.x / 64.0) : vec3(0.0);
+    for (int steps = 0; steps <= int(STEPS_SHOWN); steps += 16) {
+        float tick = 64.0 * float(steps) / STEPS_SHOWN;
+        if (numberCell(steps, place - vec2(tick, 6.0)) || place == vec2(tick, 4.0))
+            colour = vec3(1.0);
+    }
+    return colour;
+}
+
+// The steps of all marches of the pixel, shadow rays included, with a legend.
+//   pixel  in pixels of the picture
+vec3 stepView(vec2 pixel)
+{
+    float share = min(float(trace.allSteps) / STEPS_SHOWN, 1.0);
+    return stepLegend(evenRamp(share), pixel);
+}
+
+#endif
