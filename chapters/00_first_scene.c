@@ -1,0 +1,17 @@
+// Chapter 00: a first scene. A sphere in the frame of a box, lit by a sun.
+//
+// The whole ray marcher stands in one file, 00_first_scene.frag, with its own camera, which turns
+// around the scene: the keys that move the eye have no effect here. The page is
+// docs/00_first_scene.md.
+#include "../common/chapter.h"
+
+int main(int argc, char **argv)
+{
+    const struct chapter chapter = {
+        .stem = "00_first_scene",
+        .title = "00 First scene (the camera turns by itself)",
+        .shows = "A sphere in the frame of a box: a whole ray marcher in one file.",
+        .camera = {.position = {0.0f, 0.0f, 0.0f}},
+    };
+    return chapter_run(&chapter, argc, argv);
+}

@@ -1,0 +1,81 @@
+#version 330 core
+// A sphere in the frame of a box, and a camera that turns around them: a whole ray marcher in one
+// file, after the scene of the annex of the report.
+
+in vec2 FragCoord;  // the pixel's place: y from -1 to 1, x from -aspect to aspect
+in float Time;      // seconds
+out vec4 FragColor; // the pixel's colour
+
+// 1. The scene: how far is the point p from it?
+
+float sdSphere(vec3 p, float radius)
+{
+    return length(p) - radius;
+}
+
+float boxDistance(vec3 q)
+{
+    return length(max(q, 0.0)) + min(max(q.x, max(q.y, q.z)), 0.0);
+}
+
+float sdBoxFrame(vec3 p, vec3 halfSize, float beam)
+{
+    vec3 outer = abs(p) - halfSize;
+    vec3 inner = abs(outer + beam) - beam;
+    return min(boxDistance(vec3(outer.x, inner.y, inner.z)),
+               min(boxDistance(vec3(inner.x, outer.y, inner.z)),
+                   boxDistance(vec3(inner.x, inner.y, outer.z))));
+}
+
+float sceneDistance(vec3 p)
+{
+    return min(sdBoxFrame(p, vec3(0.5), 0.05), sdSphere(p, 0.3));
+}
+
+// 2. The march: how far along the ray is the scene? Negative: nowhere.
+
+float march(vec3 origin, vec3 direction)
+{
+    float t = 0.0;
+    for (int i = 0; i < 128 && t < 20.0; i++) {
+        float d = sceneDistance(origin + t * direction);
+        if (d < 0.0005)
+            return t;
+        t += d;
+    }
+    return -1.0;
+}
+
+// 3. The normal: in which direction does the distance grow?
+
+vec3 normalAt(vec3 p)
+{
+    const vec2 h = vec2(0.001, 0.0);
+    return normalize(vec3(sceneDistance(p + h.xyy) - sceneDistance(p - h.xyy),
+                          sceneDistance(p + h.yxy) - sceneDistance(p - h.yxy),
+                          sceneDistance(p + h.yyx) - sceneDistance(p - h.yyx)));
+}
+
+// 4. The colour: what faces the sun is bright.
+
+vec3 rayColour(vec3 origin, vec3 direction)
+{
+    float t = march(origin, direction);
+    if (t < 0.0)
+        return vec3(0.5, 0.7, 1.0); // the sky
+    vec3 normal = normalAt(origin + t * direction);
+    vec3 toSun = normalize(vec3(1.0, 2.0, 3.0));
+    return vec3(1.0, 0.9, 0.5) * (0.15 + 0.85 * max(dot(normal, toSun), 0.0));
+}
+
+// 5. The camera: where is the eye, and where does this pixel look?
+
+void main()
+{
+    vec3 eye = vec3(1.8 * sin(0.5 * Time), 1.0, 1.8 * cos(0.5 * Time));
+    vec3 forward = normalize(-eye);
+    vec3 right = normalize(cross(forward, vec3(0.0, 1.0, 0.0)));
+    vec3 up = cross(right, forward);
+    vec3 direction = normalize(FragCoord.x * right + FragCoord.y * up + 1.8 * forward);
+    FragColor = vec4(rayColour(eye, direction), 1.0);
+}

@@ -1,0 +1,15 @@
+// Chapter 02: lighting. Lambert's law, several lamps, colour by product, and what a screen expects.
+//
+// The page is docs/02_lighting.md.
+#include "../common/chapter.h"
+
+int main(int argc, char **argv)
+{
+    const struct chapter chapter = {
+        .stem = "02_lighting",
+        .title = "02 Lighting",
+        .shows = "A frame on a stage under a warm lamp that circles and a cold one that stands.",
+        .camera = {.position = {2.4f, 2.75f, 4.9f}, .pan = -29.0f, .tilt = -23.0f},
+    };
+    return chapter_run(&chapter, argc, argv);
+}

@@ -1,0 +1,15 @@
+// Chapter 03: shadows. A second march, from the surface to the lamp.
+//
+// The page is docs/03_shadows.md.
+#include "../common/chapter.h"
+
+int main(int argc, char **argv)
+{
+    const struct chapter chapter = {
+        .stem = "03_shadows",
+        .title = "03 Shadows",
+        .shows = "The stage of chapter 02, with the shadows that the circling lamp casts.",
+        .camera = {.position = {2.4f, 2.75f, 4.9f}, .pan = -29.0f, .tilt = -23.0f},
+    };
+    return chapter_run(&chapter, argc, argv);
+}

@@ -1,0 +1,47 @@
+// Experiment of chapter 03: a lamp that hangs among the things of the stage, and a shadow ray that
+// does not stop at it, as where the report mixes a direction (section 1.5.2) with a position (1.5.3).
+// What hangs behind the lamp casts a shadow, upside down. Set stopping to see it mended.
+//
+// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "../03_shadows.frag"
+#undef rayColour
+
+uniform bool stopping; // false: end the shadow ray at the lamp, as it should
+
+const vec3  HUNG_LAMP = vec3(-0.45, 0.85, 0.55);
+const float HUNG_REFERENCE = 1.2; // where its light is lampColour, scene units
+
+// The lamp itself, a small disc, so that one sees where it hangs.
+//   far  where the ray ends
+vec3 glow(Ray ray, float far)
+{
+    float along = dot(HUNG_LAMP - ray.origin, ray.direction);
+    float aside = distance(HUNG_LAMP, ray.origin + along * ray.direction);
+    return along < far ? lampColour * smoothstep(0.06, 0.04, aside) : vec3(0.0);
+}
+
+// What the hung lamp adds. As visibility() does, it asks nothing where the surface turns its back.
+vec3 hungLight(vec3 p, vec3 normal)
+{
+    vec3 toLamp = HUNG_LAMP - p;
+    float away = length(toLamp);
+    float seen = visibility(p, normal, toLamp / away, stopping ? away : FAR);
+    return seen * lampColour * lambert(normal, toLamp / away) * fallOff(away, HUNG_REFERENCE);
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec2 interval = sceneInterval(ray);
+    Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
+    vec3 light = skyLight(ray.direction);
+    if (hit.found) {
+        vec3 p = ray.origin + hit.t * ray.direction;
+        vec3 normal = normalAt(p, normalStep);
+        vec3 coldLight = lampLight(normal, COLD_LAMP - p, coldColour);
+        light = objectColour * (ambient + hungLight(p, normal) + coldLight);
+    }
+    light += glow(ray, hit.found ? hit.t : FAR);
+    return encoded ? encodeSRGB(light) : light;
+}

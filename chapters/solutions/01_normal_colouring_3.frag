@@ -1,0 +1,32 @@
+// Chapter 01, exercise 5: the normal from four evaluations at the corners of a tetrahedron.
+//
+// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
+#include "main.glsl"
+#define rayColour chapterColour
+#include "../01_normal_colouring.frag"
+#undef rayColour
+
+// The gradient by four corners of a cube, made of length 1.
+//   p, h     as for normalAt
+//   formula  normalize(sum of k f(p + h k)), k = (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1);
+//            error O(h) from the formula: h (H_yz, H_xz, H_xy), H the second derivatives
+vec3 tetrahedronNormal(vec3 p, float h)
+{
+    vec3 gradient = vec3(0.0);
+    for (int i = 0; i < 4; i++) {
+        vec3 corner = vec3(i < 2 ? 1.0 : -1.0, i % 2 == 0 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
+        gradient += corner * distanceAt(p + h * corner);
+    }
+    vec3 normal = normalize(gradient);
+    traceNormal(normal);
+    return normal;
+}
+
+vec3 rayColour(Ray ray)
+{
+    Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
+    if (!hit.found)
+        return SKY;
+    vec3 normal = tetrahedronNormal(ray.origin + hit.t * ray.direction, normalStep);
+    return biased ? 0.5 * normal + 0.5 : normal;
+}

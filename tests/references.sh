@@ -1,0 +1,97 @@
+#!/bin/bash
+# references.sh MODE - every picture of tests/images.txt, from the project's folder.
+#
+#   gallery  render each into build/gallery/
+#   update   render each in software; one that left its tolerance replaces tests/references/NAME.png
+#            and its two numbers are printed (FORCE=1 in the environment replaces all)
+#   gpu      render each with what this machine has, and print how far from the reference it is
+set -u
+
+mode=${1-}
+case $mode in
+gallery) folder=build/gallery ;;
+update | gpu) folder=build/references ;;
+*) echo 'usage: tests/references.sh gallery|update|gpu' >&2; exit 2 ;;
+esac
+references=tests/references
+mkdir -p "$folder" "$references" || exit 1
+
+backend=()
+if [ "$mode" = update ]; then
+    export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
+    backend=(-b egl)
+elif [ "$mode" = gpu ]; then
+    unset LIBGL_ALWAYS_SOFTWARE GALLIUM_DRIVER
+fi
+
+rewritten=0 new=0 kept=0 within=0 outside=0
+
+# update NAME PICTURE: keep or replace the stored picture.
+update() {
+    local stored=$references/$1.png numbers status
+    if [ ! -e "$stored" ]; then
+        mv "$2" "$stored" || exit 1
+        new=$((new + 1))
+        echo "$1: new"
+        return
+    fi
+    numbers=$(build/tests/compare "$stored" "$2")
+    status=$?
+    if [ "$status" = 0 ] && [ -z "${FORCE-}" ]; then
+        kept=$((kept + 1))
+        return
+    fi
+    cmp -s "$stored" "$2" && { kept=$((kept + 1)); return; }
+    mv "$2" "$stored" || exit 1
+    rewritten=$((rewritten + 1))
+    echo "$1: rewritten: ${numbers:-could not be compared}"
+}
+
+# judge NAME PICTURE: how far a GPU's picture is from the stored one.
+judge() {
+    local numbers status
+    numbers=$(build/tests/compare "$references/$1.png" "$2")
+    status=$?
+    if [ "$status" = 0 ]; then
+        within=$((within + 1))
+    else
+        outside=$((outside + 1))
+    fi
+    printf '%-32s %s%s\n' "$1" "${numbers:-could not be compared}" \
+        "$([ "$status" = 0 ] || echo ' (outside the tolerance)')"
+}
+
+names=' '
+while read -r stem variant options; do
+    case $stem in '' | '#'*) continue ;; esac
+    name=$stem
+    [ "$variant" = - ] || name=$stem-$variant
+    names="$names$name "
+    picture=$folder/$name.png
+    if [ ! -x "build/$stem" ]; then
+        echo "tests/images.txt: $stem: there is no program build/$stem" >&2
+        exit 1
+    fi
+    read -r -a words <<<"$options"
+    [ "$mode" = gpu ] && [ "$names" = " $name " ] && "build/$stem" --version
+    "build/$stem" ${backend[@]+"${backend[@]}"} -o "$picture" ${words[@]+"${words[@]}"} </dev/null || exit 1
+    case $mode in
+    gallery) echo "$picture" ;;
+    update) update "$name" "$picture" ;;
+    gpu) judge "$name" "$picture" ;;
+    esac
+done <tests/images.txt
+
+case $mode in
+update)
+    for stored in "$references"/*.png; do
+        name=$(basename "$stored" .png)
+        case $names in
+        *" $name "*) ;;
+        *) echo "$stored: no line of tests/images.txt makes it: remove it" >&2 ;;
+        esac
+    done
+    echo "$kept kept, $rewritten rewritten, $new new"
+    ;;
+gpu) echo "$within within the tolerance, $outside outside (reported, not judged)" ;;
+esac

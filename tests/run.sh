@@ -1,0 +1,146 @@
+#!/bin/bash
+# run.sh [SUITE] - run every test suite, or one, and add up.
+#
+# A suite is a program build/tests/test_NAME (cmocka) or a script tests/test_NAME.sh; either prints
+# TAP: "ok 1 - name", "not ok 2 - name", "ok 3 - name # SKIP reason", other lines with '#'. The unit
+# and failure suites, and one picture, run a second time as sanitize/NAME on the programs of
+# build/sanitize/. Exit status: 0 when all passed; a skip is a failure where CI is set.
+set -u
+
+cd "$(dirname "$0")/.." || exit 1
+PROJECT_ROOT=$(pwd)
+results=$PROJECT_ROOT/build/test-results
+export PROJECT_ROOT
+export MESA_SHADER_CACHE_DIR=$PROJECT_ROOT/build/shader-cache
+export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
+export CMOCKA_MESSAGE_OUTPUT=TAP
+export LSAN_OPTIONS=suppressions=$PROJECT_ROOT/tests/lsan.supp:print_suppressions=0
+export UBSAN_OPTIONS=print_stacktrace=1
+limit=120 # seconds for a suite
+
+# ---- One suite ----
+
+# One picture under the sanitizers, compared with the stored one.
+sanitized_picture() {
+    local stem=01_normal_colouring numbers status
+    numbers=$(build/sanitize/$stem -o build/sanitize/$stem.png &&
+        build/tests/compare tests/references/$stem.png build/sanitize/$stem.png)
+    status=$?
+    [ "$status" = 0 ] || printf 'not '
+    echo "ok 1 - $stem rendered under the sanitizers is the stored picture"
+    echo "# ${numbers:-no picture}"
+    return "$status"
+}
+export -f sanitized_picture
+
+command_of() { # NAME
+    local name=$1 build=build
+    case $name in sanitize/*) name=${name#sanitize/} build=build/sanitize ;; esac
+    if [ "$1" = sanitize/picture ]; then
+        echo sanitized_picture
+    elif [ -e "tests/test_$name.sh" ]; then
+        echo "BUILD=$build tests/test_$name.sh"
+    else
+        echo "$build/tests/test_$name"
+    fi
+}
+
+with_limit() {
+    if command -v timeout >/dev/null; then
+        timeout -k 5 "$limit" "$@"
+    else
+        "$@"
+    fi
+}
+
+# Run a suite; leave its counts in build/test-results/NAME.counts and print its line.
+run_one() { # NAME
+    local file=$results/${1//\//-} status passed failed skipped planned seconds text="" TIMEFORMAT=%1R
+    { time with_limit bash -c "$(command_of "$1")" >"$file.tap" 2>"$file.err" </dev/null; } 2>"$file.time"
+    status=$?
+    seconds=$(tail -n 1 "$file.time")
+    skipped=$(grep -cE '^(not )?ok\>.*# *SKIP\>' "$file.tap")
+    passed=$(grep -E '^ok\>' "$file.tap" | grep -vcE '# *SKIP\>')
+    failed=$(grep -E '^not ok\>' "$file.tap" | grep -vcE '# *SKIP\>')
+    planned=$(sed -n 's/^1\.\.\([0-9][0-9]*\).*/\1/p' "$file.tap" | awk '{ n += $1 } END { print n + 0 }')
+    if [ "$status" = 124 ] || [ "$status" = 137 ]; then
+        text="did not end within $limit s"
+    elif [ "$status" != 0 ] && [ "$failed" = 0 ]; then
+        text="died with status $status"
+    elif [ "$planned" != 0 ] && [ "$planned" != $((passed + failed + skipped)) ]; then
+        text="planned $planned tests, ran $((passed + failed + skipped))"
+    elif [ $((passed + failed + skipped)) = 0 ]; then
+        text='ran no test'
+    fi
+    [ -n "$text" ] && failed=$((failed + 1))
+    echo "$passed $failed $skipped" >"$file.counts"
+    printf '%s\n' "$(
+        printf '%-24s %4d passed' "$1" "$passed"
+        [ "$failed" = 0 ] || printf ', %d FAILED' "$failed"
+        [ "$skipped" = 0 ] || printf ', %d skipped' "$skipped"
+        [ -z "$text" ] || printf ' (%s)' "$text"
+        printf '  %s s' "$seconds"
+        printf '\n'
+        grep -E '^(not )?ok\>.*# *SKIP\>' "$file.tap" | sed 's/^/    /'
+        if [ "$failed" != 0 ]; then
+            sed 's/^/    /' "$file.tap" "$file.err" | tail -n 60
+        fi
+    )"
+}
+
+if [ "${1-}" = --one ]; then
+    run_one "$2"
+    exit 0
+fi
+
+# ---- All of them ----
+
+names_of() { # FILE...: the NAMEs of the test files that exist
+    local file name
+    for file in "$@"; do
+        [ -e "$file" ] || continue
+        case $file in *.o | *.d) continue ;; esac
+        name=$(basename "$file" .sh)
+        echo "${name#test_}"
+    done
+}
+
+# The window's suite sends keys and waits for pictures: it has the machine to itself.
+alone=$(names_of tests/test_window.sh)
+together=$(
+    names_of tests/test_*.sh | grep -vx window
+    names_of build/tests/test_*
+    [ -e tests/test_failures.sh ] && echo sanitize/failures
+    names_of build/sanitize/tests/test_* | sed 's/^/sanitize\//'
+    [ -e build/sanitize/01_normal_colouring ] && echo sanitize/picture
+)
+
+if [ -n "${1-}" ]; then
+    all=$(printf '%s\n' "$together" "$alone")
+    together=$(grep -x -e "$1" <<<"$all")
+    if [ -z "$together" ]; then
+        printf 'make: SUITE=%s: no such suite: there are\n' "$1" >&2
+        printf '%s\n' "$all" | sed 's/^/  /' >&2
+        exit 2
+    fi
+    alone=
+fi
+
+mkdir -p "$results"
+rm -f "$results"/*
+printf '%s\n' "$together" | xargs -P 2 -n 1 tests/run.sh --one
+for name in $alone; do
+    run_one "$name"
+done
+
+read -r passed failed skipped <<<"$(cat "$results"/*.counts 2>/dev/null |
+    awk '{ p += $1; f += $2; s += $3 } END { print p + 0, f + 0, s + 0 }')"
+# A suite that left no counts was killed with its runner.
+lost=$(($(wc -w <<<"$together $alone") - $(find "$results" -name '*.counts' | wc -l)))
+if [ "$lost" != 0 ]; then
+    echo "$lost suites left no result"
+    failed=$((failed + lost))
+fi
+[ -n "${CI-}" ] && [ "$skipped" != 0 ] && echo 'In continuous integration nothing may be skipped.'
+echo "$passed passed, $failed failed, $skipped skipped"
+[ "$failed" = 0 ] && [ "$passed" != 0 ] && { [ -z "${CI-}" ] || [ "$skipped" = 0 ]; }

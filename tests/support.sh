@@ -1,0 +1,85 @@
+# shellcheck shell=bash
+# support.sh - what the shell suites share. Sourced from the project's root:
+#
+#   . tests/support.sh
+#   open_scratch
+#   check "name" COMMAND...     one TAP line: ok when the command succeeds
+#   plan                        the last line; fails when a line was 'not ok'
+#
+# Sets BUILD, scratch (a folder that goes at the end) and what the programs need from the
+# environment: software rendering, a shader cache of the tests, readable sanitizers.
+
+BUILD=${BUILD:-build}
+scratch=
+display_server=
+tap_count=0
+tap_failed=0
+
+export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
+export MESA_SHADER_CACHE_DIR="${MESA_SHADER_CACHE_DIR:-$PWD/build/shader-cache}"
+# 99 tells a sanitizer's end from the program's own status 1.
+export ASAN_OPTIONS="${ASAN_OPTIONS:+$ASAN_OPTIONS:}exitcode=99"
+export UBSAN_OPTIONS="${UBSAN_OPTIONS:+$UBSAN_OPTIONS:}exitcode=99:print_stacktrace=1"
+mkdir -p "$MESA_SHADER_CACHE_DIR"
+
+open_scratch() {
+    scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-test.XXXXXX") || exit 1
+    trap close_scratch EXIT
+    trap 'exit 1' HUP INT TERM
+}
+
+close_scratch() {
+    close_display
+    [ -n "$scratch" ] && chmod -R u+rwx "$scratch" && rm -rf "$scratch"
+}
+
+# ok NAME, not_ok NAME [REASON], skip NAME REASON: one TAP line each.
+ok() {
+    tap_count=$((tap_count + 1))
+    printf 'ok %d - %s\n' "$tap_count" "$1"
+}
+
+not_ok() {
+    tap_count=$((tap_count + 1))
+    tap_failed=$((tap_failed + 1))
+    printf 'not ok %d - %s%s\n' "$tap_count" "$1" "${2:+: $2}"
+}
+
+skip() {
+    tap_count=$((tap_count + 1))
+    printf 'ok %d - %s # SKIP %s\n' "$tap_count" "$1" "$2"
+}
+
+# check NAME COMMAND...: the command is the test.
+check() {
+    local name=$1
+    shift
+    if "$@"; then ok "$name"; else not_ok "$name"; fi
+}
+
+plan() {
+    printf '1..%d\n' "$tap_count"
+    [ "$tap_failed" = 0 ]
+}
+
+# A display of this suite's own, on a number that is free. Sets DISPLAY. -noreset: without it a
+# server that resets between two clients refuses some of them.
+open_display() {
+    command -v Xvfb >/dev/null || return 1
+    mkfifo "$scratch/display" || return 1
+    Xvfb -displayfd 3 -screen 0 1280x1024x24 -noreset -nolisten tcp \
+        3>"$scratch/display" >/dev/null 2>&1 &
+    display_server=$!
+    local number=
+    read -r -t 10 number <"$scratch/display"
+    [ -n "$number" ] || return 1
+    export DISPLAY=":$number"
+    unset WAYLAND_DISPLAY
+}
+
+close_display() {
+    [ -n "$display_server" ] || return 0
+    kill "$display_server" 2>/dev/null
+    wait "$display_server" 2>/dev/null
+    display_server=
+}

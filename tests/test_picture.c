@@ -1,0 +1,354 @@
+// test_picture.c - what the renderer makes of a shader: where each pixel is, samples, tiles, bands,
+// bytes. The truth is a colour that C computes for the same place, or the same picture in another
+// size.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include <cmocka.h>
+
+#include "../common/context.h"
+#include "../common/renderer.h"
+
+static struct {
+    const char *root;
+    char folder[64];
+    struct context context;
+    struct renderer renderer;
+} state;
+
+static const struct renderer_inputs INPUTS = {
+    .camera = {.position = {1.5f, 2.75f, 5.3f}, .pan = -17.0f, .tilt = -22.5f}, .samples = 1};
+
+static struct renderer_inputs inputs_of(int width, int height, int samples)
+{
+    struct renderer_inputs inputs = INPUTS;
+    inputs.width = width;
+    inputs.height = height;
+    inputs.samples = samples;
+    return inputs;
+}
+
+static int open_all(void **unused)
+{
+    (void)unused;
+    state.root = getenv("PROJECT_ROOT");
+    if (state.root == NULL)
+        state.root = ".";
+    strcpy(state.folder, "/tmp/ray-picture.XXXXXX");
+    if (mkdtemp(state.folder) == NULL)
+        return -1;
+    return context_open_offscreen(&state.context, CONTEXT_ANY) &&
+                   renderer_open(&state.renderer, &state.context.gl, state.root)
+               ? 0
+               : -1;
+}
+
+static void shader_path(char path[128])
+{
+    snprintf(path, 128, "%s/shader.frag", state.folder);
+}
+
+static int close_all(void **unused)
+{
+    (void)unused;
+    char path[128];
+    shader_path(path);
+    renderer_close(&state.renderer);
+    context_close(&state.context);
+    unlink(path);
+    return rmdir(state.folder);
+}
+
+static void load_text(const char *text)
+{
+    char path[128];
+    shader_path(path);
+    FILE *file = fopen(path, "w");
+    assert_non_null(file);
+    assert_true(fputs(text, file) >= 0);
+    assert_int_equal(fclose(file), 0);
+    assert_true(renderer_load(&state.renderer, path));
+}
+
+static void load_chapter(const char *stem)
+{
+    char path[4096];
+    snprintf(path, sizeof path, "%s/chapters/%s.frag", state.root, stem);
+    assert_true(renderer_load(&state.renderer, path));
+}
+
+// The whole picture as floats, drawn in bands; the caller frees it.
+static float *draw(const struct renderer_inputs *inputs, int band)
+{
+    size_t row = 4 * (size_t)inputs->width;
+    float *values = malloc(row * (size_t)inputs->height * sizeof *values);
+    assert_non_null(values);
+    for (int bottom = 0; bottom < inputs->height; bottom += band) {
+        int rows = inputs->height - bottom < band ? inputs->height - bottom : band;
+        assert_true(renderer_draw(&state.renderer, inputs, bottom, rows));
+        renderer_read(&state.renderer, values + row * (size_t)bottom);
+    }
+    return values;
+}
+
+// ---- Where each pixel is
+// --------------------------------------------------------------------------
+
+// Shows the pixel's place, divided by 4: screen.x and screen.y are within [-2, 2] here.
+#define COURSE_PLACE                                                                               \
+    "#include \"main.glsl\"\n"                                                                     \
+    "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"         \
+    "float sceneDistance(vec3 p) { return p.z; }\n"                                                \
+    "vec3 rayColour(Ray ray) { return 0.5 + 0.25 * ray.origin; }\n"
+
+#define WHOLE_PLACE                                                                                \
+    "#version 330 core\n"                                                                          \
+    "in vec2 FragCoord;\n"                                                                         \
+    "out vec4 colour;\n"                                                                           \
+    "void main() { colour = vec4(0.5 + 0.25 * FragCoord, 0.5, 1.0); }\n"
+
+// The worst distance, in pixels, between where a pixel of the target says it is and where it is.
+static double worst_place(const struct renderer_inputs *inputs, int band)
+{
+    float *values = draw(inputs, band);
+    double worst = 0.0;
+    for (int y = 0; y < inputs->height; y++)
+        for (int x = 0; x < inputs->width; x++) {
+            const float *value = values + 4 * ((size_t)inputs->width * (size_t)y + (size_t)x);
+            double screen[2] = {(2.0 * x + 1.0 - inputs->width) / inputs->height,
+                                (2.0 * y + 1.0 - inputs->height) / inputs->height};
+            for (int k = 0; k < 2; k++)
+                worst = fmax(worst, fabs(4.0 * ((double)value[k] - 0.5) - screen[k]));
+        }
+    free(values);
+    return worst * inputs->height / 2.0;
+}
+
+// A float holds 0.5 + screen / 4 to 2^-24: 4 * 2^-24 of the screen, times half the height. An
+// interpolated place has some rounding more.
+static void check_place(const char *text, double most)
+{
+    load_text(text);
+    static const int sizes[][3] = {{1, 1, 1},       {2, 1, 1},      {640, 360, 360},
+                                   {700, 530, 530}, {700, 530, 37}, {513, 1030, 512},
+                                   {530, 700, 513}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        for (int samples = 1; samples <= 3; samples++) {
+            struct renderer_inputs inputs = inputs_of(sizes[i][0], sizes[i][1], samples);
+            double worst = worst_place(&inputs, sizes[i][2]);
+            if (worst > most)
+                fail_msg("%dx%d in bands of %d, %d samples: a pixel is %g pixels from its place",
+                         inputs.width, inputs.height, sizes[i][2], samples, worst);
+        }
+}
+
+static void pixels_stand_at_their_places(void **unused)
+{
+    (void)unused;
+    check_place(COURSE_PLACE, 0.0005);
+}
+
+static void pixels_of_a_whole_file_stand_at_their_places(void **unused)
+{
+    (void)unused;
+    check_place(WHOLE_PLACE, 0.0005);
+}
+
+// Wider than one band of renderer_picture: row 0 of the image is the top.
+static void a_picture_of_several_bands_has_no_seam(void **unused)
+{
+    (void)unused;
+    load_text(COURSE_PLACE);
+    struct renderer_inputs inputs = inputs_of(10000, 450, 1);
+    struct image image = {0};
+    assert_true(renderer_picture(&state.renderer, &inputs, &image));
+    int worst = 0;
+    for (int y = 0; y < inputs.height; y++)
+        for (int x = 0; x < inputs.width; x++) {
+            double up = 1.0 - (2.0 * y + 1.0) / inputs.height;
+            double right = (2.0 * x + 1.0 - inputs.width) / inputs.height;
+            double truth[2] = {fmin(fmax(0.5 + 0.25 * right, 0.0), 1.0), 0.5 + 0.25 * up};
+            const unsigned char *pixel =
+                image.pixel + 3 * ((size_t)inputs.width * (size_t)y + (size_t)x);
+            for (int k = 0; k < 2; k++) {
+                int off = abs((int)pixel[k] - (int)floor(255.0 * truth[k] + 0.5));
+                worst = off > worst ? off : worst;
+            }
+        }
+    image_free(&image);
+    assert_in_range(worst, 0, 1); // 1: a value on the edge between two bytes
+}
+
+// ---- Samples, bands
+// ---------------------------------------------------------------------------------
+
+// Several samples a pixel are the mean of the same samples taken as the pixels of a larger picture.
+// Most is what rounding adds: of the mean, and of places that are multiples of 1/3.
+static void check_mean(const char *stem, int samples, double most)
+{
+    load_chapter(stem);
+    struct renderer_inputs small = inputs_of(220, 130, samples);
+    struct renderer_inputs large = inputs_of(220 * samples, 130 * samples, 1);
+    float *mean = draw(&small, small.height);
+    float *all = draw(&large, large.height);
+    size_t differ = 0;
+    for (int y = 0; y < small.height; y++)
+        for (int x = 0; x < small.width; x++)
+            for (int k = 0; k < 3; k++) {
+                double sum = 0.0;
+                for (int j = 0; j < samples * samples; j++) {
+                    size_t column = (size_t)(x * samples + j % samples);
+                    size_t row = (size_t)(y * samples + j / samples);
+                    sum += (double)all[4 * ((size_t)large.width * row + column) + (size_t)k];
+                }
+                size_t at = 4 * ((size_t)small.width * (size_t)y + (size_t)x) + (size_t)k;
+                differ += fabs((double)mean[at] - sum / (samples * samples)) > 1e-6;
+            }
+    free(mean);
+    free(all);
+    double share = (double)differ / (3.0 * small.width * small.height);
+    if (share > most)
+        fail_msg("%s, %d samples: %g of the values are not the mean", stem, samples, share);
+}
+
+static void samples_are_the_mean_of_a_larger_picture(void **unused)
+{
+    (void)unused;
+    check_mean("01_normal_colouring", 2, 0.0);
+    check_mean("02_lighting", 2, 0.0);
+    check_mean("03_shadows", 2, 0.0);
+    check_mean("03_shadows", 4, 0.0);
+}
+
+// A colour beyond 1 counts as 1 in its own sample, or a bright edge would not be smoothed.
+static void each_sample_is_clamped(void **unused)
+{
+    (void)unused;
+    load_text("#include \"main.glsl\"\n"
+              "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"
+              "float sceneDistance(vec3 p) { return p.z; }\n"
+              "vec3 rayColour(Ray ray)\n"
+              "{\n"
+              "    float place = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
+              "    return fract(place) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
+              "}\n");
+    struct renderer_inputs inputs = inputs_of(64, 48, 2);
+    float *values = draw(&inputs, inputs.height);
+    for (size_t i = 0; i < 64 * 48; i++)
+        for (size_t k = 0; k < 3; k++)
+            assert_true(fabs((double)values[4 * i + k] - 0.5) < 1e-6);
+    free(values);
+}
+
+static void bands_make_the_same_picture(void **unused)
+{
+    (void)unused;
+    static const char *const stems[] = {"00_first_scene", "01_normal_colouring", "03_shadows"};
+    for (size_t i = 0; i < sizeof stems / sizeof *stems; i++) {
+        load_chapter(stems[i]);
+        struct renderer_inputs inputs = inputs_of(700, 530, 1);
+        float *whole = draw(&inputs, inputs.height);
+        float *bands = draw(&inputs, 37);
+        assert_memory_equal(whole, bands, 4 * sizeof *whole * 700 * 530);
+        free(whole);
+        free(bands);
+    }
+}
+
+// ---- Bytes
+// ------------------------------------------------------------------------------------------
+
+static void values_become_bytes(void **unused)
+{
+    (void)unused;
+    // Per column: red, green, blue of a whole file, which nothing clamps on the way.
+    static const struct {
+        const char *value;
+        unsigned char byte;
+    } cases[] = {
+        {"0.0", 0},
+        {"1.0", 255},
+        {"0.5", 128},
+        {"2.0", 255},
+        {"-1.0", 0},
+        {"1.0e30", 255},
+        {"0.49 / 255.0", 0},
+        {"0.51 / 255.0", 1},
+        {"-1.0e30", 0},
+        {"99.4 / 255.0", 99},
+        {"254.51 / 255.0", 255},
+        {"uintBitsToFloat(0x7fc00000u)", 0},   // not a number
+        {"uintBitsToFloat(0x7f800000u)", 255}, // infinity
+        {"uintBitsToFloat(0xff800000u)", 0},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[512];
+        snprintf(text, sizeof text,
+                 "#version 330 core\nout vec4 colour;\n"
+                 "void main() { colour = vec4(%s, 0.25, 0.75, 1.0); }\n",
+                 cases[i].value);
+        load_text(text);
+        struct renderer_inputs inputs = inputs_of(3, 2, 1);
+        struct image image = {0};
+        assert_true(renderer_picture(&state.renderer, &inputs, &image));
+        for (int pixel = 0; pixel < 6; pixel++) {
+            if (image.pixel[3 * pixel] != cases[i].byte)
+                fail_msg("%s became %d", cases[i].value, image.pixel[3 * pixel]);
+            assert_int_equal(image.pixel[3 * pixel + 1], 64);
+            assert_int_equal(image.pixel[3 * pixel + 2], 191);
+        }
+        image_free(&image);
+    }
+}
+
+// ---- Shaders one after the other
+// --------------------------------------------------------------------
+
+// A view compiled later, a shader that fails: neither changes the picture.
+static void what_came_before_leaves_no_trace(void **unused)
+{
+    (void)unused;
+    struct renderer_inputs inputs = inputs_of(96, 54, 1);
+    load_chapter("02_lighting");
+    float *first = draw(&inputs, inputs.height);
+
+    assert_true(renderer_set_view(&state.renderer, SHADER_STEPS));
+    float *steps = draw(&inputs, inputs.height);
+    assert_memory_not_equal(first, steps, 4 * sizeof *first * 96 * 54);
+    assert_true(renderer_set_view(&state.renderer, SHADER_PICTURE));
+    struct renderer_probe *probe = malloc(sizeof *probe);
+    assert_non_null(probe);
+    assert_true(renderer_probe(&state.renderer, &inputs, 48, 27, probe));
+    free(probe);
+    struct renderer_inputs smooth = inputs_of(40, 30, 2);
+    free(draw(&smooth, smooth.height));
+    assert_false(renderer_load(&state.renderer, "/nowhere/shader.frag"));
+
+    float *last = draw(&inputs, inputs.height);
+    assert_memory_equal(first, last, 4 * sizeof *first * 96 * 54);
+    free(first);
+    free(steps);
+    free(last);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(pixels_stand_at_their_places),
+        cmocka_unit_test(pixels_of_a_whole_file_stand_at_their_places),
+        cmocka_unit_test(a_picture_of_several_bands_has_no_seam),
+        cmocka_unit_test(samples_are_the_mean_of_a_larger_picture),
+        cmocka_unit_test(each_sample_is_clamped),
+        cmocka_unit_test(bands_make_the_same_picture),
+        cmocka_unit_test(values_become_bytes),
+        cmocka_unit_test(what_came_before_leaves_no_trace),
+    };
+    return cmocka_run_group_tests_name("picture", tests, open_all, close_all);
+}

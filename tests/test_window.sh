@@ -1,0 +1,307 @@
+#!/bin/bash
+# test_window.sh - the interactive window under Xvfb, with real key, mouse, wheel, resize, reload and
+# close events. What the eye would judge is judged by screenshots: those that the program writes (P),
+# rendered once more from the command line where the picture is known in advance.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/support.sh
+
+chapter=01_normal_colouring
+still='-s 320x200 -c 1.65,1.6,3.4,-26,-23.5'
+program= window= shots=0 picture=
+
+# ---- Tools ----
+
+# within SECONDS COMMAND...: wait until the command succeeds.
+within() {
+    local tries=$(($1 * 20))
+    shift
+    while ! "$@"; do
+        tries=$((tries - 1))
+        [ "$tries" -gt 0 ] || return 1
+        sleep 0.05
+    done
+}
+
+title() { xdotool getwindowname "$window" 2>/dev/null; }
+titled() { [[ $(title) == *"$1"* ]]; }
+shows() { within 5 titled "$1" || { echo "# the title is: $(title)"; return 1; }; }
+says() { grep -qF -e "$2" "$scratch/run/$1"; }
+alive() { kill -0 "$program" 2>/dev/null; }
+key() { xdotool key --delay 20 "$@"; }
+
+find_window() {
+    window=$(wmctrl -lp | awk -v pid="$program" '$3 == pid { print $1; exit }')
+    [ -n "$window" ]
+}
+
+# Start STEM OPTION... in a window, with its own folder for what it writes.
+start() {
+    local stem=$1
+    shift
+    shots=0
+    rm -rf "$scratch/run"
+    mkdir "$scratch/run"
+    (cd "$scratch/run" && exec "$root/$BUILD/$stem" "$@" >out 2>err) &
+    program=$!
+    within 10 find_window && xdotool windowfocus --sync "$window" && within 10 drawn
+}
+
+# The first frame is there: the pixels in the middle are no longer all of one colour.
+drawn() {
+    [ "$(import -window "$window" -crop 200x100+60+40 -format %k info: 2>/dev/null)" -gt 1 ] 2>/dev/null
+}
+
+# Press P and wait for the file: $picture.
+shoot() {
+    shots=$((shots + 1))
+    picture=$scratch/run/$(printf '%s-%04d.png' "$1" "$shots")
+    key p
+    within 5 says out "$(basename "$picture"): written"
+}
+
+# shoot_as NAME: a screenshot of the chapter, kept under a name.
+shoot_as() { shoot $chapter && cp "$picture" "$scratch/$1.png"; }
+same() { cmp -s "$scratch/$1.png" "$scratch/$2.png"; }
+differ() { ! same "$1" "$2"; }
+
+# Render NAME OPTION...: what the command line makes of it.
+render() {
+    local name=$1
+    shift
+    # shellcheck disable=SC2086 # options are words
+    "$BUILD/$chapter" $still "$@" -o "$scratch/$name.png"
+}
+matches() { build/tests/compare "$scratch/$1.png" "$scratch/$2.png" >"$scratch/numbers" || {
+    echo "# $1 and $2: $(cat "$scratch/numbers")"
+    return 1
+}; }
+
+# The program ended by itself with status 0.
+ended() { ! alive; }
+ends_well() {
+    within 5 ended || { kill "$program"; return 1; }
+    wait "$program"
+}
+
+close_window() {
+    alive && kill "$program" 2>/dev/null
+    wait "$program" 2>/dev/null
+}
+
+# ---- Set-up ----
+
+for tool in Xvfb openbox xdotool wmctrl import; do
+    if ! command -v $tool >/dev/null; then
+        skip 'the interactive window' "no $tool on this machine: make setup"
+        plan
+        exit
+    fi
+done
+open_scratch
+if ! open_display; then
+    skip 'the interactive window' 'Xvfb did not start'
+    plan
+    exit
+fi
+openbox >/dev/null 2>&1 &
+within 5 eval 'wmctrl -m >/dev/null 2>&1' || echo '# openbox is slow'
+
+# ---- A chapter without motion ----
+
+# shellcheck disable=SC2086 # options are words
+check 'a window opens' start $chapter $still
+check 'the title names chapter, view and parameter' shows '01 Normal colouring - '
+check 'the title shows the parameter that the arrows change' shows ' - picture - focalLength = 2'
+
+check 'P writes a screenshot' shoot_as first
+render expected
+check 'the screenshot is what -o writes with the same options' matches expected first
+on_screen() { import -window "$window" "$scratch/screen.png" && matches first screen; }
+check 'the window shows the screenshot' within 3 on_screen
+
+view() { key 4 && shows ' - steps - ' && shoot_as steps && render view -v steps && matches view steps; }
+check '4 shows the steps' view
+unview() { key 1 && shows ' - picture - ' && shoot_as back && same first back; }
+check '1 shows the picture again' unview
+
+# Parameters.
+changes() { # KEY TITLE
+    key "$1" && shows "$2"
+}
+check 'down chooses the next parameter' changes Down 'normalStep = 0.001'
+check 'right changes it' changes Right 'normalStep = 0.002'
+check 'Shift+right changes it by ten steps, up to its range' changes shift+Right 'normalStep = 0.5'
+coarse() { shoot_as coarse && render wanted -p normalStep=0.5 && matches wanted coarse; }
+check 'the picture follows the parameter' coarse
+check 'Home resets it' changes Home 'normalStep = 0.001'
+check 'left changes it back' changes Left 'normalStep = 0.0005'
+check 'up chooses the parameter before' changes Up 'focalLength = 2'
+key Down Home Up
+wheel() {
+    xdotool mousemove --window "$window" 100 100 click 4 && shows 'focalLength = 2.2' &&
+        shoot_as zoomed && render wanted -p focalLength=2.2 && matches wanted zoomed
+}
+check 'the wheel zooms' wheel
+xdotool click 5
+check 'and back' shows 'focalLength = 2'
+key Home
+tab() { key Tab && shoot_as tab && same first tab; }
+check 'Tab changes nothing where there is no orthographic parameter' tab
+
+# The mouse. The first pixels of a drag only begin it.
+click_only() { xdotool mousemove --window "$window" 100 100 click 1 && shoot_as click && same first click; }
+check 'a click without dragging turns nothing' click_only
+drag() {
+    xdotool mousemove --window "$window" 100 100 mousedown 1 mousemove_relative 5 0 \
+        mousemove_relative 60 0 mousemove_relative -- 0 -40 mouseup 1 &&
+        shoot_as dragged && render wanted -c 1.65,1.6,3.4,-17,-17.5 && matches wanted dragged
+}
+check 'dragging right and up turns right and up, 0.15 degree a pixel' drag
+moves_free() {
+    xdotool mousemove_relative 30 30 && shoot_as free && same dragged free
+}
+check 'the free pointer turns nothing' moves_free
+captured() {
+    key m && xdotool mousemove_relative 4 0 && sleep 0.1 &&
+        shoot_as before && xdotool mousemove_relative 30 0 && shoot_as captured && differ before captured
+}
+check 'M captures the pointer: it looks without a button' captured
+freed() {
+    key m && shoot_as freed && same captured freed &&
+        xdotool mousemove_relative 20 20 && shoot_as still && same freed still
+}
+check 'M again frees it, and neither turns the view' freed
+
+# Movement.
+walk() { # KEY
+    xdotool keydown "$1" sleep 0.15 keyup "$1"
+}
+forward() {
+    walk w && shoot_as near && differ freed near && sleep 0.2 && shoot_as rest && same near rest
+}
+check 'W moves, and its release stops' forward
+for name in a s d space c Control_L; do
+    moves() { shoot_as here && walk $name && shoot_as there && differ here there; }
+    check "$name moves" moves
+done
+cancels() { xdotool keydown w keydown s sleep 0.2 && shoot_as a && sleep 0.2 && shoot_as b && xdotool keyup w keyup s && same a b; }
+check 'W and S together stand still' cancels
+pause_held() {
+    xdotool keydown d sleep 0.1 key Escape keyup d && shows '(paused)' && shoot_as a && sleep 0.2 &&
+        shoot_as b && same a b && key Escape
+}
+check 'a key held into a pause does not drift' pause_held
+# Show the desktop: the window loses the focus while the key is down, and never hears of its release.
+unfocused() {
+    xdotool keydown w sleep 0.1 && wmctrl -k on && sleep 0.3 && xdotool keyup w && wmctrl -k off &&
+        xdotool windowactivate --sync "$window" && sleep 0.1 && shoot_as a && sleep 0.2 &&
+        shoot_as b && same a b
+}
+check 'lost focus releases the keys that are held' unfocused
+
+# Size.
+size_is() { [ "$(xdotool getwindowgeometry "$window" | awk '/Geometry/ { print $2 }')" = "$1" ]; }
+place() { xdotool getwindowgeometry "$window" | grep -E 'Position|Geometry'; }
+full_screen() {
+    local before
+    before=$(place)
+    key F11 && within 5 size_is 1280x1024 && shoot_as full &&
+        [ "$(identify -format %wx%h "$scratch/full.png")" = 1280x1024 ] &&
+        key F11 && within 5 size_is 320x200 && sleep 0.2 && [ "$(place)" = "$before" ]
+}
+check 'F11 fills the screen, and again gives place and size back' full_screen
+check 'Backspace closes the window with status 0' eval 'key BackSpace; ends_well'
+check 'nothing was reported' [ ! -s "$scratch/run/err" ]
+
+# ---- Resize; reload of a reader's own copy ----
+
+mine=$scratch/mine.frag
+good=$(cat chapters/$chapter.frag)
+save() { # TEXT: as an editor does it, beside and renamed
+    printf '%s\n' "$1" >"$mine.new" && mv "$mine.new" "$mine"
+}
+loads() { grep -c 'loaded again' "$scratch/run/out"; }
+loads_are() { [ "$(loads)" = "$1" ]; }
+reloads() { # TEXT
+    local wanted=$(($(loads) + 1))
+    save "$1"
+    within 5 loads_are "$wanted"
+}
+
+save "$good"
+# shellcheck disable=SC2086 # options are words
+start $chapter $still --shader "$mine"
+resize() {
+    wmctrl -i -r "$window" -e 0,-1,-1,300,300 && within 5 size_is 300x300 && sleep 0.2 &&
+        shoot_as resized && render wanted -s 300x300 && matches wanted resized
+}
+check 'another size keeps the aspect' resize
+shoot_as original
+other_sky() {
+    reloads "${good/const vec3 SKY = vec3(/const vec3 SKY = 0.5 * vec3(}" && shoot_as sky &&
+        differ original sky
+}
+check 'a saved shader is loaded again' other_sky
+broken() {
+    save "$good
+float wrong() { return undeclared; }" && shows 'error: see terminal' && shoot_as kept && same sky kept &&
+        grep -q "mine.frag:[0-9]*.*undeclared" "$scratch/run/err"
+}
+check 'a broken one keeps the picture and names file and line' broken
+recover() {
+    reloads "$good" && shoot_as recovered && same original recovered && [[ $(title) != *error* ]]
+}
+check 'a good one again recovers' recover
+vanish() {
+    : >"$scratch/run/err"
+    mv "$mine" "$mine.away" && shows 'error: see terminal' && alive && sleep 0.5 &&
+        [ "$(wc -l <"$scratch/run/err")" = 1 ] && mv "$mine.away" "$mine" &&
+        within 5 loads_are 3 && shoot_as again && same original again
+}
+check 'one that vanishes is reported once, and loaded when it is back' vanish
+orthographic() {
+    reloads "$good
+uniform float orthographic; // 0 in [0, 1]: for this test" && key Up && shows 'orthographic = 0' &&
+        key Tab && shows 'orthographic = 1' && key Tab && shows 'orthographic = 0'
+}
+check 'a new parameter is there, and Tab switches orthographic' orthographic
+include() {
+    mkdir "$scratch/lib" && cp shaders/*.glsl "$scratch" &&
+        echo '// a change' >>"$scratch/march.glsl" && reloads "$good" &&
+        { echo '// another' >>"$scratch/march.glsl"; within 5 loads_are 6; }
+}
+check 'an included file that is saved loads it again' include
+check 'a close request closes the window with status 0' eval 'wmctrl -i -c "$window"; ends_well'
+
+# ---- A chapter that moves by itself ----
+
+start 00_first_scene -s 320x200
+frame() { shoot 00_first_scene && cp "$picture" "$scratch/$1.png"; }
+runs() { frame a && sleep 0.1 && frame b && differ a b; }
+check 'time runs' runs
+rate() { within 5 eval '[[ $(title) =~ \ [0-9]+\ fps ]]'; }
+check 'the title counts frames' rate
+pauses() { key Escape && shows '(paused)' && frame a && sleep 0.3 && frame b && same a b; }
+check 'Escape pauses it' pauses
+idles() { # less than a tenth of a second of processor time in a second
+    local before after
+    before=$(awk '{ print $14 + $15 }' "/proc/$program/stat")
+    sleep 1
+    after=$(awk '{ print $14 + $15 }' "/proc/$program/stat")
+    [ $((after - before)) -le 10 ]
+}
+if [ -e "/proc/$program/stat" ]; then
+    check 'a paused window costs nearly no processor time' idles
+fi
+restarts() {
+    key r && frame begin && "$BUILD/00_first_scene" -s 320x200 -t 0 -o "$scratch/zero.png" &&
+        matches zero begin
+}
+check 'R restarts the time' restarts
+resumes() { key Escape && sleep 0.2 && frame a && differ begin a; }
+check 'Escape again resumes' resumes
+check 'Backspace closes it' eval 'key BackSpace; ends_well'
+
+close_window
+plan
