@@ -9,7 +9,7 @@ int main(int argc, char **argv)
         .stem = "02_lighting",
         .title = "02 Lighting",
         .shows = "A frame on a stage under a warm lamp that circles and a cold one that stands.",
-        .camera = {.position = {2.4f, 2.75f, 4.9f}, .pan = -29.0f, .tilt = -23.0f},
+        .camera = {.position = {2.5f, 2.85f, 5.15f}, .pan = -29.0f, .tilt = -24.0f},
     };
     return chapter_run(&chapter, argc, argv);
 }

@@ -9,7 +9,7 @@ int main(int argc, char **argv)
         .stem = "03_shadows",
         .title = "03 Shadows",
         .shows = "The stage of chapter 02, with the shadows that the circling lamp casts.",
-        .camera = {.position = {2.4f, 2.75f, 4.9f}, .pan = -29.0f, .tilt = -23.0f},
+        .camera = {.position = {2.5f, 2.85f, 5.15f}, .pan = -29.0f, .tilt = -24.0f},
     };
     return chapter_run(&chapter, argc, argv);
 }

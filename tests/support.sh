@@ -10,6 +10,8 @@
 # environment: software rendering, a shader cache of the tests, readable sanitizers.
 
 BUILD=${BUILD:-build}
+root=$PWD # for the suite that sources this
+export root
 scratch=
 display_server=
 tap_count=0

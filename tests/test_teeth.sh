@@ -48,8 +48,8 @@ plant() { # LINE COPY: prints a result
             split(numbers, word, " ")
             margin = word[2] / f2 > word[5] / b8 ? word[2] / f2 : word[5] / b8
             if (word[1] != "F2" || word[4] != "B8") margin = 0
-            printf "%s %s: %s has margin %.1f (%s)\n", margin >= 2 ? "ok" : "not ok", what,
-                picture, margin, numbers
+            verdict = margin < 2 ? "not ok" : "ok"
+            printf "%s %s: margin %.1f in %s, %s\n", verdict, what, margin, picture, numbers
         }'
 }
 
@@ -71,7 +71,7 @@ done >"$scratch/mistakes"
 count=$(grep -c . "$scratch/mistakes")
 
 export LP_NUM_THREADS=1
-seq "$count" | xargs -P 2 -I N "$0" --plant "$scratch" N
+seq "$count" | xargs -P 2 -n 1 "$0" --plant "$scratch"
 for number in $(seq "$count"); do
     read -r line <"$scratch/$number.result" || line="not ok mistake $number: no result"
     case $line in

@@ -10,7 +10,7 @@
 
 uniform bool stopping; // false: end the shadow ray at the lamp, as it should
 
-const vec3  HUNG_LAMP = vec3(-0.45, 0.85, 0.55);
+const vec3  HUNG_LAMP = vec3(-0.3, 0.9, 0.6);
 const float HUNG_REFERENCE = 1.2; // where its light is lampColour, scene units
 
 // The lamp itself, a small disc, so that one sees where it hangs.

@@ -1,0 +1,116 @@
+#include "support_scratch.h"
+
+#include <ftw.h>
+#include <limits.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#define CAPTURE_SIZE 65536
+
+static struct {
+    char folder[PATH_MAX];
+    char path[8][2 * PATH_MAX];
+    int next;
+    int saved_stderr;
+    FILE *captured;
+    char text[CAPTURE_SIZE];
+} state;
+
+static void need(bool done, const char *what)
+{
+    if (!done) {
+        perror(what);
+        abort();
+    }
+}
+
+const char *scratch_make(void)
+{
+    const char *parent = getenv("TMPDIR");
+    char template[PATH_MAX];
+    snprintf(template, sizeof template, "%s/march-test-XXXXXX",
+             parent != NULL && parent[0] != '\0' ? parent : "/tmp");
+    need(mkdtemp(template) != NULL, template);
+    need(realpath(template, state.folder) != NULL, template);
+    return state.folder;
+}
+
+static int remove_one(const char *path, const struct stat *status, int type, struct FTW *walk)
+{
+    (void)status, (void)type, (void)walk;
+    return remove(path);
+}
+
+void scratch_remove(void)
+{
+    need(nftw(state.folder, remove_one, 16, FTW_DEPTH | FTW_PHYS) == 0, state.folder);
+}
+
+static char *next_path(const char *name)
+{
+    char *path = state.path[state.next++ % 8];
+    size_t length = strlen(state.folder), more = strlen(name);
+    need(length + more + 2 <= sizeof state.path[0], name);
+    memcpy(path, state.folder, length);
+    path[length] = '/';
+    memcpy(path + length + 1, name, more + 1);
+    return path;
+}
+
+const char *scratch_path(const char *name)
+{
+    return next_path(name);
+}
+
+const char *scratch_write_bytes(const char *name, const void *bytes, size_t size)
+{
+    char *path = next_path(name);
+    for (char *slash = strchr(path + strlen(state.folder) + 1, '/'); slash != NULL;
+         slash = strchr(slash + 1, '/')) {
+        *slash = '\0';
+        mkdir(path, 0700);
+        *slash = '/';
+    }
+    FILE *file = fopen(path, "wb");
+    need(file != NULL && fwrite(bytes, 1, size, file) == size && fclose(file) == 0, path);
+    return path;
+}
+
+const char *scratch_write(const char *name, const char *text)
+{
+    return scratch_write_bytes(name, text, strlen(text));
+}
+
+void capture_begin(void)
+{
+    fflush(stderr);
+    state.saved_stderr = dup(STDERR_FILENO);
+    state.captured = tmpfile();
+    need(state.saved_stderr >= 0 && state.captured != NULL &&
+             dup2(fileno(state.captured), STDERR_FILENO) >= 0,
+         "capture");
+}
+
+const char *capture_end(void)
+{
+    fflush(stderr);
+    need(dup2(state.saved_stderr, STDERR_FILENO) >= 0, "capture");
+    close(state.saved_stderr);
+    rewind(state.captured);
+    size_t size = fread(state.text, 1, sizeof state.text - 1, state.captured);
+    state.text[size] = '\0';
+    fclose(state.captured);
+    return state.text;
+}
+
+int line_count(const char *text)
+{
+    int count = 0;
+    for (const char *c = text; *c != '\0'; c++)
+        count += *c == '\n' || c[1] == '\0';
+    return count;
+}

@@ -1,0 +1,437 @@
+// test_shader.c - a shader's text: includes in their places, every line traced back to its file,
+// and one clear line for each file that cannot be used.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+// cmocka needs the four above.
+#include <cmocka.h>
+
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "../common/shader.h"
+#include "support_scratch.h"
+
+// ---- A project of its own for each test
+// ----------------------------------------------------------
+
+static int set_up(void **state)
+{
+    *state = (void *)(size_t)scratch_make();
+    scratch_write("root/shaders/leaf.glsl", "float leaf();\n");
+    scratch_write("root/shaders/twig.glsl", "// twig\n#include \"leaf.glsl\"\nfloat twig();\n");
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    scratch_remove();
+    return 0;
+}
+
+// Read root/chapters/main.frag, which has this text; it must be readable.
+static struct shader_source read_text(const char *text)
+{
+    struct shader_source source;
+    const char *path = scratch_write("root/chapters/main.frag", text);
+    capture_begin();
+    bool done = shader_read(&source, path, scratch_path("root"));
+    const char *said = capture_end();
+    if (!done || said[0] != '\0')
+        fail_msg("%s: %s", text, said);
+    return source;
+}
+
+static void assert_text(const char *text, const char *expected)
+{
+    struct shader_source source = read_text(text);
+    assert_string_equal(source.text, expected);
+    shader_free(&source);
+}
+
+// The file must be refused in one line that holds each of the words; NULL ends them.
+static void assert_file_refused(const char *path, const char *const words[])
+{
+    struct shader_source source;
+    capture_begin();
+    bool done = shader_read(&source, path, scratch_path("root"));
+    const char *said = capture_end();
+    assert_false(done);
+    assert_null(source.text);
+    if (line_count(said) != 1)
+        fail_msg("not one line: %s", said);
+    for (int i = 0; words[i] != NULL; i++)
+        if (strstr(said, words[i]) == NULL)
+            fail_msg("'%s' is missing in: %s", words[i], said);
+}
+
+#define assert_path_refused(path, ...)                                                             \
+    assert_file_refused(path, (const char *const[]){__VA_ARGS__, NULL})
+#define assert_refused(text, ...)                                                                  \
+    assert_path_refused(scratch_write("root/chapters/main.frag", text), __VA_ARGS__)
+
+// ---- Includes
+// ------------------------------------------------------------------------------------
+
+static void test_include_stands_in_its_place(void **state)
+{
+    (void)state;
+    assert_text("a\n#include \"leaf.glsl\"\nb\n",
+                "a\n// #include \"leaf.glsl\"\nfloat leaf();\nb\n");
+    assert_text("  #  include\t\"leaf.glsl\"  // why\n",
+                "//   #  include\t\"leaf.glsl\"  // why\nfloat leaf();\n");
+    assert_text("#include\"leaf.glsl\"", "// #include\"leaf.glsl\"\nfloat leaf();\n");
+}
+
+static void test_file_is_included_once(void **state)
+{
+    (void)state;
+    assert_text(
+        "#include \"leaf.glsl\"\n#include \"twig.glsl\"\n#include \"../shaders/leaf.glsl\"\nx\n",
+        "// #include \"leaf.glsl\"\nfloat leaf();\n"
+        "// #include \"twig.glsl\"\n// twig\n// #include \"leaf.glsl\"\nfloat twig();\n"
+        "// #include \"../shaders/leaf.glsl\"\nx\n");
+}
+
+static void test_every_line_is_traced(void **state)
+{
+    (void)state;
+    struct shader_source source = read_text("one\n#include \"twig.glsl\"\n\nfour\n");
+    const struct shader_line expected[] = {{0, 1}, {0, 2}, {1, 1}, {1, 2},
+                                           {2, 1}, {1, 3}, {0, 3}, {0, 4}};
+    assert_int_equal(source.line_count, 8);
+    for (int i = 0; i < 8; i++) {
+        assert_int_equal(source.lines[i].file, expected[i].file);
+        assert_int_equal(source.lines[i].line, expected[i].line);
+    }
+    assert_int_equal(line_count(source.text), 8);
+    assert_int_equal(source.file_count, 3);
+    assert_string_equal(source.files[0], scratch_path("root/chapters/main.frag"));
+    assert_string_equal(source.files[1], "shaders/twig.glsl");
+    assert_string_equal(source.files[2], "shaders/leaf.glsl");
+    assert_string_equal(source.paths[2], scratch_path("root/shaders/leaf.glsl"));
+    shader_free(&source);
+}
+
+static void test_beside_comes_before_shaders(void **state)
+{
+    (void)state;
+    scratch_write("root/chapters/leaf.glsl", "float mine();\n");
+    assert_text("#include \"leaf.glsl\"\n", "// #include \"leaf.glsl\"\nfloat mine();\n");
+    scratch_write("root/shaders/deep/a.glsl", "#include \"b.glsl\"\n");
+    scratch_write("root/shaders/deep/b.glsl", "b\n");
+    assert_text("#include \"deep/a.glsl\"\n",
+                "// #include \"deep/a.glsl\"\n// #include \"b.glsl\"\nb\n");
+}
+
+static void test_shader_outside_the_project(void **state)
+{
+    (void)state;
+    struct shader_source source;
+    scratch_write("own/near.glsl", "near\n");
+    scratch_write("own/deep/down.glsl", "#include \"../near.glsl\"\n");
+    const char *path =
+        scratch_write("own/my.frag", "#include \"deep/down.glsl\"\n#include \"leaf.glsl\"\n");
+    assert_true(shader_read(&source, path, scratch_path("root")));
+    assert_int_equal(source.file_count, 4);
+    assert_string_equal(source.files[2], scratch_path("own/near.glsl"));
+    assert_string_equal(source.files[3], "shaders/leaf.glsl");
+    shader_free(&source);
+}
+
+static void test_name_as_given(void **state)
+{
+    (void)state;
+    struct shader_source source;
+    char before[4096];
+    assert_non_null(getcwd(before, sizeof before));
+    scratch_write("own/near.glsl", "near\n");
+    scratch_write("own/my.frag", "#include \"near.glsl\"\n");
+    assert_int_equal(chdir(scratch_path("own")), 0);
+    bool bare = shader_read(&source, "my.frag", scratch_path("root"));
+    assert_int_equal(chdir(before), 0);
+    assert_true(bare);
+    assert_string_equal(source.files[0], "my.frag");
+    assert_string_equal(source.files[1], "near.glsl");
+    shader_free(&source);
+}
+
+static void test_comments_include_nothing(void **state)
+{
+    (void)state;
+    const char *text =
+        "// #include \"none.glsl\"\n/* #include \"none.glsl\"\n#include \"none.glsl\"\n*/\n"
+        "// goes on \\\n#include \"none.glsl\"\n#includes\nx / y // */\n";
+    assert_text(text, text);
+}
+
+static void test_nesting(void **state)
+{
+    (void)state;
+    char name[64], text[64];
+    for (int i = 0; i < 70; i++) {
+        snprintf(name, sizeof name, "root/shaders/n%d.glsl", i);
+        snprintf(text, sizeof text, "#include \"n%d.glsl\"\n", i + 1);
+        scratch_write(name, text);
+    }
+    assert_refused("#include \"n0.glsl\"\n", "shaders/n62.glsl:1: ", "64 files");
+    scratch_write("root/shaders/n63.glsl", "end\n");
+    assert_refused("#include \"n0.glsl\"\n", "shaders/n62.glsl:1: ", "64 files");
+    scratch_write("root/shaders/n62.glsl", "end\n");
+    struct shader_source source = read_text("#include \"n0.glsl\"\n");
+    assert_int_equal(source.file_count, 64);
+    assert_int_equal(source.line_count, 64);
+    shader_free(&source);
+}
+
+static void test_missing_include(void **state)
+{
+    (void)state;
+    assert_refused("\n\n#include \"foo.glsl\"\n", "main.frag:3: #include \"foo.glsl\": ",
+                   "no such file beside main.frag or in shaders/");
+    scratch_write("root/shaders/broken.glsl", "\n#include \"gone.glsl\"\n");
+    assert_refused("#include \"broken.glsl\"\n", "shaders/broken.glsl:2: #include \"gone.glsl\": ");
+}
+
+static void test_cycles(void **state)
+{
+    (void)state;
+    assert_refused("x\n#include \"main.frag\"\n", "main.frag:2: ", "includes itself",
+                   "main.frag -> ");
+    scratch_write("root/shaders/a.glsl", "#include \"b.glsl\"\n");
+    scratch_write("root/shaders/b.glsl", "\n#include \"a.glsl\"\n");
+    assert_refused("#include \"a.glsl\"\n",
+                   "shaders/b.glsl:2: ", "shaders/a.glsl -> shaders/b.glsl -> shaders/a.glsl");
+}
+
+static void test_climbing_out(void **state)
+{
+    (void)state;
+    scratch_write("secret.glsl", "secret\n");
+    scratch_write("rootless/secret.glsl", "secret\n");
+    assert_refused("#include \"../../secret.glsl\"\n", "main.frag:1: ", "outside the project");
+    assert_refused("#include \"../../rootless/secret.glsl\"\n",
+                   "main.frag:1: ", "outside the project");
+    assert_refused("#include \"../../../../../../../../../../etc/passwd\"\n",
+                   "main.frag:1: ", "outside the project");
+    assert_refused("#include \"/etc/passwd\"\n", "main.frag:1: ", "absolute");
+    assert_int_equal(symlink("../../secret.glsl", scratch_path("root/shaders/link.glsl")), 0);
+    assert_refused("#include \"link.glsl\"\n", "main.frag:1: ", "outside the project");
+    assert_int_equal(symlink("leaf.glsl", scratch_path("root/shaders/inner.glsl")), 0);
+    assert_text("#include \"inner.glsl\"\n#include \"leaf.glsl\"\n",
+                "// #include \"inner.glsl\"\nfloat leaf();\n// #include \"leaf.glsl\"\n");
+}
+
+static void test_malformed_includes(void **state)
+{
+    (void)state;
+    const char *const lines[] = {"#include <leaf.glsl>\n",
+                                 "#include\n",
+                                 "#include leaf.glsl\n",
+                                 "#include \"leaf.glsl\n",
+                                 "#include \"leaf.glsl\nx\"\n",
+                                 "#include \"\"\n",
+                                 "#include \"leaf.glsl\" x\n",
+                                 "#include \"leaf.glsl\" /* on\n*/\n",
+                                 "/*\n*/ #include \"leaf.glsl\"\n",
+                                 "#include \"leaf.glsl\" // on \\\nx\n",
+                                 "#include \\\n\"leaf.glsl\"\n"};
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+        assert_refused(lines[i], "malformed include", i == 8 ? "main.frag:2: " : "main.frag:1: ");
+}
+
+// ---- Files that are no shaders
+// -------------------------------------------------------------------
+
+static void test_tidy(void **state)
+{
+    (void)state;
+    scratch_write("root/shaders/leaf.glsl", "\xEF\xBB\xBFleaf\r\n\r\n");
+    assert_text("\xEF\xBB\xBF"
+                "a\r\nb\r\n#include \"leaf.glsl\"\r\nc",
+                "a\nb\n// #include \"leaf.glsl\"\nleaf\n\nc\n");
+    assert_text("a\rb\r", "a\nb\n");
+    assert_text("a", "a\n");
+    assert_text("a // \\", "a // \\\n\n");
+}
+
+static void test_binary_and_empty(void **state)
+{
+    (void)state;
+    const char *path = scratch_write_bytes("root/chapters/bin.frag", "a\0b\n", 4);
+    assert_path_refused(path, "bin.frag: ", "zero byte");
+    assert_path_refused(scratch_write_bytes("root/chapters/bin.frag", "a\n\0", 3), "zero byte");
+    assert_refused("", "main.frag: empty");
+}
+
+static void test_blank_is_empty(void **state)
+{
+    (void)state;
+    assert_refused(" \n\t\r\n", "main.frag: empty");
+    assert_refused("\xEF\xBB\xBF\n", "main.frag: empty");
+    scratch_write("root/shaders/none.glsl", "\n");
+    assert_refused("#include \"none.glsl\"\n", "main.frag:1: #include \"none.glsl\": empty");
+}
+
+static char *long_text(size_t size)
+{
+    char *text = malloc(size + 1);
+    assert_non_null(text);
+    for (size_t i = 0; i < size; i++)
+        text[i] = i % 64 == 63 ? '\n' : 'x';
+    text[size] = '\0';
+    return text;
+}
+
+static void test_size_limits(void **state)
+{
+    (void)state;
+    char *text = long_text(1024 * 1024 + 1), name[64], all[1024] = "";
+    assert_refused(text, "main.frag: ", "1 MiB");
+    scratch_write("root/shaders/big.glsl", text);
+    assert_refused("#include \"big.glsl\"\n", "main.frag:1: #include \"big.glsl\": ", "1 MiB");
+    text[1024 * 1024] = '\0';
+    struct shader_source source = read_text(text);
+    assert_int_equal(source.line_count, 16384);
+    shader_free(&source);
+    for (int i = 0; i < 9; i++) {
+        snprintf(name, sizeof name, "root/shaders/big%d.glsl", i);
+        scratch_write(name, text);
+        snprintf(all + strlen(all), sizeof all - strlen(all), "#include \"big%d.glsl\"\n", i);
+    }
+    assert_refused(all, "shaders/big7.glsl:", "8 MiB");
+    free(text);
+}
+
+static void test_special_files(void **state)
+{
+    (void)state;
+    assert_path_refused(scratch_path("root/chapters"), "not a regular file");
+    assert_path_refused(scratch_path("root/none.frag"), "none.frag: ", "No such file");
+    assert_path_refused("/dev/zero", "/dev/zero: not a regular file");
+    assert_path_refused("", "cannot be read");
+    assert_int_equal(mkfifo(scratch_path("root/shaders/fifo.glsl"), 0600), 0);
+    assert_path_refused(scratch_path("root/shaders/fifo.glsl"), "not a regular file");
+    assert_refused("#include \"fifo.glsl\"\n", "main.frag:1: ", "not a regular file");
+    assert_refused("#include \".\"\n", "main.frag:1: ", "not a regular file");
+}
+
+static void test_open_comment(void **state)
+{
+    (void)state;
+    assert_refused("a\n/* b\nc\n", "main.frag:2: ", "never closed");
+    scratch_write("root/shaders/open.glsl", "/* x\n");
+    assert_refused("#include \"open.glsl\"\n*/\n", "shaders/open.glsl:1: ", "never closed");
+}
+
+// ---- Forms
+// ---------------------------------------------------------------------------------------
+
+static void assert_form(const char *text, enum shader_form form)
+{
+    struct shader_source source = read_text(text);
+    assert_int_equal(source.form, form);
+    shader_free(&source);
+}
+
+static void test_forms(void **state)
+{
+    (void)state;
+    assert_form("#version 330 core\nvoid main() {}\n", SHADER_WHOLE);
+    assert_form("// why\n/* and\nhow */ # version 330 core\n#include \"leaf.glsl\"\n",
+                SHADER_WHOLE);
+    assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {}\n", SHADER_WHOLE);
+    assert_form("// #version 330\nvoid main() {}\n", SHADER_COURSE);
+    assert_form("void mainImage(out vec4 c, in vec2 p);\n", SHADER_COURSE);
+    assert_form("// void mainImage(out vec4 c, in vec2 p) {}\n", SHADER_COURSE);
+    assert_form("void mainImage(out vec4 c, in vec2 p) {}\nvoid main() {}\n", SHADER_COURSE);
+    assert_form("void mainImages(out vec4 c) {}\nvoid notmainImage() {}\n", SHADER_COURSE);
+    scratch_write("root/shaders/main.glsl", "void main()\n{\n}\n");
+    assert_form("#include \"main.glsl\"\nvoid mainImage(int a) {}\n", SHADER_COURSE);
+    assert_refused("void mainImage( out vec4 c,\n in vec2 p )\n{ }\n",
+                   "main.frag: Shadertoy's form");
+    assert_refused("x\n#version 330 core\n", "main.frag:2: #version must come first");
+    assert_refused("#include \"leaf.glsl\"\n#version 330 core\n", "main.frag:2: #version must");
+    scratch_write("root/shaders/leaf.glsl", "// x\n#version 330\n");
+    assert_refused("#include \"leaf.glsl\"\n", "shaders/leaf.glsl:2: #version");
+}
+
+static void test_compiled_text(void **state)
+{
+    (void)state;
+    struct shader_source source = read_text("#include \"twig.glsl\"\nx\n");
+    char *text = shader_text(&source, SHADER_STEPS);
+    assert_string_equal(text,
+                        "#version 330 core\n#define VIEW 3\n// #include \"twig.glsl\"\n// twig\n"
+                        "// #include \"leaf.glsl\"\nfloat leaf();\nfloat twig();\nx\n");
+    assert_null(strstr(text, "#line"));
+    free(text);
+    shader_free(&source);
+    source = read_text("#version 330 core\nx\n");
+    text = shader_text(&source, SHADER_PICTURE);
+    assert_string_equal(text, "#version 330 core\nx\n");
+    free(text);
+    shader_free(&source);
+}
+
+static void test_views(void **state)
+{
+    (void)state;
+    enum shader_view view = SHADER_PICTURE;
+    for (int i = 0; i < SHADER_VIEW_COUNT; i++) {
+        assert_true(shader_view_from_name(shader_view_name((enum shader_view)i), &view));
+        assert_int_equal(view, i);
+    }
+    assert_false(shader_view_from_name("probe", &view));
+    assert_false(shader_view_from_name("", &view));
+    struct shader_source source = read_text("#version 330 core\n");
+    assert_true(shader_has_view(&source, SHADER_PICTURE));
+    for (int i = SHADER_NORMALS; i < SHADER_PROGRAM_COUNT; i++) {
+        capture_begin();
+        assert_false(shader_has_view(&source, (enum shader_view)i));
+        const char *said = capture_end();
+        assert_int_equal(line_count(said), 1);
+        assert_non_null(strstr(said, "main of its own"));
+        assert_non_null(strstr(said, shader_view_name((enum shader_view)i)));
+    }
+    shader_free(&source);
+    source = read_text("x\n");
+    assert_true(shader_has_view(&source, SHADER_PROBE));
+    shader_free(&source);
+}
+
+#define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        UNIT(test_include_stands_in_its_place),
+        UNIT(test_file_is_included_once),
+        UNIT(test_every_line_is_traced),
+        UNIT(test_beside_comes_before_shaders),
+        UNIT(test_shader_outside_the_project),
+        UNIT(test_name_as_given),
+        UNIT(test_comments_include_nothing),
+        UNIT(test_nesting),
+        UNIT(test_missing_include),
+        UNIT(test_cycles),
+        UNIT(test_climbing_out),
+        UNIT(test_malformed_includes),
+        UNIT(test_tidy),
+        UNIT(test_binary_and_empty),
+        UNIT(test_blank_is_empty),
+        UNIT(test_size_limits),
+        UNIT(test_special_files),
+        UNIT(test_open_comment),
+        UNIT(test_forms),
+        UNIT(test_compiled_text),
+        UNIT(test_views),
+    };
+    return cmocka_run_group_tests_name("shader", tests, NULL, NULL);
+}
