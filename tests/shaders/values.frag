@@ -1,0 +1,38 @@
+#version 330 core
+// For test_numeric.c: the library's functions of a number or of a place on the screen.
+//
+// Time chooses the function; x is the pixel's number.
+
+in float Time;
+in vec2 FragCoord;
+out vec4 FragColor;
+
+#define VIEW 3
+
+#include "inputs.glsl"
+#include "scene.glsl"
+#include "camera.glsl"
+#include "lighting.glsl"
+#include "views.glsl"
+
+void main()
+{
+    float number = floor(gl_FragCoord.x) + 1024.0 * floor(gl_FragCoord.y);
+    FragColor = vec4(0.0);
+    if (Time < 1.0) {
+        // Linear light from below 0 to above 1, dense around the knee.
+        float light = number < 1024.0 ? number / 163840.0 : (number - 2048.0) / 8192.0;
+        FragColor = vec4(light, encodeSRGB(vec3(light, 0.5, 2.0)));
+    } else if (Time < 2.0) {
+        FragColor = vec4(evenRamp(number / 1023.0), 1.0);
+    } else if (Time < 3.0) {
+        FragColor = vec4(perspectiveRay(FragCoord).direction, perspectiveRay(FragCoord).origin.x);
+    } else if (Time < 4.0) {
+        float angle = 0.006135923151542565 * number; // 1024 pixels are one turn
+        vec3 toLight = vec3(sin(angle), cos(angle), 0.0);
+        FragColor = vec4(angle, lambert(vec3(0.0, 1.0, 0.0), toLight), 0.0, 0.0);
+    } else {
+        float distance = 0.125 + 0.015625 * number;
+        FragColor = vec4(distance, fallOff(distance, 6.0, 2.0), fallOff(distance, 6.0, 1.0), fallOff(distance, 6.0, 0.0));
+    }
+}
