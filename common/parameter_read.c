@@ -62,8 +62,7 @@ static bool accept_word(struct reading *reading, const char *word)
     return true;
 }
 
-// Read a number that the parameter's type can hold.
-static bool read_number(struct reading *reading, const char *what, double *value)
+static bool read_any_number(struct reading *reading, const char *what, double *value)
 {
     skip_blanks(reading);
     size_t length = number_begin(reading->c, value);
@@ -72,6 +71,14 @@ static bool read_number(struct reading *reading, const char *what, double *value
     reading->c += length;
     if (!isfinite((float)*value))
         return refuse(reading, "%s is too large for a float", what);
+    return true;
+}
+
+// Read a number that the parameter's type can hold.
+static bool read_number(struct reading *reading, const char *what, double *value)
+{
+    if (!read_any_number(reading, what, value))
+        return false;
     if (reading->parameter.type == PARAMETER_INT &&
         (*value != floor(*value) || fabs(*value) > INT_MAX))
         return refuse(reading, "%s must be a whole number, for the uniform is an int", what);
@@ -161,7 +168,8 @@ static bool read_step(struct reading *reading)
     if (!accept_word(reading, "step"))
         return true;
     p->multiplies = accept(reading, '*');
-    if (!read_number(reading, "the step", &p->step))
+    if (p->multiplies ? !read_any_number(reading, "the factor", &p->step)
+                      : !read_number(reading, "the step", &p->step))
         return false;
     if (p->multiplies && (p->step <= 1.0 || p->minimum <= 0.0))
         return refuse(reading, "a step that multiplies must be above 1, in a range above 0");

@@ -130,7 +130,8 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
     if (button != GLFW_MOUSE_BUTTON_LEFT || input->captured)
         return;
     input->state = action == GLFW_PRESS ? WINDOW_POINTER_PRESSED : WINDOW_POINTER_FREE;
-    glfwGetCursorPos(window, &input->pointer[0], &input->pointer[1]);
+    if (input->jumped)
+        glfwGetCursorPos(window, &input->pointer[0], &input->pointer[1]);
     input->jumped = false;
 }
 
@@ -138,13 +139,12 @@ static void on_pointer(GLFWwindow *window, double x, double y)
 {
     struct window_input *input = input_of(window);
     double right = x - input->pointer[0], down = y - input->pointer[1];
-    bool looks = input->captured || input->state == WINDOW_POINTER_DRAGS;
-    if (input->state == WINDOW_POINTER_PRESSED && !input->captured) {
+    if (input->state == WINDOW_POINTER_PRESSED) {
         if (hypot(right, down) < DRAG_BEGINS)
             return;
         input->state = WINDOW_POINTER_DRAGS;
     }
-    if (looks && !input->jumped) {
+    if ((input->captured || input->state == WINDOW_POINTER_DRAGS) && !input->jumped) {
         input->look[0] += right;
         input->look[1] += down;
     }

@@ -1,4 +1,6 @@
 // camera.glsl - from a place on the screen to a ray: the perspective view.
+#include "inputs.glsl"
+#include "scene.glsl"
 
 uniform float focalLength; // 2 in [0.3, 10] step *1.05, half screen heights: from the eye to the screen
 

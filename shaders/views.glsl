@@ -1,4 +1,5 @@
 // views.glsl - the trace as a picture: the first normal, the depth, the number of steps.
+#include "inputs.glsl"
 #include "scene.glsl"
 
 // Compiled only when one of these views is asked for.

@@ -17,8 +17,7 @@ static int compare(const struct image *a, const struct image *b, const char *pic
            difference.largest);
     if (picture != NULL) {
         struct image shown = {0};
-        bool written =
-            image_difference_picture(a, b, &shown) && image_write_png(&shown, picture);
+        bool written = image_difference_picture(a, b, &shown) && image_write_png(&shown, picture);
         image_free(&shown);
         if (!written)
             return NOT_COMPARED;

@@ -254,9 +254,9 @@ double mirror_lambert(struct d3 normal, struct d3 to_light)
     return fmax(d3_dot(normal, to_light), 0.0);
 }
 
-double mirror_fall_off(double distance, double reference, double power)
+double mirror_fall_off(double distance, double reference)
 {
-    return pow(reference / distance, power);
+    return reference * reference / (distance * distance);
 }
 
 double mirror_clamp(double x)

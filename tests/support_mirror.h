@@ -166,7 +166,7 @@ bool brute_box_interval(struct mirror_ray ray, struct d3 low, struct d3 high, do
 // ---- shaders/lighting.glsl ---------------------------------------------------------------------
 
 double mirror_lambert(struct d3 normal, struct d3 to_light);
-double mirror_fall_off(double distance, double reference, double power);
+double mirror_fall_off(double distance, double reference);
 double mirror_encode(double light); // one channel of encodeSRGB
 double mirror_smoothstep(double low, double high, double x);
 double mirror_clamp(double x);
@@ -215,14 +215,10 @@ extern const int mirror_picture_count;
 // A picture by its name, or NULL.
 const struct mirror_picture *mirror_find(const char *name);
 
-// The scenes of the chapters, and what a march there needs.
+// The scenes of the chapters; 02 and 03 share one.
 extern const struct mirror_scene mirror_scene_00, mirror_scene_01, mirror_scene_02;
-#define MIRROR_FOCAL_LENGTH  2.0
-#define MIRROR_FAR           40.0
-#define MIRROR_THRESHOLD     0.001
-#define MIRROR_NORMAL_STEP   0.001
-#define MIRROR_MAX_STEPS     128
-#define MIRROR_SHADOW_OFFSET 4.0 // times the threshold
+#define MIRROR_FOCAL_LENGTH 2.0
+#define MIRROR_FAR          40.0
 
 // The corners of the box that chapter 03 clips its rays to, and its lamp at a time.
 extern const struct d3 mirror_low, mirror_high;

@@ -175,7 +175,7 @@ static struct d3 lamp_light(struct d3 p, struct d3 normal, struct d3 lamp, struc
 {
     struct d3 to_lamp = d3_sub(lamp, p);
     double distance = d3_length(to_lamp);
-    return d3_times(mirror_lambert(normal, d3_unit(to_lamp)) * mirror_fall_off(distance, 6.0, 2.0),
+    return d3_times(mirror_lambert(normal, d3_unit(to_lamp)) * mirror_fall_off(distance, 6.0),
                     colour);
 }
 
@@ -188,7 +188,7 @@ static struct d3 dark_sky(struct d3 direction)
 // Is the lamp hidden from a point of the surface? A ray to the lamp and no farther.
 static bool hidden(struct d3 p, struct d3 normal, struct d3 lamp)
 {
-    struct d3 start = d3_add(p, d3_times(MIRROR_SHADOW_OFFSET * MIRROR_THRESHOLD, normal));
+    struct d3 start = d3_add(p, d3_times(1e-6, normal));
     struct d3 to_lamp = d3_sub(lamp, p);
     struct mirror_ray ray = {start, d3_unit(to_lamp)};
     return mirror_reach(&mirror_scene_02, ray, 0.0, d3_length(to_lamp)).end == MIRROR_HIT;

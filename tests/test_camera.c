@@ -123,7 +123,7 @@ static void test_pan_wraps(void **unused)
         assert_true(camera.pan >= -180.0f && camera.pan < 180.0f);
     }
     camera.pan = nextafterf(180.0f, 0.0f);
-    camera_turn(&camera, 1e-6f, 0.0f);
+    camera_turn(&camera, 1e-5f, 0.0f);
     assert_true(camera.pan >= -180.0f && camera.pan < 180.0f);
 }
 

@@ -14,7 +14,7 @@
 #include "../common/options.h"
 #include "support_scratch.h"
 
-#define WORDS 16
+#define WORDS 32
 
 // Parse a command line written with blanks between its words; a word of two quotes is empty.
 // The words live until the next call.

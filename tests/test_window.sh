@@ -8,7 +8,7 @@ cd "$(dirname "$0")/.." || exit 1
 
 chapter=01_normal_colouring
 still='-s 320x200 -c 1.65,1.6,3.4,-26,-23.5'
-program= window= shots=0 picture=
+program='' window='' shots=0 picture=''
 
 # ---- Tools ----
 
@@ -105,19 +105,31 @@ if ! open_display; then
     exit
 fi
 openbox >/dev/null 2>&1 &
-within 5 eval 'wmctrl -m >/dev/null 2>&1' || echo '# openbox is slow'
+managed() { wmctrl -m >/dev/null 2>&1; }
+within 10 managed || echo '# openbox did not start'
 
 # ---- A chapter without motion ----
 
 # shellcheck disable=SC2086 # options are words
-check 'a window opens' start $chapter $still
+if ! start $chapter $still; then
+    sed 's/^/# /' "$scratch/run/err"
+    not_ok 'a window opens'
+    close_window
+    plan
+    exit
+fi
+ok 'a window opens'
 check 'the title names chapter, view and parameter' shows '01 Normal colouring - '
 check 'the title shows the parameter that the arrows change' shows ' - picture - focalLength = 2'
 
 check 'P writes a screenshot' shoot_as first
 render expected
 check 'the screenshot is what -o writes with the same options' matches expected first
-on_screen() { import -window "$window" "$scratch/screen.png" && matches first screen; }
+# A driver may round the half between two levels either way: then pixels differ by 1, not by 3.
+on_screen() {
+    import -window "$window" "$scratch/screen.png" &&
+        build/tests/compare "$scratch/first.png" "$scratch/screen.png" | grep -q '^F2 0.0000'
+}
 check 'the window shows the screenshot' within 3 on_screen
 
 view() { key 4 && shows ' - steps - ' && shoot_as steps && render view -v steps && matches view steps; }
@@ -149,12 +161,12 @@ key Home
 tab() { key Tab && shoot_as tab && same first tab; }
 check 'Tab changes nothing where there is no orthographic parameter' tab
 
-# The mouse. The first pixels of a drag only begin it.
+# The mouse.
 click_only() { xdotool mousemove --window "$window" 100 100 click 1 && shoot_as click && same first click; }
 check 'a click without dragging turns nothing' click_only
 drag() {
-    xdotool mousemove --window "$window" 100 100 mousedown 1 mousemove_relative 5 0 \
-        mousemove_relative 60 0 mousemove_relative -- 0 -40 mouseup 1 &&
+    xdotool mousemove --window "$window" 100 100 mousedown 1 mousemove_relative 60 0 \
+        mousemove_relative -- 0 -40 mouseup 1 &&
         shoot_as dragged && render wanted -c 1.65,1.6,3.4,-17,-17.5 && matches wanted dragged
 }
 check 'dragging right and up turns right and up, 0.15 degree a pixel' drag
@@ -181,9 +193,9 @@ forward() {
     walk w && shoot_as near && differ freed near && sleep 0.2 && shoot_as rest && same near rest
 }
 check 'W moves, and its release stops' forward
-for name in a s d space c Control_L; do
-    moves() { shoot_as here && walk $name && shoot_as there && differ here there; }
-    check "$name moves" moves
+for moving in a s d space c Control_L; do
+    moves() { shoot_as here && walk "$moving" && shoot_as there && differ here there; }
+    check "$moving moves" moves
 done
 cancels() { xdotool keydown w keydown s sleep 0.2 && shoot_as a && sleep 0.2 && shoot_as b && xdotool keyup w keyup s && same a b; }
 check 'W and S together stand still' cancels
@@ -211,7 +223,8 @@ full_screen() {
         key F11 && within 5 size_is 320x200 && sleep 0.2 && [ "$(place)" = "$before" ]
 }
 check 'F11 fills the screen, and again gives place and size back' full_screen
-check 'Backspace closes the window with status 0' eval 'key BackSpace; ends_well'
+backspace() { key BackSpace && ends_well; }
+check 'Backspace closes the window with status 0' backspace
 check 'nothing was reported' [ ! -s "$scratch/run/err" ]
 
 # ---- Resize; reload of a reader's own copy ----
@@ -267,12 +280,13 @@ uniform float orthographic; // 0 in [0, 1]: for this test" && key Up && shows 'o
 }
 check 'a new parameter is there, and Tab switches orthographic' orthographic
 include() {
-    mkdir "$scratch/lib" && cp shaders/*.glsl "$scratch" &&
+    cp shaders/*.glsl "$scratch" &&
         echo '// a change' >>"$scratch/march.glsl" && reloads "$good" &&
         { echo '// another' >>"$scratch/march.glsl"; within 5 loads_are 6; }
 }
 check 'an included file that is saved loads it again' include
-check 'a close request closes the window with status 0' eval 'wmctrl -i -c "$window"; ends_well'
+asked() { wmctrl -i -c "$window" && ends_well; }
+check 'a close request closes the window with status 0' asked
 
 # ---- A chapter that moves by itself ----
 
@@ -280,7 +294,8 @@ start 00_first_scene -s 320x200
 frame() { shoot 00_first_scene && cp "$picture" "$scratch/$1.png"; }
 runs() { frame a && sleep 0.1 && frame b && differ a b; }
 check 'time runs' runs
-rate() { within 5 eval '[[ $(title) =~ \ [0-9]+\ fps ]]'; }
+counted() { [[ $(title) =~ \ [0-9]+\ fps ]]; }
+rate() { within 5 counted; }
 check 'the title counts frames' rate
 pauses() { key Escape && shows '(paused)' && frame a && sleep 0.3 && frame b && same a b; }
 check 'Escape pauses it' pauses
@@ -301,7 +316,7 @@ restarts() {
 check 'R restarts the time' restarts
 resumes() { key Escape && sleep 0.2 && frame a && differ begin a; }
 check 'Escape again resumes' resumes
-check 'Backspace closes it' eval 'key BackSpace; ends_well'
+check 'Backspace closes it' backspace
 
 close_window
 plan

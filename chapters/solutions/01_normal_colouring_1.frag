@@ -1,4 +1,4 @@
-// Chapter 01, exercise 1: a torus in place of the orbit of balls.
+// Solution of exercise 01.1: a torus in place of the orbit of balls.
 //
 // The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"

@@ -1,4 +1,4 @@
-// Chapter 01, exercise 3: the frame with rounded edges, of the same outer size.
+// Solution of exercise 01.2: the frame with rounded edges, of the same outer size.
 //
 // The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"

@@ -1,19 +1,32 @@
-// Chapter 01, exercise 6: a fisheye. The distance on the screen is proportional to the angle.
+// Solution of exercise 01.4: the normal from four evaluations at the corners of a tetrahedron.
 //
-// The chapter's own pixelRay is kept aside under another name; everything else is the chapter's.
+// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
-#define pixelRay chapterRay
+#define rayColour chapterColour
 #include "../01_normal_colouring.frag"
-#undef pixelRay
+#undef rayColour
 
-uniform float fieldOfView; // 180 in [10, 360] step 10, degrees: angle from the bottom of the picture to its top
-
-Ray pixelRay(vec2 screen)
+// The gradient by four corners of a cube, made of length 1.
+//   p, h     as for normalAt
+//   formula  normalize(sum of k f(p + h k)), k = (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1);
+//            error O(h) from the formula: h (H_yz, H_xz, H_xy), H the second derivatives
+vec3 tetrahedronNormal(vec3 p, float h)
 {
-    float size = length(screen);
-    float angle = 0.5 * radians(fieldOfView) * size;
-    vec2 aside = size > 0.0 ? screen / size : vec2(0.0);
-    vec3 direction = cos(angle) * iCameraForward +
-                     sin(angle) * (aside.x * iCameraRight + aside.y * iCameraUp);
-    return Ray(iCameraPosition, direction);
+    vec3 gradient = vec3(0.0);
+    for (int i = 0; i < 4; i++) {
+        vec3 corner = vec3(i < 2 ? 1.0 : -1.0, i % 2 == 0 ? 1.0 : -1.0, i == 0 || i == 3 ? 1.0 : -1.0);
+        gradient += corner * distanceAt(p + h * corner);
+    }
+    vec3 normal = normalize(gradient);
+    traceNormal(normal);
+    return normal;
+}
+
+vec3 rayColour(Ray ray)
+{
+    Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
+    if (!hit.found)
+        return SKY;
+    vec3 normal = tetrahedronNormal(ray.origin + hit.t * ray.direction, normalStep);
+    return biased ? 0.5 * normal + 0.5 : normal;
 }

@@ -34,8 +34,8 @@ float asked(vec3 p)
     return twoBalls(p);
 }
 
-// Of every eight points: four in a cube around the shape, one far, one near, one on the plane of a
-// face, one on an axis.
+// Of every eight points: four in a cube around the shape, one far, one near a corner, one on the plane
+// of a face, one on an axis.
 vec3 point(int item)
 {
     vec3 p = 2.0 * nextVector();
@@ -43,7 +43,7 @@ vec3 point(int item)
     if (kind == 4)
         p *= 64.0;
     if (kind == 5)
-        p *= 0.25;
+        p = sign(p) * iMouse.xyz + 2.0 * max(iMouse.w, 0.0625) * nextVector();
     if (kind == 6)
         p[(item / 8) % 3] = iMouse[(item / 8) % 3];
     if (kind == 7)

@@ -33,6 +33,6 @@ void main()
         FragColor = vec4(angle, lambert(vec3(0.0, 1.0, 0.0), toLight), 0.0, 0.0);
     } else {
         float distance = 0.125 + 0.015625 * number;
-        FragColor = vec4(distance, fallOff(distance, 6.0, 2.0), fallOff(distance, 6.0, 1.0), fallOff(distance, 6.0, 0.0));
+        FragColor = vec4(distance, fallOff(distance, 6.0), 0.0, 0.0);
     }
 }

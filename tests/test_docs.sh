@@ -1,0 +1,316 @@
+#!/bin/bash
+# test_docs.sh - the pages say what is there: listings, links, pictures, parameters, commands and
+# solutions exist and agree with the sources; and the tool that writes the listings refuses mistakes.
+# shellcheck disable=SC2016 # the backticks are Markdown's
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/support.sh
+
+open_scratch
+shopt -s nullglob
+pages=(README.md docs/*.md)
+chapters=()
+for source in chapters/[0-9][0-9]_*.c; do
+    stem=${source#chapters/}
+    chapters+=("${stem%.c}")
+done
+
+# judge NAME COMPLAINTS: ok when there is nothing to complain of.
+judge() {
+    if [ -z "$2" ]; then ok "$1"; else not_ok "$1" "$(tr '\n' ';' <<<"$2")"; fi
+}
+
+# ---- What a page holds ----
+
+# Its prose, 'LINE:text': without fenced blocks and, unless the second argument is 'code', without
+# inline code.
+prose_of() { # PAGE [code]
+    awk -v keep="${2-}" '
+        /^ *```/ { fenced = !fenced; next }
+        fenced { next }
+        { if (keep == "") gsub(/`[^`]*`/, ""); print FNR ":" $0 }' "$1"
+}
+
+# Its fenced lines, a line that ends in \ joined to the next, and its inline code, one a line.
+code_of() { # PAGE
+    awk '
+        /^ *```/ { fenced = !fenced; next }
+        fenced && /\\$/ { sub(/\\$/, ""); printf "%s ", $0; next }
+        fenced { print; next }
+        { n = split($0, part, "`"); for (i = 2; i < n; i += 2) print part[i] }' "$1"
+}
+
+# The targets of its links and pictures, 'LINE:target'; other sites left out.
+links_of() { # PAGE
+    prose_of "$1" | awk '{
+        line = $0; sub(/:.*/, "", line)
+        text = $0
+        while (match(text, /\]\([^)]*\)/)) {
+            print line ":" substr(text, RSTART + 2, RLENGTH - 3)
+            text = substr(text, RSTART + RLENGTH)
+        }
+        text = $0
+        while (match(text, /(src|href)="[^"]*"/)) {
+            target = substr(text, RSTART, RLENGTH); gsub(/^[a-z]*="|"$/, "", target)
+            print line ":" target
+            text = substr(text, RSTART + RLENGTH)
+        }
+    }' | grep -v -E '^[0-9]+:(https?|mailto):'
+}
+
+# The anchors that GitHub makes of its headings.
+anchors_of() { # PAGE
+    prose_of "$1" code | sed 's/^[0-9]*://' | awk '/^#+ / {
+        sub(/^#+ +/, ""); sub(/ +$/, "")
+        $0 = tolower($0)
+        gsub(/[][!"#$%&\047()*+,.\/:;<=>?@\\^`{|}~]/, "")
+        gsub(/ /, "-")
+        print $0 (seen[$0]++ ? "-" (seen[$0] - 1) : "")
+    }'
+}
+
+# ---- What is wrong with a page: each prints one line for each mistake ----
+
+bad_links() { # PAGE
+    local line target path file
+    links_of "$1" | while IFS=: read -r line target; do
+        path=${target%%#*}
+        file=$1
+        [ -z "$path" ] || file=$(dirname "$1")/$path
+        if [ ! -e "$file" ]; then
+            echo "$1:$line: $target does not exist"
+        elif [[ $target == *#* && $file == *.md ]] &&
+            ! anchors_of "$file" | grep -q -x -F -e "${target#*#}"; then
+            echo "$1:$line: $target: no heading has this anchor"
+        fi
+    done
+}
+
+listed_pictures() {
+    awk '!/^#/ && NF >= 2 { print $1 ($2 == "-" ? "" : "-" $2) }' tests/images.txt
+}
+
+bad_pictures() { # PAGE
+    local line target name
+    links_of "$1" | grep -E '\.(png|jpg|svg)(#|$)' | while IFS=: read -r line target; do
+        name=${target##*/}
+        [[ $target == *tests/references/*.png ]] && listed_pictures | grep -q -x -F -e "${name%.png}" ||
+            echo "$1:$line: $target is no picture of tests/images.txt"
+    done
+}
+
+# GitHub's Markdown takes the backslash of \, \; \! \: \{ \} \| \\ before the formula is read: they
+# are safe in a block that begins with ```math alone.
+bad_formulas() { # PAGE
+    prose_of "$1" | awk -v page="$1" '
+        {
+            line = $0; sub(/:.*/, "", line)
+            text = $0; sub(/^[0-9]*:/, "", text)
+            n = split(text, part, /\$\$?/)
+            for (i = 1; i <= n; i++) {
+                if (open && part[i] ~ /\\[,;!:{}|\\]|\\operatorname|\\newcommand|\\def[^a-z]/)
+                    print page ":" line ": GitHub does not render this formula: " part[i]
+                if (i < n)
+                    open = !open
+            }
+        }
+        END { if (open) print page ": a formula has no end" }'
+}
+
+# Five lines in French below their heading.
+bad_summary() { # PAGE
+    awk '
+        /^#+ L.essentiel *$/ { found = 1; next }
+        found == 1 && NF && /^#/ { exit }
+        found == 1 && NF { lines++ }
+        found == 1 && !NF && lines { exit }
+        END { if (lines != 5) print "under the heading of the essentials stand " lines + 0 " lines" }' "$1"
+}
+
+unnamed_parameters() { # STEM
+    "$BUILD/$1" --list | awk 'NR > 1 { print $1 }' | while read -r name; do
+        grep -q -w -F -e "$name" "docs/$1.md" || echo "$name is not in docs/$1.md"
+    done
+}
+
+# Shaders that belong to a chapter and that its page never names.
+unnamed_shaders() { # STEM
+    local file number=${1%%_*}
+    for file in chapters/{solutions,experiments}/"$number"_*.frag \
+        $([ "$number" != 00 ] || echo chapters/first_steps/*.frag); do
+        grep -q -F -e "$file" "docs/$1.md" || echo "$file is not in docs/$1.md"
+    done
+}
+
+# A command is tried by its own program, with --list in place of the picture: that reads all options,
+# the shader and the values of its parameters. A shader that the page itself writes, 'my.frag', is
+# replaced by the chapter's own.
+bad_commands() { # PAGE
+    local command target
+    code_of "$1" | grep -E '(^|[;&|(] *)(build/[0-9]|make [a-z]|[A-Z]+=)' | sed 's/ && /\n/g; s/[;|].*//' |
+        while IFS= read -r command; do
+            case $command in
+            [A-Z]*=*) eval "$command" ;; # a variable that later commands use
+            make\ [a-z]*)
+                target=${command#make }
+                grep -q "^${target%% *}:" Makefile || echo "$1: $command: no such target"
+                ;;
+            build/[0-9]*)
+                try_command "${command%%[<>]*}" >"$scratch/said" 2>&1 ||
+                    echo "$1: $command: $(head -n 1 "$scratch/said")"
+                ;;
+            esac
+        done
+}
+
+try_command() { # COMMAND
+    local -a words given=()
+    eval "words=($1)"
+    local program=$BUILD/${words[0]#build/} word before=
+    [ -x "$program" ] || { echo "no such program" && return 1; }
+    for word in "${words[@]:1}"; do
+        if [[ $before == -f || $before == --shader ]] && [[ $word == *.frag && $word != */* ]]; then
+            word=chapters/${program##*/}.frag
+        fi
+        given+=("$word")
+        before=$word
+    done
+    case " ${given[*]} " in
+    *\ --help\ * | *\ --version\ * | *\ --print-shader\ *) "$program" "${given[@]}" ;;
+    *) "$program" "${given[@]}" --list ;;
+    esac
+}
+
+# ---- The pages ----
+
+check_pages() {
+    local page stem
+    for page in "${pages[@]}"; do
+        judge "$page: listings and tables are those of the sources" \
+            "$(.make/listings.sh --check "$page" 2>&1)"
+        judge "$page: links, pictures and anchors exist" "$(bad_links "$page")"
+        judge "$page: pictures are references that are tested" "$(bad_pictures "$page")"
+        judge "$page: formulas are such as GitHub renders" "$(bad_formulas "$page")"
+        judge "$page: commands are accepted by their programs" "$(bad_commands "$page")"
+    done
+    for stem in "${chapters[@]}"; do
+        if [ ! -e "docs/$stem.md" ]; then
+            not_ok "docs/$stem.md" "the chapter has no page"
+            continue
+        fi
+        judge "docs/$stem.md: has its five lines in French" "$(bad_summary "docs/$stem.md")"
+        judge "docs/$stem.md: names every parameter" "$(unnamed_parameters "$stem")"
+        judge "docs/$stem.md: names every shader that goes with it" "$(unnamed_shaders "$stem")"
+    done
+}
+
+# ---- The checks themselves: each must see a mistake ----
+
+# refuses NAME TEXT CHECK: a page of this text makes the check complain.
+refuses() {
+    mkdir -p "$scratch/docs"
+    printf '%b' "$2" >"$scratch/docs/page.md"
+    check "a page is refused for $1" test -n "$("$3" "$scratch/docs/page.md")"
+}
+
+check_checks() {
+    refuses 'a link to nothing' 'see [this](gone.md)\n' bad_links
+    refuses 'an anchor without heading' '# One two\n[a](#one-two) [b](#one-three)\n' bad_links
+    refuses 'a picture that no test renders' '![a](../tests/references/gone.png)\n' bad_pictures
+    refuses 'a formula that GitHub spoils' 'so $a \\\\, b$ is\n' bad_formulas
+    refuses 'a summary of four lines' "## L'essentiel\n\n> a\n> b\n> c\n> d\n\ntext\n" bad_summary
+    refuses 'a program that is not there' '`build/99_nothing`\n' bad_commands
+    refuses 'a view that is not there' "\`build/${chapters[0]} --view colours\`\n" bad_commands
+    refuses 'a shader that is not there' "\`build/${chapters[0]} -f chapters/gone.frag\`\n" bad_commands
+    refuses 'a parameter that is not there' "\`build/${chapters[0]} -p gone=1\`\n" bad_commands
+    refuses 'a target that is not there' '`make nonsense`\n' bad_commands
+    printf '# A `b`: c, d!\n## A b c d\n' >"$scratch/docs/page.md"
+    check "anchors are GitHub's" test "$(anchors_of "$scratch/docs/page.md" | tr '\n' ' ')" = \
+        'a-b-c-d a-b-c-d-1 '
+}
+
+# ---- The tool that writes the listings ----
+
+write_source() {
+    cat >"$scratch/source.glsl" <<'END'
+// The first comment.
+const float EDGE = 1.0; // a brace { in a comment
+
+struct Pair {
+    float a; // ;
+};
+
+float once(vec3 p);
+
+// What once is.
+float once(vec3 p)
+{
+    return p.x;
+}
+
+float twice(float x) { return 2.0 * x; }
+vec3 twice(vec3 x) { return 2.0 * x; }
+END
+}
+
+# lists NAME EXPECTED: below a marker stands this text.
+lists() { # NAME EXPECTED
+    local page=$scratch/list.md
+    printf 'before\n<!-- code: %s %s -->\nafter\n' "$scratch/source.glsl" "$1" >"$page"
+    .make/listings.sh "$page" >/dev/null || return 1
+    [ "$(sed -n '3,$p' "$page")" = "$(printf '```glsl\n%s\n```\nafter' "$2")" ] &&
+        .make/listings.sh --check "$page" # what was written agrees with itself
+}
+
+# fails PAGE PATTERN OPTION...: status 1, the message matches, and the page is untouched.
+fails() {
+    local page=$1 pattern=$2
+    shift 2
+    cp "$page" "$page.before"
+    ! .make/listings.sh "$@" "$page" >/dev/null 2>"$scratch/said" &&
+        grep -q -e "$pattern" "$scratch/said" && cmp -s "$page" "$page.before"
+}
+
+rewrites() { # PAGE
+    [ "$(.make/listings.sh "$1")" = "$1: listings rewritten" ]
+}
+
+check_tool() {
+    local page=$scratch/tool.md source=$scratch/source.glsl
+    write_source
+    check 'a listing: a function, not its prototype' lists once $'float once(vec3 p)\n{\n    return p.x;\n}'
+    check 'a listing: with the comment above' lists 'once with-comment' \
+        $'// What once is.\nfloat once(vec3 p)\n{\n    return p.x;\n}'
+    check 'a listing: a constant' lists EDGE 'const float EDGE = 1.0; // a brace { in a comment'
+    check 'a listing: a struct' lists Pair $'struct Pair {\n    float a; // ;\n};'
+    check 'a listing: a whole file' lists '*' "$(cat "$source")"
+
+    printf '<!-- code: %s gone -->\n' "$source" >"$page"
+    check 'a name that is gone fails' fails "$page" ':1: .*source.glsl: defines no gone'
+    printf '\n<!-- code: %s twice -->\n' "$source" >"$page"
+    check 'a name that is defined twice fails' fails "$page" ':2: .*defines twice more than once'
+    printf '<!-- code: %s once -->\n' "$scratch/gone.glsl" >"$page"
+    check 'a file that is gone fails' fails "$page" 'cannot be read'
+    printf '<!-- code: %s -->\n' "$source" >"$page"
+    check 'a malformed marker fails' fails "$page" 'malformed'
+    printf '<!-- code: %s once -->\n```glsl\nfloat\n' "$source" >"$page"
+    check 'a fence without end fails' fails "$page" 'no end'
+    printf '<!-- code: %s once -->\n```glsl\nstale\n```\n' "$source" >"$page"
+    check 'a stale listing fails --check' fails "$page" ':1: differs' --check
+    check 'a stale listing is rewritten' rewrites "$page"
+    check 'a rewritten listing passes --check' .make/listings.sh --check "$page"
+    sed -i.before 's/return p.x/return p.y/' "$source"
+    check 'a source that changed fails --check' fails "$page" ':1: differs' --check
+
+    printf '<!-- parameters: 01_normal_colouring -->\n| stale |\n' >"$page"
+    check 'a stale table of parameters fails --check' fails "$page" ':1: differs' --check
+    check 'a stale table of parameters is rewritten' rewrites "$page"
+    check 'a table of parameters names them' grep -q '^| `hitThreshold` |' "$page"
+    printf '<!-- parameters: 99_nothing -->\n' >"$page"
+    check 'a table of no program fails' fails "$page" 'make first'
+}
+
+check_pages
+check_checks
+check_tool
+plan

@@ -1,0 +1,373 @@
+// test_numeric.c - the library's functions as the GPU computes them, against double precision and
+// against a brute force that shares no formula with them.
+#include <float.h>
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "support_gpu.h"
+#include "support_mirror.h"
+
+#define DISTANCES "tests/shaders/distances.frag"
+#define VALUES    "tests/shaders/values.frag"
+
+enum { SPHERE, PLANE, BOX, FRAME, TWO_BALLS };
+
+enum { ITEMS_WIDE = 256, SLOTS = 4, ROWS = 256, ITEMS = ITEMS_WIDE * ROWS };
+
+// What C gives to the shader: sizes in x, y, z, and w for a radius, a height or a beam.
+struct sizes {
+    int function;
+    float v[4];
+};
+
+static const struct sizes all_sizes[] = {
+    {SPHERE, {0.0f, 0.0f, 0.0f, 0.75f}},     {SPHERE, {0.0f, 0.0f, 0.0f, 0.3f}},
+    {PLANE, {0.0f, 1.0f, 0.0f, -0.5f}},      {PLANE, {0.48f, 0.6f, -0.64f, 0.3f}},
+    {BOX, {0.75f, 0.5f, 1.25f, 0.0f}},       {BOX, {2.6f, 0.1f, 2.2f, 0.0f}},
+    {FRAME, {0.75f, 0.5f, 1.25f, 0.125f}},   {FRAME, {0.8f, 0.8f, 0.8f, 0.08f}},
+    {FRAME, {0.5f, 1.0f, 1.5f, 0.3f}},       {TWO_BALLS, {0.5f, 0.0f, 0.0f, 0.75f}},
+    {TWO_BALLS, {0.25f, 0.0f, 0.0f, 0.75f}},
+};
+
+enum { SIZES = sizeof all_sizes / sizeof all_sizes[0] };
+
+static struct gpu gpu;
+
+static int open_gpu(void **unused)
+{
+    (void)unused;
+    return gpu_open(&gpu) ? 0 : -1;
+}
+
+static int close_gpu(void **unused)
+{
+    (void)unused;
+    gpu_close(&gpu);
+    return 0;
+}
+
+static double mirror(const struct sizes *sizes, struct d3 p)
+{
+    struct d3 v = d3_of(sizes->v), shift = d3(v.x, 0.0, 0.0);
+    double w = (double)sizes->v[3];
+    switch (sizes->function) {
+    case SPHERE:
+        return mirror_sphere(p, w);
+    case PLANE:
+        return mirror_plane(p, v, w);
+    case BOX:
+        return mirror_box(p, v);
+    case FRAME:
+        return mirror_box_frame(p, v, w);
+    default:
+        return fmin(mirror_sphere(d3_add(p, shift), w), mirror_sphere(d3_sub(p, shift), w));
+    }
+}
+
+static double brute(const struct sizes *sizes, struct d3 p)
+{
+    struct d3 v = d3_of(sizes->v);
+    double w = (double)sizes->v[3];
+    switch (sizes->function) {
+    case BOX:
+        return brute_box(p, v);
+    case FRAME:
+        return brute_box_frame(p, v, w);
+    case TWO_BALLS:
+        return brute_two_balls(p, v.x, w);
+    default:
+        return mirror(sizes, p);
+    }
+}
+
+// What rounding may do to a distance: a subtraction or two, three squares, their sum and a root,
+// each wrong by at most one rounding of numbers no larger than |p| + |sizes|. Counted generously
+// that is 6; 2.5 were seen.
+static double rounding(const struct sizes *sizes, struct d3 p)
+{
+    double size = d3_length(d3_of(sizes->v)) + fabs((double)sizes->v[3]);
+    return 6.0 * MIRROR_FLOAT_ROUNDING * (d3_length(p) + size);
+}
+
+static struct d3 vector(const float *slot)
+{
+    return d3_of(slot);
+}
+
+static float *distances(const struct sizes *sizes)
+{
+    assert_true(gpu_load(&gpu, DISTANCES));
+    float *values = gpu_call(&gpu, ITEMS_WIDE * SLOTS, ROWS, sizes->function, sizes->v);
+    assert_non_null(values);
+    return values;
+}
+
+static void test_distances_agree_with_double(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < SIZES; k++) {
+        float *values = distances(&all_sizes[k]);
+        double worst = 0.0;
+        for (int i = 0; i < 2 * ITEMS; i++) {
+            const float *slot = values + 4 * (i / 2 * SLOTS + i % 2);
+            struct d3 p = vector(slot);
+            double error = fabs((double)slot[3] - mirror(&all_sizes[k], p));
+            worst = fmax(worst, error / rounding(&all_sizes[k], p));
+        }
+        free(values);
+        print_message("# function %d, %d points: worst error %.2f of what rounding may do\n",
+                      all_sizes[k].function, 2 * ITEMS, worst);
+        assert_true(worst <= 1.0);
+    }
+}
+
+// Sphere, plane and box are exact everywhere; frame and union outside, and inside they are at most
+// the depth.
+static void test_distances_are_exact_or_a_bound(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < SIZES; k++) {
+        const struct sizes *sizes = &all_sizes[k];
+        float *values = distances(sizes);
+        int inside = 0, outside = 0, short_of = 0;
+        for (int i = 0; i < ITEMS; i++) {
+            const float *slot = values + 4 * (i * SLOTS);
+            struct d3 p = vector(slot);
+            double f = (double)slot[3], truth = brute(sizes, p), slack = rounding(sizes, p);
+            inside += truth < 0.0;
+            outside += truth > 0.0;
+            if (truth < -slack && sizes->function >= FRAME) {
+                assert_true(f <= slack && f >= truth - slack);
+                short_of += f > truth + slack;
+            } else {
+                assert_true(fabs(f - truth) <= slack);
+            }
+        }
+        free(values);
+        print_message("# function %d: %d points outside, %d inside, a bound only at %d\n",
+                      sizes->function, outside, inside, short_of);
+        assert_true(inside > 100 && outside > 1000);
+        assert_true(sizes->function < FRAME ? short_of == 0 : short_of > 10);
+    }
+}
+
+static void test_brute_force_knows_the_counter_examples(void **unused)
+{
+    (void)unused;
+    // At the centre of two balls with centres 0.5 aside the union says 0.25; the surface is a
+    // circle of radius sqrt(0.75^2 - 0.5^2) = 0.559 away.
+    struct sizes balls = {TWO_BALLS, {0.5f, 0.0f, 0.0f, 0.75f}};
+    struct d3 centre = {0.0, 0.0, 0.0};
+    assert_true(fabs(mirror(&balls, centre) + 0.25) < 1e-12);
+    assert_true(fabs(brute(&balls, centre) + sqrt(0.3125)) < 1e-12);
+    // Near the inner corner of a frame two coordinates must leave the beams at once: sqrt(2)
+    // farther.
+    struct sizes frame = {FRAME, {0.75f, 0.5f, 1.25f, 0.125f}};
+    struct d3 corner = {0.5 + 0.0625, 0.25 + 0.0625, 1.0 + 0.0625};
+    assert_true(fabs(mirror(&frame, corner) + 0.0625) < 1e-12);
+    assert_true(fabs(brute(&frame, corner) + 0.0625 * sqrt(2.0)) < 1e-12);
+    // Points whose distance a child can tell.
+    struct d3 half = {1.0, 2.0, 3.0};
+    assert_true(fabs(brute_box(d3(4.0, 6.0, 0.0), half) - 5.0) < 1e-12);
+    assert_true(fabs(brute_box(d3(0.5, 0.0, 0.0), half) + 0.5) < 1e-12);
+    assert_true(fabs(brute_box_frame(d3(0.0, 0.0, 0.0), half, 0.25) - hypot(0.5, 1.5)) < 1e-12);
+}
+
+static void test_distances_are_1_lipschitz(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < SIZES; k++) {
+        float *values = distances(&all_sizes[k]);
+        double largest = 0.0;
+        for (int i = 0; i < ITEMS; i++) {
+            const float *slot = values + 4 * (i * SLOTS);
+            struct d3 p = vector(slot), q = vector(slot + 4);
+            double apart = d3_length(d3_sub(p, q)), change = fabs((double)(slot[3] - slot[7]));
+            double slack = rounding(&all_sizes[k], p) + rounding(&all_sizes[k], q);
+            assert_true(change <= apart + slack);
+            if (apart > 1000.0 * slack)
+                largest = fmax(largest, change / apart);
+        }
+        free(values);
+        print_message("# function %d: largest |f(p) - f(q)| / |p - q| is %.6f\n",
+                      all_sizes[k].function, largest);
+        assert_true(largest > 0.99 && largest <= 1.001);
+    }
+}
+
+// The gradient has length 1 but where the nearest point changes: at the centre, on the medial
+// surfaces. Central differences of step h see that within h of such a surface; near an edge of
+// radius of curvature r they are wrong by h^2 / (6 r^2).
+static void test_gradients_have_length_1_almost_everywhere(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < SIZES; k++) {
+        float *values = distances(&all_sizes[k]);
+        int asked = 0, off = 0;
+        for (int i = 0; i < ITEMS; i++) {
+            const float *slot = values + 4 * (i * SLOTS);
+            if (i % 8 >= 4) // these points stand on purpose where the gradient jumps, or far away
+                continue;
+            asked++;
+            off += fabs((double)slot[11] - 1.0) > 0.002;
+        }
+        free(values);
+        print_message("# function %d: of %d gradients %d have another length than 1\n",
+                      all_sizes[k].function, asked, off);
+        assert_true(off < asked / 25);
+    }
+}
+
+// ---- Light
+// ---------------------------------------------------------------------------------------
+
+static float *values_of(int function, int rows)
+{
+    const float none[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+    assert_true(gpu_load(&gpu, VALUES));
+    float *values = gpu_call(&gpu, 1024, rows, function, none);
+    assert_non_null(values);
+    return values;
+}
+
+// pow is the only inexact function in it: a thousandth of a step of the screen's 255 is allowed.
+static void test_encoding_agrees_with_double_and_rises(void **unused)
+{
+    (void)unused;
+    enum { COUNT = 1024 * 12 };
+    float *values = values_of(0, 12);
+    double worst = 0.0;
+    for (int i = 0; i < COUNT; i++) {
+        const float *v = values + 4 * i;
+        worst = fmax(worst, fabs((double)v[1] - mirror_encode((double)v[0])));
+        assert_true(v[1] >= 0.0f && v[1] <= 1.0f && v[3] == 1.0f);
+        assert_true(fabs((double)v[2] - mirror_encode(0.5)) < 1e-4);
+        if (i % 1024 > 0 && i / 1024 == (i - 1) / 1024)
+            assert_true(v[1] >= v[-3] - 1e-6f);
+        if (v[0] > 0.0f && (double)v[0] <= 0.0031308)
+            assert_true(fabs((double)v[1] - 12.92 * (double)v[0]) < 1e-8);
+    }
+    free(values);
+    print_message("# encodeSRGB: worst error %.2g of 1\n", worst);
+    assert_true(worst < 0.001 / 255.0 * 10.0);
+}
+
+static void test_lambert_and_fall_off_agree_with_double(void **unused)
+{
+    (void)unused;
+    float *values = values_of(3, 1);
+    for (int i = 0; i < 1024; i++) {
+        double expected = fmax(cos((double)values[4 * i]), 0.0);
+        assert_true(fabs((double)values[4 * i + 1] - expected) < 2e-6);
+    }
+    free(values);
+    values = values_of(4, 1);
+    double worst = 0.0;
+    for (int i = 0; i < 1024; i++) {
+        double expected = mirror_fall_off((double)values[4 * i], 6.0);
+        worst = fmax(worst, fabs((double)values[4 * i + 1] / expected - 1.0));
+    }
+    free(values);
+    print_message("# fallOff: worst relative error %.2g\n", worst);
+    assert_true(worst < 4.0 * MIRROR_FLOAT_ROUNDING);
+}
+
+// ---- The ramp of the steps view
+// ------------------------------------------------------------------
+
+// Eight pieces, each straight in the screen's numbers, can't be even everywhere: between two of the
+// nine given colours the lightness bulges by up to 0.012 of its range of 0.78.
+static void test_ramp_rises_evenly_for_every_eye(void **unused)
+{
+    (void)unused;
+    float *values = values_of(1, 1);
+    double uneven = 0.0, before[3] = {-1.0, -1.0, -1.0};
+    double low = mirror_lightness(d3_of(values), VISION_FULL);
+    double high = mirror_lightness(d3_of(values + 4 * 1023), VISION_FULL);
+    for (int i = 0; i < 1024; i++) {
+        struct d3 colour = d3_of(values + 4 * i);
+        double even = low + (high - low) * i / 1023.0;
+        uneven = fmax(uneven, fabs(mirror_lightness(colour, VISION_FULL) - even));
+        for (enum mirror_vision eye = VISION_FULL; eye <= VISION_DEUTAN; eye++) {
+            double lightness = mirror_lightness(colour, eye);
+            assert_true(lightness > before[eye]);
+            before[eye] = lightness;
+        }
+    }
+    free(values);
+    print_message("# ramp: lightness %.3f to %.3f, at most %.4f from even; protan to %.3f, deutan "
+                  "to %.3f\n",
+                  low, high, uneven, before[VISION_PROTAN], before[VISION_DEUTAN]);
+    assert_true(fabs(low - 0.17) < 0.005 && fabs(high - 0.95) < 0.005);
+    assert_true(uneven < 0.02);
+}
+
+// ---- The camera
+// ----------------------------------------------------------------------------------
+
+static void check_rays(const struct camera *camera, float focal_length)
+{
+    enum { WIDTH = 65, HEIGHT = 33 };
+    gpu.renderer.focal_length = focal_length;
+    struct renderer_inputs inputs = {
+        .width = WIDTH, .height = HEIGHT, .time = 2.0, .camera = *camera, .samples = 1};
+    float *values = gpu_numbers(&gpu, &inputs);
+    assert_non_null(values);
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            const float *v = values + 4 * (y * WIDTH + x);
+            struct mirror_ray ray = mirror_screen_ray(camera, (double)focal_length,
+                                                      mirror_screen_x(x + 0.5, WIDTH, HEIGHT),
+                                                      mirror_screen_y(y + 0.5, HEIGHT));
+            assert_true(d3_length(d3_sub(d3_of(v), ray.direction)) < 6e-7);
+            assert_true(v[3] == camera->position[0]);
+        }
+    struct camera_basis basis = camera_basis_of(camera);
+    struct d3 centre = d3_of(values + 4 * (HEIGHT / 2 * WIDTH + WIDTH / 2));
+    struct d3 corner = d3_of(values + 4 * (HEIGHT * WIDTH - 1));
+    assert_true(d3_length(d3_sub(centre, d3_of(basis.forward))) < 3e-7);
+    double x = 64.0 / 33.0, y = 32.0 / 33.0;
+    double angle = atan(hypot(x, y) / (double)focal_length) * 180.0 / MIRROR_PI;
+    assert_true(fabs(d3_angle(corner, centre) - angle) < 1e-4);
+    assert_true(d3_dot(corner, d3_of(basis.right)) > 0.0 && d3_dot(corner, d3_of(basis.up)) > 0.0);
+    free(values);
+}
+
+static void test_rays_leave_the_camera_as_its_basis_says(void **unused)
+{
+    (void)unused;
+    assert_true(gpu_load(&gpu, VALUES));
+    const struct camera cameras[] = {{.position = {0.0f, 0.0f, 0.0f}},
+                                     {{1.5f, 2.75f, 5.3f}, -17.0f, -22.5f},
+                                     {{-3.0f, 1.0f, 2.0f}, 123.0f, 89.0f},
+                                     {{7.0f, -1.0f, -2.0f}, -179.0f, -60.0f}};
+    for (int i = 0; i < 4; i++) {
+        check_rays(&cameras[i], 1.0f);
+        check_rays(&cameras[i], 2.0f);
+        check_rays(&cameras[i], 0.3f);
+    }
+    gpu.renderer.focal_length = 1.0f;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_brute_force_knows_the_counter_examples),
+        cmocka_unit_test(test_distances_agree_with_double),
+        cmocka_unit_test(test_distances_are_exact_or_a_bound),
+        cmocka_unit_test(test_distances_are_1_lipschitz),
+        cmocka_unit_test(test_gradients_have_length_1_almost_everywhere),
+        cmocka_unit_test(test_encoding_agrees_with_double_and_rises),
+        cmocka_unit_test(test_lambert_and_fall_off_agree_with_double),
+        cmocka_unit_test(test_ramp_rises_evenly_for_every_eye),
+        cmocka_unit_test(test_rays_leave_the_camera_as_its_basis_says),
+    };
+    return cmocka_run_group_tests_name("numeric", tests, open_gpu, close_gpu);
+}
