@@ -12,7 +12,7 @@ export CHAPTER SUITE FORCE
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 JOBS = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(CPUS))
-AGAIN = $(MAKE) --no-print-directory $(JOBS)
+AGAIN = $(MAKE) --no-print-directory $(if $(V),,-s) $(JOBS)
 
 # ---- What this machine has ----
 

@@ -9,8 +9,8 @@ set -u
 
 cd "$(dirname "$0")/.." || exit 1
 PROJECT_ROOT=$(pwd)
-results=$PROJECT_ROOT/build/test-results
-export PROJECT_ROOT
+results=${TEST_RESULTS:-$PROJECT_ROOT/build/test-results/$$} # two runs at once do not meet
+export PROJECT_ROOT TEST_RESULTS=$results
 export MESA_SHADER_CACHE_DIR=$PROJECT_ROOT/build/shader-cache
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
 export CMOCKA_MESSAGE_OUTPUT=TAP
@@ -36,7 +36,7 @@ export -f sanitized_picture
 command_of() { # NAME
     local name=$1 build=build
     case $name in sanitize/*) name=${name#sanitize/} build=build/sanitize ;; esac
-    if [ "$1" = sanitize/picture ]; then
+    if [ "$1" = sanitize/one_picture ]; then
         echo sanitized_picture
     elif [ -e "tests/test_$name.sh" ]; then
         echo "BUILD=$build tests/test_$name.sh"
@@ -53,7 +53,7 @@ with_limit() {
     fi
 }
 
-# Run a suite; leave its counts in build/test-results/NAME.counts and print its line.
+# Run a suite; leave its counts in NAME.counts and print its line.
 run_one() { # NAME
     local file=$results/${1//\//-} status passed failed skipped planned seconds text="" TIMEFORMAT=%1R
     { time with_limit bash -c "$(command_of "$1")" >"$file.tap" 2>"$file.err" </dev/null; } 2>"$file.time"
@@ -107,12 +107,13 @@ names_of() { # FILE...: the NAMEs of the test files that exist
 
 # The window's suite sends keys and waits for pictures: it has the machine to itself.
 alone=$(names_of tests/test_window.sh)
+# The long ones come first, so that none of them ends alone.
 together=$(
+    [ -e tests/test_failures.sh ] && echo sanitize/failures
     names_of tests/test_*.sh | grep -vx window
     names_of build/tests/test_*
-    [ -e tests/test_failures.sh ] && echo sanitize/failures
     names_of build/sanitize/tests/test_* | sed 's/^/sanitize\//'
-    [ -e build/sanitize/01_normal_colouring ] && echo sanitize/picture
+    [ -e build/sanitize/01_normal_colouring ] && echo sanitize/one_picture
 )
 
 if [ -n "${1-}" ]; then
@@ -126,8 +127,10 @@ if [ -n "${1-}" ]; then
     alone=
 fi
 
-mkdir -p "$results"
-rm -f "$results"/*
+for old in build/test-results/*; do
+    kill -0 "$(basename "$old")" 2>/dev/null || rm -rf "$old"
+done
+mkdir -p "$results" || exit 1
 printf '%s\n' "$together" | xargs -P 2 -n 1 tests/run.sh --one
 for name in $alone; do
     run_one "$name"
@@ -142,5 +145,7 @@ if [ "$lost" != 0 ]; then
     failed=$((failed + lost))
 fi
 [ -n "${CI-}" ] && [ "$skipped" != 0 ] && echo 'In continuous integration nothing may be skipped.'
+[ "$failed" = 0 ] && rm -rf "$results"
+[ "$failed" = 0 ] || echo "What the suites printed is in build/test-results/$$."
 echo "$passed passed, $failed failed, $skipped skipped"
 [ "$failed" = 0 ] && [ "$passed" != 0 ] && { [ -z "${CI-}" ] || [ "$skipped" = 0 ]; }

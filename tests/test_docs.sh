@@ -144,7 +144,7 @@ unnamed_shaders() { # STEM
 
 # A command is tried by its own program, with --list in place of the picture: that reads all options,
 # the shader and the values of its parameters. A shader that the page itself writes, 'my.frag', is
-# replaced by the chapter's own.
+# replaced by the chapter's own. A command that ends in '# refused' must be refused.
 bad_commands() { # PAGE
     local command target
     code_of "$1" | grep -E '(^|[;&|(] *)(build/[0-9]|make [a-z]|[A-Z]+=)' | sed 's/ && /\n/g; s/[;|].*//' |
@@ -155,8 +155,12 @@ bad_commands() { # PAGE
                 target=${command#make }
                 grep -q "^${target%% *}:" Makefile || echo "$1: $command: no such target"
                 ;;
+            build/[0-9]*'# refused'*)
+                ! try_command "${command%% #*}" >/dev/null 2>&1 || echo "$1: $command: not refused"
+                ;;
             build/[0-9]*)
-                try_command "${command%%[<>]*}" >"$scratch/said" 2>&1 ||
+                target=${command%%[<>]*}
+                try_command "${target%% #*}" >"$scratch/said" 2>&1 ||
                     echo "$1: $command: $(head -n 1 "$scratch/said")"
                 ;;
             esac
@@ -164,9 +168,9 @@ bad_commands() { # PAGE
 }
 
 try_command() { # COMMAND
-    local -a words given=()
-    eval "words=($1)"
-    local program=$BUILD/${words[0]#build/} word before=
+    local -a words=() given=()
+    eval "words=($1)" || return 1
+    local program=$BUILD/${words[0]#build/} word="" before=""
     [ -x "$program" ] || { echo "no such program" && return 1; }
     for word in "${words[@]:1}"; do
         if [[ $before == -f || $before == --shader ]] && [[ $word == *.frag && $word != */* ]]; then
@@ -181,6 +185,25 @@ try_command() { # COMMAND
     esac
 }
 
+# The last line that a page shows of a probe is the one that its command prints. After several
+# commands their last lines follow in the same order.
+bad_outputs() { # PAGE
+    local command shown
+    awk '
+        /^ *```/ { fenced = !fenced; next }
+        fenced && /^build\/.* --probe / {
+            if (shown) shown = asked = 0
+            command[++asked] = $0
+        }
+        fenced && /^# .*evaluations of the scene/ && shown < asked { print command[++shown]; print }' "$1" |
+        while IFS= read -r command && IFS= read -r shown; do
+            eval "set -- $command"
+            command=$BUILD/${1#build/}
+            shift
+            [ "$("$command" "$@" 2>&1 | tail -n 1)" = "$shown" ] || echo "$command $*: does not print '$shown'"
+        done
+}
+
 # ---- The pages ----
 
 check_pages() {
@@ -192,6 +215,7 @@ check_pages() {
         judge "$page: pictures are references that are tested" "$(bad_pictures "$page")"
         judge "$page: formulas are such as GitHub renders" "$(bad_formulas "$page")"
         judge "$page: commands are accepted by their programs" "$(bad_commands "$page")"
+        judge "$page: probes end as the page shows" "$(bad_outputs "$page")"
     done
     for stem in "${chapters[@]}"; do
         if [ ! -e "docs/$stem.md" ]; then
@@ -214,15 +238,19 @@ refuses() {
 }
 
 check_checks() {
+    local probe='build/01_normal_colouring --probe 320,180'
     refuses 'a link to nothing' 'see [this](gone.md)\n' bad_links
     refuses 'an anchor without heading' '# One two\n[a](#one-two) [b](#one-three)\n' bad_links
     refuses 'a picture that no test renders' '![a](../tests/references/gone.png)\n' bad_pictures
     refuses 'a formula that GitHub spoils' 'so $a \\\\, b$ is\n' bad_formulas
     refuses 'a summary of four lines' "## L'essentiel\n\n> a\n> b\n> c\n> d\n\ntext\n" bad_summary
     refuses 'a program that is not there' '`build/99_nothing`\n' bad_commands
-    refuses 'a view that is not there' "\`build/${chapters[0]} --view colours\`\n" bad_commands
+    refuses 'a view that is not there' \
+        "\`build/${chapters[0]} # a comment\` then \`build/${chapters[0]} --view colours\`\n" bad_commands
     refuses 'a shader that is not there' "\`build/${chapters[0]} -f chapters/gone.frag\`\n" bad_commands
     refuses 'a parameter that is not there' "\`build/${chapters[0]} -p gone=1\`\n" bad_commands
+    refuses 'a command that is not refused' "\`build/${chapters[0]} # refused\`\n" bad_commands
+    refuses 'an output that is not printed' "\`\`\`\n$probe\n# hit; evaluations of the scene: 0\n\`\`\`\n" bad_outputs
     refuses 'a target that is not there' '`make nonsense`\n' bad_commands
     printf '# A `b`: c, d!\n## A b c d\n' >"$scratch/docs/page.md"
     check "anchors are GitHub's" test "$(anchors_of "$scratch/docs/page.md" | tr '\n' ' ')" = \

@@ -1,6 +1,6 @@
 #version 330 core
-// Solution of exercise 2 of chapter 00: the camera stands still and the object turns. Turning a point
-// one way before asking for its distance turns the object the other way.
+// Solution of exercise 2 of chapter 00: the camera stands still and the object turns. Turning a
+// point one way before asking for its distance turns the object the other way.
 
 in vec2 FragCoord;  // the pixel's place: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds
