@@ -67,8 +67,8 @@ has_driver() {
 need_run() {
     need 'a C compiler' 'gcc libc6-dev|gcc glibc-devel|gcc|gcc' has_header stdio.h
     need 'pkg-config' 'pkg-config|pkgconf-pkg-config|pkgconf|pkg-config' has_command pkg-config
-    need 'GLFW for windows' 'libglfw3-dev|glfw-devel|glfw|glfw' has_library glfw3
-    need 'EGL to render without one' 'libegl-dev libegl1|libglvnd-devel mesa-libEGL|libglvnd mesa|-' \
+    need 'GLFW (opens windows)' 'libglfw3-dev|glfw-devel|glfw|glfw' has_library glfw3
+    need 'EGL (renders without one)' 'libegl-dev libegl1|libglvnd-devel mesa-libEGL|libglvnd mesa|-' \
         has_library egl
     need 'OpenGL headers' 'libgl-dev|libglvnd-devel|libglvnd|mesa' has_header GL/glcorearb.h
     need 'the Mesa software renderer' 'libgl1-mesa-dri|mesa-dri-drivers|mesa|-' has_driver
