@@ -137,8 +137,8 @@ static void print_probe(const struct renderer_probe *probe)
         printf("%d,%.9g,%.9g,%.9g,%.9g,%.9g\n", i, (double)step->t, (double)step->distance,
                (double)step->position[0], (double)step->position[1], (double)step->position[2]);
     }
-    printf("# %s; steps: %d, with shadow rays %d; evaluations of the scene: %d\n",
-           ends[probe->end], probe->steps, probe->all_steps, probe->evaluations);
+    printf("# %s; steps: %d, with shadow rays %d; evaluations of the scene: %d\n", ends[probe->end],
+           probe->steps, probe->all_steps, probe->evaluations);
 }
 
 static int run_probe(struct renderer *renderer, const struct renderer_inputs *inputs,

@@ -59,7 +59,8 @@ extern const struct context_driver context_driver_egl;
 extern const struct context_driver context_driver_osmesa;
 
 // For context_open_window, in context_glfw.c: the window with its context, or NULL and a phrase.
-void *context_glfw_open_window(const char *title, int width, int height, char *why, size_t why_size);
+void *context_glfw_open_window(const char *title, int width, int height, char *why,
+                               size_t why_size);
 struct GLFWwindow *context_glfw_window(void *state);
 
 #endif

@@ -146,6 +146,8 @@ static void *open_offscreen(char *why, size_t why_size)
         snprintf(why, why_size, "not enough memory");
         return NULL;
     }
+    // Mesa would print lines of its own about each platform that it cannot serve.
+    setenv("EGL_LOG_LEVEL", "fatal", 0);
     const struct attempt attempt = {.state = state, .why = why, .why_size = why_size};
     if (try_platforms(&attempt))
         return state;

@@ -61,8 +61,7 @@ void image_free(struct image *image)
     *image = (struct image){0};
 }
 
-// ---- Where a picture is written
-// ------------------------------------------------------------------
+// ---- Where a picture is written ----
 
 // The folder that holds a path's last name; size of folder as of path.
 static void folder_of(const char *path, char folder[PATH_MAX])
@@ -172,8 +171,7 @@ bool image_check_target(const char *path)
     return find_target(path, target, folder);
 }
 
-// ---- Writing
-// -------------------------------------------------------------------------------------
+// ---- Writing ----
 
 // Write data into a file and close it. Returns 0 or an errno.
 static int write_and_close(int file, const char *data, size_t size)
@@ -292,8 +290,7 @@ bool image_write_png(const struct image *image, const char *path)
     return (encoded && error == 0) || refuse(path, encoded ? strerror(error) : why);
 }
 
-// ---- Reading
-// -------------------------------------------------------------------------------------
+// ---- Reading ----
 
 // May leave by longjmp.
 static void read_png(png_structp png, png_infop info, struct image *image)
@@ -352,8 +349,7 @@ bool image_read_png(struct image *image, const char *path)
     return done;
 }
 
-// ---- Comparing
-// -----------------------------------------------------------------------------------
+// ---- Comparing ----
 
 static bool sizes_agree(const struct image *a, const struct image *b)
 {

@@ -38,7 +38,8 @@ bool image_write_png(const struct image *image, const char *path);
 // folder, a target that is not a regular file, a folder that cannot be written. Reported.
 bool image_check_target(const char *path);
 
-// Read any PNG as 8-bit RGB (transparency is dropped). Returns false, reported; free with image_free.
+// Read any PNG as 8-bit RGB (transparency is dropped). Returns false, reported; free with
+// image_free.
 bool image_read_png(struct image *image, const char *path);
 
 // Compare two pictures. Returns false, reported, when their sizes differ.
@@ -48,8 +49,8 @@ bool image_compare(const struct image *a, const struct image *b, struct image_di
 // True when f2 and b8 are both within tolerance.
 bool image_same(const struct image_difference *difference);
 
-// A picture of the difference: 128 + 4 (b - a) per channel, clamped. Same sizes required; the caller
-// frees result. Returns false, reported.
+// A picture of the difference: 128 + 4 (b - a) per channel, clamped. Same sizes required; the
+// caller frees result. Returns false, reported.
 bool image_difference_picture(const struct image *a, const struct image *b, struct image *result);
 
 #endif

@@ -43,7 +43,7 @@ static const struct option *option_of(int code)
     return NULL;
 }
 
-// ---- Values
+// ---- Values ----
 // -------------------------------------------------------------------------------------- Each takes
 // the text after its option and reports what is wrong with it.
 
@@ -191,9 +191,9 @@ static bool set_print_shader(struct options *options, const char *form)
     return refuse("print-shader", form, "takes no value");
 }
 
-// ---- The command line
-// ----------------------------------------------------------------------------
+// ---- The command line ----
 
+//   text  the option's value, "" where it takes none
 static bool apply(struct options *options, int code, const char *text)
 {
     switch (code) {
@@ -219,8 +219,6 @@ static bool apply(struct options *options, int code, const char *text)
         return set_path("shader", &options->shader, text);
     case CODE_ROOT:
         return set_path("root", &options->root, text);
-    case CODE_PRINT_SHADER:
-        return set_print_shader(options, text);
     case CODE_LIST:
         return set_action(options, OPTIONS_LIST);
     case 'h':
@@ -279,7 +277,9 @@ static bool read_options(struct options *options, int argc, char **argv)
             word = argv[optind - 2];
         if (!is_in_full(word, code))
             return refuse_unknown(word);
-        if (!apply(options, code, optarg))
+        bool taken = code == CODE_PRINT_SHADER ? set_print_shader(options, optarg)
+                                               : apply(options, code, optarg != NULL ? optarg : "");
+        if (!taken)
             return false;
     }
     if (optind < argc)

@@ -9,8 +9,8 @@
 #include "context.h"
 #include "shader.h"
 
-#define OPTIONS_SIZE_LIMIT 16384 // pixels, each way
-#define OPTIONS_SAMPLES_LIMIT 8  // samples along each side of a pixel
+#define OPTIONS_SIZE_LIMIT    16384 // pixels, each way
+#define OPTIONS_SAMPLES_LIMIT 8     // samples along each side of a pixel
 
 enum options_action {
     OPTIONS_RUN,          // a window, or a file, or a probe
@@ -23,20 +23,20 @@ enum options_action {
 // What the command line asks for. Strings point into argv.
 struct options {
     enum options_action action;
-    const char *output;           // PNG to write, or NULL
-    int width, height;            // pixels, 1 to OPTIONS_SIZE_LIMIT; defaults set by options_parse
-    double time;                  // seconds
-    const char **settings;        // NAME=VALUE, in the order given; owned, see options_free
+    const char *output;    // PNG to write, or NULL
+    int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT; defaults set by options_parse
+    double time;           // seconds
+    const char **settings; // NAME=VALUE, in the order given; owned, see options_free
     int setting_count;
     bool has_camera;
-    struct camera camera;         // meaningful when has_camera
-    int samples;                  // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel
+    struct camera camera; // meaningful when has_camera
+    int samples;          // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel
     enum shader_view view;
     bool has_probe;
-    int probe_x, probe_y;         // a pixel of the picture; 0,0 is bottom left
+    int probe_x, probe_y; // a pixel of the picture; 0,0 is bottom left
     enum context_backend backend;
-    const char *shader;           // --shader, or NULL for the chapter's own
-    const char *root;             // --root, or NULL: found from the program's own place
+    const char *shader; // --shader, or NULL for the chapter's own
+    const char *root;   // --root, or NULL: found from the program's own place
 };
 
 // Read the command line.

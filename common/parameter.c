@@ -23,8 +23,7 @@ struct parameter *parameters_find(const struct parameters *parameters, const cha
     return NULL;
 }
 
-// ---- Values
-// --------------------------------------------------------------------------------------
+// ---- Values ----
 
 void parameter_value_text(const struct parameter *parameter, char *text, size_t size)
 {
@@ -193,8 +192,7 @@ void parameter_reset(struct parameter *parameter)
     memcpy(parameter->value, parameter->initial, sizeof parameter->value);
 }
 
-// ---- The table
-// -----------------------------------------------------------------------------------
+// ---- The table ----
 
 enum { COLUMNS = 5 };
 

@@ -35,7 +35,7 @@ struct parameter {
     double minimum, maximum; // of each component; 0 and 1 for a bool
     double step;             // of one key press: added, or multiplied when multiplies
     bool multiplies;
-    char unit[48];           // "" when there is none
+    char unit[48]; // "" when there is none
     char meaning[200];
 };
 

@@ -85,8 +85,7 @@ static bool read_number(struct reading *reading, const char *what, double *value
     return true;
 }
 
-// ---- The parts of a comment
-// ----------------------------------------------------------------------
+// ---- The parts of a comment ----
 
 // The rule of parameter.h.
 static bool begins_with_value(const char *comment)
@@ -207,8 +206,7 @@ static bool read_words(struct reading *reading)
     return copy(reading, "meaning", p->meaning, sizeof p->meaning, strlen(reading->c));
 }
 
-// ---- The declaration
-// -----------------------------------------------------------------------------
+// ---- The declaration ----
 
 // Read one word; false when there is none or it does not fit.
 static bool take_word(const char **c, char *word, size_t size)
@@ -280,8 +278,7 @@ static bool read_parameter(struct reading *reading, const char *code, const char
     return read_words(reading);
 }
 
-// ---- The text
-// ------------------------------------------------------------------------------------
+// ---- The text ----
 
 static bool add(struct parameters *parameters, const struct reading *reading)
 {

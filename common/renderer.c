@@ -319,8 +319,7 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
 {
     enum { ROWS = 3 };
     const struct gl *gl = renderer->gl;
-    if (!compile_view(renderer, SHADER_PROBE) ||
-        !bind_target(renderer, RENDERER_PROBE_STEPS, ROWS))
+    if (!compile_view(renderer, SHADER_PROBE) || !bind_target(renderer, RENDERER_PROBE_STEPS, ROWS))
         return false;
     GLuint program = use_program(renderer, inputs, SHADER_PROBE);
     gl->Uniform2f(place(renderer, program, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);

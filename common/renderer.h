@@ -68,8 +68,8 @@ void renderer_close(struct renderer *renderer);
 // Returns false, reported; then the renderer is as it was and still draws the last good shader.
 bool renderer_load(struct renderer *renderer, const char *path);
 
-// Choose what is shown; compiles the view when it is new. Returns false, reported, and keeps the old
-// view when the shader has no such view.
+// Choose what is shown; compiles the view when it is new. Returns false, reported, and keeps the
+// old view when the shader has no such view.
 bool renderer_set_view(struct renderer *renderer, enum shader_view view);
 
 // Draw rows [bottom, bottom + rows) of the picture into the float target, tile by tile, samples x
@@ -86,7 +86,8 @@ void renderer_present(struct renderer *renderer, int framebuffer_width, int fram
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
                       struct image *image);
 
-// Read the float target: 4 floats a pixel, width x rows of the last renderer_draw, bottom row first.
+// Read the float target: 4 floats a pixel, width x rows of the last renderer_draw, bottom row
+// first.
 //   values   room for 4 * width * rows floats, the caller's
 void renderer_read(struct renderer *renderer, float *values);
 

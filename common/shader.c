@@ -32,8 +32,7 @@ static bool no_memory(const char *where)
     return false;
 }
 
-// ---- Names
-// ---------------------------------------------------------------------------------------
+// ---- Names ----
 
 static bool inside(const char *path, const char *folder)
 {
@@ -105,8 +104,7 @@ static char *name_of(const struct expansion *e, const char *given, const char *r
     return strdup(name);
 }
 
-// ---- The expanded text
-// ---------------------------------------------------------------------------
+// ---- The expanded text ----
 
 // Add a file to the table; takes resolved over. Returns its index, or -1, reported.
 static int add_file(struct expansion *e, const char *given, char *resolved)

@@ -38,8 +38,8 @@ struct shader_source {
     char *text;                // '\n' ends each line; '\0' terminated
     struct shader_line *lines; // of each line of text
     int line_count;
-    char **files;              // files[0] is the one given; the names to print in messages
-    char **paths;              // the same files resolved, to watch for changes
+    char **files; // files[0] is the one given; the names to print in messages
+    char **paths; // the same files resolved, to watch for changes
     int file_count;
 };
 
@@ -49,11 +49,10 @@ struct shader_source {
 //          root/shaders, each file once, and never outside root or path's own folder
 //          (the preprocessor is not run: an include between #if and #endif is always expanded);
 //          the line of an include stays as a comment
-// Returns false, reported in one line with file and line: missing, unreadable, empty, binary (a zero
-// byte) or over 1 MiB, over 8 MiB with its includes; an include that is malformed, missing, includes
-// itself, or climbs out; a #version that does not come first; a comment that is never closed;
-// Shadertoy's form, which is not offered yet.
-// Free with shader_free.
+// Returns false, reported in one line with file and line: missing, unreadable, empty, binary (a
+// zero byte) or over 1 MiB, over 8 MiB with its includes; an include that is malformed, missing,
+// includes itself, or climbs out; a #version that does not come first; a comment that is never
+// closed; Shadertoy's form, which is not offered yet. Free with shader_free.
 bool shader_read(struct shader_source *source, const char *path, const char *root);
 
 // Free a source; one of zeros is allowed.

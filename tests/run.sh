@@ -16,7 +16,7 @@ export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
 export CMOCKA_MESSAGE_OUTPUT=TAP
 export LSAN_OPTIONS=suppressions=$PROJECT_ROOT/tests/lsan.supp:print_suppressions=0
 export UBSAN_OPTIONS=print_stacktrace=1
-limit=120 # seconds for a suite
+limit=${TEST_LIMIT:-120} # seconds for a suite
 
 # ---- One suite ----
 

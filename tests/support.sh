@@ -57,7 +57,12 @@ skip() {
 check() {
     local name=$1
     shift
-    if "$@"; then ok "$name"; else not_ok "$name"; fi
+    if "$@"; then
+        ok "$name"
+    else
+        not_ok "$name"
+        return 1
+    fi
 }
 
 plan() {

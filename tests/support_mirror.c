@@ -8,8 +8,7 @@ double d3_angle(struct d3 a, struct d3 b)
     return atan2(d3_length(d3_cross(a, b)), d3_dot(a, b)) * 180.0 / MIRROR_PI;
 }
 
-// ---- Distances
-// -----------------------------------------------------------------------------------
+// ---- Distances ----
 
 double mirror_sphere(struct d3 p, double radius)
 {
@@ -110,8 +109,7 @@ double brute_two_balls(struct d3 p, double shift, double radius)
     return -depth;
 }
 
-// ---- Scenes
-// --------------------------------------------------------------------------------------
+// ---- Scenes ----
 
 static double part_distance(const struct mirror_part *part, struct d3 p)
 {
@@ -153,8 +151,7 @@ struct d3 mirror_normal(const struct mirror_scene *scene, struct d3 p)
         mirror_distance(scene, d3_add(p, z), NULL) - mirror_distance(scene, d3_sub(p, z), NULL)));
 }
 
-// ---- Rays
-// ----------------------------------------------------------------------------------------
+// ---- Rays ----
 
 struct mirror_march mirror_march(const struct mirror_scene *scene, struct mirror_ray ray,
                                  double t_min, double t_max, double threshold, int max_steps)
@@ -246,8 +243,7 @@ bool brute_box_interval(struct mirror_ray ray, struct d3 low, struct d3 high, do
     return true;
 }
 
-// ---- Light
-// ---------------------------------------------------------------------------------------
+// ---- Light ----
 
 double mirror_lambert(struct d3 normal, struct d3 to_light)
 {

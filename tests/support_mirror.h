@@ -70,7 +70,7 @@ static inline struct d3 d3_unit(struct d3 a)
 // The angle between two vectors in degrees; exact for small angles, where acos is not.
 double d3_angle(struct d3 a, struct d3 b);
 
-// ---- shaders/primitives.glsl --------------------------------------------------------------------
+// ---- shaders/primitives.glsl ----
 
 double mirror_sphere(struct d3 p, double radius);
 double mirror_plane(struct d3 p, struct d3 normal, double height);
@@ -86,8 +86,7 @@ double brute_box_frame(struct d3 p, struct d3 half_size, double beam);
 // radius.
 double brute_two_balls(struct d3 p, double shift, double radius);
 
-// ---- scenes
-// --------------------------------------------------------------------------------------
+// ---- scenes ----
 
 enum mirror_shape { MIRROR_SPHERE, MIRROR_PLANE, MIRROR_BOX, MIRROR_FRAME };
 
@@ -112,8 +111,7 @@ double mirror_distance(const struct mirror_scene *scene, struct d3 p, int *neare
 // The unit normal: the gradient of mirror_distance by central differences in double.
 struct d3 mirror_normal(const struct mirror_scene *scene, struct d3 p);
 
-// ---- rays
-// ----------------------------------------------------------------------------------------
+// ---- rays ----
 
 struct mirror_ray {
     struct d3 origin, direction;
@@ -163,7 +161,7 @@ bool mirror_ball_crossing(struct mirror_ray ray, double radius, double t[2]);
 // none at t >= 0. t[0] is 0 from inside.
 bool brute_box_interval(struct mirror_ray ray, struct d3 low, struct d3 high, double t[2]);
 
-// ---- shaders/lighting.glsl ---------------------------------------------------------------------
+// ---- shaders/lighting.glsl ----
 
 double mirror_lambert(struct d3 normal, struct d3 to_light);
 double mirror_fall_off(double distance, double reference);
@@ -171,8 +169,7 @@ double mirror_encode(double light); // one channel of encodeSRGB
 double mirror_smoothstep(double low, double high, double x);
 double mirror_clamp(double x);
 
-// ---- colour vision
-// -------------------------------------------------------------------------------
+// ---- colour vision ----
 
 enum mirror_vision { VISION_FULL, VISION_PROTAN, VISION_DEUTAN };
 
@@ -183,7 +180,7 @@ enum mirror_vision { VISION_FULL, VISION_PROTAN, VISION_DEUTAN };
 // deficiency', IEEE TVCG 15 (2009), severity 1.
 double mirror_lightness(struct d3 colour, enum mirror_vision vision);
 
-// ---- the chapters -------------------------------------------------------------------------------
+// ---- the chapters ----
 
 // Where one pixel looks from, and when.
 struct mirror_eye {

@@ -68,8 +68,7 @@ static struct mirror_ray camera_ray(const struct mirror_eye *eye)
     return mirror_screen_ray(&eye->camera, MIRROR_FOCAL_LENGTH, eye->x, eye->y);
 }
 
-// ---- First steps
-// -----------------------------------------------------------------------------------
+// ---- First steps ----
 
 static struct mirror_sample step_1(const struct mirror_eye *eye)
 {
@@ -104,7 +103,7 @@ static struct mirror_sample step_3(const struct mirror_eye *eye)
 static bool step_look(const struct mirror_eye *eye, struct mirror_sample *sample, struct d3 *p)
 {
     struct mirror_ray ray = {{0.0, 0.0, 0.0}, d3_unit(d3(eye->x, eye->y, -1.5))};
-    return look(&scene_steps, ray, 20.0, sample, p);
+    return look(&scene_steps, ray, 40.0, sample, p);
 }
 
 static struct mirror_sample step_4(const struct mirror_eye *eye)
@@ -123,15 +122,15 @@ static struct mirror_sample step_5(const struct mirror_eye *eye)
     struct mirror_sample sample = {.colour = report_sky};
     struct d3 p;
     if (step_look(eye, &sample, &p)) {
-        double light = mirror_lambert(mirror_normal(&scene_steps, p), d3_unit(d3(-1.0, 2.0, 1.5)));
+        double light =
+            mirror_lambert(mirror_normal(&scene_steps, p), d3_unit(d3_sub(d3(-2.5, 2.5, -0.5), p)));
         sample.colour = d3_times(0.1 + 0.9 * light, d3(1.0, 0.9, 0.7));
         sample.faces = light > 0.0;
     }
     return sample;
 }
 
-// ---- Chapters
-// --------------------------------------------------------------------------------------
+// ---- Chapters ----
 
 static struct mirror_sample chapter_00(const struct mirror_eye *eye)
 {
@@ -224,8 +223,7 @@ static struct mirror_sample chapter_03(const struct mirror_eye *eye)
     return lit_stage(eye, true);
 }
 
-// ---- The list
-// --------------------------------------------------------------------------------------
+// ---- The list ----
 
 #define STEP(name) "chapters/first_steps/" name ".frag"
 

@@ -71,8 +71,10 @@ succeed() {
     fi
 }
 
+# Beginning and end of a PNG.
 is_picture() { # FILE
-    [ "$(head -c 4 "$1" | tail -c 3)" = PNG ] && [ ! -L "$1" ]
+    [ "$(head -c 4 "$1" | tail -c 3)" = PNG ] && [ "$(tail -c 8 "$1" | head -c 4)" = IEND ] &&
+        [ ! -L "$1" ]
 }
 
 small=(-s 16x9)
@@ -260,6 +262,8 @@ refuse 'an output that is a link to itself' 1 'loop' "$chapter" "${small[@]}" -o
 expected_listing='./old.png '
 fill
 refuse 'an output in a missing folder' 1 'nowhere' "$chapter" "${small[@]}" -o "$out/nowhere/new.png"
+refuse 'the output is looked at before any work' 1 'folder.*nowhere' \
+    "$chapter" "${small[@]}" -o "$out/nowhere/new.png" -f "$shaders/missing.frag"
 refuse 'an output below a file' 1 'old.png' "$chapter" "${small[@]}" -o "$out/old.png/new.png"
 refuse 'an output that ends in /' 1 'new' "$chapter" "${small[@]}" -o "$out/new/"
 refuse 'a name longer than any' 1 'too long' "$chapter" "${small[@]}" \

@@ -221,12 +221,11 @@ static void test_gradients_have_length_1_almost_everywhere(void **unused)
         free(values);
         print_message("# function %d: of %d gradients %d have another length than 1\n",
                       all_sizes[k].function, asked, off);
-        assert_true(off < asked / 25);
+        assert_true(off < asked / 50);
     }
 }
 
-// ---- Light
-// ---------------------------------------------------------------------------------------
+// ---- Light ----
 
 static float *values_of(int function, int rows)
 {
@@ -247,7 +246,7 @@ static void test_encoding_agrees_with_double_and_rises(void **unused)
     for (int i = 0; i < COUNT; i++) {
         const float *v = values + 4 * i;
         worst = fmax(worst, fabs((double)v[1] - mirror_encode((double)v[0])));
-        assert_true(v[1] >= 0.0f && v[1] <= 1.0f && v[3] == 1.0f);
+        assert_true(v[1] >= 0.0f && v[1] <= 1.00001f && fabs((double)v[3] - 1.0) < 1e-5);
         assert_true(fabs((double)v[2] - mirror_encode(0.5)) < 1e-4);
         if (i % 1024 > 0 && i / 1024 == (i - 1) / 1024)
             assert_true(v[1] >= v[-3] - 1e-6f);
@@ -279,11 +278,10 @@ static void test_lambert_and_fall_off_agree_with_double(void **unused)
     assert_true(worst < 4.0 * MIRROR_FLOAT_ROUNDING);
 }
 
-// ---- The ramp of the steps view
-// ------------------------------------------------------------------
+// ---- The ramp of the steps view ----
 
 // Eight pieces, each straight in the screen's numbers, can't be even everywhere: between two of the
-// nine given colours the lightness bulges by up to 0.012 of its range of 0.78.
+// nine given colours the lightness is off by up to 0.0033 of its range of 0.78.
 static void test_ramp_rises_evenly_for_every_eye(void **unused)
 {
     (void)unused;
@@ -306,11 +304,10 @@ static void test_ramp_rises_evenly_for_every_eye(void **unused)
                   "to %.3f\n",
                   low, high, uneven, before[VISION_PROTAN], before[VISION_DEUTAN]);
     assert_true(fabs(low - 0.17) < 0.005 && fabs(high - 0.95) < 0.005);
-    assert_true(uneven < 0.02);
+    assert_true(uneven < 0.005);
 }
 
-// ---- The camera
-// ----------------------------------------------------------------------------------
+// ---- The camera ----
 
 static void check_rays(const struct camera *camera, float focal_length)
 {

@@ -20,8 +20,7 @@
 
 #define LINES 64
 
-// ---- Sources without files
-// -----------------------------------------------------------------------
+// ---- Sources without files ----
 
 static struct shader_source source_of(const char *text, enum shader_form form)
 {
@@ -90,8 +89,7 @@ static void assert_number(double value, double expected)
         fail_msg("%.17g is not %.17g", value, expected);
 }
 
-// ---- Reading
-// -------------------------------------------------------------------------------------
+// ---- Reading ----
 
 static void test_all_parts(void **state)
 {
@@ -264,8 +262,7 @@ static void test_malformed_declarations(void **state)
     assert_said(capture_end(), "my.frag:2: parameter a: ", "declared twice");
 }
 
-// ---- Setting
-// -------------------------------------------------------------------------------------
+// ---- Setting ----
 
 static const char sample[] = "uniform float height; // 1 in [-2, 4] step 0.1, metres: x\n"
                              "uniform int steps; // 8 in [1, 512]: x\n"
@@ -425,8 +422,7 @@ static void test_reload_keeps_values(void **state)
     parameters_free(&new);
 }
 
-// ---- Printing
-// ------------------------------------------------------------------------------------
+// ---- Printing ----
 
 static void assert_printed(const struct parameters *parameters, const char *expected)
 {

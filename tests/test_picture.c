@@ -98,8 +98,7 @@ static float *draw(const struct renderer_inputs *inputs, int band)
     return values;
 }
 
-// ---- Where each pixel is
-// --------------------------------------------------------------------------
+// ---- Where each pixel is ----
 
 // Shows the pixel's place, divided by 4: screen.x and screen.y are within [-2, 2] here.
 #define COURSE_PLACE                                                                               \
@@ -186,8 +185,7 @@ static void a_picture_of_several_bands_has_no_seam(void **unused)
     assert_in_range(worst, 0, 1); // 1: a value on the edge between two bytes
 }
 
-// ---- Samples, bands
-// ---------------------------------------------------------------------------------
+// ---- Samples, bands ----
 
 // Several samples a pixel are the mean of the same samples taken as the pixels of a larger picture.
 //   difference  what counts as different
@@ -288,8 +286,7 @@ static void bands_of_a_whole_file_make_the_same_picture(void **unused)
     assert_true(changed_by_bands("00_first_scene", 2.0 / 255.0) <= IMAGE_F2_TOLERANCE);
 }
 
-// ---- Bytes
-// ------------------------------------------------------------------------------------------
+// ---- Bytes ----
 
 static void values_become_bytes(void **unused)
 {
@@ -334,8 +331,7 @@ static void values_become_bytes(void **unused)
     }
 }
 
-// ---- Shaders one after the other
-// --------------------------------------------------------------------
+// ---- Shaders one after the other ----
 
 // A view compiled later, a shader that fails: neither changes the picture.
 static void what_came_before_leaves_no_trace(void **unused)

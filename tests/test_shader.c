@@ -17,8 +17,7 @@
 #include "../common/shader.h"
 #include "support_scratch.h"
 
-// ---- A project of its own for each test
-// ----------------------------------------------------------
+// ---- A project of its own for each test ----
 
 static int set_up(void **state)
 {
@@ -76,8 +75,7 @@ static void assert_file_refused(const char *path, const char *const words[])
 #define assert_refused(text, ...)                                                                  \
     assert_path_refused(scratch_write("root/chapters/main.frag", text), __VA_ARGS__)
 
-// ---- Includes
-// ------------------------------------------------------------------------------------
+// ---- Includes ----
 
 static void test_include_stands_in_its_place(void **state)
 {
@@ -246,8 +244,7 @@ static void test_malformed_includes(void **state)
         assert_refused(lines[i], "malformed include", i == 8 ? "main.frag:2: " : "main.frag:1: ");
 }
 
-// ---- Files that are no shaders
-// -------------------------------------------------------------------
+// ---- Files that are no shaders ----
 
 static void test_tidy(void **state)
 {
@@ -330,8 +327,7 @@ static void test_open_comment(void **state)
     assert_refused("#include \"open.glsl\"\n*/\n", "shaders/open.glsl:1: ", "never closed");
 }
 
-// ---- Forms
-// ---------------------------------------------------------------------------------------
+// ---- Forms ----
 
 static void assert_form(const char *text, enum shader_form form)
 {

@@ -43,8 +43,7 @@ static struct shader_source read_text(const char *text)
     return source;
 }
 
-// ---- Logs
-// ----------------------------------------------------------------------------------------
+// ---- Logs ----
 
 // The lines that are compiled: 1, 2 the prelude, 3 the include, 4 and 5 lib.glsl, 6 main.frag:2.
 static const char course[] =
@@ -168,8 +167,7 @@ static void test_unresolved_function(void **state)
                      "error: unresolved reference to function `nowhere'\n");
 }
 
-// ---- The driver of this machine
-// ------------------------------------------------------------------
+// ---- The driver of this machine ----
 
 static const char library_ok[] = "float lib(float x)\n{\n    return 2.0 * x;\n}\n";
 static const char main_ok[] = "#include \"lib.glsl\"\nout vec4 colour;\nvoid main()\n{\n"

@@ -31,7 +31,7 @@ alive() { kill -0 "$program" 2>/dev/null; }
 key() { xdotool key --delay 20 "$@"; }
 
 find_window() {
-    window=$(wmctrl -lp | awk -v pid="$program" '$3 == pid { print $1; exit }')
+    window=$(wmctrl -lp 2>/dev/null | awk -v pid="$program" '$3 == pid { print $1; exit }')
     [ -n "$window" ]
 }
 

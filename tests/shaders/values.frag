@@ -15,6 +15,12 @@ out vec4 FragColor;
 #include "lighting.glsl"
 #include "views.glsl"
 
+// Nothing here marches, but the library asks for a scene.
+float sceneDistance(vec3 p)
+{
+    return length(p);
+}
+
 void main()
 {
     float number = floor(gl_FragCoord.x) + 1024.0 * floor(gl_FragCoord.y);

@@ -1,0 +1,75 @@
+// Experiment of chapter 01: the error of the normal against the step of the differences, measured by
+// the GPU on itself. Each column of pixels takes one step, and 512 points of a unit ball 10 units from
+// the origin: the root of the mean square of their errors. Yellow: central differences; blue: forward.
+//
+// Across: the step, from 1e-5 to 1. Up: the angle between the computed and the true normal, from 1e-4
+// to 100 degrees. A line for each power of ten; the brighter ones are 0.001 and 0.01 degree.
+#include "main.glsl"
+#include "normal.glsl"     // normalAt
+#include "primitives.glsl" // sdSphere
+
+const vec3 CENTRE = vec3(0.0, 0.0, 10.0);
+const int  POINTS = 512;
+
+// The place on the screen travels in the ray's origin: x from 0 to 5, y from 0 to 6, one unit a
+// power of ten.
+Ray pixelRay(vec2 screen)
+{
+    vec2 place = vec2(2.5, 3.0) + vec2(2.5, 3.0) * screen * vec2(iResolution.y / iResolution.x, 1.0);
+    return Ray(vec3(place, 0.0), vec3(0.0, 0.0, -1.0));
+}
+
+float sceneDistance(vec3 p)
+{
+    return sdSphere(p - CENTRE, 1.0);
+}
+
+vec3 forwardNormal(vec3 p, float h)
+{
+    float here = distanceAt(p);
+    vec3 gradient = vec3(0.0);
+    for (int i = 0; i < 3; i++) {
+        vec3 axis = vec3(i == 0, i == 1, i == 2);
+        gradient += axis * (distanceAt(p + h * axis) - here);
+    }
+    float size = length(gradient);
+    return size > 0.0 ? gradient / size : vec3(0.0);
+}
+
+// The typical angles over the ball, in degrees: central, forward. Each point takes another step, up to
+// a tenth larger, so that no single step meets a lucky rounding everywhere.
+vec2 typicalAngles(float h)
+{
+    vec2 squares = vec2(0.0);
+    for (int i = 0; i < POINTS; i++) {
+        // A spiral: equal steps in z, the golden angle around it.
+        float z = 1.0 - (2.0 * float(i) + 1.0) / float(POINTS);
+        float turn = 2.39996323 * float(i);
+        vec3 p = CENTRE + vec3(sqrt(1.0 - z * z) * vec2(cos(turn), sin(turn)), z);
+        vec3 normal = normalize(p - CENTRE);
+        float step = h * (1.0 + 0.1 * fract(0.618034 * float(i)));
+        vec3 central = normalAt(p, step) - normal;
+        vec3 forward = forwardNormal(p, step) - normal;
+        squares += vec2(dot(central, central), dot(forward, forward));
+    }
+    return degrees(sqrt(squares / float(POINTS))); // a short chord is as long as its arc
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec2 place = ray.origin.xy;
+    vec2 angles = typicalAngles(pow(10.0, place.x - 5.0));
+    vec2 curve = log2(max(angles, 1e-6)) / log2(10.0) + 4.0;
+    vec2 apartFrom = 25.0 * (place.y - curve); // soft lines, a tenth of a unit wide
+    vec2 cover = exp(-apartFrom * apartFrom);
+
+    vec2 power = floor(place + 0.5);
+    vec2 apart = abs(place - power) * vec2(1.2 * iResolution.x / iResolution.y, 1.0);
+    vec3 colour = vec3(0.09, 0.10, 0.13);
+    if (min(apart.x, apart.y) < 4.0 / iResolution.y) {
+        bool main = (apart.x < apart.y && power.x == 2.0) || (apart.y <= apart.x && power.y == 2.0);
+        colour = main ? vec3(0.45) : vec3(0.22);
+    }
+    colour = mix(colour, vec3(0.35, 0.65, 1.0), cover.y);
+    return mix(colour, vec3(1.0, 0.85, 0.3), cover.x);
+}
