@@ -9,79 +9,48 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <cmocka.h>
 
-#include "../common/context.h"
-#include "../common/renderer.h"
+#include "support_gpu.h"
+#include "support_scratch.h"
 
-static struct {
-    const char *root;
-    char folder[64];
-    struct context context;
-    struct renderer renderer;
-} state;
-
-static const struct renderer_inputs INPUTS = {
-    .camera = {.position = {1.5f, 2.75f, 5.3f}, .pan = -17.0f, .tilt = -22.5f}, .samples = 1};
-
-static struct renderer_inputs inputs_of(int width, int height, int samples)
-{
-    struct renderer_inputs inputs = INPUTS;
-    inputs.width = width;
-    inputs.height = height;
-    inputs.samples = samples;
-    return inputs;
-}
+static struct gpu gpu;
 
 static int open_all(void **unused)
 {
     (void)unused;
-    state.root = getenv("PROJECT_ROOT");
-    if (state.root == NULL)
-        state.root = ".";
-    strcpy(state.folder, "/tmp/ray-picture.XXXXXX");
-    if (mkdtemp(state.folder) == NULL)
-        return -1;
-    return context_open_offscreen(&state.context, CONTEXT_ANY) &&
-                   renderer_open(&state.renderer, &state.context.gl, state.root)
-               ? 0
-               : -1;
-}
-
-static void shader_path(char path[128])
-{
-    snprintf(path, 128, "%s/shader.frag", state.folder);
+    scratch_make();
+    return gpu_open(&gpu) ? 0 : -1;
 }
 
 static int close_all(void **unused)
 {
     (void)unused;
-    char path[128];
-    shader_path(path);
-    renderer_close(&state.renderer);
-    context_close(&state.context);
-    unlink(path);
-    return rmdir(state.folder);
+    gpu_close(&gpu);
+    scratch_remove();
+    return 0;
+}
+
+static struct renderer_inputs inputs_of(int width, int height, int samples)
+{
+    return (struct renderer_inputs){
+        .width = width,
+        .height = height,
+        .camera = {.position = {1.5f, 2.75f, 5.3f}, .pan = -17.0f, .tilt = -22.5f},
+        .samples = samples};
 }
 
 static void load_text(const char *text)
 {
-    char path[128];
-    shader_path(path);
-    FILE *file = fopen(path, "w");
-    assert_non_null(file);
-    assert_true(fputs(text, file) >= 0);
-    assert_int_equal(fclose(file), 0);
-    assert_true(renderer_load(&state.renderer, path));
+    assert_true(renderer_load(&gpu.renderer, scratch_write("shader.frag", text)));
 }
 
 static void load_chapter(const char *stem)
 {
-    char path[4096];
-    snprintf(path, sizeof path, "%s/chapters/%s.frag", state.root, stem);
-    assert_true(renderer_load(&state.renderer, path));
+    char path[128];
+    snprintf(path, sizeof path, "chapters/%s.frag", stem);
+    assert_true(gpu_load(&gpu, path));
 }
 
 // The whole picture as floats, drawn in bands; the caller frees it.
@@ -92,8 +61,8 @@ static float *draw(const struct renderer_inputs *inputs, int band)
     assert_non_null(values);
     for (int bottom = 0; bottom < inputs->height; bottom += band) {
         int rows = inputs->height - bottom < band ? inputs->height - bottom : band;
-        assert_true(renderer_draw(&state.renderer, inputs, bottom, rows));
-        renderer_read(&state.renderer, values + row * (size_t)bottom);
+        assert_true(renderer_draw(&gpu.renderer, inputs, bottom, rows));
+        renderer_read(&gpu.renderer, values + row * (size_t)bottom);
     }
     return values;
 }
@@ -167,7 +136,7 @@ static void a_picture_of_several_bands_has_no_seam(void **unused)
     load_text(COURSE_PLACE);
     struct renderer_inputs inputs = inputs_of(10000, 450, 1);
     struct image image = {0};
-    assert_true(renderer_picture(&state.renderer, &inputs, &image));
+    assert_true(renderer_picture(&gpu.renderer, &inputs, &image));
     int worst = 0;
     for (int y = 0; y < inputs.height; y++)
         for (int x = 0; x < inputs.width; x++) {
@@ -320,7 +289,7 @@ static void values_become_bytes(void **unused)
         load_text(text);
         struct renderer_inputs inputs = inputs_of(3, 2, 1);
         struct image image = {0};
-        assert_true(renderer_picture(&state.renderer, &inputs, &image));
+        assert_true(renderer_picture(&gpu.renderer, &inputs, &image));
         for (int pixel = 0; pixel < 6; pixel++) {
             if (image.pixel[3 * pixel] != cases[i].byte)
                 fail_msg("%s became %d", cases[i].value, image.pixel[3 * pixel]);
@@ -341,51 +310,22 @@ static void what_came_before_leaves_no_trace(void **unused)
     load_chapter("02_lighting");
     float *first = draw(&inputs, inputs.height);
 
-    assert_true(renderer_set_view(&state.renderer, SHADER_STEPS));
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_STEPS));
     float *steps = draw(&inputs, inputs.height);
     assert_memory_not_equal(first, steps, 4 * sizeof *first * 96 * 54);
-    assert_true(renderer_set_view(&state.renderer, SHADER_PICTURE));
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
     struct renderer_inputs smooth = inputs_of(40, 30, 2);
     free(draw(&smooth, smooth.height));
-    assert_false(renderer_load(&state.renderer, "/nowhere/shader.frag"));
+    capture_begin();
+    bool loaded = renderer_load(&gpu.renderer, "/nowhere/shader.frag");
+    capture_end();
+    assert_false(loaded);
 
     float *last = draw(&inputs, inputs.height);
     assert_memory_equal(first, last, 4 * sizeof *first * 96 * 54);
     free(first);
     free(steps);
     free(last);
-}
-
-static struct renderer_probe *probe_of(const struct renderer_inputs *inputs, int x, int y)
-{
-    struct renderer_probe *probe = calloc(1, sizeof *probe);
-    assert_non_null(probe);
-    assert_true(renderer_probe(&state.renderer, inputs, x, y, probe));
-    return probe;
-}
-
-// After a picture of several tiles, samples and bands, and after one that is smaller than the
-// table.
-static void a_picture_leaves_no_trace_in_a_probe(void **unused)
-{
-    (void)unused;
-    load_chapter("02_lighting");
-    struct renderer_inputs inputs = inputs_of(640, 360, 1);
-    struct renderer_inputs others[] = {inputs_of(700, 530, 2), inputs_of(2, 1, 1)};
-    struct renderer_probe *first = probe_of(&inputs, 320, 100);
-    assert_int_equal(first->end, RENDERER_HIT);
-    assert_in_range(first->steps, 3, 200);
-    for (int i = 0; i < 2; i++) {
-        free(draw(&others[i], 520));
-        struct renderer_probe *again = probe_of(&inputs, 320, 100);
-        assert_int_equal(first->steps, again->steps);
-        assert_int_equal(first->all_steps, again->all_steps);
-        assert_int_equal(first->evaluations, again->evaluations);
-        assert_memory_equal(first->step, again->step,
-                            (size_t)first->steps * sizeof(struct renderer_step));
-        free(again);
-    }
-    free(first);
 }
 
 int main(void)
@@ -401,7 +341,6 @@ int main(void)
         cmocka_unit_test(bands_of_a_whole_file_make_the_same_picture),
         cmocka_unit_test(values_become_bytes),
         cmocka_unit_test(what_came_before_leaves_no_trace),
-        cmocka_unit_test(a_picture_leaves_no_trace_in_a_probe),
     };
     return cmocka_run_group_tests_name("picture", tests, open_all, close_all);
 }

@@ -110,9 +110,9 @@ count=$(grep -c . "$scratch/mistakes")
 
 # What fails on the right shaders cannot tell them from wrong ones.
 sed -n 's/.*| *\(test_[a-z_]*\) *|.*/\1/p' "$scratch/mistakes" | sort -u >"$scratch/tests"
-while read -r name; do
-    passes() { PROJECT_ROOT=$here "$BUILD/tests/$name" >/dev/null 2>&1 </dev/null; }
-    check "$name passes without a mistake" passes
+while read -r program; do
+    passes() { PROJECT_ROOT=$here "$BUILD/tests/$program" >/dev/null 2>&1 </dev/null; }
+    check "$program passes without a mistake" passes
 done <"$scratch/tests"
 
 export LP_NUM_THREADS=1

@@ -1,0 +1,129 @@
+// test_trace.c - every step of one ray, as the probe brings it back.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "support_gpu.h"
+#include "support_scratch.h"
+
+static struct gpu gpu;
+
+static int open_all(void **unused)
+{
+    (void)unused;
+    scratch_make();
+    return gpu_open(&gpu) ? 0 : -1;
+}
+
+static int close_all(void **unused)
+{
+    (void)unused;
+    gpu_close(&gpu);
+    scratch_remove();
+    return 0;
+}
+
+static struct renderer_inputs inputs_of(int width, int height, int samples)
+{
+    return (struct renderer_inputs){
+        .width = width,
+        .height = height,
+        .camera = {.position = {1.5f, 2.75f, 5.3f}, .pan = -17.0f, .tilt = -22.5f},
+        .samples = samples};
+}
+
+static void load_text(const char *text)
+{
+    assert_true(renderer_load(&gpu.renderer, scratch_write("shader.frag", text)));
+}
+
+static struct renderer_probe *probe_of(const struct renderer_inputs *inputs, int x, int y)
+{
+    struct renderer_probe *probe = calloc(1, sizeof *probe);
+    assert_non_null(probe);
+    assert_true(renderer_probe(&gpu.renderer, inputs, x, y, probe));
+    return probe;
+}
+
+// After a picture of several tiles and several samples, and after one that is smaller than the
+// table.
+static void a_picture_leaves_no_trace_in_a_probe(void **unused)
+{
+    (void)unused;
+    assert_true(gpu_load(&gpu, "chapters/02_lighting.frag"));
+    struct renderer_inputs inputs = inputs_of(640, 360, 1);
+    struct renderer_inputs others[] = {inputs_of(700, 530, 2), inputs_of(2, 1, 1)};
+    struct renderer_probe *first = probe_of(&inputs, 320, 100);
+    assert_int_equal(first->end, RENDERER_HIT);
+    assert_in_range(first->steps, 3, 200);
+    for (int i = 0; i < 2; i++) {
+        assert_true(renderer_draw(&gpu.renderer, &others[i], 0, others[i].height));
+        struct renderer_probe *again = probe_of(&inputs, 320, 100);
+        assert_int_equal(first->steps, again->steps);
+        assert_int_equal(first->all_steps, again->all_steps);
+        assert_int_equal(first->evaluations, again->evaluations);
+        assert_memory_equal(first->step, again->step,
+                            (size_t)first->steps * sizeof(struct renderer_step));
+        free(again);
+    }
+    free(first);
+}
+
+// Rays that start at (screen, 2) and go down to the plane z = 0 at an angle: each step leaves a
+// fifth of the way.
+#define TOWARDS_A_PLANE(steps)                                                                     \
+    "#include \"main.glsl\"\n"                                                                     \
+    "#include \"march.glsl\"\n"                                                                    \
+    "#include \"normal.glsl\"\n"                                                                   \
+    "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 2.0), vec3(0.6, 0.0, -0.8)); }\n"         \
+    "float sceneDistance(vec3 p) { return p.z; }\n"                                                \
+    "vec3 rayColour(Ray ray)\n"                                                                    \
+    "{\n"                                                                                          \
+    "    Hit hit = march(ray, 0.0, 10.0, 1.0e-4, " steps ");\n"                                    \
+    "    march(Ray(ray.origin, vec3(0.0, 0.0, 1.0)), 0.0, 5.0, 1.0e-4, 100);\n"                    \
+    "    return normalAt(ray.origin, 0.01);\n"                                                     \
+    "}\n"
+
+static void check_probe(const char *text, int steps, enum renderer_end end)
+{
+    load_text(text);
+    struct renderer_inputs inputs = inputs_of(200, 100, 1);
+    struct renderer_probe *probe = probe_of(&inputs, 150, 20);
+    assert_int_equal(probe->steps, steps);
+    assert_int_equal(probe->end, end);
+    assert_int_equal(probe->all_steps, steps + 2);
+    assert_int_equal(probe->evaluations, steps + 2 + 6);
+    double left = 2.0, t = 0.0;
+    for (int i = 0; i < steps; i++) {
+        const double place[3] = {1.01 + 0.6 * t, -0.59, left};
+        assert_true(fabs((double)probe->step[i].t - t) < 1e-6);
+        assert_true(fabs((double)probe->step[i].distance - left) < 1e-6);
+        for (int k = 0; k < 3; k++)
+            assert_true(fabs((double)probe->step[i].position[k] - place[k]) < 1e-6);
+        t += left;
+        left *= 0.2;
+    }
+    free(probe);
+}
+
+// 2 / 5^n is under the threshold for the first time at n = 7, the eighth step.
+static void a_probe_shows_every_step(void **unused)
+{
+    (void)unused;
+    check_probe(TOWARDS_A_PLANE("100"), 8, RENDERER_HIT);
+    check_probe(TOWARDS_A_PLANE("5"), 5, RENDERER_GAVE_UP);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_probe_shows_every_step),
+        cmocka_unit_test(a_picture_leaves_no_trace_in_a_probe),
+    };
+    return cmocka_run_group_tests_name("trace", tests, open_all, close_all);
+}
