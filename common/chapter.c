@@ -168,7 +168,10 @@ static struct renderer_inputs still_inputs(const struct options *options)
                                     .height = options->height,
                                     .camera = options->camera,
                                     .time = options->time,
-                                    .samples = options->samples};
+                                    .samples = options->samples,
+                                    .pixel = {options->has_probe ? options->probe_x : -1,
+                                              options->has_probe ? options->probe_y : -1},
+                                    .zoom = 1.0f};
 }
 
 // With a context and a renderer: load the shader, then carry out what was asked.

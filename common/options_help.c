@@ -14,8 +14,9 @@ static const struct {
     {"-c, --camera X,Y,Z,PAN,TILT", "where the eye is, in scene units, and looks, in degrees",
      "the chapter's own"},
     {"-a, --samples N", "N x N samples a pixel, 1 to 8", "1"},
-    {"-v, --view NAME", "picture, normals, depth or steps", "picture"},
-    {"    --probe X,Y", "print the march of a pixel's ray as CSV; 0,0 is bottom left", ""},
+    {"-v, --view NAME", "picture, normals, depth, steps or slice", "picture"},
+    {"    --probe X,Y",
+     "print the march of a pixel's ray, and choose it for the slice; 0,0 is bottom left", ""},
     {"-b, --backend NAME", "glfw, egl or osmesa",
      "glfw for a window; egl, osmesa, glfw for a file"},
     {"-f, --shader FILE", "run this fragment shader instead of the chapter's", ""},
@@ -31,8 +32,8 @@ static const char controls[] =
     "  W A S D            move, by the keys' places on an American keyboard\n"
     "  Space, C           up, down (or Left Ctrl); Left Shift moves faster\n"
     "  drag               look; M captures and frees the mouse\n"
-    "  wheel              focal length\n"
-    "  1 2 3 4            views: picture, normals, depth, steps\n"
+    "  wheel              focal length; in the slice its zoom\n"
+    "  1 2 3 4 5          views: picture, normals, depth, steps, slice\n"
     "  up, down           choose a parameter\n"
     "  left, right        change it, with Shift ten steps; Home resets it\n"
     "  Escape, R          pause and resume; restart the time\n"

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "report.h"
+#include "slice.h"
 
 // A tile is what one draw call covers: small enough that no single draw holds a GPU for seconds.
 #define TILE 512 // pixels
@@ -22,8 +23,11 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
     if (!shader_read(&renderer->vertex, path, root))
         return false;
     gl->GenVertexArrays(1, &renderer->vertex_array);
-    gl->GenFramebuffers(1, &renderer->framebuffer);
-    gl->GenTextures(1, &renderer->texture);
+    struct renderer_target *targets[] = {&renderer->picture, &renderer->table};
+    for (int i = 0; i < 2; i++) {
+        gl->GenFramebuffers(1, &targets[i]->framebuffer);
+        gl->GenTextures(1, &targets[i]->texture);
+    }
     return true;
 }
 
@@ -41,8 +45,11 @@ void renderer_close(struct renderer *renderer)
     if (renderer->gl == NULL)
         return;
     forget_programs(renderer);
-    renderer->gl->DeleteTextures(1, &renderer->texture);
-    renderer->gl->DeleteFramebuffers(1, &renderer->framebuffer);
+    struct renderer_target *targets[] = {&renderer->picture, &renderer->table};
+    for (int i = 0; i < 2; i++) {
+        renderer->gl->DeleteTextures(1, &targets[i]->texture);
+        renderer->gl->DeleteFramebuffers(1, &targets[i]->framebuffer);
+    }
     renderer->gl->DeleteVertexArrays(1, &renderer->vertex_array);
     shader_free(&renderer->vertex);
     shader_free(&renderer->fragment);
@@ -50,15 +57,30 @@ void renderer_close(struct renderer *renderer)
     *renderer = (struct renderer){0};
 }
 
+// Link a view of a source. The slice view shows what a probe finds, so it needs both programs: an
+// error in one of them is found here, while the old shader is still there.
+//   program  by view; 0 where nothing was linked
+static bool link_view(struct renderer *renderer, const struct shader_source *source,
+                      enum shader_view view, GLuint program[SHADER_PROGRAM_COUNT])
+{
+    if (!shader_has_view(source, view))
+        return false;
+    if (program[view] == 0)
+        program[view] = shader_link(renderer->gl, &renderer->vertex, source, view);
+    if (program[view] == 0)
+        return false;
+    return view != SHADER_SLICE || link_view(renderer, source, SHADER_PROBE, program);
+}
+
 bool renderer_load(struct renderer *renderer, const char *path)
 {
     struct shader_source source = {0};
     struct parameters parameters = {0};
-    GLuint program = 0;
-    if (shader_read(&source, path, renderer->root) && parameters_read(&parameters, &source) &&
-        shader_has_view(&source, renderer->view))
-        program = shader_link(renderer->gl, &renderer->vertex, &source, renderer->view);
-    if (program == 0) {
+    GLuint program[SHADER_PROGRAM_COUNT] = {0};
+    if (!shader_read(&source, path, renderer->root) || !parameters_read(&parameters, &source) ||
+        !link_view(renderer, &source, renderer->view, program)) {
+        if (program[renderer->view] != 0)
+            renderer->gl->DeleteProgram(program[renderer->view]);
         shader_free(&source);
         parameters_free(&parameters);
         return false;
@@ -69,53 +91,42 @@ bool renderer_load(struct renderer *renderer, const char *path)
     parameters_free(&renderer->parameters);
     renderer->fragment = source;
     renderer->parameters = parameters;
-    renderer->program[renderer->view] = program;
+    memcpy(renderer->program, program, sizeof program);
     return true;
-}
-
-// Compile a view, or the probe, of the loaded shader where that was not done yet.
-static bool compile_view(struct renderer *renderer, enum shader_view view)
-{
-    if (renderer->program[view] != 0)
-        return true;
-    if (!shader_has_view(&renderer->fragment, view))
-        return false;
-    renderer->program[view] =
-        shader_link(renderer->gl, &renderer->vertex, &renderer->fragment, view);
-    return renderer->program[view] != 0;
 }
 
 bool renderer_set_view(struct renderer *renderer, enum shader_view view)
 {
-    if (!compile_view(renderer, view))
+    if (!link_view(renderer, &renderer->fragment, view, renderer->program))
         return false;
     renderer->view = view;
     return true;
 }
 
-// Bind the float target, made anew when its size changes.
-static bool bind_target(struct renderer *renderer, int width, int height)
+// Bind a float target, made anew when its size changes.
+static bool bind_target(struct renderer *renderer, struct renderer_target *target, int width,
+                        int height)
 {
     const struct gl *gl = renderer->gl;
-    gl->BindFramebuffer(GL_FRAMEBUFFER, renderer->framebuffer);
-    if (renderer->target_width == width && renderer->target_height == height)
+    gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    if (target->width == width && target->height == height)
         return true;
-    gl->BindTexture(GL_TEXTURE_2D, renderer->texture);
+    gl->BindTexture(GL_TEXTURE_2D, target->texture);
     gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, NULL);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, renderer->texture,
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture,
                              0);
     if (gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
         gl->GetError() != GL_NO_ERROR) {
-        renderer->target_width = 0;
+        target->width = 0;
         report("float target %dx%d: the driver cannot make it: try a smaller --size or another "
                "--backend",
                width, height);
         return false;
     }
-    renderer->target_width = width;
-    renderer->target_height = height;
+    target->width = width;
+    target->height = height;
     return true;
 }
 
@@ -200,13 +211,65 @@ static void draw_samples(const struct renderer *renderer, GLuint program, int sa
     }
 }
 
+// The march that a slice shows.
+struct march {
+    int pixel[2];
+    int steps; // columns of the table that hold one
+    bool hit;
+    struct slice_frame frame;
+};
+
+// March the chosen pixel's ray, which leaves its steps in the table, and frame it.
+static bool march_for_slice(struct renderer *renderer, const struct renderer_inputs *inputs,
+                            struct march *march)
+{
+    const int size[2] = {inputs->width, inputs->height};
+    for (int i = 0; i < 2; i++)
+        march->pixel[i] = inputs->pixel[i] < 0 ? size[i] / 2 : inputs->pixel[i];
+    struct renderer_probe *probe = malloc(sizeof *probe);
+    bool done =
+        probe != NULL && renderer_probe(renderer, inputs, march->pixel[0], march->pixel[1], probe);
+    if (probe == NULL)
+        report("slice of %d,%d: not enough memory", march->pixel[0], march->pixel[1]);
+    if (done) {
+        march->steps = probe->steps < RENDERER_PROBE_STEPS ? probe->steps : RENDERER_PROBE_STEPS;
+        march->hit = probe->end == RENDERER_HIT;
+        march->frame = slice_frame_of(probe, inputs->width, inputs->height, inputs->zoom);
+    }
+    free(probe);
+    return done;
+}
+
+// What shaders/slice.glsl reads. The table is the texture of unit 0, which a sampler reads unless
+// told otherwise.
+static void set_march(const struct renderer *renderer, GLuint program, const struct march *march)
+{
+    const struct gl *gl = renderer->gl;
+    const struct slice_frame *frame = &march->frame;
+    gl->BindTexture(GL_TEXTURE_2D, renderer->table.texture);
+    gl->Uniform1i(place(renderer, program, "iMarchSteps"), march->steps);
+    gl->Uniform1i(place(renderer, program, "iMarchHit"), march->hit);
+    gl->Uniform2f(place(renderer, program, "iMarchPixel"), (float)march->pixel[0] + 0.5f,
+                  (float)march->pixel[1] + 0.5f);
+    gl->Uniform3f(place(renderer, program, "iSliceFrame"), frame->left, frame->bottom, frame->unit);
+    gl->Uniform1f(place(renderer, program, "iSliceTick"), frame->tick);
+    gl->Uniform1f(place(renderer, program, "iSliceLine"), frame->line);
+    gl->Uniform1i(place(renderer, program, "iSliceTickScaled"), frame->digits[0]);
+    gl->Uniform1i(place(renderer, program, "iSliceDecimals"), frame->digits[1]);
+}
+
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows)
 {
     const struct gl *gl = renderer->gl;
-    if (!bind_target(renderer, inputs->width, rows))
+    struct march march = {0};
+    bool slice = renderer->view == SHADER_SLICE;
+    if ((slice && !march_for_slice(renderer, inputs, &march)) ||
+        !bind_target(renderer, &renderer->picture, inputs->width, rows))
         return false;
     GLuint program = use_program(renderer, inputs, renderer->view);
+    if (slice)
+        set_march(renderer, program, &march);
     // The viewport is the whole picture, of which the target holds a part: so the triangle is set
     // up in the same way whatever the part.
     gl->Viewport(0, -bottom, inputs->width, inputs->height);
@@ -234,19 +297,24 @@ bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inpu
 void renderer_present(struct renderer *renderer, int framebuffer_width, int framebuffer_height)
 {
     const struct gl *gl = renderer->gl;
-    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->framebuffer);
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->picture.framebuffer);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    gl->BlitFramebuffer(0, 0, renderer->target_width, renderer->target_height, 0, 0,
+    gl->BlitFramebuffer(0, 0, renderer->picture.width, renderer->picture.height, 0, 0,
                         framebuffer_width, framebuffer_height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+static void read_target(const struct renderer *renderer, const struct renderer_target *target,
+                        float *values)
+{
+    const struct gl *gl = renderer->gl;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl->ReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_FLOAT, values);
 }
 
 void renderer_read(struct renderer *renderer, float *values)
 {
-    const struct gl *gl = renderer->gl;
-    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->framebuffer);
-    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl->ReadPixels(0, 0, renderer->target_width, renderer->target_height, GL_RGBA, GL_FLOAT,
-                   values);
+    read_target(renderer, &renderer->picture, values);
 }
 
 // A NaN becomes 0: the comparison is false for it.
@@ -319,7 +387,8 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
 {
     enum { ROWS = 3 };
     const struct gl *gl = renderer->gl;
-    if (!compile_view(renderer, SHADER_PROBE) || !bind_target(renderer, RENDERER_PROBE_STEPS, ROWS))
+    if (!link_view(renderer, &renderer->fragment, SHADER_PROBE, renderer->program) ||
+        !bind_target(renderer, &renderer->table, RENDERER_PROBE_STEPS, ROWS))
         return false;
     GLuint program = use_program(renderer, inputs, SHADER_PROBE);
     gl->Uniform2f(place(renderer, program, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
@@ -331,7 +400,7 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
         report("probe %d,%d: not enough memory", x, y);
         return false;
     }
-    renderer_read(renderer, values);
+    read_target(renderer, &renderer->table, values);
     unpack_probe(values, probe);
     free(values);
     return true;

@@ -22,6 +22,14 @@ struct renderer_inputs {
     int frame;            // number of the frame; 0 for a file
     float mouse[4];       // Shadertoy's iMouse; zeros for a file
     int samples;          // along each side of a pixel
+    int pixel[2];         // whose ray the slice view shows, 0,0 bottom left; -1,-1: the middle
+    float zoom;           // of the slice view; 1: the whole march, as does 0
+};
+
+// A float texture to draw into.
+struct renderer_target {
+    GLuint framebuffer, texture;
+    int width, height; // pixels
 };
 
 // Everything needed to draw one shader file. Opened once; a shader is loaded into it, and loaded
@@ -35,8 +43,9 @@ struct renderer {
     enum shader_view view;
     float focal_length;                   // for shaders that declare no focalLength of their own
     GLuint program[SHADER_PROGRAM_COUNT]; // by view, compiled when first asked for
-    GLuint vertex_array, framebuffer, texture;
-    int target_width, target_height; // pixels of the float target
+    GLuint vertex_array;
+    struct renderer_target picture;
+    struct renderer_target table; // of a probe, one column a step: the slice view reads it
 };
 
 // One row of a probe: what the march knew after evaluating the distance once.

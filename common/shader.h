@@ -14,6 +14,7 @@ enum shader_view {
     SHADER_NORMALS, // the first normal of the pixel's ray
     SHADER_DEPTH,   // where its first march ended
     SHADER_STEPS,   // the steps of all its marches
+    SHADER_SLICE,   // the march of one ray, seen from the side
     SHADER_VIEW_COUNT,
     SHADER_PROBE = SHADER_VIEW_COUNT, // the steps of one ray, as numbers; not a view to choose
     SHADER_PROGRAM_COUNT

@@ -6,7 +6,8 @@
 
 #include "report.h"
 
-static const char *const view_names[SHADER_VIEW_COUNT] = {"picture", "normals", "depth", "steps"};
+static const char *const view_names[SHADER_VIEW_COUNT] = {"picture", "normals", "depth", "steps",
+                                                          "slice"};
 
 const char *shader_view_name(enum shader_view view)
 {

@@ -7,6 +7,7 @@
 
 #include "image.h"
 #include "report.h"
+#include "slice.h"
 #include "watch.h"
 #include "window_input.h"
 
@@ -17,7 +18,7 @@
 
 #define SPEED           2.0f  // scene units a second
 #define DEGREES         0.15f // of a turn, for each pixel of the pointer
-#define ZOOM            1.1   // focal length, for each notch of the wheel
+#define ZOOM            1.1   // focal length or slice, for each notch of the wheel
 #define FOCAL_MINIMUM   0.2   // of a shader that declares no focalLength
 #define FOCAL_MAXIMUM   10.0
 #define LAST_SCREENSHOT 9999
@@ -72,10 +73,13 @@ static void show_title(struct window *window)
 
 static void zoom(struct window *window, double notches)
 {
-    float *own = &window->renderer->focal_length;
+    float *own = &window->renderer->focal_length, *slice = &window->inputs.zoom;
     struct parameter *parameter = parameters_find(&window->renderer->parameters, "focalLength");
     double factor = pow(ZOOM, notches);
-    if (parameter != NULL)
+    if (window->renderer->view == SHADER_SLICE)
+        *slice = (float)fmin(fmax((double)*slice * factor, (double)SLICE_ZOOM_MINIMUM),
+                             (double)SLICE_ZOOM_MAXIMUM);
+    else if (parameter != NULL)
         parameter->value[0] =
             fmin(fmax(parameter->value[0] * factor, parameter->minimum), parameter->maximum);
     else
@@ -364,7 +368,11 @@ bool window_run(struct context *context, struct renderer *renderer, const struct
         .title = title,
         .stem = stem,
         .shader = shader,
-        .inputs = {.camera = options->camera, .time = options->time, .samples = options->samples},
+        .inputs = {.camera = options->camera,
+                   .time = options->time,
+                   .samples = options->samples,
+                   .pixel = {-1, -1},
+                   .zoom = 1.0f},
         .dirty = true,
     };
     glfwSwapInterval(1);

@@ -41,6 +41,7 @@ static const struct {
     {GLFW_KEY_2, {WINDOW_VIEW, SHADER_NORMALS}, false},
     {GLFW_KEY_3, {WINDOW_VIEW, SHADER_DEPTH}, false},
     {GLFW_KEY_4, {WINDOW_VIEW, SHADER_STEPS}, false},
+    {GLFW_KEY_5, {WINDOW_VIEW, SHADER_SLICE}, false},
 };
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))

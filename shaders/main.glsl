@@ -1,15 +1,24 @@
 // main.glsl - main(): runs the chapter's pixelRay and rayColour, then shows the colour, or what the
 // trace holds.
 //
-// The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 the numbers of a probe.
+// The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice,
+// 5 the numbers of a probe.
 
 #include "inputs.glsl"
 #include "scene.glsl"
+#include "slice.glsl"
 #include "views.glsl"
 
 out vec4 fragColour;
 
 #if VIEW == 4
+
+void main()
+{
+    fragColour = vec4(clamp(sliceView(gl_FragCoord.xy + iPixelOffset), 0.0, 1.0), 1.0);
+}
+
+#elif VIEW == 5
 
 uniform vec2 iProbe; // centre of the pixel whose ray is marched, in pixels
 

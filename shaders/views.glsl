@@ -1,4 +1,5 @@
 // views.glsl - the trace as a picture: the first normal, the depth, the number of steps.
+#include "digits.glsl"
 #include "inputs.glsl"
 #include "scene.glsl"
 
@@ -40,30 +41,6 @@ vec3 evenRamp(float x)
 // The number of steps at the light end of the ramp; more is shown as so many.
 const float STEPS_SHOWN = 64.0;
 
-// True on the strokes of a decimal digit drawn in a grid of 3 x 5 cells.
-//   digit  0 to 9
-//   cell   column from the left (0 to 2), row from the bottom (0 to 4)
-bool digitCell(int digit, ivec2 cell)
-{
-    // Bit 3 row + column: five rows of three bits, the bottom row lowest.
-    const int strokes[10] = int[10](31599, 9879, 31183, 31207, 23524, 29671, 29679, 30866, 31727, 31719);
-    return ((strokes[digit] >> (3 * cell.y + cell.x)) & 1) == 1;
-}
-
-// True on the strokes of a number.
-//   place  in cells, from the number's bottom left corner; a digit is 4 cells apart from the next
-bool numberCell(int number, vec2 place)
-{
-    ivec2 cell = ivec2(floor(place));
-    int digits = number < 10 ? 1 : (number < 100 ? 2 : 3);
-    int column = cell.x / 4;
-    if (cell.x < 0 || cell.y < 0 || cell.y > 4 || column >= digits || cell.x % 4 == 3)
-        return false;
-    for (int i = digits - 1 - column; i > 0; i--)
-        number /= 10;
-    return digitCell(number % 10, ivec2(cell.x % 4, cell.y));
-}
-
 // The legend over a colour: the ramp along the bottom, with 0, 16, 32, 48, 64 over it. Left out where
 // the picture is too small for it.
 //   pixel  in pixels of the picture
@@ -78,7 +55,7 @@ vec3 stepLegend(vec3 colour, vec2 pixel)
     colour = ramp ? evenRamp(place.x / 64.0) : vec3(0.0);
     for (int steps = 0; steps <= int(STEPS_SHOWN); steps += 16) {
         float tick = 64.0 * float(steps) / STEPS_SHOWN;
-        if (numberCell(steps, place - vec2(tick, 6.0)) || place == vec2(tick, 4.0))
+        if (numberCell(steps, 0, place - vec2(tick, 6.0)) || place == vec2(tick, 4.0))
             colour = vec3(1.0);
     }
     return colour;

@@ -74,7 +74,7 @@ while read -r stem variant options; do
     fi
     read -r -a words <<<"$options"
     [ "$mode" = gpu ] && [ "$names" = " $name " ] && "build/$stem" --version
-    "build/$stem" ${backend[@]+"${backend[@]}"} -o "$picture" ${words[@]+"${words[@]}"} </dev/null || exit 1
+    "build/$stem" ${backend[@]+"${backend[@]}"} -o "$picture" ${words[@]+"${words[@]}"} </dev/null >/dev/null || exit 1
     case $mode in
     gallery) echo "$picture" ;;
     update) update "$name" "$picture" ;;

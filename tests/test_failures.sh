@@ -99,8 +99,7 @@ done
 for probe in 16,0 0,9 -1,0 0,-1 16,9 5 x,y 1,2,3 99999999999,0 ''; do
     refuse "--probe '$probe' of 16x9" 2 "--probe" "$chapter" "${small[@]}" --probe "$probe"
 done
-refuse 'an unknown view' 2 'picture, normals, depth, steps' "$chapter" "${to[@]}" -v colours
-refuse 'the slice view, not offered yet' 2 "view 'slice'" "$chapter" "${to[@]}" -v slice
+refuse 'an unknown view' 2 'picture, normals, depth, steps, slice' "$chapter" "${to[@]}" -v colours
 refuse 'an unknown backend' 2 'glfw, egl, osmesa' "$chapter" "${to[@]}" -b vulkan
 refuse 'an unknown option' 2 "'--colour'" "$chapter" "${to[@]}" --colour red
 refuse 'an unknown letter' 2 "'-x'" "$chapter" "${to[@]}" -x
@@ -194,6 +193,7 @@ printf 'void mainImage(out vec4 c, in vec2 f) { c = vec4(f, 0.0, 1.0); }\n' >"$s
 refuse "Shadertoy's form, not offered yet" 1 'toy.frag.*Shadertoy' "$chapter" "${to[@]}" -f "$shaders/toy.frag"
 whole=$root/chapters/00_first_scene.frag
 refuse 'a view of a whole file' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"
+refuse 'the slice of a whole file' 1 'view slice' "$chapter" "${to[@]}" -v slice -f "$whole"
 refuse '--probe of a whole file' 1 '00_first_scene.frag' "$chapter" "${small[@]}" --probe 1,1 -f "$whole"
 
 # ---- A shader's errors: the author's own file and line ----

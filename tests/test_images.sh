@@ -61,7 +61,7 @@ picture() { # BACKEND... N
     rm -f "$failures/$name".*
     for backend in "$@"; do
         # shellcheck disable=SC2086 # options are words
-        "$BUILD/$stem" $options -b "$backend" -o "$scratch/$name.$backend.png" \
+        "$BUILD/$stem" $options -b "$backend" -o "$scratch/$name.$backend.png" >/dev/null \
             2>"$scratch/$name.$backend.err" || rm -f "$scratch/$name.$backend.png"
         judge "$name" "$backend"
     done

@@ -291,6 +291,23 @@ static void test_values_missing_or_too_many(void **state)
     options_free(&o);
 }
 
+// A probe of the slice view chooses its ray: it must lie in the picture that is written.
+static void test_slice_takes_a_probe(void **state)
+{
+    (void)state;
+    struct options o = parsed("-v slice --probe 3,4 -o a.png");
+    assert_int_equal(o.view, SHADER_SLICE);
+    assert_true(o.has_probe && o.probe_x == 3 && o.probe_y == 4);
+    assert_string_equal(o.output, "a.png");
+    options_free(&o);
+    o = parsed("--view=slice");
+    assert_int_equal(o.view, SHADER_SLICE);
+    assert_false(o.has_probe);
+    options_free(&o);
+    assert_refused("-v slice -s 16x9 -o a.png --probe 16,0", "outside the picture");
+    assert_refused("-v slices", "slice");
+}
+
 static void test_help_names_every_option(void **state)
 {
     (void)state;
@@ -334,6 +351,7 @@ int main(void)
         cmocka_unit_test(test_unknown_options),
         cmocka_unit_test(test_values_missing_or_too_many),
         cmocka_unit_test(test_help_names_every_option),
+        cmocka_unit_test(test_slice_takes_a_probe),
     };
     return cmocka_run_group_tests_name("options", tests, NULL, NULL);
 }

@@ -398,6 +398,7 @@ static void test_views(void **state)
     }
     shader_free(&source);
     source = read_text("x\n");
+    assert_true(shader_has_view(&source, SHADER_SLICE));
     assert_true(shader_has_view(&source, SHADER_PROBE));
     shader_free(&source);
 }

@@ -41,7 +41,7 @@ judge_picture() { # WHAT PICTURE COPY
         return
     fi
     # shellcheck disable=SC2086 # options are words
-    if ! (cd "$3" && "$here/$BUILD/$stem" --root . $options -o picture.png 2>errors); then
+    if ! (cd "$3" && "$here/$BUILD/$stem" --root . $options -o picture.png >/dev/null 2>errors); then
         echo "not ok $1: $(tr '\n' ' ' <"$3/errors")"
         return
     fi

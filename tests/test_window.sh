@@ -134,6 +134,10 @@ check 'the window shows the screenshot' within 3 on_screen
 
 view() { key 4 && shows ' - steps - ' && shoot_as steps && render view -v steps && matches view steps; }
 check '4 shows the steps' view
+slice() { key 5 && shows ' - slice - ' && shoot_as slice && render view -v slice && matches view slice; }
+check '5 shows the slice of the middle' slice
+zooms() { xdotool click 4 && shoot_as nearer && differ slice nearer && xdotool click 5 && shoot_as farther && matches slice farther; }
+check 'the wheel zooms the slice in and out' zooms
 unview() { key 1 && shows ' - picture - ' && shoot_as back && same first back; }
 check '1 shows the picture again' unview
 

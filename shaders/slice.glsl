@@ -1,0 +1,181 @@
+// slice.glsl - the march of one ray, seen from the side: the distance around it, every position and
+// every circle of radius sceneDistance.
+//
+// The plane holds the ray and the camera's up vector. The ray runs to the right; a point of the
+// plane is (along, across): scene units along the ray from its origin, and up from the ray.
+#include "digits.glsl"
+#include "inputs.glsl"
+#include "scene.glsl"
+
+// Compiled only for this view.
+#if VIEW == 4
+
+uniform sampler2D iMarch;      // column k: t and distance of step k, as a probe wrote them
+uniform int   iMarchSteps;     // columns that hold a step
+uniform bool  iMarchHit;       // the last step found the surface
+uniform vec2  iMarchPixel;     // centre of the pixel whose ray it is, in pixels
+uniform vec3  iSliceFrame;     // (along, across) of the picture's bottom left corner; units a pixel
+uniform float iSliceTick;      // scene units from tick to tick, 1, 2 or 5 times a power of ten
+uniform float iSliceLine;      // scene units from one line of equal distance to the next
+uniform int   iSliceTickScaled; // the tick as iSliceTickScaled / 10^iSliceDecimals
+uniform int   iSliceDecimals;
+
+const vec3 SLICE_INK   = vec3(0.05, 0.08, 0.20);
+const vec3 SLICE_PAPER = vec3(1.00, 0.985, 0.95);
+
+// Outside the colours stay lighter than all those inside, so that nobody needs to see a hue.
+const vec3 SLICE_OUT_NEAR = vec3(0.97, 0.66, 0.32);
+const vec3 SLICE_OUT_FAR  = vec3(0.99, 0.88, 0.72);
+const vec3 SLICE_IN_NEAR  = vec3(0.27, 0.50, 0.80);
+const vec3 SLICE_IN_DEEP  = vec3(0.10, 0.24, 0.50);
+
+// How much of a pixel a line covers, from 0 to 1.
+//   distance  from the line's middle to the pixel's centre, in pixels
+//   width     in pixels
+float lineCover(float distance, float width)
+{
+    return clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);
+}
+
+// How much of a pixel a disc covers.
+//   distance  from its centre, radius  both in pixels
+float discCover(float distance, float radius)
+{
+    return clamp(radius - distance + 0.5, 0.0, 1.0);
+}
+
+// One thickness of pen for every size of picture, in pixels.
+float slicePen()
+{
+    return max(iResolution.y / 360.0, 0.75);
+}
+
+// The slope of the distance in the plane, per scene unit: at most 1, less where the plane only
+// grazes a surface. Lines that are drawn by distance / slope keep their width.
+float sliceSlope(vec3 p, vec3 along, vec3 across)
+{
+    float h = 0.5 * iSliceFrame.z;
+    vec2 slope = vec2(sceneDistance(p + h * along) - sceneDistance(p - h * along),
+                      sceneDistance(p + h * across) - sceneDistance(p - h * across)) / (2.0 * h);
+    return clamp(length(slope), 0.25, 1.0);
+}
+
+// The distance as colour, its lines, the surface.
+//   slope  as of sliceSlope
+vec3 sliceField(float distance, float slope)
+{
+    float pen = slicePen();
+    float unit = iSliceFrame.z;
+    float fade = 1.0 - exp(-abs(distance) / (0.2 * iResolution.y * unit));
+    vec3 colour = distance > 0.0 ? mix(SLICE_OUT_NEAR, SLICE_OUT_FAR, fade)
+                                 : mix(SLICE_IN_NEAR, SLICE_IN_DEEP, fade);
+    float nearest = iSliceLine * floor(distance / iSliceLine + 0.5);
+    bool tick = abs(nearest / iSliceTick - floor(nearest / iSliceTick + 0.5)) < 0.01;
+    float pixels = (distance - nearest) / (unit * slope);
+    vec3 line = distance > 0.0 ? vec3(0.62, 0.36, 0.14) : vec3(0.75, 0.85, 0.97);
+    colour = mix(colour, line, (tick ? 0.45 : 0.20) * lineCover(pixels, pen));
+    float surface = lineCover(distance / (unit * slope), 3.2 * pen);
+    return mix(colour, SLICE_PAPER, surface);
+}
+
+// The number of a step over its position, where there is room for it: 0 nothing, 1 the label's
+// ground, 2 a stroke.
+//   pixel     of the picture
+//   position  of the step in the picture, in pixels
+//   room      to the neighbours, in pixels
+int stepNumber(int step, vec2 pixel, vec2 position, float room)
+{
+    float cell = max(1.0, floor(iResolution.y / 180.0));
+    float width = float(numberWidth(step, 0));
+    vec2 place = floor(pixel / cell) - floor(position / cell) + vec2(floor(0.5 * width), -4.0);
+    bool ground = place.x >= -1.0 && place.x <= width && place.y >= -1.0 && place.y <= 5.0;
+    if (!ground || room < (width + 4.0) * cell)
+        return 0;
+    return numberCell(step, 0, place) ? 2 : 1;
+}
+
+// Every step over a colour: what the circles prove empty, the circles, the positions, the numbers.
+//   point  (along, across)
+vec3 sliceMarch(vec3 colour, vec2 point, vec2 pixel)
+{
+    float pen = slicePen();
+    float unit = iSliceFrame.z;
+    float empty = 0.0, circles = 0.0, dots = 0.0, before = 0.0;
+    int number = 0;
+    for (int k = 0; k < iMarchSteps; k++) {
+        vec2 step = texelFetch(iMarch, ivec2(k, 0), 0).xy; // t, distance
+        float from = length(point - vec2(step.x, 0.0)) / unit;
+        float radius = abs(step.y) / unit;
+        empty = max(empty, discCover(from, radius));
+        circles = max(circles, lineCover(from - radius, 1.3 * pen));
+        dots = max(dots, discCover(from, pen * clamp(0.2 * radius / pen, 1.0, 2.6)));
+        vec2 position = (vec2(step.x, 0.0) - iSliceFrame.xy) / unit;
+        number = max(number, stepNumber(k, pixel, position, k == 0 ? radius : min(radius, before)));
+        before = radius;
+    }
+    colour = mix(colour, SLICE_PAPER, 0.38 * empty);
+    colour = mix(colour, SLICE_INK, circles);
+    colour = mix(colour, SLICE_PAPER, number > 0 ? 0.7 : 0.0);
+    return mix(colour, SLICE_INK, number == 2 ? 1.0 : dots);
+}
+
+// The ray: a line as far as it was marched, beyond it dashes; the eye at its start, a ring where it
+// found the surface.
+vec3 sliceRay(vec3 colour, vec2 point)
+{
+    float pen = slicePen();
+    float unit = iSliceFrame.z;
+    float end = iMarchSteps > 0 ? texelFetch(iMarch, ivec2(iMarchSteps - 1, 0), 0).x : 0.0;
+    bool dash = fract(point.x / (unit * 12.0 * pen)) < 0.5;
+    float ray = point.x < 0.0 || (point.x > end && !dash) ? 0.0 : lineCover(point.y / unit, pen);
+    colour = mix(colour, SLICE_INK, point.x > end ? 0.5 * ray : ray);
+    float eye = length(point) / unit;
+    colour = mix(colour, SLICE_INK, discCover(eye, 6.0 * pen));
+    colour = mix(colour, SLICE_PAPER, discCover(eye, 4.2 * pen));
+    colour = mix(colour, SLICE_INK, discCover(eye, 2.2 * pen));
+    float hit = length(point - vec2(end, 0.0)) / unit;
+    return mix(colour, SLICE_INK, iMarchHit ? lineCover(hit - 5.5 * pen, 1.6 * pen) : 0.0);
+}
+
+// The axis along the bottom: scene units along the ray, 0 at the eye.
+vec3 sliceAxis(vec3 colour, vec2 point, vec2 pixel)
+{
+    float pen = slicePen();
+    float cell = max(1.0, floor(iResolution.y / 180.0));
+    float top = 13.0 * cell;
+    if (iResolution.y < 8.0 * top || pixel.y > top + pen)
+        return colour;
+    colour = mix(colour, SLICE_PAPER, pixel.y < top ? 0.85 : 0.0);
+    float small = iSliceLine * floor(point.x / iSliceLine + 0.5);
+    float tick = floor(point.x / iSliceTick + 0.5);
+    float mark = lineCover(pixel.y - top, pen);
+    if (pixel.y > top - 1.5 * cell)
+        mark = max(mark, lineCover((point.x - small) / iSliceFrame.z, pen));
+    if (pixel.y > top - 3.0 * cell)
+        mark = max(mark, lineCover((point.x - tick * iSliceTick) / iSliceFrame.z, 1.3 * pen));
+    int number = int(tick) * iSliceTickScaled;
+    float width = float(numberWidth(number, iSliceDecimals));
+    float place = floor((tick * iSliceTick - iSliceFrame.x) / iSliceFrame.z / cell);
+    vec2 corner = vec2(place - floor(0.5 * width), 3.0);
+    if (numberCell(number, iSliceDecimals, floor(pixel / cell) - corner))
+        mark = 1.0;
+    return mix(colour, SLICE_INK, mark);
+}
+
+// The view.
+//   pixel  in pixels of the picture
+vec3 sliceView(vec2 pixel)
+{
+    Ray ray = pixelRay(screenPosition(iMarchPixel));
+    vec3 across = iCameraUp - dot(iCameraUp, ray.direction) * ray.direction;
+    if (length(across) < 0.001) // a ray straight up: any plane that holds it
+        across = iCameraForward - dot(iCameraForward, ray.direction) * ray.direction;
+    across = normalize(across);
+    vec2 point = iSliceFrame.xy + pixel * iSliceFrame.z;
+    vec3 p = ray.origin + point.x * ray.direction + point.y * across;
+    vec3 colour = sliceField(sceneDistance(p), sliceSlope(p, ray.direction, across));
+    colour = sliceMarch(colour, point, pixel);
+    return sliceAxis(sliceRay(colour, point), point, pixel);
+}
+
+#endif

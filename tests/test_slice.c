@@ -1,0 +1,358 @@
+// test_slice.c - the slice view: the march that it draws is the one of the table, and its colours
+// are those of the scene's distance in double precision.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "../common/slice.h"
+#include "support_gpu.h"
+#include "support_mirror.h"
+#include "support_scratch.h"
+
+enum { WIDTH = 640, HEIGHT = 360, AXIS = 29, LABELS = 20 }; // pixels
+
+// Half of shaders/slice.glsl's ink lies on a light pixel: less red than this.
+#define INKED 0.55f
+
+static struct gpu gpu;
+
+static int open_all(void **unused)
+{
+    (void)unused;
+    scratch_make();
+    return gpu_open(&gpu) ? 0 : -1;
+}
+
+static int close_all(void **unused)
+{
+    (void)unused;
+    gpu_close(&gpu);
+    scratch_remove();
+    return 0;
+}
+
+// One slice: its table, its frame, its pixels.
+struct slice {
+    struct renderer_inputs inputs;
+    struct renderer_probe probe;
+    struct slice_frame frame;
+    float *values;
+};
+
+static struct slice *slice_of(const struct camera *camera, int x, int y, float zoom)
+{
+    struct slice *slice = calloc(1, sizeof *slice);
+    assert_non_null(slice);
+    slice->inputs = (struct renderer_inputs){.width = WIDTH,
+                                             .height = HEIGHT,
+                                             .camera = *camera,
+                                             .samples = 1,
+                                             .pixel = {x, y},
+                                             .zoom = zoom};
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_SLICE));
+    slice->values = gpu_numbers(&gpu, &slice->inputs);
+    assert_non_null(slice->values);
+    assert_true(renderer_probe(&gpu.renderer, &slice->inputs, x, y, &slice->probe));
+    slice->frame = slice_frame_of(&slice->probe, WIDTH, HEIGHT, zoom);
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    return slice;
+}
+
+static void slice_free(struct slice *slice)
+{
+    free(slice->values);
+    free(slice);
+}
+
+// The pixel that holds a point of the plane, or NULL outside of the picture and on the axis.
+//   offset  receives (along, across) of the pixel's centre; may be NULL
+static const float *pixel_at(const struct slice *slice, double along, double across, double at[2])
+{
+    const struct slice_frame *frame = &slice->frame;
+    double x = floor((along - (double)frame->left) / (double)frame->unit);
+    double y = floor((across - (double)frame->bottom) / (double)frame->unit);
+    if (x < 0.0 || x >= WIDTH || y < AXIS || y >= HEIGHT)
+        return NULL;
+    if (at != NULL) {
+        at[0] = (double)frame->left + (x + 0.5) * (double)frame->unit;
+        at[1] = (double)frame->bottom + (y + 0.5) * (double)frame->unit;
+    }
+    return slice->values + 4 * ((int)y * WIDTH + (int)x);
+}
+
+// How far a point is from what the march draws, in pixels.
+static double from_march(const struct slice *slice, const double at[2])
+{
+    double nearest = fabs(at[1]);
+    for (int k = 0; k < slice->probe.steps; k++) {
+        const struct renderer_step *step = &slice->probe.step[k];
+        double centre = hypot(at[0] - (double)step->t, at[1]);
+        nearest = fmin(nearest, fabs(centre - fabs((double)step->distance)));
+        nearest = fmin(nearest, centre);
+    }
+    return nearest / (double)slice->frame.unit;
+}
+
+// Below the ray, where no number stands: the pixels of each circle are covered by 1.15 - their
+// distance to it, for its pen is 1.3 pixels wide.
+static int check_circle(const struct slice *slice, const struct renderer_step *step)
+{
+    int seen = 0;
+    for (int degrees = 10; degrees <= 170; degrees += 4) {
+        double angle = degrees * MIRROR_PI / 180.0, radius = fabs((double)step->distance), at[2];
+        const float *pixel =
+            pixel_at(slice, (double)step->t + radius * cos(angle), -radius * sin(angle), at);
+        if (pixel == NULL || (double)pixel[3] != 1.0)
+            continue;
+        double off = fabs(hypot(at[0] - (double)step->t, at[1]) - radius);
+        double cover = fmax(0.0, 1.15 - off / (double)slice->frame.unit);
+        // 0.03: the float's rounding of a place, 2e-5 of a pixel, and nothing lighter than 1.
+        assert_true((double)pixel[0] <= 1.0 - 0.95 * fmin(cover, 1.0) + 0.03 || radius < 0.05);
+        seen += cover > 0.9;
+    }
+    return seen;
+}
+
+static void check_march(const struct slice *slice)
+{
+    int positions = 0, points = 0;
+    for (int k = 0; k < slice->probe.steps; k++) {
+        const struct renderer_step *step = &slice->probe.step[k];
+        const float *pixel = pixel_at(slice, (double)step->t, 0.0, NULL);
+        if (pixel != NULL) {
+            assert_true(pixel[0] < INKED);
+            positions++;
+        }
+        points += check_circle(slice, step);
+    }
+    print_message("# %d steps: %d positions and %d points of circles are drawn\n",
+                  slice->probe.steps, positions, points);
+    assert_true(positions >= 5 && points >= 50);
+}
+
+static double random_share(uint32_t *state)
+{
+    *state = *state * 1664525u + 1013904223u;
+    return (*state >> 8) / 16777216.0;
+}
+
+// Where nothing is drawn over the field: warm outside, blue inside, and every pixel outside lighter
+// than every one inside, for each eye.
+static void check_field(const struct slice *slice, const struct mirror_scene *scene)
+{
+    const int *pixel = slice->inputs.pixel;
+    struct mirror_ray ray = mirror_screen_ray(&slice->inputs.camera, MIRROR_FOCAL_LENGTH,
+                                              mirror_screen_x(pixel[0] + 0.5, WIDTH, HEIGHT),
+                                              mirror_screen_y(pixel[1] + 0.5, HEIGHT));
+    struct camera_basis basis = camera_basis_of(&slice->inputs.camera);
+    struct d3 up = d3_of(basis.up);
+    struct d3 across = d3_unit(d3_sub(up, d3_times(d3_dot(up, ray.direction), ray.direction)));
+    double darkest[3] = {1.0, 1.0, 1.0}, lightest[3] = {0.0, 0.0, 0.0};
+    int outside = 0, inside = 0;
+    uint32_t state = 1;
+    for (int i = 0; i < 100000; i++) {
+        double at[2];
+        double unit = (double)slice->frame.unit;
+        const float *seen =
+            pixel_at(slice, (double)slice->frame.left + random_share(&state) * WIDTH * unit,
+                     (double)slice->frame.bottom + random_share(&state) * HEIGHT * unit, at);
+        if (seen == NULL || (at[1] >= 0.0 && at[1] < LABELS * unit))
+            continue;
+        double distance =
+            mirror_distance(scene, d3_add(mirror_at(ray, at[0]), d3_times(at[1], across)), NULL);
+        bool drawn = hypot(at[0], at[1]) < 8.0 * unit || from_march(slice, at) < 8.0;
+        if (drawn || fabs(distance) < 2.2 * unit) // the surface is a line 3.2 pixels wide
+            continue;
+        assert_true(distance > 0.0 ? seen[0] > seen[2] : seen[2] > seen[0]);
+        for (int eye = 0; eye < 3; eye++) {
+            double lightness = mirror_lightness(d3_of(seen), (enum mirror_vision)eye);
+            if (distance > 0.0)
+                darkest[eye] = fmin(darkest[eye], lightness);
+            else
+                lightest[eye] = fmax(lightest[eye], lightness);
+        }
+        outside += distance > 0.0;
+        inside += distance < 0.0;
+    }
+    print_message("# %d pixels outside from lightness %.2f %.2f %.2f up, %d inside to %.2f %.2f "
+                  "%.2f\n",
+                  outside, darkest[0], darkest[1], darkest[2], inside, lightest[0], lightest[1],
+                  lightest[2]);
+    assert_true(outside > 5000 && inside > 500);
+    for (int eye = 0; eye < 3; eye++)
+        assert_true(darkest[eye] > lightest[eye]);
+}
+
+// The rays of tests/images.txt.
+static const struct {
+    const char *stem;
+    const struct mirror_scene *scene;
+    int x, y;
+    float zoom;
+} rays[] = {
+    {"01_normal_colouring", &mirror_scene_01, 320, 180, 1.0f},
+    {"01_normal_colouring", &mirror_scene_01, 340, 140, 1.0f},
+    {"01_normal_colouring", &mirror_scene_01, 340, 140, 6.0f},
+    {"02_lighting", &mirror_scene_02, 360, 130, 1.0f},
+    {"03_shadows", &mirror_scene_02, 380, 130, 1.0f},
+};
+
+static struct slice *load_slice(size_t i)
+{
+    char shader[128];
+    struct camera camera;
+    snprintf(shader, sizeof shader, "chapters/%s.frag", rays[i].stem);
+    assert_true(gpu_load(&gpu, shader));
+    assert_true(mirror_camera(gpu.root, rays[i].stem, &camera));
+    return slice_of(&camera, rays[i].x, rays[i].y, rays[i].zoom);
+}
+
+static void the_march_of_the_table_is_drawn(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < sizeof rays / sizeof *rays; i++) {
+        struct slice *slice = load_slice(i);
+        check_march(slice);
+        slice_free(slice);
+    }
+}
+
+static void the_colours_tell_outside_from_inside(void **unused)
+{
+    (void)unused;
+    for (size_t i = 0; i < sizeof rays / sizeof *rays; i++) {
+        struct slice *slice = load_slice(i);
+        check_field(slice, rays[i].scene);
+        slice_free(slice);
+    }
+}
+
+// ---- The number of steps ----
+
+// Nothing within 0.5 of anywhere: step k stands at 0.5 k, and ends at the column's own limit.
+static const char equal_steps[] = "#include \"main.glsl\"\n"
+                                  "#include \"march.glsl\"\n"
+                                  "Ray pixelRay(vec2 screen)\n"
+                                  "{\n"
+                                  "    float column = screen.x * iResolution.y * 0.5 +\n"
+                                  "                   iResolution.x * 0.5 - 0.5;\n"
+                                  "    return Ray(vec3(column, 0.0, 0.0), vec3(0.0, 0.0, -1.0));\n"
+                                  "}\n"
+                                  "float sceneDistance(vec3 p) { return 0.5; }\n"
+                                  "vec3 rayColour(Ray ray)\n"
+                                  "{\n"
+                                  "    float far = 0.5 * ray.origin.x + 0.25;\n"
+                                  "    march(ray, 0.0, far, 0.001, 1000);\n"
+                                  "    return vec3(0.0);\n"
+                                  "}\n";
+
+// Each circle's lowest point is drawn, and there is none for a step that was not made.
+static void every_step_has_one_circle(void **unused)
+{
+    (void)unused;
+    const struct camera camera = {.position = {0.0f, 0.0f, 0.0f}};
+    assert_true(renderer_load(&gpu.renderer, scratch_write("shader.frag", equal_steps)));
+    struct slice *slice = slice_of(&camera, 2, 180, 0.5f);
+    assert_int_equal(slice->probe.steps, 3);
+    for (int k = -2; k <= 5; k++) {
+        const float *pixel = pixel_at(slice, 0.5 * k, -0.5, NULL);
+        if (pixel != NULL)
+            assert_int_equal(pixel[0] < INKED, k >= 0 && k < 3);
+    }
+    slice_free(slice);
+}
+
+// The colour of n steps in the steps view is learnt from the columns of a scene where step n is
+// known; the table has that number for the same pixel of a chapter, and the slice draws that table.
+static void the_steps_view_agrees_with_the_table(void **unused)
+{
+    (void)unused;
+    struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
+    assert_true(renderer_load(&gpu.renderer, scratch_write("shader.frag", equal_steps)));
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_STEPS));
+    float *colours = gpu_numbers(&gpu, &inputs);
+    assert_non_null(colours);
+    assert_true(gpu_load(&gpu, "chapters/01_normal_colouring.frag"));
+    assert_true(mirror_camera(gpu.root, "01_normal_colouring", &inputs.camera));
+    float *view = gpu_numbers(&gpu, &inputs);
+    assert_non_null(view);
+    struct renderer_probe *probe = malloc(sizeof *probe);
+    assert_non_null(probe);
+    static const int pixel[][2] = {{320, 180}, {340, 140}, {250, 60}, {274, 180}, {10, 300}};
+    for (size_t i = 0; i < sizeof pixel / sizeof *pixel; i++) {
+        assert_true(renderer_probe(&gpu.renderer, &inputs, pixel[i][0], pixel[i][1], probe));
+        int shown = probe->steps < 64 ? probe->steps : 64;
+        const float *seen = view + 4 * (pixel[i][1] * WIDTH + pixel[i][0]);
+        const float *expected = colours + 4 * (HEIGHT / 2 * WIDTH + shown - 1);
+        assert_memory_equal(seen, expected, 4 * sizeof(float));
+    }
+    free(probe);
+    free(view);
+    free(colours);
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+}
+
+// ---- The frame ----
+
+static struct slice_frame frame_of(enum renderer_end end, const float *t, const float *distance,
+                                   int steps, float zoom)
+{
+    struct renderer_probe *probe = calloc(1, sizeof *probe);
+    assert_non_null(probe);
+    probe->steps = steps;
+    probe->end = end;
+    for (int i = 0; i < steps; i++) {
+        probe->step[i].t = t[i];
+        probe->step[i].distance = distance[i];
+    }
+    struct slice_frame frame = slice_frame_of(probe, WIDTH, HEIGHT, zoom);
+    free(probe);
+    return frame;
+}
+
+static void assert_shows(struct slice_frame frame, double from, double to)
+{
+    double right = (double)frame.left + WIDTH * (double)frame.unit;
+    assert_true((double)frame.left <= from && right >= to);
+    double tick = (double)frame.digits[0] / pow(10.0, frame.digits[1]);
+    assert_true(fabs(tick - (double)frame.tick) <= 1e-6 * tick);
+    double ticks = (right - (double)frame.left) / (double)frame.tick;
+    assert_true(ticks > 3.0 && ticks < 9.0);
+}
+
+static void the_frame_shows_the_march(void **unused)
+{
+    (void)unused;
+    const float hit_t[] = {0.0f, 3.0f, 4.0f}, hit[] = {3.0f, 1.0f, 1e-4f};
+    assert_shows(frame_of(RENDERER_HIT, hit_t, hit, 3, 1.0f), 0.0, 4.2);
+    const float miss_t[] = {0.0f, 2.0f, 4.0f, 12.0f, 30.0f},
+                miss[] = {2.0f, 0.1f, 8.0f, 18.0f, 40.0f};
+    struct slice_frame frame = frame_of(RENDERER_PASSED, miss_t, miss, 5, 1.0f);
+    assert_shows(frame, 0.0, 2.2);
+    assert_true((double)frame.left + WIDTH * (double)frame.unit < 12.0);
+    for (float zoom = SLICE_ZOOM_MINIMUM; zoom <= SLICE_ZOOM_MAXIMUM; zoom *= 1.1f)
+        assert_shows(frame_of(RENDERER_PASSED, miss_t, miss, 5, zoom), 2.0, 2.0);
+    // No march, one that ends where it starts, and distances that are no numbers.
+    assert_shows(frame_of(RENDERER_NO_MARCH, NULL, NULL, 0, 1.0f), 0.0, 1.0);
+    const float zero[] = {0.0f}, nan[] = {NAN};
+    assert_shows(frame_of(RENDERER_HIT, zero, zero, 1, 1.0f), 0.0, 0.5);
+    assert_shows(frame_of(RENDERER_GAVE_UP, zero, nan, 1, 1.0f), 0.0, 0.5);
+    assert_shows(frame_of(RENDERER_GAVE_UP, nan, nan, 1, 1.0f), 0.0, 0.5);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_march_of_the_table_is_drawn),
+        cmocka_unit_test(the_colours_tell_outside_from_inside),
+        cmocka_unit_test(every_step_has_one_circle),
+        cmocka_unit_test(the_steps_view_agrees_with_the_table),
+        cmocka_unit_test(the_frame_shows_the_march),
+    };
+    return cmocka_run_group_tests_name("slice", tests, open_all, close_all);
+}
