@@ -45,12 +45,14 @@ struct slice_frame slice_frame_of(const struct renderer_probe *probe, int width,
         centre = (double)nearest->t;
         end = last;
         if (probe->end == RENDERER_PASSED)
-            end = fmin(last, 1.35 * centre + 2.0 * fabs((double)nearest->distance));
+            end = fmin(last, 1.5 * centre + 2.0 * fabs((double)nearest->distance));
         else
             end = last * (1.0 + BEYOND);
     }
-    if (!(end > 0.0 && end < 1e9)) // a march that starts at the surface, or a broken distance
-        end = centre > 0.0 && centre < 1e9 ? centre : 1.0;
+    if (!(fabs(centre) < 1e9)) // a broken distance
+        centre = 0.0;
+    if (!(end > 0.0 && end < 1e9)) // or a march that starts at the surface
+        end = fmax(centre, 1.0);
     double times = zoom > 0.0f ? (double)zoom : 1.0;
     double left = -BEHIND * end;
     double shown = (1.0 + BEHIND) * end;

@@ -89,7 +89,8 @@ int stepNumber(int step, vec2 pixel, vec2 position, float room)
     float width = float(numberWidth(step, 0));
     vec2 place = floor(pixel / cell) - floor(position / cell) + vec2(floor(0.5 * width), -4.0);
     bool ground = place.x >= -1.0 && place.x <= width && place.y >= -1.0 && place.y <= 5.0;
-    if (!ground || room < (width + 4.0) * cell)
+    bool cut = abs(position.x - 0.5 * iResolution.x) > 0.5 * (iResolution.x - (width + 2.0) * cell);
+    if (!ground || cut || room < (width + 4.0) * cell)
         return 0;
     return numberCell(step, 0, place) ? 2 : 1;
 }
