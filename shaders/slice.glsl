@@ -96,6 +96,7 @@ int stepNumber(int step, vec2 pixel, vec2 position, float room)
 }
 
 // Every step over a colour: what the circles prove empty, the circles, the positions, the numbers.
+// A circle whose middle lies off the picture is pale: such circles are large and crowd together.
 //   point  (along, across)
 vec3 sliceMarch(vec3 colour, vec2 point, vec2 pixel)
 {
@@ -108,9 +109,10 @@ vec3 sliceMarch(vec3 colour, vec2 point, vec2 pixel)
         float from = length(point - vec2(step.x, 0.0)) / unit;
         float radius = abs(step.y) / unit;
         empty = max(empty, discCover(from, radius));
-        circles = max(circles, lineCover(from - radius, 1.3 * pen));
-        dots = max(dots, discCover(from, pen * clamp(0.2 * radius / pen, 1.0, 2.6)));
         vec2 position = (vec2(step.x, 0.0) - iSliceFrame.xy) / unit;
+        bool shown = position.x >= 0.0 && position.x <= iResolution.x;
+        circles = max(circles, (shown ? 1.0 : 0.4) * lineCover(from - radius, 1.3 * pen));
+        dots = max(dots, discCover(from, pen * clamp(0.2 * radius / pen, 1.0, 2.6)));
         number = max(number, stepNumber(k, pixel, position, k == 0 ? radius : min(radius, before)));
         before = radius;
     }
