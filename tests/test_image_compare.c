@@ -130,7 +130,7 @@ static void the_difference_can_be_seen(void **state)
     static const unsigned char before[] = {10, 20, 255, 0, 100, 100};
     static const unsigned char after[] = {10, 21, 0, 255, 90, 131};
     static const unsigned char expected[] = {128, 132, 0, 255, 88, 252};
-    struct image a, b, picture;
+    struct image a = {0}, b = {0}, picture = {0};
     assert_true(image_create(&a, 2, 1) && image_create(&b, 2, 1));
     memcpy(a.pixel, before, sizeof before);
     memcpy(b.pixel, after, sizeof after);

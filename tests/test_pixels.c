@@ -154,15 +154,13 @@ static int close_gpu(void **unused)
     return 0;
 }
 
-static struct mirror_sample sample_at(const struct mirror_picture *picture,
-                                      const struct camera *camera, int x, int y)
+static struct mirror_eye eye_at(const struct mirror_picture *picture, const struct camera *camera,
+                                int x, int y)
 {
-    struct mirror_eye eye = {.camera = *camera,
-                             .time = picture->time,
-                             .x = mirror_screen_x(x + 0.5, WIDTH, HEIGHT),
-                             .y = mirror_screen_y(y + 0.5, HEIGHT)};
-    struct mirror_sample sample = picture->sample(&eye);
-    return sample;
+    return (struct mirror_eye){.camera = *camera,
+                               .time = picture->time,
+                               .x = mirror_screen_x(x + 0.5, WIDTH, HEIGHT),
+                               .y = mirror_screen_y(y + 0.5, HEIGHT)};
 }
 
 static void name_of(const struct mirror_sample *sample, char *name, size_t size)
@@ -178,7 +176,8 @@ static void check_place(const struct mirror_picture *picture, const struct camer
     for (int dy = -2; dy <= 2; dy++)
         for (int dx = -2; dx <= 2; dx++) {
             char name[64];
-            struct mirror_sample sample = sample_at(picture, camera, pixel->x + dx, pixel->y + dy);
+            struct mirror_eye eye = eye_at(picture, camera, pixel->x + dx, pixel->y + dy);
+            struct mirror_sample sample = picture->sample(&eye);
             name_of(&sample, name, sizeof name);
             assert_string_equal(name, pixel->what);
         }
@@ -206,7 +205,8 @@ static void check_pixels(const struct mirror_picture *picture, const struct came
         if (strcmp(pixel->picture, picture->name) != 0)
             continue;
         check_place(picture, camera, pixel);
-        struct d3 colour = sample_at(picture, camera, pixel->x, pixel->y).colour;
+        struct mirror_eye eye = eye_at(picture, camera, pixel->x, pixel->y);
+        struct d3 colour = picture->sample(&eye).colour;
         const float *v = values + 4 * (pixel->y * WIDTH + pixel->x);
         struct d3 got =
             d3(mirror_clamp((double)v[0]), mirror_clamp((double)v[1]), mirror_clamp((double)v[2]));
