@@ -133,7 +133,7 @@ double measure_outline_theory(double threshold)
 // ------------------------------------------------------------------------------------------
 
 // Count the stage's pixels that are lit, with their neighbours, and those of them that the picture
-// shows at less than half their light.
+// shows at less than 0.7 of their light.
 static void count_acne(const struct mirror_picture *picture, const struct camera *camera,
                        const float *values, int *lit, int *dark)
 {
