@@ -43,7 +43,6 @@ struct slice_frame slice_frame_of(const struct renderer_probe *probe, int width,
         const struct renderer_step *nearest = nearest_step(probe, steps);
         double last = (double)probe->step[steps - 1].t;
         centre = (double)nearest->t;
-        end = last;
         if (probe->end == RENDERER_PASSED)
             end = fmin(last, 1.5 * centre + 2.0 * fabs((double)nearest->distance));
         else

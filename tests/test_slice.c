@@ -337,8 +337,11 @@ static void the_frame_shows_the_march(void **unused)
     struct slice_frame frame = frame_of(RENDERER_PASSED, miss_t, miss, 5, 1.0f);
     assert_shows(frame, 0.0, 2.2);
     assert_true((double)frame.left + WIDTH * (double)frame.unit < 12.0);
-    for (float zoom = SLICE_ZOOM_MINIMUM; zoom <= SLICE_ZOOM_MAXIMUM; zoom *= 1.1f)
+    for (int i = 0; i <= 100; i++) {
+        double zooms = (double)SLICE_ZOOM_MAXIMUM / (double)SLICE_ZOOM_MINIMUM;
+        float zoom = SLICE_ZOOM_MINIMUM * (float)pow(zooms, i / 100.0);
         assert_shows(frame_of(RENDERER_PASSED, miss_t, miss, 5, zoom), 2.0, 2.0);
+    }
     // No march, one that ends where it starts, and distances that are no numbers.
     assert_shows(frame_of(RENDERER_NO_MARCH, NULL, NULL, 0, 1.0f), 0.0, 1.0);
     const float zero[] = {0.0f}, nan[] = {NAN};
