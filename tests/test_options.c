@@ -233,7 +233,7 @@ static void test_probes(void **state)
 static void test_names(void **state)
 {
     (void)state;
-    assert_refused("-v slice", "there are picture, normals, depth, steps");
+    assert_refused("-v colours", "there are picture, normals, depth, steps, slice");
     assert_refused("-v probe", "no such view");
     assert_refused("-v ''", "no such view");
     assert_refused("-b vulkan", "there are glfw, egl, osmesa");

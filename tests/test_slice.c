@@ -143,51 +143,69 @@ static double random_share(uint32_t *state)
     return (*state >> 8) / 16777216.0;
 }
 
-// Where nothing is drawn over the field: warm outside, blue inside, and every pixel outside lighter
-// than every one inside, for each eye.
-static void check_field(const struct slice *slice, const struct mirror_scene *scene)
+// What check_field saw on one side of the surface.
+struct side {
+    int pixels;
+    double darkest[3], lightest[3]; // for each eye
+};
+
+static void add_colour(struct side *side, const float *colour)
+{
+    for (int eye = 0; eye < 3; eye++) {
+        double lightness = mirror_lightness(d3_of(colour), (enum mirror_vision)eye);
+        side->darkest[eye] = side->pixels > 0 ? fmin(side->darkest[eye], lightness) : lightness;
+        side->lightest[eye] = fmax(side->lightest[eye], lightness);
+    }
+    side->pixels++;
+}
+
+// The plane of the slice: along is the ray, across the camera's up without its part along the ray.
+static struct mirror_ray plane_of(const struct slice *slice, struct d3 *across)
 {
     const int *pixel = slice->inputs.pixel;
     struct mirror_ray ray = mirror_screen_ray(&slice->inputs.camera, MIRROR_FOCAL_LENGTH,
                                               mirror_screen_x(pixel[0] + 0.5, WIDTH, HEIGHT),
                                               mirror_screen_y(pixel[1] + 0.5, HEIGHT));
-    struct camera_basis basis = camera_basis_of(&slice->inputs.camera);
-    struct d3 up = d3_of(basis.up);
-    struct d3 across = d3_unit(d3_sub(up, d3_times(d3_dot(up, ray.direction), ray.direction)));
-    double darkest[3] = {1.0, 1.0, 1.0}, lightest[3] = {0.0, 0.0, 0.0};
-    int outside = 0, inside = 0;
+    struct d3 up = d3_of(camera_basis_of(&slice->inputs.camera).up);
+    *across = d3_unit(d3_sub(up, d3_times(d3_dot(up, ray.direction), ray.direction)));
+    return ray;
+}
+
+// True where something is drawn over the field: the eye, the march, a number.
+static bool is_covered(const struct slice *slice, const double at[2])
+{
+    double unit = (double)slice->frame.unit;
+    return hypot(at[0], at[1]) < 8.0 * unit || (at[1] >= 0.0 && at[1] < LABELS * unit) ||
+           from_march(slice, at) < 8.0;
+}
+
+// Where the field is bare: warm outside, blue inside, and every pixel outside lighter than every
+// one inside, for each eye.
+static void check_field(const struct slice *slice, const struct mirror_scene *scene)
+{
+    struct d3 across;
+    struct mirror_ray ray = plane_of(slice, &across);
+    struct side outside = {0}, inside = {0};
+    double unit = (double)slice->frame.unit;
     uint32_t state = 1;
     for (int i = 0; i < 100000; i++) {
-        double at[2];
-        double unit = (double)slice->frame.unit;
-        const float *seen =
-            pixel_at(slice, (double)slice->frame.left + random_share(&state) * WIDTH * unit,
-                     (double)slice->frame.bottom + random_share(&state) * HEIGHT * unit, at);
-        if (seen == NULL || (at[1] >= 0.0 && at[1] < LABELS * unit))
+        double along = (double)slice->frame.left + random_share(&state) * WIDTH * unit, at[2];
+        double up = (double)slice->frame.bottom + random_share(&state) * HEIGHT * unit;
+        const float *seen = pixel_at(slice, along, up, at);
+        if (seen == NULL || is_covered(slice, at))
             continue;
-        double distance =
-            mirror_distance(scene, d3_add(mirror_at(ray, at[0]), d3_times(at[1], across)), NULL);
-        bool drawn = hypot(at[0], at[1]) < 8.0 * unit || from_march(slice, at) < 8.0;
-        if (drawn || fabs(distance) < 2.2 * unit) // the surface is a line 3.2 pixels wide
+        struct d3 p = d3_add(mirror_at(ray, at[0]), d3_times(at[1], across));
+        double distance = mirror_distance(scene, p, NULL);
+        if (fabs(distance) < 2.2 * unit) // the surface is a line 3.2 pixels wide
             continue;
         assert_true(distance > 0.0 ? seen[0] > seen[2] : seen[2] > seen[0]);
-        for (int eye = 0; eye < 3; eye++) {
-            double lightness = mirror_lightness(d3_of(seen), (enum mirror_vision)eye);
-            if (distance > 0.0)
-                darkest[eye] = fmin(darkest[eye], lightness);
-            else
-                lightest[eye] = fmax(lightest[eye], lightness);
-        }
-        outside += distance > 0.0;
-        inside += distance < 0.0;
+        add_colour(distance > 0.0 ? &outside : &inside, seen);
     }
-    print_message("# %d pixels outside from lightness %.2f %.2f %.2f up, %d inside to %.2f %.2f "
-                  "%.2f\n",
-                  outside, darkest[0], darkest[1], darkest[2], inside, lightest[0], lightest[1],
-                  lightest[2]);
-    assert_true(outside > 5000 && inside > 500);
+    print_message("# %d pixels outside from lightness %.2f up, %d inside to %.2f\n", outside.pixels,
+                  outside.darkest[0], inside.pixels, inside.lightest[0]);
+    assert_true(outside.pixels > 5000 && inside.pixels > 500);
     for (int eye = 0; eye < 3; eye++)
-        assert_true(darkest[eye] > lightest[eye]);
+        assert_true(outside.darkest[eye] > inside.lightest[eye]);
 }
 
 // The rays of tests/images.txt.
