@@ -15,11 +15,12 @@ vec3 normalView()
     return trace.normals > 0 ? 0.5 * trace.normal + 0.5 : VIEW_NOTHING;
 }
 
-// Where the first march ended: white at the eye, darker with the distance, 1 / (1 + (t / 5)^2). A
-// miss is a blue that no depth has.
+// Where the first march ended: white at the eye, darker with the distance, 1 / (1 + (t / 6)^4): the
+// greys change most around 6 units, where the scenes stand. A miss is a blue that no depth has.
 vec3 depthView()
 {
-    return trace.end == END_HIT ? vec3(1.0 / (1.0 + trace.t * trace.t / 25.0)) : VIEW_NOTHING;
+    float square = trace.t * trace.t / 36.0;
+    return trace.end == END_HIT ? vec3(1.0 / (1.0 + square * square)) : VIEW_NOTHING;
 }
 
 // Colours, as the screen expects them, from night blue over teal and green to yellow. The lightness
