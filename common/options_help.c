@@ -16,6 +16,8 @@ static const struct {
     {"-a, --samples N", "N x N samples a pixel, 1 to 8", "1"},
     {"-v, --view NAME", "picture, normals, depth or steps", "picture"},
     {"    --probe X,Y", "print the march of a pixel's ray as CSV; 0,0 is bottom left", ""},
+    {"    --overlay[=SCALE]", "scale of the overlay, 0.5 to 8; draws it into a written picture too",
+     "by the picture's height"},
     {"-b, --backend NAME", "glfw, egl or osmesa",
      "glfw for a window; egl, osmesa, glfw for a file"},
     {"-f, --shader FILE", "run this fragment shader instead of the chapter's", ""},
@@ -31,12 +33,13 @@ static const char controls[] =
     "  W A S D            move, by the keys' places on an American keyboard\n"
     "  Space, C           up, down (or Left Ctrl); Left Shift moves faster\n"
     "  drag               look; M captures and frees the mouse\n"
+    "  click              show the march of a pixel's ray; again hides it\n"
     "  wheel              focal length\n"
     "  1 2 3 4            views: picture, normals, depth, steps\n"
     "  up, down           choose a parameter\n"
     "  left, right        change it, with Shift ten steps; Home resets it\n"
     "  Escape, R          pause and resume; restart the time\n"
-    "  P, F11             write a screenshot; full screen\n"
+    "  H, P, F11          hide and show the overlay; write a screenshot; full screen\n"
     "  Backspace          end\n";
 
 void options_print_help(FILE *file, const char *program, const char *title, const char *shows)

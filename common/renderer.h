@@ -7,6 +7,7 @@
 #include "camera.h"
 #include "context.h"
 #include "image.h"
+#include "overlay.h"
 #include "parameter.h"
 #include "shader.h"
 
@@ -22,6 +23,7 @@ struct renderer_inputs {
     int frame;            // number of the frame; 0 for a file
     float mouse[4];       // Shadertoy's iMouse; zeros for a file
     int samples;          // along each side of a pixel
+    int pixel[2];         // the pixel whose ray is looked at, 0,0 bottom left; -1,-1: none
 };
 
 // Everything needed to draw one shader file. Opened once; a shader is loaded into it, and loaded
@@ -37,6 +39,7 @@ struct renderer {
     GLuint program[SHADER_PROGRAM_COUNT]; // by view, compiled when first asked for
     GLuint vertex_array, framebuffer, texture;
     int target_width, target_height; // pixels of the float target
+    const struct overlay *overlay;   // drawn over every written picture, not owned; NULL: none
 };
 
 // One row of a probe: what the march knew after evaluating the distance once.
@@ -81,7 +84,8 @@ bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inpu
 // Copy what renderer_draw drew into the framebuffer of the window, scaled to its size.
 void renderer_present(struct renderer *renderer, int framebuffer_width, int framebuffer_height);
 
-// Draw a whole picture and read it back: value v becomes floor(255 clamp(v, 0, 1) + 0.5).
+// Draw a whole picture, with the overlay where there is one, and read it back: value v becomes
+// floor(255 clamp(v, 0, 1) + 0.5).
 // The caller frees image. Returns false, reported.
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
                       struct image *image);
