@@ -121,26 +121,45 @@ static void status_text(const struct panel *panel, char *text, size_t size)
         snprintf(text + used, size - used, "    1/%d resolution while moving", panel->divisor);
 }
 
-static void write_chapter(const struct panel *panel, struct overlay *overlay)
+// The first of the parameters to show where there is room for a number of them: the chosen one
+// stays in sight.
+static int first_shown(const struct panel *panel, int room)
 {
     const struct parameters *parameters = &panel->renderer->parameters;
-    char status[160];
+    const struct parameter *chosen =
+        panel->chosen != NULL ? parameters_find(parameters, panel->chosen) : NULL;
+    int index = chosen != NULL ? (int)(chosen - parameters->item) : 0;
+    return index < room ? 0 : index - room + 1;
+}
+
+// The parameters that fit above bottom; where some do not, a line says which these are.
+static void write_chapter(const struct panel *panel, struct overlay *overlay, float bottom)
+{
+    const struct parameters *parameters = &panel->renderer->parameters;
+    char status[160], part[64];
     float width[COLUMNS] = {0};
     status_text(panel, status, sizeof status);
     float table = measure_columns(parameters, width);
     float whole = larger(larger(overlay_width(panel->title), overlay_width(status)), table);
-    int lines = 2 + parameters->count;
-    float height = LINE * ((float)lines + (parameters->count > 0 ? 0.5f : 0.0f)) - 2.0f;
-    struct pen pen = open_panel(overlay, MARGIN, MARGIN, whole, height);
+    int room = (int)((bottom - MARGIN - 2.0f * PADDING + 2.0f) / LINE - 2.5f);
+    bool cut = parameters->count > room;
+    room = cut ? (room > 1 ? room - 1 : 0) : parameters->count;
+    float lines = 2.0f + (float)room + (cut ? 1.0f : 0.0f) + (parameters->count > 0 ? 0.5f : 0.0f);
+    struct pen pen = open_panel(overlay, MARGIN, MARGIN, whole, LINE * lines - 2.0f);
     write_line(&pen, panel->title, BRIGHT);
     write_line(&pen, status, PLAIN);
     if (parameters->count > 0)
         rule(&pen, whole);
-    for (int i = 0; i < parameters->count; i++) {
+    int first = first_shown(panel, room);
+    for (int i = first; i < first + room; i++) {
         const struct parameter *parameter = &parameters->item[i];
         bool chosen = panel->chosen != NULL && strcmp(panel->chosen, parameter->name) == 0;
         write_parameter(&pen, parameter, chosen, width, whole);
     }
+    snprintf(part, sizeof part, "%d to %d of %d", room > 0 ? first + 1 : 0, first + room,
+             parameters->count);
+    if (cut)
+        write_line(&pen, part, DIM);
 }
 
 // ---- Keys ----
@@ -320,10 +339,10 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
                   float scale)
 {
     overlay_begin(overlay, width, height, scale);
-    if (!panel->folded)
-        write_chapter(panel, overlay);
     float bottom = write_keys(panel, overlay);
     bottom = write_error(panel, overlay, bottom);
+    if (!panel->folded)
+        write_chapter(panel, overlay, bottom);
     if (panel->pixel[0] >= 0 && panel->probe != NULL)
         write_march(panel, overlay, bottom);
     else if (panel->pixel[0] >= 0 && panel->why != NULL)
