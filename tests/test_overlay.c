@@ -181,8 +181,8 @@ static void a_panel_fits_any_picture(void **unused)
                           .error = error};
     static const int sizes[][2] = {{1, 1}, {30, 20}, {320, 200}, {16384, 1}, {1, 16384}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-        for (float scale = 0.5f; scale <= 8.0f; scale *= 2.0f)
-            panel_gather(&panel, &overlay, sizes[i][0], sizes[i][1], scale);
+        for (int power = -1; power <= 3; power++)
+            panel_gather(&panel, &overlay, sizes[i][0], sizes[i][1], ldexpf(1.0f, power));
 }
 
 static void the_last_report_is_kept(void **unused)
