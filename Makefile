@@ -64,12 +64,12 @@ all: ## build every chapter's program into build/ (the default)
 	@$(AGAIN) programs
 
 programs: $(PROGRAMS)
-tests: $(TESTS) $(BUILD)/tests/compare
+tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure
 
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-$(TESTS): $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
+$(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 $(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/image.o $(BUILD)/common/report.o $(EXTRA)

@@ -13,23 +13,23 @@ uniform bool  sun;          // false: light from a direction, as the sun's, inst
 uniform bool  shadows;      // true: ask whether the light is in sight
 uniform float shadowOffset; // 4 in [0, 40] step 0.25, times the threshold: where a shadow ray starts above the surface
 uniform bool  clipped;      // true: march only inside the box that holds the scene
-uniform vec3  lampColour;   // 1.0, 0.72, 0.45 in [0, 4], linear RGB: the lamp's light at the reference distance
 uniform float lampHeight;   // 4.6 in [0.5, 8] step 0.1, scene units: height of the lamp over the stage
 uniform float lampSpeed;    // 20 in [0, 180] step 5, degrees per second: how fast the lamp circles
-uniform vec3  coldColour;   // 0.06, 0.14, 0.3 in [0, 4], linear RGB: the light of the second lamp, which casts no shadow
-uniform vec3  ambient;      // 0.012, 0.02, 0.035 in [0, 1], linear RGB: light that comes from everywhere
-uniform bool  falloff;      // true: a lamp weakens with the square of the distance; the report leaves this out
-uniform vec3  objectColour; // 0.95, 0.9, 0.85 in [0, 1], linear RGB: the share of each colour that the surface sends back
-uniform bool  encoded;      // true: turn linear light into the numbers a screen expects
 uniform int   maxSteps;     // 256 in [1, 1024]: steps before a ray is given up
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
 
-const float FAR = 40.0;                       // a ray that has travelled so far sees the sky
-const float REFERENCE = 6.0;                  // where the lamp's light is lampColour, scene units
-const vec3  COLD_LAMP = vec3(-5.0, 3.0, 4.0); // position of the second lamp
-const vec3  LOW = vec3(-2.65, -0.25, -2.25);  // opposite corners of a box that holds the scene
+const float FAR = 40.0;                           // a ray that has travelled so far sees the sky
+const vec3  LOW = vec3(-2.65, -0.25, -2.25);      // opposite corners of a box that holds the scene
 const vec3  HIGH = vec3(2.65, 2.45, 2.25);
+
+// The light of chapter 02, linear RGB: what were its parameters are constants here.
+const vec3  LAMP_COLOUR = vec3(1.0, 0.72, 0.45);  // of the lamp that circles
+const vec3  COLD_COLOUR = vec3(0.06, 0.14, 0.3);  // of the second lamp, which casts no shadow
+const vec3  COLD_LAMP = vec3(-5.0, 3.0, 4.0);     // its position
+const float REFERENCE = 6.0;                      // where a lamp's light is its colour, scene units
+const vec3  AMBIENT = vec3(0.012, 0.02, 0.035);   // light that comes from everywhere
+const vec3  OBJECT_COLOUR = vec3(0.95, 0.9, 0.85);
 
 Ray pixelRay(vec2 screen)
 {
@@ -58,8 +58,7 @@ vec3 lampPosition()
 vec3 lampLight(vec3 normal, vec3 toLamp, vec3 colour)
 {
     float distance = length(toLamp);
-    float weakened = falloff ? fallOff(distance, REFERENCE) : 1.0;
-    return colour * weakened * lambert(normal, toLamp / distance);
+    return colour * fallOff(distance, REFERENCE) * lambert(normal, toLamp / distance);
 }
 
 // The interval of a ray in which there is something to hit.
@@ -83,7 +82,7 @@ vec3 warmLight(vec3 p, vec3 normal)
     vec3 toLamp = sun ? lampPosition() : lampPosition() - p;
     float distance = length(toLamp);
     float seen = visibility(p, normal, toLamp / distance, sun ? FAR : distance);
-    return seen * lampLight(normal, toLamp, lampColour);
+    return seen * lampLight(normal, toLamp, LAMP_COLOUR);
 }
 
 // A dark sky, lighter towards the horizon.
@@ -100,8 +99,8 @@ vec3 rayColour(Ray ray)
     if (hit.found) {
         vec3 p = ray.origin + hit.t * ray.direction;
         vec3 normal = normalAt(p, normalStep);
-        vec3 coldLight = lampLight(normal, COLD_LAMP - p, coldColour);
-        light = objectColour * (ambient + warmLight(p, normal) + coldLight);
+        vec3 coldLight = lampLight(normal, COLD_LAMP - p, COLD_COLOUR);
+        light = OBJECT_COLOUR * (AMBIENT + warmLight(p, normal) + coldLight);
     }
-    return encoded ? encodeSRGB(light) : light;
+    return encodeSRGB(light);
 }

@@ -20,8 +20,8 @@ float fallOff(float distance, float reference)
     return ratio * ratio;
 }
 
-// From linear light to the numbers that a screen expects, so that half the light looks half as
-// bright as it should, and no darker.
+// From linear light to the numbers that a screen expects, so that the screen, which decodes them,
+// sends out the light that was computed.
 //   light    linear red, green, blue; clamped to [0, 1] first, per channel
 //   formula  12.92 v up to 0.0031308, 1.055 v^(1/2.4) - 0.055 above
 // Source: IEC 61966-2-1 (sRGB).

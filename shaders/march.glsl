@@ -13,8 +13,9 @@ struct Hit {
 //              an empty interval (tMin >= tMax) is a miss that costs nothing
 //   threshold  a distance below which the surface counts as reached, scene units, > 0
 //   maxSteps   evaluations before the ray is given up, at least 1
-//   returns    found: the first point where the scene is nearer than threshold. It lies at most
-//              threshold / |cos| of the angle to the normal before a flat surface, never behind it
+//   returns    found: the first point of the walk at which the scene is nearer than threshold. It
+//              lies at most threshold / |cos| of the angle to the normal before a flat surface, never
+//              behind it
 // Needs a scene distance that is a lower bound of the true one; then no surface is stepped over.
 // Source: J. C. Hart, 'Sphere tracing', The Visual Computer 12 (1996); report, section 1.4.
 Hit march(Ray ray, float tMin, float tMax, float threshold, int maxSteps)

@@ -28,7 +28,12 @@ bool gpu_load(struct gpu *gpu, const char *shader)
 {
     char path[8192];
     snprintf(path, sizeof path, "%s/%s", gpu->root, shader);
-    return renderer_load(&gpu->renderer, path);
+    if (!renderer_load(&gpu->renderer, path))
+        return false;
+    // A reload keeps the values of the shader before; a test starts from the shader's own.
+    for (int i = 0; i < gpu->renderer.parameters.count; i++)
+        parameter_reset(&gpu->renderer.parameters.item[i]);
+    return true;
 }
 
 float *gpu_numbers(struct gpu *gpu, const struct renderer_inputs *inputs)

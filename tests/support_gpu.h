@@ -20,7 +20,8 @@ const char *gpu_project_root(void);
 bool gpu_open(struct gpu *gpu);
 void gpu_close(struct gpu *gpu);
 
-// Load a shader: a path below the project's folder. False, reported.
+// Load a shader, a path below the project's folder, with its parameters as the shader says. False,
+// reported.
 bool gpu_load(struct gpu *gpu, const char *shader);
 
 // Draw the loaded shader and read the float target: 4 * width * height floats, bottom row first,

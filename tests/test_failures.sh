@@ -11,6 +11,7 @@ out=$scratch/out         # where the pictures go
 shaders=$scratch/shaders # shader files that are wrong
 mkdir "$out" "$shaders"
 chapter=$root/$BUILD/03_shadows
+lighting=$root/$BUILD/02_lighting # its parameters include vectors
 unset DISPLAY WAYLAND_DISPLAY
 
 # ---- How one run is judged ----
@@ -120,11 +121,11 @@ refuse '--list with a value' 2 '--list' "$chapter" --list=all
 
 refuse 'an unknown parameter' 2 'lampHeigth.*lampHeight' "$chapter" "${to[@]}" -p lampHeigth=2
 refuse 'a parameter out of its range' 2 '0\.5.*8' "$chapter" "${to[@]}" -p lampHeight=9
-refuse 'one component out of its range' 2 '0.*4' "$chapter" "${to[@]}" -p lampColour=1,5,1
+refuse 'one component out of its range' 2 '0.*4' "$lighting" "${to[@]}" -p lampColour=1,5,1
 for value in nan inf -nan abc '' 1e999 '2 3' 2,3; do
     refuse "lampHeight=$value" 2 'lampHeight' "$chapter" "${to[@]}" -p "lampHeight=$value"
 done
-refuse 'too few components' 2 'lampColour' "$chapter" "${to[@]}" -p lampColour=1,1
+refuse 'too few components' 2 'lampColour' "$lighting" "${to[@]}" -p lampColour=1,1
 refuse 'a truth that is none' 2 'sun' "$chapter" "${to[@]}" -p sun=perhaps
 refuse 'a whole number that is none' 2 'maxSteps' "$chapter" "${to[@]}" -p maxSteps=1.5
 refuse 'no equals sign' 2 'NAME=VALUE' "$chapter" "${to[@]}" -p lampHeight

@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <stdint.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include <cmocka.h>
@@ -15,9 +16,13 @@
 
 enum { WIDTH = 640, HEIGHT = 360 };
 
-// A pixel's byte is rounded, by at most half a step of 255. The march ends up to a threshold before
-// the surface, which moves a smooth colour by less than another half.
-#define TOLERANCE (1.0 / 255.0)
+// The march ends up to a threshold before the surface, which moves a shaded colour by at most 0.06
+// of 255 here. Where the normal itself is the colour more is seen: 0.001 before a ball of radius
+// 0.16 the normal may turn by 1.6 of 255; 0.42 at these pixels.
+static double tolerance_of(const char *picture)
+{
+    return (strcmp(picture, "01_normal_colouring") == 0 ? 0.5 : 0.1) / 255.0;
+}
 
 // A pixel, 0,0 bottom left, and what stands there, so that the choice keeps covering the scene.
 struct pixel {
@@ -149,14 +154,13 @@ static int close_gpu(void **unused)
     return 0;
 }
 
-static struct mirror_sample sample_at(const struct mirror_picture *picture,
-                                      const struct camera *camera, int x, int y)
+static struct mirror_eye eye_at(const struct mirror_picture *picture, const struct camera *camera,
+                                int x, int y)
 {
-    struct mirror_eye eye = {.camera = *camera,
-                             .time = picture->time,
-                             .x = mirror_screen_x(x + 0.5, WIDTH, HEIGHT),
-                             .y = mirror_screen_y(y + 0.5, HEIGHT)};
-    return picture->sample(&eye);
+    return (struct mirror_eye){.camera = *camera,
+                               .time = picture->time,
+                               .x = mirror_screen_x(x + 0.5, WIDTH, HEIGHT),
+                               .y = mirror_screen_y(y + 0.5, HEIGHT)};
 }
 
 static void name_of(const struct mirror_sample *sample, char *name, size_t size)
@@ -172,17 +176,52 @@ static void check_place(const struct mirror_picture *picture, const struct camer
     for (int dy = -2; dy <= 2; dy++)
         for (int dx = -2; dx <= 2; dx++) {
             char name[64];
-            struct mirror_sample sample = sample_at(picture, camera, pixel->x + dx, pixel->y + dy);
+            struct mirror_eye eye = eye_at(picture, camera, pixel->x + dx, pixel->y + dy);
+            struct mirror_sample sample = picture->sample(&eye);
             name_of(&sample, name, sizeof name);
             assert_string_equal(name, pixel->what);
         }
 }
 
-static double worst_channel(const struct image *image, const struct pixel *pixel, struct d3 colour)
+static double worst_channel(struct d3 got, struct d3 colour)
 {
-    const unsigned char *got = image->pixel + 3 * ((HEIGHT - 1 - pixel->y) * WIDTH + pixel->x);
-    return fmax(fabs(got[0] / 255.0 - colour.x),
-                fmax(fabs(got[1] / 255.0 - colour.y), fabs(got[2] / 255.0 - colour.z)));
+    return fmax(fabs(got.x - colour.x), fmax(fabs(got.y - colour.y), fabs(got.z - colour.z)));
+}
+
+// The picture's bytes are the numbers of the float target, rounded.
+static struct d3 byte_colour(const struct image *image, const struct pixel *pixel)
+{
+    const unsigned char *v = image->pixel + 3 * ((HEIGHT - 1 - pixel->y) * WIDTH + pixel->x);
+    return d3(v[0] / 255.0, v[1] / 255.0, v[2] / 255.0);
+}
+
+static void check_pixels(const struct mirror_picture *picture, const struct camera *camera,
+                         const float *values, const struct image *image)
+{
+    int count = 0;
+    double worst = 0.0;
+    for (int i = 0; i < PIXELS; i++) {
+        const struct pixel *pixel = &pixels[i];
+        if (strcmp(pixel->picture, picture->name) != 0)
+            continue;
+        check_place(picture, camera, pixel);
+        struct mirror_eye eye = eye_at(picture, camera, pixel->x, pixel->y);
+        struct d3 colour = picture->sample(&eye).colour;
+        const float *v = values + 4 * (pixel->y * WIDTH + pixel->x);
+        struct d3 got =
+            d3(mirror_clamp((double)v[0]), mirror_clamp((double)v[1]), mirror_clamp((double)v[2]));
+        double off = worst_channel(got, colour);
+        if (off > tolerance_of(picture->name))
+            print_message("# %s, pixel %d,%d (%s): off by %.2f of 255; expected %.4f %.4f %.4f\n",
+                          picture->name, pixel->x, pixel->y, pixel->what, 255.0 * off, colour.x,
+                          colour.y, colour.z);
+        assert_true(worst_channel(byte_colour(image, pixel), got) <= 0.5001 / 255.0);
+        worst = fmax(worst, off);
+        count++;
+    }
+    print_message("# %s: %d pixels, worst %.3f of 255\n", picture->name, count, 255.0 * worst);
+    assert_true(count >= 5);
+    assert_true(worst <= tolerance_of(picture->name));
 }
 
 static void check_picture(const struct mirror_picture *picture)
@@ -193,26 +232,11 @@ static void check_picture(const struct mirror_picture *picture)
     assert_true(mirror_camera(gpu.root, picture->chapter, &inputs.camera));
     assert_true(gpu_load(&gpu, picture->shader));
     assert_true(renderer_picture(&gpu.renderer, &inputs, &image));
-    int count = 0;
-    double worst = 0.0;
-    for (int i = 0; i < PIXELS; i++) {
-        const struct pixel *pixel = &pixels[i];
-        if (strcmp(pixel->picture, picture->name) != 0)
-            continue;
-        check_place(picture, &inputs.camera, pixel);
-        struct d3 colour = sample_at(picture, &inputs.camera, pixel->x, pixel->y).colour;
-        double off = worst_channel(&image, pixel, colour);
-        if (off > TOLERANCE)
-            print_message("# %s, pixel %d,%d (%s): off by %.2f of 255; expected %.4f %.4f %.4f\n",
-                          picture->name, pixel->x, pixel->y, pixel->what, 255.0 * off, colour.x,
-                          colour.y, colour.z);
-        worst = fmax(worst, off);
-        count++;
-    }
+    float *values = gpu_numbers(&gpu, &inputs);
+    assert_non_null(values);
+    check_pixels(picture, &inputs.camera, values, &image);
+    free(values);
     image_free(&image);
-    print_message("# %s: %d pixels, worst %.2f of 255\n", picture->name, count, 255.0 * worst);
-    assert_true(count >= 5);
-    assert_true(worst <= TOLERANCE);
 }
 
 static void check_named(const char *name)

@@ -1,5 +1,5 @@
 // Experiment of chapter 02: the report's colour, min(object, light) (section 1.5.5), in place of the
-// product. On white objects the two agree; an orange one under white light turns yellow.
+// product. On white objects the two agree; an orange one under dim white light turns yellow.
 //
 // The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"

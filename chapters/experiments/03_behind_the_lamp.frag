@@ -11,7 +11,7 @@
 uniform bool stopping; // false: end the shadow ray at the lamp, as it should
 
 const vec3  HUNG_LAMP = vec3(-0.3, 0.9, 0.6);
-const float HUNG_REFERENCE = 1.2; // where its light is lampColour, scene units
+const float HUNG_REFERENCE = 1.2; // where its light is LAMP_COLOUR, scene units
 
 // The lamp itself, a small disc, so that one sees where it hangs.
 //   far  where the ray ends
@@ -19,7 +19,7 @@ vec3 glow(Ray ray, float far)
 {
     float along = dot(HUNG_LAMP - ray.origin, ray.direction);
     float aside = distance(HUNG_LAMP, ray.origin + along * ray.direction);
-    return along < far ? lampColour * smoothstep(0.06, 0.04, aside) : vec3(0.0);
+    return along < far ? LAMP_COLOUR * smoothstep(0.06, 0.04, aside) : vec3(0.0);
 }
 
 // What the hung lamp adds. As visibility() does, it asks nothing where the surface turns its back.
@@ -28,7 +28,7 @@ vec3 hungLight(vec3 p, vec3 normal)
     vec3 toLamp = HUNG_LAMP - p;
     float away = length(toLamp);
     float seen = visibility(p, normal, toLamp / away, stopping ? away : FAR);
-    return seen * lampColour * lambert(normal, toLamp / away) * fallOff(away, HUNG_REFERENCE);
+    return seen * LAMP_COLOUR * lambert(normal, toLamp / away) * fallOff(away, HUNG_REFERENCE);
 }
 
 vec3 rayColour(Ray ray)
@@ -39,9 +39,9 @@ vec3 rayColour(Ray ray)
     if (hit.found) {
         vec3 p = ray.origin + hit.t * ray.direction;
         vec3 normal = normalAt(p, normalStep);
-        vec3 coldLight = lampLight(normal, COLD_LAMP - p, coldColour);
-        light = objectColour * (ambient + hungLight(p, normal) + coldLight);
+        vec3 coldLight = lampLight(normal, COLD_LAMP - p, COLD_COLOUR);
+        light = OBJECT_COLOUR * (AMBIENT + hungLight(p, normal) + coldLight);
     }
     light += glow(ray, hit.found ? hit.t : FAR);
-    return encoded ? encodeSRGB(light) : light;
+    return encodeSRGB(light);
 }

@@ -14,8 +14,8 @@ vec3 rayColour(Ray ray)
         vec3 normal = normalAt(p, normalStep);
         vec3 toCold = COLD_LAMP - p;
         float seen = visibility(p, normal, normalize(toCold), length(toCold));
-        vec3 coldLight = seen * lampLight(normal, toCold, coldColour);
-        light = objectColour * (ambient + warmLight(p, normal) + coldLight);
+        vec3 coldLight = seen * lampLight(normal, toCold, COLD_COLOUR);
+        light = OBJECT_COLOUR * (AMBIENT + warmLight(p, normal) + coldLight);
     }
-    return encoded ? encodeSRGB(light) : light;
+    return encodeSRGB(light);
 }

@@ -14,7 +14,7 @@ vec3 nineLamps(vec3 p, vec3 normal)
         vec3 place = 0.5 * lampSide * vec3(float(i % 3 - 1), 0.0, float(i / 3 - 1));
         vec3 toLamp = lampPosition() + place - p;
         float seen = visibility(p, normal, normalize(toLamp), length(toLamp));
-        sum += seen * lampLight(normal, toLamp, lampColour / 9.0);
+        sum += seen * lampLight(normal, toLamp, LAMP_COLOUR / 9.0);
     }
     return sum;
 }
@@ -27,8 +27,8 @@ vec3 rayColour(Ray ray)
     if (hit.found) {
         vec3 p = ray.origin + hit.t * ray.direction;
         vec3 normal = normalAt(p, normalStep);
-        vec3 coldLight = lampLight(normal, COLD_LAMP - p, coldColour);
-        light = objectColour * (ambient + nineLamps(p, normal) + coldLight);
+        vec3 coldLight = lampLight(normal, COLD_LAMP - p, COLD_COLOUR);
+        light = OBJECT_COLOUR * (AMBIENT + nineLamps(p, normal) + coldLight);
     }
-    return encoded ? encodeSRGB(light) : light;
+    return encodeSRGB(light);
 }

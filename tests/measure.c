@@ -1,0 +1,279 @@
+// measure.c - build/tests/measure NAME prints a table of numbers that the pages quote.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "support_measure.h"
+
+static int print_normal(void)
+{
+    static const double steps[] = {1e-7, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3};
+    printf("# worst error of the normal of the unit ball at z = 10 in 32-bit floats, degrees\n");
+    printf("step,central,central_truncation,forward,forward_truncation,rounding_bound\n");
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+        struct normal_error e = measure_normal(steps[i]);
+        printf("%g,%.3g,%.3g,%.3g,%.3g,%.3g\n", steps[i], e.central, e.central_truncation,
+               e.forward, e.forward_truncation, e.rounding);
+    }
+    return 0;
+}
+
+static int print_plane(void)
+{
+    static const double angles[] = {90.0, 60.0, 45.0, 30.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5};
+    static const int limits[] = {60, 64, 128, 256};
+    printf(
+        "# moves to a plane from height 1, threshold 0.001; one evaluation more is a step count\n");
+    printf("degrees,moves,formula\n");
+    for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++)
+        printf("%g,%d,%d\n", angles[i], measure_plane_moves(angles[i], 0.001),
+               measure_plane_formula(angles[i], 0.001));
+    printf("# under this angle, in degrees, so many evaluations do not reach it\n");
+    printf("evaluations,threshold_0.01,threshold_0.001,threshold_0.0005\n");
+    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++)
+        printf("%d,%.2f,%.2f,%.2f\n", limits[i], measure_plane_limit(limits[i], 0.01),
+               measure_plane_limit(limits[i], 0.001), measure_plane_limit(limits[i], 0.0005));
+    return 0;
+}
+
+static int print_sphere(void)
+{
+    printf("# moves past a ball of radius 1, from 3 before the closest point to 3 behind\n");
+    printf("miss,threshold,moves,formula\n");
+    for (double delta = 1e-2; delta > 5e-6; delta /= 10.0)
+        printf("%g,%g,%d,%.1f\n", delta, delta / 10.0, measure_ball_moves(delta, delta / 10.0),
+               MIRROR_PI * sqrt(2.0 / delta));
+    for (double threshold = 1e-2; threshold > 5e-6; threshold /= 10.0)
+        printf("0,%g,%d,%.1f\n", threshold, measure_ball_moves(0.0, threshold),
+               sqrt(2.0 / threshold));
+    return 0;
+}
+
+static int print_rate(void)
+{
+    printf("# e_(n+1) / e_n near a transversal hit on a ball\n");
+    printf("cosine,ratio,1 - cosine\n");
+    for (int i = 1; i < 10; i++)
+        printf("%.1f,%.4f,%.1f\n", 0.1 * i, measure_rate(0.1 * i), 1.0 - 0.1 * i);
+    return 0;
+}
+
+static int print_threshold(struct gpu *gpu)
+{
+    static const double thresholds[] = {0.0001, 0.001, 0.01, 0.05, 0.1, 0.2};
+    double exact = measure_outline_theory(0.0);
+    printf("# outline of a ball of radius 1 seen from 5, 640x360: radius %.3f pixels\n", exact);
+    printf("threshold,grown_by,expected\n");
+    for (size_t i = 0; i < sizeof thresholds / sizeof thresholds[0]; i++) {
+        double radius = measure_outline(gpu, thresholds[i]);
+        if (radius < 0.0)
+            return 1;
+        printf("%g,%.3f,%.3f\n", thresholds[i], radius - exact,
+               measure_outline_theory(thresholds[i]) - exact);
+    }
+    return 0;
+}
+
+static int print_acne(struct gpu *gpu)
+{
+    static const double offsets[] = {0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 4.0, 10.0};
+    printf("# share of the stage's lit pixels in their own shadow, chapter 03\n");
+    printf("offset_in_thresholds,share\n");
+    for (size_t i = 0; i < sizeof offsets / sizeof offsets[0]; i++) {
+        double share = measure_acne(gpu, offsets[i]);
+        if (share < 0.0)
+            return 1;
+        printf("%g,%.4f\n", offsets[i], share);
+    }
+    return 0;
+}
+
+// ---- Speed
+// -----------------------------------------------------------------------------------------
+
+enum { FRAMES = 15, COLD_RUNS = 5 };
+
+// A shader to measure: FILE, or FILE@X,Y,Z,PAN,TILT.
+struct contender {
+    char path[4096];
+    struct renderer renderer;
+    struct renderer_inputs inputs;
+    double warm[FRAMES], cold[COLD_RUNS]; // seconds of process CPU time
+};
+
+static bool read_contender(struct contender *contender, const char *argument, int width, int height)
+{
+    struct camera *camera = &contender->inputs.camera;
+    snprintf(contender->path, sizeof contender->path, "%s", argument);
+    contender->inputs.width = width;
+    contender->inputs.height = height;
+    contender->inputs.samples = 1;
+    contender->inputs.time = 1.0;
+    char *at = strrchr(contender->path, '@');
+    if (at == NULL)
+        return true;
+    *at = '\0';
+    return sscanf(at + 1, "%f,%f,%f,%f,%f", &camera->position[0], &camera->position[1],
+                  &camera->position[2], &camera->pan, &camera->tilt) == 5;
+}
+
+// Time of the process, all its threads together: another program on the other core does not count.
+static double cpu_seconds(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static double frame_seconds(struct contender *contender, const struct gl *gl)
+{
+    double start = cpu_seconds();
+    if (!renderer_draw(&contender->renderer, &contender->inputs, 0, contender->inputs.height))
+        return -1.0;
+    gl->Finish();
+    return cpu_seconds() - start;
+}
+
+// Compile and first frame in a context of its own.
+static double cold_seconds(struct contender *contender, const char *root)
+{
+    struct context context = {0};
+    double seconds = -1.0;
+    if (context_open_offscreen(&context, CONTEXT_ANY) &&
+        renderer_open(&contender->renderer, &context.gl, root)) {
+        double start = cpu_seconds();
+        if (renderer_load(&contender->renderer, contender->path) &&
+            frame_seconds(contender, &context.gl) >= 0.0)
+            seconds = cpu_seconds() - start;
+    }
+    renderer_close(&contender->renderer);
+    context_close(&context);
+    return seconds;
+}
+
+static int compare_seconds(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median(double *seconds, int count)
+{
+    qsort(seconds, (size_t)count, sizeof *seconds, compare_seconds);
+    return seconds[count / 2];
+}
+
+// Frames of the two in turn, so that whatever slows the machine slows both.
+static bool measure_warm(struct contender pair[2], struct gpu *gpu)
+{
+    for (int k = 0; k < 2; k++)
+        if (!renderer_open(&pair[k].renderer, &gpu->context.gl, gpu->root) ||
+            !renderer_load(&pair[k].renderer, pair[k].path))
+            return false;
+    for (int i = -5; i < FRAMES; i++)
+        for (int k = 0; k < 2; k++) {
+            double seconds = frame_seconds(&pair[k], &gpu->context.gl);
+            if (seconds < 0.0)
+                return false;
+            if (i >= 0)
+                pair[k].warm[i] = seconds;
+        }
+    for (int k = 0; k < 2; k++)
+        renderer_close(&pair[k].renderer);
+    return true;
+}
+
+static bool measure_cold(struct contender pair[2], const char *root)
+{
+    for (int i = -1; i < COLD_RUNS; i++)
+        for (int k = 0; k < 2; k++) {
+            double seconds = cold_seconds(&pair[k], root);
+            if (seconds < 0.0)
+                return false;
+            if (i >= 0)
+                pair[k].cold[i] = seconds;
+        }
+    return true;
+}
+
+static int print_speed(struct gpu *gpu, int argc, char **argv)
+{
+    static struct contender pair[2];
+    int width = 640, height = 360;
+    if (argc < 4 || (argc > 4 && sscanf(argv[4], "%dx%d", &width, &height) != 2) ||
+        !read_contender(&pair[0], argv[2], width, height) ||
+        !read_contender(&pair[1], argv[3], width, height)) {
+        fputs("measure speed: expected FILE[@X,Y,Z,PAN,TILT] twice, then WxH or nothing\n", stderr);
+        return 2;
+    }
+    if (!measure_warm(pair, gpu) || !measure_cold(pair, gpu->root))
+        return 1;
+    printf("# process CPU time at %dx%d, time 1: medians of %d frames and of %d cold starts\n",
+           width, height, FRAMES, COLD_RUNS);
+    printf("shader,frame_ms,cold_ms\n");
+    double warm[2], cold[2];
+    for (int k = 0; k < 2; k++) {
+        warm[k] = median(pair[k].warm, FRAMES);
+        cold[k] = median(pair[k].cold, COLD_RUNS);
+        printf("%s,%.2f,%.1f\n", pair[k].path, 1000.0 * warm[k], 1000.0 * cold[k]);
+    }
+    printf("ratio,%.2f,%.2f\n", warm[1] / warm[0], cold[1] / cold[0]);
+    return 0;
+}
+
+// ---- The command line
+// ------------------------------------------------------------------------------
+
+static int usage(FILE *file)
+{
+    fputs("Usage: measure NAME\n"
+          "  normal     error of the normal against the step of its differences\n"
+          "  plane      steps to a plane against the angle\n"
+          "  sphere     steps past a ball\n"
+          "  rate       how fast a march nears a hit\n"
+          "  threshold  what a threshold adds to an outline\n"
+          "  acne       share of lit pixels in their own shadow against the offset\n"
+          "  speed A.frag B.frag [WxH]\n"
+          "             CPU time of two shaders, their frames in turn, and of a cold compilation;\n"
+          "             A.frag@X,Y,Z,PAN,TILT places the camera\n",
+          file);
+    return file == stdout ? 0 : 2;
+}
+
+static int print_with_gpu(const char *name, int argc, char **argv)
+{
+    struct gpu gpu;
+    int status = 1;
+    // A cold start is one without the driver's own store of compiled shaders.
+    if (strcmp(name, "speed") == 0)
+        setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    if (gpu_open(&gpu)) {
+        if (strcmp(name, "threshold") == 0)
+            status = print_threshold(&gpu);
+        else if (strcmp(name, "acne") == 0)
+            status = print_acne(&gpu);
+        else
+            status = print_speed(&gpu, argc, argv);
+    }
+    gpu_close(&gpu);
+    return status;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc < 2)
+        return usage(stdout);
+    if (strcmp(argv[1], "normal") == 0)
+        return print_normal();
+    if (strcmp(argv[1], "plane") == 0)
+        return print_plane();
+    if (strcmp(argv[1], "sphere") == 0)
+        return print_sphere();
+    if (strcmp(argv[1], "rate") == 0)
+        return print_rate();
+    if (strcmp(argv[1], "threshold") == 0 || strcmp(argv[1], "acne") == 0 ||
+        strcmp(argv[1], "speed") == 0)
+        return print_with_gpu(argv[1], argc, argv);
+    return usage(stderr);
+}

@@ -1,0 +1,171 @@
+#include "support_measure.h"
+
+#include <float.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+// ---- The normal's step
+// -----------------------------------------------------------------------------
+
+static float ball_at_ten(const float p[3])
+{
+    float z = p[2] - 10.0f;
+    return sqrtf(p[0] * p[0] + p[1] * p[1] + z * z) - 1.0f;
+}
+
+// One point: central and forward differences against the direction from the centre.
+static void compare_differences(const float p[3], float h, struct normal_error *worst)
+{
+    float central[3], forward[3];
+    for (int axis = 0; axis < 3; axis++) {
+        float after[3] = {p[0], p[1], p[2]}, before[3] = {p[0], p[1], p[2]};
+        after[axis] += h;
+        before[axis] -= h;
+        central[axis] = ball_at_ten(after) - ball_at_ten(before);
+        forward[axis] = ball_at_ten(after) - ball_at_ten(p);
+    }
+    struct d3 normal = d3_sub(d3_of(p), d3(0.0, 0.0, 10.0));
+    worst->central = fmax(worst->central, d3_angle(d3_of(central), normal));
+    worst->forward = fmax(worst->forward, d3_angle(d3_of(forward), normal));
+}
+
+struct normal_error measure_normal(double h)
+{
+    const double degrees = 180.0 / MIRROR_PI;
+    const int points = 20000;
+    struct normal_error worst = {0};
+    for (int i = 0; i < points; i++) {
+        // A spiral that covers the ball evenly.
+        double z = 1.0 - (2.0 * i + 1.0) / points, around = 2.399963229728653 * i;
+        double r = sqrt(1.0 - z * z);
+        const float p[3] = {(float)(r * cos(around)), (float)(r * sin(around)), (float)(10.0 + z)};
+        compare_differences(p, (float)h, &worst);
+    }
+    // Of the distance |p| the third derivative along an axis is -3 n (1 - n^2), the second 1 - n^2.
+    // What counts is the part of these vectors across n: at worst 0.2805 and sqrt(2).
+    worst.central_truncation = 0.2805 * h * h / 2.0 * degrees;
+    worst.forward_truncation = sqrt(2.0) * h / 2.0 * degrees;
+    // z is rounded by up to 2^-21; the length three times by up to 2^-24 for each of two values.
+    worst.rounding = (8.0 + 2.0 * sqrt(3.0)) * MIRROR_FLOAT_ROUNDING / h * degrees;
+    return worst;
+}
+
+// ---- The number of steps
+// ---------------------------------------------------------------------------
+
+static const struct mirror_part plane_part = {
+    "plane", MIRROR_PLANE, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.0};
+static const struct mirror_part ball_part = {
+    "ball", MIRROR_SPHERE, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1.0};
+static const struct mirror_scene plane_scene = {&plane_part, 1};
+static const struct mirror_scene ball_scene = {&ball_part, 1};
+
+int measure_plane_moves(double angle, double threshold)
+{
+    double radians = angle * MIRROR_PI / 180.0;
+    struct mirror_ray ray = {{0.0, 1.0, 0.0}, {cos(radians), -sin(radians), 0.0}};
+    return mirror_march(&plane_scene, ray, 0.0, 1e9, threshold, 100000000).steps - 1;
+}
+
+int measure_plane_formula(double angle, double threshold)
+{
+    double sine = sin(angle * MIRROR_PI / 180.0);
+    return sine >= 1.0 ? 1 : (int)ceil(log(threshold) / log1p(-sine));
+}
+
+double measure_plane_limit(int evaluations, double threshold)
+{
+    return asin(1.0 - pow(threshold, 1.0 / (evaluations - 1))) * 180.0 / MIRROR_PI;
+}
+
+int measure_ball_moves(double delta, double threshold)
+{
+    struct mirror_ray ray = {{-3.0, 1.0 + delta, 0.0}, {1.0, 0.0, 0.0}};
+    struct mirror_march march = mirror_march(&ball_scene, ray, 0.0, 6.0, threshold, 100000000);
+    return march.end == MIRROR_HIT ? march.steps - 1 : march.steps;
+}
+
+double measure_rate(double cosine)
+{
+    double aside = sqrt(1.0 - cosine * cosine), hit = 3.0 - cosine, t = 0.0, ratio = 0.0;
+    struct mirror_ray ray = {{-3.0, aside, 0.0}, {1.0, 0.0, 0.0}};
+    // Near the limit of double precision the ratio would be rounding alone.
+    while (hit - t > 1e-7) {
+        double next = t + mirror_distance(&ball_scene, mirror_at(ray, t), NULL);
+        ratio = (hit - next) / (hit - t);
+        t = next;
+    }
+    return ratio;
+}
+
+// ---- What the threshold adds
+// -----------------------------------------------------------------------
+
+enum { WIDTH = 640, HEIGHT = 360 };
+
+double measure_outline(struct gpu *gpu, double threshold)
+{
+    struct renderer_inputs inputs = {
+        .width = WIDTH, .height = HEIGHT, .samples = 1, .camera = {.position = {0.0f, 0.0f, 5.0f}}};
+    char setting[64];
+    snprintf(setting, sizeof setting, "hitThreshold=%g", threshold);
+    if (!gpu_load(gpu, "tests/shaders/silhouette.frag") ||
+        !parameters_assign(&gpu->renderer.parameters, setting))
+        return -1.0;
+    float *values = gpu_numbers(gpu, &inputs);
+    if (values == NULL)
+        return -1.0;
+    int white = 0;
+    for (int i = 0; i < WIDTH * HEIGHT; i++)
+        white += values[4 * i] > 0.5f;
+    free(values);
+    return sqrt(white / MIRROR_PI);
+}
+
+double measure_outline_theory(double threshold)
+{
+    double radius = 1.0 + threshold;
+    return MIRROR_FOCAL_LENGTH * HEIGHT / 2.0 * radius / sqrt(25.0 - radius * radius);
+}
+
+// ---- Acne
+// ------------------------------------------------------------------------------------------
+
+// Count the stage's pixels that are lit, with their neighbours, and those of them that the picture
+// shows at less than 0.7 of their light.
+static void count_acne(const struct mirror_picture *picture, const struct camera *camera,
+                       const float *values, int *lit, int *dark)
+{
+    struct mirror_eye eye = {.camera = *camera};
+    for (int i = 0; i < WIDTH * HEIGHT; i += 3) {
+        bool whole = true;
+        struct mirror_sample sample = {0};
+        for (int k = -1; k <= 1 && whole; k++) {
+            eye.x = mirror_screen_x(i % WIDTH + 0.5 + 3.0 * k, WIDTH, HEIGHT);
+            eye.y = mirror_screen_y(i / WIDTH + 0.5 + 3.0 * k, HEIGHT);
+            sample = picture->sample(&eye);
+            whole = strcmp(sample.what, "stage") == 0 && sample.faces && !sample.shadowed;
+        }
+        *lit += whole;
+        *dark += whole && (double)values[4 * i] < 0.7 * sample.colour.x;
+    }
+}
+
+double measure_acne(struct gpu *gpu, double offset)
+{
+    const struct mirror_picture *picture = mirror_find("03_shadows");
+    struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
+    char setting[64];
+    snprintf(setting, sizeof setting, "shadowOffset=%g", offset);
+    if (picture == NULL || !mirror_camera(gpu->root, picture->chapter, &inputs.camera) ||
+        !gpu_load(gpu, picture->shader) || !parameters_assign(&gpu->renderer.parameters, setting))
+        return -1.0;
+    float *values = gpu_numbers(gpu, &inputs);
+    if (values == NULL)
+        return -1.0;
+    int lit = 0, dark = 0;
+    count_acne(picture, &inputs.camera, values, &lit, &dark);
+    free(values);
+    return lit > 0 ? (double)dark / lit : -1.0;
+}

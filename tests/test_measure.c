@@ -1,0 +1,112 @@
+// test_measure.c - the numbers that the pages quote, held against theory: see build/tests/measure.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+
+#include "support_measure.h"
+
+static struct gpu gpu;
+
+static int open_gpu(void **unused)
+{
+    (void)unused;
+    return gpu_open(&gpu) ? 0 : -1;
+}
+
+static int close_gpu(void **unused)
+{
+    (void)unused;
+    gpu_close(&gpu);
+    return 0;
+}
+
+static void assert_near(double got, double expected, double share)
+{
+    if (!(fabs(got - expected) <= share * fabs(expected)))
+        fail_msg("%g instead of %g within %g %%", got, expected, 100.0 * share);
+}
+
+// The numbers are worst cases over points, so that a few points more change them by some per cent.
+static void test_normal_error_has_two_sides(void **unused)
+{
+    (void)unused;
+    assert_near(measure_normal(0.01).central, 0.0017, 0.1);
+    assert_near(measure_normal(0.001).central, 0.017, 0.1);
+    assert_near(measure_normal(0.001).forward, 0.055, 0.1);
+    assert_near(measure_normal(1e-5).forward, 2.2, 0.1);
+    for (double h = 1e-5; h < 0.5; h *= 2.0) {
+        struct normal_error e = measure_normal(h);
+        assert_true(e.central <= 1.05 * (e.central_truncation + e.rounding));
+        assert_true(e.forward <= 1.05 * (e.forward_truncation + e.rounding));
+    }
+    // Where the formula's own error decides, it is the one that Taylor's series gives.
+    assert_near(measure_normal(0.1).central, measure_normal(0.1).central_truncation, 0.02);
+    assert_near(measure_normal(0.1).forward, measure_normal(0.1).forward_truncation, 0.02);
+}
+
+static void test_steps_to_a_plane_follow_the_formula(void **unused)
+{
+    (void)unused;
+    for (double angle = 0.7; angle <= 90.0; angle += 1.3)
+        assert_int_equal(measure_plane_moves(angle, 0.001), measure_plane_formula(angle, 0.001));
+    assert_int_equal(measure_plane_moves(90.0, 0.001), 1);
+    assert_near(measure_plane_limit(60, 0.01), 4.3, 0.01);
+    // One evaluation more than the moves: just over the limit it suffices, just under it does not.
+    for (int evaluations = 60; evaluations <= 256; evaluations *= 2) {
+        double limit = measure_plane_limit(evaluations, 0.001);
+        assert_true(measure_plane_moves(1.001 * limit, 0.001) + 1 <= evaluations);
+        assert_true(measure_plane_moves(0.999 * limit, 0.001) + 1 > evaluations);
+    }
+}
+
+static void test_steps_past_a_ball_follow_the_formula(void **unused)
+{
+    (void)unused;
+    assert_int_equal(measure_ball_moves(1e-2, 1e-3), 45);
+    assert_int_equal(measure_ball_moves(1e-3, 1e-4), 141);
+    assert_int_equal(measure_ball_moves(1e-4, 1e-5), 445);
+    for (double threshold = 1e-3; threshold > 1e-6; threshold /= 10.0)
+        assert_near(measure_ball_moves(0.0, threshold), sqrt(2.0 / threshold), 0.1);
+}
+
+static void test_rate_is_one_minus_the_cosine(void **unused)
+{
+    (void)unused;
+    for (double cosine = 0.05; cosine < 0.96; cosine += 0.05)
+        assert_true(fabs(measure_rate(cosine) - (1.0 - cosine)) < 1e-4);
+}
+
+// Counting pixels gives the radius to about 0.1.
+static void test_threshold_fattens_the_outline(void **unused)
+{
+    (void)unused;
+    for (double threshold = 0.001; threshold < 0.2; threshold *= 3.0)
+        assert_true(fabs(measure_outline(&gpu, threshold) - measure_outline_theory(threshold)) <
+                    0.15);
+}
+
+static void test_offset_ends_the_acne(void **unused)
+{
+    (void)unused;
+    assert_true(measure_acne(&gpu, 0.0) > 0.9);
+    assert_true(measure_acne(&gpu, 0.25) > 0.3);
+    double one = measure_acne(&gpu, 1.0), four = measure_acne(&gpu, 4.0);
+    assert_true(one >= 0.0 && one < 0.001 && four >= 0.0 && four < 0.001);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_normal_error_has_two_sides),
+        cmocka_unit_test(test_steps_to_a_plane_follow_the_formula),
+        cmocka_unit_test(test_steps_past_a_ball_follow_the_formula),
+        cmocka_unit_test(test_rate_is_one_minus_the_cosine),
+        cmocka_unit_test(test_threshold_fattens_the_outline),
+        cmocka_unit_test(test_offset_ends_the_acne),
+    };
+    return cmocka_run_group_tests_name("measure", tests, open_gpu, close_gpu);
+}
