@@ -268,7 +268,7 @@ static void write_cross(const struct panel *panel, struct overlay *overlay)
 enum { STEP_COLUMNS = 3 };
 // Right edges of the columns.
 static const float STEP_RIGHT[STEP_COLUMNS] = {28.0f, 92.0f, 172.0f};
-static const float INSPECTOR_WIDTH = 176.0f;
+static const float INSPECTOR_WIDTH = 176.0f, WHY_WIDTH = 292.0f;
 
 static void write_step(struct pen *pen, const char *const cell[STEP_COLUMNS],
                        struct overlay_colour colour)
@@ -327,11 +327,11 @@ static void write_why(const struct panel *panel, struct overlay *overlay)
 {
     char line[OVERLAY_TEXT + 1];
     int lines = 0;
-    for (const char *at = panel->why; next_line(&at, INSPECTOR_WIDTH, line);)
+    for (const char *at = panel->why; next_line(&at, WHY_WIDTH, line);)
         lines++;
-    float left = picture_width(overlay) - MARGIN - INSPECTOR_WIDTH - 2.0f * PADDING;
-    struct pen pen = open_panel(overlay, left, MARGIN, INSPECTOR_WIDTH, LINE * (float)lines - 2.0f);
-    for (const char *at = panel->why; next_line(&at, INSPECTOR_WIDTH, line);)
+    float left = picture_width(overlay) - MARGIN - WHY_WIDTH - 2.0f * PADDING;
+    struct pen pen = open_panel(overlay, left, MARGIN, WHY_WIDTH, LINE * (float)lines - 2.0f);
+    for (const char *at = panel->why; next_line(&at, WHY_WIDTH, line);)
         write_line(&pen, line, PLAIN);
 }
 

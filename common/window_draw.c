@@ -117,7 +117,10 @@ static void follow_ray(struct window *window)
         pixel[0] = pixel[1] = -1;
     if (pixel[0] < 0 || window->why[0] != '\0')
         return;
-    if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->probe)) {
+    if (window->renderer->fragment.form != SHADER_COURSE) {
+        snprintf(window->why, sizeof window->why,
+                 "no march: a whole file keeps no trace of its rays");
+    } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->probe)) {
         snprintf(window->why, sizeof window->why, "%s", report_last());
     } else if (window->tell) {
         printf("ray of pixel %d,%d\n", pixel[0], pixel[1]);
