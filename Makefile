@@ -51,7 +51,8 @@ EXTRA = $(BUILD)/tests/no_dlclose.o
 endif
 
 ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,common/context_$(name).c))
-ABSENT += common/$(if $(filter glfw,$(BACKENDS)),window_none.c,window.c common/window_input.c)
+WINDOW := $(filter-out common/window_none.c,$(wildcard common/window*.c))
+ABSENT += $(if $(filter glfw,$(BACKENDS)),common/window_none.c,$(WINDOW))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(wildcard common/*.c)))
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))

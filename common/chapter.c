@@ -13,6 +13,8 @@
 #include "context.h"
 #include "image.h"
 #include "options.h"
+#include "panel.h"
+#include "probe.h"
 #include "renderer.h"
 #include "report.h"
 #include "window.h"
@@ -124,42 +126,37 @@ static int print_version(const struct run *run)
     return DONE;
 }
 
-// The table of --probe: what the march of one ray knew at each step, then a line that says why it
-// ended and what the pixel cost.
-static void print_probe(const struct renderer_probe *probe)
+// Draw the overlay over a picture that is about to be written. The caller closes the overlay.
+//   probe  of the pixel that --probe names, or NULL
+static bool add_overlay(const struct run *run, struct renderer *renderer,
+                        const struct renderer_inputs *inputs, const struct renderer_probe *probe,
+                        struct overlay *overlay)
 {
-    static const char *const ends[] = {"no march", "hit", "miss: passed the far limit",
-                                       "miss: the steps ran out"};
-    int rows = probe->steps < RENDERER_PROBE_STEPS ? probe->steps : RENDERER_PROBE_STEPS;
-    printf("step,t,distance,x,y,z\n");
-    for (int i = 0; i < rows; i++) {
-        const struct renderer_step *step = &probe->step[i];
-        printf("%d,%.9g,%.9g,%.9g,%.9g,%.9g\n", i, (double)step->t, (double)step->distance,
-               (double)step->position[0], (double)step->position[1], (double)step->position[2]);
-    }
-    printf("# %s; steps: %d, with shadow rays %d; evaluations of the scene: %d\n", ends[probe->end],
-           probe->steps, probe->all_steps, probe->evaluations);
+    double scale = run->options.overlay;
+    struct panel panel = {.title = run->chapter->title,
+                          .renderer = renderer,
+                          .pixel = {inputs->pixel[0], inputs->pixel[1]},
+                          .probe = probe};
+    if (!overlay_open(overlay, renderer->gl))
+        return false;
+    panel_gather(&panel, overlay, inputs->width, inputs->height,
+                 scale > 0.0 ? (float)scale : overlay_scale_of(inputs->height));
+    renderer->overlay = overlay;
+    return true;
 }
 
-static int run_probe(struct renderer *renderer, const struct renderer_inputs *inputs,
-                     const struct options *options)
-{
-    struct renderer_probe *probe = malloc(sizeof *probe);
-    bool done = probe != NULL &&
-                renderer_probe(renderer, inputs, options->probe_x, options->probe_y, probe);
-    if (done)
-        print_probe(probe);
-    free(probe);
-    return done ? DONE : NOT_DONE;
-}
-
-static int write_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
-                         const char *path)
+static bool write_picture(const struct run *run, struct renderer *renderer,
+                          const struct renderer_inputs *inputs, const struct renderer_probe *probe)
 {
     struct image image = {0};
-    bool done = renderer_picture(renderer, inputs, &image) && image_write_png(&image, path);
+    struct overlay overlay = {0};
+    bool done =
+        (!run->options.has_overlay || add_overlay(run, renderer, inputs, probe, &overlay)) &&
+        renderer_picture(renderer, inputs, &image) && image_write_png(&image, run->options.output);
+    renderer->overlay = NULL;
+    overlay_close(&overlay);
     image_free(&image);
-    return done ? DONE : NOT_DONE;
+    return done;
 }
 
 static struct renderer_inputs still_inputs(const struct options *options)
@@ -172,6 +169,27 @@ static struct renderer_inputs still_inputs(const struct options *options)
                                     .pixel = {options->has_probe ? options->probe_x : -1,
                                               options->has_probe ? options->probe_y : -1},
                                     .zoom = 1.0f};
+}
+
+// The table of --probe, then the picture of --output.
+static bool work_still(const struct run *run, struct renderer *renderer)
+{
+    const struct options *options = &run->options;
+    struct renderer_inputs inputs = still_inputs(options);
+    struct renderer_probe *probe = NULL;
+    bool done = true;
+    if (options->has_probe) {
+        probe = malloc(sizeof *probe);
+        if (probe == NULL)
+            report("--probe: not enough memory");
+        done = probe != NULL &&
+               renderer_probe(renderer, &inputs, options->probe_x, options->probe_y, probe);
+        if (done)
+            probe_print(probe, stdout);
+    }
+    done = done && (options->output == NULL || write_picture(run, renderer, &inputs, probe));
+    free(probe);
+    return done;
 }
 
 // With a context and a renderer: load the shader, then carry out what was asked.
@@ -189,11 +207,7 @@ static int work(struct run *run, struct context *context, struct renderer *rende
                           run->shader)
                    ? DONE
                    : NOT_DONE;
-    struct renderer_inputs inputs = still_inputs(options);
-    int status = options->has_probe ? run_probe(renderer, &inputs, options) : DONE;
-    if (status == DONE && options->output != NULL)
-        status = write_picture(renderer, &inputs, options->output);
-    return status;
+    return work_still(run, renderer) ? DONE : NOT_DONE;
 }
 
 static int open_and_work(struct run *run)

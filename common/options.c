@@ -6,12 +6,13 @@
 #include <string.h>
 
 #include "number.h"
+#include "overlay.h"
 #include "report.h"
 
 #define LIMIT 1e9 // of times and places: beyond it a float of the shader has lost every fraction
 
 // Codes of the options that have no letter.
-enum { CODE_PROBE = 256, CODE_ROOT, CODE_PRINT_SHADER, CODE_LIST };
+enum { CODE_PROBE = 256, CODE_ROOT, CODE_PRINT_SHADER, CODE_LIST, CODE_OVERLAY };
 
 static const struct option long_options[] = {
     {"output", required_argument, NULL, 'o'},
@@ -27,6 +28,7 @@ static const struct option long_options[] = {
     {"root", required_argument, NULL, CODE_ROOT},
     {"print-shader", optional_argument, NULL, CODE_PRINT_SHADER},
     {"list", no_argument, NULL, CODE_LIST},
+    {"overlay", optional_argument, NULL, CODE_OVERLAY},
     {"help", no_argument, NULL, 'h'},
     {"version", no_argument, NULL, 'V'},
     {NULL, 0, NULL, 0},
@@ -194,6 +196,24 @@ static bool set_print_shader(struct options *options, const char *form)
 // ---- The command line ----
 
 //   text  the option's value, "" where it takes none
+// The scale may be left out: it is NULL then.
+static bool set_overlay(struct options *options, const char *scale)
+{
+    double value = 0.0;
+    options->has_overlay = true;
+    options->overlay = 0.0;
+    if (scale == NULL)
+        return true;
+    if (!number_read(scale, &value) || value < OVERLAY_SCALE_MINIMUM ||
+        value > OVERLAY_SCALE_MAXIMUM) {
+        report("--overlay '%s': the scale must be a number from %g to %g", scale,
+               OVERLAY_SCALE_MINIMUM, OVERLAY_SCALE_MAXIMUM);
+        return false;
+    }
+    options->overlay = value;
+    return true;
+}
+
 static bool apply(struct options *options, int code, const char *text)
 {
     switch (code) {
@@ -278,6 +298,7 @@ static bool read_options(struct options *options, int argc, char **argv)
         if (!is_in_full(word, code))
             return refuse_unknown(word);
         bool taken = code == CODE_PRINT_SHADER ? set_print_shader(options, optarg)
+                     : code == CODE_OVERLAY    ? set_overlay(options, optarg)
                                                : apply(options, code, optarg != NULL ? optarg : "");
         if (!taken)
             return false;

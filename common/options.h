@@ -35,6 +35,8 @@ struct options {
     bool has_probe;
     int probe_x, probe_y; // a pixel of the picture; 0,0 is bottom left
     enum context_backend backend;
+    bool has_overlay;
+    double overlay;     // its scale; 0: by the height of the picture
     const char *shader; // --shader, or NULL for the chapter's own
     const char *root;   // --root, or NULL: found from the program's own place
 };

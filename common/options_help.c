@@ -17,6 +17,8 @@ static const struct {
     {"-v, --view NAME", "picture, normals, depth, steps or slice", "picture"},
     {"    --probe X,Y", "print the march of a pixel's ray, the slice's too; 0,0 is bottom left",
      ""},
+    {"    --overlay[=SCALE]", "scale of the overlay, 0.5 to 8; draws it into a written picture too",
+     "by the picture's height"},
     {"-b, --backend NAME", "glfw, egl or osmesa",
      "glfw for a window; egl, osmesa, glfw for a file"},
     {"-f, --shader FILE", "run this fragment shader instead of the chapter's", ""},
@@ -32,12 +34,13 @@ static const char controls[] =
     "  W A S D            move, by the keys' places on an American keyboard\n"
     "  Space, C           up, down (or Left Ctrl); Left Shift moves faster\n"
     "  drag               look; M captures and frees the mouse\n"
+    "  click              choose a pixel's ray and show its march; again hides it\n"
     "  wheel              focal length; in the slice its zoom\n"
     "  1 2 3 4 5          views: picture, normals, depth, steps, slice\n"
     "  up, down           choose a parameter\n"
     "  left, right        change it, with Shift ten steps; Home resets it\n"
     "  Escape, R          pause and resume; restart the time\n"
-    "  P, F11             write a screenshot; full screen\n"
+    "  H, P, F11          hide and show the overlay; write a screenshot; full screen\n"
     "  Backspace          end\n";
 
 void options_print_help(FILE *file, const char *program, const char *title, const char *shows)

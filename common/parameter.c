@@ -39,16 +39,16 @@ void parameter_value_text(const struct parameter *parameter, char *text, size_t 
     }
 }
 
-static void range_text(const struct parameter *parameter, char text[TEXT_SIZE])
+void parameter_range_text(const struct parameter *parameter, char *text, size_t size)
 {
     char minimum[32], maximum[32];
     if (parameter->type == PARAMETER_BOOL) {
-        snprintf(text, TEXT_SIZE, "true or false");
+        snprintf(text, size, "true or false");
         return;
     }
     number_text(parameter->minimum, minimum, sizeof minimum);
     number_text(parameter->maximum, maximum, sizeof maximum);
-    snprintf(text, TEXT_SIZE, "[%s, %s]", minimum, maximum);
+    snprintf(text, size, "[%s, %s]", minimum, maximum);
 }
 
 // What a value of the parameter looks like, for messages.
@@ -126,7 +126,7 @@ bool parameters_assign(const struct parameters *parameters, const char *assignme
         report("--set %s: the value must be %s", assignment, expected(parameter));
         return false;
     }
-    range_text(parameter, range);
+    parameter_range_text(parameter, range, TEXT_SIZE);
     for (int i = 0; i < parameter->components; i++)
         if (value[i] < parameter->minimum || value[i] > parameter->maximum) {
             report("--set %s: out of range: %s takes %s%s%s", assignment, name, range,
@@ -213,7 +213,7 @@ static void fill_row(const struct parameter *parameter, char value[TEXT_SIZE],
     if (parameter == NULL)
         return;
     parameter_value_text(parameter, value, TEXT_SIZE);
-    range_text(parameter, range);
+    parameter_range_text(parameter, range, TEXT_SIZE);
     row[0] = parameter->name;
     row[1] = value;
     row[2] = range;

@@ -74,6 +74,9 @@ void parameter_reset(struct parameter *parameter);
 // The value as it would be typed after "NAME=".
 void parameter_value_text(const struct parameter *parameter, char *text, size_t size);
 
+// The range as --list shows it: "[0, 4]", or "true or false".
+void parameter_range_text(const struct parameter *parameter, char *text, size_t size);
+
 // The table of --list: name, value, range, unit, meaning.
 void parameters_print(const struct parameters *parameters, FILE *file);
 

@@ -354,6 +354,8 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
         int rows = inputs->height - bottom < band ? inputs->height - bottom : band;
         done = renderer_draw(renderer, inputs, bottom, rows);
         if (done) {
+            if (renderer->overlay != NULL)
+                overlay_draw(renderer->overlay, bottom);
             renderer_read(renderer, values);
             store_rows(image, values, bottom, rows);
         }

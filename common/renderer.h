@@ -7,6 +7,7 @@
 #include "camera.h"
 #include "context.h"
 #include "image.h"
+#include "overlay.h"
 #include "parameter.h"
 #include "shader.h"
 
@@ -22,7 +23,7 @@ struct renderer_inputs {
     int frame;            // number of the frame; 0 for a file
     float mouse[4];       // Shadertoy's iMouse; zeros for a file
     int samples;          // along each side of a pixel
-    int pixel[2];         // whose ray the slice view shows, 0,0 bottom left; -1,-1: the middle
+    int pixel[2];         // whose ray is looked at, 0,0 bottom left; -1,-1: none; the slice: the middle
     float zoom;           // of the slice view; 1: the whole march, as does 0
 };
 
@@ -46,6 +47,7 @@ struct renderer {
     GLuint vertex_array;
     struct renderer_target picture;
     struct renderer_target table; // of a probe, one column a step: the slice view reads it
+    const struct overlay *overlay; // drawn over every written picture, not owned; NULL: none
 };
 
 // One row of a probe: what the march knew after evaluating the distance once.
@@ -90,7 +92,8 @@ bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inpu
 // Copy what renderer_draw drew into the framebuffer of the window, scaled to its size.
 void renderer_present(struct renderer *renderer, int framebuffer_width, int framebuffer_height);
 
-// Draw a whole picture and read it back: value v becomes floor(255 clamp(v, 0, 1) + 0.5).
+// Draw a whole picture, with the overlay where there is one, and read it back: value v becomes
+// floor(255 clamp(v, 0, 1) + 0.5).
 // The caller frees image. Returns false, reported.
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
                       struct image *image);

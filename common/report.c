@@ -7,6 +7,11 @@
 
 #define LINE_SIZE 8192 // two of the longest paths fit
 
+// The text said last.
+static struct {
+    char text[LINE_SIZE + 2];
+} last;
+
 // True for a character that a terminal could obey instead of showing.
 static bool is_control(unsigned char character)
 {
@@ -19,17 +24,26 @@ static bool is_wide_control(const unsigned char *text)
     return text[0] == 0xc2 && text[1] >= 0x80 && text[1] <= 0x9f;
 }
 
+static void keep(const char *text, size_t length)
+{
+    memcpy(last.text, text, length);
+    last.text[length] = '\0';
+}
+
 // Print a text with '?' for its control characters, except those in allowed, and end its last line.
 // A text that fits the buffer leaves in one write, so that programs side by side don't mix lines.
 static void print_clean(const char *text, const char *allowed)
 {
     char clean[LINE_SIZE + 1];
     size_t length = 0;
-    bool ended = false;
+    bool ended = false, whole = true;
     for (const unsigned char *at = (const unsigned char *)text; *at != '\0'; at++) {
         bool wide = is_wide_control(at);
         bool bad = wide || (is_control(*at) && strchr(allowed, *at) == NULL);
         if (length == sizeof clean - 1) {
+            if (whole)
+                keep(clean, length);
+            whole = false;
             fwrite(clean, 1, length, stderr);
             length = 0;
         }
@@ -39,6 +53,8 @@ static void print_clean(const char *text, const char *allowed)
     }
     if (!ended)
         clean[length++] = '\n';
+    if (whole)
+        keep(clean, length);
     fwrite(clean, 1, length, stderr);
 }
 
@@ -57,4 +73,9 @@ void report(const char *format, ...)
 void report_lines(const char *text)
 {
     print_clean(text, "\n\t");
+}
+
+const char *report_last(void)
+{
+    return last.text;
 }

@@ -11,4 +11,9 @@ void report(const char *format, ...) __attribute__((format(printf, 1, 2)));
 // As report(), for a text that may hold several lines: a shader's errors with their source.
 void report_lines(const char *text);
 
+// What report() or report_lines() said last, for showing it elsewhere too: control characters are
+// '?', lines end in '\n', a very long text is cut. "" before the first. Valid until the next
+// report.
+const char *report_last(void);
+
 #endif

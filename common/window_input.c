@@ -30,6 +30,7 @@ static const struct {
     {GLFW_KEY_ESCAPE, {WINDOW_PAUSE, 0}, false},
     {GLFW_KEY_R, {WINDOW_RESTART, 0}, false},
     {GLFW_KEY_P, {WINDOW_SCREENSHOT, 0}, false},
+    {GLFW_KEY_H, {WINDOW_FOLD, 0}, false},
     {GLFW_KEY_F11, {WINDOW_FULL_SCREEN, 0}, false},
     {GLFW_KEY_TAB, {WINDOW_ORTHOGRAPHIC, 0}, false},
     {GLFW_KEY_UP, {WINDOW_CHOOSE, -1}, true},
@@ -80,7 +81,7 @@ void window_input_forget(struct window_input *input)
     for (int axis = 0; axis < 3; axis++)
         input->travel[axis] = 0.0;
     input->look[0] = input->look[1] = input->wheel = 0.0;
-    input->damaged = false;
+    input->damaged = input->clicked = false;
     input->events = 0;
 }
 
@@ -130,6 +131,11 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
     struct window_input *input = input_of(window);
     if (button != GLFW_MOUSE_BUTTON_LEFT || input->captured)
         return;
+    if (action == GLFW_RELEASE && input->state == WINDOW_POINTER_PRESSED) {
+        input->clicked = true;
+        input->click[0] = input->pointer[0];
+        input->click[1] = input->pointer[1];
+    }
     input->state = action == GLFW_PRESS ? WINDOW_POINTER_PRESSED : WINDOW_POINTER_FREE;
     if (input->jumped)
         glfwGetCursorPos(window, &input->pointer[0], &input->pointer[1]);
@@ -141,7 +147,7 @@ static void on_pointer(GLFWwindow *window, double x, double y)
     struct window_input *input = input_of(window);
     double right = x - input->pointer[0], down = y - input->pointer[1];
     if (input->state == WINDOW_POINTER_PRESSED) {
-        if (hypot(right, down) < DRAG_BEGINS)
+        if (hypot(right, down) <= DRAG_BEGINS)
             return;
         input->state = WINDOW_POINTER_DRAGS;
     }

@@ -20,7 +20,8 @@ enum window_action {
     WINDOW_CHOOSE, // amount: -1 the parameter before, 1 the next
     WINDOW_CHANGE, // amount: key presses
     WINDOW_RESET,
-    WINDOW_VIEW // amount: enum shader_view
+    WINDOW_FOLD, // the overlay
+    WINDOW_VIEW  // amount: enum shader_view
 };
 
 struct window_event {
@@ -49,6 +50,8 @@ struct window_input {
     double travel[3]; // seconds of movement right, up, forward; more where faster is held
     double look[2];   // pixels that the pointer looked to the right and down
     double wheel;     // notches, away from the person positive
+    bool clicked;     // pressed and released in one place,
+    double click[2];  // window coordinates from the top left
     bool damaged;     // the window must be drawn again
     struct window_event event[WINDOW_INPUT_EVENTS];
     int events;

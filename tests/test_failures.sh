@@ -105,7 +105,7 @@ refuse 'an unknown backend' 2 'glfw, egl, osmesa' "$chapter" "${to[@]}" -b vulka
 refuse 'an unknown option' 2 "'--colour'" "$chapter" "${to[@]}" --colour red
 refuse 'an unknown letter' 2 "'-x'" "$chapter" "${to[@]}" -x
 refuse 'an abbreviated option' 2 "'--samp'" "$chapter" "${to[@]}" --samp 2
-for option in '--frames 3' '--fps 25' '--overlay' '--overlay=2' '--benchmark 3'; do
+for option in '--frames 3' '--fps 25' '--benchmark 3'; do
     # shellcheck disable=SC2086 # options are words
     refuse "$option, not offered yet" 2 "${option%%[ =]*}" "$chapter" "${to[@]}" $option
 done

@@ -58,6 +58,28 @@ static void assert_refused(const char *line, const char *why)
     assert_null(options.settings);
 }
 
+static void test_overlay(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *line;
+        double scale;
+    } good[] = {
+        {"--overlay", 0.0}, {"--overlay=0.5", 0.5}, {"--overlay=8", 8.0}, {"--overlay=1.5", 1.5}};
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+        struct options o = parsed(good[i].line);
+        assert_true(o.has_overlay);
+        assert_true(o.overlay == good[i].scale);
+        options_free(&o);
+    }
+    static const char *const bad[] = {"--overlay=0.49", "--overlay=8.01", "--overlay=0",
+                                      "--overlay=",     "--overlay=big",  "--overlay=nan",
+                                      "--overlay=-1"};
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        assert_refused(bad[i], "the scale must be a number from 0.5 to 8");
+    assert_refused("--overlay 2", "unexpected argument '2'");
+}
+
 static void test_defaults(void **state)
 {
     (void)state;
@@ -72,6 +94,7 @@ static void test_defaults(void **state)
     assert_int_equal(o.samples, 1);
     assert_int_equal(o.view, SHADER_PICTURE);
     assert_false(o.has_probe);
+    assert_false(o.has_overlay);
     assert_int_equal(o.backend, CONTEXT_ANY);
     assert_null(o.shader);
     assert_null(o.root);
@@ -252,7 +275,7 @@ static void test_unknown_options(void **state)
     assert_refused("-x", "unknown option '-x'");
     assert_refused("-hx", "unknown option '-x'");
     assert_refused("-1", "unknown option '-1'");
-    assert_refused("--overlay", "unknown option '--overlay'");
+    assert_refused("--benchmark", "unknown option '--benchmark'");
     assert_refused("--frames 3", "unknown option '--frames'");
     assert_refused("--fps 3", "unknown option '--fps'");
     assert_refused("--benchmark 3", "unknown option '--benchmark'");
@@ -340,6 +363,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_defaults),
+        cmocka_unit_test(test_overlay),
         cmocka_unit_test(test_every_option),
         cmocka_unit_test(test_actions),
         cmocka_unit_test(test_last_one_wins),

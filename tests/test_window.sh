@@ -125,12 +125,19 @@ check 'the title shows the parameter that the arrows change' shows ' - picture -
 check 'P writes a screenshot' shoot_as first
 render expected
 check 'the screenshot is what -o writes with the same options' matches expected first
+folds() { import -window "$window" "$scratch/folded.png" && key h && sleep 0.3; }
+check 'H is pressed' folds
 # A driver may round the half between two levels either way: then pixels differ by 1, not by 3.
 on_screen() {
     import -window "$window" "$scratch/screen.png" &&
         build/tests/compare "$scratch/first.png" "$scratch/screen.png" | grep -q '^F2 0.0000'
 }
-check 'the window shows the screenshot' within 3 on_screen
+check 'H hides the overlay: the window shows the screenshot' within 3 on_screen
+unfolds() { key h && within 3 off_screen && within 3 screen_is folded; }
+off_screen() { ! on_screen; }
+screen_is() { [ "$(import -window "$window" png:- | compare -metric AE "$scratch/$1.png" - null: 2>&1)" -lt 400 ]; }
+check 'H again shows it: title, figures and keys' unfolds
+key h
 
 view() { key 4 && shows ' - steps - ' && shoot_as steps && render view -v steps && matches view steps; }
 check '4 shows the steps' view
@@ -168,6 +175,18 @@ check 'Tab changes nothing where there is no orthographic parameter' tab
 # The mouse.
 click_only() { xdotool mousemove --window "$window" 100 100 click 1 && shoot_as click && same first click; }
 check 'a click without dragging turns nothing' click_only
+# The click above chose a ray: pixel 100,99 counted from the bottom left.
+told() { sed -n '/^ray of pixel/,/^# /p' "$scratch/run/out" | tail -n +2; }
+table() {
+    within 5 says out 'ray of pixel 100,99' && told >"$scratch/told" || return
+    # shellcheck disable=SC2086 # options are words
+    "$BUILD/$chapter" $still --probe 100,99 >"$scratch/probed" && cmp "$scratch/told" "$scratch/probed"
+}
+check 'the click prints the numbers of --probe' table
+inspects() { within 3 off_screen; }
+check 'the overlay marks the pixel and shows its march' inspects
+closes() { xdotool mousemove --window "$window" 100 100 click 1 && within 3 on_screen; }
+check 'a second click on the pixel closes it' closes
 drag() {
     xdotool mousemove --window "$window" 100 100 mousedown 1 mousemove_relative 60 0 \
         mousemove_relative -- 0 -40 mouseup 1 &&
@@ -261,11 +280,13 @@ other_sky() {
 }
 check 'a saved shader is loaded again' other_sky
 broken() {
-    save "$good
+    import -window "$window" "$scratch/good.png" && save "$good
 float wrong() { return undeclared; }" && shows 'error: see terminal' && shoot_as kept && same sky kept &&
         grep -q "mine.frag:[0-9]*.*undeclared" "$scratch/run/err"
 }
 check 'a broken one keeps the picture and names file and line' broken
+error_shown() { [ "$(import -window "$window" png:- | compare -metric AE "$scratch/good.png" - null: 2>&1)" -gt 2000 ]; }
+check 'the overlay shows the error over the last good picture' within 3 error_shown
 recover() {
     reloads "$good" && shoot_as recovered && same original recovered && [[ $(title) != *error* ]]
 }
@@ -283,14 +304,72 @@ uniform float orthographic; // 0 in [0, 1]: for this test" && key Up && shows 'o
         key Tab && shows 'orthographic = 1' && key Tab && shows 'orthographic = 0'
 }
 check 'a new parameter is there, and Tab switches orthographic' orthographic
+renamed() {
+    key Right && reloads "$good
+uniform float fresh; // 3 in [0, 4] step 0.5, scene units: for this test" && key Up && shows 'fresh = 3' &&
+        key Right && shows 'fresh = 3.5' && reloads "$good
+uniform float fresh; // 1 in [0, 2], scene units: for this test" && shows 'fresh = 2'
+}
+check 'a parameter that is renamed and given another range follows at once' renamed
+half() { # a slow editor: no half of a file is loaded or reported
+    local wanted=$(($(loads) + 1)) before
+    before=$(wc -l <"$scratch/run/err")
+    { printf '%s' "${good:0:400}"; sleep 0.06; printf '%s\n' "${good:400}"; } >"$mine"
+    within 5 loads_are "$wanted" && [ "$(wc -l <"$scratch/run/err")" = "$before" ]
+}
+check 'a file that is written in two halves is read once it is whole' half
+soon() { # 500 ms, and 50 more of the waiting here
+    local begin
+    begin=$(date +%s%N)
+    reloads "$good
+// again" && [ $((($(date +%s%N) - begin) / 1000000)) -le 550 ]
+}
+check 'a saved file is shown within half a second' soon
 include() {
     cp shaders/*.glsl "$scratch" &&
         echo '// a change' >>"$scratch/march.glsl" && reloads "$good" &&
-        { echo '// another' >>"$scratch/march.glsl"; within 5 loads_are 6; }
+        wanted=$(($(loads) + 1)) && { echo '// another' >>"$scratch/march.glsl"; within 5 loads_are "$wanted"; }
 }
 check 'an included file that is saved loads it again' include
 asked() { wmctrl -i -c "$window" && ends_well; }
 check 'a close request closes the window with status 0' asked
+
+# ---- A heavy shader ----
+
+# The same picture, whose every pixel waits in a loop that no compiler can leave out.
+heavy=${good/vec3 rayColour(/vec3 rayColourOnce(}
+save "$heavy
+vec3 rayColour(Ray ray)
+{
+    float sum = 0.0;
+    for (int i = 0; i < 1500; i++)
+        sum += sin(sum + float(i) + ray.direction.x);
+    return rayColourOnce(ray) + 1e-9 * sum;
+}"
+# shellcheck disable=SC2086 # options are words
+start $chapter $still -s 480x300 --shader "$mine"
+key h
+# True when blocks of some size, of 2 to 4 pixels a side, have one colour each.
+coarse_screen() {
+    local side
+    import -window "$window" "$scratch/moving.png" || return
+    # The camera has not left the scene: its balls have many colours.
+    [ "$(convert "$scratch/moving.png" -crop 456x288+0+0 -format %k info:)" -gt 100 ] || return
+    for side in 2 3 4; do
+        convert "$scratch/moving.png" -crop 456x288+0+0 +repage "$scratch/whole.png"
+        convert "$scratch/whole.png" -sample "$((456 / side))x$((288 / side))!" \
+            -sample '456x288!' "$scratch/blocks.png"
+        [ "$(compare -metric AE "$scratch/whole.png" "$scratch/blocks.png" null: 2>&1)" = 0 ] && return
+    done
+    return 1
+}
+moving() { xdotool keydown d && within 1 coarse_screen; local done=$?; xdotool keyup d; return $done; }
+fine_screen() { ! coarse_screen; }
+check 'a heavy picture at rest is sharp' within 3 fine_screen
+check 'while something moves it is coarser' moving
+sharpens() { sleep 0.5; shoot_as first && within 5 on_screen; }
+check 'and sharp when it rests' sharpens
+check 'Backspace closes it' backspace
 
 # ---- A chapter that moves by itself ----
 

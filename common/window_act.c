@@ -1,0 +1,207 @@
+#include "window_state.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include "image.h"
+#include "report.h"
+#include "slice.h"
+
+#define SPEED           2.0f  // scene units a second
+#define DEGREES         0.15f // of a turn, for each pixel of the pointer
+#define ZOOM            1.1   // focal length or slice, for each notch of the wheel
+#define FOCAL_MINIMUM   0.2   // of a shader that declares no focalLength
+#define FOCAL_MAXIMUM   10.0
+#define LAST_SCREENSHOT 9999
+
+struct parameter *window_chosen(const struct window *window)
+{
+    const struct parameters *all = &window->renderer->parameters;
+    struct parameter *parameter = parameters_find(all, window->parameter);
+    return parameter != NULL || all->count == 0 ? parameter : &all->item[0];
+}
+
+// ---- What keys and wheel do ----
+
+static void zoom(struct window *window, double notches)
+{
+    float *own = &window->renderer->focal_length, *slice = &window->inputs.zoom;
+    struct parameter *parameter = parameters_find(&window->renderer->parameters, "focalLength");
+    double factor = pow(ZOOM, notches);
+    if (window->renderer->view == SHADER_SLICE)
+        *slice = (float)fmin(fmax((double)*slice * factor, (double)SLICE_ZOOM_MINIMUM),
+                             (double)SLICE_ZOOM_MAXIMUM);
+    else if (parameter != NULL)
+        parameter->value[0] =
+            fmin(fmax(parameter->value[0] * factor, parameter->minimum), parameter->maximum);
+    else
+        *own = (float)fmin(fmax((double)*own * factor, FOCAL_MINIMUM), FOCAL_MAXIMUM);
+}
+
+static void toggle_orthographic(struct window *window)
+{
+    struct parameter *parameter = parameters_find(&window->renderer->parameters, "orthographic");
+    if (parameter == NULL)
+        return;
+    double middle = 0.5 * (parameter->minimum + parameter->maximum);
+    parameter->value[0] = parameter->value[0] > middle ? parameter->minimum : parameter->maximum;
+}
+
+static void choose(struct window *window, int by)
+{
+    const struct parameters *all = &window->renderer->parameters;
+    const struct parameter *parameter = window_chosen(window);
+    if (parameter == NULL)
+        return;
+    int index = ((int)(parameter - all->item) + by + all->count) % all->count;
+    snprintf(window->parameter, sizeof window->parameter, "%s", all->item[index].name);
+}
+
+// Write the picture under the first free name. That a disk is full is reported and ends nothing.
+static void save_screenshot(struct window *window)
+{
+    char path[256];
+    int number = 1;
+    do
+        snprintf(path, sizeof path, "%.200s-%04d.png", window->stem, number);
+    while (access(path, F_OK) == 0 && ++number <= LAST_SCREENSHOT);
+    if (number > LAST_SCREENSHOT) {
+        report("%s: all names up to this one are taken: move some screenshots away", path);
+        return;
+    }
+    struct image image = {0};
+    if (renderer_picture(window->renderer, &window->inputs, &image) &&
+        image_write_png(&image, path)) {
+        printf("%s: written, %dx%d\n", path, image.width, image.height);
+        fflush(stdout);
+    }
+    image_free(&image);
+}
+
+static GLFWmonitor *monitor_below(GLFWwindow *handle)
+{
+    int count = 0, x = 0, y = 0, width = 0, height = 0;
+    GLFWmonitor **monitors = glfwGetMonitors(&count);
+    glfwGetWindowPos(handle, &x, &y);
+    glfwGetWindowSize(handle, &width, &height);
+    for (int i = 0; i < count; i++) {
+        int left, top;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode *mode = glfwGetVideoMode(monitors[i]);
+        int right = x + width / 2 - left, down = y + height / 2 - top;
+        if (mode != NULL && right >= 0 && right < mode->width && down >= 0 && down < mode->height)
+            return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
+}
+
+static void toggle_full_screen(struct window *window)
+{
+    GLFWwindow *handle = window->handle;
+    int *place = window->place;
+    if (glfwGetWindowMonitor(handle) != NULL) {
+        glfwSetWindowMonitor(handle, NULL, place[0], place[1], place[2], place[3], GLFW_DONT_CARE);
+        return;
+    }
+    GLFWmonitor *monitor = monitor_below(handle);
+    const GLFWvidmode *mode = monitor != NULL ? glfwGetVideoMode(monitor) : NULL;
+    if (mode == NULL) {
+        report("full screen: the window system names no monitor");
+        return;
+    }
+    glfwGetWindowPos(handle, &place[0], &place[1]);
+    glfwGetWindowSize(handle, &place[2], &place[3]);
+    glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+static void act(struct window *window, struct window_event event)
+{
+    struct parameter *parameter = window_chosen(window);
+    switch (event.action) {
+    case WINDOW_END:
+        glfwSetWindowShouldClose(window->handle, GLFW_TRUE);
+        break;
+    case WINDOW_PAUSE:
+        window->paused = !window->paused;
+        break;
+    case WINDOW_RESTART:
+        window->inputs.time = window->options->time;
+        break;
+    case WINDOW_SCREENSHOT:
+        save_screenshot(window);
+        break;
+    case WINDOW_FULL_SCREEN:
+        toggle_full_screen(window);
+        break;
+    case WINDOW_ORTHOGRAPHIC:
+        toggle_orthographic(window);
+        break;
+    case WINDOW_CHOOSE:
+        choose(window, event.amount);
+        break;
+    case WINDOW_CHANGE:
+        if (parameter != NULL)
+            parameter_change(parameter, event.amount);
+        window->moved = true;
+        break;
+    case WINDOW_RESET:
+        if (parameter != NULL)
+            parameter_reset(parameter);
+        break;
+    case WINDOW_FOLD:
+        window->folded = !window->folded;
+        break;
+    case WINDOW_VIEW:
+        renderer_set_view(window->renderer, (enum shader_view)event.amount);
+        break;
+    }
+}
+
+// A click chooses the pixel's ray, and again lets it go.
+//   place  in window coordinates from the top left; on a high-density display one of them holds
+//          several pixels
+static void look_at_ray(struct window *window, const double place[2])
+{
+    int *pixel = window->inputs.pixel, width = 0, height = 0;
+    glfwGetWindowSize(window->handle, &width, &height);
+    if (width < 1 || height < 1)
+        return;
+    int x = (int)floor(place[0] * window->inputs.width / width);
+    int y = window->inputs.height - 1 - (int)floor(place[1] * window->inputs.height / height);
+    bool same = x == pixel[0] && y == pixel[1];
+    pixel[0] = same ? -1 : x;
+    pixel[1] = same ? -1 : y;
+    window->why[0] = '\0';
+    window->tell = !same;
+}
+
+void window_obey(struct window *window)
+{
+    struct window_input *input = &window->input;
+    struct camera *camera = &window->inputs.camera;
+    window_input_count(input);
+    float travel[3], longest = 0.0f;
+    for (int axis = 0; axis < 3; axis++) {
+        travel[axis] = (float)input->travel[axis];
+        longest = fmaxf(longest, fabsf(travel[axis]));
+    }
+    bool looked = input->look[0] != 0.0 || input->look[1] != 0.0;
+    // A pointer that goes right turns the view right, dragging or captured.
+    if (looked)
+        camera_turn(camera, DEGREES * (float)input->look[0], -DEGREES * (float)input->look[1]);
+    if (longest > 0.0f)
+        camera_move(camera, travel, SPEED * longest);
+    if (input->wheel != 0.0)
+        zoom(window, input->wheel);
+    if (input->clicked)
+        look_at_ray(window, input->click);
+    window->moved |= looked || longest > 0.0f || input->wheel != 0.0;
+    for (int i = 0; i < input->events; i++)
+        act(window, input->event[i]);
+    if (window->moved || input->clicked || input->events > 0 || input->damaged)
+        window->dirty = true;
+    if (input->events > 0 || input->wheel != 0.0)
+        window->retitle_at = 0.0;
+    window_input_forget(input);
+}

@@ -1,0 +1,71 @@
+// window_state.h - what the parts of the window share. For window*.c alone.
+//
+// window.c holds the loop, window_input.c gathers what the hands do, window_act.c carries it out,
+// window_draw.c draws frames, title bar and overlay.
+#ifndef WINDOW_STATE_H
+#define WINDOW_STATE_H
+
+#include "options.h"
+#include "overlay.h"
+#include "panel.h"
+#include "renderer.h"
+#include "watch.h"
+#include "window_input.h"
+
+#define WINDOW_KEYS 20 // entries of the overlay's list of keys, at most
+
+struct window {
+    GLFWwindow *handle;
+    struct renderer *renderer;
+    const struct options *options;
+    const char *title, *stem, *shader;
+    struct window_input input;
+    struct watch watch;
+    struct renderer_inputs inputs; // of the frame on the screen
+    char parameter[64];            // the one that the arrows change
+    bool paused, broken, dirty;
+    bool drew;          // the last turn of the loop drew a frame
+    double turn, frame; // when the last turn began, when the last frame began
+    double rate;        // frames a second, 0 before it is known
+    double seconds;     // that drawing the last picture took
+    double look_at, retitle_at;
+    int place[4]; // x, y, width, height before full screen
+    char shown[256];
+    // The overlay.
+    struct overlay overlay;
+    bool folded;       // H was pressed
+    double figures[2]; // frames a second and milliseconds that it shows
+    double figures_at; // when they may change
+    char error[4096];  // of the last reload; "" when it was good
+    struct panel_key keys[WINDOW_KEYS];
+    int key_count;
+    // The ray that is looked at.
+    struct renderer_probe *probe; // owned
+    bool tell;                    // print its table once it is there
+    char why[512];                // there is none because of this; "" when there is one
+    // The resolution while something moves.
+    bool moved;      // what makes the picture changed in this turn
+    double rest_at;  // from then on nothing moves
+    int divisor;     // of the frame on the screen; 1 is sharp
+    double cost;     // seconds that a sharp frame takes, estimated; 0 before it is known
+    GLuint measured; // the program of the last frame
+};
+
+// The parameter that the arrows change: the one last chosen, as long as the shader has it.
+struct parameter *window_chosen(const struct window *window);
+
+// Show chapter, view and parameter in the title bar.
+void window_retitle(struct window *window);
+
+// Carry out what the hands did since the last turn.
+void window_obey(struct window *window);
+
+// True when the picture on the screen depends on the time.
+bool window_uses_time(const struct window *window);
+
+// Draw the frame that is due, with the overlay.
+//   now  of glfwGetTime
+// Returns false, reported.
+bool window_draw(struct window *window, double now);
+
+#endif

@@ -1,0 +1,238 @@
+// test_overlay.c - text and boxes over a picture: where they are, how large, and nothing beyond.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "../common/overlay.h"
+#include "../common/panel.h"
+#include "../common/report.h"
+#include "support_gpu.h"
+#include "support_scratch.h"
+
+enum { WIDTH = 400, HEIGHT = 240 };
+
+static struct gpu gpu;
+static struct overlay overlay;
+static const struct overlay_colour WHITE = {{255, 255, 255, 255}};
+
+static struct image picture_of(const struct overlay *over)
+{
+    struct renderer_inputs inputs = {.width = WIDTH,
+                                     .height = HEIGHT,
+                                     .camera = {.position = {0, 0, 4}},
+                                     .samples = 1,
+                                     .pixel = {-1, -1}};
+    struct image image = {0};
+    gpu.renderer.overlay = over;
+    assert_true(renderer_picture(&gpu.renderer, &inputs, &image));
+    gpu.renderer.overlay = NULL;
+    return image;
+}
+
+// The smallest box of whole pixels that holds all changes: left, top, right, bottom, the last two
+// just outside. Returns the number of changed pixels.
+static int changes(const struct image *a, const struct image *b, int box[4])
+{
+    int count = 0;
+    memcpy(box, (int[4]){WIDTH, HEIGHT, 0, 0}, 4 * sizeof *box);
+    for (int y = 0; y < HEIGHT; y++)
+        for (int x = 0; x < WIDTH; x++) {
+            size_t at = 3 * ((size_t)y * WIDTH + (size_t)x);
+            if (memcmp(a->pixel + at, b->pixel + at, 3) == 0)
+                continue;
+            count++;
+            box[0] = x < box[0] ? x : box[0];
+            box[1] = y < box[1] ? y : box[1];
+            box[2] = x + 1 > box[2] ? x + 1 : box[2];
+            box[3] = y + 1 > box[3] ? y + 1 : box[3];
+        }
+    return count;
+}
+
+// Draw what was gathered over the picture, and find what it changed.
+static int drawn(int box[4])
+{
+    struct image without = picture_of(NULL), with = picture_of(&overlay);
+    int count = changes(&without, &with, box);
+    image_free(&without);
+    image_free(&with);
+    return count;
+}
+
+static void a_box_covers_its_pixels(void **unused)
+{
+    (void)unused;
+    int box[4];
+    overlay_begin(&overlay, WIDTH, HEIGHT, 1.0f);
+    overlay_box(&overlay, 10, 20, 30, 5, WHITE);
+    assert_int_equal(drawn(box), 30 * 5);
+    assert_memory_equal(box, ((int[4]){10, 20, 40, 25}), sizeof box);
+    overlay_begin(&overlay, WIDTH, HEIGHT, 2.0f);
+    overlay_box(&overlay, 10, 20, 30, 5, WHITE);
+    assert_int_equal(drawn(box), 60 * 10);
+    assert_memory_equal(box, ((int[4]){20, 40, 80, 50}), sizeof box);
+    overlay_begin(&overlay, WIDTH, HEIGHT, 1.0f);
+    assert_int_equal(drawn(box), 0);
+}
+
+// A box of half a pixel changes it by half: 255 over a picture p gives p + (255 - p) / 2.
+static void an_edge_inside_a_pixel_covers_its_share(void **unused)
+{
+    (void)unused;
+    overlay_begin(&overlay, WIDTH, HEIGHT, 0.5f);
+    overlay_box(&overlay, 101, 60, 1, 2, WHITE); // x 50.5 to 51, y 30 to 31
+    struct image without = picture_of(NULL), with = picture_of(&overlay);
+    size_t at = 3 * (30 * (size_t)WIDTH + 50);
+    for (size_t k = at; k < at + 3; k++) {
+        double half = without.pixel[k] + (255 - without.pixel[k]) / 2.0;
+        // Both pictures were rounded.
+        assert_true(fabs(with.pixel[k] - half) <= 1.0);
+    }
+    image_free(&without);
+    image_free(&with);
+}
+
+static void text_stands_where_it_should(void **unused)
+{
+    (void)unused;
+    int one[4], two[4];
+    overlay_begin(&overlay, WIDTH, HEIGHT, 1.0f);
+    overlay_text(&overlay, 40, 30, "march gives", WHITE);
+    assert_true(drawn(one) > 100);
+    assert_true(one[0] >= 40 && one[0] <= 42 && one[1] >= 30);
+    assert_true(one[2] <= 40 + (int)overlay_width("march gives"));
+    assert_true(one[3] <= 30 + (int)OVERLAY_LINE);
+    overlay_begin(&overlay, WIDTH, HEIGHT, 2.0f);
+    overlay_text(&overlay, 40, 30, "march gives", WHITE);
+    drawn(two);
+    for (int i = 0; i < 4; i++)
+        assert_int_equal(two[i], 2 * one[i]);
+}
+
+static void any_text_can_be_drawn(void **unused)
+{
+    (void)unused;
+    char text[3000];
+    memset(text, '@', sizeof text - 1);
+    text[sizeof text - 1] = '\0';
+    overlay_begin(&overlay, WIDTH, HEIGHT, 1.0f);
+    overlay_text(&overlay, 0, 0, text, WHITE);
+    overlay_text(&overlay, 0, 20, "", WHITE);
+    size_t before = overlay.count;
+    overlay_text(&overlay, 0, 40, "\xc3\xa9\n\x01", WHITE); // é and two controls
+    size_t signs = overlay.count - before;
+    overlay_text(&overlay, 0, 60, "???", WHITE);
+    assert_int_equal(overlay.count - before - signs, signs);
+    assert_true(overlay_width(text) <= OVERLAY_TEXT * 10.0f);
+}
+
+static void the_scale_follows_the_height(void **unused)
+{
+    (void)unused;
+    static const struct {
+        int height;
+        float scale;
+    } wanted[] = {{1, 1.0f}, {360, 1.0f}, {540, 1.5f}, {720, 2.0f}, {1080, 3.0f}, {99999, 8.0f}};
+    for (size_t i = 0; i < sizeof wanted / sizeof *wanted; i++) {
+        float scale = overlay_scale_of(wanted[i].height);
+        if (scale != wanted[i].scale)
+            fail_msg("height %d: scale %g", wanted[i].height, (double)scale);
+    }
+}
+
+// The panel of a picture: all that it changes lies inside its background, which is one box.
+static void a_panel_changes_only_itself(void **unused)
+{
+    (void)unused;
+    int box[4];
+    struct panel panel = {.title = "A title", .renderer = &gpu.renderer, .pixel = {-1, -1}};
+    panel_gather(&panel, &overlay, WIDTH, HEIGHT, 1.0f);
+    const struct overlay_rectangle *back = &overlay.rectangle[0];
+    drawn(box);
+    assert_int_equal(box[0], (int)back->left);
+    assert_int_equal(box[1], (int)back->top);
+    assert_int_equal(box[2], (int)back->right);
+    assert_int_equal(box[3], (int)back->bottom);
+    assert_true(box[2] < WIDTH && box[3] < HEIGHT);
+    panel.folded = true;
+    panel_gather(&panel, &overlay, WIDTH, HEIGHT, 1.0f);
+    assert_int_equal(drawn(box), 0);
+}
+
+// Any size and any length of text: nothing hangs, nothing is written beyond a buffer.
+static void a_panel_fits_any_picture(void **unused)
+{
+    (void)unused;
+    char error[6000];
+    memset(error, 'x', sizeof error - 1);
+    error[sizeof error - 1] = '\0';
+    for (size_t i = 50; i < sizeof error - 1; i += 377)
+        error[i] = '\n';
+    struct panel panel = {.title = "A title",
+                          .renderer = &gpu.renderer,
+                          .pixel = {0, 0},
+                          .why = "a reason\n\nof three lines",
+                          .error = error};
+    static const int sizes[][2] = {{1, 1}, {30, 20}, {320, 200}, {16384, 1}, {1, 16384}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        for (int power = -1; power <= 3; power++)
+            panel_gather(&panel, &overlay, sizes[i][0], sizes[i][1], ldexpf(1.0f, power));
+}
+
+static void the_last_report_is_kept(void **unused)
+{
+    (void)unused;
+    char text[20000];
+    capture_begin();
+    report("first: %d", 1);
+    assert_string_equal(report_last(), "first: 1\n");
+    report_lines("one\n two\x1b[m");
+    assert_string_equal(report_last(), "one\n two?[m\n");
+    memset(text, 'y', sizeof text);
+    for (size_t length = 8180; length < 8200; length++) {
+        text[length] = '\0';
+        report_lines(text);
+        assert_true(strlen(report_last()) >= 8180);
+        text[length] = 'y';
+    }
+    capture_end();
+}
+
+static int set_up(void **unused)
+{
+    (void)unused;
+    return gpu_open(&gpu) && gpu_load(&gpu, "chapters/01_normal_colouring.frag") &&
+                   overlay_open(&overlay, &gpu.context.gl)
+               ? 0
+               : -1;
+}
+
+static int tear_down(void **unused)
+{
+    (void)unused;
+    overlay_close(&overlay);
+    overlay_close(&overlay);
+    gpu_close(&gpu);
+    return 0;
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_box_covers_its_pixels),
+        cmocka_unit_test(an_edge_inside_a_pixel_covers_its_share),
+        cmocka_unit_test(text_stands_where_it_should),
+        cmocka_unit_test(any_text_can_be_drawn),
+        cmocka_unit_test(the_scale_follows_the_height),
+        cmocka_unit_test(a_panel_changes_only_itself),
+        cmocka_unit_test(a_panel_fits_any_picture),
+        cmocka_unit_test(the_last_report_is_kept),
+    };
+    return cmocka_run_group_tests_name("overlay", tests, set_up, tear_down);
+}
