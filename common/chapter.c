@@ -78,6 +78,15 @@ static bool find_shader(struct run *run)
     return false;
 }
 
+// The chapter's title, or the name of the file that runs in place of its shader.
+static const char *title_of(const struct run *run)
+{
+    if (run->options.shader == NULL)
+        return run->chapter->title;
+    const char *slash = strrchr(run->options.shader, '/');
+    return slash != NULL ? slash + 1 : run->options.shader;
+}
+
 static int print_shader(const struct run *run)
 {
     struct shader_source source;
@@ -133,7 +142,7 @@ static bool add_overlay(const struct run *run, struct renderer *renderer,
                         struct overlay *overlay)
 {
     double scale = run->options.overlay;
-    struct panel panel = {.title = run->chapter->title,
+    struct panel panel = {.title = title_of(run),
                           .renderer = renderer,
                           .pixel = {inputs->pixel[0], inputs->pixel[1]},
                           .probe = probe};
@@ -203,7 +212,7 @@ static int work(struct run *run, struct context *context, struct renderer *rende
         if (!parameters_assign(&renderer->parameters, options->settings[i]))
             return WRONG_COMMAND_LINE;
     if (context->window != NULL)
-        return window_run(context, renderer, options, run->chapter->title, run->chapter->stem,
+        return window_run(context, renderer, options, title_of(run), run->chapter->stem,
                           run->shader)
                    ? DONE
                    : NOT_DONE;
@@ -219,7 +228,7 @@ static int open_and_work(struct run *run)
     if (options->output != NULL && !image_check_target(options->output))
         return NOT_DONE;
     bool opened = still ? context_open_offscreen(&context, options->backend)
-                        : context_open_window(&context, options->backend, run->chapter->title,
+                        : context_open_window(&context, options->backend, title_of(run),
                                               options->width, options->height);
     int status = NOT_DONE;
     if (opened && renderer_open(&renderer, &context.gl, run->root))

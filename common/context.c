@@ -139,9 +139,10 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
         context->window = context_glfw_window(state);
         return load(context);
     }
-    report("window with OpenGL %d.%d: cannot be opened: %s: update the graphics driver, or render "
-           "without a window with --output FILE.png",
-           NEEDED_MAJOR, NEEDED_MINOR, why);
+    report(
+        "window with OpenGL %d.%d: cannot be opened: %s: try another display or driver, or render "
+        "without a window with --output FILE.png",
+        NEEDED_MAJOR, NEEDED_MINOR, why);
     return false;
 }
 #else

@@ -39,7 +39,7 @@ static const char controls[] =
     "  1 2 3 4 5          views: picture, normals, depth, steps, slice\n"
     "  up, down           choose a parameter\n"
     "  left, right        change it, with Shift ten steps; Home resets it\n"
-    "  Escape, R          pause and resume; restart the time\n"
+    "  Escape, R          pause and resume; restart the time, with Shift the camera too\n"
     "  H, P, F11          hide and show the overlay; write a screenshot; full screen\n"
     "  Backspace          end\n";
 

@@ -311,8 +311,9 @@ static void write_march(const struct panel *panel, struct overlay *overlay, floa
     int rows = probe_rows(probe) < most ? probe_rows(probe) : most;
     rows = rows < 0 ? 0 : rows;
     char heading[80];
-    snprintf(heading, sizeof heading, "ray of pixel %d, %d%s", panel->pixel[0], panel->pixel[1],
-             rows < probe_rows(probe) ? ": its last steps" : "");
+    snprintf(heading, sizeof heading, "%s %d, %d",
+             rows < probe_rows(probe) ? "last steps of pixel" : "ray of pixel", panel->pixel[0],
+             panel->pixel[1]);
     struct pen pen =
         open_panel(overlay, left, MARGIN, INSPECTOR_WIDTH, LINE * ((float)rows + 6.0f) - 2.0f);
     write_line(&pen, heading, BRIGHT);

@@ -23,8 +23,8 @@ struct renderer_inputs {
     int frame;            // number of the frame; 0 for a file
     float mouse[4];       // Shadertoy's iMouse; zeros for a file
     int samples;          // along each side of a pixel
-    int pixel[2];         // whose ray is looked at, 0,0 bottom left; -1,-1: none; the slice: the middle
-    float zoom;           // of the slice view; 1: the whole march, as does 0
+    int pixel[2]; // whose ray is looked at, 0,0 bottom left; -1,-1: none; the slice: the middle
+    float zoom;   // of the slice view; 1: the whole march, as does 0
 };
 
 // A float texture to draw into.
@@ -46,7 +46,7 @@ struct renderer {
     GLuint program[SHADER_PROGRAM_COUNT]; // by view, compiled when first asked for
     GLuint vertex_array;
     struct renderer_target picture;
-    struct renderer_target table; // of a probe, one column a step: the slice view reads it
+    struct renderer_target table;  // of a probe, one column a step: the slice view reads it
     const struct overlay *overlay; // drawn over every written picture, not owned; NULL: none
 };
 

@@ -79,6 +79,14 @@ static void save_screenshot(struct window *window)
     image_free(&image);
 }
 
+// A view that the shader has not is refused where the eyes are: in the overlay.
+static void show_view(struct window *window, enum shader_view view)
+{
+    bool shown = renderer_set_view(window->renderer, view);
+    if (!shown || !window->broken)
+        snprintf(window->error, sizeof window->error, "%s", shown ? "" : report_last());
+}
+
 static GLFWmonitor *monitor_below(GLFWwindow *handle)
 {
     int count = 0, x = 0, y = 0, width = 0, height = 0;
@@ -128,6 +136,10 @@ static void act(struct window *window, struct window_event event)
     case WINDOW_RESTART:
         window->inputs.time = window->options->time;
         break;
+    case WINDOW_BEGIN:
+        window->inputs.time = window->options->time;
+        window->inputs.camera = window->options->camera;
+        break;
     case WINDOW_SCREENSHOT:
         save_screenshot(window);
         break;
@@ -153,7 +165,7 @@ static void act(struct window *window, struct window_event event)
         window->folded = !window->folded;
         break;
     case WINDOW_VIEW:
-        renderer_set_view(window->renderer, (enum shader_view)event.amount);
+        show_view(window, (enum shader_view)event.amount);
         break;
     }
 }

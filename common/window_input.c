@@ -119,8 +119,11 @@ static void on_key(GLFWwindow *window, int key, int scancode, int action, int mo
         if (pressed_keys[i].key != key || !acts || input->events == WINDOW_INPUT_EVENTS)
             continue;
         struct window_event event = pressed_keys[i].event;
-        if (event.action == WINDOW_CHANGE && (modifiers & GLFW_MOD_SHIFT) != 0)
+        bool shifted = (modifiers & GLFW_MOD_SHIFT) != 0;
+        if (shifted && event.action == WINDOW_CHANGE)
             event.amount *= TEN_STEPS;
+        if (shifted && event.action == WINDOW_RESTART)
+            event.action = WINDOW_BEGIN;
         input->event[input->events++] = event;
     }
 }

@@ -13,7 +13,8 @@
 enum window_action {
     WINDOW_END,
     WINDOW_PAUSE,
-    WINDOW_RESTART,
+    WINDOW_RESTART, // the time
+    WINDOW_BEGIN,   // the time and the camera
     WINDOW_SCREENSHOT,
     WINDOW_FULL_SCREEN,
     WINDOW_ORTHOGRAPHIC,
