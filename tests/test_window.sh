@@ -222,6 +222,8 @@ for moving in a s d space c Control_L; do
 done
 cancels() { xdotool keydown w keydown s sleep 0.2 && shoot_as a && sleep 0.2 && shoot_as b && xdotool keyup w keyup s && same a b; }
 check 'W and S together stand still' cancels
+returns() { walk w && key shift+r && shoot_as again && same first again; }
+check 'Shift+R brings the camera back' returns
 pause_held() {
     xdotool keydown d sleep 0.1 key Escape keyup d && shows '(paused)' && shoot_as a && sleep 0.2 &&
         shoot_as b && same a b && key Escape
