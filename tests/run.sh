@@ -53,24 +53,11 @@ with_limit() {
     fi
 }
 
-# Run a suite's command; leave what it prints, and its time.
-execute() { # NAME FILE
-    local TIMEFORMAT=%1R
-    { time with_limit bash -c "$(command_of "$1")" >"$2.tap" 2>"$2.err" </dev/null; } 2>"$2.time"
-}
-
 # Run a suite; leave its counts in NAME.counts and print its line.
 run_one() { # NAME
-    local file=$results/${1//\//-} status passed failed skipped planned seconds text=""
-    execute "$1" "$file"
+    local file=$results/${1//\//-} status passed failed skipped planned seconds text="" TIMEFORMAT=%1R
+    { time with_limit bash -c "$(command_of "$1")" >"$file.tap" 2>"$file.err" </dev/null; } 2>"$file.time"
     status=$?
-    # The leak checker stops all threads to look at them, and now and then dies of it itself. That is
-    # no leak found: the suite is run again, once, and says so.
-    if [ "$status" != 0 ] && grep -q 'LeakSanitizer has encountered a fatal error' "$file.tap" "$file.err"; then
-        echo "$1: the leak checker died; run again"
-        execute "$1" "$file"
-        status=$?
-    fi
     seconds=$(tail -n 1 "$file.time")
     skipped=$(grep -cE '^(not )?ok\>.*# *SKIP\>' "$file.tap")
     passed=$(grep -E '^ok\>' "$file.tap" | grep -vcE '# *SKIP\>')
