@@ -44,7 +44,7 @@ start() {
     mkdir "$scratch/run"
     (cd "$scratch/run" && exec "$root/$BUILD/$stem" "$@" >out 2>err) &
     program=$!
-    within 10 find_window && xdotool windowfocus --sync "$window" && within 10 drawn
+    within 20 find_window && xdotool windowfocus --sync "$window" && within 20 drawn
 }
 
 # The first frame is there: the pixels in the middle are no longer all of one colour.
@@ -113,6 +113,8 @@ within 10 managed || echo '# openbox did not start'
 # shellcheck disable=SC2086 # options are words
 if ! start $chapter $still; then
     sed 's/^/# /' "$scratch/run/err"
+    echo "# window ${window:-none}; all windows:"
+    wmctrl -lp 2>&1 | sed 's/^/# /'
     not_ok 'a window opens'
     close_window
     plan
