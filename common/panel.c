@@ -231,7 +231,9 @@ static bool next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1
 // Above the keys. A long one is cut where its panel would fill more than half of the picture.
 static float write_error(const struct panel *panel, struct overlay *overlay, float bottom)
 {
-    static const char heading[] = "Error: the last good picture stays until the next good save";
+    const char *heading = panel->broken
+                              ? "Error: the last good picture stays until the next good save"
+                              : "This view can't be shown";
     char line[OVERLAY_TEXT + 1];
     float limit = picture_width(overlay) - 2.0f * (MARGIN + PADDING);
     int most = (int)(0.5f * picture_height(overlay) / LINE), lines = 0;

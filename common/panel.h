@@ -28,7 +28,8 @@ struct panel {
     int pixel[2];                       // whose march is shown, 0,0 bottom left; -1,-1: none
     const struct renderer_probe *probe; // its march, or NULL: then why says why there is none
     const char *why;
-    const char *error; // of the last reload, its lines ended by '\n'
+    const char *error; // its lines ended by '\n'; NULL or "": none
+    bool broken;       // the error is that of a reload; else it says why a view is refused
 };
 
 // Gather the panel into the overlay's new frame.

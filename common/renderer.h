@@ -17,7 +17,7 @@
 // from the clock, so that the same inputs give the same picture.
 struct renderer_inputs {
     int width, height;    // pixels of the whole picture
-    struct camera camera; //
+    struct camera camera; // whose rays start the picture
     double time;          // seconds
     double time_delta;    // seconds since the last frame; 0 for a file
     int frame;            // number of the frame; 0 for a file

@@ -151,6 +151,7 @@ static void gather(struct window *window)
         .probe = window->why[0] == '\0' ? window->probe : NULL,
         .why = window->why,
         .error = window->error,
+        .broken = window->broken,
     };
     panel_gather(&panel, &window->overlay, inputs->width, inputs->height,
                  scale > 0.0 ? (float)scale : overlay_scale_of(inputs->height));

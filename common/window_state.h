@@ -36,7 +36,7 @@ struct window {
     bool folded;       // H was pressed
     double figures[2]; // frames a second and milliseconds that it shows
     double figures_at; // when they may change
-    char error[4096];  // of the last reload; "" when it was good
+    char error[4096];  // of the last reload, or why a view is refused; "" when all is well
     struct panel_key keys[WINDOW_KEYS];
     int key_count;
     // The ray that is looked at.
