@@ -90,7 +90,7 @@ need_test() {
     need 'real key and mouse events' 'xdotool|xdotool|xdotool|-' has_command xdotool
     need 'a window manager' 'openbox|openbox|openbox|-' has_command openbox
     need 'wmctrl' 'wmctrl|wmctrl|wmctrl|-' has_command wmctrl
-    need 'ImageMagick' 'imagemagick|ImageMagick|imagemagick|imagemagick' has_command convert
+    need 'ImageMagick' 'imagemagick|ImageMagick|imagemagick|imagemagick' has_command import
 }
 
 need_lint() {

@@ -58,8 +58,8 @@ static const struct mirror_part plane_part = {
     "plane", MIRROR_PLANE, {0.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, 0.0};
 static const struct mirror_part ball_part = {
     "ball", MIRROR_SPHERE, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1.0};
-static const struct mirror_scene plane_scene = {&plane_part, 1};
-static const struct mirror_scene ball_scene = {&ball_part, 1};
+static const struct mirror_scene plane_scene = {&plane_part, 1, NULL};
+static const struct mirror_scene ball_scene = {&ball_part, 1, NULL};
 
 int measure_plane_moves(double angle, double threshold)
 {

@@ -130,6 +130,9 @@ static double part_distance(const struct mirror_part *part, struct d3 p)
 double mirror_distance(const struct mirror_scene *scene, struct d3 p, int *nearest)
 {
     double least = DBL_MAX;
+    int ignored = 0;
+    if (scene->function != NULL)
+        return scene->function(p, nearest != NULL ? nearest : &ignored);
     for (int i = 0; i < scene->count; i++) {
         double distance = part_distance(&scene->part[i], p);
         if (distance < least) {

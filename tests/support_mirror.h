@@ -99,9 +99,12 @@ struct mirror_part {
     double size;    // sphere: radius; frame: half thickness of a beam; plane: height
 };
 
+// A scene: a union of solids, or any function that bounds the distance from below.
 struct mirror_scene {
     const struct mirror_part *part;
     int count;
+    // In place of the parts: the distance at p; nearest receives a number of the caller's choice.
+    double (*function)(struct d3 p, int *nearest);
 };
 
 // The distance of a scene.

@@ -38,10 +38,10 @@ static const struct mirror_part parts_steps[] = {
 
 #define COUNT(array) ((int)(sizeof(array) / sizeof(array)[0]))
 
-const struct mirror_scene mirror_scene_00 = {parts_00, COUNT(parts_00)};
-const struct mirror_scene mirror_scene_01 = {parts_01, COUNT(parts_01)};
-const struct mirror_scene mirror_scene_02 = {parts_02, COUNT(parts_02)};
-static const struct mirror_scene scene_steps = {parts_steps, COUNT(parts_steps)};
+const struct mirror_scene mirror_scene_00 = {parts_00, COUNT(parts_00), NULL};
+const struct mirror_scene mirror_scene_01 = {parts_01, COUNT(parts_01), NULL};
+const struct mirror_scene mirror_scene_02 = {parts_02, COUNT(parts_02), NULL};
+static const struct mirror_scene scene_steps = {parts_steps, COUNT(parts_steps), NULL};
 
 const struct d3 mirror_low = {-2.65, -0.25, -2.25};
 const struct d3 mirror_high = {2.65, 2.45, 2.25};
