@@ -5,9 +5,12 @@ CFLAGS ?= -O2 -g
 OPTIONS =
 CHAPTER =
 SUITE =
+EXERCISE =
+FILE =
+FILES =
 FORCE =
 SANITIZE =
-export CHAPTER SUITE FORCE
+export CHAPTER SUITE EXERCISE FILE FILES FORCE
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -72,7 +75,8 @@ $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
 $(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
-$(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/image.o $(BUILD)/common/report.o $(EXTRA)
+$(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/image.o \
+    $(BUILD)/common/image_compare.o $(BUILD)/common/report.o $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
@@ -98,6 +102,11 @@ test: ## run every test; make test SUITE=camera runs one
 	@$(AGAIN) programs tests
 	@$(AGAIN) SANITIZE=1 programs tests
 	@tests/run.sh $(SUITE)
+
+check: ## is a solution right? make check EXERCISE=03_2 FILE=my.frag; FILES='handed_in/*.frag' for a table
+	@.make/setup.sh run
+	@$(AGAIN) programs build/tests/compare
+	@.make/check.sh
 
 test-gpu: ## compare the references with this machine's own GPU; reports, does not judge
 	@.make/setup.sh run
@@ -139,7 +148,7 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 always:
-.PHONY: all programs tests run test test-gpu gallery references diff lint format docs setup clean \
+.PHONY: all programs tests run test check test-gpu gallery references diff lint format docs setup clean \
         help always
 .DELETE_ON_ERROR:
 .SUFFIXES:
