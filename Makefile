@@ -6,11 +6,12 @@ OPTIONS =
 CHAPTER =
 SUITE =
 EXERCISE =
+NAME =
 FILE =
 FILES =
 FORCE =
 SANITIZE =
-export CHAPTER SUITE EXERCISE FILE FILES FORCE
+export CHAPTER SUITE NAME EXERCISE FILE FILES FORCE
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -60,6 +61,7 @@ COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(wildcard common/*
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
 PROGRAMS := $(STEMS:%=$(BUILD)/%)
+FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard tests/test_*.c)))
 
 all: ## build every chapter's program into build/ (the default)
@@ -67,7 +69,7 @@ all: ## build every chapter's program into build/ (the default)
 	@$(AGAIN) programs
 
 programs: $(PROGRAMS)
-tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure
+tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%)
 
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
@@ -79,6 +81,11 @@ $(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/image.o \
     $(BUILD)/common/image_compare.o $(BUILD)/common/report.o $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
+# A figure may ask the mathematics that the tests ask.
+$(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/figures/svg.o $(SUPPORT) \
+    $(COMMON) $(EXTRA)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
+
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call say,$(CC) $<) $(CC) $(COMPILE) -MMD -MP -c -o $@ $<
@@ -88,7 +95,7 @@ $(BUILD)/flags: always
 	@mkdir -p $(@D)
 	@echo '$(CC) $(COMPILE) $(LINK)' | cmp -s - $@ || echo '$(CC) $(COMPILE) $(LINK)' > $@
 
--include $(wildcard $(BUILD)/common/*.d $(BUILD)/chapters/*.d $(BUILD)/tests/*.d)
+-include $(wildcard $(BUILD)/common/*.d $(BUILD)/chapters/*.d $(BUILD)/tests/*.d $(BUILD)/docs/figures/*.d)
 
 # ---- What a person asks for ----
 
@@ -123,6 +130,16 @@ references: ## render the reference pictures again; those within tolerance stay 
 	@$(AGAIN) programs build/tests/compare
 	@tests/references.sh update
 
+figures: ## draw the diagrams of docs/figures/ again
+	@.make/setup.sh test
+	@$(AGAIN) figure_programs
+	@for name in $(FIGURES); do build/docs/figures/$$name > docs/figures/$$name.svg || exit 1; done
+
+figure_programs: $(FIGURES:%=$(BUILD)/docs/figures/%)
+
+chapter: ## begin a chapter with the next number: make chapter NAME=soft_shadows
+	@.make/chapter.sh
+
 diff: ## show what changed since the chapter before: make diff CHAPTER=03
 	@.make/diff.sh
 
@@ -133,7 +150,7 @@ lint: ## hold C, GLSL and scripts against every checker; warnings are errors
 
 format: ## lay out the C sources by .clang-format
 	@.make/setup.sh lint
-	@clang-format -i $(wildcard common/*.[ch] chapters/*.c tests/*.[ch])
+	@clang-format -i $(wildcard common/*.[ch] chapters/*.c tests/*.[ch] docs/figures/*.[ch])
 
 docs: ## rewrite the listings in docs/ from the sources that they show
 	@.make/listings.sh
@@ -148,7 +165,7 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 always:
-.PHONY: all programs tests run test check test-gpu gallery references diff lint format docs setup clean \
+.PHONY: all programs tests run test check test-gpu gallery references figures figure_programs chapter diff lint format docs setup clean \
         help always
 .DELETE_ON_ERROR:
 .SUFFIXES:
