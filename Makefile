@@ -152,7 +152,9 @@ format: ## lay out the C sources by .clang-format
 	@.make/setup.sh lint
 	@clang-format -i $(wildcard common/*.[ch] chapters/*.c tests/*.[ch] docs/figures/*.[ch])
 
-docs: ## rewrite the listings in docs/ from the sources that they show
+docs: ## rewrite the listings and tables in docs/ from the sources that they show
+	@.make/setup.sh run
+	@$(AGAIN) programs
 	@.make/listings.sh
 
 setup: ## install what run, test and lint need
