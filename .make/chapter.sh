@@ -19,9 +19,11 @@ number=$(printf '%02d' $((10#${last%%_*} + 1)))
 stem=${number}_$NAME
 title=${NAME//_/ }
 title=${title^}
-set -o noclobber
+for file in "chapters/$stem.c" "chapters/$stem.frag" "docs/$stem.md"; do
+    [ ! -e "$file" ] || fail "$file exists"
+done
 
-cat >"chapters/$stem.c" <<END || fail "chapters/$stem.c exists"
+cat >"chapters/$stem.c" <<END || exit 1
 // Chapter $number: ${title,}. One sentence on what it shows.
 //
 // The page is docs/$stem.md.
@@ -39,7 +41,7 @@ int main(int argc, char **argv)
 }
 END
 
-cat >"chapters/$stem.frag" <<END || fail "chapters/$stem.frag exists"
+cat >"chapters/$stem.frag" <<END || exit 1
 // $number $title: one sentence on what it shows.
 
 #include "main.glsl"       // main(): asks for pixelRay, then for rayColour
@@ -79,7 +81,7 @@ vec3 rayColour(Ray ray)
 }
 END
 
-cat >"docs/$stem.md" <<END || fail "docs/$stem.md exists"
+cat >"docs/$stem.md" <<END || exit 1
 # $number $title
 
 What the chapter before left open, and what this one does about it, in three sentences.
