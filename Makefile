@@ -130,6 +130,10 @@ references: ## render the reference pictures again; those within tolerance stay 
 	@$(AGAIN) programs build/tests/compare
 	@tests/references.sh update
 
+book: ## set all pages as one PDF, build/book.pdf (pandoc and XeLaTeX, a package set of its own)
+	@.make/setup.sh book
+	@.make/book.sh
+
 figures: ## draw the diagrams of docs/figures/ again
 	@.make/setup.sh test
 	@$(AGAIN) figure_programs
@@ -167,7 +171,7 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 always:
-.PHONY: all programs tests run test check test-gpu gallery references figures figure_programs chapter diff lint format docs setup clean \
+.PHONY: all programs tests run test check test-gpu gallery references book figures figure_programs chapter diff lint format docs setup clean \
         help always
 .DELETE_ON_ERROR:
 .SUFFIXES:
