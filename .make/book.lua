@@ -103,7 +103,10 @@ local function table_widths(element)
     for i, spec in ipairs(element.colspecs) do
         element.colspecs[i] = {spec[1], longest[i] / total}
     end
-    return element
+    return pandoc.walk_block(element, {Image = function(image)
+        image.attributes.width = string.format('%d%%', math.floor(92 / #longest)) -- of the page
+        return image
+    end})
 end
 
 local function raw(element)
