@@ -18,17 +18,16 @@ uniform float sunAzimuth;   // -26 in [-180, 180] step 2, degrees: where the sun
 uniform int   maxSteps;     // 160 in [1, 512]: steps before a ray is given up
 uniform float hitThreshold; // 0.004 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
-const vec3  LOW = vec3(-14.0, -0.13, -13.0);     // opposite corners of a box that holds waves of height 1:
-const vec3  HIGH = vec3(14.0, 0.13, 5.5);        // farther away the sea is drawn flat
-const vec3  THINGS_LOW = vec3(-2.2, -0.5, -3.6); // and of one that holds the things
-const vec3  THINGS_HIGH = vec3(3.7, 1.1, 2.2);
+const float FAR = 1000.0;                         // the sky
+const vec3  LOW = vec3(-14.0, -0.12, -10.0);     // opposite corners of a box that holds waves of height 1:
+const vec3  HIGH = vec3(14.0, 0.12, 5.5);        // farther away the sea is drawn flat
 
-// Four waves at once: amplitudes, wave vectors (x and z), and angular speeds sqrt(9.81 |k|).
-const vec4  AMPLITUDE = vec4(0.060, 0.035, 0.022, 0.012);
-const vec4  WAVE_X = vec4(0.45, -1.10, 1.90, -2.1);
-const vec4  WAVE_Z = vec4(1.20, 1.70, 1.60, 3.9);
-const vec4  WAVE_SPEED = vec4(3.55, 4.46, 4.94, 6.59);
-const float STEEPEST = 0.258;                    // the sum of amplitude times |k|: no slope is larger
+// Three waves at once: amplitudes, wave vectors (x and z), and angular speeds sqrt(9.81 |k|).
+const vec3  AMPLITUDE = vec3(0.060, 0.036, 0.024);
+const vec3  WAVE_X = vec3(0.45, -1.10, 1.90);
+const vec3  WAVE_Z = vec3(1.20, 1.70, 1.60);
+const vec3  WAVE_SPEED = vec3(3.55, 4.46, 4.94);
+const float STEEPEST = 0.210;                    // the sum of amplitude times |k|: no slope is larger
 const float RING = 0.66;                         // radius of the ring, scene units
 const float RING_REACH = 1.5;                    // of a ball around the ring and a margin, in radii of the ring
 
@@ -42,9 +41,10 @@ struct Pose {
 };
 Pose ringPose, ballPose, cratePose;
 vec3 toSun;
+float ringStretch, seaStretch;
 
 // The phases of the four waves over a point of the sea.
-vec4 wavePhase(vec2 xz)
+vec3 wavePhase(vec2 xz)
 {
     return WAVE_X * xz.x + WAVE_Z * xz.y + WAVE_SPEED * iTime;
 }
@@ -56,7 +56,7 @@ float seaHeight(vec2 xz)
 
 vec2 seaSlope(vec2 xz)
 {
-    vec4 change = waveHeight * AMPLITUDE * cos(wavePhase(xz));
+    vec3 change = waveHeight * AMPLITUDE * cos(wavePhase(xz));
     return vec2(dot(WAVE_X, change), dot(WAVE_Z, change));
 }
 
@@ -76,6 +76,8 @@ Ray pixelRay(vec2 screen)
     ballPose = afloat(vec2(0.95, -1.3), 0.18, rotationY(0.4) * rotationZ(-0.35));
     cratePose = afloat(vec2(3.0, -2.8), 0.12, rotationY(0.7) * rotationX(0.5) * rotationZ(0.3));
     toSun = normalize(rotationY(-radians(sunAzimuth)) * vec3(0.0, 0.21, -1.0));
+    ringStretch = twistStretch(twist, RING_REACH);
+    seaStretch = heightStretch(waveHeight * STEEPEST);
     return perspectiveRay(screen);
 }
 
@@ -92,7 +94,7 @@ float ringDistance(vec3 p)
 {
     vec3 q = seenFrom(ringPose, p) / RING;
     float ball = length(q) - (RING_REACH - 0.2);
-    float ring = sdTorus(opTwist(q, twist).xzy, 1.0, 0.26) / twistStretch(twist, RING_REACH);
+    float ring = sdTorus(opTwist(q, twist).xzy, 1.0, 0.26) / ringStretch;
     return RING * (ball > 0.2 ? ball : ring);
 }
 
@@ -106,7 +108,7 @@ float thingsDistance(vec3 p)
 
 float seaDistance(vec3 p)
 {
-    return (p.y - seaHeight(p.xz)) / heightStretch(waveHeight * STEEPEST);
+    return (p.y - seaHeight(p.xz)) / seaStretch;
 }
 
 float sceneDistance(vec3 p)
@@ -150,30 +152,40 @@ vec3 waterNormal(vec2 xz, float t)
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
 
-// The interval in which a ray can meet the waves or the things.
-vec2 sceneInterval(Ray ray)
+// The smallest interval that holds two, either of which may be empty.
+vec2 joined(vec2 a, vec2 b)
 {
-    vec2 waves = boxInterval(ray, LOW * vec3(1.0, waveHeight, 1.0), HIGH * vec3(1.0, waveHeight, 1.0));
-    vec2 things = boxInterval(ray, THINGS_LOW, THINGS_HIGH);
-    return things.x < things.y ? vec2(min(waves.x, things.x), max(waves.y, things.y)) : waves;
+    return b.x < b.y ? vec2(min(a.x, b.x), max(a.y, b.y)) : a;
+}
+
+vec2 boxAround(Ray ray, Pose pose, float reach)
+{
+    return boxInterval(ray, pose.place - reach, pose.place + reach);
+}
+
+// Where a ray can meet a thing.
+vec2 thingsInterval(Ray ray)
+{
+    vec2 ring = joined(vec2(FAR, 0.0), boxAround(ray, ringPose, RING * (RING_REACH - 0.2)));
+    return joined(joined(ring, boxAround(ray, ballPose, 0.65)), boxAround(ray, cratePose, 0.75));
 }
 
 vec3 rayColour(Ray ray)
 {
-    vec2 interval = sceneInterval(ray);
+    vec2 interval = joined(thingsInterval(ray), boxInterval(ray, LOW, HIGH));
     Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
-    float flatSea = ray.direction.y < -0.0001 ? -ray.origin.y / ray.direction.y : 10000.0;
+    float flatSea = ray.direction.y < -0.0001 ? -ray.origin.y / ray.direction.y : FAR;
     float t = hit.found ? hit.t : flatSea;
     vec3 p = ray.origin + t * ray.direction;
-    bool sky = t > 9999.0;
-    bool thing = hit.found && thingsDistance(p) < seaDistance(p);
+    bool sky = t >= FAR;
+    bool thing = hit.found && stepScale * seaDistance(p) >= hitThreshold;
     vec3 normal = normalAt(p, 0.002);
     normal = thing ? normal : waterNormal(p.xz, t);
     
     vec3 mirrored = reflect(ray.direction, normal);
     mirrored.y = abs(mirrored.y);
-    Ray next = shadowRay(p, normal, thing ? toSun : mirrored, 4.0 * hitThreshold);
-    vec2 things = boxInterval(next, THINGS_LOW, THINGS_HIGH);
+    Ray next = shadowRay(p, normal, thing ? toSun : mirrored, 0.03);
+    vec2 things = thingsInterval(next);
     Hit second = march(next, things.x, things.y, hitThreshold, maxSteps);
     vec3 q = thing ? p : next.origin + second.t * next.direction;
     vec3 paint = colourAt(q);
@@ -187,7 +199,7 @@ vec3 rayColour(Ray ray)
     float fresnel = 0.02 + 0.98 * square * square * facing;
     float sunThere = dot(sky ? ray.direction : mirrored, toSun);
     seen += SUN_COLOUR * (sky ? 4.0 * smoothstep(0.9990, 0.9994, sunThere) : 40.0 * pow(max(sunThere, 0.0), 260.0));
-    if (second.found && thingsDistance(q) < seaDistance(q)) seen = paint * 0.6;
+    if (second.found && stepScale * seaDistance(q) >= hitThreshold) seen = paint * 0.6;
     vec3 body = ABYSS + vec3(0.0, 0.05, 0.05) * max(p.y / 0.13, 0.0);
     vec3 water = mix(body, seen, fresnel);
     vec3 haze = skyLight(vec3(ray.direction.x, 0.0, ray.direction.z));
