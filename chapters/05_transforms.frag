@@ -14,7 +14,7 @@
 uniform float waveHeight;   // 1 in [0, 3] step 0.1, times a calm sea: height of the waves
 uniform float twist;        // 0.6 in [0, 3] step 0.1, radians per radius of the ring: twist of the ring along its length
 uniform float stepScale;    // 1 in [0.2, 4] step 0.1, times the safe step: more than 1 makes holes
-uniform float sunAzimuth;   // -26 in [-180, 180] step 2, degrees: where the sun stands, 0 straight ahead, right positive
+uniform float sunAzimuth;   // -25 in [-180, 180] step 2, degrees: where the sun stands, 0 straight ahead, right positive
 uniform int   maxSteps;     // 160 in [1, 512]: steps before a ray is given up
 uniform float hitThreshold; // 0.004 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
@@ -31,8 +31,7 @@ const float STEEPEST = 0.210;                    // the sum of amplitude times |
 const float RING = 0.66;                         // radius of the ring, scene units
 const float RING_REACH = 1.5;                    // of a ball around the ring and a margin, in radii of the ring
 
-const vec3  SUN_COLOUR = vec3(2.6, 1.75, 0.95);  // linear RGB
-const vec3  ABYSS = vec3(0.004, 0.040, 0.060);   // what comes back out of the water
+const vec3  SUN_COLOUR = vec3(2.6, 1.6, 0.7);  // linear RGB
 
 // The place and the rotation of each thing that floats, and the sun: found once a pixel.
 struct Pose {
@@ -75,7 +74,7 @@ Ray pixelRay(vec2 screen)
     ringPose = afloat(vec2(-1.2, 1.2), 0.16, rotationY(0.5) * rotationZ(0.22) * rotationX(-1.35));
     ballPose = afloat(vec2(0.95, -1.3), 0.18, rotationY(0.4) * rotationZ(-0.35));
     cratePose = afloat(vec2(3.0, -2.8), 0.12, rotationY(0.7) * rotationX(0.5) * rotationZ(0.3));
-    toSun = normalize(rotationY(-radians(sunAzimuth)) * vec3(0.0, 0.21, -1.0));
+    toSun = normalize(rotationY(-radians(sunAzimuth)) * vec3(0.0, 0.18, -1.0));
     ringStretch = twistStretch(twist, RING_REACH);
     seaStretch = heightStretch(waveHeight * STEEPEST);
     return perspectiveRay(screen);
@@ -116,39 +115,39 @@ float sceneDistance(vec3 p)
     return stepScale * min(seaDistance(p), thingsDistance(p));
 }
 
-// The colour of a thing at p, asked of the point that the distance is asked of: paint follows.
+// The paint of a thing at p, asked of the same point as its distance: the stripes turn with it.
 vec3 colourAt(vec3 p)
 {
-    vec3 ring = opTwist(seenFrom(ringPose, p) / RING, twist), ball = seenFrom(ballPose, p);
-    float turns = ring.x * ring.x / dot(ring.xy, ring.xy); // the square of a cosine
-    vec3 colour = mix(vec3(0.75, 0.02, 0.01), vec3(0.8), smoothstep(0.40, 0.50, abs(turns - 0.5)));
-    float stripe = smoothstep(0.06, 0.07, abs(ball.y - 0.1));
-    colour = dot(ball, ball) < 0.42 ? mix(vec3(0.04), vec3(0.95, 0.55, 0.02), stripe) : colour;
-    return sdBox(seenFrom(cratePose, p), vec3(0.42)) < 0.05 ? vec3(0.36, 0.17, 0.06) : colour;
+    vec3 ring = opTwist(seenFrom(ringPose, p) / RING, twist);
+    vec3 ball = seenFrom(ballPose, p), crate = seenFrom(cratePose, p);
+    float cosine2 = ring.x * ring.x / dot(ring.xy, ring.xy); // of the angle around the ring, squared
+    vec3 red = mix(vec3(0.75, 0.02, 0.01), vec3(0.8), smoothstep(0.34, 0.36, abs(cosine2 - 0.5)));
+    vec3 yellow = mix(vec3(0.03), vec3(0.95, 0.55, 0.02), smoothstep(0.06, 0.07, abs(ball.y - 0.1)));
+    vec3 rim = smoothstep(0.34, 0.35, abs(crate)); // near two faces at once: the crate's edges
+    vec3 wood = mix(vec3(0.30, 0.14, 0.05), vec3(0.42, 0.24, 0.10), step(1.5, rim.x + rim.y + rim.z));
+    vec3 colour = dot(ball, ball) < 0.42 ? yellow : red;
+    return dot(crate, crate) < 0.7 ? wood : colour;
 }
 
 // The sky in a direction: blue above, pale on the horizon, golden towards the sun.
 vec3 skyLight(vec3 direction)
 {
-    float high = 1.0 / (1.0 + 5.0 * max(direction.y, 0.0));
-    float sun = max(dot(direction, toSun), 0.0), sun4 = sun * sun * sun * sun, sun16 = sun4 * sun4 * sun4 * sun4;
-    vec3 blue = mix(vec3(0.05, 0.16, 0.38), vec3(0.34, 0.44, 0.55), high * high);
-    return blue + vec3(0.55, 0.29, 0.11) * sun4 * high * high + vec3(0.5, 0.37, 0.22) * sun16 * sun16;
+    float low = 1.0 / (1.0 + 5.0 * max(direction.y, 0.0));
+    float sun = max(dot(direction, toSun), 0.0);
+    float sun4 = sun * sun * sun * sun, sun8 = sun4 * sun4, sun32 = sun8 * sun8 * sun8 * sun8;
+    vec3 blue = mix(vec3(0.035, 0.13, 0.36), vec3(0.38, 0.42, 0.50), low * low);
+    return blue + vec3(0.62, 0.25, 0.04) * sun8 * low * low + vec3(0.55, 0.36, 0.14) * sun32;
 }
 
-// The slope of the small waves that are too small for the march, at a point of the sea.
-vec2 rippleSlope(vec2 xz)
-{
-    vec4 bent = 1.5 * sin(vec4(1.3, 2.1, -1.7, 0.9) * xz.x + vec4(-1.9, 1.1, 2.3, 2.7) * xz.y);
-    vec4 wave = 0.03 * cos(vec4(5.1, -6.3, 9.7, 3.3) * xz.x + vec4(4.3, 7.7, 5.9, -12.1) * xz.y +
-                     vec4(6.8, 9.9, 10.6, 11.1) * iTime + bent);
-    return vec2(dot(vec4(0.7, -0.6, 0.8, 0.2), wave), dot(vec4(0.6, 0.7, 0.5, -0.9), wave));
-}
-
-// The waves' normal, flatter with the distance: what is smaller than a pixel would sparkle.
+// The sea's normal: the waves of the march and ripples too small for it, flatter with the distance t,
+// for what is smaller than a pixel would sparkle.
 vec3 waterNormal(vec2 xz, float t)
 {
-    vec2 slope = (seaSlope(xz) + rippleSlope(xz)) / (1.0 + 0.006 * t * t);
+    vec4 bent = 1.5 * sin(vec4(1.3, 2.1, -1.7, 0.9) * xz.x + vec4(-1.9, 1.1, 2.3, 2.7) * xz.y);
+    vec4 ripple = 0.03 * cos(vec4(5.1, -6.3, 9.7, 3.3) * xz.x + vec4(4.3, 7.7, 5.9, -12.1) * xz.y +
+                             vec4(6.8, 9.9, 10.6, 11.1) * iTime + bent);
+    vec2 small = vec2(dot(vec4(0.7, -0.6, 0.8, 0.2), ripple), dot(vec4(0.6, 0.7, 0.5, -0.9), ripple));
+    vec2 slope = (seaSlope(xz) + small) / (1.0 + 0.006 * t * t);
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
 
@@ -167,44 +166,49 @@ vec2 boxAround(Ray ray, Pose pose, float reach)
 vec2 thingsInterval(Ray ray)
 {
     vec2 ring = joined(vec2(FAR, 0.0), boxAround(ray, ringPose, RING * (RING_REACH - 0.2)));
-    return joined(joined(ring, boxAround(ray, ballPose, 0.65)), boxAround(ray, cratePose, 0.75));
+    return joined(joined(ring, boxAround(ray, ballPose, 0.65)), boxAround(ray, cratePose, 0.77));
+}
+
+// A hit that is not at the sea is at a thing.
+bool atThing(Hit hit, vec3 p)
+{
+    return hit.found && stepScale * seaDistance(p) >= hitThreshold;
 }
 
 vec3 rayColour(Ray ray)
 {
-    vec2 interval = joined(thingsInterval(ray), boxInterval(ray, LOW, HIGH));
+    vec3 size = vec3(1.0, waveHeight, 1.0);
+    vec2 interval = joined(thingsInterval(ray), boxInterval(ray, size * LOW, size * HIGH));
     Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
     float flatSea = ray.direction.y < -0.0001 ? -ray.origin.y / ray.direction.y : FAR;
-    float t = hit.found ? hit.t : flatSea;
+    float t = min(hit.found ? hit.t : flatSea, FAR);
     vec3 p = ray.origin + t * ray.direction;
-    bool sky = t >= FAR;
-    bool thing = hit.found && stepScale * seaDistance(p) >= hitThreshold;
+    bool sky = t >= FAR, thing = atThing(hit, p);
     vec3 normal = normalAt(p, 0.002);
     normal = thing ? normal : waterNormal(p.xz, t);
-    
-    vec3 mirrored = reflect(ray.direction, normal);
+
+    // One more ray: from a thing to the sun, from the water to what is mirrored in it.
+    vec3 mirrored = sky ? ray.direction : reflect(ray.direction, normal);
     mirrored.y = abs(mirrored.y);
     Ray next = shadowRay(p, normal, thing ? toSun : mirrored, 0.03);
-    vec2 things = thingsInterval(next);
-    Hit second = march(next, things.x, things.y, hitThreshold, maxSteps);
-    vec3 q = thing ? p : next.origin + second.t * next.direction;
-    vec3 paint = colourAt(q);
+    interval = thingsInterval(next);
+    Hit second = march(next, interval.x, interval.y, hitThreshold, maxSteps);
+    vec3 q = next.origin + second.t * next.direction;
+    vec3 paint = colourAt(thing ? p : q);
+
+    // What a mirror here would show, and its share: Schlick's approximation.
+    float sun = max(dot(mirrored, toSun), 0.0);
+    float glare = sky ? 4.0 * smoothstep(0.9995, 0.9997, sun) : 12.0 * pow(sun, 260.0);
+    vec3 image = skyLight(mirrored) + glare * SUN_COLOUR;
+    float grazing = 1.0 - max(dot(normal, -ray.direction), 0.0), square = grazing * grazing;
+    float share = 0.02 + 0.98 * square * square * grazing;
 
     vec3 sunny = second.found ? vec3(0.0) : SUN_COLOUR * lambert(normal, toSun);
-    vec3 ambient = mix(vec3(0.10, 0.13, 0.15), vec3(0.30, 0.38, 0.50), 0.5 + 0.5 * normal.y);
-    vec3 thingLight = paint * (sunny + ambient);
-
-    vec3 seen = skyLight(sky ? ray.direction : mirrored);
-    float facing = 1.0 - max(dot(normal, -ray.direction), 0.0), square = facing * facing;
-    float fresnel = 0.02 + 0.98 * square * square * facing;
-    float sunThere = dot(sky ? ray.direction : mirrored, toSun);
-    seen += SUN_COLOUR * (sky ? 4.0 * smoothstep(0.9990, 0.9994, sunThere) : 40.0 * pow(max(sunThere, 0.0), 260.0));
-    if (second.found && stepScale * seaDistance(q) >= hitThreshold) seen = paint * 0.6;
-    vec3 body = ABYSS + vec3(0.0, 0.05, 0.05) * max(p.y / 0.13, 0.0);
-    vec3 water = mix(body, seen, fresnel);
+    vec3 ambient = mix(vec3(0.05, 0.08, 0.10), vec3(0.30, 0.36, 0.46), 0.5 + 0.5 * normal.y);
+    vec3 ofThing = paint * (sunny + ambient) + 0.6 * share * image;
+    vec3 deep = vec3(0.004, 0.040, 0.060) + vec3(0.0, 0.07, 0.06) * max(p.y / 0.12, 0.0);
+    vec3 ofWater = mix(deep, atThing(second, q) ? 0.6 * paint : image, share);
     vec3 haze = skyLight(vec3(ray.direction.x, 0.0, ray.direction.z));
-    water = mix(haze, water, exp(-0.012 * t));
-
-    vec3 light = thing ? thingLight : (sky ? seen : water);
-    return encodeSRGB(light);
+    ofWater = mix(haze, ofWater, exp(-0.012 * t));
+    return encodeSRGB(sky ? image : (thing ? ofThing : ofWater));
 }
