@@ -19,21 +19,21 @@ uniform int   maxSteps;     // 160 in [1, 512]: steps before a ray is given up
 uniform float hitThreshold; // 0.004 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
 const float FAR = 1000.0;                         // the sky
-const vec3  LOW = vec3(-14.0, -0.12, -10.0);     // opposite corners of a box that holds waves of height 1:
-const vec3  HIGH = vec3(14.0, 0.12, 5.5);        // farther away the sea is drawn flat
+const vec3  LOW = vec3(-14.0, -0.125, -10.0);     // opposite corners of a box that holds waves of height 1:
+const vec3  HIGH = vec3(14.0, 0.125, 5.5);        // farther away the sea is drawn flat
 
 // Three waves at once: amplitudes, wave vectors (x and z), and angular speeds sqrt(9.81 |k|).
 const vec3  AMPLITUDE = vec3(0.060, 0.036, 0.024);
 const vec3  WAVE_X = vec3(0.45, -1.10, 1.90);
 const vec3  WAVE_Z = vec3(1.20, 1.70, 1.60);
 const vec3  WAVE_SPEED = vec3(3.55, 4.46, 4.94);
-const float STEEPEST = 0.210;                    // the sum of amplitude times |k|: no slope is larger
-const float RING = 0.66;                         // radius of the ring, scene units
-const float RING_REACH = 1.5;                    // of a ball around the ring and a margin, in radii of the ring
+const float STEEPEST = 0.210;                     // the sum of amplitude times |k|: no slope is larger
+const float RING = 0.66;                          // radius of the ring, scene units
+const float RING_REACH = 1.5;                     // of a ball around the ring and a margin, in radii of the ring
 
-const vec3  SUN_COLOUR = vec3(2.6, 1.6, 0.7);  // linear RGB
+const vec3  SUN_COLOUR = vec3(2.6, 1.6, 0.7);    // linear RGB
 
-// The place and the rotation of each thing that floats, and the sun: found once a pixel.
+// Found once a pixel, before its rays: place and rotation of each thing, direction of the sun, bounds.
 struct Pose {
     vec3 place;
     mat3 turn;
@@ -42,7 +42,7 @@ Pose ringPose, ballPose, cratePose;
 vec3 toSun;
 float ringStretch, seaStretch;
 
-// The phases of the four waves over a point of the sea.
+// The phases of the waves over a point of the sea.
 vec3 wavePhase(vec2 xz)
 {
     return WAVE_X * xz.x + WAVE_Z * xz.y + WAVE_SPEED * iTime;
@@ -65,8 +65,8 @@ vec2 seaSlope(vec2 xz)
 Pose afloat(vec2 xz, float draught, mat3 turn)
 {
     vec2 slope = seaSlope(xz);
-    mat3 rock = rotationX(slope.y) * rotationZ(-slope.x);
-    return Pose(vec3(xz.x, seaHeight(xz) + draught, xz.y), transpose(rock) * turn);
+    mat3 rock = rotationZ(slope.x) * rotationX(-slope.y);
+    return Pose(vec3(xz.x, seaHeight(xz) + draught, xz.y), rock * turn);
 }
 
 Ray pixelRay(vec2 screen)
@@ -184,7 +184,7 @@ vec3 rayColour(Ray ray)
     float t = min(hit.found ? hit.t : flatSea, FAR);
     vec3 p = ray.origin + t * ray.direction;
     bool sky = t >= FAR, thing = atThing(hit, p);
-    vec3 normal = normalAt(p, 0.002);
+    vec3 normal = hit.found ? normalAt(p, 0.002) : vec3(0.0, 1.0, 0.0);
     normal = thing ? normal : waterNormal(p.xz, t);
 
     // One more ray: from a thing to the sun, from the water to what is mirrored in it.
