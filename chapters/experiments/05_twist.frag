@@ -17,8 +17,8 @@ uniform float twistRate;  // 2.4 in [-4, 4] step 0.1, radians per scene unit of 
 uniform bool  divided;    // true: divide by the Lipschitz constant
 uniform float stepFactor; // 1 in [0.1, 4] step 0.05: a factor of our own on every step
 
-const float REACH = 1.32; // radius of a cylinder around torus and box
-const vec3  LOW = vec3(-1.3, -0.02, -1.3); // opposite corners of a box that holds the torus
+const float REACH = 1.84; // radius of a cylinder around the box, and so around the torus
+const vec3  LOW = vec3(-1.3, 0.0, -1.3); // opposite corners of a box that holds the torus
 const vec3  HIGH = vec3(1.3, 2.6, 1.3);
 const vec3  TO_SUN = vec3(0.50, 0.66, 0.56); // length 1 to three digits
 
@@ -31,7 +31,7 @@ float sceneDistance(vec3 p)
 {
     vec3 q = opTwist(p - vec3(0.0, 1.28, 0.0), twistRate);
     float torus = sdTorus(q.xzy, 1.0, 0.26);
-    return stepFactor * (divided ? torus / twistStretch(twistRate, REACH * 1.42) : torus);
+    return stepFactor * (divided ? torus / twistStretch(twistRate, REACH) : torus);
 }
 
 // The floor is a plane, found without a march; the torus alone is marched, in its box.
