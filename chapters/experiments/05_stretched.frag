@@ -80,7 +80,7 @@ vec3 rayColour(Ray ray)
     vec3 sun = vec3(1.7, 1.25, 0.85) * seen * lambert(normal, normalize(TO_SUN));
     vec3 light = sun + vec3(0.10, 0.14, 0.19) * (0.6 + 0.4 * normal.y);
     vec3 sky = mix(vec3(0.030, 0.075, 0.11), vec3(0.003, 0.007, 0.018), smoothstep(-0.2, 0.6, ray.direction.y));
-    vec3 ground = mix(sky, vec3(0.10, 0.16, 0.18) * light, exp(-0.06 * t));
+    vec3 ground = mix(sky, vec3(0.045, 0.095, 0.115) * light, exp(-0.06 * t));
     vec3 paint = mix(vec3(0.85, 0.06, 0.03), vec3(0.90, 0.55, 0.10), smoothstep(-2.0, 2.6, p.x));
     return encodeSRGB(hit.found ? paint * light : (floorT < 999.0 ? ground : sky));
 }
