@@ -5,7 +5,7 @@
 #include "../05_transforms.frag"
 #undef sceneDistance
 
-uniform float flatness; // 0.5 in [0.1, 1] step 0.05: height of the ball over its width
+uniform float flatness; // 0.5 in [0.2, 1] step 0.05: height of the ball over its width
 uniform bool  divided;  // true: divide by the largest stretch
 
 float sceneDistance(vec3 p)
