@@ -198,7 +198,7 @@ vec3 rayColour(Ray ray)
 
     // What a mirror here would show, and its share: Schlick's approximation.
     float sun = max(dot(mirrored, toSun), 0.0);
-    float glare = sky ? 4.0 * smoothstep(0.9995, 0.9997, sun) : 12.0 * pow(sun, 260.0);
+    float glare = sky ? 4.0 * smoothstep(0.9997, 0.9998, sun) : 12.0 * pow(sun, 260.0);
     vec3 image = skyLight(mirrored) + glare * SUN_COLOUR;
     float grazing = 1.0 - max(dot(normal, -ray.direction), 0.0), square = grazing * grazing;
     float share = 0.02 + 0.98 * square * square * grazing;

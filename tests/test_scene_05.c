@@ -185,7 +185,7 @@ static struct d3 water_normal(double x, double z, double t)
 static struct d3 image_in(struct d3 mirrored, bool sky)
 {
     double sun = fmax(d3_dot(mirrored, to_sun()), 0.0);
-    double glare = sky ? 4.0 * mirror_smoothstep(0.9995, 0.9997, sun) : 12.0 * pow(sun, 260.0);
+    double glare = sky ? 4.0 * mirror_smoothstep(0.9997, 0.9998, sun) : 12.0 * pow(sun, 260.0);
     return d3_add(sky_light(mirrored), d3_times(glare, sun_colour));
 }
 
