@@ -1,7 +1,7 @@
 // orthographic.glsl - the parallel view, and the passage from the perspective view to it.
 #include "camera.glsl"
 
-uniform float orthographic; // 1 in [0, 1] step 0.05, -: 0 the perspective view, 1 the orthographic one
+uniform float orthographic; // 1 in [0, 1] step 0.05: 0 the perspective view, 1 the orthographic one
 
 // The ray of a parallel view: all go the camera's way, each from its own point of the camera's plane.
 //   screen      y from -1 to 1, x from -aspect to aspect
