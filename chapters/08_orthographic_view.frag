@@ -10,7 +10,7 @@
 
 uniform float framingDistance; // 9.5 in [1, 40] step 0.5, scene units: from the camera's plane to the one that keeps its size
 uniform int   maxSteps;        // 128 in [1, 512]: steps before a ray is given up
-uniform float hitThreshold;    // 0.001 in [0.0001, 0.2] step *2, scene units: distance that counts as a hit
+uniform float hitThreshold;    // 0.001 in [0.0001, 0.016] step *2, scene units: distance that counts as a hit
 
 const vec3  LOW = vec3(-1.3, -0.4, -4.8); // opposite corners of a box that holds the scene; its lower
 const vec3  HIGH = vec3(6.3, 3.55, 2.8);  // face ends everything, for nothing has an underside
