@@ -29,7 +29,7 @@ const float FRAME = 0.55;             // half the side of a frame
 const float BEAM = 0.15;              // thickness of its beams
 const float CORNER = 3.15;            // the frames stand at (-CORNER, CORNER) and (CORNER, -CORNER)
 
-const vec3 TO_SUN = vec3(-0.615, 0.755, 0.228); // length 1
+const vec3 TO_SUN = vec3(-0.6149, 0.7549, 0.228); // length 1
 const vec3 SUN_COLOUR = vec3(1.30, 0.95, 0.60); // linear RGB
 const vec3 SKY_COLOUR = vec3(0.13, 0.17, 0.24);
 
