@@ -365,6 +365,60 @@ static void test_the_slice_holds_the_ray(void **unused)
 
 // ---- What the page says of the scene ----
 
+static double depth_of(const struct camera *camera, struct d3 p)
+{
+    struct camera_basis basis = camera_basis_of(camera);
+    return d3_dot(d3_sub(p, d3_of(camera->position)), d3_of(basis.forward));
+}
+
+// The row of the picture in which a point of the world is shown, and its column.
+static void place_of(const struct camera *camera, double u, struct d3 p, double at[2])
+{
+    struct camera_basis basis = camera_basis_of(camera);
+    struct d3 from = d3_sub(p, d3_of(camera->position));
+    double scale = HEIGHT / 2 * 2.0 / ((1.0 - u) * depth_of(camera, p) + u * framing);
+    at[0] = WIDTH / 2 + scale * d3_dot(from, d3_of(basis.right));
+    at[1] = HEIGHT / 2 + scale * d3_dot(from, d3_of(basis.up));
+}
+
+// The frames are orange, alone in the scene: more than twice as much red as blue.
+static bool is_orange(const float *values, const double at[2], double above)
+{
+    const float *v = values + 4 * ((int)(at[1] + above) * WIDTH + (int)at[0]);
+    return v[0] > 2.2f * v[2];
+}
+
+// A frame's upper far corner is the highest point of its outline: two pixels below it the picture is
+// orange, two above it is not.
+static void check_frame_corner(const float *values, const struct camera *camera, double u,
+                               struct d3 middle)
+{
+    double at[2];
+    place_of(camera, u, d3_add(middle, d3(0.55, 0.55, -0.55)), at);
+    assert_true(is_orange(values, at, -2.0));
+    assert_false(is_orange(values, at, 2.0));
+}
+
+static void test_the_frames_have_the_sizes_of_their_depths(void **unused)
+{
+    (void)unused;
+    const struct d3 near = {-0.65, 0.55, 2.15}, far = {5.65, 0.55, -4.15};
+    for (int k = 0; k <= 4; k++) {
+        double u = 0.25 * k;
+        struct renderer_inputs inputs = load(u);
+        double m[2] = {depth_of(&inputs.camera, near), depth_of(&inputs.camera, far)};
+        for (int i = 0; i < 2; i++)
+            m[i] = (1.0 - u) * m[i] + u * framing;
+        print_message("# u = %.2f: near frame %.3f, far frame %.3f, ratio %.3f\n", u,
+                      framing / m[0], framing / m[1], m[1] / m[0]);
+        float *values = gpu_numbers(&gpu, &inputs);
+        assert_non_null(values);
+        check_frame_corner(values, &inputs.camera, u, near);
+        check_frame_corner(values, &inputs.camera, u, far);
+        free(values);
+    }
+}
+
 // The tower's top and the end of the channel behind it are one place of the picture, for parallel
 // rays alone.
 static void test_the_tower_meets_the_channel(void **unused)
@@ -392,6 +446,7 @@ int main(void)
         cmocka_unit_test(test_the_march_of_every_projection),
         cmocka_unit_test(test_depth_view),
         cmocka_unit_test(test_the_slice_holds_the_ray),
+        cmocka_unit_test(test_the_frames_have_the_sizes_of_their_depths),
         cmocka_unit_test(test_the_tower_meets_the_channel),
     };
     return cmocka_run_group_tests_name("scene_08", tests, open_gpu, close_gpu);
