@@ -124,7 +124,7 @@ float sunlight(vec3 p, vec3 normal)
 vec3 backdrop()
 {
     vec2 screen = screenPosition(gl_FragCoord.xy + iPixelOffset);
-    vec3 air = mix(vec3(0.11, 0.21, 0.24), vec3(0.012, 0.04, 0.08), smoothstep(-1.0, 1.0, screen.y));
+    vec3 air = mix(vec3(0.11, 0.21, 0.24), vec3(0.012, 0.04, 0.08), 0.5 + 0.5 * screen.y);
     float rim = smoothstep(0.285, 0.295, distance(screen, vec2(1.0, 0.45)));
     return mix(vec3(0.85, 0.48, 0.22), air, rim);
 }

@@ -5,7 +5,7 @@
 #include "../08_orthographic_view.frag"
 #undef pixelRay
 
-uniform float beyond; // 1.4 in [1, 1.6] step 0.05: u, the place on the passage
+uniform float beyond; // 1.3 in [1, 1.6] step 0.05: u, the place on the passage
 
 Ray pixelRay(vec2 screen)
 {
