@@ -8,7 +8,8 @@ int main(int argc, char **argv)
     const struct chapter chapter = {
         .stem = "08_orthographic_view",
         .title = "08 Orthographic view",
-        .shows = "A level channel that feeds its own waterfall, until Tab lets the eye come nearer.",
+        .shows =
+            "A level channel that feeds its own waterfall, until Tab lets the eye come nearer.",
         .camera = {.position = {-3.55f, 6.05f, 5.05f}, .pan = 45.0f, .tilt = -35.26439f},
     };
     return chapter_run(&chapter, argc, argv);

@@ -127,8 +127,8 @@ static void crossing(const struct view *view, struct d3 origin, struct d3 direct
     at[1] = d3_dot(p, d3_of(basis.up));
 }
 
-// At depth d the ray of (x, y) is at (x, y) mix(d, framing, u) / focalLength; so on the framing plane
-// at one place for all u, and for u < 1 behind the camera all are at one point, the eye.
+// At depth d the ray of (x, y) is at (x, y) mix(d, framing, u) / focalLength; so on the framing
+// plane at one place for all u, and for u < 1 behind the camera all are at one point, the eye.
 static double worst_crossing(const struct view *view, double u, double depth)
 {
     float *rays[2];
@@ -238,7 +238,8 @@ static void test_equal_plates_have_the_sizes_of_their_depths(void **unused)
     }
 }
 
-// The edges of the white of a row, to a part of a pixel: from a column that is wholly white outwards.
+// The edges of the white of a row, to a part of a pixel: from a column that is wholly white
+// outwards.
 static void row_edges(const float *values, int row, double edge[2])
 {
     int inside = 0;

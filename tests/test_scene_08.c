@@ -318,8 +318,8 @@ static void test_depth_view(void **unused)
 
 // ---- The slice ----
 
-// Blue inside, orange outside, in the plane that holds the ray, wherever it starts, and the camera's
-// up. Ink is left out: circles, lines and letters cover less than a tenth.
+// Blue inside, orange outside, in the plane that holds the ray, wherever it starts, and the
+// camera's up. Ink is left out: circles, lines and letters cover less than a tenth.
 static void check_slice(double u, int x, int y)
 {
     struct renderer_inputs inputs = load(u);
@@ -388,8 +388,8 @@ static bool is_orange(const float *values, const double at[2], double above)
     return v[0] > 2.2f * v[2];
 }
 
-// A frame's upper far corner is the highest point of its outline: two pixels below it the picture is
-// orange, two above it is not.
+// A frame's upper far corner is the highest point of its outline: two pixels below it the picture
+// is orange, two above it is not.
 static void check_frame_corner(const float *values, const struct camera *camera, double u,
                                struct d3 middle)
 {

@@ -7,7 +7,7 @@
 #define march marchCubes
 #define sceneDistance chapterDistance
 
-float stretch; // of the steps of the ray that is marched; 0 means none
+float stretch = 0.0; // of the steps of the ray that is marched; 0 means none
 
 float chapterDistance(vec3 p);
 Hit   marchCubes(Ray ray, float tMin, float tMax, float threshold, int maxSteps);
