@@ -1,31 +1,16 @@
-// Solution of exercise 08.3: empty cubes in place of empty balls. The scene's distance is of maxima
-// and coordinates alone, so the cube of half side f around a point is empty too, and a ray leaves it
-// only after f / max(|d.x|, |d.y|, |d.z|).
+// Solution of exercise 08.3: a fish-eye. The angle to the view's axis grows in proportion to the
+// distance from the picture's middle, so that even a half turn fits.
 #include "main.glsl"
-#include "march.glsl"
-#include "shadow.glsl" // before march has another name: shadow rays keep their balls
-#define march marchCubes
-#define sceneDistance chapterDistance
-
-float stretch = 0.0; // of the steps of the ray that is marched; 0 means none
-
-float chapterDistance(vec3 p);
-Hit   marchCubes(Ray ray, float tMin, float tMax, float threshold, int maxSteps);
-
+#define pixelRay chapterPixelRay
 #include "../08_orthographic_view.frag"
-#undef march
-#undef sceneDistance
+#undef pixelRay
 
-float sceneDistance(vec3 p)
-{
-    return (stretch > 0.0 ? stretch : 1.0) * chapterDistance(p);
-}
+uniform float halfAngle; // 90 in [10, 180] step 5, degrees: angle at the picture's upper edge
 
-Hit marchCubes(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
+Ray pixelRay(vec2 screen)
 {
-    vec3 d = abs(ray.direction);
-    stretch = 1.0 / max(d.x, max(d.y, d.z));
-    Hit hit = march(ray, tMin, tMax, threshold, maxSteps);
-    stretch = 0.0;
-    return hit;
+    float radius = length(screen);
+    float angle = radians(halfAngle) * radius;
+    vec3 across = (screen.x * iCameraRight + screen.y * iCameraUp) / max(radius, 0.000001);
+    return Ray(iCameraPosition, cos(angle) * iCameraForward + sin(angle) * across);
 }
