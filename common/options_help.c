@@ -36,6 +36,7 @@ static const char controls[] =
     "  drag               look; M captures and frees the mouse\n"
     "  click              choose a pixel's ray and show its march; again hides it\n"
     "  wheel              focal length; in the slice its zoom\n"
+    "  Tab                perspective or orthographic, where the shader has both\n"
     "  1 2 3 4 5          views: picture, normals, depth, steps, slice\n"
     "  up, down           choose a parameter\n"
     "  left, right        change it, with Shift ten steps; Home resets it\n"

@@ -181,6 +181,7 @@ static GLuint use_program(struct renderer *renderer, const struct renderer_input
     set_vector(renderer, program, "iCameraUp", basis.up);
     set_vector(renderer, program, "iCameraForward", basis.forward);
     gl->Uniform1f(place(renderer, program, "focalLength"), renderer->focal_length);
+    gl->Uniform1f(place(renderer, program, "iOrthoView"), (float)renderer->orthographic);
     for (int i = 0; i < renderer->parameters.count; i++)
         set_parameter(renderer, program, &renderer->parameters.item[i]);
     gl->BindVertexArray(renderer->vertex_array);

@@ -43,6 +43,7 @@ struct renderer {
     struct parameters parameters;  // of that one
     enum shader_view view;
     float focal_length;                   // for shaders that declare no focalLength of their own
+    double orthographic;                  // OrthoView of whole files: 0 perspective, 1 orthographic
     GLuint program[SHADER_PROGRAM_COUNT]; // by view, compiled when first asked for
     GLuint vertex_array;
     struct renderer_target picture;

@@ -88,6 +88,7 @@ static bool turn(struct window *window)
         window->inputs.time += now - window->turn;
         window->moved |= window_uses_time(window);
     }
+    window->moved |= window_pass(window, now - window->turn);
     window->turn = now;
     window_obey(window);
     window->dirty |= window->moved || (window->divisor > 1 && now >= window->rest_at);

@@ -13,6 +13,7 @@
 #define ZOOM            1.1   // focal length or slice, for each notch of the wheel
 #define FOCAL_MINIMUM   0.2   // of a shader that declares no focalLength
 #define FOCAL_MAXIMUM   10.0
+#define PASSAGE         0.5 // seconds from one projection to the other
 #define LAST_SCREENSHOT 9999
 
 struct parameter *window_chosen(const struct window *window)
@@ -39,13 +40,60 @@ static void zoom(struct window *window, double notches)
         *own = (float)fmin(fmax((double)*own * factor, FOCAL_MINIMUM), FOCAL_MAXIMUM);
 }
 
+// What Tab drives, and between which ends; NULL where there is nothing.
+static double *orthographic_of(struct window *window, double end[2])
+{
+    struct renderer *renderer = window->renderer;
+    struct parameter *parameter = parameters_find(&renderer->parameters, "orthographic");
+    end[0] = parameter != NULL ? parameter->minimum : 0.0;
+    end[1] = parameter != NULL ? parameter->maximum : 1.0;
+    if (parameter != NULL)
+        return &parameter->value[0];
+    // The linker keeps only what is used: the uniform is there where OrthoView is read.
+    GLuint program = renderer->program[renderer->view];
+    bool read = renderer->gl->GetUniformLocation(program, "iOrthoView") >= 0;
+    return read ? &renderer->orthographic : NULL;
+}
+
+bool window_has_orthographic(struct window *window)
+{
+    double end[2];
+    return orthographic_of(window, end) != NULL;
+}
+
+// Towards the farther end; pressed again on the way, back.
 static void toggle_orthographic(struct window *window)
 {
-    struct parameter *parameter = parameters_find(&window->renderer->parameters, "orthographic");
-    if (parameter == NULL)
+    double end[2];
+    const double *value = orthographic_of(window, end);
+    if (value == NULL)
         return;
-    double middle = 0.5 * (parameter->minimum + parameter->maximum);
-    parameter->value[0] = parameter->value[0] > middle ? parameter->minimum : parameter->maximum;
+    double from = window->passing ? window->towards : *value;
+    window->towards = from > 0.5 * (end[0] + end[1]) ? end[0] : end[1];
+    window->passing = true;
+}
+
+// A switch has no values between its ends.
+static bool is_switch(const struct parameter *parameter)
+{
+    return parameter != NULL && parameter->type != PARAMETER_FLOAT;
+}
+
+bool window_pass(struct window *window, double seconds)
+{
+    double end[2];
+    double *value = window->passing ? orthographic_of(window, end) : NULL;
+    window->passing = value != NULL;
+    if (value == NULL)
+        return false;
+    double left = window->towards - *value;
+    double step = seconds / PASSAGE * (end[1] - end[0]);
+    bool arrived = fabs(left) <= step ||
+                   is_switch(parameters_find(&window->renderer->parameters, "orthographic"));
+    *value = arrived ? window->towards : *value + copysign(step, left);
+    window->passing = !arrived;
+    window->retitle_at = 0.0;
+    return true;
 }
 
 static void choose(struct window *window, int by)
@@ -153,11 +201,13 @@ static void act(struct window *window, struct window_event event)
         choose(window, event.amount);
         break;
     case WINDOW_CHANGE:
+        window->passing = false;
         if (parameter != NULL)
             parameter_change(parameter, event.amount);
         window->moved = true;
         break;
     case WINDOW_RESET:
+        window->passing = false;
         if (parameter != NULL)
             parameter_reset(parameter);
         break;

@@ -96,7 +96,7 @@ static void name_keys(struct window *window)
         add_key(window, "change", "left right");
         add_key(window, "reset", "Home");
     }
-    if (parameters_find(parameters, "orthographic") != NULL)
+    if (window_has_orthographic(window))
         add_key(window, "orthographic", "Tab");
     add_key(window, "pause", "Esc");
     add_letter(window, "restart", GLFW_KEY_R);

@@ -25,6 +25,8 @@ struct window {
     char parameter[64];            // the one that the arrows change
     bool paused, broken, dirty;
     bool drew;          // the last turn of the loop drew a frame
+    bool passing;       // Tab was pressed: orthographic is on its way
+    double towards;     // to this value
     double turn, frame; // when the last turn began, when the last frame began
     double rate;        // frames a second, 0 before it is known
     double seconds;     // that drawing the last picture took
@@ -56,6 +58,15 @@ struct parameter *window_chosen(const struct window *window);
 
 // Show chapter, view and parameter in the title bar.
 void window_retitle(struct window *window);
+
+// True when Tab has something to drive: a parameter named orthographic, or a whole file that reads
+// OrthoView.
+bool window_has_orthographic(struct window *window);
+
+// Carry on with the passage from one projection to the other that Tab began.
+//   seconds  since the last turn
+// Returns true when it changed the picture.
+bool window_pass(struct window *window, double seconds);
 
 // Carry out what the hands did since the last turn.
 void window_obey(struct window *window);

@@ -414,5 +414,31 @@ resumes() { key Escape && sleep 0.2 && frame a && differ begin a; }
 check 'Escape again resumes' resumes
 check 'Backspace closes it' backspace
 
+# ---- A whole file that reads OrthoView ----
+
+# Red is OrthoView.
+printf '%s\n' '#version 330 core' 'in vec2 FragCoord;' 'in float OrthoView;' 'out vec4 FragColor;' \
+    'void main() { FragColor = vec4(OrthoView, step(0.0, FragCoord.x), 0.0, 1.0); }' >"$scratch/whole.frag"
+start 00_first_scene -s 160x100 --shader "$scratch/whole.frag"
+red() { shoot 00_first_scene && red=$(convert "$picture" -format '%[fx:round(255*u.p{80,50}.r)]' info:); }
+red_is() { red && [ "$red" = "$1" ]; }
+perspective() { red_is 0; }
+check 'OrthoView is 0 at first' perspective
+passes() { # a screenshot may come too late: several tries
+    local try
+    for try in 1 2 3 4 5; do
+        key Tab && red && [ "$red" -gt 0 ] && [ "$red" -lt 255 ] && return
+        echo "# try $try: $red"
+        sleep 0.6
+    done
+    return 1
+}
+check 'Tab leads it through values between 0 and 1' passes
+arrives() { red_is 0 || red_is 255; }
+check 'up to an end' within 3 arrives
+other() { local end=$red; key Tab && sleep 0.6 && red_is $((255 - end)); }
+check 'and again to the other end' other
+check 'Backspace closes it' backspace
+
 close_window
 plan
