@@ -24,7 +24,7 @@
 enum { WIDTH = 640, HEIGHT = 360, LEVELS = 7, MAX_STEPS = 160 };
 
 static const double hit_threshold = 0.0002, normal_step = 0.0005;
-static const double spread = 1.0 / (HEIGHT * MIRROR_FOCAL_LENGTH);
+static const double spread = 1.5 / (HEIGHT * MIRROR_FOCAL_LENGTH);
 static const struct d3 slab = {0.0, -0.1, 0.0}, slab_half = {3.4, 0.1, 2.6};
 
 static struct gpu gpu;
