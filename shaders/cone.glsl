@@ -39,8 +39,8 @@ Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, in
 }
 
 // The share of the light that arrives from a lamp with a width, by the same idea: a cone from the
-// surface to the lamp. 1 where the march found its cone free, 0 where the axis is blocked, grey where
-// something stands beside the axis.
+// surface to the lamp. 1 where no step found anything in its cone, 0 where a surface stands on the
+// axis, grey where something stands beside it.
 //   ray         from shadowRay
 //   tMin, tMax  where to look, scene units; an empty interval is free and returns 1
 //   threshold   radius of the cone where it starts, scene units, > 0
@@ -48,7 +48,7 @@ Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, in
 //               lamp is seen
 //   formula     (s - 0.2) / 0.8, at least 0, s the smallest of distance / (threshold + spread t) over
 //               the steps, at most 1; what is dark at a fifth need not be marched to its end
-// The two ends are right, for a scene distance that is a lower bound; the greys are a model, no area.
+// Needs a lower bound of the distance. The greys are a model, no measured area.
 float coneReaching(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
     trace.marches++;

@@ -210,6 +210,24 @@ static void test_pyramids_vanish_on_the_surface(void **unused)
         }
 }
 
+// A tetrahedron fills a third of its cube, and each level leaves half of the volume. The share of
+// random points that lie inside is off by its standard deviation, or two, or at most four.
+static void test_each_level_halves_the_volume(void **unused)
+{
+    (void)unused;
+    for (int levels = 0; levels <= 6; levels++) {
+        float *values = call(SIERPINSKI_PLANES, (float)levels, 0.0f, 0.0f, 3.0f);
+        int inside = 0;
+        for (int i = 0; i < ITEMS; i++)
+            inside += values[(size_t)4 * SLOTS * (size_t)i + 3] < 0.0f;
+        free(values);
+        double expected = ITEMS / 3.0 / (1 << levels), deviation = sqrt(expected);
+        print_message("# n = %d: %d of %d points inside, %.1f expected\n", levels, inside,
+                      (int)ITEMS, expected);
+        assert_true(fabs(inside - expected) < 4.0 * deviation);
+    }
+}
+
 static void test_distances_are_1_lipschitz(void **unused)
 {
     (void)unused;
@@ -318,6 +336,27 @@ static void test_folds_are_1_lipschitz(void **unused)
     }
 }
 
+// Behind the plane the fold with a normal of length k multiplies lengths across it by |1 - 2 k^2|.
+static void test_another_length_stretches(void **unused)
+{
+    (void)unused;
+    const float lengths[] = {0.70710678f, 1.0f, 1.3f, 1.41421356f};
+    for (int k = 0; k < 4; k++) {
+        float *values = call(REFLECT, 0.6f * lengths[k], 0.0f, 0.8f * lengths[k], 0.3f);
+        double most = 0.0, length = (double)lengths[k];
+        for (int i = 0; i < ITEMS; i++) {
+            const float *slot = values + (size_t)4 * SLOTS * (size_t)i;
+            double before = apart(d3_of(slot), d3_of(slot + 4));
+            if (before > 0.01)
+                most = fmax(most, apart(d3_of(slot + 8), d3_of(slot + 12)) / before);
+        }
+        free(values);
+        double stretch = fabs(1.0 - 2.0 * length * length);
+        print_message("# a normal of length %.4f: stretched by up to %.4f\n", length, most);
+        assert_true(most < fmax(stretch, 1.0) + 0.001 && most > 0.98 * fmax(stretch, 1.0));
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -325,10 +364,12 @@ int main(void)
         cmocka_unit_test(test_tetrahedra_against_four_triangles),
         cmocka_unit_test(test_pyramids_against_the_union),
         cmocka_unit_test(test_pyramids_vanish_on_the_surface),
+        cmocka_unit_test(test_each_level_halves_the_volume),
         cmocka_unit_test(test_distances_are_1_lipschitz),
         cmocka_unit_test(test_fold_keeps_one_side),
         cmocka_unit_test(test_three_folds_lead_to_the_corner),
         cmocka_unit_test(test_folds_are_1_lipschitz),
+        cmocka_unit_test(test_another_length_stretches),
     };
     return cmocka_run_group_tests_name("symmetry", tests, open_gpu, close_gpu);
 }

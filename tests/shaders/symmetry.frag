@@ -65,12 +65,14 @@ vec3 surfacePoint(int levels)
                             share.z * corner((first + 3) % 4));
 }
 
-// With iMouse.w = 2 points of the surface. Else, of every eight points: four in a cube around the solid, one far, one near a corner, one straight before
+// With iMouse.w = 2 points of the surface, with 3 evenly spread ones of the cube around the solid. Else, of every eight points: four in a cube around the solid, one far, one near a corner, one straight before
 // a corner, one in a plane of symmetry.
 vec3 point(int item)
 {
     if (iMouse.w == 2.0 && Time < 10.0)
         return surfacePoint(int(iMouse.x));
+    if (iMouse.w == 3.0 && Time < 10.0)
+        return SIZE * nextVector();
     vec3 p = 1.5 * nextVector();
     int kind = item % 8;
     if (kind == 4)
