@@ -14,8 +14,8 @@
 uniform int   levels;       // 7 in [0, 10]: how often each tetrahedron is cut in four
 uniform float footprint;    // 1.5 in [0, 4] step 0.25, half pixels: how fast the threshold and the normal's step grow along the ray; 0 keeps them fixed
 uniform float tint;         // 0.5 in [0, 1] step 0.05: saturation of the colours that the folds give
-uniform float sunElevation; // 27 in [1, 89] step 1, degrees: height of the sun over the horizon
-uniform float sunAzimuth;   // 165 in [-180, 180] step 5, degrees: where the sun stands, from the right towards the viewer
+uniform float sunElevation; // 26 in [1, 89] step 1, degrees: height of the sun over the horizon
+uniform float sunAzimuth;   // -170 in [-180, 180] step 5, degrees: where the sun stands, from the right towards the viewer
 uniform float sunSpeed;     // 8 in [0, 90] step 1, degrees per second: how fast it goes round
 uniform int   maxSteps;     // 160 in [1, 1024]: steps before a ray is given up
 uniform float hitThreshold; // 0.0002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit, at the eye
