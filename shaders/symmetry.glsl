@@ -99,7 +99,8 @@ float sdSierpinski(vec3 p, float size, int levels)
 //   returns  (entry, exit) along the ray, entry >= 0; entry >= exit when the ray misses it
 //   formula  a plane is crossed at (size - <origin, n>) / <direction, n>, inwards where
 //            <direction, n> < 0, outwards where it is > 0; where it is 0 the plane is left out, so
-//            that the interval may be too long, never too short
+//            that the interval may be too long, never too short. The n add up to 0: a ray enters
+//            through three planes at most, and the entry of the fourth stays 0
 vec2 tetrahedronInterval(Ray ray, float size)
 {
     mat4x3 outwards = mat4x3(-1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, -1.0, 1.0, 1.0, 1.0, -1.0);
@@ -107,6 +108,6 @@ vec2 tetrahedronInterval(Ray ray, float size)
     vec4 crossing = (size - ray.origin * outwards) / along;
     vec4 entry = mix(vec4(0.0), crossing, lessThan(along, vec4(0.0)));
     vec4 leave = mix(vec4(1e9), crossing, greaterThan(along, vec4(0.0)));
-    return vec2(max(0.0, max(max(entry.x, entry.y), max(entry.z, entry.w))),
+    return vec2(max(max(entry.x, entry.y), max(entry.z, entry.w)),
                 min(min(leave.x, leave.y), min(leave.z, leave.w)));
 }
