@@ -97,8 +97,7 @@ static bool turn(struct window *window)
         if (watch_look(&window->watch))
             reload(window);
     }
-    bool drawing =
-        visible && (window->dirty || window->stale || window_sharpens(window, now));
+    bool drawing = visible && (window->dirty || window->stale || window_sharpens(window, now));
     if (drawing && !window_draw(window, now))
         return false;
     window->drew = drawing;

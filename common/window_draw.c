@@ -60,7 +60,9 @@ static void label_of(int key, char label[8])
 {
     const char *name = glfwGetKeyName(key, 0);
     bool plain = name != NULL && name[0] > ' ' && name[0] <= '~' && name[1] == '\0';
-    snprintf(label, 8, "%c", plain ? toupper((unsigned char)name[0]) : key);
+    char letter = (char)(plain ? toupper((unsigned char)name[0]) : key);
+    snprintf(label, 8, isalnum((unsigned char)letter) ? "%c" : "\"%c\"",
+             letter); // a comma is easily missed
 }
 
 static void add_key(struct window *window, const char *does, const char *label)

@@ -24,8 +24,8 @@ struct window {
     struct renderer_inputs inputs; // of the frame on the screen
     char parameter[64];            // the one that the arrows change
     bool paused, broken;
-    bool dirty; // the screen is to be shown again
-    bool stale; // the picture is to be drawn again
+    bool dirty;         // the screen is to be shown again
+    bool stale;         // the picture is to be drawn again
     bool drew;          // the last turn of the loop drew a frame
     double turn, frame; // when the last turn began, when the last frame began
     double rate;        // frames a second, 0 before it is known
@@ -49,15 +49,15 @@ struct window {
     bool tell;                    // print its table once it is there
     char why[512];                // there is none because of this; "" when there is one
     // A picture that takes long is drawn at a lower resolution, and sharpened once it rests.
-    bool moved;           // what makes the picture changed in this turn
-    double rest_at;       // from then on nothing moves
-    int divisor;          // of the picture's sides; 1 is sharp
-    double cost;          // seconds that a pixel takes, estimated
-    GLuint tried;         // the program of which that is known
+    bool moved;                   // what makes the picture changed in this turn
+    double rest_at;               // from then on nothing moves
+    int divisor;                  // of the picture's sides; 1 is sharp
+    double cost;                  // seconds that a pixel takes, estimated
+    GLuint tried;                 // the program of which that is known
     struct renderer_inputs whole; // of the last picture, at its whole size
-    int sharp;            // rows of it, from the top, that are sharp by now
-    int band;             // rows to sharpen next
-    double sharp_seconds; // that sharp took
+    int sharp;                    // rows of it, from the top, that are sharp by now
+    int band;                     // rows to sharpen next
+    double sharp_seconds;         // that sharp took
 };
 
 // The parameter that the arrows change: the one last chosen, as long as the shader has it.
