@@ -76,7 +76,7 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
 void renderer_close(struct renderer *renderer);
 
 // Read, expand, compile and link a shader file, and read its parameters. Parameters that it shares
-// with the shader before keep their values.
+// with the shader before keep their values, as parameters_keep says.
 // Returns false, reported; then the renderer is as it was and still draws the last good shader.
 bool renderer_load(struct renderer *renderer, const char *path);
 

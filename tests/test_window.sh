@@ -144,12 +144,20 @@ helped() { [ "$(import -window "$window" png:- | compare -metric AE "$scratch/fo
 check 'K shows all keys and ranges, and again fewer' helps
 key h
 
-view() { key 4 && shows ' - steps - ' && shoot_as steps && render view -v steps && matches view steps; }
-check '4 shows the steps' view
+view() { key "$1" && shows " - $2 - " && shoot_as "$2" && render view -v "$2" && matches view "$2"; }
+check '2 shows the normals' view 2 normals
+check '3 shows the depth' view 3 depth
+check '4 shows the steps' view 4 steps
 slice() { key 5 && shows ' - slice - ' && shoot_as slice && render view -v slice && matches view slice; }
 check '5 shows the slice of the middle' slice
 zooms() { xdotool click 4 && shoot_as nearer && differ slice nearer && xdotool click 5 && shoot_as farther && matches slice farther; }
 check 'the wheel zooms the slice in and out' zooms
+another_ray() { # a click chooses it, in the slice too, and again lets it go
+    xdotool mousemove --window "$window" 170 70 click 1 && within 5 says out 'ray of pixel 170,129' &&
+        shoot_as other && render view -v slice --probe 170,129 && matches view other &&
+        xdotool click 1 && shoot_as middle && same slice middle
+}
+check 'a click in the slice chooses another ray' another_ray
 unview() { key 1 && shows ' - picture - ' && shoot_as back && same first back; }
 check '1 shows the picture again' unview
 
@@ -181,7 +189,7 @@ check 'Tab changes nothing where there is no orthographic parameter' tab
 click_only() { xdotool mousemove --window "$window" 100 100 click 1 && shoot_as click && same first click; }
 check 'a click without dragging turns nothing' click_only
 # The click above chose a ray: pixel 100,99 counted from the bottom left.
-told() { sed -n '/^ray of pixel/,/^# /p' "$scratch/run/out" | tail -n +2; }
+told() { sed -n '/^ray of pixel 100,99/,/^# /p' "$scratch/run/out" | tail -n +2; }
 table() {
     within 5 says out 'ray of pixel 100,99' && told >"$scratch/told" || return
     # shellcheck disable=SC2086 # options are words
@@ -315,9 +323,10 @@ renamed() {
     key Right && reloads "$good
 uniform float fresh; // 3 in [0, 4] step 0.5, scene units: for this test" && key Up && shows 'fresh = 3' &&
         key Right && shows 'fresh = 3.5' && reloads "$good
-uniform float fresh; // 1 in [0, 2], scene units: for this test" && shows 'fresh = 2'
+uniform float fresh; // 3 in [0, 3.2], scene units: for this test" && shows 'fresh = 3.2' && reloads "$good
+uniform float fresh; // 2 in [0, 3.2], scene units: for this test" && shows 'fresh = 2'
 }
-check 'a parameter that is renamed and given another range follows at once' renamed
+check 'a parameter that is renamed, given another range or value follows at once' renamed
 half() { # a slow editor: no half of a file is loaded or reported
     local wanted=$(($(loads) + 1)) before
     before=$(wc -l <"$scratch/run/err")
@@ -390,8 +399,8 @@ fast() { # NAME OPTION...: at least 10 frames a second at 640x360
     local name=$1 i rates=''
     shift
     start "$@" -s 640x360 || return 1
-    for i in d a d a; do
-        xdotool keydown $i sleep 0.4 keyup $i
+    for i in d a d; do
+        xdotool keydown $i sleep 0.35 keyup $i
         rates="$rates $(fps)"
     done
     key BackSpace
