@@ -9,8 +9,9 @@
 #include "report.h"
 
 #define FIGURES_SECONDS 0.25 // between two changes of the overlay's rate
-#define SLOW_SECONDS    0.1  // a frame may take while something moves
-#define FINER_SECONDS   0.08 // below this a finer one is tried: without a gap the two would alternate
+#define SLOW_SECONDS                                                                               \
+    0.08 // a picture may take: 10 frames a second with what a frame needs beside it
+#define FINER_SECONDS 0.06 // below this a finer one is tried: without a gap the two would alternate
 #define REST_SECONDS                                                                               \
     0.3 // without motion until the picture sharpens: longer than between two
         // repeats of a held key

