@@ -41,7 +41,8 @@ static const char controls[] =
     "  up, down           choose a parameter\n"
     "  left, right        change it, with Shift ten steps; Home resets it\n"
     "  Escape, R          pause and resume; restart the time, with Shift the camera too\n"
-    "  H, P, F11          hide and show the overlay; write a screenshot; full screen\n"
+    "  H, K               hide and show the overlay; all keys and ranges in it\n"
+    "  P, F11             write a screenshot; full screen\n"
     "  Backspace          end\n";
 
 void options_print_help(FILE *file, const char *program, const char *title, const char *shows)

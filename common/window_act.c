@@ -125,6 +125,8 @@ static void save_screenshot(struct window *window)
         fflush(stdout);
     }
     image_free(&image);
+    // The screenshot was drawn where the picture on the screen was; a sharpened one is elsewhere.
+    window->stale |= window->sharp < window->whole.height;
 }
 
 // A view that the shader has not is refused where the eyes are: in the overlay.
@@ -171,9 +173,27 @@ static void toggle_full_screen(struct window *window)
     glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+// True when the action changes the picture; others change the overlay or the window alone.
+static bool changes_picture(enum window_action action)
+{
+    switch (action) {
+    case WINDOW_PAUSE: // time went on until now
+    case WINDOW_RESTART:
+    case WINDOW_BEGIN:
+    case WINDOW_ORTHOGRAPHIC:
+    case WINDOW_CHANGE:
+    case WINDOW_RESET:
+    case WINDOW_VIEW:
+        return true;
+    default:
+        return false;
+    }
+}
+
 static void act(struct window *window, struct window_event event)
 {
     struct parameter *parameter = window_chosen(window);
+    window->stale |= changes_picture(event.action);
     switch (event.action) {
     case WINDOW_END:
         glfwSetWindowShouldClose(window->handle, GLFW_TRUE);
@@ -214,6 +234,9 @@ static void act(struct window *window, struct window_event event)
     case WINDOW_FOLD:
         window->folded = !window->folded;
         break;
+    case WINDOW_HELP:
+        window->helps = !window->helps;
+        break;
     case WINDOW_VIEW:
         show_view(window, (enum shader_view)event.amount);
         break;
@@ -221,21 +244,21 @@ static void act(struct window *window, struct window_event event)
 }
 
 // A click chooses the pixel's ray, and again lets it go.
-//   place  in window coordinates from the top left; on a high-density display one of them holds
-//          several pixels
+//   place  in the window's units from its top left
 static void look_at_ray(struct window *window, const double place[2])
 {
-    int *pixel = window->inputs.pixel, width = 0, height = 0;
-    glfwGetWindowSize(window->handle, &width, &height);
-    if (width < 1 || height < 1)
+    int *pixel = window->inputs.pixel, size[2] = {0, 0}, at[2];
+    glfwGetWindowSize(window->handle, &size[0], &size[1]);
+    if (size[0] < 1 || size[1] < 1)
         return;
-    int x = (int)floor(place[0] * window->inputs.width / width);
-    int y = window->inputs.height - 1 - (int)floor(place[1] * window->inputs.height / height);
-    bool same = x == pixel[0] && y == pixel[1];
-    pixel[0] = same ? -1 : x;
-    pixel[1] = same ? -1 : y;
+    renderer_pixel_at(&window->inputs, place, size, at);
+    bool same = at[0] == pixel[0] && at[1] == pixel[1];
+    for (int i = 0; i < 2; i++)
+        pixel[i] = same ? -1 : at[i];
     window->why[0] = '\0';
     window->tell = !same;
+    window->follow = true;
+    window->stale |= window->renderer->view == SHADER_SLICE;
 }
 
 void window_obey(struct window *window)
