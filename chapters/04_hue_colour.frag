@@ -12,7 +12,7 @@
 #include "combine.glsl"    // opUnion, opIntersection, opSubtraction, opSmoothUnion, smoothUnionShare
 
 uniform float hueShift;     // 0 in [0, 360] step 5, degrees: turns the hues around the wheel
-uniform float saturation;   // 0.9 in [0, 1] step 0.05: 0 grey, 1 the pure hue
+uniform float saturation;   // 0.97 in [0, 1] step 0.05: 0 grey, 1 the pure hue
 uniform float value;        // 0.9 in [0, 1] step 0.05: the largest channel of a colour
 uniform int   operation;    // 3 in [0, 3]: of block and ball: 0 union, 1 intersection, 2 block less ball, 3 smooth union
 uniform float blend;        // 0.6 in [0.01, 1.5] step 0.05, scene units: width of the smooth union's blend
@@ -31,7 +31,7 @@ const vec3  SUN_LIGHT = vec3(1.25, 1.05, 0.82);     // its light, linear RGB
 const vec3  SKY_LIGHT = vec3(0.17, 0.215, 0.27);    // what an upward face receives from the sky
 const vec3  STAGE_COLOUR = vec3(0.17, 0.165, 0.17);
 const float BLOCK_HUE = 255.0;                     // of the solids in the middle, degrees
-const float BALL_HUE = 20.0;
+const float BALL_HUE = 12.0;
 
 Ray pixelRay(vec2 screen)
 {
