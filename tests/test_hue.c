@@ -108,7 +108,7 @@ static void test_knees_are_exact(void **unused)
     free(values);
 }
 
-// Half the way between two hues the third channel moves by a half: the pieces are straight.
+// The largest channel is the value, and the least stays below it by saturation times value.
 static void test_saturation_and_value(void **unused)
 {
     (void)unused;
