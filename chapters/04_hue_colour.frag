@@ -20,15 +20,15 @@ uniform int   maxSteps;     // 128 in [1, 1024]: steps before a ray is given up
 uniform float hitThreshold; // 0.002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
 
-const vec3  LOW = vec3(-3.25, -0.27, -3.25);        // opposite corners of a box that holds the scene
+const vec3  LOW = vec3(-3.25, -0.27, -3.25);       // opposite corners of a box that holds the scene
 const vec3  HIGH = vec3(3.25, 1.6, 3.25);
 const float RING = 2.5;                            // radius of the wheel, scene units
 const vec2  WALL = vec2(-0.5, 0.8660254);          // across the line at 30 degrees, where a die stands
 const vec2  NEXT = vec2(-0.8660254, 0.5);          // across the line at 60 degrees
 
-const vec3  SUN = vec3(-0.72, 0.6, 0.3487);   // direction of the sun, length 1
-const vec3  SUN_LIGHT = vec3(1.25, 1.05, 0.82);     // its light, linear RGB
-const vec3  SKY_LIGHT = vec3(0.17, 0.215, 0.27);    // what an upward face receives from the sky
+const vec3  SUN = vec3(-0.72, 0.6, 0.3487);        // direction of the sun, length 1
+const vec3  SUN_LIGHT = vec3(1.25, 1.05, 0.82);    // its light, linear RGB
+const vec3  SKY_LIGHT = vec3(0.17, 0.215, 0.27);   // what an upward face receives from the sky
 const vec3  STAGE_COLOUR = vec3(0.17, 0.165, 0.17);
 const float BLOCK_HUE = 255.0;                     // of the solids in the middle, degrees
 const float BALL_HUE = 12.0;
@@ -68,7 +68,7 @@ float stageDistance(vec3 p)
 // The solids in the middle: a block, and a ball that rises and sinks in ten seconds.
 float blockDistance(vec3 p)
 {
-    return sdBox(p - vec3(0.0, 0.26, 0.0), vec3(0.9, 0.26, 0.9));
+    return sdBox(p - vec3(0.0, 0.24, 0.0), vec3(0.9, 0.28, 0.9));
 }
 
 float ballDistance(vec3 p)

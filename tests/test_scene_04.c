@@ -71,7 +71,7 @@ static double stage(struct d3 p)
 
 static double block(struct d3 p)
 {
-    return mirror_box(d3_sub(p, d3(0.0, 0.26, 0.0)), d3(0.9, 0.26, 0.9));
+    return mirror_box(d3_sub(p, d3(0.0, 0.24, 0.0)), d3(0.9, 0.28, 0.9));
 }
 
 static double ball(struct d3 p)
