@@ -1,6 +1,7 @@
 // Experiment of chapter 04: what min and max make of the distances of two discs, a flat diagram.
 // The dark lines are those of equal distance as the operator has it, the white ones the true ones, and
-// red is the difference: 0 white, full red at 0.25. Where both lines coincide the operator is exact.
+// red is the difference, full at 0.25. Where no white line is seen both coincide, and the operator is
+// exact there. Of the smooth union only its own lines are drawn.
 //
 // The true distance is that to the boundary, piece by piece: what is left of each circle, and the two
 // points where the circles cross.
