@@ -168,8 +168,8 @@ changes() { # KEY TITLE
 check 'down chooses the next parameter' changes Down 'normalStep = 0.001'
 check 'right changes it' changes Right 'normalStep = 0.002'
 check 'Shift+right changes it by ten steps, up to its range' changes shift+Right 'normalStep = 0.5'
-coarse() { shoot_as coarse && render wanted -p normalStep=0.5 && matches wanted coarse; }
-check 'the picture follows the parameter' coarse
+follows_parameter() { shoot_as coarse && render wanted -p normalStep=0.5 && matches wanted coarse; }
+check 'the picture follows the parameter' follows_parameter
 check 'Home resets it' changes Home 'normalStep = 0.001'
 check 'left changes it back' changes Left 'normalStep = 0.0005'
 check 'up chooses the parameter before' changes Up 'focalLength = 2'
