@@ -84,6 +84,18 @@ float cellWallLimited(float x, float period, float first, float last)
     return 0.5 * period + abs(opRepeatLimited(x, period, first, last));
 }
 
+// How far it is to the other copies, where all stay near the middle of their cells: with it the own
+// copy alone is enough.
+//   reach    how far a copy reaches from the middle of its cell along this axis, scene units, at most
+//            period / 2
+//   formula  period - |opRepeat(x)| - reach, from period / 2 - reach to period - reach
+//   min of the own copy and cellOthers  a lower bound, for copies that vary from cell to cell; for n
+//            axes one copy and the smallest of n
+float cellOthers(float x, float period, float reach)
+{
+    return period - abs(opRepeat(x, period)) - reach;
+}
+
 // A number in [0, 1) that looks random, the same for the same cell on every machine: an integer hash,
 // no sine.
 //   cell  whole numbers
