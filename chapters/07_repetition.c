@@ -1,4 +1,5 @@
-// Chapter 07: repetition. One lantern, and the coordinate folded into its cell: a field without end.
+// Chapter 07: repetition. One lantern, and the coordinate folded into its cell: a field without
+// end.
 //
 // The page is docs/07_repetition.md.
 #include "../common/chapter.h"

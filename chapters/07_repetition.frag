@@ -125,7 +125,8 @@ vec3 surfaceLight(Ray ray, vec3 p, bool found)
     Lantern lantern = lanternAt(p);
     bool ball = found && ballDistance(lantern) < frameDistance(lantern);
     vec3 normal = found ? lanternNormal(lantern, ball) : vec3(0.0, 1.0, 0.0);
-    traceNormal(normal);
+    if (found)
+        traceNormal(normal);
     vec3 matt = (found ? METAL : GROUND) * receivedLight(lantern, normal);
     return ball ? ballLight(lantern, abs(dot(normal, ray.direction))) : matt;
 }
