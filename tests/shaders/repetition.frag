@@ -1,5 +1,5 @@
 #version 330 core
-// For test_repetition.c: repeated volumes at random points, the operators at given numbers, the hash.
+// For test_repetition.c and test_cells.c: repeated volumes at random points, the operators at given numbers, the hash.
 //
 // Time chooses the function; iMouse: period, number of repeated axes, first and last cell. Each pixel
 // is (p, f(p)), or four numbers.
@@ -124,6 +124,8 @@ void main()
         if (item % 2 == 1 && Time > 1.5 && Time < 8.5)
             p.yz = vec2(0.0, 0.5 * p.z);
         if (item % 4 == 1 && Time > 6.5 && Time < 8.5)
+            p.z = 0.0;
+        if (Time == 11.0)
             p.z = 0.0;
         FragColor = vec4(p, asked(p));
     } else if (Time < 21.0) {
