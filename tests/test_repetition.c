@@ -222,14 +222,26 @@ static void test_the_nearer_neighbour_mends_identical_copies(void **unused)
 static void test_copies_that_vary_need_the_wall(void **unused)
 {
     (void)unused;
-    check_bound("towers, capped", &(struct field){TOWERS_CAPPED, {2.0f, 2.0f, 0.0f, 0.0f}});
-    check_bound("towers -2 to 1", &(struct field){ROW_LIMITED, {2.0f, 1.0f, -2.0f, 1.0f}});
+    // 1.6 wide towers fill cells of 1.6: the wall is as near as another tower may be.
+    check_bound("towers, capped", &(struct field){TOWERS_CAPPED, {1.6f, 2.0f, 0.0f, 0.0f}});
+    check_bound("towers -2 to 1", &(struct field){ROW_LIMITED, {1.6f, 1.0f, -2.0f, 1.0f}});
     check_bound("own tower, others", &(struct field){LONELY, {2.0f, 2.0f, 0.0f, 0.0f}});
     struct found four = compare(&(struct field){TOWERS, {2.0f, 2.0f, 0.0f, 0.0f}});
     struct found three = compare(&(struct field){ROW, {2.0f, 1.0f, 0.0f, 0.0f}});
     print_message("# no cap: four towers of a field over by %.2f, three of a row by %.2f\n",
                   four.over, three.over);
     assert_true(four.over > 1.0 && three.over > 1.0);
+}
+
+// On the wall between two towers of 0.5, 12 up; one of 12 stands two cells from the first.
+static void test_low_towers_hide_a_high_one(void **unused)
+{
+    (void)unused;
+    const struct d3 low = {0.8, 0.25, 0.8}, high = {0.8, 6.0, 0.8}, p = {1.0, 12.0, 0.0};
+    double asked = brute_box(d3_sub(p, d3(0.0, 0.25, 0.0)), low);
+    asked = fmin(asked, brute_box(d3_sub(p, d3(2.0, 0.25, 0.0)), low));
+    double truth = brute_box(d3_sub(p, d3(-2.0, 6.0, 0.0)), high);
+    assert_true(fabs(truth - 2.2) < 1e-12 && fabs(asked - truth - 9.3) < 0.005);
 }
 
 // ---- The march ----
@@ -301,6 +313,7 @@ int main(void)
         cmocka_unit_test(test_the_own_copy_alone_over_estimates),
         cmocka_unit_test(test_the_nearer_neighbour_mends_identical_copies),
         cmocka_unit_test(test_copies_that_vary_need_the_wall),
+        cmocka_unit_test(test_low_towers_hide_a_high_one),
         cmocka_unit_test(test_the_capped_march_misses_nothing),
     };
     return cmocka_run_group_tests_name("repetition", tests, open_gpu, close_gpu);
