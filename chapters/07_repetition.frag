@@ -10,7 +10,7 @@
 uniform float period;       // 5.5 in [3, 10] step 0.25, scene units: width of a cell along x and z
 uniform float variety;      // 1 in [0, 1] step 0.05: how much the lanterns differ; at 0 all are alike
 uniform bool  capped;       // true: no step is longer than the way to the other cells' lanterns
-uniform float fogDistance;  // 20 in [4, 80] step 1, scene units: over which the mist leaves 1/e of the light
+uniform float fogDistance;  // 26 in [4, 80] step 1, scene units: over which the mist leaves 1/e of the light
 uniform float drift;        // 0.5 in [0, 5] step 0.25, scene units per second: how fast the eye moves
 uniform int   maxSteps;     // 128 in [1, 1024]: steps before a ray is given up
 uniform float hitThreshold; // 0.001 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit at the eye
@@ -23,11 +23,11 @@ const vec3  BODY = vec3(0.5, 0.7, 0.5);          // half size of a frame of size
 const float BALL = 0.34;                         // radius of the ball in it
 const float BAR = 0.05;                          // radius of a frame's bars
 const float SIZE = 1.15;                         // the largest size
-const float REFERENCE = 1.6;                     // where a lantern of size 1 sheds its colour, scene units
+const float REFERENCE = 2.0;                     // where a lantern of size 1 sheds its colour, scene units
 const vec3  METAL = vec3(0.50, 0.44, 0.42);      // colours, linear RGB
-const vec3  GROUND = vec3(0.16, 0.17, 0.22);
+const vec3  GROUND = vec3(0.13, 0.14, 0.19);
 const vec3  ZENITH = vec3(0.012, 0.020, 0.075);
-const vec3  HAZE = vec3(0.085, 0.05, 0.10);
+const vec3  HAZE = vec3(0.06, 0.042, 0.09);
 const vec3  GLOW = vec3(0.95, 0.36, 0.12);
 const vec3  SUNSET = vec3(-0.384, 0.030, -0.923); // where the sun went down, length 1
 
@@ -138,7 +138,7 @@ vec3 rayColour(Ray ray)
     float start = max(min(slab.x, slab.y), 0.0);
     float end = min(max(slab.x, slab.y), FAR);
     Hit hit = marchCone(ray, start, end, hitThreshold, 2.0 * pixelSpread(), maxSteps);
-    float ground = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : FAR;
+    float ground = ray.origin.y * ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : FAR;
     float t = hit.found ? hit.t : min(ground, FAR);
     vec3 light = surfaceLight(ray, ray.origin + t * ray.direction, hit.found);
     float clear = exp(-t / fogDistance) * clamp((FAR - t) / FADE, 0.0, 1.0);

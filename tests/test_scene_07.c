@@ -14,8 +14,8 @@
 
 enum { WIDTH = 640, HEIGHT = 360 };
 
-static const double period = 5.5, far = 38.0, low = 0.15, high = 2.95, fog = 20.0;
-static const struct d3 zenith = {0.012, 0.020, 0.075}, haze = {0.085, 0.05, 0.10},
+static const double period = 5.5, far = 38.0, low = 0.15, high = 2.95, fog = 26.0;
+static const struct d3 zenith = {0.012, 0.020, 0.075}, haze = {0.06, 0.042, 0.09},
                        glow = {0.95, 0.36, 0.12}, sunset = {-0.384, 0.030, -0.923};
 
 static struct gpu gpu;
@@ -181,7 +181,7 @@ static struct d3 received(const struct lantern *lantern, struct d3 p, struct d3 
     struct d3 to = d3_sub(lantern->middle, p);
     double away = d3_length(to);
     double share = mirror_lambert(normal, d3_times(1.0 / away, to)) *
-                   mirror_fall_off(away, 1.6 * lantern->size) *
+                   mirror_fall_off(away, 2.0 * lantern->size) *
                    (1.0 - mirror_smoothstep(0.2, 0.5, fabs(to.x) / period)) *
                    (1.0 - mirror_smoothstep(0.2, 0.5, fabs(to.z) / period));
     struct d3 above = d3_add(zenith, d3_times(0.5, haze));
@@ -203,7 +203,7 @@ static struct d3 surface(struct mirror_ray ray, struct d3 p, bool hit, struct mi
         double saturation = 0.9 - 0.5 * facing * facing;
         return d3_times(0.8 + 1.1 * facing, pure_hue(lantern.hue, saturation));
     }
-    struct d3 matt = hit ? d3(0.50, 0.44, 0.42) : d3(0.16, 0.17, 0.22);
+    struct d3 matt = hit ? d3(0.50, 0.44, 0.42) : d3(0.13, 0.14, 0.19);
     return d3_product(matt, received(&lantern, p, normal));
 }
 
