@@ -2,7 +2,6 @@
 
 #include "main.glsl"       // main(): asks for pixelRay, then for rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
-#include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere, boxDistance
 #include "repetition.glsl" // cellOf, cellRandom
 #include "lighting.glsl"   // lambert, encodeSRGB
@@ -10,7 +9,7 @@
 #include "bounds.glsl"     // boxInterval
 #include "sky.glsl"        // sunDirection, airMass, transmittance, scatteredLight, glow, disc
 
-uniform float timeOfDay;      // 17.75 in [0, 24] step 0.25, hours: solar time at the start; at 12 the sun is highest
+uniform float timeOfDay;      // 17.7 in [0, 24] step 0.25, hours: solar time at the start; at 12 the sun is highest
 uniform float hoursPerSecond; // 0.25 in [0, 4] step 0.05, hours per second: how fast the time of day runs
 uniform bool  reportSky;      // false: the report's sky, mended, in place of scattered sunlight
 uniform float haze;           // 0.04 in [0, 0.3] step 0.01: optical depth of the dust overhead
@@ -18,15 +17,16 @@ uniform float footprint;      // 1 in [0, 4] step 0.25, half pixels: how wide a 
 uniform int   maxSteps;       // 160 in [1, 512]: steps before a ray is given up
 uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
-// One scene unit is about 8 metres. x points north, y up, z east: the avenue looks west.
-const float LATITUDE = 43.6;   // degrees: Toulouse
-const float DECLINATION = 4.0; // of the sun, degrees: on the last day of March
+// One scene unit is about 8 metres; x points north, y up, z east. The avenue looks west.
+const float LATITUDE = 43.6;  // degrees: of Toulouse
+const float DECLINATION = 2.0; // of the sun, degrees: at the end of March
 const float PERIOD = 6.0;     // from the middle of a block to the next
 const float GAP = 1.35;       // half a street: no tower comes nearer to its cell's wall
 const float TALLEST = 9.3;    // no tower is higher
 const float FAR = 100.0;      // a ray that has travelled so far sees the sky
-const float SHADOW_FAR = 18.0;
-const vec3  BAY = vec3(0.36, 0.4, 0.36); // a window with its share of the wall: width, height of a floor
+const float SHADOW_FAR = 18.0; // how far a shadow ray looks
+const vec3  BAY = vec3(0.36, 0.4, 0.36); // a window and its share of the wall; a floor is 0.4 high
+const vec3  LAMPLIGHT = vec3(1.0, 0.55, 0.22);
 const vec3  LAMP = vec3(0.26, 1.08, 0.0);
 
 Ray pixelRay(vec2 screen)
@@ -39,11 +39,11 @@ float hour()
     return timeOfDay + hoursPerSecond * iTime;
 }
 
-// ---- The city ----
+// ---- The city: what a ray can hit ----
 
-// The place in a block, and a number of its own for each block.
+// The place in a block, and the block's own random number.
 struct Block {
-    vec3  local;  // from the middle of the block, on the ground
+    vec3  local;  // from the middle of the block
     float random; // in [0, 1)
 };
 
@@ -53,8 +53,8 @@ Block blockAt(vec3 p)
     return Block(p - PERIOD * vec3(cell.x, 0.0, cell.y), cellRandom(ivec3(cell, 9)));
 }
 
-// A tower is a shaft on a base, both whole numbers of windows wide and high: what lies outside of
-// its east, upper and north faces.
+// A tower is a shaft on a base, whole numbers of windows wide and high: how far a point lies outside
+// the faces of each.
 vec3 outsideShaft(Block block)
 {
     vec3 r = fract(block.random * vec3(1.0, 256.0, 65536.0));
@@ -68,10 +68,10 @@ vec3 outsideBase(Block block)
     return vec3(abs(block.local.x), block.local.y - 0.08, abs(block.local.z)) - vec3(4.5, floors, 4.5) * BAY;
 }
 
-// The pavement on both sides of the streets that run west, folded into one.
+// The two pavements of a street that runs west, folded into one.
 vec3 pavement(vec3 local)
 {
-    return vec3(abs(local.x) - 2.1, local.y, local.z);
+    return vec3(abs(local.x) - 2.1, local.yz);
 }
 
 float lampDistance(vec3 q)
@@ -81,135 +81,188 @@ float lampDistance(vec3 q)
     return min(min(post, arm), sdSphere(q - LAMP, 0.045));
 }
 
-// From the nearest point of the axis of a crown.
+// From the nearest point of a crown's axis.
 vec3 treeAxis(vec3 q)
 {
-    return vec3(q.x, q.y - clamp(q.y, 0.45, 1.0), abs(q.z) - 1.5);
+    return vec3(q.x, q.y - clamp(q.y, 0.5, 1.0), abs(q.z) - 1.5);
 }
 
 float treeDistance(vec3 q)
 {
     vec3 c = treeAxis(q);
-    return min(length(c) - 0.2 + 0.12 * max(q.y - 0.45, 0.0), max(length(c.xz) - 0.03, q.y - 0.5));
+    float crown = 0.97 * (length(c) - 0.2 + 0.2 * max(q.y - 0.5, 0.0));
+    return min(crown, max(length(c.xz) - 0.03, q.y - 0.6));
 }
 
 float sceneDistance(vec3 p)
 {
     Block block = blockAt(p);
-    float wall = 0.5 * PERIOD - max(abs(block.local.x), abs(block.local.z));
     vec3 q = pavement(block.local);
-    float street = min(lampDistance(q), treeDistance(q));
     float tower = min(boxDistance(outsideShaft(block)), boxDistance(outsideBase(block)));
-    return min(min(tower, wall + GAP), street);
+    float wall = 0.5 * PERIOD - max(abs(block.local.x), abs(block.local.z));
+    return min(min(tower, wall + GAP), min(lampDistance(q), treeDistance(q)));
 }
 
-// ---- The sky ----
+// ---- The light: sun, moon and sky ----
 
-vec3 airDepth() { return RAYLEIGH + haze; }
+vec3 airDepth()
+{
+    return RAYLEIGH + haze;
+}
 
-float daylight(vec3 sun) { return smoothstep(-0.25, 0.06, sun.y); }
-
-const vec3 SKY = vec3(1.5, 1.9, 2.6); 
+// 1 by day, 0 once the sun is 14 degrees below the horizon.
+float daylight(vec3 sun)
+{
+    return smoothstep(-0.25, 0.06, sun.y);
+}
 
 vec3 skyColour(vec3 direction, vec3 sun)
 {
-    float view = airMass(direction.y), mass = airMass(sun.y), day = daylight(sun);
-    float c = dot(direction, sun);
-    vec3 through = day * transmittance(airDepth(), mass);
-    vec3 light = SKY * day * day * scatteredLight(airDepth(), view, mass) * (0.65 + 0.35 * c * c);
-    light += through * (0.7 * glow(direction, sun, 60.0) + 0.25 * glow(direction, sun, 6.0));
+    float view = airMass(direction.y), day = daylight(sun), c = dot(direction, sun);
+    vec3 through = day * transmittance(airDepth(), airMass(sun.y));
+    vec3 light = vec3(1.4, 1.9, 2.8) * day * day * (0.6 + 0.4 * c * c) * scatteredLight(airDepth(), view, airMass(sun.y));
+    light += through * glow(direction, sun, 0.8);
     if (reportSky)
         light = vec3(0.5, 0.7, 1.0) * vec3(1.0, vec2(max(sun.y, 0.0)));
-    light += 14.0 * disc(direction, sun, 0.012) * through;
-    return light + (1.0 - day) * mix(vec3(0.004, 0.008, 0.02), vec3(0.03, 0.028, 0.035), view / 38.0);
+    light += 14.0 * disc(direction, sun, 0.014) * through;
+    return light + (1.0 - day) * mix(vec3(0.002, 0.004, 0.011), vec3(0.016, 0.014, 0.016), view / 38.0);
 }
 
-// The normal of what was hit, known from the shape: a box's face, an axis of a tree or a post.
-vec3 cityNormal(Block block, bool tower, bool lamp)
+// The light of all the sky together, on matt surfaces.
+vec3 skyLight(vec3 sun)
 {
-    vec3 shaft = outsideShaft(block), base = outsideBase(block);
-    vec3 q = pavement(block.local), side = sign(block.local);
-    vec3 out3 = base.y < 0.01 ? base : shaft;
-    vec3 face = step(max(out3.x, max(out3.y, out3.z)), out3);
-    q = tower ? face : lamp ? vec3(q.x, 0.0, q.z) : treeAxis(q);
-    return normalize(q * side);
+    float day = daylight(sun);
+    return vec3(0.5, 0.55, 0.65) * day * day * scatteredLight(airDepth(), 4.0, airMass(sun.y)) + vec3(0.003, 0.004, 0.008);
 }
 
-// ---- Materials ----
+vec3 sunLight(vec3 sun)
+{
+    vec3 moonlight = vec3(0.02, 0.03, 0.05) * smoothstep(0.0, 0.15, -sun.y);
+    return 2.2 * transmittance(airDepth(), airMass(sun.y)) * smoothstep(0.0, 0.04, sun.y) + moonlight;
+}
 
-// A pattern of stripes with period 1, seen through a window of a width: its mean where that is wide.
+// ---- Materials, found once, at the hit ----
+
+// What a ray has met, and how the pixel sees it.
+struct Place {
+    Block block;
+    bool  ground, tower, lamp; // none of the three: a tree
+    vec3  normal;
+    float width;               // of the pixel there, scene units
+    float facing;              // cosine of the angle between normal and ray, at least 0.03
+};
+
+// The normal comes from the shape: a face of a box, or away from the axis of a tree or a post.
+Place placeAt(vec3 p, bool ground, float width, vec3 direction)
+{
+    Block block = blockAt(p);
+    vec3 base = outsideBase(block), q = pavement(block.local);
+    bool tower = max(abs(block.local.x), abs(block.local.z)) < 4.5 * BAY.x + 2.0 * (hitThreshold + width);
+    bool lamp = abs(block.local.z) < 0.7;
+    vec3 outside = base.y < 0.01 ? base : outsideShaft(block);
+    vec3 face = step(max(outside.x, max(outside.y, outside.z)), outside);
+    vec3 axis = lamp ? vec3(q.x, 0.0, q.z) : treeAxis(q);
+    vec3 normal = normalize((tower ? face : axis) * sign(block.local));
+    normal = ground ? vec3(0.0, 1.0, 0.0) : normal;
+    return Place(block, ground, tower, lamp, normal, width, max(abs(dot(normal, direction)), 0.03));
+}
+
+// How much of a pixel lies inside an edge.
+//   inside  how far inside the edge its middle lies, in the unit of width
+float coverage(float inside, float width)
+{
+    return clamp(inside / (width + 0.001) + 0.5, 0.0, 1.0);
+}
+
+// Stripes of period 1, seen through a width: their mean where the width exceeds the period.
 float stripes(float x, float filled, float width)
 {
-    float inside = 0.5 * filled - abs(fract(x) - 0.5);
-    float sharp = clamp(inside / max(width, 0.001) + 0.5, 0.0, 1.0);
+    float sharp = coverage(0.5 * filled - abs(fract(x) - 0.5), width);
     return mix(sharp, filled, smoothstep(0.4, 1.0, width));
+}
+
+// The share of windows in a pixel of a wall (x), and how brightly they are lit (y).
+vec2 windowsAt(Place place, float height, vec3 sun)
+{
+    bool sideways = abs(place.normal.x) > abs(place.normal.z), shop = height < BAY.y;
+    vec3 local = place.block.local;
+    vec2 at = vec2((sideways ? local.z : local.x) / BAY.x + 0.5, height / BAY.y);
+    vec2 width = vec2(place.width / place.facing, place.width) / BAY.xy;
+    vec2 filled = shop ? vec2(0.86, 0.7) : vec2(0.6, 0.56);
+    float pane = stripes(at.x, filled.x, width.x) * stripes(at.y, filled.y, width.y);
+    float wall = place.block.random * 4096.0 + 7.0 * sign(place.normal.x) + 3.0 * sign(place.normal.z);
+    float random = cellRandom(ivec3(floor(at), wall));
+    float late = smoothstep(4.5, 2.5, abs(mod(hour() + 9.5, 24.0) - 12.0)); // 1 in the dead of night
+    float share = (shop ? 0.8 : 0.42) * smoothstep(0.2, -0.08, sun.y) * (1.0 - 0.65 * late);
+    float lit = random < share ? 0.25 + 0.75 * fract(64.0 * random) : 0.0;
+    bool there = place.tower && !place.ground && abs(place.normal.y) < 0.5;
+    return vec2(there ? pane : 0.0, mix(lit, 0.6 * share, smoothstep(0.4, 1.0, max(width.x, width.y))));
+}
+
+// 1 on the roadway, 0 on the pavement.
+float asphaltAt(Place place)
+{
+    vec2 road = 0.5 * PERIOD - abs(place.block.local.xz);
+    return coverage(0.72 - min(road.x, road.y), place.width / place.facing);
+}
+
+vec3 groundColour(Place place)
+{
+    vec2 road = 0.5 * PERIOD - abs(place.block.local.xz);
+    float dash = coverage(0.025 - road.x, place.width) * step(0.75, road.y);
+    dash *= stripes(place.block.local.z / 0.75, 0.5, place.width / place.facing / 0.75);
+    return mix(vec3(0.27, 0.25, 0.23), vec3(0.06, 0.062, 0.07) + 0.5 * dash, asphaltAt(place));
+}
+
+vec3 colourAt(vec3 p, Place place, float pane)
+{
+    vec3 wall = mix(vec3(0.46, 0.33, 0.24), vec3(0.36, 0.38, 0.42), fract(16.0 * place.block.random));
+    vec3 tower = mix(wall, vec3(0.015, 0.02, 0.025), pane);
+    float leaf = mix(0.45 + 1.1 * cellRandom(ivec3(floor(32.0 * p))), 1.0, min(32.0 * place.width, 1.0));
+    vec3 other = place.lamp ? vec3(0.04) : vec3(0.045, 0.085, 0.025) * leaf;
+    return place.ground ? groundColour(place) : place.tower ? tower : other;
+}
+
+// What a place sends to the eye.
+//   sky  the sky behind it: a wall that one looks along mirrors nearly the same
+vec3 placeLight(vec3 p, Place place, vec3 direction, float seen, vec3 sun, vec3 sky)
+{
+    vec3 around = skyLight(sun), direct = seen * sunLight(sun), normal = place.normal;
+    vec3 toLight = sun.y > 0.0 ? sun : -sun, toLamp = LAMP - pavement(place.block.local);
+    float dusk = smoothstep(0.12, -0.02, sun.y);
+    vec2 windows = windowsAt(place, p.y, sun);
+    float catches = dusk * lambert(normal, normalize(toLamp)) / (0.1 + dot(toLamp, toLamp));
+    vec3 received = direct * lambert(normal, toLight) + (around + 0.1 * sunLight(sun)) * (0.6 + 0.4 * normal.y);
+    vec3 light = colourAt(p, place, windows.x) * (received + 0.08 * LAMPLIGHT * catches);
+    float graze = 1.0 - place.facing;
+    float fresnel = 0.04 + 0.96 * graze * graze * graze * graze;
+    vec3 mirrored = abs(normal.x) > 0.5 ? sky : 0.7 * around;
+    vec3 glint = 0.5 * asphaltAt(place) * direct * glow(reflect(direction, normal), toLight, 0.75);
+    light += fresnel * (place.ground ? glint : windows.x * mirrored);
+    light += 0.25 * LAMPLIGHT * windows.x * windows.y;
+    bool bulb = place.lamp && dot(toLamp, toLamp) < 0.0036;
+    return light + (bulb ? 2.0 * dusk * LAMPLIGHT : vec3(0.0));
 }
 
 vec3 rayColour(Ray ray)
 {
     vec3 sun = sunDirection(hour(), LATITUDE, DECLINATION);
-    float day = daylight(sun), dusk = 1.0 - smoothstep(-0.02, 0.12, sun.y);
     float spread = footprint * pixelSpread();
-    vec3 middle = vec3(ray.origin.x, 0.0, ray.origin.z);
-    vec2 interval = boxInterval(ray, middle - vec3(FAR, 0.0, FAR), middle + vec3(FAR, TALLEST, FAR));
+    vec3 foot = vec3(ray.origin.x, 0.0, ray.origin.z);
+    vec2 interval = boxInterval(ray, foot - vec3(FAR, 0.0, FAR), foot + vec3(FAR, TALLEST, FAR));
     Hit hit = marchCone(ray, interval.x, min(interval.y, FAR), hitThreshold, spread, maxSteps);
-    vec3 sky = skyColour(vec3(ray.direction.x, max(ray.direction.y, 0.0), ray.direction.z), sun);
-    vec3 around = 0.5 * day * day * SKY * scatteredLight(airDepth(), 4.0, airMass(sun.y));
-    vec3 light = sky;
     float t = hit.found ? hit.t : interval.y;
     vec3 p = ray.origin + t * ray.direction;
-    bool isGround = !hit.found && p.y < 0.01;
-    if (hit.found || isGround) {
-        float width = 2.0 * spread * t;
-        Block block = blockAt(p);
-        vec3 local = block.local, q = pavement(local);
-        bool isTower = max(abs(local.x), abs(local.z)) < 4.5 * BAY.x + 2.0 * (hitThreshold + width);
-        bool isLamp = abs(local.z) < 0.7;
-        vec3 normal = isGround ? vec3(0.0, 1.0, 0.0) : cityNormal(block, isTower, isLamp);
-        traceNormal(normal);
-        float facing = max(abs(dot(normal, ray.direction)), 0.03);
-        bool sideways = abs(normal.x) > abs(normal.z);
-        // facade
-        vec2 place = vec2(sideways ? local.z : local.x, p.y) / BAY.xy + vec2(0.5, 0.0);
-        vec2 w = vec2(width / facing, width) / BAY.xy;
-        bool shop = p.y < BAY.y;
-        float pane = stripes(place.x, shop ? 0.86 : 0.6, w.x) * stripes(place.y, shop ? 0.7 : 0.56, w.y);
-        pane = isTower && !isGround && abs(normal.y) < 0.5 ? pane : 0.0;
-        ivec3 key = isTower ? ivec3(floor(place), 4096.0 * block.random + 7.0 * sign(normal.x) + 3.0 * sign(normal.z)) : ivec3(floor(p * 24.0));
-        float random = cellRandom(key);
-        float lateness = smoothstep(22.0, 24.0, mod(hour(), 24.0)) + 1.0 - smoothstep(4.0, 6.0, mod(hour(), 24.0));
-        float share = (shop ? 0.9 : 0.5) * (1.0 - smoothstep(-0.05, 0.2, sun.y)) * (1.0 - 0.6 * lateness);
-        float on = mix(random < share ? 0.4 + 0.6 * fract(64.0 * random) : 0.0, 0.7 * share, smoothstep(0.4, 1.0, max(w.x, w.y)));
-        float b = fract(16.0 * block.random);
-        vec3 wall = b < 0.4 ? vec3(0.46, 0.4, 0.34) : b < 0.75 ? vec3(0.32, 0.34, 0.38) : vec3(0.42, 0.24, 0.18);
-        vec2 road = 0.5 * PERIOD - abs(local.xz);
-        float wg = width / facing;
-        float asphalt = clamp((0.72 - min(road.x, road.y)) / max(wg, 0.001) + 0.5, 0.0, 1.0);
-        float dash = clamp((0.025 - road.x) / max(width, 0.001) + 0.5, 0.0, 1.0) * stripes(local.z / 0.75, 0.5, wg / 0.75);
-        float paint = dash * step(0.75, road.y);
-        vec3 ground = mix(vec3(0.26, 0.24, 0.22), vec3(0.06, 0.062, 0.07) + 0.5 * paint, asphalt);
-        vec3 colour = isGround ? ground : isTower ? mix(wall, vec3(0.015, 0.02, 0.025), pane) : isLamp ? vec3(0.04) : vec3(0.05, 0.09, 0.03) * mix(0.5 + random, 1.0, min(24.0 * width, 1.0));
-        // light
-        vec3 toLight = sun.y > 0.0 ? sun : -sun;
-        vec3 sunLight = 1.4 * transmittance(airDepth(), airMass(sun.y)) * smoothstep(0.0, 0.04, sun.y)
-                      + vec3(0.018, 0.026, 0.045) * smoothstep(0.0, 0.15, -sun.y);
-        float far = min(SHADOW_FAR, (TALLEST - p.y) / max(toLight.y, 0.001));
-        float seen = lightReaching(shadowRay(p, normal, toLight, 0.03 + width), dot(normal, toLight) > 0.0 ? far : 0.0, 0.01, 24);
-        vec3 ambient = around + vec3(0.004, 0.006, 0.011);
-        vec3 received = seen * sunLight * lambert(normal, toLight) + ambient * (0.6 + 0.4 * normal.y);
-        vec3 toLamp = LAMP - q;
-        received += dusk * vec3(1.0, 0.62, 0.3) * 0.2 * lambert(normal, normalize(toLamp)) / (0.1 + dot(toLamp, toLamp));
-        light = colour * received;
-        // mirror
-        float graze = 1.0 - facing;
-        float fresnel = 0.04 + 0.96 * graze * graze * graze * graze;
-        float gloss = isGround ? 0.4 * asphalt : pane;
-        vec3 mirrored = sideways ? sky : 0.7 * around;
-        light += gloss * fresnel * (isGround ? seen * sunLight * glow(reflect(ray.direction, normal), toLight, 30.0) : mirrored);
-        light += pane * on * vec3(1.0, 0.62, 0.3) * 0.4;
-        light += isLamp && distance(q, LAMP) < 0.06 ? dusk * vec3(3.0, 2.1, 1.1) : vec3(0.0);
-        light = mix(light, sky, 1.0 - exp(-0.0006 * t * t));
-    }
-    float eye = 1.0 / sqrt(around.y + 0.02);
+    bool ground = !hit.found && p.y < 0.01, met = hit.found || ground;
+    Place place = placeAt(p, ground, 2.0 * spread * t, ray.direction);
+    if (met)
+        traceNormal(place.normal);
+    vec3 toLight = sun.y > 0.0 ? sun : -sun;
+    float far = met && dot(place.normal, toLight) > 0.02 ? min(SHADOW_FAR, (TALLEST - p.y) / toLight.y) : 0.0;
+    float seen = lightReaching(shadowRay(p, place.normal, toLight, 0.03 + place.width), far, 0.01, 40);
+    vec3 sky = skyColour(vec3(ray.direction.x, max(ray.direction.y, 0.0), ray.direction.z), sun);
+    vec3 light = placeLight(p, place, ray.direction, seen, sun, sky);
+    light = mix(sky, light, met ? exp(-0.0005 * t * t) : 0.0);
+    float eye = 1.1 / sqrt(skyLight(sun).y + 0.02);
     return encodeSRGB(1.0 - exp(-eye * light));
 }

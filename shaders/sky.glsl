@@ -73,11 +73,14 @@ float disc(vec3 direction, vec3 centre, float radius)
     return smoothstep(1.1 * radius, 0.9 * radius, length(direction - centre));
 }
 
-// The glow round the sun: forward scattering by dust.
+// The glow round the sun: light that dust scatters forward, 1 towards the sun.
 //   direction, sun  length 1
-//   sharpness       > 0; the glow falls by e where the angle is sqrt(2 / sharpness) radians
-//   formula         exp(sharpness (cos(angle) - 1))
-float glow(vec3 direction, vec3 sun, float sharpness)
+//   g        mean cosine of the angle of scattering, in [0, 1): the nearer to 1, the narrower
+//   formula  ((1 - g)^2 / (1 + g^2 - 2 g c))^(3/2), c the cosine of the angle to the sun
+// Source: L. G. Henyey, J. L. Greenstein, 'Diffuse radiation in the galaxy', Astrophysical Journal
+// 93 (1941).
+float glow(vec3 direction, vec3 sun, float g)
 {
-    return exp(sharpness * (dot(direction, sun) - 1.0));
+    float x = (1.0 - g) * (1.0 - g) / (1.0 + g * g - 2.0 * g * dot(direction, sun));
+    return x * sqrt(x);
 }
