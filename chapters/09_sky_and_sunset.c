@@ -9,7 +9,7 @@ int main(int argc, char **argv)
         .stem = "09_sky_and_sunset",
         .title = "09 Sky and sunset",
         .shows = "A city whose sky, light and windows follow the time of day.",
-        .camera = {.position = {2.95f, 1.05f, 0.3f}, .pan = -5.0f, .tilt = 4.0f},
+        .camera = {.position = {3.3f, 0.7f, 1.2f}, .pan = -4.0f, .tilt = 8.0f},
     };
     return chapter_run(&chapter, argc, argv);
 }

@@ -9,10 +9,10 @@
 #include "bounds.glsl"     // boxInterval
 #include "sky.glsl"        // sunDirection, airMass, transmittance, scatteredLight, glow, disc
 
-uniform float timeOfDay;      // 17.7 in [0, 24] step 0.25, hours: solar time at the start; at 12 the sun is highest
+uniform float timeOfDay;      // 17.8 in [0, 24] step 0.25, hours: solar time at the start; at 12 the sun is highest
 uniform float hoursPerSecond; // 0.25 in [0, 4] step 0.05, hours per second: how fast the time of day runs
 uniform bool  reportSky;      // false: the report's sky, mended, in place of scattered sunlight
-uniform float haze;           // 0.04 in [0, 0.3] step 0.01: optical depth of the dust overhead
+uniform float haze;           // 0.05 in [0, 0.3] step 0.01: optical depth of the dust overhead
 uniform float footprint;      // 1 in [0, 4] step 0.25, half pixels: how wide a ray is; 0 shows the speckle
 uniform int   maxSteps;       // 160 in [1, 512]: steps before a ray is given up
 uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
@@ -23,7 +23,7 @@ const float DECLINATION = 2.0; // of the sun, degrees: at the end of March
 const float PERIOD = 6.0;     // from the middle of a block to the next
 const float GAP = 1.35;       // half a street: no tower comes nearer to its cell's wall
 const float TALLEST = 9.3;    // no tower is higher
-const float FAR = 100.0;      // a ray that has travelled so far sees the sky
+const float FAR = 80.0;       // a ray that has travelled so far sees the sky
 const float SHADOW_FAR = 18.0; // how far a shadow ray looks
 const vec3  BAY = vec3(0.36, 0.4, 0.36); // a window and its share of the wall; a floor is 0.4 high
 const vec3  LAMPLIGHT = vec3(1.0, 0.55, 0.22);
@@ -76,8 +76,8 @@ vec3 pavement(vec3 local)
 
 float lampDistance(vec3 q)
 {
-    float post = max(length(q.xz) - 0.02, q.y - 1.1);
-    float arm = boxDistance(abs(q - vec3(0.13, 1.1, 0.0)) - vec3(0.14, 0.01, 0.015));
+    float post = length(vec3(q.x, max(q.y - 1.1, 0.0), q.z)) - 0.018;
+    float arm = length(vec3(q.x - clamp(q.x, 0.0, LAMP.x), q.y - 1.1, q.z)) - 0.012;
     return min(min(post, arm), sdSphere(q - LAMP, 0.045));
 }
 
@@ -120,7 +120,7 @@ vec3 skyColour(vec3 direction, vec3 sun)
 {
     float view = airMass(direction.y), day = daylight(sun), c = dot(direction, sun);
     vec3 through = day * transmittance(airDepth(), airMass(sun.y));
-    vec3 light = vec3(1.4, 1.9, 2.8) * day * day * (0.6 + 0.4 * c * c) * scatteredLight(airDepth(), view, airMass(sun.y));
+    vec3 light = vec3(1.5, 1.7, 3.2) * day * day * (0.6 + 0.4 * c * c) * scatteredLight(airDepth(), view, airMass(sun.y));
     light += through * glow(direction, sun, 0.8);
     if (reportSky)
         light = vec3(0.5, 0.7, 1.0) * vec3(1.0, vec2(max(sun.y, 0.0)));
@@ -132,13 +132,13 @@ vec3 skyColour(vec3 direction, vec3 sun)
 vec3 skyLight(vec3 sun)
 {
     float day = daylight(sun);
-    return vec3(0.5, 0.55, 0.65) * day * day * scatteredLight(airDepth(), 4.0, airMass(sun.y)) + vec3(0.003, 0.004, 0.008);
+    return vec3(0.5, 0.5, 0.75) * day * day * scatteredLight(airDepth(), 4.0, airMass(sun.y)) + vec3(0.003, 0.004, 0.008);
 }
 
 vec3 sunLight(vec3 sun)
 {
     vec3 moonlight = vec3(0.02, 0.03, 0.05) * smoothstep(0.0, 0.15, -sun.y);
-    return 2.2 * transmittance(airDepth(), airMass(sun.y)) * smoothstep(0.0, 0.04, sun.y) + moonlight;
+    return 2.6 * transmittance(airDepth(), airMass(sun.y)) * smoothstep(0.0, 0.04, sun.y) + moonlight;
 }
 
 // ---- Materials, found once, at the hit ----
@@ -167,6 +167,12 @@ Place placeAt(vec3 p, bool ground, float width, vec3 direction)
     return Place(block, ground, tower, lamp, normal, width, max(abs(dot(normal, direction)), 0.03));
 }
 
+// Light of any strength, brought below 1 as film does it: 1 - exp(-x), with three terms of exp(x).
+vec3 compressed(vec3 x)
+{
+    return 1.0 - 1.0 / (1.0 + x + x * x);
+}
+
 // How much of a pixel lies inside an edge.
 //   inside  how far inside the edge its middle lies, in the unit of width
 float coverage(float inside, float width)
@@ -192,8 +198,7 @@ vec2 windowsAt(Place place, float height, vec3 sun)
     float pane = stripes(at.x, filled.x, width.x) * stripes(at.y, filled.y, width.y);
     float wall = place.block.random * 4096.0 + 7.0 * sign(place.normal.x) + 3.0 * sign(place.normal.z);
     float random = cellRandom(ivec3(floor(at), wall));
-    float late = smoothstep(4.5, 2.5, abs(mod(hour() + 9.5, 24.0) - 12.0)); // 1 in the dead of night
-    float share = (shop ? 0.8 : 0.42) * smoothstep(0.2, -0.08, sun.y) * (1.0 - 0.65 * late);
+    float share = (shop ? 0.8 : 0.42) * smoothstep(0.2, -0.08, sun.y) * smoothstep(-0.85, -0.4, sun.y);
     float lit = random < share ? 0.25 + 0.75 * fract(64.0 * random) : 0.0;
     bool there = place.tower && !place.ground && abs(place.normal.y) < 0.5;
     return vec2(there ? pane : 0.0, mix(lit, 0.6 * share, smoothstep(0.4, 1.0, max(width.x, width.y))));
@@ -241,7 +246,7 @@ vec3 placeLight(vec3 p, Place place, vec3 direction, float seen, vec3 sun, vec3 
     light += fresnel * (place.ground ? glint : windows.x * mirrored);
     light += 0.25 * LAMPLIGHT * windows.x * windows.y;
     bool bulb = place.lamp && dot(toLamp, toLamp) < 0.0036;
-    return light + (bulb ? 2.0 * dusk * LAMPLIGHT : vec3(0.0));
+    return light + (bulb ? 1.3 * dusk * LAMPLIGHT : vec3(0.0));
 }
 
 vec3 rayColour(Ray ray)
@@ -259,10 +264,10 @@ vec3 rayColour(Ray ray)
         traceNormal(place.normal);
     vec3 toLight = sun.y > 0.0 ? sun : -sun;
     float far = met && dot(place.normal, toLight) > 0.02 ? min(SHADOW_FAR, (TALLEST - p.y) / toLight.y) : 0.0;
-    float seen = lightReaching(shadowRay(p, place.normal, toLight, 0.03 + place.width), far, 0.01, 40);
+    float seen = lightReaching(shadowRay(p, place.normal, toLight, 0.03 + place.width), far, 0.01, 96);
     vec3 sky = skyColour(vec3(ray.direction.x, max(ray.direction.y, 0.0), ray.direction.z), sun);
     vec3 light = placeLight(p, place, ray.direction, seen, sun, sky);
-    light = mix(sky, light, met ? exp(-0.0005 * t * t) : 0.0);
+    light = mix(sky, light, met ? exp(-0.0006 * t * t) : 0.0);
     float eye = 1.1 / sqrt(skyLight(sun).y + 0.02);
-    return encodeSRGB(1.0 - exp(-eye * light));
+    return encodeSRGB(compressed(eye * light));
 }
