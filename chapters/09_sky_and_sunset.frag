@@ -98,7 +98,8 @@ float sceneDistance(vec3 p)
 {
     Block block = blockAt(p);
     vec3 q = pavement(block.local);
-    float tower = min(boxDistance(outsideShaft(block)), boxDistance(outsideBase(block)));
+    vec3 shaft = outsideShaft(block), base = outsideBase(block);
+    float tower = min(max(shaft.x, max(shaft.y, shaft.z)), max(base.x, max(base.y, base.z)));
     float wall = 0.5 * PERIOD - max(abs(block.local.x), abs(block.local.z));
     return min(min(tower, wall + GAP), min(lampDistance(q), treeDistance(q)));
 }
@@ -120,7 +121,7 @@ vec3 skyColour(vec3 direction, vec3 sun)
 {
     float view = airMass(direction.y), day = daylight(sun), c = dot(direction, sun);
     vec3 through = day * transmittance(airDepth(), airMass(sun.y));
-    vec3 light = vec3(1.5, 1.7, 3.2) * day * day * (0.6 + 0.4 * c * c) * scatteredLight(airDepth(), view, airMass(sun.y));
+    vec3 light = vec3(1.4, 1.75, 3.1) * day * day * (0.6 + 0.4 * c * c) * scatteredLight(airDepth(), view, airMass(sun.y));
     light += through * glow(direction, sun, 0.8);
     if (reportSky)
         light = vec3(0.5, 0.7, 1.0) * vec3(1.0, vec2(max(sun.y, 0.0)));
@@ -132,7 +133,7 @@ vec3 skyColour(vec3 direction, vec3 sun)
 vec3 skyLight(vec3 sun)
 {
     float day = daylight(sun);
-    return vec3(0.5, 0.5, 0.75) * day * day * scatteredLight(airDepth(), 4.0, airMass(sun.y)) + vec3(0.003, 0.004, 0.008);
+    return vec3(0.45, 0.52, 0.72) * day * day * scatteredLight(airDepth(), 4.0, airMass(sun.y)) + vec3(0.003, 0.004, 0.008);
 }
 
 vec3 sunLight(vec3 sun)
@@ -180,28 +181,31 @@ float coverage(float inside, float width)
     return clamp(inside / (width + 0.001) + 0.5, 0.0, 1.0);
 }
 
-// Stripes of period 1, seen through a width: their mean where the width exceeds the period.
+// How much of a pixel stripes of period 1 cover.
+//   filled  the share of each period that they fill, around its middle
 float stripes(float x, float filled, float width)
 {
-    float sharp = coverage(0.5 * filled - abs(fract(x) - 0.5), width);
-    return mix(sharp, filled, smoothstep(0.4, 1.0, width));
+    return coverage(0.5 * filled - abs(fract(x) - 0.5), width);
+}
+
+// 0 where a pixel is smaller than a period, 1 where it is wider: there a pattern is its mean.
+float blurred(float width)
+{
+    return smoothstep(0.4, 1.0, width);
 }
 
 // The share of windows in a pixel of a wall (x), and how brightly they are lit (y).
-vec2 windowsAt(Place place, float height, vec3 sun)
+//   random  of the window
+vec2 windowsAt(Place place, vec2 at, float random, vec3 sun)
 {
-    bool sideways = abs(place.normal.x) > abs(place.normal.z), shop = height < BAY.y;
-    vec3 local = place.block.local;
-    vec2 at = vec2((sideways ? local.z : local.x) / BAY.x + 0.5, height / BAY.y);
     vec2 width = vec2(place.width / place.facing, place.width) / BAY.xy;
+    float blur = blurred(max(width.x, width.y));
+    bool shop = at.y < 1.0, there = place.tower && !place.ground && abs(place.normal.y) < 0.5;
     vec2 filled = shop ? vec2(0.86, 0.7) : vec2(0.6, 0.56);
     float pane = stripes(at.x, filled.x, width.x) * stripes(at.y, filled.y, width.y);
-    float wall = place.block.random * 4096.0 + 7.0 * sign(place.normal.x) + 3.0 * sign(place.normal.z);
-    float random = cellRandom(ivec3(floor(at), wall));
     float share = (shop ? 0.8 : 0.42) * smoothstep(0.2, -0.08, sun.y) * smoothstep(-0.85, -0.4, sun.y);
     float lit = random < share ? 0.25 + 0.75 * fract(64.0 * random) : 0.0;
-    bool there = place.tower && !place.ground && abs(place.normal.y) < 0.5;
-    return vec2(there ? pane : 0.0, mix(lit, 0.6 * share, smoothstep(0.4, 1.0, max(width.x, width.y))));
+    return vec2(there ? mix(pane, filled.x * filled.y, blur) : 0.0, mix(lit, 0.6 * share, blur));
 }
 
 // 1 on the roadway, 0 on the pavement.
@@ -215,15 +219,16 @@ vec3 groundColour(Place place)
 {
     vec2 road = 0.5 * PERIOD - abs(place.block.local.xz);
     float dash = coverage(0.025 - road.x, place.width) * step(0.75, road.y);
-    dash *= stripes(place.block.local.z / 0.75, 0.5, place.width / place.facing / 0.75);
+    float width = place.width / place.facing / 0.75;
+    dash *= mix(stripes(place.block.local.z / 0.75, 0.5, width), 0.5, blurred(width));
     return mix(vec3(0.27, 0.25, 0.23), vec3(0.06, 0.062, 0.07) + 0.5 * dash, asphaltAt(place));
 }
 
-vec3 colourAt(vec3 p, Place place, float pane)
+vec3 colourAt(Place place, float pane, float random)
 {
     vec3 wall = mix(vec3(0.46, 0.33, 0.24), vec3(0.36, 0.38, 0.42), fract(16.0 * place.block.random));
     vec3 tower = mix(wall, vec3(0.015, 0.02, 0.025), pane);
-    float leaf = mix(0.45 + 1.1 * cellRandom(ivec3(floor(32.0 * p))), 1.0, min(32.0 * place.width, 1.0));
+    float leaf = mix(0.45 + 1.1 * random, 1.0, min(32.0 * place.width, 1.0));
     vec3 other = place.lamp ? vec3(0.04) : vec3(0.045, 0.085, 0.025) * leaf;
     return place.ground ? groundColour(place) : place.tower ? tower : other;
 }
@@ -235,10 +240,14 @@ vec3 placeLight(vec3 p, Place place, vec3 direction, float seen, vec3 sun, vec3 
     vec3 around = skyLight(sun), direct = seen * sunLight(sun), normal = place.normal;
     vec3 toLight = sun.y > 0.0 ? sun : -sun, toLamp = LAMP - pavement(place.block.local);
     float dusk = smoothstep(0.12, -0.02, sun.y);
-    vec2 windows = windowsAt(place, p.y, sun);
+    vec3 local = place.block.local;
+    vec2 at = vec2(abs(normal.x) > 0.5 ? local.z : local.x, p.y) / BAY.xy + vec2(0.5, 0.0);
+    float wall = 4096.0 * place.block.random + sign(normal.x + 2.0 * normal.z);
+    float random = cellRandom(place.tower ? ivec3(floor(at), wall) : ivec3(floor(32.0 * p)));
+    vec2 windows = windowsAt(place, at, random, sun);
     float catches = dusk * lambert(normal, normalize(toLamp)) / (0.1 + dot(toLamp, toLamp));
     vec3 received = direct * lambert(normal, toLight) + (around + 0.1 * sunLight(sun)) * (0.6 + 0.4 * normal.y);
-    vec3 light = colourAt(p, place, windows.x) * (received + 0.08 * LAMPLIGHT * catches);
+    vec3 light = colourAt(place, windows.x, random) * (received + 0.08 * LAMPLIGHT * catches);
     float graze = 1.0 - place.facing;
     float fresnel = 0.04 + 0.96 * graze * graze * graze * graze;
     vec3 mirrored = abs(normal.x) > 0.5 ? sky : 0.7 * around;
@@ -264,10 +273,10 @@ vec3 rayColour(Ray ray)
         traceNormal(place.normal);
     vec3 toLight = sun.y > 0.0 ? sun : -sun;
     float far = met && dot(place.normal, toLight) > 0.02 ? min(SHADOW_FAR, (TALLEST - p.y) / toLight.y) : 0.0;
-    float seen = lightReaching(shadowRay(p, place.normal, toLight, 0.03 + place.width), far, 0.01, 96);
+    float seen = lightReaching(shadowRay(p, place.normal, toLight, 0.03 + place.width), far, 0.01, 56);
     vec3 sky = skyColour(vec3(ray.direction.x, max(ray.direction.y, 0.0), ray.direction.z), sun);
     vec3 light = placeLight(p, place, ray.direction, seen, sun, sky);
     light = mix(sky, light, met ? exp(-0.0006 * t * t) : 0.0);
-    float eye = 1.1 / sqrt(skyLight(sun).y + 0.02);
+    float eye = 0.95 / sqrt(skyLight(sun).y + 0.02);
     return encodeSRGB(compressed(eye * light));
 }
