@@ -258,9 +258,11 @@ vec3 placeLight(vec3 p, Place place, vec3 direction, float seen, vec3 sun, vec3 
     return light + (bulb ? 1.3 * dusk * LAMPLIGHT : vec3(0.0));
 }
 
-vec3 rayColour(Ray ray)
+// The picture under a sky: what the ray meets, or the sky itself, and the air between.
+//   sun  where the sun stands, length 1
+//   sky  the light of the sky behind
+vec3 cityColour(Ray ray, vec3 sun, vec3 sky)
 {
-    vec3 sun = sunDirection(hour(), LATITUDE, DECLINATION);
     float spread = footprint * pixelSpread();
     vec3 foot = vec3(ray.origin.x, 0.0, ray.origin.z);
     vec2 interval = boxInterval(ray, foot - vec3(FAR, 0.0, FAR), foot + vec3(FAR, TALLEST, FAR));
@@ -271,12 +273,18 @@ vec3 rayColour(Ray ray)
     Place place = placeAt(p, ground, 2.0 * spread * t, ray.direction);
     if (met)
         traceNormal(place.normal);
-    vec3 toLight = sun.y > 0.0 ? sun : -sun;
+    vec3 toLight = sun.y > 0.0 ? sun : -sun; // by night the moon, always full
     float far = met && dot(place.normal, toLight) > 0.02 ? min(SHADOW_FAR, (TALLEST - p.y) / toLight.y) : 0.0;
     float seen = lightReaching(shadowRay(p, place.normal, toLight, 0.03 + place.width), far, 0.01, 56);
-    vec3 sky = skyColour(vec3(ray.direction.x, max(ray.direction.y, 0.0), ray.direction.z), sun);
     vec3 light = placeLight(p, place, ray.direction, seen, sun, sky);
     light = mix(sky, light, met ? exp(-0.0006 * t * t) : 0.0);
     float eye = 0.95 / sqrt(skyLight(sun).y + 0.02);
     return encodeSRGB(compressed(eye * light));
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec3 sun = sunDirection(hour(), LATITUDE, DECLINATION);
+    vec3 upwards = vec3(ray.direction.x, max(ray.direction.y, 0.0), ray.direction.z);
+    return cityColour(ray, sun, skyColour(upwards, sun));
 }
