@@ -168,9 +168,10 @@ Place placeAt(vec3 p, bool ground, float width, vec3 direction)
     return Place(block, ground, tower, lamp, normal, width, max(abs(dot(normal, direction)), 0.03));
 }
 
-// Light of any strength, brought below 1 as film does it: 1 - exp(-x), with three terms of exp(x).
-vec3 compressed(vec3 x)
+// Light of any strength, brought below 1 as film does it: the more there is, the less more counts.
+vec3 compressed(vec3 light)
 {
+    vec3 x = max(light, 0.0);
     return 1.0 - 1.0 / (1.0 + x + x * x);
 }
 
@@ -271,8 +272,10 @@ vec3 cityColour(Ray ray, vec3 sun, vec3 sky)
     vec3 p = ray.origin + t * ray.direction;
     bool ground = !hit.found && p.y < 0.01, met = hit.found || ground;
     Place place = placeAt(p, ground, 2.0 * spread * t, ray.direction);
-    if (met)
+    if (met) { // the views and the probe show what was met, the ground too
         traceNormal(place.normal);
+        traceMarch(trace.steps, t, END_HIT);
+    }
     vec3 toLight = sun.y > 0.0 ? sun : -sun; // by night the moon, always full
     float far = met && dot(place.normal, toLight) > 0.02 ? min(SHADOW_FAR, (TALLEST - p.y) / toLight.y) : 0.0;
     float seen = lightReaching(shadowRay(p, place.normal, toLight, 0.03 + place.width), far, 0.01, 56);
