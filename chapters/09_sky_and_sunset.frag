@@ -90,7 +90,7 @@ vec3 treeAxis(vec3 q)
 float treeDistance(vec3 q)
 {
     vec3 c = treeAxis(q);
-    float crown = 0.97 * (length(c) - 0.2 + 0.2 * max(q.y - 0.5, 0.0));
+    float crown = 0.98 * (length(c) - 0.3 + 0.2 * (q.y - c.y)); // the taper's slope is 0.2
     return min(crown, max(length(c.xz) - 0.03, q.y - 0.6));
 }
 
@@ -121,7 +121,8 @@ vec3 skyColour(vec3 direction, vec3 sun)
 {
     float view = airMass(direction.y), day = daylight(sun), c = dot(direction, sun);
     vec3 through = day * transmittance(airDepth(), airMass(sun.y));
-    vec3 light = vec3(1.4, 1.75, 3.1) * day * day * (0.6 + 0.4 * c * c) * scatteredLight(airDepth(), view, airMass(sun.y));
+    vec3 light = scatteredLight(airDepth(), view, airMass(sun.y));
+    light *= vec3(1.4, 1.75, 3.1) * day * day * (0.6 + 0.4 * c * c);
     light += through * glow(direction, sun, 0.8);
     if (reportSky)
         light = vec3(0.5, 0.7, 1.0) * vec3(1.0, vec2(max(sun.y, 0.0)));
@@ -133,7 +134,8 @@ vec3 skyColour(vec3 direction, vec3 sun)
 vec3 skyLight(vec3 sun)
 {
     float day = daylight(sun);
-    return vec3(0.45, 0.52, 0.72) * day * day * scatteredLight(airDepth(), 4.0, airMass(sun.y)) + vec3(0.003, 0.004, 0.008);
+    vec3 light = scatteredLight(airDepth(), 4.0, airMass(sun.y));
+    return vec3(0.45, 0.52, 0.72) * day * day * light + vec3(0.003, 0.004, 0.008);
 }
 
 vec3 sunLight(vec3 sun)
