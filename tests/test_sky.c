@@ -182,6 +182,18 @@ static void test_sun_runs_as_the_sphere_says(void **unused)
     }
 }
 
+// The picture's own hour: low, and nearly in line with an avenue that runs west.
+static void test_sun_of_the_picture(void **unused)
+{
+    (void)unused;
+    double d = 2.0 * MIRROR_PI / 180.0, p = 43.6 * MIRROR_PI / 180.0, h = 5.8 * MIRROR_PI / 12.0;
+    double north = cos(p) * sin(d) - sin(p) * cos(d) * cos(h);
+    double height = degrees(asin(sin(p) * sin(d) + cos(p) * cos(d) * cos(h)));
+    double aside = degrees(atan2(north, cos(d) * sin(h)));
+    print_message("# at 17.8 h the sun is %.2f degrees high, %.2f north of west\n", height, aside);
+    assert_true(fabs(height - 3.55) < 0.005 && fabs(aside + 0.62) < 0.005);
+}
+
 static void test_glow_and_disc(void **unused)
 {
     (void)unused;
@@ -272,6 +284,7 @@ int main(void)
         cmocka_unit_test(test_sun_at_thirty_degrees),
         cmocka_unit_test(test_scattered_light_is_the_integral),
         cmocka_unit_test(test_sun_runs_as_the_sphere_says),
+        cmocka_unit_test(test_sun_of_the_picture),
         cmocka_unit_test(test_glow_and_disc),
         cmocka_unit_test(test_city_is_never_farther_than_it_says),
         cmocka_unit_test(test_trees_are_1_lipschitz),
