@@ -282,7 +282,7 @@ vec3 cityColour(Ray ray, vec3 sun, vec3 sky)
     float far = met && dot(place.normal, toLight) > 0.02 ? min(SHADOW_FAR, (TALLEST - p.y) / toLight.y) : 0.0;
     float seen = lightReaching(shadowRay(p, place.normal, toLight, 0.03 + place.width), far, 0.01, 56);
     vec3 light = placeLight(p, place, ray.direction, seen, sun, sky);
-    light = mix(sky, light, met ? exp(-0.0006 * t * t) : 0.0);
+    light = met ? mix(sky, light, exp(-0.0006 * t * t)) : sky;
     float eye = 0.95 / sqrt(skyLight(sun).y + 0.02);
     return encodeSRGB(compressed(eye * light));
 }

@@ -28,4 +28,11 @@ double city_distance(struct d3 p, int *nearest);
 
 extern const struct mirror_scene city_scene;
 
+// Where the sun stands at an hour of the chapter's day.
+struct d3 city_sun(double hour);
+
+// What a pixel shows at an hour, the parameters as the shader sets them. Lamps and trees are named,
+// not coloured.
+struct mirror_sample city_sample(const struct mirror_eye *eye, double hour);
+
 #endif

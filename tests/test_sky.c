@@ -1,5 +1,5 @@
-// test_sky.c - chapter 09's air, sun and city against double precision: exact values, geometry, and a
-// brute force over the towers of nine by nine blocks.
+// test_sky.c - chapter 09's air, sun and city against double precision: exact values, geometry, and
+// a brute force over the towers of nine by nine blocks.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -43,8 +43,9 @@ static float *sky(int function, int rows, float x, float y)
     return values;
 }
 
-// The way of a ray from the ground through a shell of even density, from the triangle of the Earth's
-// middle, the observer and the place where the ray leaves: by the cosine rule, solved in double.
+// The way of a ray from the ground through a shell of even density, from the triangle of the
+// Earth's middle, the observer and the place where the ray leaves: by the cosine rule, solved in
+// double.
 static double shell_way(double s, double earth)
 {
     double b = earth * fmax(s, 0.0);
@@ -71,8 +72,8 @@ static void test_air_mass_and_transmittance(void **unused)
     assert_true(worst < 1e-6);
 }
 
-// F. Kasten, A. T. Young, 'Revised optical air mass tables', Applied Optics 28 (1989): within 0.1 % of
-// the mass of a model atmosphere. The even shell stays within 6 % of it.
+// F. Kasten, A. T. Young, 'Revised optical air mass tables', Applied Optics 28 (1989): within 0.1 %
+// of the mass of a model atmosphere. The even shell stays within 6 % of it.
 static double kasten_young(double height)
 {
     return 1.0 / (sin(height * MIRROR_PI / 180.0) + 0.50572 * pow(height + 6.07995, -1.6364));
@@ -142,13 +143,14 @@ static void test_scattered_light_is_the_integral(void **unused)
     }
 }
 
-// By spherical geometry: the angle to the celestial pole is 90 degrees less the declination, the day
-// turns the sun evenly about it, and at noon it stands at 90 - latitude + declination.
+// By spherical geometry: the angle to the celestial pole is 90 degrees less the declination, the
+// day turns the sun evenly about it, and at noon it stands at 90 - latitude + declination.
 static void check_sun(float latitude, float declination)
 {
     float *values = sky(2, 1, latitude, declination);
     double p = (double)latitude * MIRROR_PI / 180.0, d = (double)declination * MIRROR_PI / 180.0;
-    struct d3 pole = d3(cos(p), sin(p), 0.0), rise = d3(0.0, 0.0, 1.0), meridian = d3(-sin(p), cos(p), 0.0);
+    struct d3 pole = d3(cos(p), sin(p), 0.0), rise = d3(0.0, 0.0, 1.0),
+              meridian = d3(-sin(p), cos(p), 0.0);
     for (int i = 0; i < 1024; i++) {
         struct d3 sun = d3_of(values + 4 * i);
         double angle = ((double)values[4 * i + 3] - 12.0) * MIRROR_PI / 12.0;
@@ -175,8 +177,8 @@ static void test_sun_runs_as_the_sphere_says(void **unused)
     for (int i = 0; i < 4; i++) {
         double d = season[i] * MIRROR_PI / 180.0, p = 43.6 * MIRROR_PI / 180.0;
         double half = degrees(acos(-tan(p) * tan(d))) / 15.0;
-        print_message("# declination %.2f: sunrise %.2f, sunset %.2f, noon height %.1f\n", season[i],
-                      12.0 - half, 12.0 + half, 90.0 - 43.6 + season[i]);
+        print_message("# declination %.2f: sunrise %.2f, sunset %.2f, noon height %.1f\n",
+                      season[i], 12.0 - half, 12.0 + half, 90.0 - 43.6 + season[i]);
         // At these hours the height is 0.
         assert_true(fabs(sin(p) * sin(d) + cos(p) * cos(d) * cos(half * MIRROR_PI / 12.0)) < 1e-12);
     }
@@ -242,8 +244,9 @@ static void test_city_is_never_farther_than_it_says(void **unused)
     }
     free(places);
     free(distances);
-    print_message("# city: %d places in towers, %d where the cap or a corner is felt; least share %.3f\n",
-                  inside, capped, closest);
+    print_message(
+        "# city: %d places in towers, %d where the cap or a corner is felt; least share %.3f\n",
+        inside, capped, closest);
     assert_true(inside > 1000 && capped > 1000);
 }
 
