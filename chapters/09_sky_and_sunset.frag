@@ -5,7 +5,7 @@
 #include "primitives.glsl" // sdSphere, boxDistance
 #include "repetition.glsl" // cellOf, cellRandom
 #include "lighting.glsl"   // lambert, encodeSRGB
-#include "shadow.glsl"     // shadowRay, lightReaching
+#include "shadow.glsl"     // shadowRay; march comes with it
 #include "bounds.glsl"     // boxInterval
 #include "sky.glsl"        // sunDirection, airMass, transmittance, scatteredLight, glow, disc
 
@@ -126,7 +126,6 @@ vec3 skyColour(vec3 direction, vec3 sun)
     light += through * glow(direction, sun, 0.8);
     if (reportSky)
         light = vec3(0.5, 0.7, 1.0) * vec3(1.0, vec2(max(sun.y, 0.0)));
-    light += 14.0 * disc(direction, sun, 0.014) * through;
     return light + (1.0 - day) * mix(vec3(0.002, 0.004, 0.011), vec3(0.016, 0.014, 0.016), view / 38.0);
 }
 
@@ -280,9 +279,11 @@ vec3 cityColour(Ray ray, vec3 sun, vec3 sky)
     }
     vec3 toLight = sun.y > 0.0 ? sun : -sun; // by night the moon, always full
     float far = met && dot(place.normal, toLight) > 0.02 ? min(SHADOW_FAR, (TALLEST - p.y) / toLight.y) : 0.0;
-    float seen = lightReaching(shadowRay(p, place.normal, toLight, 0.03 + place.width), far, 0.01, 56);
+    Ray up = shadowRay(p, place.normal, toLight, 0.03 + place.width);
+    float seen = march(up, 0.0, far, 0.01, 64).t < far ? 0.0 : 1.0; // met something, or grazes too long
     vec3 light = placeLight(p, place, ray.direction, seen, sun, sky);
-    light = met ? mix(sky, light, exp(-0.0006 * t * t)) : sky;
+    vec3 sunDisc = 14.0 * disc(ray.direction, sun, 0.014) * transmittance(airDepth(), airMass(sun.y));
+    light = met ? mix(sky, light, exp(-0.0006 * t * t)) : sky + sunDisc;
     float eye = 0.95 / sqrt(skyLight(sun).y + 0.02);
     return encodeSRGB(compressed(eye * light));
 }

@@ -57,12 +57,10 @@ static double glow(double c, double g)
 static struct d3 sky_of(struct d3 direction, struct d3 sun)
 {
     double view = mass_of(direction.y), c = d3_dot(direction, sun), day = day_of(sun);
-    double disc =
-        1.0 - mirror_smoothstep(0.9 * 0.014, 1.1 * 0.014, d3_length(d3_sub(direction, sun)));
     struct d3 gain = d3_times(day * day * (0.6 + 0.4 * c * c), d3(1.4, 1.75, 3.1));
     struct d3 light = d3_product(gain, scattered(view, mass_of(sun.y)));
     struct d3 left = d3_times(day, each(through, depth(), mass_of(sun.y)));
-    light = d3_add(light, d3_times(glow(c, 0.8) + 14.0 * disc, left));
+    light = d3_add(light, d3_times(glow(c, 0.8), left));
     struct d3 low = d3_times(view / 38.0, d3(0.016, 0.014, 0.016));
     struct d3 high = d3_times(1.0 - view / 38.0, d3(0.002, 0.004, 0.011));
     return d3_add(light, d3_times(1.0 - day, d3_add(low, high)));
@@ -81,6 +79,14 @@ static struct d3 direct_of(struct d3 sun)
     struct d3 left = each(through, depth(), mass_of(sun.y));
     return d3_add(d3_times(2.6 * mirror_smoothstep(0.0, 0.04, sun.y), left),
                   d3_times(mirror_smoothstep(0.0, 0.15, -sun.y), d3(0.02, 0.03, 0.05)));
+}
+
+// The sky with the sun in it.
+static struct d3 sky_with_sun(struct d3 sky, struct d3 direction, struct d3 sun)
+{
+    double away = d3_length(d3_sub(direction, sun));
+    double disc = 1.0 - mirror_smoothstep(0.9 * 0.014, 1.1 * 0.014, away);
+    return d3_add(sky, d3_times(14.0 * disc, each(through, depth(), mass_of(sun.y))));
 }
 
 // What stands at a place, with its colour there.
@@ -196,7 +202,8 @@ struct mirror_sample city_sample(const struct mirror_eye *eye, double hour)
     struct d3 sky = sky_of(d3(direction.x, fmax(direction.y, 0.0), direction.z), sun);
     double end = direction.y > 0.0 ? (9.3 - o.y) / direction.y : -o.y / direction.y;
     struct mirror_march march = mirror_reach(&city_scene, ray, 0.0, fmin(end, FAR));
-    struct mirror_sample sample = {.what = "sky", .colour = shown(sky, sun)};
+    struct mirror_sample sample = {.what = "sky",
+                                   .colour = shown(sky_with_sun(sky, direction, sun), sun)};
     if (march.end != MIRROR_HIT && (direction.y > 0.0 || end > FAR))
         return sample;
     double t = march.end == MIRROR_HIT ? march.t : end;
@@ -221,7 +228,7 @@ struct mirror_sample city_sample(const struct mirror_eye *eye, double hour)
     double far = fmin(18.0, (9.3 - place.p.y) / to_light.y);
     sample.faces = d3_dot(place.normal, to_light) > 0.02;
     sample.shadowed =
-        sample.faces && mirror_march(&city_scene, up, 0.0, far, 0.01, 56).end == MIRROR_HIT;
+        sample.faces && mirror_march(&city_scene, up, 0.0, far, 0.01, 64).end != MIRROR_PASSED;
     struct d3 light = light_of(&place, direction, sample.shadowed ? 0.0 : 1.0, sun, sky);
     double clear = exp(-0.0006 * t * t);
     light = d3_add(d3_times(clear, light), d3_times(1.0 - clear, sky));

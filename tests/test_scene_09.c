@@ -45,12 +45,11 @@ static const struct mirror_picture pictures[] = {
 };
 
 static const struct pixel pixels[] = {
-    {"sunset", 14, 12, "window-"},    {"sunset", 101, 12, "pavement+"},
-    {"sunset", 159, 12, "pavement#"}, {"sunset", 217, 12, "road#"},
-    {"sunset", 246, 12, "road+"},     {"sunset", 275, 12, "road+"},
-    {"sunset", 449, 12, "pavement#"}, {"sunset", 507, 12, "pavement+"},
-    {"sunset", 565, 12, "window-"},   {"sunset", 594, 12, "wall-"},
-    {"sunset", 246, 58, "road#"},     {"sunset", 594, 58, "wall-"},
+    {"sunset", 14, 12, "window-"},    {"sunset", 101, 12, "pavement#"},
+    {"sunset", 130, 12, "pavement#"}, {"sunset", 188, 12, "road#"},
+    {"sunset", 217, 12, "road#"},     {"sunset", 246, 12, "road+"},
+    {"sunset", 275, 12, "road+"},     {"sunset", 565, 12, "window-"},
+    {"sunset", 594, 12, "wall-"},     {"sunset", 594, 58, "wall-"},
     {"sunset", 333, 173, "sky-"},     {"sunset", 333, 196, "sky-"},
     {"night", 14, 12, "window-"},     {"night", 101, 12, "pavement#"},
     {"night", 130, 12, "pavement#"},  {"night", 188, 12, "road#"},
