@@ -2,7 +2,7 @@
 
 #include "main.glsl"       // main(): asks for pixelRay, then for rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
-#include "primitives.glsl" // sdSphere, boxDistance
+#include "primitives.glsl" // sdSphere
 #include "repetition.glsl" // cellOf, cellRandom
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "shadow.glsl"     // shadowRay; march comes with it
