@@ -55,14 +55,17 @@ vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
 //   latitude     degrees, north positive, in [-90, 90]
 //   declination  of the sun, degrees, in [-23.44, 23.44]: 0 at the equinoxes
 //   formula      with H = 15 (hour - 12) degrees, p the latitude, d the declination:
-//                (cos p sin d - sin p cos d cos H, sin p sin d + cos p cos d cos H, -cos d sin H)
+//                (cos p sin d - sin p cos d cos H, sin p sin d + cos p cos d cos H, -cos d sin H);
+//                cos H and sin H by the sine h of H / 2: 1 - 2 h^2 and 2 h sqrt(1 - h^2), exact but
+//                within a minute of midnight, where rounding moves the sun by up to 0.0005
 vec3 sunDirection(float hour, float latitude, float declination)
 {
-    float angle = radians(15.0 * (hour - 12.0));
+    float h = sin(radians(7.5 * (mod(hour, 24.0) - 12.0))); // of H / 2, whose cosine is not negative
+    vec2 turn = vec2(1.0 - 2.0 * h * h, 2.0 * h * sqrt(max(1.0 - h * h, 0.0)));
     vec2 place = vec2(cos(radians(latitude)), sin(radians(latitude)));
     vec2 season = vec2(cos(radians(declination)), sin(radians(declination)));
-    return vec3(place.x * season.y - place.y * season.x * cos(angle),
-                place.y * season.y + place.x * season.x * cos(angle), -season.x * sin(angle));
+    return vec3(place.x * season.y - place.y * season.x * turn.x,
+                place.y * season.y + place.x * season.x * turn.x, -season.x * turn.y);
 }
 
 // What the disc of the sun, or of the moon, covers of a ray: 1 inside, 0 outside, soft at the rim.

@@ -154,9 +154,11 @@ static void check_sun(float latitude, float declination)
     for (int i = 0; i < 1024; i++) {
         struct d3 sun = d3_of(values + 4 * i);
         double angle = ((double)values[4 * i + 3] - 12.0) * MIRROR_PI / 12.0;
-        assert_true(fabs(d3_length(sun) - 1.0) < 1e-6);
+        assert_true(fabs(d3_length(sun) - 1.0) < 2e-6);
         assert_true(fabs(d3_dot(sun, pole) - sin(d)) < 1e-6);
-        assert_true(fabs(d3_dot(sun, rise) + cos(d) * sin(angle)) < 2e-6);
+        // The root of what is left of 1 has few digits where nothing is left, at midnight.
+        double slack = 2e-6 + 4e-7 / fmax(cos(0.5 * angle), 6e-4);
+        assert_true(fabs(d3_dot(sun, rise) + cos(d) * sin(angle)) < slack);
         assert_true(fabs(d3_dot(sun, meridian) - cos(d) * cos(angle)) < 2e-6);
     }
     double noon = degrees(asin((double)values[4 * 512 + 1]));
