@@ -108,41 +108,44 @@ names_of() { # FILE...: the NAMEs of the test files that exist
     done
 }
 
-# The window's suite sends keys and waits for pictures: it has the machine to itself.
-alone=$(names_of tests/test_window.sh)
+# The window's suites send keys and mostly wait for pictures: they come last, with nothing else.
+last=$(names_of tests/test_window*.sh)
+# Tests of shaders say nothing more under the sanitizers, which see C alone.
+of_shaders() { grep -q 'tests/shaders/\|support_pixels.h' "tests/test_$1.c"; }
 # The long ones come first, so that none of them ends alone.
 together=$(
     [ -e tests/test_failures.sh ] && echo sanitize/failures
-    names_of tests/test_*.sh | grep -vx window
+    names_of tests/test_*.sh | grep -vx -e "$last"
     names_of build/tests/test_*
-    names_of build/sanitize/tests/test_* | sed 's/^/sanitize\//'
+    for name in $(names_of build/sanitize/tests/test_*); do
+        of_shaders "$name" || echo "sanitize/$name"
+    done
     [ -e build/sanitize/01_normal_colouring ] && echo sanitize/one_picture
 )
 
 if [ -n "${1-}" ]; then
-    all=$(printf '%s\n' "$together" "$alone")
+    all=$(printf '%s\n' "$together" "$last")
     together=$(grep -x -e "$1" <<<"$all")
     if [ -z "$together" ]; then
         printf 'make: SUITE=%s: no such suite: there are\n' "$1" >&2
         printf '%s\n' "$all" | sed 's/^/  /' >&2
         exit 2
     fi
-    alone=
+    last=
 fi
 
 for old in build/test-results/*; do
     kill -0 "$(basename "$old")" 2>/dev/null || rm -rf "$old"
 done
+[ -n "${1-}" ] || export ALL_SUITES=1
 mkdir -p "$results" || exit 1
 printf '%s\n' "$together" | xargs -P 2 -n 1 tests/run.sh --one
-for name in $alone; do
-    run_one "$name"
-done
+printf '%s\n' "$last" | xargs -P 2 -n 1 tests/run.sh --one
 
 read -r passed failed skipped <<<"$(cat "$results"/*.counts 2>/dev/null |
     awk '{ p += $1; f += $2; s += $3 } END { print p + 0, f + 0, s + 0 }')"
 # A suite that left no counts was killed with its runner.
-lost=$(($(wc -w <<<"$together $alone") - $(find "$results" -name '*.counts' | wc -l)))
+lost=$(($(wc -w <<<"$together $last") - $(find "$results" -name '*.counts' | wc -l)))
 if [ "$lost" != 0 ]; then
     echo "$lost suites left no result"
     failed=$((failed + lost))

@@ -1,4 +1,5 @@
-// Unit tests of common/image_compare.c: the two numbers that decide whether two pictures are the same.
+// Unit tests of common/image_compare.c: the two numbers that decide whether two pictures are the
+// same.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

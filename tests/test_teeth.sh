@@ -108,12 +108,15 @@ grep -v '| *[*] *|' "$scratch/all" | cat - "$scratch/each" | while read -r line;
 done >"$scratch/mistakes"
 count=$(grep -c . "$scratch/mistakes")
 
-# What fails on the right shaders cannot tell them from wrong ones.
-sed -n 's/.*| *\(test_[a-z_]*\) *|.*/\1/p' "$scratch/mistakes" | sort -u >"$scratch/tests"
-while read -r program; do
-    passes() { PROJECT_ROOT=$here "$BUILD/tests/$program" >/dev/null 2>&1 </dev/null; }
-    check "$program passes without a mistake" passes
-done <"$scratch/tests"
+# Alone, this suite also looks whether a test fails on the right shaders: then it cannot tell them from
+# wrong ones. In a run of all suites that is seen anyway.
+if [ -z "${ALL_SUITES-}" ]; then
+    sed -n 's/.*| *\(test_[a-z_0-9]*\) *|.*/\1/p' "$scratch/mistakes" | sort -u >"$scratch/tests"
+    while read -r program; do
+        passes() { PROJECT_ROOT=$here "$BUILD/tests/$program" >/dev/null 2>&1 </dev/null; }
+        check "$program passes without a mistake" passes
+    done <"$scratch/tests"
+fi
 
 export LP_NUM_THREADS=1
 seq "$count" | xargs -P 2 -n 1 "$0" --plant "$scratch"

@@ -5,108 +5,7 @@
 set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/support.sh
-
-chapter=01_normal_colouring
-still='-s 320x200 -c 1.65,1.6,3.4,-26,-23.5'
-program='' window='' shots=0 picture=''
-
-# ---- Tools ----
-
-# within SECONDS COMMAND...: wait until the command succeeds.
-within() {
-    local tries=$(($1 * 20))
-    shift
-    while ! "$@"; do
-        tries=$((tries - 1))
-        [ "$tries" -gt 0 ] || return 1
-        sleep 0.05
-    done
-}
-
-title() { xdotool getwindowname "$window" 2>/dev/null; }
-titled() { [[ $(title) == *"$1"* ]]; }
-shows() { within 5 titled "$1" || { echo "# the title is: $(title)"; return 1; }; }
-says() { grep -qF -e "$2" "$scratch/run/$1"; }
-alive() { kill -0 "$program" 2>/dev/null; }
-key() { xdotool key --delay 20 "$@"; }
-
-find_window() {
-    window=$(wmctrl -lp 2>/dev/null | awk -v pid="$program" '$3 == pid { print $1; exit }')
-    [ -n "$window" ]
-}
-
-# Start STEM OPTION... in a window, with its own folder for what it writes.
-start() {
-    local stem=$1
-    shift
-    shots=0
-    rm -rf "$scratch/run"
-    mkdir "$scratch/run"
-    (cd "$scratch/run" && exec "$root/$BUILD/$stem" "$@" >out 2>err) &
-    program=$!
-    within 20 find_window && xdotool windowfocus --sync "$window" && within 20 drawn
-}
-
-# The first frame is there: the pixels in the middle are no longer all of one colour.
-drawn() {
-    [ "$(import -window "$window" -crop 200x100+60+40 -format %k info: 2>/dev/null)" -gt 1 ] 2>/dev/null
-}
-
-# Press P and wait for the file: $picture.
-shoot() {
-    shots=$((shots + 1))
-    picture=$scratch/run/$(printf '%s-%04d.png' "$1" "$shots")
-    key p
-    within 20 says out "$(basename "$picture"): written"
-}
-
-# shoot_as NAME: a screenshot of the chapter, kept under a name.
-shoot_as() { shoot $chapter && cp "$picture" "$scratch/$1.png"; }
-same() { cmp -s "$scratch/$1.png" "$scratch/$2.png"; }
-differ() { ! same "$1" "$2"; }
-
-# Render NAME OPTION...: what the command line makes of it.
-render() {
-    local name=$1
-    shift
-    # shellcheck disable=SC2086 # options are words
-    "$BUILD/$chapter" $still "$@" -o "$scratch/$name.png" >"$scratch/table"
-}
-matches() { build/tests/compare "$scratch/$1.png" "$scratch/$2.png" >"$scratch/numbers" || {
-    echo "# $1 and $2: $(cat "$scratch/numbers")"
-    return 1
-}; }
-
-# The program ended by itself with status 0.
-ended() { ! alive; }
-ends_well() {
-    within 5 ended || { kill "$program"; return 1; }
-    wait "$program"
-}
-
-close_window() {
-    alive && kill "$program" 2>/dev/null
-    wait "$program" 2>/dev/null
-}
-
-# ---- Set-up ----
-
-for tool in Xvfb openbox xdotool wmctrl import; do
-    if ! command -v $tool >/dev/null; then
-        skip 'the interactive window' "no $tool on this machine: make setup"
-        plan
-        exit
-    fi
-done
-open_scratch
-if ! open_display; then
-    skip 'the interactive window' 'Xvfb did not start'
-    plan
-    exit
-fi
-openbox >/dev/null 2>&1 &
-managed() { wmctrl -m >/dev/null 2>&1; }
-within 10 managed || echo '# openbox did not start'
+. tests/support_window.sh
 
 # ---- A chapter without motion ----
 
@@ -129,11 +28,6 @@ render expected
 check 'the screenshot is what -o writes with the same options' matches expected first
 folds() { import -window "$window" "$scratch/folded.png" && key h && sleep 0.3; }
 check 'H is pressed' folds
-# A driver may round the half between two levels either way: then pixels differ by 1, not by 3.
-on_screen() {
-    import -window "$window" "$scratch/screen.png" &&
-        build/tests/compare "$scratch/first.png" "$scratch/screen.png" | grep -q '^F2 0.0000'
-}
 check 'H hides the overlay: the window shows the screenshot' within 3 on_screen
 unfolds() { key h && within 3 off_screen && within 3 screen_is folded; }
 off_screen() { ! on_screen; }
@@ -225,10 +119,6 @@ freed() {
 }
 check 'M again frees it, and neither turns the view' freed
 
-# Movement.
-walk() { # KEY
-    xdotool keydown "$1" sleep 0.15 keyup "$1"
-}
 forward() {
     walk w && shoot_as near && differ freed near && sleep 0.2 && shoot_as rest && same near rest
 }
@@ -265,17 +155,11 @@ full_screen() {
         key F11 && within 5 size_is 320x200 && sleep 0.2 && [ "$(place)" = "$before" ]
 }
 check 'F11 fills the screen, and again gives place and size back' full_screen
-backspace() { key BackSpace && ends_well; }
 check 'Backspace closes the window with status 0' backspace
 check 'nothing was reported' [ ! -s "$scratch/run/err" ]
 
 # ---- Resize; reload of a reader's own copy ----
 
-mine=$scratch/mine.frag
-good=$(cat chapters/$chapter.frag)
-save() { # TEXT: as an editor does it, beside and renamed
-    printf '%s\n' "$1" >"$mine.new" && mv "$mine.new" "$mine"
-}
 loads() { grep -c 'loaded again' "$scratch/run/out"; }
 loads_are() { [ "$(loads)" = "$1" ]; }
 reloads() { # TEXT
@@ -304,7 +188,6 @@ float wrong() { return undeclared; }" && shows 'error: see terminal' && shoot_as
         grep -q "mine.frag:[0-9]*.*undeclared" "$scratch/run/err"
 }
 check 'a broken one keeps the picture and names file and line' broken
-error_shown() { [ "$(import -window "$window" png:- | compare -metric AE "$scratch/good.png" - null: 2>&1)" -gt 2000 ]; }
 check 'the overlay shows the error over the last good picture' within 3 error_shown
 recover() {
     reloads "$good" && shoot_as recovered && same original recovered && [[ $(title) != *error* ]]
@@ -353,181 +236,6 @@ include() {
 check 'an included file that is saved loads it again' include
 asked() { wmctrl -i -c "$window" && ends_well; }
 check 'a close request closes the window with status 0' asked
-
-# ---- A heavy shader ----
-
-# The same picture, whose every pixel waits in a loop that no compiler can leave out.
-heavy() { # TURNS
-    save "${good/vec3 rayColour(/vec3 rayColourOnce(}
-vec3 rayColour(Ray ray)
-{
-    float sum = 0.0;
-    for (int i = 0; i < $1; i++)
-        sum += sin(sum + float(i) + ray.direction.x);
-    return rayColourOnce(ray) + 1e-9 * sum;
-}"
-}
-heavy 6000
-# shellcheck disable=SC2086 # options are words
-start $chapter $still -s 480x300 --shader "$mine"
-key h
-# coarse IMAGE FROM ROWS: of these rows at least every second one is the row above it. They cross
-# balls, so that no two rows of a sharp picture are the same.
-coarse() {
-    [ "$(convert "$scratch/$1.png" -crop "480x$3+0+$2" +repage -depth 8 rgb:- | od -An -v -tx1 -w1440 | uniq | wc -l)" -le $(($3 / 2 + 1)) ]
-}
-look() { import -window "$window" "$scratch/$1.png"; }
-coarse_above() { look screen && coarse screen 60 60; }
-fine_screen() { look screen && ! coarse screen 60 60 && ! coarse screen 180 60; }
-half_sharp() { look screen && ! coarse screen 60 60 && coarse screen 180 60; }
-check 'a heavy picture at rest becomes sharp' within 20 fine_screen
-moving() { xdotool keydown d && within 3 coarse_above; local done=$?; xdotool keyup d; return $done; }
-check 'while something moves it is coarser' moving
-check 'at rest it sharpens from the top down' within 10 half_sharp
-answers() { # H answers at once, and interrupts nothing
-    cp "$scratch/screen.png" "$scratch/good.png" && key h && within 1 error_shown &&
-        key h && look screen && ! coarse screen 60 60
-}
-check 'while it sharpens H is answered' answers
-abandons() { key Right && within 2 coarse_above && key Left && within 10 half_sharp; }
-check 'a change while it sharpens begins anew' abandons
-sharpens() { within 20 fine_screen && shoot_as first && within 5 on_screen; }
-check 'once it rested it is the screenshot' sharpens
-check 'Backspace closes it' backspace
-
-# ---- How fast ----
-
-# Hold keys that move for a while, and read the title's rate: the picture goes to and fro.
-fps() { title | sed -n 's/.* \([0-9][0-9]*\) fps.*/\1/p'; }
-fast() { # NAME OPTION...: at least 10 frames a second at 640x360
-    local name=$1 i rates=''
-    shift
-    start "$@" -s 640x360 || return 1
-    for i in d a d; do
-        xdotool keydown $i sleep 0.35 keyup $i
-        rates="$rates $(fps)"
-    done
-    key BackSpace
-    ends_well || return 1
-    echo "# $name: frames a second:$rates"
-    [ "$(tr ' ' '\n' <<<"$rates" | sort -n | tail -n 2 | head -n 1)" -ge 10 ]
-}
-for source in chapters/[0-9][0-9]_*.c; do
-    stem=$(basename "$source" .c)
-    check "$stem moves with at least 10 frames a second" fast "$stem" "$stem"
-done
-# build/tests/measure speed counts about 7 and 120 times the processor time of the report's annex
-# for them: the first is drawn sharp on two free cores, the second cannot be.
-for turns in 110 2000; do
-    heavy $turns
-    check "a shader of $turns sines a pixel moves with at least 10 frames a second" \
-        fast "$turns sines" $chapter --shader "$mine"
-done
-
-# ---- A French keyboard ----
-
-if ! command -v setxkbmap >/dev/null; then
-    skip 'a French keyboard' 'no setxkbmap on this machine'
-else
-    # shellcheck disable=SC2086 # options are words
-    start $chapter $still -s 640x360
-    key k && sleep 0.3 && look american && key BackSpace && ends_well
-    setxkbmap fr
-    # shellcheck disable=SC2086 # options are words
-    start $chapter $still -s 640x360
-    # The labels Z Q and the comma in place of W A and M: a few hundred pixels of the list of keys.
-    labels() {
-        key k && sleep 0.3 && look french &&
-            [ "$(convert "$scratch/american.png" "$scratch/french.png" -crop 640x70+0+290 +repage \
-                -metric AE -compare -format '%[distortion]' info:)" -gt 30 ]
-    }
-    check 'on a French keyboard the overlay shows its labels' labels
-    frenchwalk() { shoot_as a && walk z && shoot_as b && differ a b && walk w && shoot_as c && same b c; }
-    check 'Z, in the place of W, moves; W, in the place of Z, does not' frenchwalk
-    setxkbmap us
-    check 'Backspace closes it' backspace
-fi
-
-# ---- A chapter that moves by itself ----
-
-start 00_first_scene -s 320x200
-frame() { shoot 00_first_scene && cp "$picture" "$scratch/$1.png"; }
-runs() { frame a && sleep 0.1 && frame b && differ a b; }
-check 'time runs' runs
-counted() { [[ $(title) =~ \ [0-9]+\ fps ]]; }
-rate() { within 5 counted; }
-check 'the title counts frames' rate
-pauses() { key Escape && shows '(paused)' && frame a && sleep 0.3 && frame b && same a b; }
-check 'Escape pauses it' pauses
-# How many pixels of the screen differ from what it was before.
-changed() { import -window "$window" png:- | compare -metric AE "$scratch/before.png" - null: 2>&1; }
-refusal_shown() { [ "$(changed)" -gt 1000 ]; }
-refusal_gone() { [ "$(changed)" -lt 400 ]; }
-refuses() {
-    import -window "$window" "$scratch/before.png" && key 4 && within 3 refusal_shown && shows ' - picture' &&
-        key 1 && within 3 refusal_gone
-}
-check 'a view that a whole file has not is refused in the overlay, until the next key of a view' refuses
-idles() { # less than a tenth of a second of processor time in a second
-    local before after
-    before=$(awk '{ print $14 + $15 }' "/proc/$program/stat")
-    sleep 1
-    after=$(awk '{ print $14 + $15 }' "/proc/$program/stat")
-    [ $((after - before)) -le 10 ]
-}
-if [ -e "/proc/$program/stat" ]; then
-    check 'a paused window costs nearly no processor time' idles
-fi
-restarts() {
-    key r && frame begin && "$BUILD/00_first_scene" -s 320x200 -t 0 -o "$scratch/zero.png" &&
-        matches zero begin
-}
-check 'R restarts the time' restarts
-resumes() { key Escape && sleep 0.2 && frame a && differ begin a; }
-check 'Escape again resumes' resumes
-check 'Backspace closes it' backspace
-
-# ---- A whole file that reads OrthoView ----
-
-# Red is OrthoView.
-printf '%s\n' '#version 330 core' 'in vec2 FragCoord;' 'in float OrthoView;' 'out vec4 FragColor;' \
-    'void main() { FragColor = vec4(OrthoView, step(0.0, FragCoord.x), 0.0, 1.0); }' >"$scratch/whole.frag"
-start 00_first_scene -s 160x100 --shader "$scratch/whole.frag"
-red() { shoot 00_first_scene && red=$(convert "$picture" -format '%[fx:round(255*u.p{80,50}.r)]' info:); }
-red_is() { red && [ "$red" = "$1" ]; }
-perspective() { red_is 0; }
-check 'OrthoView is 0 at first' perspective
-passes() { # a screenshot may come too late: several tries
-    local try
-    for try in 1 2 3 4 5; do
-        key Tab && red && [ "$red" -gt 0 ] && [ "$red" -lt 255 ] && return
-        echo "# try $try: $red"
-        sleep 0.6
-    done
-    return 1
-}
-check 'Tab leads it through values between 0 and 1' passes
-arrives() { red_is 0 || red_is 255; }
-check 'up to an end' within 3 arrives
-other() { local end=$red; key Tab && sleep 0.6 && red_is $((255 - end)); }
-check 'and again to the other end' other
-check 'Backspace closes it' backspace
-
-# What follows the time though the view does not: the march of the chosen ray.
-look_and_wait() { look before && sleep 0.4 && [ "$(changed)" -gt "$1" ]; }
-start 03_shadows -s 640x360 -v normals
-stands_still() { ! look_and_wait 0; } # nothing is shown that moves, once it is sharp
-key h
-check 'the normals stand still while the lamp moves' within 3 stands_still
-counts() { xdotool mousemove --window "$window" 380 200 click 1 && sleep 0.3 && within 3 look_and_wait 5; }
-check 'the inspector counts the steps of shadow rays as the lamp moves' counts
-check 'Backspace closes it' backspace
-start 00_first_scene -s 640x360 -f "$root/chapters/experiments/00_seen.frag" -v slice
-key h
-check 'the slice follows a camera that turns' look_and_wait 1000
-slice_paused() { key Escape && shows '(paused)' && within 3 stands_still; }
-check 'and stands still when it is paused' slice_paused
-check 'Backspace closes it' backspace
 
 close_window
 plan
