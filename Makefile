@@ -6,8 +6,9 @@ OPTIONS =
 CHAPTER =
 SUITE =
 FORCE =
+FILE =
 SANITIZE =
-export CHAPTER SUITE FORCE
+export CHAPTER SUITE FORCE FILE
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -93,6 +94,11 @@ run: ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2'; with
 	@$(AGAIN) programs
 	@.make/run.sh $(OPTIONS)
 
+play: ## open your own shader in a window: make play FILE=my.frag; without FILE chapters/play.frag, made for you
+	@.make/setup.sh run
+	@$(AGAIN) programs
+	@.make/play.sh $(OPTIONS)
+
 test: ## run every test; make test SUITE=camera runs one
 	@.make/setup.sh test
 	@$(AGAIN) programs tests
@@ -139,7 +145,7 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 always:
-.PHONY: all programs tests run test test-gpu gallery references diff lint format docs setup clean \
+.PHONY: all programs tests run play test test-gpu gallery references diff lint format docs setup clean \
         help always
 .DELETE_ON_ERROR:
 .SUFFIXES:

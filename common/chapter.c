@@ -170,10 +170,12 @@ static bool write_picture(const struct run *run, struct renderer *renderer,
 
 static struct renderer_inputs still_inputs(const struct options *options)
 {
+    // No clock: a picture is a function of its options alone.
     return (struct renderer_inputs){.width = options->width,
                                     .height = options->height,
                                     .camera = options->camera,
                                     .time = options->time,
+                                    .date = {1970.0f, 0.0f, 1.0f, (float)options->time},
                                     .samples = options->samples,
                                     .pixel = {options->has_probe ? options->probe_x : -1,
                                               options->has_probe ? options->probe_y : -1},

@@ -22,6 +22,7 @@ struct renderer_inputs {
     double time_delta;    // seconds since the last frame; 0 for a file
     int frame;            // number of the frame; 0 for a file
     float mouse[4];       // Shadertoy's iMouse; zeros for a file
+    float date[4];        // Shadertoy's iDate: year, month from 0, day, seconds of the day
     int samples;          // along each side of a pixel
     int pixel[2]; // whose ray is looked at, 0,0 bottom left; -1,-1: none; the slice: the middle
     float zoom;   // of the slice view; 1: the whole march, as does 0

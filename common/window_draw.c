@@ -37,7 +37,8 @@ void window_retitle(struct window *window)
 bool window_uses_time(const struct window *window)
 {
     // The linker keeps only what is used.
-    static const char *const names[] = {"iTime", "iTimeDelta", "iFrame"};
+    static const char *const names[] = {"iTime", "iTimeDelta", "iFrame", "iFrameRate",
+                                        "iDate"};
     const struct renderer *renderer = window->renderer;
     GLuint program = renderer->program[renderer->view];
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
@@ -119,7 +120,7 @@ static void follow_ray(struct window *window)
         return;
     if (window->renderer->fragment.form != SHADER_COURSE) {
         snprintf(window->why, sizeof window->why,
-                 "no march: a whole file keeps no trace of its rays");
+                 "no march: a file with a main of its own keeps no trace of its rays");
     } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->probe)) {
         snprintf(window->why, sizeof window->why, "%s", report_last());
     } else if (window->tell) {
@@ -187,6 +188,8 @@ static bool draw_picture(struct window *window, double now)
     inputs.height = (inputs.height + divisor - 1) / divisor;
     for (int i = 0; i < 2 && inputs.pixel[0] >= 0; i++)
         inputs.pixel[i] /= divisor;
+    for (int i = 0; i < 4; i++)
+        inputs.mouse[i] /= (float)divisor;
     double begin = glfwGetTime();
     if (!renderer_draw(renderer, &inputs, 0, inputs.height))
         return false;
@@ -220,6 +223,7 @@ bool window_draw(struct window *window, double now)
     struct renderer_inputs *inputs = &window->inputs;
     const struct gl *gl = window->renderer->gl;
     inputs->time_delta = inputs->frame > 0 && !window->paused ? now - window->frame : 0.0;
+    window_tell_date(window);
     if (!draw_picture(window, now))
         return false;
     follow_ray(window);

@@ -81,7 +81,7 @@ void window_input_forget(struct window_input *input)
     for (int axis = 0; axis < 3; axis++)
         input->travel[axis] = 0.0;
     input->look[0] = input->look[1] = input->wheel = 0.0;
-    input->damaged = input->clicked = false;
+    input->damaged = input->clicked = input->pressed = false;
     input->events = 0;
 }
 
@@ -139,6 +139,12 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
         input->click[0] = input->pointer[0];
         input->click[1] = input->pointer[1];
     }
+    if (action == GLFW_PRESS) {
+        input->pressed = true;
+        glfwGetCursorPos(window, &input->press[0], &input->press[1]);
+        input->held_at[0] = input->press[0];
+        input->held_at[1] = input->press[1];
+    }
     input->state = action == GLFW_PRESS ? WINDOW_POINTER_PRESSED : WINDOW_POINTER_FREE;
     if (input->jumped)
         glfwGetCursorPos(window, &input->pointer[0], &input->pointer[1]);
@@ -148,6 +154,10 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
 static void on_pointer(GLFWwindow *window, double x, double y)
 {
     struct window_input *input = input_of(window);
+    if (input->state != WINDOW_POINTER_FREE) {
+        input->held_at[0] = x;
+        input->held_at[1] = y;
+    }
     double right = x - input->pointer[0], down = y - input->pointer[1];
     if (input->state == WINDOW_POINTER_PRESSED) {
         if (hypot(right, down) <= DRAG_BEGINS)

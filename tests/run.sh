@@ -113,6 +113,7 @@ alone=$(names_of tests/test_window.sh)
 # The long ones come first, so that none of them ends alone.
 together=$(
     [ -e tests/test_failures.sh ] && echo sanitize/failures
+    [ -e tests/test_others.sh ] && echo sanitize/others
     names_of tests/test_*.sh | grep -vx window
     names_of build/tests/test_*
     names_of build/sanitize/tests/test_* | sed 's/^/sanitize\//'

@@ -190,8 +190,10 @@ line=$(grep -n 'true: again' "$shaders/twice.frag" | cut -d : -f 1)
 refuse 'a parameter declared twice' 1 "twice.frag:$line.*biased" \
     "$chapter" "${to[@]}" -f "$shaders/twice.frag"
 
-printf 'void mainImage(out vec4 c, in vec2 f) { c = vec4(f, 0.0, 1.0); }\n' >"$shaders/toy.frag"
-refuse "Shadertoy's form, not offered yet" 1 'toy.frag.*Shadertoy' "$chapter" "${to[@]}" -f "$shaders/toy.frag"
+printf 'void mainImage(out vec4 c, in vec2 f) { c = texture(iChannel1, f); }\n' >"$shaders/toy.frag"
+refuse "what Shadertoy has and we have not" 1 'toy.frag:1: iChannel1 is not offered' \
+    "$chapter" "${to[@]}" -f "$shaders/toy.frag"
+refuse "a view of Shadertoy's form" 1 'toy.frag: .*view depth' "$chapter" "${to[@]}" -v depth -f "$shaders/toy.frag"
 whole=$root/chapters/00_first_scene.frag
 refuse 'a view of a whole file' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"
 refuse 'the slice of a whole file' 1 'view slice' "$chapter" "${to[@]}" -v slice -f "$whole"
