@@ -11,6 +11,7 @@
 #endif
 
 #include "context.h"
+#include "export.h"
 #include "image.h"
 #include "options.h"
 #include "panel.h"
@@ -103,20 +104,42 @@ static int print_shader(const struct run *run)
     return DONE;
 }
 
+// Read the shader and its parameters, with the values of the command line.
+// Returns the exit status; the caller frees both in any case.
+static int read_with_settings(const struct run *run, struct shader_source *source,
+                              struct parameters *parameters)
+{
+    if (!shader_read(source, run->shader, run->root) || !parameters_read(parameters, source))
+        return NOT_DONE;
+    for (int i = 0; i < run->options.setting_count; i++)
+        if (!parameters_assign(parameters, run->options.settings[i]))
+            return WRONG_COMMAND_LINE;
+    return DONE;
+}
+
 static int list_parameters(const struct run *run)
 {
-    struct shader_source source;
+    struct shader_source source = {0};
     struct parameters parameters = {0};
-    if (!shader_read(&source, run->shader, run->root))
-        return NOT_DONE;
-    int status = NOT_DONE;
-    if (parameters_read(&parameters, &source)) {
-        status = DONE;
-        for (int i = 0; i < run->options.setting_count && status == DONE; i++)
-            if (!parameters_assign(&parameters, run->options.settings[i]))
-                status = WRONG_COMMAND_LINE;
-        if (status == DONE)
-            parameters_print(&parameters, stdout);
+    int status = read_with_settings(run, &source, &parameters);
+    if (status == DONE)
+        parameters_print(&parameters, stdout);
+    parameters_free(&parameters);
+    shader_free(&source);
+    return status;
+}
+
+static int print_shadertoy(const struct run *run)
+{
+    struct shader_source source = {0};
+    struct parameters parameters = {0};
+    int status = read_with_settings(run, &source, &parameters);
+    if (status == DONE) {
+        char *text = export_shadertoy(&source, &parameters, &run->options.camera,
+                                      RENDERER_FOCAL_LENGTH);
+        status = text != NULL ? DONE : NOT_DONE;
+        fputs(text != NULL ? text : "", stdout);
+        free(text);
     }
     parameters_free(&parameters);
     shader_free(&source);
@@ -252,7 +275,7 @@ static int act(struct run *run, const char *program)
         return NOT_DONE;
     switch (run->options.action) {
     case OPTIONS_PRINT_SHADER:
-        return print_shader(run);
+        return run->options.shadertoy ? print_shadertoy(run) : print_shader(run);
     case OPTIONS_LIST:
         return list_parameters(run);
     default:

@@ -184,13 +184,13 @@ static bool set_action(struct options *options, enum options_action action)
     return true;
 }
 
+//   form  NULL where none is given
 static bool set_print_shader(struct options *options, const char *form)
 {
-    if (form == NULL)
+    options->shadertoy = form != NULL;
+    if (form == NULL || strcmp(form, "shadertoy") == 0)
         return set_action(options, OPTIONS_PRINT_SHADER);
-    if (strcmp(form, "shadertoy") == 0)
-        return refuse("print-shader", form, "Shadertoy's form is not offered yet: leave it out");
-    return refuse("print-shader", form, "takes no value");
+    return refuse("print-shader", form, "must be shadertoy, or be left out");
 }
 
 // ---- The command line ----
@@ -315,6 +315,11 @@ static bool complete(struct options *options)
     if (options->width == 0) {
         options->width = still ? 640 : 960;
         options->height = still ? 360 : 540;
+    }
+    if (options->shadertoy && options->view != SHADER_PICTURE) {
+        report("--print-shader=shadertoy: only the picture runs there: leave --view %s out",
+               shader_view_name(options->view));
+        return false;
     }
     if (!options->has_probe || (options->probe_x >= 0 && options->probe_x < options->width &&
                                 options->probe_y >= 0 && options->probe_y < options->height))

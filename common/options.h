@@ -23,6 +23,7 @@ enum options_action {
 // What the command line asks for. Strings point into argv.
 struct options {
     enum options_action action;
+    bool shadertoy;        // --print-shader=shadertoy
     const char *output;    // PNG to write, or NULL
     int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT; defaults set by options_parse
     double time;           // seconds

@@ -17,7 +17,7 @@
 
 bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root)
 {
-    *renderer = (struct renderer){.gl = gl, .root = root, .focal_length = 1.0f};
+    *renderer = (struct renderer){.gl = gl, .root = root, .focal_length = RENDERER_FOCAL_LENGTH};
     char path[4096];
     snprintf(path, sizeof path, "%s/shaders/screen.vert", root);
     if (!shader_read(&renderer->vertex, path, root))

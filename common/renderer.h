@@ -11,7 +11,8 @@
 #include "parameter.h"
 #include "shader.h"
 
-#define RENDERER_PROBE_STEPS 2048 // rows that one probe can hold
+#define RENDERER_PROBE_STEPS  2048 // rows that one probe can hold
+#define RENDERER_FOCAL_LENGTH 1.0f // for shaders that declare no focalLength of their own
 
 // What a picture depends on, besides the shader and its parameters. Times come from here, never
 // from the clock, so that the same inputs give the same picture.

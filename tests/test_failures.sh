@@ -109,8 +109,10 @@ for option in '--frames 3' '--fps 25' '--benchmark 3'; do
     # shellcheck disable=SC2086 # options are words
     refuse "$option, not offered yet" 2 "${option%%[ =]*}" "$chapter" "${to[@]}" $option
 done
-refuse '--print-shader=shadertoy, not offered yet' 2 'not offered yet' \
-    "$chapter" --print-shader=shadertoy
+refuse 'a form of --print-shader that there is not' 2 'must be shadertoy' "$chapter" --print-shader=es
+refuse 'a view of --print-shader=shadertoy' 2 'only the picture' "$chapter" --print-shader=shadertoy -v depth
+refuse 'an unknown parameter of --print-shader=shadertoy' 2 'lampHeigth' \
+    "$chapter" --print-shader=shadertoy -p lampHeigth=2
 refuse 'an operand too many' 2 'extra' "$chapter" "${to[@]}" extra
 refuse 'a missing value' 2 'missing' "$chapter" --output
 refuse 'an empty name' 2 '--output' "$chapter" "${small[@]}" -o ''

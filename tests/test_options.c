@@ -303,8 +303,9 @@ static void test_values_missing_or_too_many(void **state)
     }
     assert_refused("--list=3", "--list: takes no value");
     assert_refused("--help=3", "--help: takes no value");
-    assert_refused("--print-shader=shadertoy", "not offered yet");
-    assert_refused("--print-shader=x", "takes no value");
+    assert_refused("--print-shader=x", "--print-shader 'x': must be shadertoy");
+    assert_refused("--print-shader=", "must be shadertoy");
+    assert_refused("--print-shader=shadertoy -v steps", "only the picture runs there");
     assert_refused("foo", "unexpected argument 'foo'");
     assert_refused("--list foo -V", "unexpected argument 'foo'");
     assert_refused("-- -o", "unexpected argument '-o'");
