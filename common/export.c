@@ -81,6 +81,19 @@ static bool is_left_out(const char *file)
     return false;
 }
 
+// How often the lines that stay mention a word.
+static int mentions(const struct export *e, const char *name)
+{
+    int count = 0, line = 0;
+    const char *counted = e->code, *word = glsl_find_word(e->code, name);
+    for (; word != NULL; word = glsl_find_word(word + 1, name)) {
+        for (; counted < word; counted++)
+            line += *counted == '\n';
+        count += !is_left_out(e->source->files[e->source->lines[line].file]);
+    }
+    return count;
+}
+
 static void put_value(struct export *e, const struct parameter *parameter)
 {
     if (parameter->type == PARAMETER_BOOL)
@@ -98,7 +111,7 @@ static void put_value(struct export *e, const struct parameter *parameter)
 static bool put_uniform(struct export *e, const char *line, const char *code, const char *uniform)
 {
     static const char *const given[] = {"iResolution", "iTime", "iTimeDelta",  "iFrame",
-                                        "iMouse",      "iDate", "iPixelOffset"};
+                                        "iMouse",      "iDate"};
     const struct {
         const char *name;
         const float *value;
@@ -113,15 +126,21 @@ static bool put_uniform(struct export *e, const char *line, const char *code, co
     for (size_t i = 0; i < sizeof given / sizeof *given; i++)
         if (strcmp(name, given[i]) == 0)
             return true;
+    // Its declaration is one mention. Shadertoy draws the picture in one part.
+    bool offset = strcmp(name, "iPixelOffset") == 0;
+    if (offset && mentions(e, name) == 1)
+        return true;
     const struct parameter *parameter = parameters_find(e->parameters, name);
     const float *vector = NULL;
     for (int i = 0; i < 4; i++)
         if (strcmp(name, camera[i].name) == 0)
             vector = camera[i].value;
-    if (parameter == NULL && vector == NULL)
+    if (parameter == NULL && vector == NULL && !offset)
         return false;
     put(e, "const%.*s = ", length - (int)(uniform - code) - 7, uniform + 7);
-    if (vector != NULL)
+    if (offset)
+        put(e, "vec2(0.0)");
+    else if (vector != NULL)
         put_vec3(e, vector);
     else
         put_value(e, parameter);
@@ -171,25 +190,11 @@ static void put_files(struct export *e)
     }
 }
 
-// True when a line that stays asks for VIEW.
-static bool uses_view(const struct export *e)
-{
-    const char *word = glsl_find_word(e->code, "VIEW");
-    for (; word != NULL; word = glsl_find_word(word + 1, "VIEW")) {
-        int line = 0;
-        for (const char *c = e->code; c < word; c++)
-            line += *c == '\n';
-        if (!is_left_out(e->source->files[e->source->lines[line].file]))
-            return true;
-    }
-    return false;
-}
-
 static void put_course(struct export *e)
 {
     put(e, "// %s for shadertoy.com, in one file: camera and parameters are constants here.\n",
         base_of(e->source->files[0]));
-    if (uses_view(e))
+    if (mentions(e, "VIEW") > 0)
         put(e, "#define VIEW 0\n");
     put_files(e);
     put(e, "\n// ---- What Shadertoy calls ----\n\n"

@@ -71,6 +71,12 @@ exported 'parameters of every type' "$BUILD/01_normal_colouring" -p biased=true 
 exported 'a colour' "$BUILD/02_lighting" -p lampColour=0.5,1,0
 exported 'a camera' "$BUILD/01_normal_colouring" -c 0,1,5,10,-10
 
+{
+    cat chapters/01_normal_colouring.frag
+    printf 'vec3 part() { return vec3(gl_FragCoord.xy + iPixelOffset, VIEW); }\n'
+} | sed 's/return SKY;/return part() * 0.001;/; s/^vec3 rayColour/vec3 part();\n&/' >"$scratch/part.frag"
+exported 'the place of a pixel, asked for by the shader itself' "$BUILD/01_normal_colouring" -f "$scratch/part.frag"
+
 # Only the validator for what is drawn nowhere else.
 for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
     check "${file#chapters/} passes as Shadertoy's" valid "$BUILD/01_normal_colouring" -f "$file"
