@@ -7,8 +7,10 @@ CHAPTER =
 SUITE =
 FORCE =
 FILE =
+FRAMES =
+FPS =
 SANITIZE =
-export CHAPTER SUITE FORCE FILE
+export CHAPTER SUITE FORCE FILE FRAMES FPS
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -99,6 +101,11 @@ play: ## open your own shader in a window: make play FILE=my.frag; without FILE 
 	@$(AGAIN) programs
 	@.make/play.sh $(OPTIONS)
 
+film: ## make an MP4 and a GIF of a chapter by ffmpeg: make film CHAPTER=00 FRAMES=100 FPS=25
+	@.make/setup.sh run
+	@$(AGAIN) programs
+	@.make/film.sh $(OPTIONS)
+
 test: ## run every test; make test SUITE=camera runs one
 	@.make/setup.sh test
 	@$(AGAIN) programs tests
@@ -145,7 +152,7 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 always:
-.PHONY: all programs tests run play test test-gpu gallery references diff lint format docs setup clean \
+.PHONY: all programs tests run play film test test-gpu gallery references diff lint format docs setup clean \
         help always
 .DELETE_ON_ERROR:
 .SUFFIXES:

@@ -18,6 +18,7 @@
 #include "probe.h"
 #include "renderer.h"
 #include "report.h"
+#include "sequence.h"
 #include "window.h"
 
 enum { DONE = 0, NOT_DONE = 1, WRONG_COMMAND_LINE = 2 };
@@ -135,8 +136,8 @@ static int print_shadertoy(const struct run *run)
     struct parameters parameters = {0};
     int status = read_with_settings(run, &source, &parameters);
     if (status == DONE) {
-        char *text = export_shadertoy(&source, &parameters, &run->options.camera,
-                                      RENDERER_FOCAL_LENGTH);
+        char *text =
+            export_shadertoy(&source, &parameters, &run->options.camera, RENDERER_FOCAL_LENGTH);
         status = text != NULL ? DONE : NOT_DONE;
         fputs(text != NULL ? text : "", stdout);
         free(text);
@@ -178,13 +179,14 @@ static bool add_overlay(const struct run *run, struct renderer *renderer,
 }
 
 static bool write_picture(const struct run *run, struct renderer *renderer,
-                          const struct renderer_inputs *inputs, const struct renderer_probe *probe)
+                          const struct renderer_inputs *inputs, const struct renderer_probe *probe,
+                          const char *path)
 {
     struct image image = {0};
     struct overlay overlay = {0};
     bool done =
         (!run->options.has_overlay || add_overlay(run, renderer, inputs, probe, &overlay)) &&
-        renderer_picture(renderer, inputs, &image) && image_write_png(&image, run->options.output);
+        renderer_picture(renderer, inputs, &image) && image_write_png(&image, path);
     renderer->overlay = NULL;
     overlay_close(&overlay);
     image_free(&image);
@@ -205,6 +207,39 @@ static struct renderer_inputs still_inputs(const struct options *options)
                                     .zoom = 1.0f};
 }
 
+// The pictures of --frames, with one context and one program.
+static bool write_frames(const struct run *run, struct renderer *renderer)
+{
+    const struct options *options = &run->options;
+    struct renderer_inputs inputs = still_inputs(options);
+    char path[PATH_MAX];
+    bool done = true;
+    for (int i = 0; i < options->frames && done; i++) {
+        sequence_progress(i, options->frames);
+        inputs.frame = i;
+        inputs.time = options->time + i / options->fps;
+        inputs.date[3] = (float)inputs.time;
+        inputs.time_delta = i > 0 ? 1.0 / options->fps : 0.0;
+        done = sequence_path(options->output, i, path, sizeof path) &&
+               write_picture(run, renderer, &inputs, NULL, path);
+    }
+    if (done)
+        sequence_progress(options->frames, options->frames);
+    return done;
+}
+
+// True when every file of --output can be written, before the work of rendering. Reported.
+static bool check_targets(const struct options *options)
+{
+    char path[PATH_MAX];
+    if (options->output == NULL || options->frames == 0)
+        return options->output == NULL || image_check_target(options->output);
+    for (int i = 0; i < options->frames; i++)
+        if (!sequence_path(options->output, i, path, sizeof path) || !image_check_target(path))
+            return false;
+    return true;
+}
+
 // The table of --probe, then the picture of --output.
 static bool work_still(const struct run *run, struct renderer *renderer)
 {
@@ -212,6 +247,8 @@ static bool work_still(const struct run *run, struct renderer *renderer)
     struct renderer_inputs inputs = still_inputs(options);
     struct renderer_probe *probe = NULL;
     bool done = true;
+    if (options->frames > 0)
+        return write_frames(run, renderer);
     if (options->has_probe) {
         probe = malloc(sizeof *probe);
         if (probe == NULL)
@@ -221,7 +258,8 @@ static bool work_still(const struct run *run, struct renderer *renderer)
         if (done)
             probe_print(probe, stdout);
     }
-    done = done && (options->output == NULL || write_picture(run, renderer, &inputs, probe));
+    done = done && (options->output == NULL ||
+                    write_picture(run, renderer, &inputs, probe, options->output));
     free(probe);
     return done;
 }
@@ -250,7 +288,7 @@ static int open_and_work(struct run *run)
     struct renderer renderer = {0};
     const struct options *options = &run->options;
     bool still = options->output != NULL || options->has_probe;
-    if (options->output != NULL && !image_check_target(options->output))
+    if (!check_targets(options))
         return NOT_DONE;
     bool opened = still ? context_open_offscreen(&context, options->backend)
                         : context_open_window(&context, options->backend, title_of(run),

@@ -9,7 +9,8 @@
 #include "report.h"
 
 // One export under way.
-struct export {
+struct export
+{
     const struct shader_source *source;
     const struct parameters *parameters;
     struct camera_basis basis;
@@ -110,8 +111,8 @@ static void put_value(struct export *e, const struct parameter *parameter)
 // Returns false for a line that is no such uniform.
 static bool put_uniform(struct export *e, const char *line, const char *code, const char *uniform)
 {
-    static const char *const given[] = {"iResolution", "iTime", "iTimeDelta",  "iFrame",
-                                        "iMouse",      "iDate"};
+    static const char *const given[] = {"iResolution", "iTime",  "iTimeDelta",
+                                        "iFrame",      "iMouse", "iDate"};
     const struct {
         const char *name;
         const float *value;
@@ -211,9 +212,15 @@ static void put_course(struct export *e)
 // Shadertoy has a main, and calls mainImage: those of the file get other names.
 static const struct {
     const char *word, *instead;
-} renamed[] = {{"main", "shaderMain"},  {"mainImage", "shaderImage"}, {"in", ""},
-               {"out", ""},             {"varying", ""},              {"smooth", ""},
-               {"flat", ""},            {"noperspective", ""},        {"centroid", ""}};
+} renamed[] = {{"main", "shaderMain"},
+               {"mainImage", "shaderImage"},
+               {"in", ""},
+               {"out", ""},
+               {"varying", ""},
+               {"smooth", ""},
+               {"flat", ""},
+               {"noperspective", ""},
+               {"centroid", ""}};
 
 // Write one word of a whole file, or what stands for it. Qualifiers go where a global begins; those
 // of parameters stay.

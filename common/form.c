@@ -17,9 +17,9 @@ static const struct {
                   {"vec4", "iDate"}};
 
 // What Shadertoy gives besides and the harness does not.
-static const char *const toy_refused[] = {
-    "iChannel0",   "iChannel1",          "iChannel2",  "iChannel3",
-    "iChannelTime", "iChannelResolution", "iSampleRate"};
+static const char *const toy_refused[] = {"iChannel0",  "iChannel1",    "iChannel2",
+                                          "iChannel3",  "iChannelTime", "iChannelResolution",
+                                          "iSampleRate"};
 
 static bool no_memory(const struct shader_source *source)
 {
@@ -56,10 +56,12 @@ static const char *skip_blanks(const char *c)
 
 static const struct {
     const char *type, *name;
-} whole_inputs[] = {{"vec2", "FragCoord"},  {"float", "Time"},           {"vec3", "Ex"},
-                    {"vec3", "Ey"},         {"vec3", "Ez"},              {"vec3", "CamPos"},
-                    {"float", "fovValue"},  {"float", "FacteurLargeur"}, {"float", "OrthoView"},
-                    {"float", "CustomToggle"}, {"float", "CustomInt"}};
+} whole_inputs[] = {{"vec2", "FragCoord"},  {"float", "Time"},
+                    {"vec3", "Ex"},         {"vec3", "Ey"},
+                    {"vec3", "Ez"},         {"vec3", "CamPos"},
+                    {"float", "fovValue"},  {"float", "FacteurLargeur"},
+                    {"float", "OrthoView"}, {"float", "CustomToggle"},
+                    {"float", "CustomInt"}};
 
 static bool is_word(const char *word, size_t length, const char *other)
 {

@@ -19,17 +19,18 @@ bool form_find(struct shader_source *source, bool version);
 // What stands before the text for the driver, its lines ended.
 //   course      #version and VIEW
 //   Shadertoy   #version, Shadertoy's inputs but those that the text declares itself, and a main
-//               that calls mainImage and clamps what it gives; it stands in front, where no macro of
-//               the text reaches it. Every name there begins with "harness", so that none collides
+//               that calls mainImage and clamps what it gives; it stands in front, where no macro
+//               of the text reaches it. Every name there begins with "harness", so that none
+//               collides
 //   whole       nothing, or #version 330 core in place of one of GLSL ES
 // Returns memory that the caller frees, or NULL, reported.
 char *form_prelude(const struct shader_source *source, enum shader_view view);
 
 // The text after the prelude: the source's own, line by line. In Shadertoy's form gl_FragCoord is
-// renamed, for the renderer draws in parts and samples, and the shader must see one picture. A whole
-// file loses the words smooth, flat, noperspective and centroid, which drivers want to find in the
-// vertex shader too, and which change nothing on a triangle that covers the screen.
-// Returns memory that the caller frees, or NULL, reported.
+// renamed, for the renderer draws in parts and samples, and the shader must see one picture. A
+// whole file loses the words smooth, flat, noperspective and centroid, which drivers want to find
+// in the vertex shader too, and which change nothing on a triangle that covers the screen. Returns
+// memory that the caller frees, or NULL, reported.
 char *form_body(const struct shader_source *source);
 
 // Say why a shader cannot run that asks for what Shadertoy has and this harness has not: textures,

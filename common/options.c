@@ -8,11 +8,24 @@
 #include "number.h"
 #include "overlay.h"
 #include "report.h"
+#include "sequence.h"
+
+#define FPS_MINIMUM 0.001
+#define FPS_MAXIMUM 1000.0
+#define FPS_DEFAULT 25.0
 
 #define LIMIT 1e9 // of times and places: beyond it a float of the shader has lost every fraction
 
 // Codes of the options that have no letter.
-enum { CODE_PROBE = 256, CODE_ROOT, CODE_PRINT_SHADER, CODE_LIST, CODE_OVERLAY };
+enum {
+    CODE_PROBE = 256,
+    CODE_ROOT,
+    CODE_PRINT_SHADER,
+    CODE_LIST,
+    CODE_OVERLAY,
+    CODE_FRAMES,
+    CODE_FPS
+};
 
 static const struct option long_options[] = {
     {"output", required_argument, NULL, 'o'},
@@ -29,6 +42,8 @@ static const struct option long_options[] = {
     {"print-shader", optional_argument, NULL, CODE_PRINT_SHADER},
     {"list", no_argument, NULL, CODE_LIST},
     {"overlay", optional_argument, NULL, CODE_OVERLAY},
+    {"frames", required_argument, NULL, CODE_FRAMES},
+    {"fps", required_argument, NULL, CODE_FPS},
     {"help", no_argument, NULL, 'h'},
     {"version", no_argument, NULL, 'V'},
     {NULL, 0, NULL, 0},
@@ -141,6 +156,25 @@ static bool set_samples(struct options *options, const char *text)
     return false;
 }
 
+static bool set_frames(struct options *options, const char *text)
+{
+    if (number_read_int(text, 1, SEQUENCE_FRAMES_LIMIT, &options->frames))
+        return true;
+    report("--frames '%s': must be a whole number of pictures from 1 to %d", text,
+           SEQUENCE_FRAMES_LIMIT);
+    return false;
+}
+
+static bool set_fps(struct options *options, const char *text)
+{
+    if (number_read(text, &options->fps) && options->fps >= FPS_MINIMUM &&
+        options->fps <= FPS_MAXIMUM)
+        return true;
+    report("--fps '%s': must be a number of pictures a second from %g to %g", text, FPS_MINIMUM,
+           FPS_MAXIMUM);
+    return false;
+}
+
 static bool set_view(struct options *options, const char *text)
 {
     char names[128] = "";
@@ -239,6 +273,10 @@ static bool apply(struct options *options, int code, const char *text)
         return set_path("shader", &options->shader, text);
     case CODE_ROOT:
         return set_path("root", &options->root, text);
+    case CODE_FRAMES:
+        return set_frames(options, text);
+    case CODE_FPS:
+        return set_fps(options, text);
     case CODE_LIST:
         return set_action(options, OPTIONS_LIST);
     case 'h':
@@ -308,6 +346,29 @@ static bool read_options(struct options *options, int argc, char **argv)
     return optind >= argc;
 }
 
+// What --frames asks of other options.
+static bool complete_frames(struct options *options)
+{
+    bool given = options->fps > 0.0;
+    if (!given)
+        options->fps = FPS_DEFAULT;
+    if (options->frames == 0 && given)
+        report("--fps: goes with --frames N: how many pictures?");
+    else if (options->frames > 0 && options->output == NULL)
+        report("--frames: goes with --output, as in -o frame-%%04d.png");
+    else if (options->frames > 0 && !sequence_is_name(options->output))
+        report("--output '%s': with --frames the name must hold one %%d for the number, as in "
+               "frame-%%04d.png",
+               options->output);
+    else if (options->frames > 0 && options->has_probe && options->view != SHADER_SLICE)
+        report("--probe: the march of one picture: leave --frames out");
+    else if (options->frames > 0 && fabs(options->time) + options->frames / options->fps > LIMIT)
+        report("--frames: the last time must be from -1e9 to 1e9 seconds");
+    else
+        return true;
+    return false;
+}
+
 // What depends on other options, once all are known.
 static bool complete(struct options *options)
 {
@@ -316,6 +377,8 @@ static bool complete(struct options *options)
         options->width = still ? 640 : 960;
         options->height = still ? 360 : 540;
     }
+    if (!complete_frames(options))
+        return false;
     if (options->shadertoy && options->view != SHADER_PICTURE) {
         report("--print-shader=shadertoy: only the picture runs there: leave --view %s out",
                shader_view_name(options->view));

@@ -27,6 +27,8 @@ struct options {
     const char *output;    // PNG to write, or NULL
     int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT; defaults set by options_parse
     double time;           // seconds
+    int frames;            // pictures to write, output holds one %d then; 0: one picture
+    double fps;            // pictures a second of time
     const char **settings; // NAME=VALUE, in the order given; owned, see options_free
     int setting_count;
     bool has_camera;

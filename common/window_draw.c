@@ -37,8 +37,7 @@ void window_retitle(struct window *window)
 bool window_uses_time(const struct window *window)
 {
     // The linker keeps only what is used.
-    static const char *const names[] = {"iTime", "iTimeDelta", "iFrame", "iFrameRate",
-                                        "iDate"};
+    static const char *const names[] = {"iTime", "iTimeDelta", "iFrame", "iFrameRate", "iDate"};
     const struct renderer *renderer = window->renderer;
     GLuint program = renderer->program[renderer->view];
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)

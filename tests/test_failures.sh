@@ -105,10 +105,8 @@ refuse 'an unknown backend' 2 'glfw, egl, osmesa' "$chapter" "${to[@]}" -b vulka
 refuse 'an unknown option' 2 "'--colour'" "$chapter" "${to[@]}" --colour red
 refuse 'an unknown letter' 2 "'-x'" "$chapter" "${to[@]}" -x
 refuse 'an abbreviated option' 2 "'--samp'" "$chapter" "${to[@]}" --samp 2
-for option in '--frames 3' '--fps 25' '--benchmark 3'; do
-    # shellcheck disable=SC2086 # options are words
-    refuse "$option, not offered yet" 2 "${option%%[ =]*}" "$chapter" "${to[@]}" $option
-done
+refuse '--frames without a number in the name' 2 '%d' "$chapter" "${to[@]}" --frames 3
+refuse '--fps without --frames' 2 'goes with --frames' "$chapter" "${to[@]}" --fps 25
 refuse 'a form of --print-shader that there is not' 2 'must be shadertoy' "$chapter" --print-shader=es
 refuse 'a view of --print-shader=shadertoy' 2 'only the picture' "$chapter" --print-shader=shadertoy -v depth
 refuse 'an unknown parameter of --print-shader=shadertoy' 2 'lampHeigth' \
