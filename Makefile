@@ -9,8 +9,10 @@ FORCE =
 FILE =
 FRAMES =
 FPS =
+ROUNDS =
+WRITE =
 SANITIZE =
-export CHAPTER SUITE FORCE FILE FRAMES FPS
+export CHAPTER SUITE FORCE FILE FRAMES FPS ROUNDS WRITE
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -106,6 +108,11 @@ film: ## make an MP4 and a GIF of a chapter by ffmpeg: make film CHAPTER=00 FRAM
 	@$(AGAIN) programs
 	@.make/film.sh $(OPTIONS)
 
+benchmark: ## measure every chapter against the reference scene; WRITE=1 keeps the table in docs/benchmark.md
+	@.make/setup.sh run
+	@$(AGAIN) programs
+	@.make/benchmark.sh
+
 test: ## run every test; make test SUITE=camera runs one
 	@.make/setup.sh test
 	@$(AGAIN) programs tests
@@ -152,7 +159,7 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 always:
-.PHONY: all programs tests run play film test test-gpu gallery references diff lint format docs setup clean \
+.PHONY: all programs tests run play film benchmark test test-gpu gallery references diff lint format docs setup clean \
         help always
 .DELETE_ON_ERROR:
 .SUFFIXES:

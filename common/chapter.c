@@ -10,6 +10,7 @@
 #include <mach-o/dyld.h>
 #endif
 
+#include "benchmark.h"
 #include "context.h"
 #include "export.h"
 #include "image.h"
@@ -264,16 +265,39 @@ static bool work_still(const struct run *run, struct renderer *renderer)
     return done;
 }
 
-// With a context and a renderer: load the shader, then carry out what was asked.
-static int work(struct run *run, struct context *context, struct renderer *renderer)
+static const char *shader_name(const struct run *run)
+{
+    return run->options.shader != NULL ? run->options.shader : run->chapter->stem;
+}
+
+// Load the shader and give it the values of the command line. Returns the exit status.
+static int load(const struct run *run, struct renderer *renderer, struct benchmark *benchmark)
 {
     const struct options *options = &run->options;
     renderer->view = options->view;
-    if (!renderer_load(renderer, run->shader))
+    if (!benchmark_load(benchmark, renderer, run->shader))
         return NOT_DONE;
     for (int i = 0; i < options->setting_count; i++)
         if (!parameters_assign(&renderer->parameters, options->settings[i]))
             return WRONG_COMMAND_LINE;
+    return DONE;
+}
+
+// With a context and a renderer: load the shader, then carry out what was asked.
+static int work(struct run *run, struct context *context, struct renderer *renderer)
+{
+    const struct options *options = &run->options;
+    struct benchmark benchmark = {
+        .shader = shader_name(run), .frames = options->benchmark, .inputs = still_inputs(options)};
+    int status = load(run, renderer, &benchmark);
+    if (status != DONE)
+        return status;
+    if (options->benchmark > 0) {
+        bool done = benchmark_run(&benchmark, context, renderer);
+        if (done)
+            benchmark_print(&benchmark, options->json, stdout);
+        return done ? DONE : NOT_DONE;
+    }
     if (context->window != NULL)
         return window_run(context, renderer, options, title_of(run), run->chapter->stem,
                           run->shader)
@@ -287,7 +311,9 @@ static int open_and_work(struct run *run)
     struct context context = {0};
     struct renderer renderer = {0};
     const struct options *options = &run->options;
-    bool still = options->output != NULL || options->has_probe;
+    bool still = options->output != NULL || options->has_probe || options->benchmark > 0;
+    if (options->benchmark > 0)
+        benchmark_forget_caches();
     if (!check_targets(options))
         return NOT_DONE;
     bool opened = still ? context_open_offscreen(&context, options->backend)

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "benchmark.h"
 #include "number.h"
 #include "overlay.h"
 #include "report.h"
@@ -12,7 +13,6 @@
 
 #define FPS_MINIMUM 0.001
 #define FPS_MAXIMUM 1000.0
-#define FPS_DEFAULT 25.0
 
 #define LIMIT 1e9 // of times and places: beyond it a float of the shader has lost every fraction
 
@@ -24,7 +24,8 @@ enum {
     CODE_LIST,
     CODE_OVERLAY,
     CODE_FRAMES,
-    CODE_FPS
+    CODE_FPS,
+    CODE_BENCHMARK
 };
 
 static const struct option long_options[] = {
@@ -44,6 +45,7 @@ static const struct option long_options[] = {
     {"overlay", optional_argument, NULL, CODE_OVERLAY},
     {"frames", required_argument, NULL, CODE_FRAMES},
     {"fps", required_argument, NULL, CODE_FPS},
+    {"benchmark", required_argument, NULL, CODE_BENCHMARK},
     {"help", no_argument, NULL, 'h'},
     {"version", no_argument, NULL, 'V'},
     {NULL, 0, NULL, 0},
@@ -175,6 +177,20 @@ static bool set_fps(struct options *options, const char *text)
     return false;
 }
 
+// A number of frames, or the word json; both may be given, one after the other.
+static bool set_benchmark(struct options *options, const char *text)
+{
+    bool json = strcmp(text, "json") == 0;
+    options->json = options->json || json;
+    if (json && options->benchmark == 0)
+        options->benchmark = BENCHMARK_FRAMES_DEFAULT;
+    if (json || number_read_int(text, 1, BENCHMARK_FRAMES_LIMIT, &options->benchmark))
+        return true;
+    report("--benchmark '%s': must be a whole number of frames from 1 to %d, or json", text,
+           BENCHMARK_FRAMES_LIMIT);
+    return false;
+}
+
 static bool set_view(struct options *options, const char *text)
 {
     char names[128] = "";
@@ -277,6 +293,8 @@ static bool apply(struct options *options, int code, const char *text)
         return set_frames(options, text);
     case CODE_FPS:
         return set_fps(options, text);
+    case CODE_BENCHMARK:
+        return set_benchmark(options, text);
     case CODE_LIST:
         return set_action(options, OPTIONS_LIST);
     case 'h':
@@ -346,60 +364,13 @@ static bool read_options(struct options *options, int argc, char **argv)
     return optind >= argc;
 }
 
-// What --frames asks of other options.
-static bool complete_frames(struct options *options)
-{
-    bool given = options->fps > 0.0;
-    if (!given)
-        options->fps = FPS_DEFAULT;
-    if (options->frames == 0 && given)
-        report("--fps: goes with --frames N: how many pictures?");
-    else if (options->frames > 0 && options->output == NULL)
-        report("--frames: goes with --output, as in -o frame-%%04d.png");
-    else if (options->frames > 0 && !sequence_is_name(options->output))
-        report("--output '%s': with --frames the name must hold one %%d for the number, as in "
-               "frame-%%04d.png",
-               options->output);
-    else if (options->frames > 0 && options->has_probe && options->view != SHADER_SLICE)
-        report("--probe: the march of one picture: leave --frames out");
-    else if (options->frames > 0 && fabs(options->time) + options->frames / options->fps > LIMIT)
-        report("--frames: the last time must be from -1e9 to 1e9 seconds");
-    else
-        return true;
-    return false;
-}
-
-// What depends on other options, once all are known.
-static bool complete(struct options *options)
-{
-    bool still = options->output != NULL || options->has_probe;
-    if (options->width == 0) {
-        options->width = still ? 640 : 960;
-        options->height = still ? 360 : 540;
-    }
-    if (!complete_frames(options))
-        return false;
-    if (options->shadertoy && options->view != SHADER_PICTURE) {
-        report("--print-shader=shadertoy: only the picture runs there: leave --view %s out",
-               shader_view_name(options->view));
-        return false;
-    }
-    if (!options->has_probe || (options->probe_x >= 0 && options->probe_x < options->width &&
-                                options->probe_y >= 0 && options->probe_y < options->height))
-        return true;
-    report("--probe '%d,%d': outside the picture of %dx%d: X is from 0 to %d, Y from 0 to %d",
-           options->probe_x, options->probe_y, options->width, options->height, options->width - 1,
-           options->height - 1);
-    return false;
-}
-
 bool options_parse(struct options *options, int argc, char **argv)
 {
     *options = (struct options){.samples = 1};
     options->settings = malloc(((size_t)argc + 1) * sizeof *options->settings);
     if (options->settings == NULL)
         report("command line: not enough memory");
-    else if (read_options(options, argc, argv) && complete(options))
+    else if (read_options(options, argc, argv) && options_complete(options))
         return true;
     options_free(options);
     return false;

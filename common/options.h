@@ -29,6 +29,8 @@ struct options {
     double time;           // seconds
     int frames;            // pictures to write, output holds one %d then; 0: one picture
     double fps;            // pictures a second of time
+    int benchmark;         // frames to measure; 0: none
+    bool json;             // --benchmark=json
     const char **settings; // NAME=VALUE, in the order given; owned, see options_free
     int setting_count;
     bool has_camera;
@@ -50,6 +52,10 @@ struct options {
 // here: syntax, ranges, the probe inside the picture, no operand left over. Not here: the names and
 // ranges of parameters, which only the shader knows.
 bool options_parse(struct options *options, int argc, char **argv);
+
+// The last step of options_parse: defaults that depend on other options, and options that do not go
+// together. Returns false, reported.
+bool options_complete(struct options *options);
 
 // Free what options_parse allocated.
 void options_free(struct options *options);

@@ -17,6 +17,7 @@ enum shader_view {
     SHADER_SLICE,   // the march of one ray, seen from the side
     SHADER_VIEW_COUNT,
     SHADER_PROBE = SHADER_VIEW_COUNT, // the steps of one ray, as numbers; not a view to choose
+    SHADER_COUNT,                     // evaluations of the scene for each pixel; not a view either
     SHADER_PROGRAM_COUNT
 };
 

@@ -12,7 +12,7 @@ static const char *const view_names[SHADER_VIEW_COUNT] = {"picture", "normals", 
 
 const char *shader_view_name(enum shader_view view)
 {
-    return view < SHADER_VIEW_COUNT ? view_names[view] : "probe";
+    return view < SHADER_VIEW_COUNT ? view_names[view] : view == SHADER_PROBE ? "probe" : "count";
 }
 
 bool shader_view_from_name(const char *name, enum shader_view *view)

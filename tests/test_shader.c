@@ -342,8 +342,7 @@ static void test_forms(void **state)
     assert_form("#version 330 core\nvoid main() {}\n", SHADER_WHOLE);
     assert_form("// why\n/* and\nhow */ # version 330 core\n#include \"leaf.glsl\"\n",
                 SHADER_WHOLE);
-    assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {}\n",
-                SHADER_SHADERTOY);
+    assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {}\n", SHADER_SHADERTOY);
     assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {} void main() {}\n",
                 SHADER_WHOLE);
     assert_form("// #version 330\nvoid main() {}\n", SHADER_COURSE);
