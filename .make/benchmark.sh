@@ -10,6 +10,10 @@ set -u
 page=docs/benchmark.md
 rounds=${ROUNDS:-3}
 frames=${FRAMES:-15}
+if [ -n "${CHAPTER-}" ] && [ -n "${WRITE-}" ]; then
+    echo 'make benchmark: WRITE=1 writes the table of all chapters: leave CHAPTER out' >&2
+    exit 1
+fi
 if [ -n "${CHAPTER-}" ]; then stems=$(stem_of "$CHAPTER") || exit 1; else stems=$(stems); fi
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -73,7 +77,9 @@ echo
 # The table in the page stands between two markers.
 awk '/^<!-- \/benchmark -->/ { p = 0 } p { print } /^<!-- benchmark -->/ { p = 1 }' "$page" >"$work/old"
 old_backend=$(sed -n '/;/ { s/;.*//; p; q; }' "$work/old")
-if [ "$old_backend" != "$(cat "$work/backend")" ]; then
+if [ -z "$old_backend" ]; then
+    echo "$page holds no table yet: WRITE=1 writes one."
+elif [ "$old_backend" != "$(cat "$work/backend")" ]; then
     echo "The table in $page is of another renderer ($old_backend): not compared."
 else
     for stem in $stems; do

@@ -198,6 +198,7 @@ static void draw_pass(const struct renderer *renderer, GLuint program, const flo
                       const float jitter[2])
 {
     renderer->gl->Uniform2f(place(renderer, program, "iPixelOffset"), offset[0], offset[1]);
+    // What is not in the program is ignored: this is its name in Shadertoy's form.
     renderer->gl->Uniform2f(place(renderer, program, "harnessPixelOffset"), offset[0], offset[1]);
     renderer->gl->Uniform2f(place(renderer, program, "iPixelJitter"), jitter[0], jitter[1]);
     renderer->gl->DrawArrays(GL_TRIANGLES, 0, 3);
