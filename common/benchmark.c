@@ -180,11 +180,11 @@ static bool count_evaluations(struct benchmark *benchmark, struct renderer *rend
 bool benchmark_run(struct benchmark *benchmark, const struct context *context,
                    struct renderer *renderer)
 {
-    struct timer timer;
-    benchmark->has_gpu = open_timer(&timer, context);
+    struct timer timer = {0};
+    bool timed = benchmark->has_gpu = open_timer(&timer, context);
     context_describe(context, benchmark->backend, sizeof benchmark->backend);
-    bool done = draw_frames(benchmark, renderer, benchmark->has_gpu ? &timer : NULL);
-    if (benchmark->has_gpu)
+    bool done = draw_frames(benchmark, renderer, timed ? &timer : NULL);
+    if (timed)
         timer.drop(1, &timer.query);
     if (done && renderer->fragment.form == SHADER_COURSE)
         done = count_evaluations(benchmark, renderer);

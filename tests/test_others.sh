@@ -114,7 +114,7 @@ for change in crlf mark tabs latin comment late es; do
 done
 
 # Each input holds what it must.
-camera=(-c 1,2,3,90,0 -t 1.5)
+camera=(-c '1,2,3,90,0' -t 1.5)
 printf '#version 330 core\nout vec4 c; void main() { c = vec4(1.0); }\n' >"$scratch/white.frag"
 draw white
 holds() { # TITLE DECLARATIONS CONDITION
@@ -184,6 +184,11 @@ for change in crlf mark latin version comment macro; do
 done
 as smooth toy_samples "Shadertoy's form: four samples, by gl_FragCoord" -a 2 \
     < <(toy_scene '' "$head" "p = gl_FragCoord.xy; $toy_body")
+
+# Each sample is clamped, before the four are averaged.
+edge='void mainImage(out vec4 c, vec2 p) { c = vec4(vec3(step(20.6, p.x) * step(p.y, 10.4)), 1.0)'
+echo "$edge; }" >"$scratch/edge.frag" && draw edge -a 2
+as edge toy_edge "Shadertoy's form: samples above one count as one" -a 2 <<<"$edge * 7.0; }"
 
 toy_holds() { # TITLE CONDITION
     as white toy_holds "Shadertoy's form: $1" -t 1.5 < <(printf 'void mainImage(out vec4 c, vec2 p) {\n c = vec4(%s);\n}\n' "$2")

@@ -153,6 +153,7 @@ else
     check 'make film says what to do without ffmpeg' none
 fi
 # One that only tells what it was asked for.
+# shellcheck disable=SC2016 # its own words
 printf '#!/bin/sh\nfor last; do :; done\nls build/film/00_first_scene/frame-0002.png >/dev/null || exit 1\necho "$@" >"$last"\n' >"$scratch/bin/ffmpeg"
 chmod +x "$scratch/bin/ffmpeg"
 asks() {
