@@ -9,13 +9,6 @@
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-// Shadertoy's inputs. The harness fills them in by these names.
-static const struct {
-    const char *type, *name;
-} toy_inputs[] = {{"vec3", "iResolution"}, {"float", "iTime"},      {"float", "iTimeDelta"},
-                  {"int", "iFrame"},       {"float", "iFrameRate"}, {"vec4", "iMouse"},
-                  {"vec4", "iDate"}};
-
 // What Shadertoy gives besides and the harness does not.
 static const char *const toy_refused[] = {"iChannel0",  "iChannel1",    "iChannel2",
                                           "iChannel3",  "iChannelTime", "iChannelResolution",
@@ -52,75 +45,102 @@ static const char *skip_blanks(const char *c)
     return c + strspn(c, " \t\n\v\f");
 }
 
-// ---- The inputs of a whole file ----
+// ---- The inputs that a text declares ----
 
-static const struct {
+struct input {
     const char *type, *name;
-} whole_inputs[] = {{"vec2", "FragCoord"},  {"float", "Time"},
-                    {"vec3", "Ex"},         {"vec3", "Ey"},
-                    {"vec3", "Ez"},         {"vec3", "CamPos"},
-                    {"float", "fovValue"},  {"float", "FacteurLargeur"},
-                    {"float", "OrthoView"}, {"float", "CustomToggle"},
-                    {"float", "CustomInt"}};
+};
+
+// Shadertoy's inputs. The harness fills them in by these names.
+static const struct input toy_inputs[] = {
+    {"vec3", "iResolution"}, {"float", "iTime"}, {"float", "iTimeDelta"}, {"int", "iFrame"},
+    {"float", "iFrameRate"}, {"vec4", "iMouse"}, {"vec4", "iDate"}};
+
+// The report's, which the vertex shader hands to a whole file.
+static const struct input whole_inputs[] = {{"vec2", "FragCoord"},  {"float", "Time"},
+                                            {"vec3", "Ex"},         {"vec3", "Ey"},
+                                            {"vec3", "Ez"},         {"vec3", "CamPos"},
+                                            {"float", "fovValue"},  {"float", "FacteurLargeur"},
+                                            {"float", "OrthoView"}, {"float", "CustomToggle"},
+                                            {"float", "CustomInt"}};
 
 static bool is_word(const char *word, size_t length, const char *other)
 {
     return strlen(other) == length && strncmp(word, other, length) == 0;
 }
 
-// Judge one input that a whole file declares.
-//   type, name  words in the code, with their lengths
-static bool check_input(const struct shader_source *source, const char *code, const char *type,
-                        size_t type_size, const char *name, size_t name_size)
+static const struct input *find_input(const struct input *inputs, size_t count, const char *name)
 {
-    char word[64];
-    const struct shader_line *from = line_at(source, code, name);
-    if (name_size >= sizeof word)
+    for (size_t i = 0; i < count; i++)
+        if (strcmp(name, inputs[i].name) == 0)
+            return &inputs[i];
+    return NULL;
+}
+
+// One name that a text declares as an input.
+struct declared {
+    const struct shader_source *source;
+    const char *code;
+    bool uniform;
+    char type[64];
+    char name[64];
+    const char *after; // the name, in the code
+};
+
+// Judge a declared input: its type, and for the report's whether there is such a one.
+static bool check_input(const struct declared *declared)
+{
+    const char *type = declared->type, *name = declared->name;
+    const char *word = declared->uniform ? "uniform" : "in";
+    const struct input *input = declared->uniform
+                                    ? find_input(toy_inputs, COUNT(toy_inputs), name)
+                                    : find_input(whole_inputs, COUNT(whole_inputs), name);
+    const struct shader_line *from = line_at(declared->source, declared->code, declared->after);
+    const char *file = declared->source->files[from->file];
+    if (input != NULL && strcmp(type, input->type) != 0) {
+        report("%s:%d: %s %s %s: %s is a %s here: write %s %s %s;", file, from->line, word, type,
+               name, name, input->type, word, input->type, name);
+        return false;
+    }
+    if (input != NULL || declared->uniform || glsl_find_word(declared->after, name) == NULL)
         return true;
-    snprintf(word, sizeof word, "%.*s", (int)name_size, name);
-    for (size_t i = 0; i < COUNT(whole_inputs); i++)
-        if (strcmp(word, whole_inputs[i].name) == 0) {
-            if (is_word(type, type_size, whole_inputs[i].type))
-                return true;
-            report("%s:%d: in %.*s %s: %s is a %s here: write in %s %s;", source->files[from->file],
-                   from->line, (int)type_size, type, word, word, whole_inputs[i].type,
-                   whole_inputs[i].type, word);
-            return false;
-        }
-    const char *use = glsl_find_word(name + name_size, word);
-    if (use == NULL)
-        return true;
-    report("%s:%d: in %.*s %s: there is no such input: there are FragCoord, Time, Ex, Ey, Ez, "
+    report("%s:%d: in %s %s: there is no such input: there are FragCoord, Time, Ex, Ey, Ez, "
            "CamPos, fovValue, FacteurLargeur, OrthoView, CustomToggle and CustomInt",
-           source->files[from->file], from->line, (int)type_size, type, word);
+           file, from->line, type, name);
     return false;
 }
 
-// The names of one declaration: "in TYPE name, name".
-//   c  after the word "in"
-static bool check_declaration(const struct shader_source *source, const char *code, const char *c)
+// Read a word of less than 64 letters. Returns what follows it; NULL where there is none.
+static const char *read_word(const char *c, char word[64])
 {
-    static const char *const precisions[] = {"lowp", "mediump", "highp"};
-    size_t type_size = 0;
-    const char *type = NULL;
-    do {
-        type = skip_blanks(c);
-        for (type_size = 0; glsl_is_word(type[type_size]);)
-            type_size++;
-        c = type + type_size;
-    } while (is_word(type, type_size, precisions[0]) || is_word(type, type_size, precisions[1]) ||
-             is_word(type, type_size, precisions[2]));
-    for (;;) {
-        const char *name = skip_blanks(c);
-        size_t size = 0;
-        while (glsl_is_word(name[size]))
-            size++;
-        if (size == 0 || !check_input(source, code, type, type_size, name, size))
-            return size == 0;
-        c = skip_blanks(name + size);
+    size_t length = 0;
+    c = skip_blanks(c);
+    while (glsl_is_word(c[length]))
+        length++;
+    if (length == 0 || length >= 64)
+        return NULL;
+    snprintf(word, 64, "%.*s", (int)length, c);
+    return c + length;
+}
+
+// The names of one declaration: "in TYPE name, name".
+//   c  after the word "in" or "uniform"
+static bool check_declaration(const struct shader_source *source, const char *code, const char *c,
+                              bool uniform)
+{
+    struct declared declared = {.source = source, .code = code, .uniform = uniform};
+    do
+        c = read_word(c, declared.type);
+    while (c != NULL && strstr("lowp mediump highp", declared.type) != NULL);
+    while (c != NULL && (c = read_word(c, declared.name)) != NULL) {
+        declared.after = c;
+        if (!check_input(&declared))
+            return false;
+        c = skip_blanks(c);
         if (*c++ != ',')
             return true;
     }
+    return true;
 }
 
 // Blank the preprocessor's lines, which end no statement.
@@ -137,7 +157,7 @@ static void blank_directives(char *code)
     }
 }
 
-// Look at the beginning of each statement outside of braces and parentheses for "in".
+// Look at the beginning of each statement outside of braces and parentheses for "in" and "uniform".
 static bool check_inputs(const struct shader_source *source, char *code)
 {
     int depth = 0;
@@ -148,7 +168,9 @@ static bool check_inputs(const struct shader_source *source, char *code)
         while (glsl_is_word(c[length]))
             length++;
         bool input = is_word(c, length, "in") || is_word(c, length, "varying");
-        if (depth == 0 && begins && input && !check_declaration(source, code, c + length))
+        bool uniform = is_word(c, length, "uniform");
+        if (depth == 0 && begins && (input || uniform) &&
+            !check_declaration(source, code, c + length, uniform))
             return false;
         // Qualifiers may stand before the word, everything else may not.
         static const char *const before[] = {"flat", "smooth", "noperspective", "centroid",
@@ -189,7 +211,7 @@ bool form_find(struct shader_source *source, bool version)
     bool blanked = version && blank_version(source, code, !toy);
     source->form = toy ? SHADER_SHADERTOY : version ? SHADER_WHOLE : SHADER_COURSE;
     source->versioned = version && !blanked;
-    bool done = source->form != SHADER_WHOLE || check_inputs(source, code);
+    bool done = source->form == SHADER_COURSE || check_inputs(source, code);
     free(code);
     return done;
 }

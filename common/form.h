@@ -13,7 +13,7 @@
 // Shadertoy's form mentions mainImage and defines no main; a whole file has a #version otherwise;
 // everything else is the course's form.
 // Returns false, reported with file and line: an input of a whole file that is not one of the
-// report's or has another type.
+// report's or has another type; a uniform with the name of a Shadertoy input and another type.
 bool form_find(struct shader_source *source, bool version);
 
 // What stands before the text for the driver, its lines ended.

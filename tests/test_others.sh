@@ -133,6 +133,7 @@ wrong() { # PATTERN TITLE DECLARATIONS BODY
 }
 wrong 'wrong.frag:2: in vec3 FragCoord: FragCoord is a vec2 here' 'an input of another type' 'in vec3 FragCoord; out vec4 FragColor;' "$still"
 wrong 'wrong.frag:3: in int CustomInt: CustomInt is a float' 'an input on line 3' "$(printf 'in vec2 FragCoord; out vec4 FragColor;\nin vec3 Ex; flat in int CustomInt;')" "$still"
+wrong 'wrong.frag:2: uniform vec2 iResolution: iResolution is a vec3 here' 'a uniform of another type' "$basic uniform vec2 iResolution;" "$still"
 wrong 'wrong.frag:2: in vec2 MousePos: there is no such input: there are FragCoord,' 'an unknown input' "$basic in vec2 MousePos;" "$ray FragColor = vec4(MousePos, d.xy);"
 wrong 'wrong.frag:16: error' 'an error in its own line' "$basic" 'FragColor = vec4(FragCoord);'
 refused views 'views.frag: cannot show the view steps: it has a main of its own' "the report's form: no views" -v steps <"$scratch/scene.frag"
@@ -150,7 +151,9 @@ toy_scene '' "$head" "$toy_body" >"$scratch/toy.frag"
 check "Shadertoy's form: a scene" draw toy
 tolerant() { "$BUILD/tests/compare" "$scratch/scene.png" "$scratch/toy.png" >/dev/null; }
 check "the same scene in the report's form and in Shadertoy's" tolerant
-draw toy -a 2 && mv "$scratch/toy.png" "$scratch/smooth.png" && draw toy
+draw scene -a 3 && draw toy -a 3
+check "and with nine samples a pixel" tolerant
+draw scene && draw toy -a 2 && mv "$scratch/toy.png" "$scratch/smooth.png" && draw toy
 
 toy() { # TITLE DECLARATIONS HEAD BODY
     as toy variation "Shadertoy's form: $1" < <(toy_scene "$2" "$3" "$4")
@@ -208,6 +211,7 @@ for name in iChannel0 iChannel3; do
 done
 toy_wrong 'toy_wrong.frag:16: iChannelResolution is not offered' 'iChannelResolution' '' 'c = vec4(iChannelResolution[0], 1.0);'
 toy_wrong 'toy_wrong.frag:16: iSampleRate is not offered' 'iSampleRate' '' 'c = vec4(iSampleRate);'
+toy_wrong 'toy_wrong.frag:1: uniform vec2 iMouse: iMouse is a vec4 here' 'an input of another type' 'uniform highp float iTime; uniform vec2 iMouse;' "$toy_body"
 toy_wrong 'toy_wrong.frag:16: error' 'an error in its own line' '' 'c = vec3(1.0);'
 toy_wrong 'toy_wrong.frag:1: error' 'an error in its first line' 'float x = vec2(1.0);' "$toy_body"
 head='float mainImage(out vec4 c, in vec2 p)' toy_wrong 'toy_wrong.frag:14: error' 'a mainImage that returns something' '' "$toy_body return 1.0;"
