@@ -86,7 +86,7 @@ done
 printf '%s\n' '#version 330 core // comments with main, in and out' 'smooth in vec2 FragCoord; in highp float Time;' \
     'in vec3 Ex, Ey, Ez, CamPos; in float fovValue, FacteurLargeur, OrthoView, CustomToggle, CustomInt;' \
     'layout(location = 0) out mediump vec4 toy;' 'void grow(in float a, inout float b, out float c) { b += a; c = b; }' \
-    'void mainImage(float x) {}' \
+    'void mainImage(out vec4 a, in vec2 b) { a = b.xyxy; }' \
     'void main(void) { vec4 c; float a = fovValue, b; grow(a, a, b); c = vec4(a + OrthoView + CustomToggle + CustomInt, FragCoord, b);' \
     'toy = vec4(c.xyz * 0.3 + 0.1 * Ex + 0.2 * Ey - 0.1 * Ez + CamPos * 0.01 + Time * 0.01 + FacteurLargeur * 0.1, 0.0); }' >"$scratch/whole.frag"
 exported 'every input of a whole file' "$BUILD/01_normal_colouring" -f "$scratch/whole.frag"
