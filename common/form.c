@@ -47,6 +47,16 @@ static const char *skip_blanks(const char *c)
 
 // ---- The inputs that a text declares ----
 
+// Say that a name of Shadertoy's is not offered, which stands at a place in the code.
+static void refuse_name(const struct shader_source *source, const char *code, const char *place,
+                        const char *name)
+{
+    const struct shader_line *from = line_at(source, code, place);
+    report("%s:%d: %s is not offered: a shader gets no textures, buffers or sounds here: compute "
+           "the values in the shader",
+           source->files[from->file], from->line, name);
+}
+
 struct input {
     const char *type, *name;
 };
@@ -100,6 +110,11 @@ static bool check_input(const struct declared *declared)
     if (input != NULL && strcmp(type, input->type) != 0) {
         report("%s:%d: %s %s %s: %s is a %s here: write %s %s %s;", file, from->line, word, type,
                name, name, input->type, word, input->type, name);
+        return false;
+    }
+    if (declared->uniform && strncmp(name, "iChannel", strlen("iChannel")) == 0 &&
+        glsl_find_word(declared->after, name) != NULL) {
+        refuse_name(declared->source, declared->code, declared->after, name);
         return false;
     }
     if (input != NULL || declared->uniform || glsl_find_word(declared->after, name) == NULL)
@@ -332,12 +347,8 @@ bool form_refuses(const struct shader_source *source, const char *log)
     for (size_t i = 0; i < COUNT(toy_refused); i++) {
         char *code = glsl_find_word(log, toy_refused[i]) != NULL ? code_of(source) : NULL;
         const char *place = code != NULL ? glsl_find_word(code, toy_refused[i]) : NULL;
-        if (place != NULL) {
-            const struct shader_line *from = line_at(source, code, place);
-            report("%s:%d: %s is not offered: a shader gets no textures, buffers or sounds here: "
-                   "compute the values in the shader",
-                   source->files[from->file], from->line, toy_refused[i]);
-        }
+        if (place != NULL)
+            refuse_name(source, code, place, toy_refused[i]);
         free(code);
         if (place != NULL)
             return true;

@@ -210,6 +210,7 @@ for name in iChannel0 iChannel3; do
     toy_wrong "^[^ ]*toy_wrong.frag:16: $name is not offered: a shader gets no textures" "$name" '' "c = texture($name, p);"
 done
 toy_wrong 'toy_wrong.frag:16: iChannelResolution is not offered' 'iChannelResolution' '' 'c = vec4(iChannelResolution[0], 1.0);'
+toy_wrong 'toy_wrong.frag:1: iChannel1 is not offered' 'a texture that it declares itself' 'uniform sampler2D iChannel0, iChannel1;' 'c = texture(iChannel1, p);'
 toy_wrong 'toy_wrong.frag:16: iSampleRate is not offered' 'iSampleRate' '' 'c = vec4(iSampleRate);'
 toy_wrong 'toy_wrong.frag:1: uniform vec2 iMouse: iMouse is a vec4 here' 'an input of another type' 'uniform highp float iTime; uniform vec2 iMouse;' "$toy_body"
 toy_wrong 'toy_wrong.frag:16: error' 'an error in its own line' '' 'c = vec3(1.0);'
