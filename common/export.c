@@ -24,11 +24,11 @@ struct export
 
 __attribute__((format(printf, 2, 3))) static void put(struct export *e, const char *format, ...)
 {
-    va_list arguments, again;
+    va_list arguments;
     va_start(arguments, format);
-    va_copy(again, arguments);
-    int length = vsnprintf(NULL, 0, format, again);
-    va_end(again);
+    int length = vsnprintf(NULL, 0, format, arguments);
+    va_end(arguments);
+    va_start(arguments, format);
     if (e->size + (size_t)length + 1 > e->capacity) {
         e->capacity = 2 * e->capacity + (size_t)length + 4096;
         char *grown = realloc(e->text, e->capacity);

@@ -140,10 +140,12 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
         input->click[1] = input->pointer[1];
     }
     if (action == GLFW_PRESS) {
+        // Asked for now, the pointer may be further on than it was when the button went down.
+        if (!input->seen)
+            glfwGetCursorPos(window, &input->at[0], &input->at[1]);
         input->pressed = true;
-        glfwGetCursorPos(window, &input->press[0], &input->press[1]);
-        input->held_at[0] = input->press[0];
-        input->held_at[1] = input->press[1];
+        for (int i = 0; i < 2; i++)
+            input->press[i] = input->held_at[i] = input->at[i];
     }
     input->state = action == GLFW_PRESS ? WINDOW_POINTER_PRESSED : WINDOW_POINTER_FREE;
     if (input->jumped)
@@ -154,6 +156,9 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
 static void on_pointer(GLFWwindow *window, double x, double y)
 {
     struct window_input *input = input_of(window);
+    input->seen = true;
+    input->at[0] = x;
+    input->at[1] = y;
     if (input->state != WINDOW_POINTER_FREE) {
         input->held_at[0] = x;
         input->held_at[1] = y;

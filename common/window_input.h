@@ -65,6 +65,8 @@ struct window_input {
     bool captured;
     bool jumped;       // the next place of the pointer is no movement
     double pointer[2]; // where it was last
+    bool seen;         // at is known
+    double at[2];      // where it is
     double held_at[2]; // where it was last with the button down
 };
 
