@@ -5,14 +5,17 @@ CFLAGS ?= -O2 -g
 OPTIONS =
 CHAPTER =
 SUITE =
-FORCE =
+EXERCISE =
+NAME =
 FILE =
+FILES =
+FORCE =
 FRAMES =
 FPS =
 ROUNDS =
 WRITE =
 SANITIZE =
-export CHAPTER SUITE FORCE FILE FRAMES FPS ROUNDS WRITE
+export CHAPTER SUITE NAME EXERCISE FILE FILES FORCE FRAMES FPS ROUNDS WRITE
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -62,6 +65,7 @@ COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(wildcard common/*
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
 PROGRAMS := $(STEMS:%=$(BUILD)/%)
+FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard tests/test_*.c)))
 
 all: ## build every chapter's program into build/ (the default)
@@ -69,7 +73,7 @@ all: ## build every chapter's program into build/ (the default)
 	@$(AGAIN) programs
 
 programs: $(PROGRAMS)
-tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure
+tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%)
 
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
@@ -77,8 +81,14 @@ $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
 $(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
-$(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/image.o $(BUILD)/common/report.o $(EXTRA)
+$(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/image.o \
+    $(BUILD)/common/image_compare.o $(BUILD)/common/report.o $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
+
+# A figure may ask the mathematics that the tests ask.
+$(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/figures/svg.o $(SUPPORT) \
+    $(COMMON) $(EXTRA)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -89,7 +99,7 @@ $(BUILD)/flags: always
 	@mkdir -p $(@D)
 	@echo '$(CC) $(COMPILE) $(LINK)' | cmp -s - $@ || echo '$(CC) $(COMPILE) $(LINK)' > $@
 
--include $(wildcard $(BUILD)/common/*.d $(BUILD)/chapters/*.d $(BUILD)/tests/*.d)
+-include $(wildcard $(BUILD)/common/*.d $(BUILD)/chapters/*.d $(BUILD)/tests/*.d $(BUILD)/docs/figures/*.d)
 
 # ---- What a person asks for ----
 
@@ -119,6 +129,11 @@ test: ## run every test; make test SUITE=camera runs one
 	@$(AGAIN) SANITIZE=1 programs tests
 	@tests/run.sh $(SUITE)
 
+check: ## is a solution right? make check EXERCISE=03_2 FILE=my.frag; FILES='handed_in/*.frag' for a table
+	@.make/setup.sh run
+	@$(AGAIN) programs build/tests/compare
+	@.make/check.sh
+
 test-gpu: ## compare the references with this machine's own GPU; reports, does not judge
 	@.make/setup.sh run
 	@$(AGAIN) programs build/tests/compare
@@ -134,6 +149,20 @@ references: ## render the reference pictures again; those within tolerance stay 
 	@$(AGAIN) programs build/tests/compare
 	@tests/references.sh update
 
+book: ## set all pages as one PDF, build/book.pdf (pandoc and XeLaTeX, a package set of its own)
+	@.make/setup.sh book
+	@.make/book.sh
+
+figures: ## draw the diagrams of docs/figures/ again
+	@.make/setup.sh test
+	@$(AGAIN) figure_programs
+	@for name in $(FIGURES); do build/docs/figures/$$name > docs/figures/$$name.svg || exit 1; done
+
+figure_programs: $(FIGURES:%=$(BUILD)/docs/figures/%)
+
+chapter: ## begin a chapter with the next number: make chapter NAME=soft_shadows
+	@.make/chapter.sh
+
 diff: ## show what changed since the chapter before: make diff CHAPTER=03
 	@.make/diff.sh
 
@@ -144,9 +173,11 @@ lint: ## hold C, GLSL and scripts against every checker; warnings are errors
 
 format: ## lay out the C sources by .clang-format
 	@.make/setup.sh lint
-	@clang-format -i $(wildcard common/*.[ch] chapters/*.c tests/*.[ch])
+	@clang-format -i $(wildcard common/*.[ch] chapters/*.c tests/*.[ch] docs/figures/*.[ch])
 
-docs: ## rewrite the listings in docs/ from the sources that they show
+docs: ## rewrite the listings and tables in docs/ from the sources that they show
+	@.make/setup.sh run
+	@$(AGAIN) programs
 	@.make/listings.sh
 
 setup: ## install what run, test and lint need
@@ -159,7 +190,8 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 always:
-.PHONY: all programs tests run play film benchmark test test-gpu gallery references diff lint format docs setup clean \
+.PHONY: all programs tests run play film benchmark test check test-gpu gallery references book figures \
+        figure_programs chapter diff lint format docs setup clean \
         help always
 .DELETE_ON_ERROR:
 .SUFFIXES:

@@ -105,10 +105,10 @@ mkdir -p "$glsl_folder"
 
 list() {
     local file
-    for file in common/*.c chapters/*.c tests/*.c; do
+    for file in common/*.c chapters/*.c tests/*.c docs/figures/*.c; do
         printf '%s\n' "tidy $file" "gcc $file" "clang $file" "cppcheck $file" "format $file"
     done
-    for file in common/*.h tests/*.h; do
+    for file in common/*.h tests/*.h docs/figures/*.h; do
         echo "format $file"
     done
     for file in shaders/*.glsl; do

@@ -1,7 +1,7 @@
 #!/bin/sh
 # setup.sh [--check|--all] SET... - see to it that what the sets need is on this machine.
 #
-# Sets: run (build and render), test, lint. Where nothing is missing this asks only files and
+# Sets: run (build and render), test, lint, book. Where nothing is missing this asks only files and
 # commands: no network, no package manager. Else, as root it installs; with a terminal and sudo it
 # says what it will install and lets sudo ask; otherwise it prints the one command and fails.
 #   --check  install nothing
@@ -52,6 +52,7 @@ need() {
 has_command() { command -v "$1"; }
 has_library() { pkg-config --exists "$1"; }
 has_header() { printf '#include <%s>\n' "$1" | cc -E - ; }
+has_font() { fc-list ":family=$1" | grep -q . ; }
 has_sanitizers() {
     [ "$(uname)" = Darwin ] || [ -e "$(cc -print-file-name=libasan.so)" ]
 }
@@ -105,6 +106,17 @@ need_lint() {
     need 'glslangValidator' 'glslang-tools|glslang|glslang|glslang' has_command glslangValidator
 }
 
+need_book() {
+    need_run
+    need 'pandoc' 'pandoc|pandoc|pandoc|pandoc' has_command pandoc
+    need 'XeLaTeX' 'texlive-xetex texlive-latex-recommended|texlive-xetex texlive-collection-latexrecommended|-|-' \
+        has_command xelatex
+    need "the book's fonts" \
+        'texlive-fonts-recommended lmodern fonts-texgyre fonts-dejavu-core fontconfig|texlive-tex-gyre texlive-lm dejavu-sans-mono-fonts dejavu-sans-fonts|-|-' \
+        has_font 'TeX Gyre Pagella'
+    need 'rsvg-convert (figures)' 'librsvg2-bin|librsvg2-tools|librsvg|librsvg' has_command rsvg-convert
+}
+
 look() {
     packages='' purposes='' extra=''
     for set in "$@"; do
@@ -112,7 +124,8 @@ look() {
         run) need_run ;;
         test) need_test ;;
         lint) need_lint ;;
-        *) printf 'setup.sh: %s: no such set: run, test or lint\n' "$set" >&2; exit 2 ;;
+        book) need_book ;;
+        *) printf 'setup.sh: %s: no such set: run, test, lint or book\n' "$set" >&2; exit 2 ;;
         esac
     done
     # Two sets may name one package.

@@ -16,7 +16,7 @@
 
 #include "report.h"
 
-enum { SIDE_LIMIT = 16384, CHANNELS = 3, BLOCK = 8, WHY_SIZE = 160, LINK_LIMIT = 40 };
+enum { SIDE_LIMIT = 16384, CHANNELS = 3, WHY_SIZE = 160, LINK_LIMIT = 40 };
 
 static size_t row_size(const struct image *image)
 {
@@ -347,87 +347,4 @@ bool image_read_png(struct image *image, const char *path)
     }
     fclose(file);
     return done;
-}
-
-// ---- Comparing ----
-
-static bool sizes_agree(const struct image *a, const struct image *b)
-{
-    if (a->width == b->width && a->height == b->height)
-        return true;
-    report("pictures of different size cannot be compared: %dx%d and %dx%d", a->width, a->height,
-           b->width, b->height);
-    return false;
-}
-
-static int largest_of_pixel(const unsigned char *a, const unsigned char *b)
-{
-    int largest = 0;
-    for (int c = 0; c < CHANNELS; c++)
-        largest = abs(a[c] - b[c]) > largest ? abs(a[c] - b[c]) : largest;
-    return largest;
-}
-
-// Difference of the means of the block whose first pixel is (left, top), per channel.
-static void block_difference(const struct image *a, const struct image *b, int left, int top,
-                             double difference[CHANNELS])
-{
-    int right = left + BLOCK < a->width ? left + BLOCK : a->width;
-    int bottom = top + BLOCK < a->height ? top + BLOCK : a->height;
-    int sum[CHANNELS] = {0};
-    for (int y = top; y < bottom; y++)
-        for (int x = CHANNELS * left; x < CHANNELS * right; x++)
-            sum[x % CHANNELS] += row_of(b, y)[x] - row_of(a, y)[x];
-    for (int c = 0; c < CHANNELS; c++)
-        difference[c] = (double)sum[c] / ((right - left) * (bottom - top));
-}
-
-static double block_error(const struct image *a, const struct image *b)
-{
-    double squares[CHANNELS] = {0}, worst = 0.0;
-    size_t blocks = 0;
-    for (int top = 0; top < a->height; top += BLOCK)
-        for (int left = 0; left < a->width; left += BLOCK, blocks++) {
-            double difference[CHANNELS];
-            block_difference(a, b, left, top, difference);
-            for (int c = 0; c < CHANNELS; c++)
-                squares[c] += difference[c] * difference[c];
-        }
-    for (int c = 0; c < CHANNELS; c++)
-        worst = fmax(worst, squares[c]);
-    return sqrt(worst / (double)blocks);
-}
-
-bool image_compare(const struct image *a, const struct image *b, struct image_difference *result)
-{
-    if (!sizes_agree(a, b))
-        return false;
-    *result = (struct image_difference){0};
-    size_t pixels = (size_t)a->width * (size_t)a->height, clear = 0;
-    for (size_t i = 0; i < pixels; i++) {
-        int largest = largest_of_pixel(a->pixel + CHANNELS * i, b->pixel + CHANNELS * i);
-        result->largest = largest > result->largest ? largest : result->largest;
-        result->differs += largest > 0;
-        clear += largest > 2;
-    }
-    result->f2 = (double)clear / (double)pixels;
-    result->b8 = block_error(a, b);
-    return true;
-}
-
-bool image_same(const struct image_difference *difference)
-{
-    return difference->f2 <= IMAGE_F2_TOLERANCE && difference->b8 <= IMAGE_B8_TOLERANCE;
-}
-
-bool image_difference_picture(const struct image *a, const struct image *b, struct image *result)
-{
-    if (!sizes_agree(a, b) || !image_create(result, a->width, a->height))
-        return false;
-    size_t bytes = row_size(a) * (size_t)a->height;
-    for (size_t i = 0; i < bytes; i++) {
-        int value = 128 + 4 * (b->pixel[i] - a->pixel[i]);
-        result->pixel[i] = (unsigned char)(value < 0 ? 0 : value > 255 ? 255 : value);
-    }
-    return true;
 }

@@ -17,6 +17,7 @@ struct image_difference {
     double b8;      // RMSE of the means of 8x8 blocks, on the worst channel, in [0, 255]
     int largest;    // largest channel difference, for information: silhouettes make it useless
     size_t differs; // pixels that differ at all
+    int x, y;       // middle of the 8x8 block that differs most, pixels, 0,0 bottom left
 };
 
 #define IMAGE_F2_TOLERANCE 0.0005 // 0.05 % of the pixels

@@ -39,11 +39,13 @@ static const char controls[] =
     "  drag               look; M captures and frees the mouse\n"
     "  click              choose a pixel's ray and show its march; again hides it\n"
     "  wheel              focal length; in the slice its zoom\n"
+    "  Tab                perspective or orthographic, where the shader has both\n"
     "  1 2 3 4 5          views: picture, normals, depth, steps, slice\n"
     "  up, down           choose a parameter\n"
     "  left, right        change it, with Shift ten steps; Home resets it\n"
     "  Escape, R          pause and resume; restart the time, with Shift the camera too\n"
-    "  H, P, F11          hide and show the overlay; write a screenshot; full screen\n"
+    "  H, K               hide and show the overlay; all keys and ranges in it\n"
+    "  P, F11             write a screenshot; full screen\n"
     "  Backspace          end\n";
 
 void options_print_help(FILE *file, const char *program, const char *title, const char *shows)

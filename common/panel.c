@@ -1,5 +1,6 @@
 #include "panel.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -11,12 +12,12 @@
 #define GAP     12.0f
 #define LINE    OVERLAY_LINE
 
-static const struct overlay_colour BACKGROUND = {{12, 14, 18, 212}};
+static const struct overlay_colour BACKGROUND = {{10, 12, 16, 192}};
 static const struct overlay_colour BAND = {{255, 255, 255, 38}};
 static const struct overlay_colour RULE = {{255, 255, 255, 46}};
 static const struct overlay_colour BRIGHT = {{250, 250, 250, 255}};
-static const struct overlay_colour PLAIN = {{218, 221, 226, 255}};
-static const struct overlay_colour DIM = {{160, 167, 178, 255}};
+static const struct overlay_colour PLAIN = {{226, 229, 234, 255}};
+static const struct overlay_colour DIM = {{190, 196, 206, 255}};
 static const struct overlay_colour DARK = {{0, 0, 0, 200}};
 
 // Where the next line of a panel goes, in units.
@@ -73,37 +74,72 @@ static void fill_cells(const struct parameter *parameter, char cell[COLUMNS][CEL
     snprintf(cell[3], CELL, "%s", parameter->unit);
 }
 
-static float measure_columns(const struct parameters *parameters, float width[COLUMNS])
+// What the chapter's panel shows, and how wide. There are two forms: the small one lists names and
+// values, and the range and the unit of the chosen parameter alone, so that the picture stays in
+// sight; the whole one has a table with all four columns.
+struct chapter_panel {
+    float column[COLUMNS]; // widths
+    float width;
+    bool whole;
+    int first, rows; // of the parameters, those that there is room for
+    bool cut;        // not all
+    float lines;
+    char status[160], detail[2 * CELL], last[160];
+};
+
+static bool is_chosen(const struct panel *panel, const struct parameter *parameter)
+{
+    return panel->chosen != NULL && strcmp(panel->chosen, parameter->name) == 0;
+}
+
+static void detail_text(const struct parameter *parameter, char *text, size_t size)
 {
     char cell[COLUMNS][CELL];
-    float sum = 0.0f;
+    fill_cells(parameter, cell);
+    snprintf(text, size, "%s %s", cell[2], cell[3]);
+}
+
+// The width of the table of the first columns, or of the widest detail below one of its lines.
+static float measure_table(const struct parameters *parameters, int columns, float width[COLUMNS])
+{
+    char cell[COLUMNS][CELL], detail[2 * CELL];
+    float sum = parameters->count > 0 ? GAP : 0.0f, widest = 0.0f;
+    memset(width, 0, COLUMNS * sizeof *width);
     for (int i = 0; i < parameters->count; i++) {
         fill_cells(&parameters->item[i], cell);
-        for (int k = 0; k < COLUMNS; k++)
+        detail_text(&parameters->item[i], detail, sizeof detail);
+        widest = larger(widest, 2.0f * GAP + overlay_width(detail));
+        for (int k = 0; k < columns; k++)
             width[k] = larger(width[k], overlay_width(cell[k]));
     }
-    for (int k = 0; k < COLUMNS; k++)
+    for (int k = 0; k < columns; k++)
         sum += width[k] + (k > 0 && width[k] > 0.0f ? GAP : 0.0f);
-    return parameters->count > 0 ? sum + GAP : 0.0f;
+    return columns < COLUMNS ? larger(sum, widest) : sum;
 }
 
 // The chosen parameter has a mark and a band, so that no colour has to tell it.
 static void write_parameter(struct pen *pen, const struct parameter *parameter, bool chosen,
-                            const float width[COLUMNS], float whole)
+                            const struct chapter_panel *form)
 {
     static const struct overlay_colour *const colours[COLUMNS] = {&PLAIN, &BRIGHT, &DIM, &DIM};
     char cell[COLUMNS][CELL];
     fill_cells(parameter, cell);
+    bool detailed = chosen && !form->whole;
     if (chosen) {
-        overlay_box(pen->overlay, pen->left - 3.0f, pen->top - 2.0f, whole + 6.0f, LINE, BAND);
+        overlay_box(pen->overlay, pen->left - 3.0f, pen->top - 2.0f, form->width + 6.0f,
+                    detailed ? 2.0f * LINE : LINE, BAND);
         overlay_text(pen->overlay, pen->left, pen->top, ">", BRIGHT);
     }
     float left = pen->left + GAP;
-    for (int k = 0; k < COLUMNS; k++) {
+    for (int k = 0; k < (form->whole ? COLUMNS : 2); k++) {
         overlay_text(pen->overlay, left, pen->top, cell[k], chosen ? BRIGHT : *colours[k]);
-        left += width[k] + (width[k] > 0.0f ? GAP : 0.0f);
+        left += form->column[k] + (form->column[k] > 0.0f ? GAP : 0.0f);
     }
     pen->top += LINE;
+    if (detailed) {
+        overlay_text(pen->overlay, pen->left + 2.0f * GAP, pen->top, form->detail, PLAIN);
+        pen->top += LINE;
+    }
 }
 
 static void status_text(const struct panel *panel, char *text, size_t size)
@@ -116,9 +152,17 @@ static void status_text(const struct panel *panel, char *text, size_t size)
     used = strlen(text);
     if (panel->paused)
         snprintf(text + used, size - used, "    paused");
-    used = strlen(text);
-    if (panel->divisor > 1)
-        snprintf(text + used, size - used, "    1/%d resolution while moving", panel->divisor);
+}
+
+// The last line: that the picture is coarse, or what to press.
+static void last_text(const struct panel *panel, char *text, size_t size)
+{
+    if (panel->divisor > 1 && panel->sharp == 0)
+        snprintf(text, size, "1/%d resolution while moving", panel->divisor);
+    else if (panel->divisor > 1 && panel->sharp < 100)
+        snprintf(text, size, "1/%d resolution; sharpening: %d %%", panel->divisor, panel->sharp);
+    else
+        snprintf(text, size, "%s", panel->hint != NULL ? panel->hint : "");
 }
 
 // The first of the parameters to show where there is room for a number of them: the chosen one
@@ -132,34 +176,60 @@ static int first_shown(const struct panel *panel, int room)
     return index < room ? 0 : index - room + 1;
 }
 
-// The parameters that fit above bottom; where some do not, a line says which these are.
-static void write_chapter(const struct panel *panel, struct overlay *overlay, float bottom)
+// Lay the panel out.
+//   limit   width of the text at most, where the small form can keep it
+//   bottom  of the panel at most
+static void lay_chapter(const struct panel *panel, float limit, float bottom,
+                        struct chapter_panel *form)
 {
     const struct parameters *parameters = &panel->renderer->parameters;
-    char status[160], part[64];
-    float width[COLUMNS] = {0};
-    status_text(panel, status, sizeof status);
-    float table = measure_columns(parameters, width);
-    float whole = larger(larger(overlay_width(panel->title), overlay_width(status)), table);
-    int room = (int)((bottom - MARGIN - 2.0f * PADDING + 2.0f) / LINE - 2.5f);
-    bool cut = parameters->count > room;
-    room = cut ? (room > 1 ? room - 1 : 0) : parameters->count;
-    float lines = 2.0f + (float)room + (cut ? 1.0f : 0.0f) + (parameters->count > 0 ? 0.5f : 0.0f);
-    struct pen pen = open_panel(overlay, MARGIN, MARGIN, whole, LINE * lines - 2.0f);
+    const struct parameter *chosen =
+        panel->chosen != NULL ? parameters_find(parameters, panel->chosen) : NULL;
+    *form = (struct chapter_panel){.rows = parameters->count};
+    status_text(panel, form->status, sizeof form->status);
+    last_text(panel, form->last, sizeof form->last);
+    if (chosen != NULL)
+        detail_text(chosen, form->detail, sizeof form->detail);
+    float table = measure_table(parameters, COLUMNS, form->column);
+    form->whole = chosen == NULL || (panel->whole && table <= limit);
+    if (!form->whole)
+        table = measure_table(parameters, 2, form->column);
+    // In steps, so that a panel does not tremble with its numbers.
+    float texts = larger(overlay_width(form->status), overlay_width(form->last));
+    texts = 20.0f * ceilf(larger(overlay_width(panel->title), texts) / 20.0f);
+    form->width = larger(texts, table);
+    form->lines = 2.0f + (parameters->count > 0 ? 0.5f : 0.0f) + (form->whole ? 0.0f : 1.0f) +
+                  (form->last[0] != '\0' ? 1.5f : 0.0f);
+    int room = (int)((bottom - MARGIN - 2.0f * PADDING + 2.0f) / LINE - form->lines);
+    form->cut = parameters->count > room;
+    if (form->cut)
+        form->rows = room > 1 ? room - 1 : 0;
+    if (form->rows == 0 && !form->whole)
+        form->lines -= 1.0f;
+    form->lines += (float)form->rows + (form->cut ? 1.0f : 0.0f);
+    form->first = first_shown(panel, form->rows);
+}
+
+static void write_chapter(const struct panel *panel, struct overlay *overlay,
+                          const struct chapter_panel *form)
+{
+    const struct parameters *parameters = &panel->renderer->parameters;
+    struct pen pen = open_panel(overlay, MARGIN, MARGIN, form->width, LINE * form->lines - 2.0f);
     write_line(&pen, panel->title, BRIGHT);
-    write_line(&pen, status, PLAIN);
+    write_line(&pen, form->status, PLAIN);
     if (parameters->count > 0)
-        rule(&pen, whole);
-    int first = first_shown(panel, room);
-    for (int i = first; i < first + room; i++) {
-        const struct parameter *parameter = &parameters->item[i];
-        bool chosen = panel->chosen != NULL && strcmp(panel->chosen, parameter->name) == 0;
-        write_parameter(&pen, parameter, chosen, width, whole);
-    }
-    snprintf(part, sizeof part, "%d to %d of %d", room > 0 ? first + 1 : 0, first + room,
-             parameters->count);
-    if (cut)
+        rule(&pen, form->width);
+    for (int i = form->first; i < form->first + form->rows; i++)
+        write_parameter(&pen, &parameters->item[i], is_chosen(panel, &parameters->item[i]), form);
+    char part[64];
+    snprintf(part, sizeof part, "%d to %d of %d", form->rows > 0 ? form->first + 1 : 0,
+             form->first + form->rows, parameters->count);
+    if (form->cut)
         write_line(&pen, part, DIM);
+    if (form->last[0] != '\0') {
+        rule(&pen, form->width);
+        write_line(&pen, form->last, DIM);
+    }
 }
 
 // ---- Keys ----
@@ -304,20 +374,26 @@ static void write_outcome(struct pen *pen, const struct renderer_probe *probe)
     write_line(pen, text, PLAIN);
 }
 
+static float march_left(const struct overlay *overlay)
+{
+    return picture_width(overlay) - MARGIN - INSPECTOR_WIDTH - 2.0f * PADDING;
+}
+
 static void write_march(const struct panel *panel, struct overlay *overlay, float bottom)
 {
     const struct renderer_probe *probe = panel->probe;
-    float left = picture_width(overlay) - MARGIN - INSPECTOR_WIDTH - 2.0f * PADDING;
     // Heading, titles, three lines of the outcome, two rules.
     int most = (int)((bottom - MARGIN - 2.0f * PADDING) / LINE) - 6;
     int rows = probe_rows(probe) < most ? probe_rows(probe) : most;
+    if (rows < 1 && probe_rows(probe) > 0)
+        return; // the keys take all the room
     rows = rows < 0 ? 0 : rows;
     char heading[80];
     snprintf(heading, sizeof heading, "%s %d, %d",
              rows < probe_rows(probe) ? "last steps of pixel" : "ray of pixel", panel->pixel[0],
              panel->pixel[1]);
-    struct pen pen =
-        open_panel(overlay, left, MARGIN, INSPECTOR_WIDTH, LINE * ((float)rows + 6.0f) - 2.0f);
+    struct pen pen = open_panel(overlay, march_left(overlay), MARGIN, INSPECTOR_WIDTH,
+                                LINE * ((float)rows + 6.0f) - 2.0f);
     write_line(&pen, heading, BRIGHT);
     rule(&pen, INSPECTOR_WIDTH);
     write_steps(&pen, probe, rows);
@@ -342,15 +418,26 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
                   float scale)
 {
     overlay_begin(overlay, width, height, scale);
-    float bottom = write_keys(panel, overlay);
-    bottom = write_error(panel, overlay, bottom);
-    if (!panel->folded)
-        write_chapter(panel, overlay, bottom);
-    if (panel->pixel[0] >= 0 && panel->probe != NULL)
+    bool marched = panel->pixel[0] >= 0 && panel->probe != NULL;
+    bool refused = panel->pixel[0] >= 0 && !marched && panel->why != NULL;
+    float bottom = write_error(panel, overlay, write_keys(panel, overlay));
+    float right = picture_width(overlay) - MARGIN;
+    if (marched)
+        right = march_left(overlay) - MARGIN;
+    else if (refused)
+        right -= WHY_WIDTH + 2.0f * PADDING + MARGIN;
+    struct chapter_panel form;
+    float room = right - MARGIN - 2.0f * PADDING;
+    lay_chapter(panel, room, bottom, &form);
+    // Where there is no room for both, the ray that was asked for is what is shown.
+    if (!panel->folded && (form.width <= room || !(marched || refused)))
+        write_chapter(panel, overlay, &form);
+    bool slice = panel->renderer->view == SHADER_SLICE;
+    if (marched && !(slice && panel->folded))
         write_march(panel, overlay, bottom);
-    else if (panel->pixel[0] >= 0 && panel->why != NULL)
+    else if (refused)
         write_why(panel, overlay);
     // The slice is another picture, in which the pixel is nowhere.
-    if (panel->pixel[0] >= 0 && panel->renderer->view != SHADER_SLICE)
+    if (panel->pixel[0] >= 0 && !slice)
         write_cross(panel, overlay);
 }

@@ -150,7 +150,8 @@ void parameters_keep(const struct parameters *new_ones, const struct parameters 
         if (from == NULL || from->type != to->type || from->components != to->components)
             continue;
         for (int k = 0; k < to->components; k++)
-            to->value[k] = clamp(from->value[k], to->minimum, to->maximum);
+            if (to->initial[k] == from->initial[k])
+                to->value[k] = clamp(from->value[k], to->minimum, to->maximum);
     }
 }
 

@@ -62,7 +62,8 @@ struct parameter *parameters_find(const struct parameters *parameters, const cha
 bool parameters_assign(const struct parameters *parameters, const char *assignment);
 
 // Copy the values of old into those of new that have the same name, type and number of components,
-// clamped to the new range: what a reload keeps.
+// clamped to the new range: what a reload keeps. A component whose value the file has changed takes
+// that one: who edits a number wants to see it.
 void parameters_keep(const struct parameters *new_ones, const struct parameters *old_ones);
 
 // Change every component by a number of key presses, stopping at the range; a bool toggles.

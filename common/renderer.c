@@ -23,8 +23,8 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
     if (!shader_read(&renderer->vertex, path, root))
         return false;
     gl->GenVertexArrays(1, &renderer->vertex_array);
-    struct renderer_target *targets[] = {&renderer->picture, &renderer->table};
-    for (int i = 0; i < 2; i++) {
+    struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table};
+    for (int i = 0; i < 3; i++) {
         gl->GenFramebuffers(1, &targets[i]->framebuffer);
         gl->GenTextures(1, &targets[i]->texture);
     }
@@ -45,8 +45,8 @@ void renderer_close(struct renderer *renderer)
     if (renderer->gl == NULL)
         return;
     forget_programs(renderer);
-    struct renderer_target *targets[] = {&renderer->picture, &renderer->table};
-    for (int i = 0; i < 2; i++) {
+    struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table};
+    for (int i = 0; i < 3; i++) {
         renderer->gl->DeleteTextures(1, &targets[i]->texture);
         renderer->gl->DeleteFramebuffers(1, &targets[i]->framebuffer);
     }
@@ -185,6 +185,7 @@ static GLuint use_program(struct renderer *renderer, const struct renderer_input
     set_vector(renderer, program, "iCameraUp", basis.up);
     set_vector(renderer, program, "iCameraForward", basis.forward);
     gl->Uniform1f(place(renderer, program, "focalLength"), renderer->focal_length);
+    gl->Uniform1f(place(renderer, program, "iOrthoView"), (float)renderer->orthographic);
     for (int i = 0; i < renderer->parameters.count; i++)
         set_parameter(renderer, program, &renderer->parameters.item[i]);
     gl->BindVertexArray(renderer->vertex_array);
@@ -264,21 +265,28 @@ static void set_march(const struct renderer *renderer, GLuint program, const str
     gl->Uniform1i(place(renderer, program, "iSliceDecimals"), frame->digits[1]);
 }
 
-bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
-                   int rows)
+// The part of a picture that one call draws.
+struct part {
+    struct renderer_target *target;
+    int bottom, height; // the rows of the picture that the target holds
+    int from, to;       // the rows of the target to draw
+};
+
+static bool draw_part(struct renderer *renderer, const struct renderer_inputs *inputs,
+                      const struct part *part)
 {
     const struct gl *gl = renderer->gl;
     struct march march = {0};
     bool slice = renderer->view == SHADER_SLICE;
     if ((slice && !march_for_slice(renderer, inputs, &march)) ||
-        !bind_target(renderer, &renderer->picture, inputs->width, rows))
+        !bind_target(renderer, part->target, inputs->width, part->height))
         return false;
     GLuint program = use_program(renderer, inputs, renderer->view);
     if (slice)
         set_march(renderer, program, &march);
     // The viewport is the whole picture, of which the target holds a part: so the triangle is set
     // up in the same way whatever the part.
-    gl->Viewport(0, -bottom, inputs->width, inputs->height);
+    gl->Viewport(0, -part->bottom, inputs->width, inputs->height);
     gl->Enable(GL_SCISSOR_TEST);
     float share = 1.0f / (float)(inputs->samples * inputs->samples);
     if (inputs->samples > 1) {
@@ -287,17 +295,31 @@ bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inpu
         gl->BlendFunc(GL_CONSTANT_COLOR, GL_ONE);
         gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     }
-    for (int y = 0; y < rows; y += TILE)
+    for (int y = part->from; y < part->to; y += TILE)
         for (int x = 0; x < inputs->width; x += TILE) {
-            gl->Scissor(x, y, TILE, TILE);
+            gl->Scissor(x, y, TILE, part->to - y < TILE ? part->to - y : TILE);
             if (inputs->samples > 1)
                 gl->Clear(GL_COLOR_BUFFER_BIT);
-            draw_samples(renderer, program, inputs->samples, bottom);
+            draw_samples(renderer, program, inputs->samples, part->bottom);
             gl->Flush();
         }
     gl->Disable(GL_BLEND);
     gl->Disable(GL_SCISSOR_TEST);
     return true;
+}
+
+bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
+                   int rows)
+{
+    struct part part = {&renderer->picture, bottom, rows, 0, rows};
+    return draw_part(renderer, inputs, &part);
+}
+
+bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
+                      int rows)
+{
+    struct part part = {&renderer->sharp, 0, inputs->height, from, from + rows};
+    return draw_part(renderer, inputs, &part);
 }
 
 void renderer_present(struct renderer *renderer, int framebuffer_width, int framebuffer_height)
@@ -307,6 +329,16 @@ void renderer_present(struct renderer *renderer, int framebuffer_width, int fram
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
     gl->BlitFramebuffer(0, 0, renderer->picture.width, renderer->picture.height, 0, 0,
                         framebuffer_width, framebuffer_height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void renderer_present_sharp(struct renderer *renderer, int from, int rows)
+{
+    const struct gl *gl = renderer->gl;
+    int width = renderer->sharp.width;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->sharp.framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl->BlitFramebuffer(0, from, width, from + rows, 0, from, width, from + rows,
+                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 static void read_target(const struct renderer *renderer, const struct renderer_target *target,
@@ -321,6 +353,11 @@ static void read_target(const struct renderer *renderer, const struct renderer_t
 void renderer_read(struct renderer *renderer, float *values)
 {
     read_target(renderer, &renderer->picture, values);
+}
+
+void renderer_read_sharp(struct renderer *renderer, float *values)
+{
+    read_target(renderer, &renderer->sharp, values);
 }
 
 // A NaN becomes 0: the comparison is false for it.
@@ -388,6 +425,13 @@ static void unpack_probe(const float *values, struct renderer_probe *probe)
         probe->step[k].distance = row[0][k][1];
         memcpy(probe->step[k].position, row[1][k], sizeof probe->step[k].position);
     }
+}
+
+void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[2],
+                       const int window[2], int pixel[2])
+{
+    pixel[0] = (int)floor(place[0] * inputs->width / window[0]);
+    pixel[1] = inputs->height - 1 - (int)floor(place[1] * inputs->height / window[1]);
 }
 
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,

@@ -45,9 +45,11 @@ struct renderer {
     struct parameters parameters;  // of that one
     enum shader_view view;
     float focal_length;                   // for shaders that declare no focalLength of their own
+    double orthographic;                  // OrthoView of whole files: 0 perspective, 1 orthographic
     GLuint program[SHADER_PROGRAM_COUNT]; // by view, compiled when first asked for
     GLuint vertex_array;
     struct renderer_target picture;
+    struct renderer_target sharp;  // a window's picture that is drawn in several frames
     struct renderer_target table;  // of a probe, one column a step: the slice view reads it
     const struct overlay *overlay; // drawn over every written picture, not owned; NULL: none
 };
@@ -77,7 +79,7 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
 void renderer_close(struct renderer *renderer);
 
 // Read, expand, compile and link a shader file, and read its parameters. Parameters that it shares
-// with the shader before keep their values.
+// with the shader before keep their values, as parameters_keep says.
 // Returns false, reported; then the renderer is as it was and still draws the last good shader.
 bool renderer_load(struct renderer *renderer, const char *path);
 
@@ -91,8 +93,17 @@ bool renderer_set_view(struct renderer *renderer, enum shader_view view);
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows);
 
+// Draw rows [from, from + rows) of the picture into a target of its own, which keeps the other rows
+// as long as the picture's size stays. Rows drawn in parts are those of renderer_draw, to the bit.
+// Returns false, reported.
+bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
+                      int rows);
+
 // Copy what renderer_draw drew into the framebuffer of the window, scaled to its size.
 void renderer_present(struct renderer *renderer, int framebuffer_width, int framebuffer_height);
+
+// Copy rows [from, from + rows) of what renderer_sharpen drew, pixel by pixel.
+void renderer_present_sharp(struct renderer *renderer, int from, int rows);
 
 // Draw a whole picture, with the overlay where there is one, and read it back: value v becomes
 // floor(255 clamp(v, 0, 1) + 0.5).
@@ -104,6 +115,17 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
 // first.
 //   values   room for 4 * width * rows floats, the caller's
 void renderer_read(struct renderer *renderer, float *values);
+
+// The same of renderer_sharpen: 4 * width * height floats.
+void renderer_read_sharp(struct renderer *renderer, float *values);
+
+// The pixel below a place in a window, also where a high-density display has several pixels to one
+// of the window's units.
+//   place   from the window's top left, y down, in the window's units
+//   window  width and height in these units, at least 1
+//   pixel   takes the place in the picture, 0,0 bottom left
+void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[2],
+                       const int window[2], int pixel[2]);
 
 // March the ray of pixel (x, y), 0,0 bottom left, and bring back every step.
 // Returns false, reported: the shader has no trace, the driver failed.

@@ -43,7 +43,10 @@ struct slice_frame slice_frame_of(const struct renderer_probe *probe, int width,
         const struct renderer_step *nearest = nearest_step(probe, steps);
         double last = (double)probe->step[steps - 1].t;
         centre = (double)nearest->t;
-        if (probe->end == RENDERER_PASSED)
+        // A ray that only leaves is shown whole: a shadow ray, or one into the sky.
+        if (probe->end == RENDERER_PASSED && nearest == &probe->step[0])
+            end = 1.05 * last;
+        else if (probe->end == RENDERER_PASSED)
             end = fmin(last, 1.5 * centre + 2.0 * fabs((double)nearest->distance));
         else
             end = last * (1.0 + BEYOND);

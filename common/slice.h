@@ -17,7 +17,8 @@ struct slice_frame {
 };
 
 // Frame a march: from behind the eye to a little past its end. A ray that passed the far limit is
-// shown to a little past the place where the scene was nearest.
+// shown to a little past the place where the scene was nearest, or to its last step where that is
+// the eye.
 //   zoom  1: as above; z: z times as large about that place; 0 counts as 1
 struct slice_frame slice_frame_of(const struct renderer_probe *probe, int width, int height,
                                   float zoom);

@@ -35,6 +35,7 @@ static void reload(struct window *window)
     snprintf(window->error, sizeof window->error, "%s", loaded ? "" : report_last());
     window->why[0] = '\0';
     window->dirty = true;
+    window->stale |= loaded;
     window->retitle_at = 0.0;
     if (loaded) {
         const struct shader_source *good = &renderer->fragment;
@@ -58,7 +59,7 @@ static bool take_size(struct window *window)
         return false;
     }
     if (width != window->inputs.width || height != window->inputs.height)
-        window->dirty = true;
+        window->stale = true;
     window->inputs.width = width;
     window->inputs.height = height;
     return true;
@@ -88,20 +89,19 @@ static bool turn(struct window *window)
         window->inputs.time += now - window->turn;
         window->moved |= window_uses_time(window);
     }
+    window->moved |= window_pass(window, now - window->turn);
     window->turn = now;
     window_obey(window);
-    window->dirty |= window->moved || (window->divisor > 1 && now >= window->rest_at);
+    window->stale |= window->moved;
     if (now >= window->look_at) {
         window->look_at = now + LOOK_SECONDS;
         if (watch_look(&window->watch))
             reload(window);
     }
-    bool drawing = visible && window->dirty;
+    bool drawing = visible && (window->dirty || window->stale || window_sharpens(window, now));
     if (drawing && !window_draw(window, now))
         return false;
     window->drew = drawing;
-    if (drawing)
-        window->dirty = false;
     if (now >= window->retitle_at) {
         window->retitle_at = now + TITLE_SECONDS;
         window_retitle(window);
@@ -145,7 +145,7 @@ bool window_run(struct context *context, struct renderer *renderer, const struct
                    .pixel = {-1, -1},
                    .zoom = 1.0f},
         .probe = malloc(sizeof(struct renderer_probe)),
-        .dirty = true,
+        .stale = true,
     };
     if (window.probe == NULL)
         report("window: not enough memory");

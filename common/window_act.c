@@ -13,6 +13,7 @@
 #define ZOOM            1.1   // focal length or slice, for each notch of the wheel
 #define FOCAL_MINIMUM   0.2   // of a shader that declares no focalLength
 #define FOCAL_MAXIMUM   10.0
+#define PASSAGE         0.5 // seconds from one projection to the other
 #define LAST_SCREENSHOT 9999
 
 struct parameter *window_chosen(const struct window *window)
@@ -39,13 +40,60 @@ static void zoom(struct window *window, double notches)
         *own = (float)fmin(fmax((double)*own * factor, FOCAL_MINIMUM), FOCAL_MAXIMUM);
 }
 
+// What Tab drives, and between which ends; NULL where there is nothing.
+static double *orthographic_of(struct window *window, double end[2])
+{
+    struct renderer *renderer = window->renderer;
+    struct parameter *parameter = parameters_find(&renderer->parameters, "orthographic");
+    end[0] = parameter != NULL ? parameter->minimum : 0.0;
+    end[1] = parameter != NULL ? parameter->maximum : 1.0;
+    if (parameter != NULL)
+        return &parameter->value[0];
+    // The linker keeps only what is used: the uniform is there where OrthoView is read.
+    GLuint program = renderer->program[renderer->view];
+    bool read = renderer->gl->GetUniformLocation(program, "iOrthoView") >= 0;
+    return read ? &renderer->orthographic : NULL;
+}
+
+bool window_has_orthographic(struct window *window)
+{
+    double end[2];
+    return orthographic_of(window, end) != NULL;
+}
+
+// Towards the farther end; pressed again on the way, back.
 static void toggle_orthographic(struct window *window)
 {
-    struct parameter *parameter = parameters_find(&window->renderer->parameters, "orthographic");
-    if (parameter == NULL)
+    double end[2];
+    const double *value = orthographic_of(window, end);
+    if (value == NULL)
         return;
-    double middle = 0.5 * (parameter->minimum + parameter->maximum);
-    parameter->value[0] = parameter->value[0] > middle ? parameter->minimum : parameter->maximum;
+    double from = window->passing ? window->towards : *value;
+    window->towards = from > 0.5 * (end[0] + end[1]) ? end[0] : end[1];
+    window->passing = true;
+}
+
+// A switch has no values between its ends.
+static bool is_switch(const struct parameter *parameter)
+{
+    return parameter != NULL && parameter->type != PARAMETER_FLOAT;
+}
+
+bool window_pass(struct window *window, double seconds)
+{
+    double end[2];
+    double *value = window->passing ? orthographic_of(window, end) : NULL;
+    window->passing = value != NULL;
+    if (value == NULL)
+        return false;
+    double left = window->towards - *value;
+    double step = seconds / PASSAGE * (end[1] - end[0]);
+    bool arrived = fabs(left) <= step ||
+                   is_switch(parameters_find(&window->renderer->parameters, "orthographic"));
+    *value = arrived ? window->towards : *value + copysign(step, left);
+    window->passing = !arrived;
+    window->retitle_at = 0.0;
+    return true;
 }
 
 static void choose(struct window *window, int by)
@@ -77,6 +125,8 @@ static void save_screenshot(struct window *window)
         fflush(stdout);
     }
     image_free(&image);
+    // The screenshot was drawn where the picture on the screen was; a sharpened one is elsewhere.
+    window->stale |= window->sharp < window->whole.height;
 }
 
 // A view that the shader has not is refused where the eyes are: in the overlay.
@@ -123,9 +173,27 @@ static void toggle_full_screen(struct window *window)
     glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+// True when the action changes the picture; others change the overlay or the window alone.
+static bool changes_picture(enum window_action action)
+{
+    switch (action) {
+    case WINDOW_PAUSE: // time went on until now
+    case WINDOW_RESTART:
+    case WINDOW_BEGIN:
+    case WINDOW_ORTHOGRAPHIC:
+    case WINDOW_CHANGE:
+    case WINDOW_RESET:
+    case WINDOW_VIEW:
+        return true;
+    default:
+        return false;
+    }
+}
+
 static void act(struct window *window, struct window_event event)
 {
     struct parameter *parameter = window_chosen(window);
+    window->stale |= changes_picture(event.action);
     switch (event.action) {
     case WINDOW_END:
         glfwSetWindowShouldClose(window->handle, GLFW_TRUE);
@@ -153,16 +221,21 @@ static void act(struct window *window, struct window_event event)
         choose(window, event.amount);
         break;
     case WINDOW_CHANGE:
+        window->passing = false;
         if (parameter != NULL)
             parameter_change(parameter, event.amount);
         window->moved = true;
         break;
     case WINDOW_RESET:
+        window->passing = false;
         if (parameter != NULL)
             parameter_reset(parameter);
         break;
     case WINDOW_FOLD:
         window->folded = !window->folded;
+        break;
+    case WINDOW_HELP:
+        window->helps = !window->helps;
         break;
     case WINDOW_VIEW:
         show_view(window, (enum shader_view)event.amount);
@@ -171,21 +244,21 @@ static void act(struct window *window, struct window_event event)
 }
 
 // A click chooses the pixel's ray, and again lets it go.
-//   place  in window coordinates from the top left; on a high-density display one of them holds
-//          several pixels
+//   place  in the window's units from its top left
 static void look_at_ray(struct window *window, const double place[2])
 {
-    int *pixel = window->inputs.pixel, width = 0, height = 0;
-    glfwGetWindowSize(window->handle, &width, &height);
-    if (width < 1 || height < 1)
+    int *pixel = window->inputs.pixel, size[2] = {0, 0}, at[2];
+    glfwGetWindowSize(window->handle, &size[0], &size[1]);
+    if (size[0] < 1 || size[1] < 1)
         return;
-    int x = (int)floor(place[0] * window->inputs.width / width);
-    int y = window->inputs.height - 1 - (int)floor(place[1] * window->inputs.height / height);
-    bool same = x == pixel[0] && y == pixel[1];
-    pixel[0] = same ? -1 : x;
-    pixel[1] = same ? -1 : y;
+    renderer_pixel_at(&window->inputs, place, size, at);
+    bool same = at[0] == pixel[0] && at[1] == pixel[1];
+    for (int i = 0; i < 2; i++)
+        pixel[i] = same ? -1 : at[i];
     window->why[0] = '\0';
     window->tell = !same;
+    window->follow = true;
+    window->stale |= window->renderer->view == SHADER_SLICE;
 }
 
 void window_obey(struct window *window)

@@ -9,12 +9,14 @@
 #include "report.h"
 
 #define FIGURES_SECONDS 0.25 // between two changes of the overlay's rate
-#define SLOW_SECONDS    0.1  // a frame may take while something moves
-#define FINER_SECONDS   0.08 // below this a finer one is tried: without a gap the two would alternate
+#define SLOW_SECONDS                                                                               \
+    0.08 // a picture may take: 10 frames a second with what a frame needs beside it
+#define FINER_SECONDS 0.06 // below this a finer one is tried: without a gap the two would alternate
 #define REST_SECONDS                                                                               \
     0.3 // without motion until the picture sharpens: longer than between two
         // repeats of a held key
-#define DIVISOR_LIMIT 4
+#define DIVISOR_LIMIT 8
+#define BAND_SECONDS  0.05 // of sharpening between two looks at what the hands do
 
 void window_retitle(struct window *window)
 {
@@ -34,16 +36,22 @@ void window_retitle(struct window *window)
     memcpy(window->shown, text, sizeof text);
 }
 
-bool window_uses_time(const struct window *window)
+// The linker keeps only what is used.
+static bool program_uses_time(const struct window *window, GLuint program)
 {
-    // The linker keeps only what is used.
     static const char *const names[] = {"iTime", "iTimeDelta", "iFrame", "iFrameRate", "iDate"};
-    const struct renderer *renderer = window->renderer;
-    GLuint program = renderer->program[renderer->view];
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-        if (renderer->gl->GetUniformLocation(program, names[i]) >= 0)
+    for (size_t i = 0; i < sizeof names / sizeof *names && program != 0; i++)
+        if (window->renderer->gl->GetUniformLocation(program, names[i]) >= 0)
             return true;
     return false;
+}
+
+bool window_uses_time(const struct window *window)
+{
+    const struct renderer *renderer = window->renderer;
+    bool marches = window->inputs.pixel[0] >= 0 || renderer->view == SHADER_SLICE;
+    return program_uses_time(window, renderer->program[renderer->view]) ||
+           (marches && program_uses_time(window, renderer->program[SHADER_PROBE]));
 }
 
 // ---- Keys ----
@@ -53,7 +61,9 @@ static void label_of(int key, char label[8])
 {
     const char *name = glfwGetKeyName(key, 0);
     bool plain = name != NULL && name[0] > ' ' && name[0] <= '~' && name[1] == '\0';
-    snprintf(label, 8, "%c", plain ? toupper((unsigned char)name[0]) : key);
+    char letter = (char)(plain ? toupper((unsigned char)name[0]) : key);
+    snprintf(label, 8, isalnum((unsigned char)letter) ? "%c" : "\"%c\"",
+             letter); // a comma is easily missed
 }
 
 static void add_key(struct window *window, const char *does, const char *label)
@@ -96,14 +106,19 @@ static void name_keys(struct window *window)
         add_key(window, "change", "left right");
         add_key(window, "reset", "Home");
     }
-    if (parameters_find(parameters, "orthographic") != NULL)
+    if (window_has_orthographic(window))
         add_key(window, "orthographic", "Tab");
     add_key(window, "pause", "Esc");
     add_letter(window, "restart", GLFW_KEY_R);
     add_letter(window, "screenshot", GLFW_KEY_P);
-    add_letter(window, "hide this", GLFW_KEY_H);
+    add_letter(window, "hide all", GLFW_KEY_H);
+    add_letter(window, "fewer", GLFW_KEY_K);
     add_key(window, "full screen", "F11");
     add_key(window, "end", "Backspace");
+    label_of(GLFW_KEY_K, l[0]);
+    label_of(GLFW_KEY_H, l[1]);
+    snprintf(window->hint, sizeof window->hint, "%s: %s    %s: hide", l[0],
+             window->helps ? "fewer" : "keys, ranges", l[1]);
 }
 
 // ---- Overlay ----
@@ -143,10 +158,13 @@ static void gather(struct window *window)
         .rate = window->figures[0],
         .milliseconds = window->figures[1],
         .divisor = window->divisor,
+        .sharp = window->whole.height > 0 ? 100 * window->sharp / window->whole.height : 0,
         .paused = window->paused,
         .folded = window->folded,
+        .whole = window->helps,
+        .hint = window->hint,
         .keys = window->keys,
-        .key_count = window->key_count,
+        .key_count = window->helps ? window->key_count : 0,
         .pixel = {inputs->pixel[0], inputs->pixel[1]},
         .probe = window->why[0] == '\0' ? window->probe : NULL,
         .why = window->why,
@@ -160,13 +178,11 @@ static void gather(struct window *window)
 
 // ---- A frame ----
 
-// While something moves, the finest resolution whose frame is quick enough.
-static int divisor_for(const struct window *window, double now)
+// The finest resolution whose frame is quick enough.
+static int divisor_for(const struct window *window)
 {
     int divisor = window->divisor > 1 ? window->divisor : 1;
-    double cost = window->cost;
-    if (now >= window->rest_at)
-        return 1;
+    double cost = window->cost * window->inputs.width * window->inputs.height;
     while (divisor < DIVISOR_LIMIT && cost / (divisor * divisor) > SLOW_SECONDS)
         divisor++;
     while (divisor > 1 && cost / ((divisor - 1) * (divisor - 1)) < FINER_SECONDS)
@@ -174,15 +190,9 @@ static int divisor_for(const struct window *window, double now)
     return divisor;
 }
 
-// Draw the picture at the resolution that is due, and learn what a sharp one costs. The first frame
-// of a program tells nothing of it: drivers finish compiling while they draw it.
-static bool draw_picture(struct window *window, double now)
+static bool draw_at(struct window *window, int divisor)
 {
-    struct renderer *renderer = window->renderer;
     struct renderer_inputs inputs = window->inputs;
-    if (window->moved)
-        window->rest_at = now + REST_SECONDS;
-    int divisor = window->divisor = divisor_for(window, now);
     inputs.width = (inputs.width + divisor - 1) / divisor;
     inputs.height = (inputs.height + divisor - 1) / divisor;
     for (int i = 0; i < 2 && inputs.pixel[0] >= 0; i++)
@@ -190,16 +200,88 @@ static bool draw_picture(struct window *window, double now)
     for (int i = 0; i < 4; i++)
         inputs.mouse[i] /= (float)divisor;
     double begin = glfwGetTime();
-    if (!renderer_draw(renderer, &inputs, 0, inputs.height))
+    if (!renderer_draw(window->renderer, &inputs, 0, inputs.height))
         return false;
-    renderer->gl->Finish();
+    window->renderer->gl->Finish();
     window->seconds = glfwGetTime() - begin;
-    GLuint program = renderer->program[renderer->view];
-    if (program == window->measured)
-        window->cost = window->seconds * divisor * divisor;
-    window->measured = program;
-    renderer_present(renderer, window->inputs.width, window->inputs.height);
+    window->cost = window->seconds / ((double)inputs.width * inputs.height);
     return true;
+}
+
+// Learn what a pixel of a new program costs by a small picture that nobody sees, so that a heavy
+// one never holds the window up. Drivers finish compiling in the first. What each draw costs beside
+// its pixels counts much in so small a one: hence the half. A slice costs little in any scene.
+static bool try_program(struct window *window)
+{
+    const struct renderer *renderer = window->renderer;
+    GLuint program = renderer->program[renderer->view];
+    if (program == window->tried)
+        return true;
+    window->tried = program;
+    if (renderer->view == SHADER_SLICE) {
+        window->cost = 0.0;
+        return true;
+    }
+    if (!draw_at(window, DIVISOR_LIMIT) || !draw_at(window, DIVISOR_LIMIT))
+        return false;
+    window->cost *= 0.5;
+    return true;
+}
+
+// Draw the picture at the resolution that is due.
+static bool draw_picture(struct window *window, double now)
+{
+    if (window->moved)
+        window->rest_at = now + REST_SECONDS;
+    if (!try_program(window))
+        return false;
+    window->divisor = divisor_for(window);
+    if (!draw_at(window, window->divisor))
+        return false;
+    window->whole = window->inputs;
+    window->sharp = 0;
+    window->sharp_seconds = 0.0;
+    window->band = (int)fmin(BAND_SECONDS / (window->cost * window->whole.width + 1e-9), 64.0) + 1;
+    window->inputs.frame++;
+    return true;
+}
+
+bool window_sharpens(const struct window *window, double now)
+{
+    return window->divisor > 1 && window->sharp < window->whole.height && now >= window->rest_at;
+}
+
+// Draw a few more rows of the sharp picture, from the top down: so many that what the hands do is
+// never left waiting.
+static bool sharpen(struct window *window)
+{
+    const struct renderer_inputs *whole = &window->whole;
+    int left = whole->height - window->sharp;
+    int rows = window->band < left ? window->band : left;
+    double begin = glfwGetTime();
+    if (!renderer_sharpen(window->renderer, whole, left - rows, rows))
+        return false;
+    window->renderer->gl->Finish();
+    double seconds = glfwGetTime() - begin;
+    window->sharp += rows;
+    window->sharp_seconds += seconds;
+    window->band = (int)fmin(rows * fmin(BAND_SECONDS / (seconds + 1e-9), 2.0), 4096.0) + 1;
+    if (window->sharp < whole->height)
+        return true;
+    window->seconds = window->sharp_seconds;
+    window->cost = window->seconds / ((double)whole->width * whole->height);
+    return true;
+}
+
+// Show what there is: the picture, and over it what is sharp already.
+static void present(const struct window *window)
+{
+    struct renderer *renderer = window->renderer;
+    int height = window->whole.height, sharp = window->sharp;
+    if (sharp < height)
+        renderer_present(renderer, window->whole.width, height);
+    if (sharp > 0)
+        renderer_present_sharp(renderer, height - sharp, sharp);
 }
 
 // The rate of frames that follow each other; while nothing changes none is drawn.
@@ -209,7 +291,6 @@ static void count(struct window *window, double now)
     if (seconds > 0.0)
         window->rate += (window->rate > 0.0 ? 0.1 : 1.0) * (1.0 / seconds - window->rate);
     window->frame = now;
-    window->inputs.frame++;
     if (now < window->figures_at)
         return;
     window->figures_at = now + FIGURES_SECONDS;
@@ -221,12 +302,17 @@ bool window_draw(struct window *window, double now)
 {
     struct renderer_inputs *inputs = &window->inputs;
     const struct gl *gl = window->renderer->gl;
+    bool draws = window->stale;
     inputs->time_delta = inputs->frame > 0 && !window->paused ? now - window->frame : 0.0;
     window_tell_date(window);
-    if (!draw_picture(window, now))
+    if (draws && !draw_picture(window, now))
         return false;
-    follow_ray(window);
+    if (!draws && window_sharpens(window, now) && !sharpen(window))
+        return false;
+    if (draws || window->follow)
+        follow_ray(window);
     gather(window);
+    present(window);
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     overlay_draw(&window->overlay, 0);
     GLenum error = gl->GetError();
@@ -236,6 +322,7 @@ bool window_draw(struct window *window, double now)
         return false;
     }
     glfwSwapBuffers(window->handle);
+    window->stale = window->follow = window->dirty = false;
     count(window, now);
     return true;
 }

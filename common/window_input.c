@@ -31,6 +31,7 @@ static const struct {
     {GLFW_KEY_R, {WINDOW_RESTART, 0}, false},
     {GLFW_KEY_P, {WINDOW_SCREENSHOT, 0}, false},
     {GLFW_KEY_H, {WINDOW_FOLD, 0}, false},
+    {GLFW_KEY_K, {WINDOW_HELP, 0}, false},
     {GLFW_KEY_F11, {WINDOW_FULL_SCREEN, 0}, false},
     {GLFW_KEY_TAB, {WINDOW_ORTHOGRAPHIC, 0}, false},
     {GLFW_KEY_UP, {WINDOW_CHOOSE, -1}, true},

@@ -22,6 +22,7 @@ enum window_action {
     WINDOW_CHANGE, // amount: key presses
     WINDOW_RESET,
     WINDOW_FOLD, // the overlay
+    WINDOW_HELP, // all of it
     WINDOW_VIEW  // amount: enum shader_view
 };
 

@@ -23,8 +23,12 @@ struct window {
     struct watch watch;
     struct renderer_inputs inputs; // of the frame on the screen
     char parameter[64];            // the one that the arrows change
-    bool paused, broken, dirty;
+    bool paused, broken;
+    bool dirty;         // the screen is to be shown again
+    bool stale;         // the picture is to be drawn again
     bool drew;          // the last turn of the loop drew a frame
+    bool passing;       // Tab was pressed: orthographic is on its way
+    double towards;     // to this value
     double turn, frame; // when the last turn began, when the last frame began
     double rate;        // frames a second, 0 before it is known
     double seconds;     // that drawing the last picture took
@@ -34,21 +38,28 @@ struct window {
     // The overlay.
     struct overlay overlay;
     bool folded;       // H was pressed
+    bool helps;        // K was pressed: all keys, all of the parameters
     double figures[2]; // frames a second and milliseconds that it shows
     double figures_at; // when they may change
     char error[4096];  // of the last reload, or why a view is refused; "" when all is well
     struct panel_key keys[WINDOW_KEYS];
     int key_count;
+    char hint[64]; // which key shows more
     // The ray that is looked at.
     struct renderer_probe *probe; // owned
+    bool follow;                  // march it again
     bool tell;                    // print its table once it is there
     char why[512];                // there is none because of this; "" when there is one
-    // The resolution while something moves.
-    bool moved;      // what makes the picture changed in this turn
-    double rest_at;  // from then on nothing moves
-    int divisor;     // of the frame on the screen; 1 is sharp
-    double cost;     // seconds that a sharp frame takes, estimated; 0 before it is known
-    GLuint measured; // the program of the last frame
+    // A picture that takes long is drawn at a lower resolution, and sharpened once it rests.
+    bool moved;                   // what makes the picture changed in this turn
+    double rest_at;               // from then on nothing moves
+    int divisor;                  // of the picture's sides; 1 is sharp
+    double cost;                  // seconds that a pixel takes, estimated
+    GLuint tried;                 // the program of which that is known
+    struct renderer_inputs whole; // of the last picture, at its whole size
+    int sharp;                    // rows of it, from the top, that are sharp by now
+    int band;                     // rows to sharpen next
+    double sharp_seconds;         // that sharp took
 };
 
 // The parameter that the arrows change: the one last chosen, as long as the shader has it.
@@ -56,6 +67,15 @@ struct parameter *window_chosen(const struct window *window);
 
 // Show chapter, view and parameter in the title bar.
 void window_retitle(struct window *window);
+
+// True when Tab has something to drive: a parameter named orthographic, or a whole file that reads
+// OrthoView.
+bool window_has_orthographic(struct window *window);
+
+// Carry on with the passage from one projection to the other that Tab began.
+//   seconds  since the last turn
+// Returns true when it changed the picture.
+bool window_pass(struct window *window, double seconds);
 
 // Carry out what the hands did since the last turn.
 void window_obey(struct window *window);
@@ -71,7 +91,12 @@ void window_tell_date(struct window *window);
 // True when the picture on the screen depends on the time.
 bool window_uses_time(const struct window *window);
 
-// Draw the frame that is due, with the overlay.
+// True when rows of the picture on the screen are to be sharpened.
+//   now  of glfwGetTime
+bool window_sharpens(const struct window *window, double now);
+
+// Draw the frame that is due, with the overlay: the picture where it is stale, else a part of the
+// sharp one where it is coarse.
 //   now  of glfwGetTime
 // Returns false, reported.
 bool window_draw(struct window *window, double now);

@@ -37,7 +37,7 @@ void window_follow_mouse(struct window *window)
     }
     GLuint program = renderer->program[renderer->view];
     if (changed && renderer->gl->GetUniformLocation(program, "iMouse") >= 0)
-        window->dirty = true;
+        window->stale = true;
 }
 
 void window_tell_date(struct window *window)

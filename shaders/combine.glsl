@@ -1,44 +1,56 @@
 // combine.glsl - volumes made of volumes: from two distances to one.
 //
-// a and b are signed distances of the two volumes at one point, or lower bounds, scene units. Where
-// both are 1-Lipschitz so is each result.
+// a and b are the signed distances of two volumes at one point, or functions that bound them, scene
+// units. Where both are 1-Lipschitz so is each result: then it never exceeds the distance to the
+// surface that it draws, inside or outside, and a march needs no step factor anywhere.
 
-// What belongs to a or to b. Outside exact where a and b are; inside a lower bound of the depth.
+// What belongs to a or to b.
 //   formula  min(a, b)
+//   exact outside where a and b are; inside a lower bound of the depth: between two overlapping balls
+//   the surface of each is hidden in the other, and min still counts it
+// Source: report, section 2.
 float opUnion(float a, float b)
 {
     return min(a, b);
 }
 
-// What belongs to a and to b. Inside exact where a and b are; outside a lower bound.
+// What belongs to a and to b.
 //   formula  max(a, b)
+//   exact inside where a and b are; outside a lower bound: over the rim of a lens the nearest point of
+//   each ball does not belong to the other
+// Source: report, section 2.
 float opIntersection(float a, float b)
 {
     return max(a, b);
 }
 
-// What belongs to a and not to b. A lower bound outside, as the intersection of a with the outside
-// of b.
+// What belongs to a and not to b: the intersection of a with the outside of b.
 //   formula  max(a, -b)
+//   exact inside where a and b are; outside a lower bound
+// Source: report, section 2.
 float opSubtraction(float a, float b)
 {
     return max(a, -b);
 }
 
-// The union with its crease filled in: a lower bound of the distance to the union's surface as it is
-// drawn, never more than min(a, b), and equal to it where |a - b| >= k.
-//   k        width of the blend, scene units, > 0; the surface rises by k / 6 where a = b
+// The union with its crease filled in.
+//   k        width of the blend, scene units, > 0: where |a - b| >= k it is min(a, b)
 //   formula  min(a, b) - h^3 / (6 k^2), h = max(k - |a - b|, 0)
-// Source: I. Quilez's cubic smooth minimum; report, section 1.5.5 and its smooth union.
+//   a lower bound of the distance to the surface that it draws, outside and inside. Never more than
+//   min(a, b), never less than min(a, b) - k / 6, which it is where a = b. Twice continuously
+//   differentiable in a and b
+// Source: I. Quilez, 'Smooth minimum', the cubic one.
 float opSmoothUnion(float a, float b, float k)
 {
     float h = max(k - abs(a - b), 0.0);
     return min(a, b) - h * h * h / (6.0 * k * k);
 }
 
-// The share of b in a smooth union, with which its colour is mixed in: 0 where a alone counts, 1/2
+// The share of b in a smooth union, with which to mix its colour in: 0 where a alone counts, 1/2
 // where a = b, 1 where b alone counts.
+//   k        as in opSmoothUnion
 //   formula  the slope of opSmoothUnion in b: h^2 / (2 k^2) where a < b, else 1 - h^2 / (2 k^2)
+//   in [0, 1]; the share of a, 1 minus it, is the slope in a
 float smoothUnionShare(float a, float b, float k)
 {
     float h = max(k - abs(a - b), 0.0);

@@ -15,6 +15,7 @@ uniform vec3  iCameraRight;
 uniform vec3  iCameraUp;
 uniform vec3  iCameraForward;
 uniform float focalLength;
+uniform float iOrthoView; // what Tab drives in a window where the shader is a whole file
 
 out vec2  FragCoord;      // the screen position: y from -1 to 1, x from -aspect to aspect
 out float Time;           // seconds
@@ -22,7 +23,7 @@ out vec3  Ex, Ey, Ez;     // right, up and forward of the camera
 out vec3  CamPos;         // position of the camera
 out float fovValue;       // focal length
 out float FacteurLargeur; // width divided by height
-out float OrthoView;      // always 0 here: perspective
+out float OrthoView;      // 0 perspective, 1 orthographic, between them while one becomes the other
 out float CustomToggle;   // always 0 here
 out float CustomInt;      // always 0 here
 
@@ -39,7 +40,7 @@ void main()
     Ez = iCameraForward;
     CamPos = iCameraPosition;
     fovValue = focalLength;
-    OrthoView = 0.0;
+    OrthoView = iOrthoView;
     CustomToggle = 0.0;
     CustomInt = 0.0;
 }

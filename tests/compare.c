@@ -1,6 +1,7 @@
 // compare A.png B.png [DIFFERENCE.png] - are two pictures the same one?
 //
-// Prints the two numbers that decide and the largest difference. Exit status: 0 within tolerance,
+// Prints the two numbers that decide, the largest difference and the place that differs most, in
+// pixels as --probe counts them. Exit status: 0 within tolerance,
 // 1 outside, 2 when it could not compare.
 #include <stdio.h>
 
@@ -13,8 +14,11 @@ static int compare(const struct image *a, const struct image *b, const char *pic
     struct image_difference difference;
     if (!image_compare(a, b, &difference))
         return NOT_COMPARED;
-    printf("F2 %.4f %% B8 %.3f largest %d\n", 100.0 * difference.f2, difference.b8,
+    printf("F2 %.4f %% B8 %.3f largest %d", 100.0 * difference.f2, difference.b8,
            difference.largest);
+    if (difference.differs > 0)
+        printf(" most at %d,%d", difference.x, difference.y);
+    printf("\n");
     if (picture != NULL) {
         struct image shown = {0};
         bool written = image_difference_picture(a, b, &shown) && image_write_png(&shown, picture);

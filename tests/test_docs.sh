@@ -92,8 +92,10 @@ listed_pictures() {
 
 bad_pictures() { # PAGE
     local line target name
+    grep -n '!\[\](' "$1" | sed "s|^|$1:|; s|\$|: the picture has no words|"
     links_of "$1" | grep -E '\.(png|jpg|svg)(#|$)' | while IFS=: read -r line target; do
         name=${target##*/}
+        [[ $target == *figures/*.svg ]] && [ -e "docs/figures/${name%.svg}.c" ] && continue
         [[ $target == *tests/references/*.png ]] && listed_pictures | grep -q -x -F -e "${name%.png}" ||
             echo "$1:$line: $target is no picture of tests/images.txt"
     done
@@ -131,6 +133,23 @@ unnamed_parameters() { # STEM
     "$BUILD/$1" --list | awk 'NR > 1 { print $1 }' | while read -r name; do
         grep -q -w -F -e "$name" "docs/$1.md" || echo "$name is not in docs/$1.md"
     done
+}
+
+# Each exercise has a grade, a hint and a solution; there are at least three.
+bad_exercises() { # PAGE
+    awk '
+        function judge() {
+            if (exercise && (!hint || !solution))
+                print "exercise " exercise " has no " (hint ? "solution" : "hint")
+        }
+        /^## / { judge(); exercise = 0; here = /^## Exercises/ }
+        here && /^\*\*[0-9]+\./ {
+            judge(); count++; exercise = $1; hint = solution = 0
+            if ($0 !~ /[(](easy|medium|hard|★|●)/) print "exercise " exercise " has no grade"
+        }
+        here && /^\*Hint/ { hint = 1 }
+        here && /Solution|<summary>Answer/ { solution = 1 }
+        END { judge(); if (count < 3) print "there are " count + 0 " exercises" }' "$1"
 }
 
 # Shaders that belong to a chapter and that its page never names.
@@ -223,6 +242,7 @@ check_pages() {
             continue
         fi
         judge "docs/$stem.md: has its five lines in French" "$(bad_summary "docs/$stem.md")"
+        judge "docs/$stem.md: its exercises have hints and solutions" "$(bad_exercises "docs/$stem.md")"
         judge "docs/$stem.md: names every parameter" "$(unnamed_parameters "$stem")"
         judge "docs/$stem.md: names every shader that goes with it" "$(unnamed_shaders "$stem")"
     done
@@ -242,6 +262,9 @@ check_checks() {
     refuses 'a link to nothing' 'see [this](gone.md)\n' bad_links
     refuses 'an anchor without heading' '# One two\n[a](#one-two) [b](#one-three)\n' bad_links
     refuses 'a picture that no test renders' '![a](../tests/references/gone.png)\n' bad_pictures
+    refuses 'a picture without words' '![](../tests/references/03_shadows.png)\n' bad_pictures
+    refuses 'a figure without a program' '![a](figures/gone.svg)\n' bad_pictures
+    refuses 'an exercise without a solution' "## Exercises\n\n**1. (easy)**\n\n*Hint.* a\n" bad_exercises
     refuses 'a formula that GitHub spoils' 'so $a \\\\, b$ is\n' bad_formulas
     refuses 'a summary of four lines' "## L'essentiel\n\n> a\n> b\n> c\n> d\n\ntext\n" bad_summary
     refuses 'a program that is not there' '`build/99_nothing`\n' bad_commands

@@ -1,4 +1,4 @@
-// Unit tests of common/image.c: the two numbers that decide whether two pictures are the same.
+// Unit tests of common/image_compare.c: the two numbers that decide whether two pictures are the same.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,11 +48,15 @@ static void one_pixel_counts_as_defined(void **state)
     assert_near(difference.b8, 64.0 / 64.0 / sqrt(blocks), 1e-12);
     assert_int_equal(difference.largest, 64);
     assert_int_equal(difference.differs, 1);
+    assert_int_equal(difference.x, 4);
+    assert_int_equal(difference.y, 100 - 4);
     assert_true(image_same(&difference));
     *first = (unsigned char)(*first ^ 64);
     *last = (unsigned char)(*last ^ 64);
     assert_true(image_compare(&a, &b, &difference));
     assert_near(difference.b8, 64.0 / 15.0 / sqrt(blocks), 1e-12);
+    assert_int_equal(difference.x, (200 + 203) / 2);
+    assert_int_equal(difference.y, 100 - (96 + 101) / 2);
     image_free(&a);
     image_free(&b);
 }

@@ -399,12 +399,31 @@ static void test_key_presses(void **state)
     parameters_free(&read);
 }
 
+static void test_a_value_edited_in_the_file_is_taken(void **state)
+{
+    (void)state;
+    struct parameters old = read_text("uniform float height; // 2 in [0, 9]: x\n"
+                                      "uniform vec3 colour; // 0.1, 0.2, 0.3 in [0, 1]: x\n");
+    struct parameters new = read_text("uniform float height; // 4 in [0, 9]: x\n"
+                                      "uniform vec3 colour; // 0.1, 0.9, 0.3 in [0, 1]: x\n");
+    assert_true(parameters_assign(&old, "height=3"));
+    assert_true(parameters_assign(&old, "colour=1,1,1"));
+    parameters_keep(&new, &old);
+    assert_number(parameters_find(&new, "height")->value[0], 4.0);
+    const double *colour = parameters_find(&new, "colour")->value;
+    assert_number(colour[0], 1.0);
+    assert_number(colour[1], 0.9);
+    assert_number(colour[2], 1.0);
+    parameters_free(&old);
+    parameters_free(&new);
+}
+
 static void test_reload_keeps_values(void **state)
 {
     (void)state;
     struct parameters old = read_text(sample);
     struct parameters new = read_text("uniform float colour; // 1 in [0, 1]: another type\n"
-                                      "uniform float height; // 0 in [-1, 1]: a smaller range\n"
+                                      "uniform float height; // 1 in [-1, 2]: a smaller range\n"
                                       "uniform float steps; // 2 in [0, 9]: another type\n"
                                       "uniform bool shown; // false: x\n"
                                       "uniform int fresh; // 3 in [0, 9]: x\n");
@@ -412,8 +431,8 @@ static void test_reload_keeps_values(void **state)
     assert_true(parameters_assign(&old, "shown=true"));
     assert_true(parameters_assign(&old, "steps=5"));
     parameters_keep(&new, &old);
-    assert_number(parameters_find(&new, "height")->value[0], 1.0);
-    assert_number(parameters_find(&new, "height")->initial[0], 0.0);
+    assert_number(parameters_find(&new, "height")->value[0], 2.0);
+    assert_number(parameters_find(&new, "height")->initial[0], 1.0);
     assert_number(parameters_find(&new, "shown")->value[0], 1.0);
     assert_number(parameters_find(&new, "colour")->value[0], 1.0);
     assert_number(parameters_find(&new, "steps")->value[0], 2.0);
@@ -501,6 +520,7 @@ int main(void)
         cmocka_unit_test(test_assignments),
         cmocka_unit_test(test_refused_assignments),
         cmocka_unit_test(test_key_presses),
+        cmocka_unit_test(test_a_value_edited_in_the_file_is_taken),
         cmocka_unit_test(test_reload_keeps_values),
         cmocka_unit_test(test_table),
         cmocka_unit_test(test_numbers_as_text),

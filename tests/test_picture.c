@@ -255,6 +255,76 @@ static void bands_of_a_whole_file_make_the_same_picture(void **unused)
     assert_true(changed_by_bands("00_first_scene", 2.0 / 255.0) <= IMAGE_F2_TOLERANCE);
 }
 
+// A window sharpens its picture from the top down, in parts of any number of rows; other pictures
+// and probes are drawn between them.
+static void check_sharpened(enum shader_view view, int samples)
+{
+    enum { PARTS = 6 };
+    static const int parts[PARTS] = {1, 64, 3, 200, 129, 133};
+    struct renderer_inputs inputs = inputs_of(700, 530, samples);
+    inputs.pixel[0] = inputs.pixel[1] = view == SHADER_SLICE ? 300 : -1;
+    assert_true(renderer_set_view(&gpu.renderer, view));
+    float *whole = draw(&inputs, inputs.height);
+    size_t size = 4 * sizeof *whole * (size_t)inputs.width * (size_t)inputs.height;
+    float *sharp = malloc(size);
+    assert_non_null(sharp);
+    int left = inputs.height;
+    for (int i = 0; i < PARTS; i++) {
+        struct renderer_inputs coarse = inputs_of(175, 133, 1);
+        coarse.time = i;
+        assert_true(renderer_draw(&gpu.renderer, &coarse, 0, coarse.height));
+        left -= parts[i];
+        assert_true(renderer_sharpen(&gpu.renderer, &inputs, left, parts[i]));
+    }
+    assert_int_equal(left, 0);
+    renderer_read_sharp(&gpu.renderer, sharp);
+    assert_memory_equal(sharp, whole, size);
+    free(whole);
+    free(sharp);
+}
+
+static void a_picture_sharpened_in_parts_is_the_same_to_the_bit(void **unused)
+{
+    (void)unused;
+    load_chapter("03_shadows");
+    check_sharpened(SHADER_PICTURE, 1);
+    check_sharpened(SHADER_PICTURE, 2);
+    check_sharpened(SHADER_STEPS, 1);
+    check_sharpened(SHADER_SLICE, 1);
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    load_chapter("00_first_scene");
+    check_sharpened(SHADER_PICTURE, 1);
+}
+
+// A click is counted in the window's units from the top left, a pixel from the bottom left: and on
+// a high-density display a unit is 2, or 1.5, pixels wide.
+static void a_click_finds_its_pixel_on_any_display(void **unused)
+{
+    (void)unused;
+    static const struct {
+        int picture[2], window[2];
+        double place[2];
+        int pixel[2];
+    } cases[] = {
+        {{640, 360}, {640, 360}, {0.0, 0.0}, {0, 359}},
+        {{640, 360}, {640, 360}, {639.0, 359.0}, {639, 0}},
+        {{640, 360}, {640, 360}, {380.9, 200.2}, {380, 159}},
+        {{1280, 720}, {640, 360}, {380.0, 200.0}, {760, 319}},
+        {{1280, 720}, {640, 360}, {380.5, 200.5}, {761, 318}},
+        {{1280, 720}, {640, 360}, {639.5, 359.5}, {1279, 0}},
+        {{960, 540}, {640, 360}, {100.0, 100.0}, {150, 389}},
+        {{960, 540}, {640, 360}, {0.7, 359.9}, {1, 0}},
+        {{640, 360}, {640, 360}, {-1.0, 3.0}, {-1, 356}}, // dragged out of the window
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct renderer_inputs inputs = inputs_of(cases[i].picture[0], cases[i].picture[1], 1);
+        int pixel[2];
+        renderer_pixel_at(&inputs, cases[i].place, cases[i].window, pixel);
+        if (pixel[0] != cases[i].pixel[0] || pixel[1] != cases[i].pixel[1])
+            fail_msg("case %zu: pixel %d,%d", i, pixel[0], pixel[1]);
+    }
+}
+
 // ---- Bytes ----
 
 static void values_become_bytes(void **unused)
@@ -339,6 +409,8 @@ int main(void)
         cmocka_unit_test(each_sample_is_clamped),
         cmocka_unit_test(bands_make_the_same_picture),
         cmocka_unit_test(bands_of_a_whole_file_make_the_same_picture),
+        cmocka_unit_test(a_picture_sharpened_in_parts_is_the_same_to_the_bit),
+        cmocka_unit_test(a_click_finds_its_pixel_on_any_display),
         cmocka_unit_test(values_become_bytes),
         cmocka_unit_test(what_came_before_leaves_no_trace),
     };

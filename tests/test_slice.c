@@ -360,6 +360,10 @@ static void the_frame_shows_the_march(void **unused)
         float zoom = SLICE_ZOOM_MINIMUM * (float)pow(zooms, i / 100.0);
         assert_shows(frame_of(RENDERER_PASSED, miss_t, miss, 5, zoom), 2.0, 2.0);
     }
+    // A ray that leaves a surface, as a shadow ray does: the circles grow, and the last is shown.
+    const float leave_t[] = {0.0f, 0.002f, 0.006f, 1.0f, 3.5f},
+                leave[] = {0.002f, 0.004f, 0.994f, 2.5f, 4.0f};
+    assert_shows(frame_of(RENDERER_PASSED, leave_t, leave, 5, 1.0f), 0.0, 3.4);
     // No march, one that ends where it starts, and distances that are no numbers.
     assert_shows(frame_of(RENDERER_NO_MARCH, NULL, NULL, 0, 1.0f), 0.0, 1.0);
     const float zero[] = {0.0f}, nan[] = {NAN};

@@ -1,0 +1,123 @@
+-- book.lua - turns a page of docs/ into a chapter of the book: links between pages become links inside
+-- the book, a picture alone in a paragraph becomes a numbered figure, comments go.
+-- Metadata: page, the file's name such as 03_shadows.md.
+
+local page = 'page'
+
+local function anchor(file, id)
+    return (file:gsub('%.md$', '') .. (id ~= '' and '-' .. id or '')):lower()
+end
+
+function Meta(meta)
+    page = pandoc.utils.stringify(meta.page)
+end
+
+local first = true
+
+local function header(element)
+    element.identifier = first and anchor(page, '') or anchor(page, element.identifier)
+    first = false
+    return element
+end
+
+local function link(element)
+    local target = element.target
+    if target:match('^%a+:') then
+        return element
+    elseif target:match('^#') then
+        element.target = '#' .. anchor(page, target:sub(2))
+    elseif target:match('^[%w_]+%.md') then
+        local file, id = target:match('^([%w_]+%.md)#?(.*)$')
+        element.target = '#' .. anchor(file, id)
+    else
+        return element.content -- a file of the project: its name stands in the text
+    end
+    return element
+end
+
+-- A paragraph that holds a picture alone: its words become the caption.
+local function picture(element)
+    element.attributes.width = element.attributes.width or '95%'
+    return element
+end
+
+local function paragraph(element)
+    if #element.content == 1 and element.content[1].t == 'Image' then
+        local image = element.content[1]
+        image.title = 'fig:' .. image.title
+        image.attributes.width = '88%'
+        return pandoc.Para({image})
+    end
+end
+
+-- Signs that the text's font lacks come from another.
+local function str(element)
+    local parts, plain = {}, ''
+    for _, code in utf8.codes(element.text) do
+        local sign = utf8.char(code)
+        if code >= 0x2100 then
+            if plain ~= '' then table.insert(parts, pandoc.Str(plain)) end
+            plain = ''
+            table.insert(parts, pandoc.RawInline('latex', '{\\symbolfont ' .. sign .. '}'))
+        else
+            plain = plain .. sign
+        end
+    end
+    if #parts == 0 then
+        return nil
+    end
+    if plain ~= '' then table.insert(parts, pandoc.Str(plain)) end
+    return parts
+end
+
+-- A wide table gets columns in proportion to their text, so that its cells wrap.
+-- Pictures share the width.
+local function width_of(cell)
+    local pictures = false
+    pandoc.walk_block(pandoc.Div(cell.contents), {Image = function(image)
+        pictures = true
+    end})
+    return pictures and 60 or #pandoc.utils.stringify(pandoc.Div(cell.contents))
+end
+
+local function table_widths(element)
+    local longest, total = {}, 0
+    local function look(rows)
+        for _, row in ipairs(rows) do
+            for i, cell in ipairs(row.cells) do
+                longest[i] = math.max(longest[i] or 6, width_of(cell))
+            end
+        end
+    end
+    look(element.head.rows)
+    for _, body in ipairs(element.bodies) do
+        look(body.body)
+    end
+    for i, longest_here in ipairs(longest) do
+        longest[i] = math.min(longest_here, 60)
+        total = total + longest[i]
+    end
+    if total < 76 then
+        return nil
+    end
+    for i, spec in ipairs(element.colspecs) do
+        element.colspecs[i] = {spec[1], longest[i] / total}
+    end
+    return pandoc.walk_block(element, {Image = function(image)
+        image.attributes.width = string.format('%d%%', math.floor(92 / #longest)) -- of the page
+        return image
+    end})
+end
+
+local function raw(element)
+    if element.format:match('html') then
+        return {}
+    end
+end
+
+function Pandoc(document)
+    local blocks = pandoc.walk_block(pandoc.Div(document.blocks), {
+        Header = header, Link = link, Para = paragraph, Image = picture, RawBlock = raw, RawInline = raw, Str = str, Table = table_widths,
+    }).content
+    return pandoc.Pandoc(blocks, pandoc.Meta({}))
+end

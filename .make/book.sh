@@ -1,0 +1,52 @@
+#!/bin/bash
+# book.sh - `make book`: all pages as one PDF, build/book.pdf, with a table of contents, numbered figures
+# and listings. pandoc reads the pages, XeLaTeX sets them.
+set -u
+
+folder=build/book
+rm -rf "$folder"
+mkdir -p "$folder" || exit 1
+
+# The order of the book: how to read it, the chapters, what stands behind them.
+pages=() files=()
+for page in docs/README.md docs/[0-9][0-9]_*.md docs/benchmark.md docs/errata.md docs/glossary.md docs/teaching.md; do
+    [ ! -e "$page" ] || pages+=("$page")
+done
+
+for page in "${pages[@]}"; do
+    name=$(basename "$page")
+    pandoc -f gfm+tex_math_dollars -t json -M page="$name" --lua-filter .make/book.lua "$page" \
+        -o "$folder/${name%.md}.json" || exit 1
+    files+=("$folder/${name%.md}.json")
+done
+
+cat >"$folder/head.tex" <<'END'
+\usepackage{fvextra}
+\DefineVerbatimEnvironment{Highlighting}{Verbatim}{breaklines,breakanywhere,commandchars=\\\{\}}
+\fvset{breaklines=true,breakanywhere=true,fontsize=\small}
+\newfontfamily{\symbolfont}{DejaVu Sans}
+\providecommand{\lt}{<}
+\providecommand{\gt}{>}
+\usepackage{float}
+\floatplacement{figure}{H}
+\emergencystretch=3em
+END
+
+# The pages' pictures are written from docs/ on.
+pandoc -s "${files[@]}" -o build/book.pdf --pdf-engine=xelatex --resource-path=docs \
+    --toc --toc-depth=2 --top-level-division=chapter --highlight-style=tango -H "$folder/head.tex" \
+    -M title='Ray marching, step by step' -M subtitle='A course in C and GLSL' -M lang=en-GB \
+    -V documentclass=report -V papersize=a4 -V geometry:margin=24mm -V fontsize=10pt \
+    -V mainfont='TeX Gyre Pagella' -V sansfont='TeX Gyre Heros' -V monofont='DejaVu Sans Mono' \
+    -V monofontoptions='Scale=0.8' -V colorlinks=true 2>"$folder/log"
+status=$?
+if [ "$status" != 0 ]; then
+    echo "make: the book could not be set: $(grep -m 1 -A 2 '^!\|Error' "$folder/log" | tr '\n' ' ')" >&2
+    exit 1
+fi
+# What a font lacks would be a hole in the text.
+if grep -q 'Missing character' "$folder/log"; then
+    grep 'Missing character' "$folder/log" | sort -u >&2
+    exit 1
+fi
+echo "build/book.pdf: $(pdfinfo build/book.pdf 2>/dev/null | awk '/^Pages/ { print $2 " pages, " }')$(du -h build/book.pdf | cut -f 1)"

@@ -1,0 +1,15 @@
+// Chapter 04: colours by hue, and volumes made of volumes. A wheel of hues around a smooth union.
+//
+// The page is docs/04_hue_colour.md.
+#include "../common/chapter.h"
+
+int main(int argc, char **argv)
+{
+    const struct chapter chapter = {
+        .stem = "04_hue_colour",
+        .title = "04 Hue and combination",
+        .shows = "A wheel of twelve hues, and in its middle a ball that rises out of a block.",
+        .camera = {.position = {1.52f, 3.75f, 5.68f}, .pan = -15.0f, .tilt = -32.5f},
+    };
+    return chapter_run(&chapter, argc, argv);
+}

@@ -1,0 +1,145 @@
+// 04 Hue and combination: every solid has a hue, and solids are made of solids.
+
+#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "camera.glsl"     // perspectiveRay
+#include "march.glsl"      // march
+#include "normal.glsl"     // normalAt
+#include "primitives.glsl" // sdSphere, sdBox
+#include "lighting.glsl"   // lambert, encodeSRGB
+#include "shadow.glsl"     // shadowRay, lightReaching
+#include "bounds.glsl"     // boxInterval
+#include "hue.glsl"        // hsvToRGB
+#include "combine.glsl"    // opUnion, opIntersection, opSubtraction, opSmoothUnion, smoothUnionShare
+
+uniform float hueShift;     // 0 in [0, 360] step 5, degrees: turns the hues around the wheel
+uniform float saturation;   // 0.97 in [0, 1] step 0.05: 0 grey, 1 the pure hue
+uniform float value;        // 0.9 in [0, 1] step 0.05: the largest channel of a colour
+uniform int   operation;    // 3 in [0, 3]: of block and ball: 0 union, 1 intersection, 2 block less ball, 3 smooth union
+uniform float blend;        // 0.6 in [0.01, 1.5] step 0.05, scene units: width of the smooth union's blend
+uniform int   maxSteps;     // 128 in [1, 1024]: steps before a ray is given up
+uniform float hitThreshold; // 0.002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
+uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
+
+const vec3  LOW = vec3(-3.25, -0.27, -3.25);       // opposite corners of a box that holds the scene
+const vec3  HIGH = vec3(3.25, 1.6, 3.25);
+const float RING = 2.5;                            // radius of the wheel, scene units
+const vec2  WALL = vec2(-0.5, 0.8660254);          // across the line at 30 degrees, where a die stands
+const vec2  NEXT = vec2(-0.8660254, 0.5);          // across the line at 60 degrees
+
+const vec3  SUN = vec3(-0.72, 0.6, 0.3487);        // direction of the sun, length 1
+const vec3  SUN_LIGHT = vec3(1.25, 1.05, 0.82);    // its light, linear RGB
+const vec3  SKY_LIGHT = vec3(0.17, 0.215, 0.27);   // what an upward face receives from the sky
+const vec3  STAGE_COLOUR = vec3(0.17, 0.165, 0.17);
+const float BLOCK_HUE = 255.0;                     // of the solids in the middle, degrees
+const float BALL_HUE = 12.0;
+
+Ray pixelRay(vec2 screen)
+{
+    return perspectiveRay(screen);
+}
+
+// The mirror image of q on the side of a line through the origin where <q, normal> <= 0.
+vec2 folded(vec2 q, vec2 normal)
+{
+    return q - 2.0 * max(dot(q, normal), 0.0) * normal;
+}
+
+// Six balls and between them six dice, by folding: mirrors every 30 degrees send every point to one
+// wedge, where a ball stands on the one wall and a die on the other.
+float wheelDistance(vec3 p)
+{
+    vec2 q = folded(folded(abs(p.xz), NEXT), WALL);
+    vec3 toBall = vec3(q.x - RING, p.y - 0.3, q.y);
+    vec3 toDie = vec3(dot(q, vec2(WALL.y, -WALL.x)) - RING, p.y - 0.28, dot(q, WALL));
+    vec3 faces = abs(toDie) - 0.33;
+    float cube = opIntersection(faces.x, opIntersection(faces.y, faces.z));
+    float die = opIntersection(cube, sdSphere(toDie, 0.45));
+    return opUnion(sdSphere(toBall, 0.4), die);
+}
+
+// A round stage with a groove: a cylinder and a slab intersected, a ring subtracted.
+float stageDistance(vec3 p)
+{
+    vec2 q = vec2(length(p.xz), p.y);
+    float disc = opIntersection(q.x - 3.2, abs(q.y + 0.12) - 0.12);
+    return opSubtraction(disc, length(q - vec2(RING, 0.5)) - 0.6);
+}
+
+// The solids in the middle: a block, and a ball that rises and sinks in ten seconds.
+float blockDistance(vec3 p)
+{
+    return sdBox(p - vec3(0.0, 0.24, 0.0), vec3(0.9, 0.28, 0.9));
+}
+
+float ballDistance(vec3 p)
+{
+    float swing = abs(2.0 * fract(0.1 * iTime) - 1.0);
+    float height = 0.2 + 0.7 * swing * swing * (3.0 - 2.0 * swing);
+    return sdSphere(p - vec3(0.0, height, 0.0), 0.6);
+}
+
+float middleDistance(vec3 p)
+{
+    float a = blockDistance(p), b = ballDistance(p);
+    if (operation == 0)
+        return opUnion(a, b);
+    if (operation == 1)
+        return opIntersection(a, b);
+    return operation == 2 ? opSubtraction(a, b) : opSmoothUnion(a, b, blend);
+}
+
+float sceneDistance(vec3 p)
+{
+    return opUnion(opUnion(stageDistance(p), wheelDistance(p)), middleDistance(p));
+}
+
+// The share of the ball's colour: who alone makes the surface counts alone.
+float ballShare(vec3 p)
+{
+    float a = blockDistance(p), b = ballDistance(p);
+    return operation == 0 ? step(b, a) :
+           operation == 1 ? step(a, b) :
+           operation == 2 ? step(a, -b) : smoothUnionShare(a, b, blend);
+}
+
+// The colour of the surface at p: found once, where the march has ended.
+vec3 colourAt(vec3 p)
+{
+    float wheel = wheelDistance(p), middle = middleDistance(p);
+    float angle = degrees(atan(p.z, p.x));
+    vec3 colour = hsvToRGB(30.0 * floor(angle / 30.0 + 0.5) + hueShift, saturation, value);
+    vec3 block = hsvToRGB(BLOCK_HUE, saturation, value);
+    vec3 ball = hsvToRGB(BALL_HUE, saturation, value);
+    colour = middle < wheel ? mix(block, ball, ballShare(p)) : colour;
+    return stageDistance(p) < min(wheel, middle) ? STAGE_COLOUR : colour;
+}
+
+// What the ray sees that meets nothing: a dark room with a glow at the horizon, to the left.
+vec3 skyColour(vec3 direction)
+{
+    float glow = 0.5 + 0.5 * dot(direction, vec3(-0.5196, 0.1, -0.8485));
+    glow *= glow * glow;
+    return mix(vec3(0.003, 0.006, 0.014), vec3(0.040, 0.092, 0.120), glow * glow);
+}
+
+// The light that arrives: the sun's where it is in sight, and the sky's, more from above.
+vec3 receivedLight(vec3 p, vec3 normal)
+{
+    float facing = lambert(normal, SUN);
+    Ray ray = shadowRay(p, normal, SUN, 8.0 * hitThreshold);
+    float far = facing > 0.0 ? boxInterval(ray, LOW, HIGH).y : 0.0;
+    float seen = lightReaching(ray, far, hitThreshold, maxSteps);
+    return seen * facing * SUN_LIGHT + (0.5 + 0.5 * normal.y) * SKY_LIGHT;
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec2 interval = boxInterval(ray, LOW, HIGH);
+    Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
+    vec3 light = skyColour(ray.direction);
+    if (hit.found) {
+        vec3 p = ray.origin + hit.t * ray.direction;
+        light = colourAt(p) * receivedLight(p, normalAt(p, normalStep));
+    }
+    return encodeSRGB(light);
+}

@@ -1,0 +1,214 @@
+// 05 Transformations: things are moved, turned and twisted by asking about another point. A sea, and
+// what floats on it.
+
+#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "camera.glsl"     // perspectiveRay
+#include "march.glsl"      // march
+#include "normal.glsl"     // normalAt
+#include "primitives.glsl" // sdSphere, sdBox
+#include "lighting.glsl"   // lambert, encodeSRGB
+#include "shadow.glsl"     // shadowRay, lightReaching
+#include "bounds.glsl"     // boxInterval
+#include "transform.glsl"  // rotations, opTwist, the stretch of each deformation, sdTorus
+
+uniform float waveHeight;   // 1 in [0, 3] step 0.1, times a calm sea: height of the waves
+uniform float twist;        // 0.6 in [0, 3] step 0.1, radians per radius of the ring: twist of the ring along its length
+uniform float stepScale;    // 1 in [0.2, 4] step 0.1, times the safe step: more than 1 makes holes
+uniform float sunAzimuth;   // -25 in [-180, 180] step 2, degrees: where the sun stands, 0 straight ahead, right positive
+uniform int   maxSteps;     // 160 in [1, 512]: steps before a ray is given up
+uniform float hitThreshold; // 0.004 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
+
+const float FAR = 1000.0;                         // the sky
+const vec3  LOW = vec3(-14.0, -0.125, -10.0);     // opposite corners of a box that holds waves of height 1:
+const vec3  HIGH = vec3(14.0, 0.125, 5.5);        // farther away the sea is drawn flat
+
+// Three waves at once: amplitudes, wave vectors (x and z), and angular speeds sqrt(9.81 |k|).
+const vec3  AMPLITUDE = vec3(0.060, 0.036, 0.024);
+const vec3  WAVE_X = vec3(0.45, -1.10, 1.90);
+const vec3  WAVE_Z = vec3(1.20, 1.70, 1.60);
+const vec3  WAVE_SPEED = vec3(3.55, 4.46, 4.94);
+const float STEEPEST = 0.210;                     // the sum of amplitude times |k|: no slope is larger
+const float RING = 0.66;                          // radius of the ring, scene units
+const float RING_REACH = 1.5;                     // of a ball around the ring and a margin, in radii of the ring
+
+const vec3  SUN_COLOUR = vec3(2.6, 1.6, 0.7);    // linear RGB
+
+// Found once a pixel, before its rays: place and rotation of each thing, direction of the sun, bounds.
+struct Pose {
+    vec3 place;
+    mat3 turn;
+};
+Pose ringPose, ballPose, cratePose;
+vec3 toSun;
+float ringStretch, seaStretch;
+
+// The phases of the waves over a point of the sea.
+vec3 wavePhase(vec2 xz)
+{
+    return WAVE_X * xz.x + WAVE_Z * xz.y + WAVE_SPEED * iTime;
+}
+
+float seaHeight(vec2 xz)
+{
+    return waveHeight * dot(AMPLITUDE, sin(wavePhase(xz)));
+}
+
+vec2 seaSlope(vec2 xz)
+{
+    vec3 change = waveHeight * AMPLITUDE * cos(wavePhase(xz));
+    return vec2(dot(WAVE_X, change), dot(WAVE_Z, change));
+}
+
+// Afloat: up and down with the sea at a place, its deck along the water there.
+//   draught  how high the middle floats
+//   turn     how the thing lies in still water
+Pose afloat(vec2 xz, float draught, mat3 turn)
+{
+    vec2 slope = seaSlope(xz);
+    mat3 rock = rotationZ(slope.x) * rotationX(-slope.y);
+    return Pose(vec3(xz.x, seaHeight(xz) + draught, xz.y), rock * turn);
+}
+
+Ray pixelRay(vec2 screen)
+{
+    ringPose = afloat(vec2(-1.2, 1.2), 0.16, rotationY(0.5) * rotationZ(0.22) * rotationX(-1.35));
+    ballPose = afloat(vec2(0.95, -1.3), 0.18, rotationY(0.4) * rotationZ(-0.35));
+    cratePose = afloat(vec2(3.0, -2.8), 0.12, rotationY(0.7) * rotationX(0.5) * rotationZ(0.3));
+    toSun = normalize(rotationY(-radians(sunAzimuth)) * vec3(0.0, 0.18, -1.0));
+    ringStretch = twistStretch(twist, RING_REACH);
+    seaStretch = heightStretch(waveHeight * STEEPEST);
+    return perspectiveRay(screen);
+}
+
+// A point as a thing sees it: moved back, then turned back. GLSL's row times matrix is the transposed
+// matrix times the column, and the transposed matrix is the inverse rotation.
+vec3 seenFrom(Pose pose, vec3 p)
+{
+    return (p - pose.place) * pose.turn;
+}
+
+// The ring is a torus, twisted along y, scaled. The bound of the twist holds near the axis; farther
+// away the distance to a ball around the ring serves.
+float ringDistance(vec3 p)
+{
+    vec3 q = seenFrom(ringPose, p) / RING;
+    float ball = length(q) - (RING_REACH - 0.2);
+    float ring = sdTorus(opTwist(q, twist).xzy, 1.0, 0.26) / ringStretch;
+    return RING * (ball > 0.2 ? ball : ring);
+}
+
+// A ball that is turned is the same ball: it needs its place alone.
+float thingsDistance(vec3 p)
+{
+    float ball = sdSphere(p - ballPose.place, 0.62);
+    float crate = sdBox(seenFrom(cratePose, p), vec3(0.42)) - 0.02;
+    return min(ringDistance(p), min(ball, crate));
+}
+
+float seaDistance(vec3 p)
+{
+    return (p.y - seaHeight(p.xz)) / seaStretch;
+}
+
+float sceneDistance(vec3 p)
+{
+    return stepScale * min(seaDistance(p), thingsDistance(p));
+}
+
+// The paint of a thing at p, asked of the same point as its distance: the stripes turn with it.
+vec3 colourAt(vec3 p)
+{
+    vec3 ring = opTwist(seenFrom(ringPose, p) / RING, twist);
+    vec3 ball = seenFrom(ballPose, p), crate = seenFrom(cratePose, p);
+    float cosine2 = ring.x * ring.x / dot(ring.xy, ring.xy); // of the angle around the ring, squared
+    vec3 red = mix(vec3(0.75, 0.02, 0.01), vec3(0.8), smoothstep(0.34, 0.36, abs(cosine2 - 0.5)));
+    vec3 yellow = mix(vec3(0.03), vec3(0.95, 0.55, 0.02), smoothstep(0.06, 0.07, abs(ball.y - 0.1)));
+    vec3 rim = smoothstep(0.34, 0.35, abs(crate)); // near two faces at once: the crate's edges
+    vec3 wood = mix(vec3(0.30, 0.14, 0.05), vec3(0.42, 0.24, 0.10), step(1.5, rim.x + rim.y + rim.z));
+    vec3 colour = dot(ball, ball) < 0.42 ? yellow : red;
+    return dot(crate, crate) < 0.7 ? wood : colour;
+}
+
+// The sky in a direction: blue above, pale on the horizon, golden towards the sun.
+vec3 skyLight(vec3 direction)
+{
+    float low = 1.0 / (1.0 + 5.0 * max(direction.y, 0.0));
+    float sun = max(dot(direction, toSun), 0.0);
+    float sun4 = sun * sun * sun * sun, sun8 = sun4 * sun4, sun32 = sun8 * sun8 * sun8 * sun8;
+    vec3 blue = mix(vec3(0.035, 0.13, 0.36), vec3(0.38, 0.42, 0.50), low * low);
+    return blue + vec3(0.62, 0.25, 0.04) * sun8 * low * low + vec3(0.55, 0.36, 0.14) * sun32;
+}
+
+// The sea's normal: the waves of the march and ripples too small for it, flatter with the distance t,
+// for what is smaller than a pixel would sparkle.
+vec3 waterNormal(vec2 xz, float t)
+{
+    vec4 bent = 1.5 * sin(vec4(1.3, 2.1, -1.7, 0.9) * xz.x + vec4(-1.9, 1.1, 2.3, 2.7) * xz.y);
+    vec4 ripple = 0.03 * cos(vec4(5.1, -6.3, 9.7, 3.3) * xz.x + vec4(4.3, 7.7, 5.9, -12.1) * xz.y +
+                             vec4(6.8, 9.9, 10.6, 11.1) * iTime + bent);
+    vec2 small = vec2(dot(vec4(0.7, -0.6, 0.8, 0.2), ripple), dot(vec4(0.6, 0.7, 0.5, -0.9), ripple));
+    vec2 slope = (seaSlope(xz) + small) / (1.0 + 0.006 * t * t);
+    return normalize(vec3(-slope.x, 1.0, -slope.y));
+}
+
+// The smallest interval that holds two, either of which may be empty.
+vec2 joined(vec2 a, vec2 b)
+{
+    return b.x < b.y ? vec2(min(a.x, b.x), max(a.y, b.y)) : a;
+}
+
+vec2 boxAround(Ray ray, Pose pose, float reach)
+{
+    return boxInterval(ray, pose.place - reach, pose.place + reach);
+}
+
+// Where a ray can meet a thing.
+vec2 thingsInterval(Ray ray)
+{
+    vec2 ring = joined(vec2(FAR, 0.0), boxAround(ray, ringPose, RING * (RING_REACH - 0.2)));
+    return joined(joined(ring, boxAround(ray, ballPose, 0.65)), boxAround(ray, cratePose, 0.77));
+}
+
+// A hit that is not at the sea is at a thing.
+bool atThing(Hit hit, vec3 p)
+{
+    return hit.found && stepScale * seaDistance(p) >= hitThreshold;
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec3 size = vec3(1.0, waveHeight, 1.0);
+    vec2 interval = joined(thingsInterval(ray), boxInterval(ray, size * LOW, size * HIGH));
+    Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
+    float flatSea = ray.direction.y < -0.0001 ? -ray.origin.y / ray.direction.y : FAR;
+    float t = min(hit.found ? hit.t : flatSea, FAR);
+    vec3 p = ray.origin + t * ray.direction;
+    bool sky = t >= FAR, thing = atThing(hit, p);
+    vec3 normal = hit.found ? normalAt(p, 0.002) : vec3(0.0, 1.0, 0.0);
+    normal = thing ? normal : waterNormal(p.xz, t);
+
+    // One more ray: from a thing to the sun, from the water to what is mirrored in it.
+    vec3 mirrored = sky ? ray.direction : reflect(ray.direction, normal);
+    mirrored.y = abs(mirrored.y);
+    Ray next = shadowRay(p, normal, thing ? toSun : mirrored, 0.03);
+    interval = thingsInterval(next);
+    Hit second = march(next, interval.x, interval.y, hitThreshold, maxSteps);
+    vec3 q = next.origin + second.t * next.direction;
+    vec3 paint = colourAt(thing ? p : q);
+
+    // What a mirror here would show, and its share: Schlick's approximation.
+    float sun = max(dot(mirrored, toSun), 0.0);
+    float glare = sky ? 4.0 * smoothstep(0.9997, 0.9998, sun) : 12.0 * pow(sun, 260.0);
+    vec3 image = skyLight(mirrored) + glare * SUN_COLOUR;
+    float grazing = 1.0 - max(dot(normal, -ray.direction), 0.0), square = grazing * grazing;
+    float share = 0.02 + 0.98 * square * square * grazing;
+
+    vec3 sunny = second.found ? vec3(0.0) : SUN_COLOUR * lambert(normal, toSun);
+    vec3 ambient = mix(vec3(0.05, 0.08, 0.10), vec3(0.30, 0.36, 0.46), 0.5 + 0.5 * normal.y);
+    vec3 ofThing = paint * (sunny + ambient) + 0.6 * share * image;
+    vec3 deep = vec3(0.004, 0.040, 0.060) + vec3(0.0, 0.07, 0.06) * max(p.y / 0.12, 0.0);
+    vec3 ofWater = mix(deep, atThing(second, q) ? 0.6 * paint : image, share);
+    vec3 haze = skyLight(vec3(ray.direction.x, 0.0, ray.direction.z));
+    ofWater = mix(haze, ofWater, exp(-0.012 * t));
+    return encodeSRGB(sky ? image : (thing ? ofThing : ofWater));
+}

@@ -1,0 +1,16 @@
+// Chapter 08: the orthographic view. Parallel rays, and the passage from perspective to them.
+//
+// The page is docs/08_orthographic_view.md.
+#include "../common/chapter.h"
+
+int main(int argc, char **argv)
+{
+    const struct chapter chapter = {
+        .stem = "08_orthographic_view",
+        .title = "08 Orthographic view",
+        .shows =
+            "A level channel that feeds its own waterfall, until Tab lets the eye come nearer.",
+        .camera = {.position = {-3.55f, 6.05f, 5.05f}, .pan = 45.0f, .tilt = -35.26439f},
+    };
+    return chapter_run(&chapter, argc, argv);
+}

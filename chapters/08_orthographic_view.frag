@@ -1,0 +1,144 @@
+// 08 Orthographic view: parallel rays, and a waterfall that feeds itself as long as they are parallel.
+
+#include "main.glsl"         // main(): asks for pixelRay, then for rayColour
+#include "orthographic.glsl" // projectionRay
+#include "march.glsl"        // march
+#include "normal.glsl"       // normalAt
+#include "lighting.glsl"     // lambert, encodeSRGB
+#include "shadow.glsl"       // shadowRay, lightReaching
+#include "bounds.glsl"       // boxInterval
+
+uniform float framingDistance; // 9.5 in [1, 40] step 0.5, scene units: from the camera's plane to the one that keeps its size
+uniform int   maxSteps;        // 128 in [1, 512]: steps before a ray is given up
+uniform float hitThreshold;    // 0.001 in [0.0001, 0.016] step *2, scene units: distance that counts as a hit
+
+const vec3  LOW = vec3(-1.3, -0.4, -4.8); // opposite corners of a box that holds the scene; its lower
+const vec3  HIGH = vec3(6.3, 3.55, 2.8);  // face ends everything, for nothing has an underside
+const float SHADOW_OFFSET = 0.02;         // where a shadow ray starts above the surface
+
+// The scene's measures, in scene units.
+const vec2  MIDDLE = vec2(2.5, -1.0); // x and z of the plinth's middle
+const float PLINTH = 3.75;            // half its side
+const vec2  LOOP = vec2(2.5, 2.0);    // half sides of the rectangle along which the channel runs
+const float WALL = 0.5;               // half the width of channel and tower
+const float WATER = 0.32;             // half the width of the water
+const float TOP = 0.5;                // of the channel's walls, over the plinth
+const float CLIMB = 3.0;              // of the tower, over them
+const float DEEP = 0.1;               // the water, under the top of its walls
+const float FRAME = 0.55;             // half the side of a frame
+const float BEAM = 0.15;              // thickness of its beams
+const float CORNER = 3.15;            // the frames stand at (-CORNER, CORNER) and (CORNER, -CORNER)
+
+const vec3 TO_SUN = vec3(-0.6149, 0.7549, 0.228); // length 1
+const vec3 SUN_COLOUR = vec3(1.30, 0.95, 0.60); // linear RGB
+const vec3 SKY_COLOUR = vec3(0.13, 0.17, 0.24);
+
+Ray pixelRay(vec2 screen)
+{
+    return projectionRay(screen, framingDistance);
+}
+
+// How far p is beside the channel's middle line, a rectangle: by the larger coordinate, not by the
+// length, as everywhere in this scene. It is a lower bound of the distance, and needs no root.
+float besideLoop(vec3 p)
+{
+    vec2 q = abs(p.xz - MIDDLE) - LOOP;
+    return abs(max(q.x, q.y));
+}
+
+// Walls and water on three sides of the rectangle. The fourth has none, and half of the third.
+float channelDistance(vec3 p)
+{
+    float beside = besideLoop(p);
+    float bed = max(beside - WATER, TOP - DEEP - p.y);
+    float open = min(2.5 - p.x, 0.5 - p.z);
+    return max(max(beside - WALL, p.y - TOP), max(open, -bed));
+}
+
+// The tower over the origin. On its top the water comes from the side of +x and leaves to that of +z.
+float towerDistance(vec3 p)
+{
+    float bed = max(abs(min(p.x, p.z)) - WATER, TOP + CLIMB - DEEP - p.y);
+    return max(max(abs(p.x), abs(p.z)) - WALL, max(p.y - TOP - CLIMB, -bed));
+}
+
+// Two equal frames: min and max fold one onto the other, in the plinth's diagonal. A frame is what is
+// left of a cube where two of the three coordinates, so the middle one too, are near to a face.
+float frameDistance(vec3 p)
+{
+    vec2 q = p.xz - MIDDLE;
+    vec3 a = abs(vec3(min(q.x, q.y) + CORNER, p.y - FRAME, max(q.x, q.y) - CORNER));
+    float larger = max(a.x, a.y);
+    float middle = max(min(a.x, a.y), min(larger, a.z));
+    return max(max(larger, a.z) - FRAME, FRAME - BEAM - middle);
+}
+
+float sceneDistance(vec3 p)
+{
+    vec2 q = abs(p.xz - MIDDLE) - PLINTH;
+    float plinth = max(max(q.x, q.y), p.y);
+    return min(min(plinth, channelDistance(p)), min(towerDistance(p), frameDistance(p)));
+}
+
+// Bright lines that the water carries along, in lanes of a twelfth.
+float foam(float along, float aside)
+{
+    float lane = floor(12.0 * aside);
+    float line = fract(0.5 * along - 0.4 * iTime + 0.37 * lane * lane);
+    return smoothstep(0.75, 0.9, line) * smoothstep(1.0, 0.9, line);
+}
+
+// How far the water at p has come, from one side of the channel to the next.
+float streamAt(vec3 p)
+{
+    vec2 q = p.xz - MIDDLE;
+    return abs(q.x) - LOOP.x > abs(q.y) - LOOP.y ? -q.y : sign(q.y) * q.x;
+}
+
+vec3 colourAt(vec3 p)
+{
+    bool tower = max(abs(p.x), abs(p.z)) < WALL + 0.02;
+    bool falling = tower && p.z > WALL - 0.02;
+    float beside = falling ? p.x : (tower ? abs(min(p.x, p.z)) : besideLoop(p));
+    float along = falling ? -p.y : (tower ? -0.5 - p.x : streamAt(p));
+    float level = p.y - TOP + DEEP - (tower ? CLIMB : 0.0);
+    bool wet = abs(beside) < WATER && level < 0.02 && (falling || level > -0.02);
+    vec3 water = vec3(0.03, 0.26, 0.38) + 0.25 * foam(along, beside);
+    bool odd = mod(floor(p.x) + floor(p.z), 2.0) > 0.5;
+    vec3 tile = odd ? vec3(0.70, 0.52, 0.42) : vec3(0.56, 0.36, 0.31);
+    vec3 colour = wet ? water : (p.y > 0.02 ? vec3(0.86, 0.78, 0.67) : tile);
+    return frameDistance(p) < 0.02 ? vec3(0.72, 0.20, 0.11) : colour;
+}
+
+// The share of the sun that a surface catches.
+float sunlight(vec3 p, vec3 normal)
+{
+    Ray ray = shadowRay(p, normal, TO_SUN, SHADOW_OFFSET);
+    float caught = lambert(normal, TO_SUN);
+    float far = caught > 0.0 ? boxInterval(ray, LOW, HIGH).y : 0.0;
+    return caught * lightReaching(ray, far, hitThreshold, maxSteps);
+}
+
+// What is behind all. Parallel rays see one and the same point of a sky: so it is a painting, seen at
+// the pixel's own place.
+vec3 backdrop()
+{
+    vec2 screen = screenPosition(gl_FragCoord.xy + iPixelOffset);
+    vec3 air = mix(vec3(0.11, 0.21, 0.24), vec3(0.012, 0.04, 0.08), 0.5 + 0.5 * screen.y);
+    float rim = smoothstep(0.285, 0.295, distance(screen, vec2(1.0, 0.45)));
+    return mix(vec3(0.85, 0.48, 0.22), air, rim);
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec2 interval = boxInterval(ray, LOW, HIGH);
+    Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
+    vec3 light = backdrop();
+    if (hit.found) {
+        vec3 p = ray.origin + hit.t * ray.direction;
+        vec3 normal = normalAt(p, hitThreshold);
+        vec3 sky = SKY_COLOUR * (0.7 + 0.3 * normal.y);
+        light = colourAt(p) * (sky + SUN_COLOUR * sunlight(p, normal));
+    }
+    return encodeSRGB(light);
+}

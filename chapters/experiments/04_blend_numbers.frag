@@ -1,0 +1,38 @@
+// Experiment of chapter 04: the blend of the workshop's opBlend, which mixes the numbers of two
+// materials, here their hues, with the weight clamp(a - d, 0, 1).
+//
+//   numbers=true           the numbers are mixed: between orange and blue lie all hues between
+//   workshopWeight=true    its weight, which is k / 6 where it should be 1 / 2
+//
+// The chapter's own ballShare is kept aside under another name, and so is its colourAt.
+#include "main.glsl"
+#define colourAt rightColourAt
+#define rayColour rightRayColour
+#include "../04_hue_colour.frag"
+#undef rayColour
+#undef colourAt
+
+uniform bool numbers;        // true: mix the hues' numbers instead of their colours
+uniform bool workshopWeight; // false: take the workshop's weight instead of the slope of the function
+
+vec3 colourAt(vec3 p)
+{
+    float a = blockDistance(p), b = ballDistance(p), d = middleDistance(p);
+    if (d > min(wheelDistance(p), stageDistance(p)))
+        return rightColourAt(p);
+    float share = workshopWeight ? clamp(a - d, 0.0, 1.0) : ballShare(p);
+    vec3 mixed = mix(hsvToRGB(BLOCK_HUE, saturation, value), hsvToRGB(BALL_HUE, saturation, value), share);
+    return numbers ? hsvToRGB(mix(BLOCK_HUE, BALL_HUE, share), saturation, value) : mixed;
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec2 interval = boxInterval(ray, LOW, HIGH);
+    Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
+    vec3 light = skyColour(ray.direction);
+    if (hit.found) {
+        vec3 p = ray.origin + hit.t * ray.direction;
+        light = colourAt(p) * receivedLight(p, normalAt(p, normalStep));
+    }
+    return encodeSRGB(light);
+}

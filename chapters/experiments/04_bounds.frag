@@ -1,0 +1,74 @@
+// Experiment of chapter 04: what min and max make of the distances of two discs, a flat diagram.
+// The dark lines are those of equal distance as the operator has it, the white ones the true ones, and
+// red is the difference, full at 0.25. Where no white line is seen both coincide, and the operator is
+// exact there. Of the smooth union only its own lines are drawn.
+//
+// The true distance is that to the boundary, piece by piece: what is left of each circle, and the two
+// points where the circles cross.
+#include "main.glsl"
+#include "camera.glsl"
+#include "primitives.glsl"
+#include "combine.glsl"
+
+uniform int   operation; // 1 in [0, 3]: 0 union, 1 intersection, 2 left less right, 3 smooth union
+uniform float apart;     // 0.7 in [0.1, 0.95] step 0.05, scene units: from the middle to either centre
+uniform float blend;     // 0.6 in [0.01, 1.5] step 0.05, scene units: width of the smooth union's blend
+
+Ray pixelRay(vec2 screen)
+{
+    return perspectiveRay(screen);
+}
+
+float combined(vec3 p)
+{
+    float a = sdSphere(p + vec3(apart, 0.0, 0.0), 1.0), b = sdSphere(p - vec3(apart, 0.0, 0.0), 1.0);
+    if (operation == 0)
+        return opUnion(a, b);
+    if (operation == 1)
+        return opIntersection(a, b);
+    return operation == 2 ? opSubtraction(a, b) : opSmoothUnion(a, b, blend);
+}
+
+float sceneDistance(vec3 p)
+{
+    return combined(p);
+}
+
+// The distance from q to what is left of the circle around its origin: all of it where the point of
+// the circle that is nearest to q is left, else very far.
+//   other   the centre of the other circle
+//   inside  the part inside the other disc is left, else the part outside
+float arcDistance(vec2 q, vec2 other, bool inside)
+{
+    bool left = (length(normalize(q) - other) < 1.0) == inside;
+    return left ? abs(length(q) - 1.0) : 1e6;
+}
+
+float trueDistance(vec2 p)
+{
+    vec2 centre = vec2(apart, 0.0);
+    float a = arcDistance(p + centre, 2.0 * centre, operation == 1);
+    float b = arcDistance(p - centre, -2.0 * centre, operation != 0);
+    float corner = length(vec2(p.x, abs(p.y) - sqrt(1.0 - apart * apart)));
+    return min(corner, min(a, b)) * sign(combined(vec3(p, 0.0)));
+}
+
+// A line at every 0.25 of a distance; thicker at 0.
+float levels(float distance, float pixel)
+{
+    float nearest = 0.25 * floor(4.0 * distance + 0.5);
+    float width = nearest == 0.0 ? 3.0 : 1.2;
+    return clamp(0.5 * width + 0.5 - abs(distance - nearest) / pixel, 0.0, 1.0);
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec2 p = 2.0 * screenPosition(gl_FragCoord.xy + iPixelOffset);
+    float pixel = 4.0 / iResolution.y;
+    float asked = combined(vec3(p, 0.0)), truth = operation == 3 ? asked : trueDistance(p);
+    vec3 colour = asked < 0.0 ? vec3(0.62, 0.72, 0.84) : vec3(0.95, 0.93, 0.88);
+    float wrong = clamp(4.0 * abs(truth - asked), 0.0, 1.0);
+    colour = mix(colour, vec3(0.86, 0.30, 0.22), 0.8 * wrong);
+    colour = mix(colour, vec3(1.0), 0.9 * levels(truth, pixel));
+    return mix(colour, vec3(0.07, 0.10, 0.20), (operation == 3 ? 1.0 : 0.85) * levels(asked, pixel));
+}

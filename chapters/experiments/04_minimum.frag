@@ -1,0 +1,20 @@
+// Experiment of chapter 04: the report's colour, min(object, light) (section 1.5.5), in place of the
+// product, on objects that have a hue.
+//
+// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
+#include "main.glsl"
+#define rayColour rightRayColour
+#include "../04_hue_colour.frag"
+#undef rayColour
+
+vec3 rayColour(Ray ray)
+{
+    vec2 interval = boxInterval(ray, LOW, HIGH);
+    Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
+    vec3 light = skyColour(ray.direction);
+    if (hit.found) {
+        vec3 p = ray.origin + hit.t * ray.direction;
+        light = min(colourAt(p), receivedLight(p, normalAt(p, normalStep)));
+    }
+    return encodeSRGB(light);
+}

@@ -1,0 +1,28 @@
+// Experiment of chapter 07: the test of the report's annex, where a ray ends when the distance to the
+// scene is 20 or more. In an endless field no distance is: every ray that hits nothing walks on until
+// its steps run out.
+//
+// The chapter's call of marchCone is turned into a call of marchLocal.
+#include "main.glsl"
+#include "cone.glsl"
+
+Hit marchLocal(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
+{
+    trace.marches++;
+    float t = tMin;
+    int steps = 0;
+    float distance = 0.0;
+    bool found = false;
+    do {
+        distance = distanceAt(ray.origin + t * ray.direction);
+        traceStep(steps, t, distance);
+        steps++;
+        found = distance < threshold + spread * t;
+        t += found ? 0.0 : distance;
+    } while (!found && distance < 20.0 && steps < maxSteps);
+    traceMarch(steps, t, found ? END_HIT : (distance < 20.0 ? END_STEPS : END_PASSED));
+    return Hit(found && t < tMax, t);
+}
+
+#define marchCone marchLocal
+#include "../07_repetition.frag"

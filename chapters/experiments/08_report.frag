@@ -1,0 +1,18 @@
+// Experiment of chapter 08: the report's orthographic view (section 2.3). A ray starts at its pixel's
+// place on the screen, camera + x e_x + y e_y, and follows e_z: no scale.
+//
+// The chapter's own pixelRay is kept aside under another name; everything else is the chapter's.
+#include "main.glsl"
+#define pixelRay chapterPixelRay
+#include "../08_orthographic_view.frag"
+#undef pixelRay
+
+uniform bool opposite; // false: e_z as section 1.3.1 says, opposite to the view, instead of along it
+
+Ray pixelRay(vec2 screen)
+{
+    vec3 ez = opposite ? -iCameraForward : iCameraForward;
+    vec3 ex = normalize(cross(ez, vec3(0.0, 1.0, 0.0)));
+    vec3 ey = cross(ex, ez);
+    return Ray(iCameraPosition + screen.x * ex + screen.y * ey, ez);
+}

@@ -1,0 +1,16 @@
+// Solution of exercise 05.1: the ring turns about its own axis, once in 20 seconds. The new rotation
+// stands on the right of those that it has: it is the first to be applied to the ring, before the ring
+// is laid on the water.
+#include "main.glsl"
+#define pixelRay chapterPixelRay
+#include "../05_transforms.frag"
+#undef pixelRay
+
+uniform float turnTime; // 20 in [1, 120] step 1, seconds: one turn of the ring
+
+Ray pixelRay(vec2 screen)
+{
+    Ray ray = chapterPixelRay(screen);
+    ringPose.turn = ringPose.turn * rotationZ(radians(360.0 * iTime / turnTime));
+    return ray;
+}

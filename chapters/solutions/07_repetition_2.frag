@@ -1,0 +1,18 @@
+// Solution of exercise 07.2: twelve framed balls around the origin. What repeats is the angle: a turn
+// by a whole number of twelfths brings every point into the sector around the x axis.
+//
+// The experiment's own sceneDistance is kept aside under another name.
+#include "main.glsl"
+#define sceneDistance latticeDistance
+#include "../experiments/07_lattice.frag"
+#undef sceneDistance
+
+const float SECTOR = 6.283185307 / 12.0;
+
+float sceneDistance(vec3 p)
+{
+    float angle = opRepeat(atan(p.z, p.x), SECTOR);
+    vec3 q = length(p.xz) * vec3(cos(angle), 0.0, sin(angle)) - vec3(4.5, 0.0, 0.0);
+    q.y = p.y;
+    return min(sdSphere(q, 0.45), sdBoxFrame(q, vec3(0.8), 0.07));
+}

@@ -1,0 +1,15 @@
+// Solution of exercise 08.4: reversed perspective, u beyond 1. The rays meet in a point before the
+// eye, and what is farther is larger.
+#include "main.glsl"
+#define pixelRay chapterPixelRay
+#include "../08_orthographic_view.frag"
+#undef pixelRay
+
+uniform float beyond; // 1.3 in [1, 1.6] step 0.05: u, the place on the passage
+
+Ray pixelRay(vec2 screen)
+{
+    vec3 across = screen.x * iCameraRight + screen.y * iCameraUp;
+    vec3 origin = iCameraPosition + beyond * framingDistance / focalLength * across;
+    return Ray(origin, normalize((1.0 - beyond) * across + focalLength * iCameraForward));
+}

@@ -1,0 +1,31 @@
+// Solution of exercise 08.5: empty cubes in place of empty balls. The scene's distance is of maxima
+// and coordinates alone, so the cube of half side f around a point is empty too, and a ray leaves it
+// only after f / max(|d.x|, |d.y|, |d.z|).
+#include "main.glsl"
+#include "march.glsl"
+#include "shadow.glsl" // before march has another name: shadow rays keep their balls
+#define march marchCubes
+#define sceneDistance chapterDistance
+
+float stretch = 0.0; // of the steps of the ray that is marched; 0 means none
+
+float chapterDistance(vec3 p);
+Hit   marchCubes(Ray ray, float tMin, float tMax, float threshold, int maxSteps);
+
+#include "../08_orthographic_view.frag"
+#undef march
+#undef sceneDistance
+
+float sceneDistance(vec3 p)
+{
+    return (stretch > 0.0 ? stretch : 1.0) * chapterDistance(p);
+}
+
+Hit marchCubes(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
+{
+    vec3 d = abs(ray.direction);
+    stretch = 1.0 / max(d.x, max(d.y, d.z));
+    Hit hit = march(ray, tMin, tMax, threshold, maxSteps);
+    stretch = 0.0;
+    return hit;
+}

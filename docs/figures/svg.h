@@ -1,0 +1,70 @@
+// svg.h - the pen of the figures: a page of SVG on standard output, in pixels, y downwards, and a
+// plot on it, in numbers of its own, y upwards.
+//
+// Every number is written with two decimals, so that a figure is the same file on every machine.
+#ifndef SVG_H
+#define SVG_H
+
+#include <stdbool.h>
+
+// Colours that a colour-blind reader tells apart, by lightness too. They stand on a ground of
+// paper, so that a figure reads alike in a light and in a dark theme.
+#define SVG_INK    "#0d1433"
+#define SVG_PALE   "#9aa0b5"
+#define SVG_ORANGE "#d9731a"
+#define SVG_SAND   "#fce1b8"
+#define SVG_BLUE   "#2f6fc0"
+#define SVG_SKY    "#cfe0f5"
+#define SVG_TEAL   "#0b7f73"
+#define SVG_PAPER  "#fffbf2"
+
+// Begin and end the page.
+//   width, height       pixels
+//   title, description  what a reader who does not see it is told: what it is, and what is seen
+void svg_begin(double width, double height, const char *title, const char *description);
+void svg_end(void);
+
+// How a line is drawn and a shape filled.
+struct svg_pen {
+    const char *stroke; // colour; NULL none
+    double width;       // pixels; 0 is 1.5
+    const char *fill;   // colour; NULL none
+    const char *dash;   // as SVG's stroke-dasharray; NULL a whole line
+    double opacity;     // 0 is 1
+};
+
+void svg_line(double x0, double y0, double x1, double y1, struct svg_pen pen);
+void svg_arrow(double x0, double y0, double x1, double y1, struct svg_pen pen); // head at x1, y1
+void svg_circle(double x, double y, double radius, struct svg_pen pen);
+void svg_polygon(int count, const double (*point)[2], struct svg_pen pen);
+void svg_path(int count, const double (*point)[2], struct svg_pen pen); // open
+
+// Words.
+//   anchor  'l', 'm' or 'r': x is their left end, middle or right end
+//   size    pixels
+//   words   SVG text: <tspan font-style='italic'> and entities are allowed
+void svg_text(double x, double y, char anchor, double size, const char *colour, const char *words);
+// The same from a format as of printf.
+void svg_textf(double x, double y, char anchor, double size, const char *colour, const char *format,
+               ...) __attribute__((format(printf, 6, 7)));
+
+// A plot: a rectangle of the page and the numbers at its edges.
+struct svg_plot {
+    double left, top, width, height; // pixels
+    double x[2], y[2];               // numbers at the left and right, bottom and top edge
+    bool log_x, log_y;               // by powers of ten
+};
+
+double svg_plot_x(const struct svg_plot *plot, double x); // pixels
+double svg_plot_y(const struct svg_plot *plot, double y);
+
+// The frame with its ticks and words.
+//   x_step, y_step  from tick to tick; with log_x, log_y a tick stands at every power of ten
+void svg_plot_frame(const struct svg_plot *plot, double x_step, double y_step, const char *x_words,
+                    const char *y_words);
+
+// A curve through points; what lies outside the plot is left out.
+void svg_plot_curve(const struct svg_plot *plot, int count, const double (*point)[2],
+                    struct svg_pen pen);
+
+#endif

@@ -1,0 +1,33 @@
+// orthographic.glsl - the parallel view, and the passage from the perspective view to it.
+#include "camera.glsl"
+
+uniform float orthographic; // 1 in [0, 1] step 0.05: 0 the perspective view, 1 the orthographic one
+
+// The ray of a parallel view: all go the camera's way, each from its own point of the camera's plane.
+//   screen      y from -1 to 1, x from -aspect to aspect
+//   halfHeight  half the height of what the picture shows, scene units, > 0
+//   formula     origin = position + halfHeight (x right + y up), direction = forward
+// The report (section 2.3) leaves halfHeight out: then the picture shows 2 scene units, whatever the
+// scene.
+Ray orthographicRay(vec2 screen, float halfHeight)
+{
+    vec3 across = screen.x * iCameraRight + screen.y * iCameraUp;
+    return Ray(iCameraPosition + halfHeight * across, iCameraForward);
+}
+
+// The ray of a view between the two: the perspective of an eye that has gone back to
+// framingDistance / (1 - u) while its focal length grew in proportion, u = orthographic. What lies
+// on the framing plane, across the view at framingDistance from the camera, stays where it is.
+//   screen           y from -1 to 1, x from -aspect to aspect
+//   framingDistance  from the camera's plane to the framing plane along the view, scene units, > 0
+//   formula          with v = x right + y up and s = framingDistance / focalLength
+//                    origin = position + u s v, direction = normalize((1 - u) v + focalLength forward)
+// All rays start on the camera's plane, so what lies behind it is in no picture. With u = 0 it is
+// perspectiveRay, with u = 1 orthographicRay with half height s.
+Ray projectionRay(vec2 screen, float framingDistance)
+{
+    vec3 across = screen.x * iCameraRight + screen.y * iCameraUp;
+    float halfHeight = framingDistance / focalLength;
+    vec3 origin = iCameraPosition + orthographic * halfHeight * across;
+    return Ray(origin, normalize((1.0 - orthographic) * across + focalLength * iCameraForward));
+}

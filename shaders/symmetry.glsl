@@ -1,0 +1,113 @@
+// symmetry.glsl - mirrors: space folded along planes, and the tetrahedra that folds make cheap.
+#include "scene.glsl"
+
+// Fold space along a plane: a point behind it is replaced by its mirror image, a point before it stays.
+// One-sided: what a scene holds behind the plane is lost, what it holds before it appears twice.
+//   p        point, scene units
+//   normal   of the plane, length 1, pointing to the side that is kept
+//   offset   scene units; the plane is <p, normal> = -offset
+//   formula  p - 2 min(<p, normal> + offset, 0) normal; with (-normal, -offset) the same plane, the
+//            other side kept
+// 1-Lipschitz: a distance taken at the folded point is a lower bound of that to the scene one sees,
+// and exact if nothing of the scene lies behind the plane. With another length of the normal than 1
+// it is no mirror, and not a bound.
+// Source: report, section 2.2.4.
+vec3 opReflect(vec3 p, vec3 normal, float offset)
+{
+    return p - 2.0 * min(dot(p, normal) + offset, 0.0) * normal;
+}
+
+// A regular tetrahedron with the corners (1, 1, 1), (1, -1, -1), (-1, 1, -1) and (-1, -1, 1) times
+// size: alternate corners of a cube. Inside exact; outside a lower bound: with d the distance it is
+// d before a face, at least d / sqrt(3) before an edge, at least d / 3 before a corner.
+//   p        point, scene units
+//   size     half the side of that cube, scene units, > 0; an edge is sqrt(8) size long
+//   formula  the largest of the signed distances to the planes of the four faces, each
+//            (<p, n> - size) / sqrt(3) with n = (-1, -1, -1), (-1, 1, 1), (1, -1, 1), (1, 1, -1)
+// Source: report, section 3.3 and its engine.
+float sdTetrahedronPlanes(vec3 p, float size)
+{
+    float largest = max(abs(p.x + p.y) - p.z, abs(p.x - p.y) + p.z);
+    return (largest - size) * 0.57735027;
+}
+
+// The same tetrahedron. Exact everywhere.
+//   p, size  as of sdTetrahedronPlanes
+// Three folds bring p before the face x + y + z = -size. Of that face's edges the nearest is the one
+// on which the smallest coordinate is -size. Beyond the edge the distance is that to the edge, else
+// that to the face's plane. In the edge's own frame, p less the edge's middle is: middle, twice, away
+// from the axis of the two other coordinates; low + size; and along the edge, past its end, past.
+float sdTetrahedron(vec3 p, float size)
+{
+    p.xy -= max(p.x + p.y, 0.0);
+    p.xz -= max(p.x + p.z, 0.0);
+    p.yz -= max(p.y + p.z, 0.0);
+    float low = min(p.x, min(p.y, p.z));
+    float high = max(p.x, max(p.y, p.z));
+    float sum = p.x + p.y + p.z;
+    float middle = 0.5 * (sum - low);
+    float past = max(high - middle - size, 0.0);
+    float edge = length(vec3(1.41421356 * vec2(middle, past), low + size));
+    return middle - low > size ? edge : -(sum + size) * 0.57735027;
+}
+
+// One level of the pyramid: three folds, after which the corner (1, 1, 1) is the nearest of the four.
+// One round is enough: each fold moves a point towards the kept sides of the other two.
+//   q        point, scene units, measured from that corner
+//   size     of the tetrahedron that is cut in four, scene units
+//   formula  opReflect with the normals (1, 1, 0), (1, 0, 1), (0, 1, 1) over sqrt(2) and the offset
+//            sqrt(2) size, written out: the roots cancel
+vec3 foldToCorner(vec3 q, float size)
+{
+    q.xy -= min(q.x + q.y + 2.0 * size, 0.0);
+    q.xz -= min(q.x + q.z + 2.0 * size, 0.0);
+    q.yz -= min(q.y + q.z + 2.0 * size, 0.0);
+    return q;
+}
+
+// The Sierpinski pyramid: 4^levels tetrahedra out of 3 levels folds with halving offsets. Inside exact;
+// outside between d / 3 and d, as sdTetrahedronPlanes, on which it stands.
+//   p        point, scene units
+//   size     of the whole, as of sdTetrahedronPlanes
+//   levels   >= 0; 0 is the tetrahedron itself. The smallest are size / 2^levels: up to 15, for the
+//            rounding of floats
+// Source: W. Sierpinski (1915), in the plane; report, section 3.3 and its engine.
+float sdSierpinskiPlanes(vec3 p, float size, int levels)
+{
+    vec3 q = p - size;
+    for (int i = 0; i < levels; i++) {
+        q = foldToCorner(q, size);
+        size *= 0.5;
+    }
+    return sdTetrahedronPlanes(q + size, size);
+}
+
+// The same pyramid. Exact everywhere.
+//   p, size, levels  as of sdSierpinskiPlanes
+float sdSierpinski(vec3 p, float size, int levels)
+{
+    vec3 q = p - size;
+    for (int i = 0; i < levels; i++) {
+        q = foldToCorner(q, size);
+        size *= 0.5;
+    }
+    return sdTetrahedron(q + size, size);
+}
+
+// Where a ray is inside the tetrahedron: what boxInterval of bounds.glsl does, with four planes.
+//   size     as of sdTetrahedronPlanes; to hold a pyramid, a little more than its own
+//   returns  (entry, exit) along the ray, entry >= 0; entry >= exit when the ray misses it
+//   formula  a plane is crossed at (size - <origin, n>) / <direction, n>, inwards where
+//            <direction, n> < 0, outwards where it is > 0; where it is 0 the plane is left out, so
+//            that the interval may be too long, never too short. The n add up to 0: a ray enters
+//            through three planes at most, and the entry of the fourth stays 0
+vec2 tetrahedronInterval(Ray ray, float size)
+{
+    mat4x3 outwards = mat4x3(-1.0, -1.0, -1.0, -1.0, 1.0, 1.0, 1.0, -1.0, 1.0, 1.0, 1.0, -1.0);
+    vec4 along = ray.direction * outwards;
+    vec4 crossing = (size - ray.origin * outwards) / along;
+    vec4 entry = mix(vec4(0.0), crossing, lessThan(along, vec4(0.0)));
+    vec4 leave = mix(vec4(1e9), crossing, greaterThan(along, vec4(0.0)));
+    return vec2(max(max(entry.x, entry.y), max(entry.z, entry.w)),
+                min(min(leave.x, leave.y), min(leave.z, leave.w)));
+}

@@ -1,0 +1,60 @@
+#version 330 core
+// For test_combine.c: two equal balls combined, at random points, with a second point near each.
+//
+// Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), (a, b, the share of b, -), and the smooth
+// union at (a + h, b), (a - h, b), (a, b + h), (a, b - h). Time is the operation; iMouse holds half the
+// distance of the centres, the width of the blend, h, and the radius.
+
+in float Time;
+out vec4 FragColor;
+
+uniform vec4 iMouse;
+
+#include "random.glsl"
+#include "primitives.glsl"
+#include "combine.glsl"
+
+float left(vec3 p)
+{
+    return sdSphere(p + vec3(iMouse.x, 0.0, 0.0), iMouse.w);
+}
+
+float right(vec3 p)
+{
+    return sdSphere(p - vec3(iMouse.x, 0.0, 0.0), iMouse.w);
+}
+
+float asked(vec3 p)
+{
+    float a = left(p), b = right(p);
+    int which = int(Time);
+    if (which == 0)
+        return opUnion(a, b);
+    if (which == 1)
+        return opIntersection(a, b);
+    return which == 2 ? opSubtraction(a, b) : opSmoothUnion(a, b, iMouse.y);
+}
+
+// Of every four points one lies on the plane where a = b.
+vec3 point(int item)
+{
+    vec3 p = 2.0 * nextVector();
+    if (item % 4 == 3)
+        p.x = 0.0;
+    return item % 4 == 2 ? 0.5 * p : p;
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    int item = pixel.x / 4 + 256 * pixel.y;
+    int slot = pixel.x % 4;
+    seed = uint(item) * 9781u + 17u;
+    vec3 p = point(item);
+    vec3 q = p + exp2(-12.0 * abs(nextSigned())) * nextVector();
+    float a = left(p), b = right(p), k = iMouse.y, h = iMouse.z;
+    vec4 shares = vec4(a, b, smoothUnionShare(a, b, k), 0.0);
+    vec4 moved = vec4(opSmoothUnion(a + h, b, k), opSmoothUnion(a - h, b, k),
+                      opSmoothUnion(a, b + h, k), opSmoothUnion(a, b - h, k));
+    FragColor = slot == 0 ? vec4(p, asked(p)) : (slot == 1 ? vec4(q, asked(q)) : (slot == 2 ? shares : moved));
+}

@@ -1,0 +1,219 @@
+// test_combine.c - union, intersection, subtraction and smooth union of two balls as the GPU has
+// them, against the distance to what is left of their surfaces, in double precision.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "support_gpu.h"
+#include "support_mirror.h"
+
+enum { UNION, INTERSECTION, SUBTRACTION, SMOOTH };
+
+enum { ROWS = 128, ITEMS = 256 * ROWS };
+
+// Half the distance of the centres, the width of the blend, the step of the differences, the
+// radius.
+static const float sizes[4] = {0.5f, 0.625f, 0.0078125f, 0.75f};
+static const double shift = 0.5, blend = 0.625, step = 0.0078125, radius = 0.75;
+
+// Rounding of a distance, of its cube, and of a point's own coordinates.
+static const double slack = 2e-6;
+
+static struct gpu gpu;
+
+static int open_gpu(void **unused)
+{
+    (void)unused;
+    return gpu_open(&gpu) ? 0 : -1;
+}
+
+static int close_gpu(void **unused)
+{
+    (void)unused;
+    gpu_close(&gpu);
+    return 0;
+}
+
+static float *values_of(int operation)
+{
+    assert_true(gpu_load(&gpu, "tests/shaders/combine.frag"));
+    float *values = gpu_call(&gpu, 1024, ROWS, operation, sizes);
+    assert_non_null(values);
+    return values;
+}
+
+// The distance from (x, y), seen from a ball's centre, to an arc of its circle, from one angle to
+// another, both in [0, pi].
+static double arc_distance(double x, double y, double from, double to)
+{
+    double angle = fmin(fmax(atan2(y, x), from), to);
+    return hypot(x - radius * cos(angle), y - radius * sin(angle));
+}
+
+// The distance to the surface of the combination: each ball keeps the arc inside the other or the
+// arc outside; the arcs meet on the plane between the centres, at the angle acos(shift / radius).
+static double surface_distance(struct d3 p, int operation)
+{
+    double y = hypot(p.y, p.z), meet = acos(shift / radius);
+    double left = operation == INTERSECTION ? arc_distance(p.x + shift, y, 0.0, meet)
+                                            : arc_distance(p.x + shift, y, meet, MIRROR_PI);
+    double right = operation == UNION ? arc_distance(shift - p.x, y, meet, MIRROR_PI)
+                                      : arc_distance(shift - p.x, y, 0.0, meet);
+    return fmin(left, right);
+}
+
+static bool inside(struct d3 p, int operation)
+{
+    bool left = hypot(p.x + shift, hypot(p.y, p.z)) < radius;
+    bool right = hypot(p.x - shift, hypot(p.y, p.z)) < radius;
+    if (operation == UNION)
+        return left || right;
+    return left && (operation == INTERSECTION ? right : !right);
+}
+
+// The operator against the truth: exact on one side, never more than it on the other, less
+// somewhere.
+static void check_bound(int operation, bool exact_inside)
+{
+    float *values = values_of(operation);
+    int exact = 0, bounded = 0, short_of = 0;
+    double shortest = 0.0;
+    for (int i = 0; i < ITEMS; i++) {
+        struct d3 p = d3_of(values + 16 * i);
+        double f = (double)values[16 * i + 3], truth = surface_distance(p, operation);
+        bool in = inside(p, operation);
+        if (truth > slack)
+            assert_true((f < 0.0) == in);
+        if (in == exact_inside) {
+            assert_true(fabs(fabs(f) - truth) <= slack);
+            exact++;
+        } else {
+            assert_true(fabs(f) <= truth + slack);
+            bounded++;
+            short_of += fabs(f) < truth - 0.01;
+            shortest = fmax(shortest, truth - fabs(f));
+        }
+    }
+    free(values);
+    print_message(
+        "# operation %d: exact at %d points; a bound at %d, short by more than 0.01 at %d, "
+        "by %.3f at most\n",
+        operation, exact, bounded, short_of, shortest);
+    assert_true(exact > 500 && bounded > 500 && short_of > 100);
+}
+
+static void test_union_is_exact_outside_and_a_bound_inside(void **unused)
+{
+    (void)unused;
+    check_bound(UNION, false);
+}
+
+static void test_intersection_is_exact_inside_and_a_bound_outside(void **unused)
+{
+    (void)unused;
+    check_bound(INTERSECTION, true);
+}
+
+static void test_subtraction_is_exact_inside_and_a_bound_outside(void **unused)
+{
+    (void)unused;
+    check_bound(SUBTRACTION, true);
+}
+
+// The counter-examples of the page, by hand.
+static void test_counter_examples(void **unused)
+{
+    (void)unused;
+    double rim = sqrt(0.3125);
+    assert_true(fabs(surface_distance(d3(0.0, 0.0, 0.0), UNION) - rim) < 1e-12);
+    assert_true(fabs(surface_distance(d3(0.0, 2.0, 0.0), INTERSECTION) - (2.0 - rim)) < 1e-12);
+    assert_true(fabs(hypot(0.5, 2.0) - 0.75 - 1.31155281) < 1e-8); // what max says there
+    assert_true(fabs(surface_distance(d3(1.0, 0.0, 0.0), SUBTRACTION) - hypot(1.0, rim)) < 1e-12);
+}
+
+static void test_all_are_1_lipschitz(void **unused)
+{
+    (void)unused;
+    for (int operation = UNION; operation <= SMOOTH; operation++) {
+        float *values = values_of(operation);
+        double largest = 0.0;
+        for (int i = 0; i < ITEMS; i++) {
+            const float *v = values + 16 * i;
+            double apart = d3_length(d3_sub(d3_of(v), d3_of(v + 4)));
+            double change = fabs((double)v[3] - (double)v[7]);
+            assert_true(change <= apart + slack);
+            if (apart > 0.01)
+                largest = fmax(largest, change / apart);
+        }
+        free(values);
+        print_message("# operation %d: largest |f(p) - f(q)| / |p - q| is %.6f\n", operation,
+                      largest);
+        assert_true(largest > 0.99);
+    }
+}
+
+static void test_smooth_union_lies_between_min_and_min_less_a_sixth(void **unused)
+{
+    (void)unused;
+    float *values = values_of(SMOOTH);
+    int middle = 0, outside = 0, between = 0;
+    for (int i = 0; i < ITEMS; i++) {
+        const float *v = values + 16 * i;
+        double a = (double)v[8], b = (double)v[9], f = (double)v[3], least = fmin(a, b);
+        assert_true(f <= least + slack && f >= least - blend / 6.0 - slack);
+        if (v[0] == 0.0f) {
+            assert_true(fabs(f - (least - blend / 6.0)) <= slack);
+            middle++;
+        } else if (fabs(a - b) >= blend) {
+            assert_true(fabs(f - least) <= slack);
+            outside++;
+        } else {
+            between += f < least - 0.001;
+        }
+    }
+    free(values);
+    print_message("# smooth union: k / 6 at %d points, min at %d, between at %d\n", middle, outside,
+                  between);
+    assert_true(middle > 1000 && outside > 1000 && between > 1000);
+}
+
+// The differences are wrong by at most h^2 / (6 k^2), the third derivative being at most 1 / k^2,
+// and by rounding over h; at a = b, where the third derivative jumps, by h^2 / (6 k^2) too.
+static void test_share_is_the_slope_in_b(void **unused)
+{
+    (void)unused;
+    float *values = values_of(SMOOTH);
+    double allowed = step * step / (6.0 * blend * blend) + 1e-6 / step, worst = 0.0;
+    for (int i = 0; i < ITEMS; i++) {
+        const float *v = values + 16 * i;
+        double share = (double)v[10];
+        double in_a = ((double)v[12] - (double)v[13]) / (2.0 * step);
+        double in_b = ((double)v[14] - (double)v[15]) / (2.0 * step);
+        assert_true(share >= 0.0 && share <= 1.0);
+        worst = fmax(worst, fmax(fabs(in_b - share), fabs(in_a - (1.0 - share))));
+        if (v[0] == 0.0f)
+            assert_true(fabs(share - 0.5) < 1e-5);
+    }
+    free(values);
+    print_message("# share: off the slope by at most %.2g, allowed %.2g\n", worst, allowed);
+    assert_true(worst <= allowed);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_union_is_exact_outside_and_a_bound_inside),
+        cmocka_unit_test(test_intersection_is_exact_inside_and_a_bound_outside),
+        cmocka_unit_test(test_subtraction_is_exact_inside_and_a_bound_outside),
+        cmocka_unit_test(test_counter_examples),
+        cmocka_unit_test(test_all_are_1_lipschitz),
+        cmocka_unit_test(test_smooth_union_lies_between_min_and_min_less_a_sixth),
+        cmocka_unit_test(test_share_is_the_slope_in_b),
+    };
+    return cmocka_run_group_tests_name("combine", tests, open_gpu, close_gpu);
+}

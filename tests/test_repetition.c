@@ -1,0 +1,320 @@
+// test_repetition.c - repeated volumes as the GPU computes them, against brute force over all
+// copies in double precision.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "support_cell.h"
+#include "support_gpu.h"
+#include "support_mirror.h"
+
+#define SHADER "tests/shaders/repetition.frag"
+
+enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS };
+
+// What the shader's Time chooses.
+enum {
+    SYMMETRIC,
+    LIMITED,
+    MIRRORED,
+    PLANK_OWN,
+    PLANK_BOTH,
+    PLANK_LIMITED,
+    PLANK_GHOSTS,
+    OFFSET_OWN,
+    OFFSET_BOTH,
+    TOWERS,
+    TOWERS_CAPPED,
+    ROW,
+    ROW_LIMITED,
+    LONELY
+};
+
+static struct gpu gpu;
+
+static int open_gpu(void **unused)
+{
+    (void)unused;
+    return gpu_open(&gpu) && gpu_load(&gpu, SHADER) ? 0 : -1;
+}
+
+static int close_gpu(void **unused)
+{
+    (void)unused;
+    gpu_close(&gpu);
+    return 0;
+}
+
+// ---- One copy ----
+
+static double symmetric(struct d3 q)
+{
+    return fmin(brute_box(q, d3(0.9, 0.3, 0.5)), d3_length(q) - 0.7);
+}
+
+static double plank(struct d3 q)
+{
+    const double c = cos(MIRROR_PI / 6.0), s = 0.5;
+    return brute_box(d3(c * q.x - s * q.z, q.y, s * q.x + c * q.z), d3(1.2, 1.0, 0.2));
+}
+
+static double offset_ball(struct d3 q)
+{
+    return d3_length(d3_sub(q, d3(1.5, 0.0, 0.0))) - 0.4;
+}
+
+static double tower(struct d3 q, int x, int z)
+{
+    double tall = 0.25 + 5.75 * cell_hash(x, 0, z);
+    return brute_box(d3(q.x, q.y - tall, q.z), d3(0.8, tall, 0.8));
+}
+
+// The copy of cell (x, y, z), its middle at the origin.
+static double copy(int function, struct d3 q, int x, int z)
+{
+    if (function <= LIMITED)
+        return symmetric(q);
+    if (function == MIRRORED)
+        return plank(d3(x % 2 == 0 ? q.x : -q.x, q.y, q.z));
+    if (function <= PLANK_GHOSTS)
+        return plank(q);
+    return function <= OFFSET_BOTH ? offset_ball(q) : tower(q, x, z);
+}
+
+// ---- All copies ----
+
+struct field {
+    int function;
+    float v[4]; // period, axes, first, last
+};
+
+static int nearest_cell(const struct field *field, int axis, double x)
+{
+    return (double)field->v[1] > axis ? (int)lround(x / (double)field->v[0]) : 0;
+}
+
+// The cells along an axis that are tried: all near x, of those that exist.
+static void cells_tried(const struct field *field, int axis, double x, int range[2])
+{
+    int reach = (double)field->v[1] > axis ? (field->function < TOWERS ? 2 : 7) : 0;
+    int middle = nearest_cell(field, axis, x);
+    range[0] = middle - reach;
+    range[1] = middle + reach;
+    if (field->v[3] > field->v[2] && reach > 0) {
+        range[0] = (int)field->v[2];
+        range[1] = (int)field->v[3];
+    }
+}
+
+// The distance to the nearest of all copies. Axes are repeated in the order x, z, y.
+static double brute(const struct field *field, struct d3 p)
+{
+    int xs[2], ys[2], zs[2];
+    double period = (double)field->v[0], nearest = 1e9;
+    cells_tried(field, 0, p.x, xs);
+    cells_tried(field, 1, p.z, zs);
+    cells_tried(field, 2, p.y, ys);
+    for (int x = xs[0]; x <= xs[1]; x++)
+        for (int y = ys[0]; y <= ys[1]; y++)
+            for (int z = zs[0]; z <= zs[1]; z++)
+                nearest =
+                    fmin(nearest, copy(field->function,
+                                       d3_sub(p, d3(period * x, period * y, period * z)), x, z));
+    return nearest;
+}
+
+static float *ask(const struct field *field)
+{
+    float *values = gpu_call(&gpu, WIDE, ROWS, field->function, field->v);
+    assert_non_null(values);
+    return values;
+}
+
+// What was found over all points: how far the GPU's number lies over and under the brute force.
+struct found {
+    double over, under; // largest, >= 0
+    int outside;        // points outside of all copies
+};
+
+static struct found compare(const struct field *field)
+{
+    struct found found = {0.0, 0.0, 0};
+    float *values = ask(field);
+    for (int i = 0; i < ITEMS; i++) {
+        double truth = brute(field, d3_of(values + 4 * i));
+        if (truth < 0.0)
+            continue;
+        double error = (double)values[4 * i + 3] - truth;
+        found.over = fmax(found.over, error);
+        found.under = fmax(found.under, -error);
+        found.outside++;
+    }
+    free(values);
+    assert_true(found.outside > ITEMS / 2);
+    return found;
+}
+
+static const double rounding = 6e-6; // coordinates to 20, a few roundings of 6e-8 each
+
+static void check_exact(const char *what, const struct field *field)
+{
+    struct found found = compare(field);
+    print_message("# %s: %d points outside, off by at most %.1e\n", what, found.outside,
+                  fmax(found.over, found.under));
+    assert_true(found.over < rounding && found.under < rounding);
+}
+
+static void check_bound(const char *what, const struct field *field)
+{
+    struct found found = compare(field);
+    print_message("# %s: never more than %.1e over, up to %.2f under\n", what, found.over,
+                  found.under);
+    assert_true(found.over < rounding && found.under > 0.1);
+}
+
+// The largest over-estimate, which must be known to 3 per cent.
+static void check_over(const char *what, const struct field *field, double expected)
+{
+    struct found found = compare(field);
+    print_message("# %s: over-estimates by up to %.3f\n", what, found.over);
+    assert_true(fabs(found.over / expected - 1.0) < 0.03);
+}
+
+static void test_symmetric_copies_are_exact_outside(void **unused)
+{
+    (void)unused;
+    check_exact("one axis", &(struct field){SYMMETRIC, {2.5f, 1.0f, 0.0f, 0.0f}});
+    check_exact("two axes", &(struct field){SYMMETRIC, {2.5f, 2.0f, 0.0f, 0.0f}});
+    check_exact("three axes", &(struct field){SYMMETRIC, {2.5f, 3.0f, 0.0f, 0.0f}});
+    check_exact("cells -2 to 1", &(struct field){LIMITED, {2.5f, 2.0f, -2.0f, 1.0f}});
+}
+
+static void test_mirrored_copies_need_no_correction(void **unused)
+{
+    (void)unused;
+    check_exact("mirrored planks", &(struct field){MIRRORED, {2.5f, 1.0f, 0.0f, 0.0f}});
+}
+
+static void test_the_own_copy_alone_over_estimates(void **unused)
+{
+    (void)unused;
+    check_over("ball 1.5 aside", &(struct field){OFFSET_OWN, {4.0f, 1.0f, 0.0f, 0.0f}}, 3.0);
+    check_over("plank", &(struct field){PLANK_OWN, {2.5f, 1.0f, 0.0f, 0.0f}}, 0.94);
+}
+
+static void test_the_nearer_neighbour_mends_identical_copies(void **unused)
+{
+    (void)unused;
+    check_exact("ball, both", &(struct field){OFFSET_BOTH, {4.0f, 1.0f, 0.0f, 0.0f}});
+    check_exact("plank, both", &(struct field){PLANK_BOTH, {2.5f, 1.0f, 0.0f, 0.0f}});
+    check_exact("plank, -2 to 1", &(struct field){PLANK_LIMITED, {2.5f, 1.0f, -2.0f, 1.0f}});
+    struct found ghosts = compare(&(struct field){PLANK_GHOSTS, {2.5f, 1.0f, -2.0f, 1.0f}});
+    print_message("# neighbours that do not exist: %.2f too little\n", ghosts.under);
+    assert_true(ghosts.under > 1.0 && ghosts.over < rounding);
+}
+
+static void test_copies_that_vary_need_the_wall(void **unused)
+{
+    (void)unused;
+    // 1.6 wide towers fill cells of 1.6: the wall is as near as another tower may be.
+    check_bound("towers, capped", &(struct field){TOWERS_CAPPED, {1.6f, 2.0f, 0.0f, 0.0f}});
+    check_bound("towers -2 to 1", &(struct field){ROW_LIMITED, {1.6f, 1.0f, -2.0f, 1.0f}});
+    check_bound("own tower, others", &(struct field){LONELY, {2.0f, 2.0f, 0.0f, 0.0f}});
+    struct found four = compare(&(struct field){TOWERS, {2.0f, 2.0f, 0.0f, 0.0f}});
+    struct found three = compare(&(struct field){ROW, {2.0f, 1.0f, 0.0f, 0.0f}});
+    print_message("# no cap: four towers of a field over by %.2f, three of a row by %.2f\n",
+                  four.over, three.over);
+    assert_true(four.over > 1.0 && three.over > 1.0);
+}
+
+// On the wall between two towers of 0.5, 12 up; one of 12 stands two cells from the first.
+static void test_low_towers_hide_a_high_one(void **unused)
+{
+    (void)unused;
+    const struct d3 low = {0.8, 0.25, 0.8}, high = {0.8, 6.0, 0.8}, p = {1.0, 12.0, 0.0};
+    double asked = brute_box(d3_sub(p, d3(0.0, 0.25, 0.0)), low);
+    asked = fmin(asked, brute_box(d3_sub(p, d3(2.0, 0.25, 0.0)), low));
+    double truth = brute_box(d3_sub(p, d3(-2.0, 6.0, 0.0)), high);
+    assert_true(fabs(truth - 2.2) < 1e-12 && fabs(asked - truth - 9.3) < 0.005);
+}
+
+// ---- The march ----
+
+// The towers' distance as the library forms it, in double.
+static double block(struct d3 p, bool capped)
+{
+    int x = (int)floor(p.x / 2.0 + 0.5), z = (int)floor(p.z / 2.0 + 0.5);
+    double lx = p.x - 2.0 * x, lz = p.z - 2.0 * z,
+           nearest = capped ? 1.0 + fmin(fabs(lx), fabs(lz)) : 1e9;
+    int sx = lx < 0.0 ? -1 : 1, sz = lz < 0.0 ? -1 : 1;
+    for (int i = 0; i < 4; i++) {
+        int dx = i % 2 == 0 ? 0 : sx, dz = i / 2 == 0 ? 0 : sz;
+        nearest = fmin(nearest, tower(d3(lx - 2.0 * dx, p.y, lz - 2.0 * dz), x + dx, z + dz));
+    }
+    return nearest;
+}
+
+static double march(struct d3 origin, struct d3 direction, bool capped)
+{
+    double t = 0.0;
+    for (int step = 0; step < 2000 && t < 24.0; step++) {
+        double distance = block(d3_add(origin, d3_times(t, direction)), capped);
+        if (distance < 1e-4)
+            return t;
+        t += distance;
+    }
+    return 24.0;
+}
+
+// Rays from over the towers. The truth: the same march by the brute force over all towers.
+static double march_brute(struct d3 origin, struct d3 direction)
+{
+    const struct field field = {TOWERS, {2.0f, 2.0f, 0.0f, 0.0f}};
+    double t = 0.0;
+    for (int step = 0; step < 2000 && t < 24.0; step++) {
+        double distance = brute(&field, d3_add(origin, d3_times(t, direction)));
+        if (distance < 1e-4)
+            return t;
+        t += distance;
+    }
+    return 24.0;
+}
+
+static void test_the_capped_march_misses_nothing(void **unused)
+{
+    (void)unused;
+    int hits = 0, capped_missed = 0, free_missed = 0;
+    for (int i = 0; i < 1500; i++) {
+        struct d3 origin = d3(40.0 * cell_hash(i, 1, 0) - 20.0, 12.5 + 2.0 * cell_hash(i, 4, 0),
+                              40.0 * cell_hash(i, 2, 0) - 20.0);
+        double turn = 2.0 * MIRROR_PI * cell_hash(i, 3, 0), fall = 0.2 + 0.6 * cell_hash(i, 5, 0);
+        struct d3 direction = d3_unit(d3(cos(turn), -fall, sin(turn)));
+        double truth = march_brute(origin, direction);
+        hits += truth < 24.0;
+        capped_missed += fabs(march(origin, direction, true) - truth) > 0.01;
+        free_missed += fabs(march(origin, direction, false) - truth) > 0.01;
+    }
+    print_message("# of 1500 rays %d hit a tower; capped %d go wrong, without the cap %d\n", hits,
+                  capped_missed, free_missed);
+    assert_true(hits > 700 && capped_missed == 0 && free_missed > 20);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_symmetric_copies_are_exact_outside),
+        cmocka_unit_test(test_mirrored_copies_need_no_correction),
+        cmocka_unit_test(test_the_own_copy_alone_over_estimates),
+        cmocka_unit_test(test_the_nearer_neighbour_mends_identical_copies),
+        cmocka_unit_test(test_copies_that_vary_need_the_wall),
+        cmocka_unit_test(test_low_towers_hide_a_high_one),
+        cmocka_unit_test(test_the_capped_march_misses_nothing),
+    };
+    return cmocka_run_group_tests_name("repetition", tests, open_gpu, close_gpu);
+}

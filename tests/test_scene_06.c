@@ -1,0 +1,354 @@
+// test_scene_06.c - the pyramid of chapter 06 in double precision: pixels of its picture, and the
+// tables of --probe, step by step.
+//
+// The pyramid is written down by its corners in the scene. A fold is a reflection in the plane
+// halfway between two of them, after which the tetrahedron's edges are halved towards the first. No
+// axes are turned, nothing is written out, and the normals come from cross products.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "support_pixels.h"
+
+#define CHAPTER "06_sierpinski_symmetry"
+#define SIZE    1.1
+#define MARGIN  0.02
+
+enum { WIDTH = 640, HEIGHT = 360, LEVELS = 7, MAX_STEPS = 160 };
+
+static const double hit_threshold = 0.0002, normal_step = 0.0005;
+static const double spread = 1.5 / (HEIGHT * MIRROR_FOCAL_LENGTH);
+static const struct d3 slab = {0.0, -0.1, 0.0}, slab_half = {3.4, 0.1, 2.6};
+
+static struct gpu gpu;
+static struct renderer_probe probe; // too large for the stack
+
+static int open_gpu(void **unused)
+{
+    (void)unused;
+    return gpu_open(&gpu) ? 0 : -1;
+}
+
+static int close_gpu(void **unused)
+{
+    (void)unused;
+    gpu_close(&gpu);
+    return 0;
+}
+
+// ---- The pyramid ----
+
+struct tetrahedron {
+    struct d3 corner[4];
+};
+
+// It stands on the ground, its apex above (-0.7, -0.5), one lower corner towards the viewer. An
+// edge is sqrt(8) size.
+static struct tetrahedron whole_pyramid(void)
+{
+    struct tetrahedron t;
+    double radius = sqrt(8.0 / 3.0) * SIZE;
+    t.corner[0] = d3(-0.7, 4.0 / sqrt(3.0) * SIZE, -0.5);
+    for (int k = 1; k < 4; k++) {
+        double angle = (90.0 + 120.0 * k) * MIRROR_PI / 180.0;
+        t.corner[k] = d3(-0.7 + radius * cos(angle), 0.0, -0.5 + radius * sin(angle));
+    }
+    return t;
+}
+
+// The unit normal of the face opposite corner k, pointing out.
+static struct d3 face_normal(const struct tetrahedron *t, int k)
+{
+    struct d3 a = t->corner[(k + 1) % 4], b = t->corner[(k + 2) % 4], c = t->corner[(k + 3) % 4];
+    struct d3 normal = d3_unit(d3_cross(d3_sub(b, a), d3_sub(c, a)));
+    return d3_dot(normal, d3_sub(t->corner[k], a)) > 0.0 ? d3_times(-1.0, normal) : normal;
+}
+
+static double face_distance(const struct tetrahedron *t, int k, struct d3 p)
+{
+    return d3_dot(d3_sub(p, t->corner[(k + 1) % 4]), face_normal(t, k));
+}
+
+static double planes_distance(const struct tetrahedron *t, struct d3 p)
+{
+    double largest = -HUGE_VAL;
+    for (int k = 0; k < 4; k++)
+        largest = fmax(largest, face_distance(t, k, p));
+    return largest;
+}
+
+// One level: p to the apex's side, the edges halved towards the apex. True when p was moved.
+static bool fold(struct tetrahedron *t, struct d3 *p)
+{
+    bool moved = false;
+    struct d3 apex = t->corner[0];
+    for (int k = 1; k < 4; k++) {
+        struct d3 middle = d3_times(0.5, d3_add(apex, t->corner[k]));
+        struct d3 normal = d3_unit(d3_sub(apex, t->corner[k]));
+        double side = d3_dot(d3_sub(*p, middle), normal);
+        if (side < 0.0) {
+            *p = d3_sub(*p, d3_times(2.0 * side, normal));
+            moved = true;
+        }
+    }
+    for (int k = 1; k < 4; k++)
+        t->corner[k] = d3_times(0.5, d3_add(apex, t->corner[k]));
+    return moved;
+}
+
+static double scene_function(struct d3 p, int *nearest)
+{
+    struct tetrahedron t = whole_pyramid();
+    double ground = mirror_box(d3_sub(p, slab), slab_half);
+    for (int i = 0; i < LEVELS; i++)
+        fold(&t, &p);
+    double stone = planes_distance(&t, p);
+    *nearest = stone < ground;
+    return fmin(stone, ground);
+}
+
+static const struct mirror_scene scene = {.function = scene_function};
+
+// ---- Where a ray is looked at ----
+
+static bool pyramid_interval(struct mirror_ray ray, double t[2])
+{
+    struct tetrahedron pyramid = whole_pyramid();
+    t[0] = 0.0;
+    t[1] = 1e9;
+    for (int k = 0; k < 4; k++) {
+        double height = face_distance(&pyramid, k, ray.origin) - MARGIN;
+        double rate = d3_dot(ray.direction, face_normal(&pyramid, k));
+        if (rate < 0.0)
+            t[0] = fmax(t[0], -height / rate);
+        else
+            t[1] = fmin(t[1], -height / rate);
+    }
+    return t[0] < t[1];
+}
+
+static void scene_interval(struct mirror_ray ray, double t[2])
+{
+    double a[2], b[2];
+    struct d3 margin = d3(MARGIN, MARGIN, MARGIN), half = d3_add(slab_half, margin);
+    bool in_a = pyramid_interval(ray, a);
+    bool in_b = brute_box_interval(ray, d3_sub(slab, half), d3_add(slab, half), b);
+    t[0] = fmin(in_a ? a[0] : HUGE_VAL, in_b ? b[0] : HUGE_VAL);
+    t[1] = fmax(in_a ? a[1] : -1.0, in_b ? b[1] : -1.0);
+}
+
+static bool march_cone(struct mirror_ray ray, const double interval[2], double *t)
+{
+    *t = interval[0];
+    for (int steps = 0; steps < MAX_STEPS && *t < interval[1]; steps++) {
+        double distance = mirror_distance(&scene, mirror_at(ray, *t), NULL);
+        if (distance < hit_threshold + spread * *t)
+            return true;
+        *t += distance;
+    }
+    return false;
+}
+
+// ---- Colours ----
+
+static struct d3 mix(struct d3 a, struct d3 b, double share)
+{
+    return d3_add(d3_times(1.0 - share, a), d3_times(share, b));
+}
+
+static struct d3 wide_normal(struct d3 p, double h)
+{
+    double g[3];
+    for (int k = 0; k < 3; k++) {
+        struct d3 step = d3(k == 0 ? h : 0.0, k == 1 ? h : 0.0, k == 2 ? h : 0.0);
+        g[k] = mirror_distance(&scene, d3_add(p, step), NULL) -
+               mirror_distance(&scene, d3_sub(p, step), NULL);
+    }
+    return d3_unit(d3(g[0], g[1], g[2]));
+}
+
+static void fold_trail(struct d3 p, double *inner, double *open)
+{
+    struct tetrahedron t = whole_pyramid();
+    double size = SIZE, digit = 0.5;
+    *inner = 0.0;
+    *open = 1.0;
+    for (int i = 0; i < 4; i++) {
+        *open *= 1.0 + fmin(1.5 * planes_distance(&t, p) / size, 0.0);
+        *inner += fold(&t, &p) ? digit : 0.0;
+        size *= 0.5;
+        digit *= 0.5;
+    }
+}
+
+// One channel of a pure hue, from the curve's knees.
+static double hue_channel(double hue, double peak)
+{
+    double away = fabs(remainder(hue - peak, 360.0));
+    return mirror_clamp((120.0 - away) / 60.0);
+}
+
+static struct d3 stone_colour(double inner)
+{
+    double hue = 46.0 - 72.0 * inner;
+    struct d3 pure = d3(hue_channel(hue, 0.0), hue_channel(hue, 120.0), hue_channel(hue, 240.0));
+    return d3_times(0.85, mix(d3(1.0, 1.0, 1.0), pure, 0.5));
+}
+
+static struct d3 sun_direction(double time)
+{
+    double azimuth = (-170.0 + 8.0 * time) * MIRROR_PI / 180.0, up = 26.0 * MIRROR_PI / 180.0;
+    return d3(cos(up) * cos(azimuth), sin(up), cos(up) * sin(azimuth));
+}
+
+static struct d3 sky_light(struct d3 direction, struct d3 to_sun)
+{
+    double facing = 0.5 + 0.5 * d3_dot(direction, to_sun), y = direction.y;
+    struct d3 horizon = mix(d3(0.16, 0.15, 0.22), d3(0.95, 0.42, 0.15), facing * facing);
+    struct d3 sky = mix(horizon, d3(0.010, 0.032, 0.10), mirror_smoothstep(-0.1, 0.45, y));
+    return mix(d3(0.045, 0.06, 0.10), sky, mirror_smoothstep(-0.16, 0.04, y));
+}
+
+// The share of the sun that arrives.
+static double sun_share(struct mirror_ray ray, double threshold)
+{
+    double t[2], smallest = 1.0;
+    if (!pyramid_interval(ray, t))
+        return 1.0;
+    for (int steps = 0; steps < MAX_STEPS && t[0] < t[1] && smallest > 0.2; steps++) {
+        double distance = mirror_distance(&scene, mirror_at(ray, t[0]), NULL);
+        smallest = fmin(smallest, distance / (threshold + 0.02 * t[0]));
+        t[0] += distance;
+    }
+    return fmax((smallest - 0.2) / 0.8, 0.0);
+}
+
+static struct d3 surface_light(struct d3 p, double size, double step, struct d3 to_sun,
+                               struct mirror_sample *sample)
+{
+    double inner, open, height = mirror_box(d3_sub(p, slab), slab_half);
+    struct d3 normal = wide_normal(p, step);
+    fold_trail(p, &inner, &open);
+    double facing = mirror_lambert(normal, to_sun), share = 1.0;
+    if (facing > 0.0)
+        share =
+            sun_share((struct mirror_ray){d3_add(p, d3_times(2.0 * size, normal)), to_sun}, size);
+    struct d3 ambient =
+        mix(d3(0.03, 0.03, 0.04), d3(0.12, 0.20, 0.38), (0.5 + 0.5 * normal.y) * open);
+    struct d3 light = d3_add(ambient, d3_times(share * facing, d3(2.3, 1.2, 0.5)));
+    bool stone = height >= size;
+    sample->what = stone ? "stone" : "slab";
+    sample->faces = !stone && share > 0.5; // stone turns from pixel to pixel: no such place lasts
+    sample->shadowed = !stone && share <= 0.5;
+    return d3_product(stone ? stone_colour(inner) : d3(0.40, 0.37, 0.36), light);
+}
+
+static struct mirror_sample sample_06(const struct mirror_eye *eye)
+{
+    struct mirror_sample sample = {.what = "sky"};
+    struct mirror_ray ray = mirror_screen_ray(&eye->camera, MIRROR_FOCAL_LENGTH, eye->x, eye->y);
+    struct d3 to_sun = sun_direction(eye->time);
+    struct d3 light = sky_light(ray.direction, to_sun);
+    double interval[2], t;
+    scene_interval(ray, interval);
+    if (march_cone(ray, interval, &t))
+        light = surface_light(mirror_at(ray, t), hit_threshold + spread * t,
+                              normal_step + spread * t, to_sun, &sample);
+    sample.colour = d3(mirror_encode(light.x), mirror_encode(light.y), mirror_encode(light.z));
+    return sample;
+}
+
+// ---- Pixels ----
+
+static const struct pixel pixels[] = {
+    {CHAPTER, 30, 171, "sky-"},    {CHAPTER, 567, 237, "sky-"},   {CHAPTER, 366, 300, "sky-"},
+    {CHAPTER, 24, 6, "slab+"},     {CHAPTER, 390, 18, "slab+"},   {CHAPTER, 111, 45, "slab+"},
+    {CHAPTER, 81, 81, "slab+"},    {CHAPTER, 318, 21, "slab#"},   {CHAPTER, 513, 33, "slab#"},
+    {CHAPTER, 501, 51, "slab#"},   {CHAPTER, 594, 69, "slab#"},   {CHAPTER, 570, 84, "slab+"},
+    {CHAPTER, 531, 63, "slab#"},   {CHAPTER, 324, 54, "stone-"},  {CHAPTER, 534, 57, "slab+"},
+    {CHAPTER, 396, 18, "slab+"},   {CHAPTER, 339, 72, "stone-"},  {CHAPTER, 333, 108, "stone-"},
+    {CHAPTER, 339, 99, "stone-"},  {CHAPTER, 336, 87, "stone-"},  {CHAPTER, 270, 102, "stone-"},
+    {CHAPTER, 357, 141, "stone-"}, {CHAPTER, 309, 45, "stone-"},  {CHAPTER, 261, 57, "stone-"},
+    {CHAPTER, 258, 66, "stone-"},  {CHAPTER, 300, 72, "stone-"},  {CHAPTER, 375, 87, "stone-"},
+    {CHAPTER, 294, 96, "stone-"},  {CHAPTER, 381, 99, "stone-"},  {CHAPTER, 357, 111, "stone-"},
+    {CHAPTER, 255, 144, "stone-"}, {CHAPTER, 234, 171, "stone-"}, {CHAPTER, 312, 195, "stone-"},
+    {CHAPTER, 252, 204, "stone-"}, {CHAPTER, 273, 225, "stone-"}, {CHAPTER, 288, 252, "stone-"},
+    {CHAPTER, 282, 270, "stone-"},
+};
+
+static void test_pixels_agree_with_double(void **unused)
+{
+    (void)unused;
+    const struct mirror_picture picture = {.name = CHAPTER,
+                                           .shader = "chapters/" CHAPTER ".frag",
+                                           .chapter = CHAPTER,
+                                           .sample = sample_06};
+    const struct pixel_list list = {pixels, sizeof pixels / sizeof pixels[0], 0.1 / 255.0};
+    pixels_check(&gpu, &picture, &list);
+}
+
+// ---- The table of --probe ----
+
+// What the rounding of a few dozen operations on numbers of a few units may do.
+static const double slack = 4e-6;
+
+static void check_table(struct mirror_ray ray, const double interval[2], int *hits)
+{
+    double t = probe.steps > 0 ? (double)probe.step[0].t : 0.0;
+    assert_true((probe.steps > 0) == (interval[0] < interval[1]) ||
+                fabs(interval[1] - interval[0]) < slack);
+    if (probe.steps == 0)
+        return;
+    assert_true(fabs(t - interval[0]) <= slack);
+    for (int k = 0; k < probe.steps; k++) {
+        const struct renderer_step *row = &probe.step[k];
+        double truth = mirror_distance(&scene, mirror_at(ray, (double)row->t), NULL);
+        double over = (double)row->distance - hit_threshold - spread * (double)row->t;
+        bool last = k == probe.steps - 1;
+        assert_true(fabs((double)row->distance - truth) <= slack);
+        assert_true(fabs((double)row->t - t) <= slack);
+        assert_true((over < 0.0) == (last && probe.end == RENDERER_HIT) || fabs(over) < slack);
+        t = (double)row->t + (double)row->distance;
+    }
+    if (probe.end == RENDERER_PASSED)
+        assert_true(t >= interval[1] - slack);
+    *hits += probe.end == RENDERER_HIT;
+}
+
+static void test_probe_is_the_march_in_double(void **unused)
+{
+    (void)unused;
+    struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
+    assert_true(mirror_camera(gpu.root, CHAPTER, &inputs.camera));
+    assert_true(gpu_load(&gpu, "chapters/" CHAPTER ".frag"));
+    int hits = 0, rays = 0, steps = 0;
+    for (int y = 8; y < HEIGHT; y += 20)
+        for (int x = 10; x < WIDTH; x += 31, rays++) {
+            struct mirror_ray ray = mirror_screen_ray(&inputs.camera, MIRROR_FOCAL_LENGTH,
+                                                      mirror_screen_x(x + 0.5, WIDTH, HEIGHT),
+                                                      mirror_screen_y(y + 0.5, HEIGHT));
+            double interval[2];
+            scene_interval(ray, interval);
+            assert_true(renderer_probe(&gpu.renderer, &inputs, x, y, &probe));
+            check_table(ray, interval, &hits);
+            steps += probe.steps;
+        }
+    print_message("# %d rays, %d steps, %d hits\n", rays, steps, hits);
+    assert_true(hits > 100 && hits < rays - 100 && steps > 800);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_pixels_agree_with_double),
+        cmocka_unit_test(test_probe_is_the_march_in_double),
+    };
+    return cmocka_run_group_tests_name("scene of chapter 06", tests, open_gpu, close_gpu);
+}
