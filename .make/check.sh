@@ -87,10 +87,10 @@ judge() { # FILE
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
     while read -r options; do
         # shellcheck disable=SC2086 # options are words
-        "$program" $options -f "$solution" -o "$right" 2>"$errors" ||
+        "$program" $options -f "$solution" -o "$right" >/dev/null 2>"$errors" ||
             fail "$solution: $(head -n 1 "$errors")"
         # shellcheck disable=SC2086
-        if ! "$program" $options -f "$file" -o "$mine" 2>"$errors"; then
+        if ! "$program" $options -f "$file" -o "$mine" >/dev/null 2>"$errors"; then
             echo "does not run: $(grep -m 1 ':[0-9][0-9]*: ' "$errors" || head -n 1 "$errors")"
             return 1
         fi

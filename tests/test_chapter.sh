@@ -38,7 +38,7 @@ check "its picture is in the list" listed
 builds() { make -s "build/$stem" >said 2>&1 || { sed 's/^/# /' said; return 1; }; }
 check "it builds" builds
 renders() {
-    "build/$stem" -s 160x90 -o picture.png && [ "$(convert picture.png -format %k info:)" -gt 200 ]
+    "build/$stem" -s 160x90 -o picture.png && [ "$(identify -format %k picture.png)" -gt 200 ]
 }
 check "it renders a picture" renders
 # shellcheck disable=SC2016 # the backticks are Markdown's

@@ -17,7 +17,7 @@ sound() { # NAME
     grep -q '<title id="title">[^<]\{12,\}</title>' "$file" &&
         grep -q '<desc id="description">[^<]\{80,\}</desc>' "$file" &&
         ! grep -q -i '"[^"]*\<\(nan\|-nan\|inf\)\>[^"]*"' "$file" &&
-        convert "$file" "$scratch/$1.png" && [ "$(convert "$scratch/$1.png" -format %k info:)" -gt 8 ]
+        [ "$(identify -format %k "$file")" -gt 8 ]
 }
 
 shown() { # NAME

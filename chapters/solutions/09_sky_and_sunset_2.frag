@@ -1,0 +1,13 @@
+// Solution of exercise 09.2: a day's sky of one colour, reddened as the sun's own light is:
+// (0.5, 0.7, 1) times the transmittance of the air beyond one air mass.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "../09_sky_and_sunset.frag"
+#undef rayColour
+
+vec3 rayColour(Ray ray)
+{
+    vec3 sun = sunDirection(hour(), LATITUDE, DECLINATION);
+    vec3 reddened = vec3(0.5, 0.7, 1.0) * transmittance(RAYLEIGH, airMass(sun.y) - 1.0);
+    return cityColour(ray, sun, daylight(sun) * reddened);
+}

@@ -1,0 +1,89 @@
+// sky.glsl - where the sun stands, how much of its light comes through the air, what the sky sends.
+//
+// The air is a shell of even density round the Earth. Heights are given by their sine, for that is
+// the y of a direction of length 1.
+
+// Optical depth of the air overhead for red, green and blue: what it scatters of 680, 550 and 440 nm,
+// in proportion to the wavelength to the power -4.
+// Source: J. E. Hansen, L. D. Travis, 'Light scattering in planetary atmospheres', Space Science
+// Reviews 16 (1974), section 2.1, at sea level, rounded.
+const vec3 RAYLEIGH = vec3(0.04, 0.1, 0.25);
+
+// Radius of the Earth in thicknesses of the shell: with it the air mass at the horizon is
+// sqrt(2 EARTH + 1) = 38.
+const float EARTH = 721.5;
+
+// How much air a ray passes, as a multiple of the air overhead.
+//   sinHeight  sine of the height above the horizon, in [-1, 1]; below the horizon as at it
+//   returns    1 at the zenith, 38 at the horizon; about 1 / sinHeight where that is large
+//   formula    (2 E + 1) / (sqrt((E s)^2 + 2 E + 1) + E s), E = EARTH, s = max(sinHeight, 0)
+float airMass(float sinHeight)
+{
+    float s = EARTH * max(sinHeight, 0.0);
+    float horizon = 2.0 * EARTH + 1.0;
+    return horizon / (sqrt(s * s + horizon) + s);
+}
+
+// The share of the light that comes through the air, per channel.
+//   depth    optical depth of the air overhead, >= 0
+//   mass     the multiple of it that the ray passes, >= 0
+//   formula  exp(-depth mass)
+// Source: P. Bouguer 1729, J. H. Lambert 1760, A. Beer 1852.
+vec3 transmittance(vec3 depth, float mass)
+{
+    return exp(-depth * mass);
+}
+
+// The light that the air scatters once towards the eye, as a share of the sunlight above the air, the
+// same in each direction of scattering.
+//   depth     optical depth of the air overhead, per channel, > 0
+//   viewMass  air mass of the ray from the eye
+//   sunMass   air mass of the ray from the sun
+//   formula   v (exp(-depth s) - exp(-depth v)) / (v - s), v = viewMass, s = sunMass; where they
+//             differ by less than 0.02 v is moved to s + 0.02, an error of at most depth / 50
+// Source: S. Chandrasekhar, 'Radiative transfer' (1950): the first order of a plane layer.
+vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
+{
+    float apart = viewMass - sunMass;
+    apart = abs(apart) < 0.02 ? 0.02 : apart;
+    vec3 light = transmittance(depth, sunMass) - transmittance(depth, sunMass + apart);
+    return viewMass / apart * light;
+}
+
+// The direction to the sun, length 1: x north, y up, z east.
+//   hour         solar time, 12 when the sun is highest, any number
+//   latitude     degrees, north positive, in [-90, 90]
+//   declination  of the sun, degrees, in [-23.44, 23.44]: 0 at the equinoxes
+//   formula      with H = 15 (hour - 12) degrees, p the latitude, d the declination:
+//                (cos p sin d - sin p cos d cos H, sin p sin d + cos p cos d cos H, -cos d sin H);
+//                cos H and sin H by the sine h of H / 2: 1 - 2 h^2 and 2 h sqrt(1 - h^2), exact but
+//                within a minute of midnight, where rounding moves the sun by up to 0.0005
+vec3 sunDirection(float hour, float latitude, float declination)
+{
+    float h = sin(radians(7.5 * (mod(hour, 24.0) - 12.0))); // of H / 2, whose cosine is not negative
+    vec2 turn = vec2(1.0 - 2.0 * h * h, 2.0 * h * sqrt(max(1.0 - h * h, 0.0)));
+    vec2 place = vec2(cos(radians(latitude)), sin(radians(latitude)));
+    vec2 season = vec2(cos(radians(declination)), sin(radians(declination)));
+    return vec3(place.x * season.y - place.y * season.x * turn.x,
+                place.y * season.y + place.x * season.x * turn.x, -season.x * turn.y);
+}
+
+// What the disc of the sun, or of the moon, covers of a ray: 1 inside, 0 outside, soft at the rim.
+//   direction, centre  length 1
+//   radius             radians, small
+float disc(vec3 direction, vec3 centre, float radius)
+{
+    return smoothstep(1.1 * radius, 0.9 * radius, length(direction - centre));
+}
+
+// The glow round the sun: light that dust scatters forward, 1 towards the sun.
+//   direction, sun  length 1
+//   g        mean cosine of the angle of scattering, in [0, 1): the nearer to 1, the narrower
+//   formula  ((1 - g)^2 / (1 + g^2 - 2 g c))^(3/2), c the cosine of the angle to the sun
+// Source: L. G. Henyey, J. L. Greenstein, 'Diffuse radiation in the galaxy', Astrophysical Journal
+// 93 (1941).
+float glow(vec3 direction, vec3 sun, float g)
+{
+    float x = (1.0 - g) * (1.0 - g) / (1.0 + g * g - 2.0 * g * dot(direction, sun));
+    return x * sqrt(x);
+}

@@ -1,0 +1,299 @@
+// test_sky.c - chapter 09's air, sun and city against double precision: exact values, geometry, and
+// a brute force over the towers of nine by nine blocks.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "support_city.h"
+#include "support_gpu.h"
+#include "support_mirror.h"
+
+static struct gpu gpu;
+
+static int open_gpu(void **unused)
+{
+    (void)unused;
+    return gpu_open(&gpu) ? 0 : -1;
+}
+
+static int close_gpu(void **unused)
+{
+    (void)unused;
+    gpu_close(&gpu);
+    return 0;
+}
+
+static double degrees(double x)
+{
+    return x * 180.0 / MIRROR_PI;
+}
+
+static float *sky(int function, int rows, float x, float y)
+{
+    const float numbers[4] = {x, y, 0.0f, 0.0f};
+    assert_true(gpu_load(&gpu, "tests/shaders/sky.frag"));
+    float *values = gpu_call(&gpu, 1024, rows, function, numbers);
+    assert_non_null(values);
+    return values;
+}
+
+// The way of a ray from the ground through a shell of even density, from the triangle of the
+// Earth's middle, the observer and the place where the ray leaves: by the cosine rule, solved in
+// double.
+static double shell_way(double s, double earth)
+{
+    double b = earth * fmax(s, 0.0);
+    return sqrt(b * b + 2.0 * earth + 1.0) - b;
+}
+
+static void test_air_mass_and_transmittance(void **unused)
+{
+    (void)unused;
+    float *values = sky(0, 1, 0.0f, 0.0f);
+    double worst = 0.0;
+    for (int i = 0; i < 1024; i++) {
+        const float *v = values + 4 * i;
+        double mass = shell_way((double)v[0], 721.5);
+        worst = fmax(worst, fabs((double)v[1] / mass - 1.0));
+        assert_true(fabs((double)v[2] - exp(-0.04 * mass)) < 2e-6);
+        assert_true(fabs((double)v[3] - exp(-0.25 * mass)) < 2e-6);
+        assert_true(i == 0 || v[1] <= v[-3]);
+    }
+    assert_true(fabs((double)values[4 * 1023 + 1] - 1.0) < 1e-6);
+    assert_true(fabs((double)values[4 * 512 + 1] - 38.0) < 1e-5);
+    free(values);
+    print_message("# air mass: worst relative error %.2g\n", worst);
+    assert_true(worst < 1e-6);
+}
+
+// F. Kasten, A. T. Young, 'Revised optical air mass tables', Applied Optics 28 (1989): within 0.1 %
+// of the mass of a model atmosphere. The even shell stays within 6 % of it.
+static double kasten_young(double height)
+{
+    return 1.0 / (sin(height * MIRROR_PI / 180.0) + 0.50572 * pow(height + 6.07995, -1.6364));
+}
+
+static void test_air_mass_is_near_the_measured_one(void **unused)
+{
+    (void)unused;
+    double worst = 0.0, at = 0.0;
+    for (double h = 0.0; h <= 90.0; h += 0.25) {
+        double ratio = shell_way(sin(h * MIRROR_PI / 180.0), 721.5) / kasten_young(h);
+        if (fabs(ratio - 1.0) > worst) {
+            worst = fabs(ratio - 1.0);
+            at = h;
+        }
+    }
+    print_message("# even shell against Kasten and Young: worst %.1f %%, at %.2f degrees\n",
+                  100.0 * worst, at);
+    for (int h = 0; h <= 90; h += h < 30 ? 5 : 30)
+        print_message("# height %2d: shell %.2f, Kasten and Young %.2f\n", h,
+                      shell_way(sin(h * MIRROR_PI / 180.0), 721.5), kasten_young(h));
+    assert_true(worst < 0.06);
+}
+
+// The sky colour (0.5, 0.7, 1) times the transmittance beyond one air mass, the sun at 30 degrees.
+static void test_sun_at_thirty_degrees(void **unused)
+{
+    (void)unused;
+    double beyond = shell_way(0.5, 721.5) - 1.0;
+    assert_true(fabs(0.5 * exp(-0.04 * beyond) - 0.48) < 0.005);
+    assert_true(fabs(0.7 * exp(-0.10 * beyond) - 0.635) < 0.005);
+    assert_true(fabs(1.0 * exp(-0.25 * beyond) - 0.78) < 0.005);
+}
+
+// The integral of section 5 of the page by Simpson's rule.
+static double scattered(double depth, double v, double s)
+{
+    enum { N = 2000 };
+    double sum = 0.0;
+    for (int i = 0; i <= N; i++) {
+        double t = depth * i / N, weight = i == 0 || i == N ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
+        sum += weight * v * exp(-t * s - (depth - t) * v);
+    }
+    return sum * depth / N / 3.0;
+}
+
+static void test_scattered_light_is_the_integral(void **unused)
+{
+    (void)unused;
+    const float haze[2] = {0.0f, 0.25f};
+    for (int k = 0; k < 2; k++) {
+        float *values = sky(1, 64, haze[k], 0.0f);
+        double worst = 0.0;
+        for (int i = 0; i < 1024 * 64; i += 7) {
+            const float *v = values + 4 * i;
+            double mass = (double)v[0], sun = (double)v[1], extra = (double)haze[k];
+            double red = scattered(0.04 + extra, mass, sun);
+            double blue = scattered(0.25 + extra, mass, sun);
+            worst = fmax(worst, fabs((double)v[2] / red - 1.0));
+            worst = fmax(worst, blue > 1e-3 ? fabs((double)v[3] / blue - 1.0) : 0.0);
+        }
+        free(values);
+        print_message("# scattered light, haze %.2f: worst relative error %.4f\n", (double)haze[k],
+                      worst);
+        // Where the masses agree within 0.02, one of them is moved by up to 0.04: depth / 50.
+        assert_true(worst < (0.25 + (double)haze[k]) / 40.0);
+    }
+}
+
+// By spherical geometry: the angle to the celestial pole is 90 degrees less the declination, the
+// day turns the sun evenly about it, and at noon it stands at 90 - latitude + declination.
+static void check_sun(float latitude, float declination)
+{
+    float *values = sky(2, 1, latitude, declination);
+    double p = (double)latitude * MIRROR_PI / 180.0, d = (double)declination * MIRROR_PI / 180.0;
+    struct d3 pole = d3(cos(p), sin(p), 0.0), rise = d3(0.0, 0.0, 1.0),
+              meridian = d3(-sin(p), cos(p), 0.0);
+    for (int i = 0; i < 1024; i++) {
+        struct d3 sun = d3_of(values + 4 * i);
+        double angle = ((double)values[4 * i + 3] - 12.0) * MIRROR_PI / 12.0;
+        assert_true(fabs(d3_length(sun) - 1.0) < 2e-6);
+        assert_true(fabs(d3_dot(sun, pole) - sin(d)) < 1e-6);
+        // The root of what is left of 1 has few digits where nothing is left, at midnight.
+        double slack = 2e-6 + 4e-7 / fmax(cos(0.5 * angle), 6e-4);
+        assert_true(fabs(d3_dot(sun, rise) + cos(d) * sin(angle)) < slack);
+        assert_true(fabs(d3_dot(sun, meridian) - cos(d) * cos(angle)) < 2e-6);
+    }
+    double noon = degrees(asin((double)values[4 * 512 + 1]));
+    assert_true(fabs(noon - (90.0 - fabs((double)(latitude - declination)))) < 0.1);
+    free(values);
+}
+
+static void test_sun_runs_as_the_sphere_says(void **unused)
+{
+    (void)unused;
+    check_sun(43.6f, 2.0f);
+    check_sun(43.6f, 23.44f);
+    check_sun(43.6f, -23.44f);
+    check_sun(0.0f, 0.0f);
+    check_sun(-35.0f, 10.0f);
+    check_sun(66.0f, 23.44f);
+    const double season[] = {-23.44, 0.0, 2.0, 23.44};
+    for (int i = 0; i < 4; i++) {
+        double d = season[i] * MIRROR_PI / 180.0, p = 43.6 * MIRROR_PI / 180.0;
+        double half = degrees(acos(-tan(p) * tan(d))) / 15.0;
+        print_message("# declination %.2f: sunrise %.2f, sunset %.2f, noon height %.1f\n",
+                      season[i], 12.0 - half, 12.0 + half, 90.0 - 43.6 + season[i]);
+        // At these hours the height is 0.
+        assert_true(fabs(sin(p) * sin(d) + cos(p) * cos(d) * cos(half * MIRROR_PI / 12.0)) < 1e-12);
+    }
+}
+
+// The picture's own hour: low, and nearly in line with an avenue that runs west.
+static void test_sun_of_the_picture(void **unused)
+{
+    (void)unused;
+    double d = 2.0 * MIRROR_PI / 180.0, p = 43.6 * MIRROR_PI / 180.0, h = 5.8 * MIRROR_PI / 12.0;
+    double north = cos(p) * sin(d) - sin(p) * cos(d) * cos(h);
+    double height = degrees(asin(sin(p) * sin(d) + cos(p) * cos(d) * cos(h)));
+    double aside = degrees(atan2(north, cos(d) * sin(h)));
+    print_message("# at 17.8 h the sun is %.2f degrees high, %.2f north of west\n", height, aside);
+    assert_true(fabs(height - 3.55) < 0.005 && fabs(aside + 0.62) < 0.005);
+}
+
+static void test_glow_and_disc(void **unused)
+{
+    (void)unused;
+    float *values = sky(3, 1, 0.0f, 0.0f);
+    for (int i = 0; i < 1024; i++) {
+        const float *v = values + 4 * i;
+        double c = cos((double)v[2]), x = 0.04 / (1.64 - 1.6 * c);
+        assert_true(fabs((double)v[0] - pow(x, 1.5)) < 1e-5);
+        double chord = sqrt(2.0 - 2.0 * c);
+        assert_true(fabs((double)v[1] - (1.0 - mirror_smoothstep(0.45, 0.55, chord))) < 1e-5);
+    }
+    free(values);
+}
+
+// ---- The city ----
+
+enum { WIDE = 1024, HIGH = 256 };
+
+static float *city(double time)
+{
+    struct renderer_inputs inputs = {.width = WIDE, .height = HIGH, .time = time, .samples = 1};
+    float *values = gpu_numbers(&gpu, &inputs);
+    assert_non_null(values);
+    return values;
+}
+
+static void test_city_is_never_farther_than_it_says(void **unused)
+{
+    (void)unused;
+    assert_true(gpu_load(&gpu, "tests/shaders/city.frag"));
+    float *places = city(0.5), *distances = city(1.5);
+    int inside = 0, capped = 0;
+    double closest = 1.0;
+    for (int i = 0; i < WIDE * HIGH; i += 3) {
+        struct d3 share = d3_sub(d3_times(2.0, d3_of(places + 4 * i)), d3(1.0, 1.0, 1.0));
+        struct d3 p = d3(24.0 * share.x, 8.0 + 8.0 * share.y, 24.0 * share.z);
+        double f = 32.0 * ((double)distances[4 * i] - 0.5), truth = city_towers_brute(p, 4);
+        double street = city_street(p);
+        assert_true(f <= truth + 1e-5);
+        if (fabs(truth) > 1e-4 && street > 1e-4)
+            assert_true((f < 0.0) == (truth < 0.0));
+        inside += truth < 0.0;
+        capped += truth > f + 0.1 && street > f + 0.1;
+        if (truth > 0.01 && street > truth)
+            closest = fmin(closest, f / truth);
+    }
+    free(places);
+    free(distances);
+    print_message(
+        "# city: %d places in towers, %d where the cap or a corner is felt; least share %.3f\n",
+        inside, capped, closest);
+    assert_true(inside > 1000 && capped > 1000);
+}
+
+static void test_trees_are_1_lipschitz(void **unused)
+{
+    (void)unused;
+    assert_true(gpu_load(&gpu, "tests/shaders/city.frag"));
+    float *values = city(2.5);
+    double largest = 0.0;
+    for (int i = 0; i < WIDE * HIGH; i++) {
+        const float *v = values + 4 * i;
+        double change = 16.0 * fabs((double)v[0] - (double)v[1]), apart = (double)v[2];
+        assert_true(change <= apart + 4e-6);
+        if (apart > 0.02)
+            largest = fmax(largest, change / apart);
+    }
+    free(values);
+    print_message("# trees: largest slope %.4f\n", largest);
+    assert_true(largest > 0.98);
+}
+
+static void test_sky_is_a_light_at_every_hour(void **unused)
+{
+    (void)unused;
+    assert_true(gpu_load(&gpu, "tests/shaders/city.frag"));
+    float *values = city(3.5);
+    for (int i = 0; i < WIDE * HIGH; i++)
+        for (int k = 0; k < 3; k++)
+            assert_true(values[4 * i + k] == 1.0f);
+    free(values);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(test_air_mass_and_transmittance),
+        cmocka_unit_test(test_air_mass_is_near_the_measured_one),
+        cmocka_unit_test(test_sun_at_thirty_degrees),
+        cmocka_unit_test(test_scattered_light_is_the_integral),
+        cmocka_unit_test(test_sun_runs_as_the_sphere_says),
+        cmocka_unit_test(test_sun_of_the_picture),
+        cmocka_unit_test(test_glow_and_disc),
+        cmocka_unit_test(test_city_is_never_farther_than_it_says),
+        cmocka_unit_test(test_trees_are_1_lipschitz),
+        cmocka_unit_test(test_sky_is_a_light_at_every_hour),
+    };
+    return cmocka_run_group_tests_name("sky", tests, open_gpu, close_gpu);
+}
