@@ -10,8 +10,12 @@ NAME =
 FILE =
 FILES =
 FORCE =
+FRAMES =
+FPS =
+ROUNDS =
+WRITE =
 SANITIZE =
-export CHAPTER SUITE NAME EXERCISE FILE FILES FORCE
+export CHAPTER SUITE NAME EXERCISE FILE FILES FORCE FRAMES FPS ROUNDS WRITE
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -104,6 +108,21 @@ run: ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2'; with
 	@$(AGAIN) programs
 	@.make/run.sh $(OPTIONS)
 
+play: ## open your own shader in a window: make play FILE=my.frag; without FILE chapters/play.frag, made for you
+	@.make/setup.sh run
+	@$(AGAIN) programs
+	@.make/play.sh $(OPTIONS)
+
+film: ## make an MP4 and a GIF of a chapter by ffmpeg: make film CHAPTER=00 FRAMES=100 FPS=25
+	@.make/setup.sh run
+	@$(AGAIN) programs
+	@.make/film.sh $(OPTIONS)
+
+benchmark: ## measure every chapter against the reference scene; WRITE=1 keeps the table in docs/benchmark.md
+	@.make/setup.sh run
+	@$(AGAIN) programs
+	@.make/benchmark.sh
+
 test: ## run every test; make test SUITE=camera runs one
 	@.make/setup.sh test
 	@$(AGAIN) programs tests
@@ -171,7 +190,8 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 always:
-.PHONY: all programs tests run test check test-gpu gallery references book figures figure_programs chapter diff lint format docs setup clean \
+.PHONY: all programs tests run play film benchmark test check test-gpu gallery references book figures \
+        figure_programs chapter diff lint format docs setup clean \
         help always
 .DELETE_ON_ERROR:
 .SUFFIXES:

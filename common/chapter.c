@@ -10,13 +10,16 @@
 #include <mach-o/dyld.h>
 #endif
 
+#include "benchmark.h"
 #include "context.h"
+#include "export.h"
 #include "image.h"
 #include "options.h"
 #include "panel.h"
 #include "probe.h"
 #include "renderer.h"
 #include "report.h"
+#include "sequence.h"
 #include "window.h"
 
 enum { DONE = 0, NOT_DONE = 1, WRONG_COMMAND_LINE = 2 };
@@ -103,20 +106,42 @@ static int print_shader(const struct run *run)
     return DONE;
 }
 
+// Read the shader and its parameters, with the values of the command line.
+// Returns the exit status; the caller frees both in any case.
+static int read_with_settings(const struct run *run, struct shader_source *source,
+                              struct parameters *parameters)
+{
+    if (!shader_read(source, run->shader, run->root) || !parameters_read(parameters, source))
+        return NOT_DONE;
+    for (int i = 0; i < run->options.setting_count; i++)
+        if (!parameters_assign(parameters, run->options.settings[i]))
+            return WRONG_COMMAND_LINE;
+    return DONE;
+}
+
 static int list_parameters(const struct run *run)
 {
-    struct shader_source source;
+    struct shader_source source = {0};
     struct parameters parameters = {0};
-    if (!shader_read(&source, run->shader, run->root))
-        return NOT_DONE;
-    int status = NOT_DONE;
-    if (parameters_read(&parameters, &source)) {
-        status = DONE;
-        for (int i = 0; i < run->options.setting_count && status == DONE; i++)
-            if (!parameters_assign(&parameters, run->options.settings[i]))
-                status = WRONG_COMMAND_LINE;
-        if (status == DONE)
-            parameters_print(&parameters, stdout);
+    int status = read_with_settings(run, &source, &parameters);
+    if (status == DONE)
+        parameters_print(&parameters, stdout);
+    parameters_free(&parameters);
+    shader_free(&source);
+    return status;
+}
+
+static int print_shadertoy(const struct run *run)
+{
+    struct shader_source source = {0};
+    struct parameters parameters = {0};
+    int status = read_with_settings(run, &source, &parameters);
+    if (status == DONE) {
+        char *text =
+            export_shadertoy(&source, &parameters, &run->options.camera, RENDERER_FOCAL_LENGTH);
+        status = text != NULL ? DONE : NOT_DONE;
+        fputs(text != NULL ? text : "", stdout);
+        free(text);
     }
     parameters_free(&parameters);
     shader_free(&source);
@@ -156,13 +181,14 @@ static bool add_overlay(const struct run *run, struct renderer *renderer,
 }
 
 static bool write_picture(const struct run *run, struct renderer *renderer,
-                          const struct renderer_inputs *inputs, const struct renderer_probe *probe)
+                          const struct renderer_inputs *inputs, const struct renderer_probe *probe,
+                          const char *path)
 {
     struct image image = {0};
     struct overlay overlay = {0};
     bool done =
         (!run->options.has_overlay || add_overlay(run, renderer, inputs, probe, &overlay)) &&
-        renderer_picture(renderer, inputs, &image) && image_write_png(&image, run->options.output);
+        renderer_picture(renderer, inputs, &image) && image_write_png(&image, path);
     renderer->overlay = NULL;
     overlay_close(&overlay);
     image_free(&image);
@@ -171,14 +197,49 @@ static bool write_picture(const struct run *run, struct renderer *renderer,
 
 static struct renderer_inputs still_inputs(const struct options *options)
 {
+    // No clock: a picture is a function of its options alone.
     return (struct renderer_inputs){.width = options->width,
                                     .height = options->height,
                                     .camera = options->camera,
                                     .time = options->time,
+                                    .date = {1970.0f, 0.0f, 1.0f, (float)options->time},
                                     .samples = options->samples,
                                     .pixel = {options->has_probe ? options->probe_x : -1,
                                               options->has_probe ? options->probe_y : -1},
                                     .zoom = 1.0f};
+}
+
+// The pictures of --frames, with one context and one program.
+static bool write_frames(const struct run *run, struct renderer *renderer)
+{
+    const struct options *options = &run->options;
+    struct renderer_inputs inputs = still_inputs(options);
+    char path[PATH_MAX];
+    bool done = true;
+    for (int i = 0; i < options->frames && done; i++) {
+        sequence_progress(i, options->frames);
+        inputs.frame = i;
+        inputs.time = options->time + i / options->fps;
+        inputs.date[3] = (float)inputs.time;
+        inputs.time_delta = i > 0 ? 1.0 / options->fps : 0.0;
+        done = sequence_path(options->output, i, path, sizeof path) &&
+               write_picture(run, renderer, &inputs, NULL, path);
+    }
+    if (done)
+        sequence_progress(options->frames, options->frames);
+    return done;
+}
+
+// True when every file of --output can be written, before the work of rendering. Reported.
+static bool check_targets(const struct options *options)
+{
+    char path[PATH_MAX];
+    if (options->output == NULL || options->frames == 0)
+        return options->output == NULL || image_check_target(options->output);
+    for (int i = 0; i < options->frames; i++)
+        if (!sequence_path(options->output, i, path, sizeof path) || !image_check_target(path))
+            return false;
+    return true;
 }
 
 // The table of --probe, then the picture of --output.
@@ -188,6 +249,8 @@ static bool work_still(const struct run *run, struct renderer *renderer)
     struct renderer_inputs inputs = still_inputs(options);
     struct renderer_probe *probe = NULL;
     bool done = true;
+    if (options->frames > 0)
+        return write_frames(run, renderer);
     if (options->has_probe) {
         probe = malloc(sizeof *probe);
         if (probe == NULL)
@@ -197,21 +260,45 @@ static bool work_still(const struct run *run, struct renderer *renderer)
         if (done)
             probe_print(probe, stdout);
     }
-    done = done && (options->output == NULL || write_picture(run, renderer, &inputs, probe));
+    done = done && (options->output == NULL ||
+                    write_picture(run, renderer, &inputs, probe, options->output));
     free(probe);
     return done;
+}
+
+static const char *shader_name(const struct run *run)
+{
+    return run->options.shader != NULL ? run->options.shader : run->chapter->stem;
+}
+
+// Load the shader and give it the values of the command line. Returns the exit status.
+static int load(const struct run *run, struct renderer *renderer, struct benchmark *benchmark)
+{
+    const struct options *options = &run->options;
+    renderer->view = options->view;
+    if (!benchmark_load(benchmark, renderer, run->shader))
+        return NOT_DONE;
+    for (int i = 0; i < options->setting_count; i++)
+        if (!parameters_assign(&renderer->parameters, options->settings[i]))
+            return WRONG_COMMAND_LINE;
+    return DONE;
 }
 
 // With a context and a renderer: load the shader, then carry out what was asked.
 static int work(struct run *run, struct context *context, struct renderer *renderer)
 {
     const struct options *options = &run->options;
-    renderer->view = options->view;
-    if (!renderer_load(renderer, run->shader))
-        return NOT_DONE;
-    for (int i = 0; i < options->setting_count; i++)
-        if (!parameters_assign(&renderer->parameters, options->settings[i]))
-            return WRONG_COMMAND_LINE;
+    struct benchmark benchmark = {
+        .shader = shader_name(run), .frames = options->benchmark, .inputs = still_inputs(options)};
+    int status = load(run, renderer, &benchmark);
+    if (status != DONE)
+        return status;
+    if (options->benchmark > 0) {
+        bool done = benchmark_run(&benchmark, context, renderer);
+        if (done)
+            benchmark_print(&benchmark, options->json, stdout);
+        return done ? DONE : NOT_DONE;
+    }
     if (context->window != NULL)
         return window_run(context, renderer, options, title_of(run), run->chapter->stem,
                           run->shader)
@@ -225,8 +312,10 @@ static int open_and_work(struct run *run)
     struct context context = {0};
     struct renderer renderer = {0};
     const struct options *options = &run->options;
-    bool still = options->output != NULL || options->has_probe;
-    if (options->output != NULL && !image_check_target(options->output))
+    bool still = options->output != NULL || options->has_probe || options->benchmark > 0;
+    if (options->benchmark > 0)
+        benchmark_forget_caches();
+    if (!check_targets(options))
         return NOT_DONE;
     bool opened = still ? context_open_offscreen(&context, options->backend)
                         : context_open_window(&context, options->backend, title_of(run),
@@ -251,7 +340,7 @@ static int act(struct run *run, const char *program)
         return NOT_DONE;
     switch (run->options.action) {
     case OPTIONS_PRINT_SHADER:
-        return print_shader(run);
+        return run->options.shadertoy ? print_shadertoy(run) : print_shader(run);
     case OPTIONS_LIST:
         return list_parameters(run);
     default:

@@ -5,14 +5,28 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "benchmark.h"
 #include "number.h"
 #include "overlay.h"
 #include "report.h"
+#include "sequence.h"
+
+#define FPS_MINIMUM 0.001
+#define FPS_MAXIMUM 1000.0
 
 #define LIMIT 1e9 // of times and places: beyond it a float of the shader has lost every fraction
 
 // Codes of the options that have no letter.
-enum { CODE_PROBE = 256, CODE_ROOT, CODE_PRINT_SHADER, CODE_LIST, CODE_OVERLAY };
+enum {
+    CODE_PROBE = 256,
+    CODE_ROOT,
+    CODE_PRINT_SHADER,
+    CODE_LIST,
+    CODE_OVERLAY,
+    CODE_FRAMES,
+    CODE_FPS,
+    CODE_BENCHMARK
+};
 
 static const struct option long_options[] = {
     {"output", required_argument, NULL, 'o'},
@@ -29,6 +43,9 @@ static const struct option long_options[] = {
     {"print-shader", optional_argument, NULL, CODE_PRINT_SHADER},
     {"list", no_argument, NULL, CODE_LIST},
     {"overlay", optional_argument, NULL, CODE_OVERLAY},
+    {"frames", required_argument, NULL, CODE_FRAMES},
+    {"fps", required_argument, NULL, CODE_FPS},
+    {"benchmark", required_argument, NULL, CODE_BENCHMARK},
     {"help", no_argument, NULL, 'h'},
     {"version", no_argument, NULL, 'V'},
     {NULL, 0, NULL, 0},
@@ -141,6 +158,39 @@ static bool set_samples(struct options *options, const char *text)
     return false;
 }
 
+static bool set_frames(struct options *options, const char *text)
+{
+    if (number_read_int(text, 1, SEQUENCE_FRAMES_LIMIT, &options->frames))
+        return true;
+    report("--frames '%s': must be a whole number of pictures from 1 to %d", text,
+           SEQUENCE_FRAMES_LIMIT);
+    return false;
+}
+
+static bool set_fps(struct options *options, const char *text)
+{
+    if (number_read(text, &options->fps) && options->fps >= FPS_MINIMUM &&
+        options->fps <= FPS_MAXIMUM)
+        return true;
+    report("--fps '%s': must be a number of pictures a second from %g to %g", text, FPS_MINIMUM,
+           FPS_MAXIMUM);
+    return false;
+}
+
+// A number of frames, or the word json; both may be given, one after the other.
+static bool set_benchmark(struct options *options, const char *text)
+{
+    bool json = strcmp(text, "json") == 0;
+    options->json = options->json || json;
+    if (json && options->benchmark == 0)
+        options->benchmark = BENCHMARK_FRAMES_DEFAULT;
+    if (json || number_read_int(text, 1, BENCHMARK_FRAMES_LIMIT, &options->benchmark))
+        return true;
+    report("--benchmark '%s': must be a whole number of frames from 1 to %d, or json", text,
+           BENCHMARK_FRAMES_LIMIT);
+    return false;
+}
+
 static bool set_view(struct options *options, const char *text)
 {
     char names[128] = "";
@@ -184,13 +234,13 @@ static bool set_action(struct options *options, enum options_action action)
     return true;
 }
 
+//   form  NULL where none is given
 static bool set_print_shader(struct options *options, const char *form)
 {
-    if (form == NULL)
+    options->shadertoy = form != NULL;
+    if (form == NULL || strcmp(form, "shadertoy") == 0)
         return set_action(options, OPTIONS_PRINT_SHADER);
-    if (strcmp(form, "shadertoy") == 0)
-        return refuse("print-shader", form, "Shadertoy's form is not offered yet: leave it out");
-    return refuse("print-shader", form, "takes no value");
+    return refuse("print-shader", form, "must be shadertoy, or be left out");
 }
 
 // ---- The command line ----
@@ -239,6 +289,12 @@ static bool apply(struct options *options, int code, const char *text)
         return set_path("shader", &options->shader, text);
     case CODE_ROOT:
         return set_path("root", &options->root, text);
+    case CODE_FRAMES:
+        return set_frames(options, text);
+    case CODE_FPS:
+        return set_fps(options, text);
+    case CODE_BENCHMARK:
+        return set_benchmark(options, text);
     case CODE_LIST:
         return set_action(options, OPTIONS_LIST);
     case 'h':
@@ -308,30 +364,13 @@ static bool read_options(struct options *options, int argc, char **argv)
     return optind >= argc;
 }
 
-// What depends on other options, once all are known.
-static bool complete(struct options *options)
-{
-    bool still = options->output != NULL || options->has_probe;
-    if (options->width == 0) {
-        options->width = still ? 640 : 960;
-        options->height = still ? 360 : 540;
-    }
-    if (!options->has_probe || (options->probe_x >= 0 && options->probe_x < options->width &&
-                                options->probe_y >= 0 && options->probe_y < options->height))
-        return true;
-    report("--probe '%d,%d': outside the picture of %dx%d: X is from 0 to %d, Y from 0 to %d",
-           options->probe_x, options->probe_y, options->width, options->height, options->width - 1,
-           options->height - 1);
-    return false;
-}
-
 bool options_parse(struct options *options, int argc, char **argv)
 {
     *options = (struct options){.samples = 1};
     options->settings = malloc(((size_t)argc + 1) * sizeof *options->settings);
     if (options->settings == NULL)
         report("command line: not enough memory");
-    else if (read_options(options, argc, argv) && complete(options))
+    else if (read_options(options, argc, argv) && options_complete(options))
         return true;
     options_free(options);
     return false;

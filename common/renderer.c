@@ -17,7 +17,7 @@
 
 bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root)
 {
-    *renderer = (struct renderer){.gl = gl, .root = root, .focal_length = 1.0f};
+    *renderer = (struct renderer){.gl = gl, .root = root, .focal_length = RENDERER_FOCAL_LENGTH};
     char path[4096];
     snprintf(path, sizeof path, "%s/shaders/screen.vert", root);
     if (!shader_read(&renderer->vertex, path, root))
@@ -176,6 +176,10 @@ static GLuint use_program(struct renderer *renderer, const struct renderer_input
     gl->Uniform1i(place(renderer, program, "iFrame"), inputs->frame);
     gl->Uniform4f(place(renderer, program, "iMouse"), inputs->mouse[0], inputs->mouse[1],
                   inputs->mouse[2], inputs->mouse[3]);
+    gl->Uniform1f(place(renderer, program, "iFrameRate"),
+                  inputs->time_delta > 0.0 ? (float)(1.0 / inputs->time_delta) : 60.0f);
+    gl->Uniform4f(place(renderer, program, "iDate"), inputs->date[0], inputs->date[1],
+                  inputs->date[2], inputs->date[3]);
     set_vector(renderer, program, "iCameraPosition", inputs->camera.position);
     set_vector(renderer, program, "iCameraRight", basis.right);
     set_vector(renderer, program, "iCameraUp", basis.up);
@@ -195,6 +199,8 @@ static void draw_pass(const struct renderer *renderer, GLuint program, const flo
                       const float jitter[2])
 {
     renderer->gl->Uniform2f(place(renderer, program, "iPixelOffset"), offset[0], offset[1]);
+    // What is not in the program is ignored: this is its name in Shadertoy's form.
+    renderer->gl->Uniform2f(place(renderer, program, "harnessPixelOffset"), offset[0], offset[1]);
     renderer->gl->Uniform2f(place(renderer, program, "iPixelJitter"), jitter[0], jitter[1]);
     renderer->gl->DrawArrays(GL_TRIANGLES, 0, 3);
 }

@@ -11,7 +11,8 @@
 #include "parameter.h"
 #include "shader.h"
 
-#define RENDERER_PROBE_STEPS 2048 // rows that one probe can hold
+#define RENDERER_PROBE_STEPS  2048 // rows that one probe can hold
+#define RENDERER_FOCAL_LENGTH 1.0f // for shaders that declare no focalLength of their own
 
 // What a picture depends on, besides the shader and its parameters. Times come from here, never
 // from the clock, so that the same inputs give the same picture.
@@ -22,6 +23,7 @@ struct renderer_inputs {
     double time_delta;    // seconds since the last frame; 0 for a file
     int frame;            // number of the frame; 0 for a file
     float mouse[4];       // Shadertoy's iMouse; zeros for a file
+    float date[4];        // Shadertoy's iDate: year, month from 0, day, seconds of the day
     int samples;          // along each side of a pixel
     int pixel[2]; // whose ray is looked at, 0,0 bottom left; -1,-1: none; the slice: the middle
     float zoom;   // of the slice view; 1: the whole march, as does 0

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "form.h"
 #include "glsl.h"
 #include "report.h"
 #include "text_file.h"
@@ -333,28 +334,6 @@ static bool expand_file(struct expansion *e, int file, const char *where)
     return done;
 }
 
-// Tell the form of the expanded text; false, reported, for one that is not offered.
-static bool find_form(struct expansion *e)
-{
-    struct shader_source *source = e->source;
-    source->form = e->whole ? SHADER_WHOLE : SHADER_COURSE;
-    if (e->whole)
-        return true;
-    char *code = strdup(source->text);
-    if (code == NULL)
-        return no_memory(source->files[0]);
-    glsl_blank_comments(code, false);
-    if (glsl_defines(code, "mainImage") && !glsl_defines(code, "main"))
-        source->form = SHADER_SHADERTOY;
-    free(code);
-    if (source->form != SHADER_SHADERTOY)
-        return true;
-    report("%s: Shadertoy's form is not offered yet: give the shader #version 330 core and a main()"
-           " that calls mainImage",
-           source->files[0]);
-    return false;
-}
-
 bool shader_read(struct shader_source *source, const char *path, const char *root)
 {
     struct expansion e = {.source = source};
@@ -371,7 +350,7 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
     }
     folder_of(resolved, e.own);
     int file = add_file(&e, path, resolved);
-    if (file == 0 && expand_file(&e, file, path) && find_form(&e))
+    if (file == 0 && expand_file(&e, file, path) && form_find(source, e.whole))
         return true;
     shader_free(source);
     return false;

@@ -17,6 +17,7 @@ enum shader_view {
     SHADER_SLICE,   // the march of one ray, seen from the side
     SHADER_VIEW_COUNT,
     SHADER_PROBE = SHADER_VIEW_COUNT, // the steps of one ray, as numbers; not a view to choose
+    SHADER_COUNT,                     // evaluations of the scene for each pixel; not a view either
     SHADER_PROGRAM_COUNT
 };
 
@@ -36,6 +37,7 @@ struct shader_line {
 // A shader's text with every include in place.
 struct shader_source {
     enum shader_form form;
+    bool versioned;            // the text itself says its #version to the driver
     char *text;                // '\n' ends each line; '\0' terminated
     struct shader_line *lines; // of each line of text
     int line_count;
@@ -53,14 +55,14 @@ struct shader_source {
 // Returns false, reported in one line with file and line: missing, unreadable, empty, binary (a
 // zero byte) or over 1 MiB, over 8 MiB with its includes; an include that is malformed, missing,
 // includes itself, or climbs out; a #version that does not come first; a comment that is never
-// closed; Shadertoy's form, which is not offered yet. Free with shader_free.
+// closed; an input that a whole file cannot have. Free with shader_free.
 bool shader_read(struct shader_source *source, const char *path, const char *root);
 
 // Free a source; one of zeros is allowed.
 void shader_free(struct shader_source *source);
 
-// The text that is compiled: for the course's form a first line "#version 330 core" and a second
-// "#define VIEW n" stand before the expanded text; a whole file stays as it is.
+// The text that is compiled: what form.h puts before the expanded text, then this. A whole file of
+// desktop GLSL stays as it is.
 // Returns memory that the caller frees, or NULL, reported.
 char *shader_text(const struct shader_source *source, enum shader_view view);
 

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "form.h"
 #include "report.h"
 
 static const char *const view_names[SHADER_VIEW_COUNT] = {"picture", "normals", "depth", "steps",
@@ -11,7 +12,7 @@ static const char *const view_names[SHADER_VIEW_COUNT] = {"picture", "normals", 
 
 const char *shader_view_name(enum shader_view view)
 {
-    return view < SHADER_VIEW_COUNT ? view_names[view] : "probe";
+    return view < SHADER_VIEW_COUNT ? view_names[view] : view == SHADER_PROBE ? "probe" : "count";
 }
 
 bool shader_view_from_name(const char *name, enum shader_view *view)
@@ -37,15 +38,16 @@ bool shader_has_view(const struct shader_source *source, enum shader_view view)
 
 char *shader_text(const struct shader_source *source, enum shader_view view)
 {
-    char prelude[64] = "";
-    if (source->form != SHADER_WHOLE)
-        snprintf(prelude, sizeof prelude, "#version 330 core\n#define VIEW %d\n", (int)view);
-    size_t size = strlen(prelude) + strlen(source->text) + 1;
-    char *text = malloc(size);
-    if (text == NULL)
+    char *prelude = form_prelude(source, view);
+    char *body = prelude != NULL ? form_body(source) : NULL;
+    size_t size = body != NULL ? strlen(prelude) + strlen(body) + 1 : 0;
+    char *text = body != NULL ? malloc(size) : NULL;
+    if (text != NULL)
+        snprintf(text, size, "%s%s", prelude, body);
+    else if (body != NULL)
         report("%s: not enough memory", source->files[0]);
-    else
-        snprintf(text, size, "%s%s", prelude, source->text);
+    free(prelude);
+    free(body);
     return text;
 }
 
@@ -55,6 +57,8 @@ char *shader_text(const struct shader_source *source, enum shader_view view)
 static void report_failure(const struct shader_source *source, enum shader_view view,
                            const char *step, const char *log)
 {
+    if (log != NULL && form_refuses(source, log))
+        return;
     char *errors = shader_explain(source, view, log != NULL ? log : "");
     if (errors == NULL)
         return;

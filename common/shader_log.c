@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "form.h"
 #include "glsl.h"
 #include "report.h"
 
@@ -121,7 +122,8 @@ static int line_of(const char *code, const char *place)
 }
 
 // A link error names a function and no line: `foo', "float foo(vec3);" or foo( . Find the first
-// call of a name that stands so. Returns the expanded line, or 0.
+// call of a name that stands so; of one in quotes, which may be an input, else the first mention.
+// Returns the expanded line, or 0.
 static int line_of_call(const struct explanation *e, const char *log)
 {
     for (const char *c = log; *c != '\0';) {
@@ -134,6 +136,8 @@ static int line_of_call(const struct explanation *e, const char *log)
         if (length > 0 && length < sizeof name && (quoted || *skip_blanks(c + length) == '(')) {
             snprintf(name, sizeof name, "%.*s", (int)length, c);
             const char *call = glsl_find_call(e->code, name);
+            if (call == NULL && quoted)
+                call = glsl_find_word(e->code, name);
             if (call != NULL)
                 return line_of(e->code, call);
         }
@@ -220,10 +224,12 @@ static bool explain_lines(struct explanation *e, const char *log, bool only_look
 
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log)
 {
-    (void)view; // every view has a prelude of the same length
-    struct explanation e = {.source = source, .prelude = source->form == SHADER_WHOLE ? 0 : 2};
-    e.code = strdup(source->text);
-    bool done = e.code != NULL && append_text(&e, "");
+    struct explanation e = {.source = source, .code = strdup(source->text)};
+    char *prelude = form_prelude(source, view);
+    for (const char *c = prelude; c != NULL && *c != '\0'; c++)
+        e.prelude += *c == '\n';
+    bool done = prelude != NULL && e.code != NULL && append_text(&e, "");
+    free(prelude);
     if (done) {
         glsl_blank_comments(e.code, false);
         done = explain_lines(&e, log, true) && explain_lines(&e, log, false);

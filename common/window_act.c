@@ -266,6 +266,7 @@ void window_obey(struct window *window)
     struct window_input *input = &window->input;
     struct camera *camera = &window->inputs.camera;
     window_input_count(input);
+    window_follow_mouse(window);
     float travel[3], longest = 0.0f;
     for (int axis = 0; axis < 3; axis++) {
         travel[axis] = (float)input->travel[axis];

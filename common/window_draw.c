@@ -39,7 +39,7 @@ void window_retitle(struct window *window)
 // The linker keeps only what is used.
 static bool program_uses_time(const struct window *window, GLuint program)
 {
-    static const char *const names[] = {"iTime", "iTimeDelta", "iFrame"};
+    static const char *const names[] = {"iTime", "iTimeDelta", "iFrame", "iFrameRate", "iDate"};
     for (size_t i = 0; i < sizeof names / sizeof *names && program != 0; i++)
         if (window->renderer->gl->GetUniformLocation(program, names[i]) >= 0)
             return true;
@@ -134,7 +134,7 @@ static void follow_ray(struct window *window)
         return;
     if (window->renderer->fragment.form != SHADER_COURSE) {
         snprintf(window->why, sizeof window->why,
-                 "no march: a whole file keeps no trace of its rays");
+                 "no march: a file with a main of its own keeps no trace of its rays");
     } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->probe)) {
         snprintf(window->why, sizeof window->why, "%s", report_last());
     } else if (window->tell) {
@@ -197,6 +197,8 @@ static bool draw_at(struct window *window, int divisor)
     inputs.height = (inputs.height + divisor - 1) / divisor;
     for (int i = 0; i < 2 && inputs.pixel[0] >= 0; i++)
         inputs.pixel[i] /= divisor;
+    for (int i = 0; i < 4; i++)
+        inputs.mouse[i] /= (float)divisor;
     double begin = glfwGetTime();
     if (!renderer_draw(window->renderer, &inputs, 0, inputs.height))
         return false;
@@ -302,6 +304,7 @@ bool window_draw(struct window *window, double now)
     const struct gl *gl = window->renderer->gl;
     bool draws = window->stale;
     inputs->time_delta = inputs->frame > 0 && !window->paused ? now - window->frame : 0.0;
+    window_tell_date(window);
     if (draws && !draw_picture(window, now))
         return false;
     if (!draws && window_sharpens(window, now) && !sharpen(window))

@@ -82,7 +82,7 @@ void window_input_forget(struct window_input *input)
     for (int axis = 0; axis < 3; axis++)
         input->travel[axis] = 0.0;
     input->look[0] = input->look[1] = input->wheel = 0.0;
-    input->damaged = input->clicked = false;
+    input->damaged = input->clicked = input->pressed = false;
     input->events = 0;
 }
 
@@ -140,6 +140,14 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
         input->click[0] = input->pointer[0];
         input->click[1] = input->pointer[1];
     }
+    if (action == GLFW_PRESS) {
+        // Asked for now, the pointer may be further on than it was when the button went down.
+        if (!input->seen)
+            glfwGetCursorPos(window, &input->at[0], &input->at[1]);
+        input->pressed = true;
+        for (int i = 0; i < 2; i++)
+            input->press[i] = input->held_at[i] = input->at[i];
+    }
     input->state = action == GLFW_PRESS ? WINDOW_POINTER_PRESSED : WINDOW_POINTER_FREE;
     if (input->jumped)
         glfwGetCursorPos(window, &input->pointer[0], &input->pointer[1]);
@@ -149,6 +157,13 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
 static void on_pointer(GLFWwindow *window, double x, double y)
 {
     struct window_input *input = input_of(window);
+    input->seen = true;
+    input->at[0] = x;
+    input->at[1] = y;
+    if (input->state != WINDOW_POINTER_FREE) {
+        input->held_at[0] = x;
+        input->held_at[1] = y;
+    }
     double right = x - input->pointer[0], down = y - input->pointer[1];
     if (input->state == WINDOW_POINTER_PRESSED) {
         if (hypot(right, down) <= DRAG_BEGINS)

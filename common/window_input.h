@@ -54,6 +54,8 @@ struct window_input {
     double wheel;     // notches, away from the person positive
     bool clicked;     // pressed and released in one place,
     double click[2];  // window coordinates from the top left
+    bool pressed;     // the button went down,
+    double press[2];  // there
     bool damaged;     // the window must be drawn again
     struct window_event event[WINDOW_INPUT_EVENTS];
     int events;
@@ -64,6 +66,9 @@ struct window_input {
     bool captured;
     bool jumped;       // the next place of the pointer is no movement
     double pointer[2]; // where it was last
+    bool seen;         // at is known
+    double at[2];      // where it is
+    double held_at[2]; // where it was last with the button down
 };
 
 // Receive the events of a window from now on.

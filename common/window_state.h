@@ -1,7 +1,7 @@
 // window_state.h - what the parts of the window share. For window*.c alone.
 //
 // window.c holds the loop, window_input.c gathers what the hands do, window_act.c carries it out,
-// window_draw.c draws frames, title bar and overlay.
+// window_draw.c draws frames, title bar and overlay, window_toy.c knows Shadertoy's inputs.
 #ifndef WINDOW_STATE_H
 #define WINDOW_STATE_H
 
@@ -79,6 +79,14 @@ bool window_pass(struct window *window, double seconds);
 
 // Carry out what the hands did since the last turn.
 void window_obey(struct window *window);
+
+// Bring Shadertoy's iMouse up to this turn: xy where the button was held last, zw where it was
+// pressed; z is positive while it is held, w in the one frame of the press. A change draws a frame
+// where the shader reads it.
+void window_follow_mouse(struct window *window);
+
+// Set Shadertoy's iDate to the local time.
+void window_tell_date(struct window *window);
 
 // True when the picture on the screen depends on the time.
 bool window_uses_time(const struct window *window);

@@ -6,7 +6,8 @@ uniform vec3  iResolution;     // size of the picture in pixels (x, y), and 1
 uniform float iTime;           // time of the picture, seconds
 uniform float iTimeDelta;      // time since the picture before, seconds
 uniform int   iFrame;          // number of the picture, from zero
-uniform vec4  iMouse;          // the mouse, in pixels
+uniform vec4  iMouse;          // the mouse, in pixels: where it was held last, and pressed
+uniform vec4  iDate;           // year, month from zero, day, seconds of the day
 uniform vec3  iCameraPosition; // the eye, scene units
 uniform vec3  iCameraRight;    // the camera's orthonormal basis:
 uniform vec3  iCameraUp;       //   right x up = -forward

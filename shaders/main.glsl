@@ -2,7 +2,7 @@
 // trace holds.
 //
 // The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice,
-// 5 the numbers of a probe.
+// 5 the numbers of a probe, 6 evaluations of the scene.
 
 #include "inputs.glsl"
 #include "scene.glsl"
@@ -52,7 +52,11 @@ void main()
 #elif VIEW == 3
     colour = stepView(pixel);
 #endif
+#if VIEW == 6
+    fragColour = vec4(float(trace.evaluations), float(trace.allSteps), 0.0, 1.0);
+#else
     fragColour = vec4(clamp(colour, 0.0, 1.0), 1.0);
+#endif
 }
 
 #endif

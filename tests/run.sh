@@ -115,6 +115,7 @@ of_shaders() { grep -q 'tests/shaders/\|support_pixels.h' "tests/test_$1.c"; }
 # The long ones come first, so that none of them ends alone.
 together=$(
     [ -e tests/test_failures.sh ] && echo sanitize/failures
+    [ -e tests/test_others.sh ] && echo sanitize/others
     names_of tests/test_*.sh | grep -vx -e "$last"
     names_of build/tests/test_*
     for name in $(names_of build/sanitize/tests/test_*); do

@@ -105,12 +105,12 @@ refuse 'an unknown backend' 2 'glfw, egl, osmesa' "$chapter" "${to[@]}" -b vulka
 refuse 'an unknown option' 2 "'--colour'" "$chapter" "${to[@]}" --colour red
 refuse 'an unknown letter' 2 "'-x'" "$chapter" "${to[@]}" -x
 refuse 'an abbreviated option' 2 "'--samp'" "$chapter" "${to[@]}" --samp 2
-for option in '--frames 3' '--fps 25' '--benchmark 3'; do
-    # shellcheck disable=SC2086 # options are words
-    refuse "$option, not offered yet" 2 "${option%%[ =]*}" "$chapter" "${to[@]}" $option
-done
-refuse '--print-shader=shadertoy, not offered yet' 2 'not offered yet' \
-    "$chapter" --print-shader=shadertoy
+refuse '--frames without a number in the name' 2 '%d' "$chapter" "${to[@]}" --frames 3
+refuse '--fps without --frames' 2 'goes with --frames' "$chapter" "${to[@]}" --fps 25
+refuse 'a form of --print-shader that there is not' 2 'must be shadertoy' "$chapter" --print-shader=es
+refuse 'a view of --print-shader=shadertoy' 2 'only the picture' "$chapter" --print-shader=shadertoy -v depth
+refuse 'an unknown parameter of --print-shader=shadertoy' 2 'lampHeigth' \
+    "$chapter" --print-shader=shadertoy -p lampHeigth=2
 refuse 'an operand too many' 2 'extra' "$chapter" "${to[@]}" extra
 refuse 'a missing value' 2 'missing' "$chapter" --output
 refuse 'an empty name' 2 '--output' "$chapter" "${small[@]}" -o ''
@@ -190,8 +190,10 @@ line=$(grep -n 'true: again' "$shaders/twice.frag" | cut -d : -f 1)
 refuse 'a parameter declared twice' 1 "twice.frag:$line.*biased" \
     "$chapter" "${to[@]}" -f "$shaders/twice.frag"
 
-printf 'void mainImage(out vec4 c, in vec2 f) { c = vec4(f, 0.0, 1.0); }\n' >"$shaders/toy.frag"
-refuse "Shadertoy's form, not offered yet" 1 'toy.frag.*Shadertoy' "$chapter" "${to[@]}" -f "$shaders/toy.frag"
+printf 'void mainImage(out vec4 c, in vec2 f) { c = texture(iChannel1, f); }\n' >"$shaders/toy.frag"
+refuse "what Shadertoy has and we have not" 1 'toy.frag:1: iChannel1 is not offered' \
+    "$chapter" "${to[@]}" -f "$shaders/toy.frag"
+refuse "a view of Shadertoy's form" 1 'toy.frag: .*view depth' "$chapter" "${to[@]}" -v depth -f "$shaders/toy.frag"
 whole=$root/chapters/00_first_scene.frag
 refuse 'a view of a whole file' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"
 refuse 'the slice of a whole file' 1 'view slice' "$chapter" "${to[@]}" -v slice -f "$whole"

@@ -267,6 +267,45 @@ static void test_names(void **state)
     assert_refused("--root ''", "--root");
 }
 
+static void test_frames(void **state)
+{
+    (void)state;
+    struct options o = parsed("--frames 100000 --fps 0.5 -o a%05d.png");
+    assert_int_equal(o.frames, 100000);
+    assert_true(o.fps == 0.5);
+    assert_int_equal(o.width, 640);
+    options_free(&o);
+    o = parsed("--frames 1 -o %d");
+    assert_true(o.fps == 25.0);
+    options_free(&o);
+    o = parsed("-o %d.png"); // a name like any other
+    assert_int_equal(o.frames, 0);
+    options_free(&o);
+    assert_refused("--frames 0 -o %d", "--frames '0': must be a whole number of pictures");
+    assert_refused("--frames 100001 -o %d", "from 1 to 100000");
+    assert_refused("--frames 2 --fps 0 -o %d", "--fps '0'");
+    assert_refused("--frames 2 --fps 1000.1 -o %d", "from 0.001 to 1000");
+    assert_refused("--frames 2", "goes with --output");
+    assert_refused("--fps 2 -o %d", "goes with --frames");
+    assert_refused("--frames 2 -o a.png", "must hold one %d");
+    assert_refused("--frames 2 --probe 1,1 -o %d", "leave --frames out");
+    o = parsed("--frames 2 --probe 1,1 -v slice -o %d");
+    options_free(&o);
+}
+
+static void test_print_shader(void **state)
+{
+    (void)state;
+    struct options o = parsed("--print-shader");
+    assert_int_equal(o.action, OPTIONS_PRINT_SHADER);
+    assert_false(o.shadertoy);
+    options_free(&o);
+    o = parsed("--print-shader=shadertoy");
+    assert_int_equal(o.action, OPTIONS_PRINT_SHADER);
+    assert_true(o.shadertoy);
+    options_free(&o);
+}
+
 static void test_unknown_options(void **state)
 {
     (void)state;
@@ -275,10 +314,8 @@ static void test_unknown_options(void **state)
     assert_refused("-x", "unknown option '-x'");
     assert_refused("-hx", "unknown option '-x'");
     assert_refused("-1", "unknown option '-1'");
-    assert_refused("--benchmark", "unknown option '--benchmark'");
-    assert_refused("--frames 3", "unknown option '--frames'");
-    assert_refused("--fps 3", "unknown option '--fps'");
-    assert_refused("--benchmark 3", "unknown option '--benchmark'");
+    assert_refused("--bench 3", "unknown option '--bench'");
+    assert_refused("--fp 3", "unknown option '--fp'");
     assert_refused("--out a.png", "unknown option '--out'");
     assert_refused("--out=a.png", "unknown option '--out'");
     assert_refused("--out", "unknown option '--out'");
@@ -303,8 +340,9 @@ static void test_values_missing_or_too_many(void **state)
     }
     assert_refused("--list=3", "--list: takes no value");
     assert_refused("--help=3", "--help: takes no value");
-    assert_refused("--print-shader=shadertoy", "not offered yet");
-    assert_refused("--print-shader=x", "takes no value");
+    assert_refused("--print-shader=x", "--print-shader 'x': must be shadertoy");
+    assert_refused("--print-shader=", "must be shadertoy");
+    assert_refused("--print-shader=shadertoy -v steps", "only the picture runs there");
     assert_refused("foo", "unexpected argument 'foo'");
     assert_refused("--list foo -V", "unexpected argument 'foo'");
     assert_refused("-- -o", "unexpected argument '-o'");
@@ -372,6 +410,8 @@ int main(void)
         cmocka_unit_test(test_cameras),
         cmocka_unit_test(test_probes),
         cmocka_unit_test(test_names),
+        cmocka_unit_test(test_frames),
+        cmocka_unit_test(test_print_shader),
         cmocka_unit_test(test_unknown_options),
         cmocka_unit_test(test_values_missing_or_too_many),
         cmocka_unit_test(test_help_names_every_option),

@@ -342,16 +342,17 @@ static void test_forms(void **state)
     assert_form("#version 330 core\nvoid main() {}\n", SHADER_WHOLE);
     assert_form("// why\n/* and\nhow */ # version 330 core\n#include \"leaf.glsl\"\n",
                 SHADER_WHOLE);
-    assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {}\n", SHADER_WHOLE);
+    assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {}\n", SHADER_SHADERTOY);
+    assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {} void main() {}\n",
+                SHADER_WHOLE);
     assert_form("// #version 330\nvoid main() {}\n", SHADER_COURSE);
-    assert_form("void mainImage(out vec4 c, in vec2 p);\n", SHADER_COURSE);
+    assert_form("void mainImage(out vec4 c, in vec2 p);\n", SHADER_SHADERTOY);
     assert_form("// void mainImage(out vec4 c, in vec2 p) {}\n", SHADER_COURSE);
     assert_form("void mainImage(out vec4 c, in vec2 p) {}\nvoid main() {}\n", SHADER_COURSE);
     assert_form("void mainImages(out vec4 c) {}\nvoid notmainImage() {}\n", SHADER_COURSE);
     scratch_write("root/shaders/main.glsl", "void main()\n{\n}\n");
     assert_form("#include \"main.glsl\"\nvoid mainImage(int a) {}\n", SHADER_COURSE);
-    assert_refused("void mainImage( out vec4 c,\n in vec2 p )\n{ }\n",
-                   "main.frag: Shadertoy's form");
+    assert_form("void mainImage( out vec4 c,\n in vec2 p )\n{ }\n", SHADER_SHADERTOY);
     assert_refused("x\n#version 330 core\n", "main.frag:2: #version must come first");
     assert_refused("#include \"leaf.glsl\"\n#version 330 core\n", "main.frag:2: #version must");
     scratch_write("root/shaders/leaf.glsl", "// x\n#version 330\n");

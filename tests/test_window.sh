@@ -237,5 +237,39 @@ check 'an included file that is saved loads it again' include
 asked() { wmctrl -i -c "$window" && ends_well; }
 check 'a close request closes the window with status 0' asked
 
+# ---- Shadertoy's mouse ----
+
+# The picture shows iMouse and the day of iDate; the same with numbers in their place must match.
+# toy X Y Z W YEAR MONTH DAY: the text.
+toy() {
+    cat <<GLSL
+void mainImage(out vec4 c, in vec2 p) {
+    vec4 m = vec4($1, $2, $3, $4);
+    vec3 d = vec3($5, $6, $7);
+    if (p.x < 60.0) c = vec4(m.x / 320.0, m.y / 200.0, sign(m.z) * 0.5 + 0.5, 1.0);
+    else if (p.x < 120.0) c = vec4(abs(m.zw) / 320.0, sign(m.w) * 0.5 + 0.5, 1.0);
+    else c = vec4(d.x / 4000.0, d.y / 12.0, d.z / 31.0, 1.0);
+}
+GLSL
+}
+toy iMouse.x iMouse.y iMouse.z iMouse.w iDate.x iDate.y iDate.z >"$scratch/toy.frag"
+mouse_is() { # X Y Z W
+    # shellcheck disable=SC2046 # three words
+    toy "$@" $(date '+%Y. %m.-1. %d.') >"$scratch/wanted.frag"
+    render wanted -f "$scratch/wanted.frag" && shoot $chapter && cp "$picture" "$scratch/mouse.png" &&
+        matches wanted mouse
+}
+# shellcheck disable=SC2086 # options are words
+start $chapter $still -f "$scratch/toy.frag"
+check "iMouse is zero before a press, iDate is today" mouse_is 0. 0. 0. 0.
+holds_mouse() {
+    xdotool mousemove --window "$window" 100 80 mousedown 1 mousemove --window "$window" 160 150 &&
+        sleep 0.3 && mouse_is 160. 50. 100. -120.
+}
+check 'held: xy the place, zw the press, z positive' holds_mouse
+lets_go() { xdotool mouseup 1 mousemove --window "$window" 30 30 && sleep 0.3 && mouse_is 160. 50. -100. -120.; }
+check 'let go: the place stays, z is negative' lets_go
+check 'Backspace closes it' backspace
+
 close_window
 plan

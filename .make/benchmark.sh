@@ -1,0 +1,99 @@
+#!/bin/sh
+# benchmark.sh - `make benchmark`: what each chapter costs at 640x360, in milliseconds and in units of
+# tests/reference_scene.frag, beside the last table in docs/benchmark.md.
+#
+# Environment: CHAPTER, one chapter; ROUNDS and FRAMES, how often each is measured and how many frames
+# at a time; WRITE=1 puts the table into docs/benchmark.md.
+set -u
+. .make/chapters.sh
+
+page=docs/benchmark.md
+rounds=${ROUNDS:-3}
+frames=${FRAMES:-15}
+if [ -n "${CHAPTER-}" ] && [ -n "${WRITE-}" ]; then
+    echo 'make benchmark: WRITE=1 writes the table of all chapters: leave CHAPTER out' >&2
+    exit 1
+fi
+if [ -n "${CHAPTER-}" ]; then stems=$(stem_of "$CHAPTER") || exit 1; else stems=$(stems); fi
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+
+# The value of a name in the JSON on standard input.
+value() { sed -n "s/^  \"$1\": \"\{0,1\}\(.*[^\",]\)\"\{0,1\},\{0,1\}\$/\1/p"; }
+# The number in the middle of those on standard input.
+middle() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
+
+measure() { # FILE PROGRAM OPTION...
+    to=$1
+    shift
+    "$@" --benchmark "$frames" --benchmark=json -s 640x360 -t 1 >"$to" || exit 1
+}
+
+# The reference before each chapter, every round: whatever slows the machine slows both.
+for round in $(seq "$rounds"); do
+    for stem in $stems; do
+        [ -t 2 ] && printf '%s, round %d of %d        \r' "$stem" "$round" "$rounds" >&2
+        measure "$work/unit" build/00_first_scene --shader tests/reference_scene.frag
+        measure "$work/$stem.$round" "build/$stem"
+        # On a graphics card its own clock counts, elsewhere the processor time.
+        clock=gpu
+        [ "$(value frame_median_gpu_ms <"$work/unit")" = null ] && clock=cpu
+        unit=$(value frame_median_${clock}_ms <"$work/unit")
+        frame=$(value frame_median_${clock}_ms <"$work/$stem.$round")
+        awk "BEGIN { print $frame / $unit }" >>"$work/$stem.ratio"
+        echo "$frame" >>"$work/$stem.frame"
+        value frame_median_wall_ms <"$work/$stem.$round" >>"$work/$stem.wall"
+        awk "BEGIN { print $(value compile_cpu_ms <"$work/$stem.$round") + $(value first_frame_cpu_ms <"$work/$stem.$round") }" \
+            >>"$work/$stem.cold"
+        value backend <"$work/unit" >"$work/backend"
+    done
+done
+[ -t 2 ] && printf '%40s\r' '' >&2
+
+# ---- The table ----
+
+whole() { sed 's/^null$/-/' | awk '{ print $1 == "-" ? "-" : sprintf("%.0f", $1) }'; }
+tenth() { sed 's/^null$/-/' | awk '{ print $1 == "-" ? "-" : sprintf("%.1f", $1) }'; }
+{
+    echo "$(cat "$work/backend"); 640x360, $rounds rounds of $frames frames"
+    echo
+    echo '| chapter | frame, units | frame, ms | frame, wall ms | cold start, ms | evaluations, mean | 99 % | most |'
+    echo '| --- | --- | --- | --- | --- | --- | --- | --- |'
+    for stem in $stems; do
+        last=$work/$stem.$rounds
+        printf '| %s | %.2f | %.1f | %.1f | %.0f | %s | %s | %s |\n' "$stem" \
+            "$(middle <"$work/$stem.ratio")" "$(middle <"$work/$stem.frame")" \
+            "$(middle <"$work/$stem.wall")" "$(middle <"$work/$stem.cold")" \
+            "$(value evaluations_mean <"$last" | tenth)" "$(value evaluations_p99 <"$last" | whole)" \
+            "$(value evaluations_maximum <"$last" | whole)"
+    done
+} >"$work/table"
+cat "$work/table"
+echo
+
+# ---- Against the last one ----
+
+# The table in the page stands between two markers.
+awk '/^<!-- \/benchmark -->/ { p = 0 } p { print } /^<!-- benchmark -->/ { p = 1 }' "$page" >"$work/old"
+old_backend=$(sed -n '/;/ { s/;.*//; p; q; }' "$work/old")
+if [ -z "$old_backend" ]; then
+    echo "$page holds no table yet: WRITE=1 writes one."
+elif [ "$old_backend" != "$(cat "$work/backend")" ]; then
+    echo "The table in $page is of another renderer ($old_backend): not compared."
+else
+    for stem in $stems; do
+        before=$(sed -n "s/^| $stem | \([0-9.]*\) .*/\1/p" "$work/old")
+        now=$(middle <"$work/$stem.ratio")
+        awk -v stem="$stem" -v before="$before" -v now="$now" -v page="$page" 'BEGIN {
+            if (before == "") printf "%-28s %6.2f units, not in %s yet\n", stem, now, page
+            else printf "%-28s %6.2f units, %6.2f in %s: %+.0f %%\n", stem, now, before, page, 100 * (now / before - 1) }'
+    done
+fi
+
+if [ -n "${WRITE-}" ]; then
+    awk -v table="$work/table" '
+        /^<!-- benchmark -->/ { print; while ((getline line < table) > 0) print line; skip = 1; next }
+        /^<!-- \/benchmark -->/ { skip = 0 }
+        !skip { print }' "$page" >"$work/page" && cat "$work/page" >"$page" && echo "$page: written"
+fi

@@ -1,0 +1,35 @@
+// An empty scene to start from: `make play` copies it to chapters/play.frag, which is yours, and
+// opens that. Change it, save, and the window shows it; what is wrong is said there.
+//
+// The library is shaders/: include a file of it, as below, and its functions are there.
+
+#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "camera.glsl"     // perspectiveRay
+#include "march.glsl"      // march
+#include "normal.glsl"     // normalAt
+#include "primitives.glsl" // sdSphere, sdBox and others
+
+uniform float radius; // 1 in [0.1, 3], scene units: radius of the ball; the arrow keys change it
+
+// The ray of a pixel.
+Ray pixelRay(vec2 screen)
+{
+    return perspectiveRay(screen);
+}
+
+// How far the scene is from p: a ball. Try min() with a second shape.
+float sceneDistance(vec3 p)
+{
+    return sdSphere(p, radius);
+}
+
+// What the ray sees: a sky that darkens upwards, or the ball, lit from the upper right.
+vec3 rayColour(Ray ray)
+{
+    Hit hit = march(ray, 0.0, 40.0, 0.0005, 256);
+    if (!hit.found)
+        return mix(vec3(0.75, 0.85, 0.95), vec3(0.30, 0.50, 0.75), 0.5 + 0.5 * ray.direction.y);
+    vec3 normal = normalAt(ray.origin + hit.t * ray.direction, 0.001);
+    float light = max(dot(normal, normalize(vec3(2.0, 3.0, 2.0))), 0.0);
+    return vec3(0.95, 0.60, 0.35) * (0.15 + 0.85 * light);
+}

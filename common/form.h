@@ -1,0 +1,42 @@
+// form.h - the three kinds of shader file: which one a text is, and what must stand before it.
+#ifndef FORM_H
+#define FORM_H
+
+#include <stdbool.h>
+
+#include "shader.h"
+
+// Tell the form of an expanded text and make it ready.
+//   source   its text, lines and files are there; form and versioned are set here. A #version that
+//            must not reach the driver is blanked: one of GLSL ES, one in Shadertoy's form
+//   version  the text has a #version
+// Shadertoy's form mentions mainImage and defines no main; a whole file has a #version otherwise;
+// everything else is the course's form.
+// Returns false, reported with file and line: an input of a whole file that is not one of the
+// report's or has another type; a uniform with the name of a Shadertoy input and another type.
+bool form_find(struct shader_source *source, bool version);
+
+// What stands before the text for the driver, its lines ended.
+//   course      #version and VIEW
+//   Shadertoy   #version, Shadertoy's inputs but those that the text declares itself, and a main
+//               that calls mainImage and clamps what it gives; it stands in front, where no macro
+//               of the text reaches it. Every name there begins with "harness", so that none
+//               collides
+//   whole       nothing, or #version 330 core in place of one of GLSL ES
+// Returns memory that the caller frees, or NULL, reported.
+char *form_prelude(const struct shader_source *source, enum shader_view view);
+
+// The text after the prelude: the source's own, line by line. In Shadertoy's form gl_FragCoord is
+// renamed, for the renderer draws in parts and samples, and the shader must see one picture. A
+// whole file loses the words smooth, flat, noperspective and centroid, which drivers want to find
+// in the vertex shader too, and which change nothing on a triangle that covers the screen. Returns
+// memory that the caller frees, or NULL, reported.
+char *form_body(const struct shader_source *source);
+
+// Say why a shader cannot run that asks for what Shadertoy has and this harness has not: textures,
+// buffers, sounds.
+//   log  of the driver, which did not compile the shader
+// Returns false, nothing reported, when the log blames nothing of the kind.
+bool form_refuses(const struct shader_source *source, const char *log);
+
+#endif

@@ -1,0 +1,120 @@
+#!/bin/bash
+# test_benchmark.sh - --benchmark: the numbers it prints hang together, and the evaluations are those
+# that --probe counts.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/support.sh
+
+open_scratch
+unset DISPLAY WAYLAND_DISPLAY
+program=$BUILD/03_shadows
+
+run() { "$program" "$@" >"$scratch/out" 2>"$scratch/err"; }
+value() { sed -n "s/^  \"$1\": \(.*[^,]\),\{0,1\}\$/\1/p" "$scratch/out"; }
+# holds EXPRESSION of awk.
+holds() { awk "BEGIN { exit !($1) }" || { echo "# not so: $1"; return 1; }; }
+
+text() {
+    run --benchmark 5 -s 64x36 -t 2 && [ ! -s "$scratch/err" ] && grep -q '^shader  *03_shadows$' "$scratch/out" &&
+        grep -q '^backend .*OpenGL' "$scratch/out" && grep -q '^picture  *64x36, time 2 s.* frames: 5$' "$scratch/out" &&
+        grep -qE '^cold compile  *[0-9.]+  *[0-9.]+$' "$scratch/out" && grep -qE '^first frame  *[0-9.]+  *[0-9.]+$' "$scratch/out" &&
+        grep -qE '^frame, median  *[0-9.]+  *[0-9.]+$' "$scratch/out" && grep -qE '^evaluations  *mean [0-9.]+, 99 %.* maximum [0-9]+$' "$scratch/out"
+}
+check 'aligned text' text
+
+json() {
+    run --benchmark 7 --benchmark=json -s 48x27 && [ ! -s "$scratch/err" ] && [ "$(value frames)" = 7 ] && [ "$(value width)" = 48 ] &&
+        [ "$(value shader)" = '"03_shadows"' ] && [ "$(value frame_median_gpu_ms)" = null ]
+}
+check 'JSON, by word and number' json
+if command -v python3 >/dev/null; then
+    valid() { python3 -c 'import json, sys; json.load(sys.stdin)' <"$scratch/out"; }
+    check 'it is JSON' valid
+fi
+ordered() {
+    local clock
+    for clock in cpu wall; do
+        holds "$(value frame_minimum_${clock}_ms) > 0 && $(value frame_minimum_${clock}_ms) <= $(value frame_median_${clock}_ms) && $(value frame_median_${clock}_ms) <= $(value frame_maximum_${clock}_ms)" || return 1
+    done
+}
+check 'minimum, median and maximum are in order' ordered
+cold() { holds "$(value compile_cpu_ms) > 1 && $(value first_frame_cpu_ms) > 3 * $(value frame_median_cpu_ms)"; }
+check 'compilation and the first frame cost more than a frame' cold
+caches() { find "$scratch/cache" -type f -size +0 2>/dev/null | grep -q .; }
+uncached() {
+    mkdir "$scratch/cache" && MESA_SHADER_CACHE_DIR=$scratch/cache run --benchmark 1 -s 48x27 && ! caches
+}
+check "the driver's cache is off" uncached
+cached() { MESA_SHADER_CACHE_DIR=$scratch/cache run -s 48x27 -o "$scratch/x.png" && caches; }
+check 'and on for a picture' cached
+
+# A picture of few pixels, each of them probed.
+counted() {
+    local x y
+    run --benchmark=json -s 6x4 || return 1
+    for x in 0 1 2 3 4 5; do
+        for y in 0 1 2 3; do
+            "$program" -s 6x4 --probe $x,$y | sed -n 's/.*evaluations of the scene: //p'
+        done
+    done | sort -n >"$scratch/probes"
+    [ "$(wc -l <"$scratch/probes")" = 24 ] && holds "$(value evaluations_maximum) == $(tail -n 1 "$scratch/probes")" &&
+        holds "$(value evaluations_p99) == $(sed -n 24p "$scratch/probes")" &&
+        holds "($(value evaluations_mean) - $(awk '{ s += $1 } END { print s / NR }' "$scratch/probes")) ^ 2 < 1e-4"
+}
+check 'evaluations: mean, 99 % and maximum are those of the probes' counted
+# A shader whose pixels ask 0, 1, 2, ... 199 times.
+cat >"$scratch/count.frag" <<'GLSL'
+#include "main.glsl"
+Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, 1.0)); }
+float sceneDistance(vec3 p) { return 1.0; }
+vec3 rayColour(Ray ray)
+{
+    int count = int(gl_FragCoord.x) + 20 * int(gl_FragCoord.y);
+    float sum = 0.0;
+    for (int i = 0; i < count; i++)
+        sum += distanceAt(ray.origin);
+    return vec3(sum);
+}
+GLSL
+percent() {
+    run --benchmark=json -s 20x10 -f "$scratch/count.frag" && [ "$(value evaluations_mean)" = 99.5000 ] &&
+        [ "$(value evaluations_p99)" = 197 ] && [ "$(value evaluations_maximum)" = 199 ]
+}
+check 'mean, 99 % and maximum of a known count' percent
+whole() { run --benchmark 2 -f tests/reference_scene.frag -s 32x18 && grep -q 'main of its own does not count' "$scratch/out" &&
+    run --benchmark 2 --benchmark=json -f tests/reference_scene.frag -s 32x18 && [ "$(value evaluations_mean)" = null ]; }
+check 'a whole file counts no evaluations' whole
+set_ones() { run --benchmark=json -s 32x18 -p maxSteps=3 && holds "$(value evaluations_maximum) < 30"; }
+check 'parameters count' set_ones
+
+refused() { # STATUS PATTERN OPTION...
+    local wanted=$1 pattern=$2 status
+    shift 2
+    run "$@"
+    status=$?
+    [ "$status" = "$wanted" ] && [ "$(grep -c '' "$scratch/err")" = 1 ] && grep -q -e "$pattern" "$scratch/err" && [ ! -s "$scratch/out" ]
+}
+for frames in 0 -1 1.5 x '' 10001 yaml; do
+    check "--benchmark '$frames' is refused" refused 2 "whole number of frames" --benchmark "$frames"
+done
+check '--benchmark writes no picture' refused 2 'leave --output out' --benchmark 3 -o "$scratch/x.png"
+check '--benchmark probes nothing' refused 2 'leave --probe out' --benchmark 3 --probe 1,1
+check 'a shader that is not there' refused 1 'nowhere' --benchmark 3 -f nowhere.frag
+
+# ---- make benchmark ----
+
+table() {
+    ROUNDS=1 FRAMES=2 CHAPTER=00 .make/benchmark.sh >"$scratch/out" 2>"$scratch/err" && [ ! -s "$scratch/err" ] &&
+        grep -qE '^\| 00_first_scene \| [0-9]\.[0-9]{2} \| [0-9.]+ \| [0-9.]+ \| [0-9]+ \| - \| - \| - \|$' "$scratch/out" &&
+        grep -qE '^00_first_scene .*units|not compared' "$scratch/out"
+}
+check 'make benchmark prints a table and compares' table
+committed() {
+    local stem
+    for stem in chapters/[0-9][0-9]_*.c; do
+        grep -q "^| $(basename "$stem" .c) | [0-9]" docs/benchmark.md || { echo "# no row: make benchmark WRITE=1"; return 1; }
+    done
+}
+check 'docs/benchmark.md has a row for every chapter' committed
+
+plan

@@ -1,0 +1,100 @@
+#!/bin/bash
+# test_export.sh - --print-shader=shadertoy: each shader as one file that Shadertoy would take, and
+# that draws the same picture here, by Shadertoy's form of --shader.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/support.sh
+
+open_scratch
+unset DISPLAY WAYLAND_DISPLAY
+small=(-s 160x90)
+
+# What Shadertoy puts around a shader, in the places where it matters.
+wrap() { # FILE
+    cat <<'GLSL'
+#version 300 es
+precision highp float;
+precision highp int;
+precision mediump sampler3D;
+out vec4 outColor;
+uniform vec3 iResolution;
+uniform float iTime, iTimeDelta, iFrameRate, iChannelTime[4], iSampleRate;
+uniform vec3 iChannelResolution[4];
+uniform int iFrame;
+uniform vec4 iMouse, iDate;
+uniform sampler2D iChannel0, iChannel1, iChannel2, iChannel3;
+void mainImage(out vec4 c, in vec2 f);
+#line 1
+GLSL
+    cat "$1"
+    printf 'void main() { vec4 c = vec4(0.0, 0.0, 0.0, 1.0); mainImage(c, gl_FragCoord.xy); outColor = vec4(c.rgb, 1.0); }\n'
+}
+
+# valid NAME PROGRAM OPTION...: what is printed passes the validator as ES; leaves $scratch/toy.frag.
+valid() {
+    local program=$1
+    shift
+    if ! "$program" --print-shader=shadertoy "$@" >"$scratch/toy.frag" 2>"$scratch/err"; then
+        sed 's/^/# /' "$scratch/err"
+        return 1
+    fi
+    wrap "$scratch/toy.frag" >"$scratch/wrapped.frag"
+    command -v glslangValidator >/dev/null || return 0
+    glslangValidator -S frag "$scratch/wrapped.frag" >"$scratch/log" || { grep ERROR "$scratch/log" | sed 's/^/# /'; return 1; }
+}
+
+# same PROGRAM OPTION...: the exported file's picture is the shader's own. Only the size and the time
+# are given again: the rest is in the file.
+same() {
+    local program=$1 numbers
+    shift
+    "$program" "$@" "${small[@]}" -t 1 -o "$scratch/own.png" 2>&1 | sed 's/^/# /'
+    "$BUILD/00_first_scene" -f "$scratch/toy.frag" "${small[@]}" -t 1 -o "$scratch/toy.png" 2>&1 | sed 's/^/# /'
+    numbers=$("$BUILD/tests/compare" "$scratch/own.png" "$scratch/toy.png") || { echo "# $numbers"; return 1; }
+    worst=$(printf '%s\n' "$worst" "${numbers#F2 }" | sort -n | tail -n 1)
+}
+worst=0
+
+exported() { # NAME PROGRAM OPTION...
+    local name=$1
+    shift
+    check "$name passes as Shadertoy's" valid "$@" && check "$name looks the same" same "$@"
+}
+
+for program in "$BUILD"/[0-9][0-9]_*; do
+    [ -x "$program" ] && [ -f "$program" ] && exported "$(basename "$program")" "$program"
+done
+for file in chapters/first_steps/*.frag; do
+    exported "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
+done
+exported 'parameters of every type' "$BUILD/01_normal_colouring" -p biased=true -p maxSteps=40 -p focalLength=1.5 -p normalStep=1e-2
+exported 'a colour' "$BUILD/02_lighting" -p lampColour=0.5,1,0
+exported 'a camera' "$BUILD/01_normal_colouring" -c 0,1,5,10,-10
+
+{
+    cat chapters/01_normal_colouring.frag
+    printf 'vec3 part() { return vec3(gl_FragCoord.xy + iPixelOffset, VIEW); }\n'
+} | sed 's/return SKY;/return part() * 0.001;/; s/^vec3 rayColour/vec3 part();\n&/' >"$scratch/part.frag"
+exported 'the place of a pixel, asked for by the shader itself' "$BUILD/01_normal_colouring" -f "$scratch/part.frag"
+
+# Only the validator for what is drawn nowhere else.
+for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
+    check "${file#chapters/} passes as Shadertoy's" valid "$BUILD/01_normal_colouring" -f "$file"
+done
+
+# Whole files in words that the chapters do not use.
+printf '%s\n' '#version 330 core // comments with main, in and out' 'smooth in vec2 FragCoord; in highp float Time;' \
+    'in vec3 Ex, Ey, Ez, CamPos; in float fovValue, FacteurLargeur, OrthoView, CustomToggle, CustomInt;' \
+    'layout(location = 0) out mediump vec4 toy;' 'void grow(in float a, inout float b, out float c) { b += a; c = b; }' \
+    'void mainImage(out vec4 a, in vec2 b) { a = b.xyxy; }' \
+    'void main(void) { vec4 c; float a = fovValue, b; grow(a, a, b); c = vec4(a + OrthoView + CustomToggle + CustomInt, FragCoord, b);' \
+    'toy = vec4(c.xyz * 0.3 + 0.1 * Ex + 0.2 * Ey - 0.1 * Ez + CamPos * 0.01 + Time * 0.01 + FacteurLargeur * 0.1, 0.0); }' >"$scratch/whole.frag"
+exported 'every input of a whole file' "$BUILD/01_normal_colouring" -f "$scratch/whole.frag"
+printf '#version 330 core\nvoid main() { gl_FragDepth = 0.0; }\n' >"$scratch/none.frag"
+none() { ! "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/none.frag" >"$scratch/toy.frag" 2>"$scratch/err" && [ ! -s "$scratch/toy.frag" ] && grep -q 'none.frag: no output' "$scratch/err"; }
+check 'a file without an output is refused' none
+printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); } // toy\n' >"$scratch/given.frag"
+stays() { "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/given.frag" | cmp -s - "$scratch/given.frag"; }
+check "Shadertoy's form stays as it is" stays
+echo "# the worst picture: F2 $worst"
+plan

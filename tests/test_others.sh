@@ -1,0 +1,255 @@
+#!/bin/bash
+# test_others.sh - shaders that were written for other programs: the report's engine and Shadertoy.
+#
+# Most scenes are made here, as variations of a few texts: a scene that says the same in other words
+# must give the same picture, to the bit. One that reads its inputs paints white where they hold
+# what they must, black elsewhere.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/support.sh
+
+open_scratch
+unset DISPLAY WAYLAND_DISPLAY
+program=$BUILD/01_normal_colouring
+size=(-s 48x27)
+
+# draw NAME OPTION...: render $scratch/NAME.frag into NAME.png. What it says is in $said.
+draw() {
+    local name=$1
+    shift
+    said=$("$program" -f "$scratch/$name.frag" "${size[@]}" -o "$scratch/$name.png" "$@" 2>&1)
+}
+
+# as REFERENCE NAME TITLE [OPTION...] <TEXT: the shader's picture is the reference's.
+as() {
+    local reference=$1 name=$2 title=$3
+    shift 3
+    cat >"$scratch/$name.frag"
+    if ! draw "$name" "$@" || [ -n "$said" ]; then
+        not_ok "$title" "$(echo "$said" | tr '\n' ' ')"
+    elif cmp -s "$scratch/$reference.png" "$scratch/$name.png"; then
+        ok "$title"
+    else
+        not_ok "$title" "$("$BUILD/tests/compare" "$scratch/$reference.png" "$scratch/$name.png" 2>&1)"
+    fi
+}
+
+# refused NAME PATTERN TITLE [OPTION...] <TEXT: status 1, the pattern in what is said.
+refused() {
+    local name=$1 pattern=$2 title=$3 status
+    shift 3
+    cat >"$scratch/$name.frag"
+    draw "$name" "$@"
+    status=$?
+    if [ "$status" = 1 ] && [[ $said =~ $pattern ]] && [ ! -e "$scratch/$name.png" ]; then
+        ok "$title"
+    else
+        not_ok "$title" "status $status: $(echo "$said" | tr '\n' ' ')"
+    fi
+}
+
+# ---- The report's engine ----
+
+# A scene in the report's manner: march, normal, a sun. $1 its inputs, $2 what main does with them.
+report_scene() { # DECLARATIONS BODY
+    printf '#version 330 core\n%s\n' "$1"
+    cat <<'GLSL'
+float SDF_Scene(vec3 p) { return min(length(p) - 0.8, p.y + 0.8); }
+vec3 grad(vec3 p) {
+    vec2 e = vec2(0.001, 0.0);
+    return normalize(vec3(SDF_Scene(p + e.xyy) - SDF_Scene(p - e.xyy),
+                          SDF_Scene(p + e.yxy) - SDF_Scene(p - e.yxy),
+                          SDF_Scene(p + e.yyx) - SDF_Scene(p - e.yyx)));
+}
+vec3 Get_Color(vec3 origin, vec3 direction) {
+    float t = 0.0;
+    for (int i = 0; i < 90; i++) t += SDF_Scene(origin + t * direction);
+    return t > 20.0 ? vec3(.5, .7, 1.) : vec3(max(dot(grad(origin + t * direction), vec3(.6, .64, .48)), 0.));
+}
+GLSL
+    printf 'void main() {\n%s\n}\n' "$2"
+}
+ray='vec3 d = normalize(FragCoord.x * vec3(1, 0, 0) + FragCoord.y * vec3(0, 1, 0) - vec3(0, 0, 1));'
+still="$ray FragColor = vec4(Get_Color(vec3(0.0, 0.2, 3.0), d), 1.0);"
+basic='in vec2 FragCoord; in float Time; out vec4 FragColor;'
+
+report_scene "$basic" "$still" >"$scratch/scene.frag"
+check "the report's form: a scene" draw scene
+
+variation() { # TITLE DECLARATIONS BODY
+    as scene variation "the report's form: $1" < <(report_scene "$2" "$3")
+}
+variation 'FragCoord alone' 'in vec2 FragCoord; out vec4 FragColor;' "$still"
+variation 'another name of the colour' 'in vec2 FragCoord; out vec4 couleur;' "${still/FragColor =/couleur =}"
+variation 'fragColour, the name of the course' 'in vec2 FragCoord; out vec4 fragColour;' "${still/FragColor =/fragColour =}"
+variation 'a colour with a location' 'in vec2 FragCoord; layout(location = 0) out vec4 FragColor;' "$still"
+variation 'three components' 'in vec2 FragCoord; out vec3 FragColor;' "${still/vec4(Get_Color(vec3(0.0, 0.2, 3.0), d), 1.0)/Get_Color(vec3(0.0, 0.2, 3.0), d)}"
+variation 'no opacity' "$basic" "${still/FragColor = vec4(Get_Color(vec3(0.0, 0.2, 3.0), d), 1.0)/FragColor.rgb = Get_Color(vec3(0.0, 0.2, 3.0), d)}"
+variation 'every input, unused' "$basic in vec3 Ex, Ey, Ez, CamPos; in float fovValue, FacteurLargeur, OrthoView, CustomToggle, CustomInt;" "$still"
+variation 'smooth inputs' 'smooth in vec2 FragCoord; smooth in float Time; out vec4 FragColor;' "$still"
+variation 'a flat input' "$basic flat in float CustomInt;" "${still/1.0);/CustomInt);}"
+variation 'precisions' 'precision highp float; precision mediump int; in highp vec2 FragCoord; out mediump vec4 FragColor;' "$still"
+variation 'an unknown input that nothing reads' "$basic in vec2 MousePos;" "$still"
+variation 'names of our uniforms as its own' "$basic vec2 iPixelOffset = vec2(0.0); float focalLength = 2.0; const vec3 iResolution = vec3(1.0); struct Trace { int x; }; Trace trace;" "$still"
+variation 'names of our library as its own' "$basic float march(vec3 p) { return p.x; } float sceneDistance(vec3 p) { return p.y; } vec3 rayColour(vec3 p) { return p; }" "$still"
+variation 'macros' "$(printf '%s\n#define FC FragCoord\n#define SQ(x) ((x) * \\\n    (x))\n#define RES iResolution\n#ifdef GL_ES\nprecision mediump float;\n#endif' "$basic")" "${still//FragCoord/FC}"
+variation 'constant arrays and whole loops' "$basic const float W[3] = float[](0.5, 0.25, 0.25); float sum() { float s = 0.0; for (int i = 0; i < 3; ++i) s += W[i]; return s; }" "${still/1.0);/sum());}"
+variation 'an initialiser that is no constant' "$basic float now = Time; vec2 twice = 2.0 * FragCoord;" "$still"
+variation 'a declaration over several lines' "$(printf 'in\n  vec2\n  FragCoord ;\nin float Time\n;\nout vec4\nFragColor;')" "$still"
+variation 'functions with in and out' "$basic void move(in vec2 a, inout vec2 b, out vec2 c) { b += a; c = b; } void nothing(in vec2 foo) {}" "$still"
+variation 'a uniform that nobody sets' "$basic uniform float strength;" "${still/1.0);/1.0 - strength);}"
+variation 'mainImage called by its own main' "$basic void mainImage(out vec4 c, in vec2 p) { c = vec4(p, 0.0, 1.0); }" "$still"
+
+for change in crlf mark tabs latin comment late es; do
+    case $change in
+    crlf) sed 's/$/\r/' ;;
+    mark) printf '\357\273\277' && cat ;;
+    tabs) sed 's/^    /\t/; s/ /\t/3' ;;
+    latin) sed '1a // caf\xe9, \xc3\xa9t\xc3\xa9, \xe2\x88\x9e : c'"'"'est une "scene"' ;;
+    comment) printf '/* a scene\n   by others */ // indeed\n\n' && cat ;;
+    late) sed '1s/ core//' ;;
+    es) sed '1s/.*/#version 300 es\nprecision highp float;/' ;;
+    esac <"$scratch/scene.frag" >"$scratch/changed"
+    as scene "scene_$change" "the report's form: $change" <"$scratch/changed"
+done
+
+# Each input holds what it must.
+camera=(-c '1,2,3,90,0' -t 1.5)
+printf '#version 330 core\nout vec4 c; void main() { c = vec4(1.0); }\n' >"$scratch/white.frag"
+draw white
+holds() { # TITLE DECLARATIONS CONDITION
+    as white holds "the report's form: $1" "${camera[@]}" < <(printf \
+        '#version 330 core\n%s\nout vec4 c;\nbool near(vec3 a, vec3 b) { return length(a - b) < 1e-5; }\nvoid main() { c = vec4(vec3(%s), 1.0); }\n' "$2" "$3")
+}
+holds 'Time' 'in float Time;' 'Time == 1.5'
+holds 'CamPos' 'in vec3 CamPos;' 'near(CamPos, vec3(1, 2, 3))'
+holds 'Ex, Ey, Ez: right, up, forward' 'in vec3 Ex, Ey, Ez;' 'near(Ex, vec3(0, 0, 1)) && near(Ey, vec3(0, 1, 0)) && near(Ez, vec3(1, 0, 0))'
+holds 'fovValue and FacteurLargeur' 'in float fovValue, FacteurLargeur;' 'fovValue > 0.0 && abs(FacteurLargeur - 48.0 / 27.0) < 1e-5'
+holds 'OrthoView, CustomToggle, CustomInt' 'in float OrthoView, CustomToggle, CustomInt;' 'OrthoView == 0.0 && CustomToggle == 0.0 && CustomInt == 0.0'
+holds 'FragCoord' 'in vec2 FragCoord;' 'near(vec3(FragCoord, 0), vec3((2.0 * gl_FragCoord.xy - vec2(48, 27)) / 27.0, 0))'
+
+wrong() { # PATTERN TITLE DECLARATIONS BODY
+    refused wrong "$1" "the report's form: $2" < <(report_scene "$3" "$4")
+}
+wrong 'wrong.frag:2: in vec3 FragCoord: FragCoord is a vec2 here' 'an input of another type' 'in vec3 FragCoord; out vec4 FragColor;' "$still"
+wrong 'wrong.frag:3: in int CustomInt: CustomInt is a float' 'an input on line 3' "$(printf 'in vec2 FragCoord; out vec4 FragColor;\nin vec3 Ex; flat in int CustomInt;')" "$still"
+wrong 'wrong.frag:2: uniform vec2 iResolution: iResolution is a vec3 here' 'a uniform of another type' "$basic uniform vec2 iResolution;" "$still"
+wrong 'wrong.frag:2: in vec2 MousePos: there is no such input: there are FragCoord,' 'an unknown input' "$basic in vec2 MousePos;" "$ray FragColor = vec4(MousePos, d.xy);"
+wrong 'wrong.frag:16: error' 'an error in its own line' "$basic" 'FragColor = vec4(FragCoord);'
+refused views 'views.frag: cannot show the view steps: it has a main of its own' "the report's form: no views" -v steps <"$scratch/scene.frag"
+refused probe 'probe.frag: cannot show a probe: it has a main of its own' "the report's form: no probe" --probe 5,5 <"$scratch/scene.frag"
+
+# ---- Shadertoy's form ----
+
+toy_body='vec3 d = normalize(vec3((2.0 * p - iResolution.xy) / iResolution.y, -1.0)); c = vec4(Get_Color(vec3(0.0, 0.2, 3.0), d), 1.0);'
+toy_scene() { # DECLARATIONS HEAD BODY
+    report_scene "$1" '' | sed -e 1d -e '/^void main() {$/,$d'
+    printf '%s\n{\n%s\n}\n' "$2" "$3"
+}
+head='void mainImage( out vec4 c, in vec2 p )'
+toy_scene '' "$head" "$toy_body" >"$scratch/toy.frag"
+check "Shadertoy's form: a scene" draw toy
+tolerant() { "$BUILD/tests/compare" "$scratch/scene.png" "$scratch/toy.png" >/dev/null; }
+check "the same scene in the report's form and in Shadertoy's" tolerant
+draw scene -a 3 && draw toy -a 3
+check "and with nine samples a pixel" tolerant
+draw scene && draw toy -a 2 && mv "$scratch/toy.png" "$scratch/smooth.png" && draw toy
+
+toy() { # TITLE DECLARATIONS HEAD BODY
+    as toy variation "Shadertoy's form: $1" < <(toy_scene "$2" "$3" "$4")
+}
+toy 'no in' '' 'void mainImage(out vec4 c, vec2 p)' "$toy_body"
+toy 'precisions in the parameters' '' 'void mainImage(out highp vec4 c, in highp vec2 p)' "$toy_body"
+toy 'inout' '' 'void mainImage(inout vec4 c, in vec2 p)' "$toy_body"
+toy 'a prototype, and words on lines of their own' "$head;" "$(printf 'void\nmainImage\n(out vec4 c,\n vec2 p)')" "$toy_body"
+toy 'no opacity' '' "$head" "${toy_body/c = vec4(Get_Color(vec3(0.0, 0.2, 3.0), d), 1.0)/c.rgb = Get_Color(vec3(0.0, 0.2, 3.0), d)}"
+toy 'colours above one and opacity of nothing' '' "$head" "$toy_body c.a = 0.0 / 0.0;"
+toy 'gl_FragCoord' '' "$head" "p = gl_FragCoord.xy; $toy_body"
+toy 'precision, GL_ES and HW_PERFORMANCE' "$(printf '#ifdef GL_ES\nprecision mediump float;\n#endif\nprecision highp int;\n#if HW_PERFORMANCE==0\n#error\n#endif')" "$head" "$toy_body"
+toy 'macros of everything' "$(printf '#define R iResolution\n#define T iTime\n#define main0 mainImage\n#define vec4_(x) vec4(x)\n#define colour wrong\n#define clamp(x) x\n#define harness 1')" "$head" "$toy_body"
+toy 'names of ours as its own' 'vec2 iPixelOffset = vec2(0); vec4 fragColour, colour; float focalLength, Time, FragCoord; vec3 rayColour(vec3 a) { return a; } mat3 iCameraRight;' "$head" "$toy_body"
+toy 'initialisers of the inputs' 'float now = iTime; vec2 res = iResolution.xy;' "$head" "${toy_body//iResolution.xy/res}"
+toy 'constant arrays' 'const float w[2] = float[2](0.5, 0.5); const vec2[2] v = vec2[](vec2(1), vec2(2));' "$head" "$toy_body c.a = w[1] + v[0].x;"
+toy 'uniforms declared by itself' 'uniform vec3 iResolution; uniform float iTime, iTimeDelta; uniform vec4 iMouse;' "$head" "$toy_body"
+toy 'every input' 'float all() { return iTime + iTimeDelta + float(iFrame) + iFrameRate + dot(iMouse, iDate); }' "$head" "$toy_body c.a = all();"
+toy 'a macro that nothing uses reads iChannel0' "$(printf '#define tex(p) texture(iChannel0, p)')" "$head" "$toy_body"
+
+for change in crlf mark latin version comment macro; do
+    case $change in
+    crlf) sed 's/$/\r/' ;;
+    mark) printf '\357\273\277' && cat ;;
+    latin) sed '1i // caf\xe9 \xe2\x88\x9e' ;;
+    version) printf '// by others\n#version 300 es\nprecision highp float;\n' && cat ;;
+    comment) printf '/* void main() {} */ // void main() {}\n' && cat ;;
+    macro) sed "s/^$head/#define MAIN $head\nMAIN/" ;;
+    esac <"$scratch/toy.frag" >"$scratch/changed"
+    as toy "toy_$change" "Shadertoy's form: $change" <"$scratch/changed"
+done
+as smooth toy_samples "Shadertoy's form: four samples, by gl_FragCoord" -a 2 \
+    < <(toy_scene '' "$head" "p = gl_FragCoord.xy; $toy_body")
+
+# Each sample is clamped, before the four are averaged.
+edge='void mainImage(out vec4 c, vec2 p) { c = vec4(vec3(step(20.6, p.x) * step(p.y, 10.4)), 1.0)'
+echo "$edge; }" >"$scratch/edge.frag" && draw edge -a 2
+as edge toy_edge "Shadertoy's form: samples above one count as one" -a 2 <<<"$edge * 7.0; }"
+
+toy_holds() { # TITLE CONDITION
+    as white toy_holds "Shadertoy's form: $1" -t 1.5 < <(printf 'void mainImage(out vec4 c, vec2 p) {\n c = vec4(%s);\n}\n' "$2")
+}
+toy_holds 'iResolution' 'iResolution == vec3(48, 27, 1)'
+toy_holds 'iTime, iTimeDelta, iFrame of a file' 'iTime == 1.5 && iTimeDelta == 0.0 && iFrame == 0 && iFrameRate == 60.0'
+toy_holds 'iMouse of a file' 'iMouse == vec4(0)'
+toy_holds 'iDate of a file: no clock' 'iDate == vec4(1970, 0, 1, 1.5)'
+toy_holds 'fragCoord at the pixels'"'"' centres' 'fract(p) == vec2(0.5) && p == gl_FragCoord.xy && all(lessThan(p, iResolution.xy))'
+toy_holds 'not a number is black and 1e9 white' '0.0, 1e9, sqrt(-iTime), 1.0).yyyy + vec4(0.0'
+
+toy_wrong() { # PATTERN TITLE DECLARATIONS BODY
+    refused toy_wrong "$1" "Shadertoy's form: $2" < <(toy_scene "$3" "$head" "$4")
+}
+for name in iChannel0 iChannel3; do
+    toy_wrong "^[^ ]*toy_wrong.frag:16: $name is not offered: a shader gets no textures" "$name" '' "c = texture($name, p);"
+done
+toy_wrong 'toy_wrong.frag:16: iChannelResolution is not offered' 'iChannelResolution' '' 'c = vec4(iChannelResolution[0], 1.0);'
+toy_wrong 'toy_wrong.frag:1: iChannel1 is not offered' 'a texture that it declares itself' 'uniform sampler2D iChannel0, iChannel1;' 'c = texture(iChannel1, p);'
+toy_wrong 'toy_wrong.frag:16: iSampleRate is not offered' 'iSampleRate' '' 'c = vec4(iSampleRate);'
+toy_wrong 'toy_wrong.frag:1: uniform vec2 iMouse: iMouse is a vec4 here' 'an input of another type' 'uniform highp float iTime; uniform vec2 iMouse;' "$toy_body"
+toy_wrong 'toy_wrong.frag:16: error' 'an error in its own line' '' 'c = vec3(1.0);'
+toy_wrong 'toy_wrong.frag:1: error' 'an error in its first line' 'float x = vec2(1.0);' "$toy_body"
+head='float mainImage(out vec4 c, in vec2 p)' toy_wrong 'toy_wrong.frag:14: error' 'a mainImage that returns something' '' "$toy_body return 1.0;"
+refused toy_open 'toy_open.frag:[0-9]*: error' "Shadertoy's form: a brace that is not closed" < <(sed '$d' "$scratch/toy.frag")
+refused toy_views 'toy_views.frag: cannot show the view normals: it has a main of its own' "Shadertoy's form: no views" -v normals <"$scratch/toy.frag"
+refused toy_probe 'cannot show a probe' "Shadertoy's form: no probe" --probe 5,5 <"$scratch/toy.frag"
+
+# ---- Malformed files, in every form ----
+
+malformed() { # FORM BEGINNING
+    local name=malformed_$1
+    refused "$name" 'never closed: write \*/ at its end$' "$1: a comment without end" < <(printf '%s\n/*' "$2"; cat "$scratch/toy.frag")
+    refused "$name" 'larger than 1 MiB: is it a shader\?$' "$1: 10 MB" < <(printf '%s\n' "$2"; head -c 10000000 /dev/zero | tr '\0' ' ')
+    refused "$name" 'holds a zero byte: a shader is text, in UTF-8$' "$1: binary" < <(printf '%s\n\0\1\2' "$2")
+    refused "$name" 'the file includes itself: [^ ]* -> [^ ]*: take one of these includes out$' "$1: includes itself" \
+        < <(printf '%s\n#include "%s.frag"\n' "$2" "$name")
+    refused "$name" 'does not|never|error' "$1: noise" < <(printf '%s\n' "$2"; head -c 3000 "$program" | tr -d '\0')
+}
+malformed course '#include "main.glsl"'
+malformed whole '#version 330 core'
+malformed toy 'void mainImage(out vec4 c, in vec2 p) {}'
+refused empty 'empty.frag: empty$' 'an empty file' </dev/null
+
+# ---- make play ----
+
+mkdir "$scratch/project" && cp -r Makefile .make chapters shaders "$scratch/project" && ln -s "$root/$BUILD" "$scratch/project/build"
+play() { (cd "$scratch/project" && FILE=${1-} .make/play.sh "${@:2}" >"$scratch/out" 2>"$scratch/err"); }
+copies() { play '' -o "$scratch/play.png" "${size[@]}" && cmp -s "$scratch/project/chapters/play.frag" chapters/first_steps/play.frag; }
+check 'make play makes chapters/play.frag' copies
+keeps() {
+    echo '// mine' >>"$scratch/project/chapters/play.frag"
+    play '' -o "$scratch/play.png" "${size[@]}" && tail -n 1 "$scratch/project/chapters/play.frag" | grep -q mine
+}
+check 'make play keeps what is there' keeps
+opens() { play "$scratch/toy.frag" -o "$scratch/opened.png" "${size[@]}" && cmp -s "$scratch/opened.png" "$scratch/toy.png"; }
+check 'make play FILE opens a file' opens
+missing() { ! play nowhere.frag && grep -q 'nowhere.frag: no such file' "$scratch/err" && [ ! -e "$scratch/project/nowhere.frag" ]; }
+check 'make play FILE says that a file is missing' missing
+
+plan

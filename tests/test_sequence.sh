@@ -1,0 +1,166 @@
+#!/bin/bash
+# test_sequence.sh - --frames: a row of pictures is the same pictures one by one, its names are
+# checked, an interruption leaves whole files alone, and make film hands them to ffmpeg.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/support.sh
+
+open_scratch
+unset DISPLAY WAYLAND_DISPLAY
+program=$BUILD/00_first_scene
+small=(-s 64x36)
+out=$scratch/out
+mkdir "$out"
+
+clear_out() { find "$out" -mindepth 1 -delete; }
+names() { (cd "$out" && find . -type f | sed 's|^\./||' | sort | tr '\n' ' '); }
+
+# ---- The pictures ----
+
+row() {
+    "$program" "${small[@]}" -t 1 --frames 3 --fps 4 -o "$out/f-%03d.png" >"$scratch/said" 2>&1 &&
+        [ "$(names)" = 'f-000.png f-001.png f-002.png ' ] && [ ! -s "$scratch/said" ]
+}
+check 'three pictures, nothing said where no terminal is' row
+each() {
+    local number time
+    for number in 0 1 2; do
+        time=$(echo "$number" | awk '{ print 1 + $1 / 4 }')
+        "$program" "${small[@]}" -t "$time" -o "$scratch/one.png" && cmp -s "$scratch/one.png" "$out/f-00$number.png" || return 1
+    done
+}
+check 'each is the picture of its time, to the bit' each
+differ() { ! cmp -s "$out/f-000.png" "$out/f-002.png"; }
+check 'the first and the last differ' differ
+
+cat >"$scratch/inputs.frag" <<'GLSL'
+void mainImage(out vec4 c, vec2 p)
+{
+    float k = float(iFrame);
+    bool right = abs(iTime - 2.0 - 0.1 * k) < 1e-5 && abs(iDate.w - iTime) < 1e-5 &&
+                 abs(iTimeDelta - (iFrame > 0 ? 0.1 : 0.0)) < 1e-6;
+    c = vec4(right ? vec3(0.2 * k) : vec3(1.0, 0.0, 0.0), 1.0);
+}
+GLSL
+inputs() {
+    local number
+    "$program" "${small[@]}" -f "$scratch/inputs.frag" -t 2 --frames 5 --fps 10 -o "$out/i-%d.png" || return 1
+    for number in 0 1 2 3 4; do
+        printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(vec3(%s), 1.0); }\n' "0.2 * $number.0" >"$scratch/grey.frag"
+        "$program" "${small[@]}" -f "$scratch/grey.frag" -o "$scratch/grey.png" && cmp -s "$scratch/grey.png" "$out/i-$number.png" || return 1
+    done
+}
+check 'iFrame, iTimeDelta, iTime and iDate follow' inputs
+
+clear_out
+default_fps() {
+    "$program" "${small[@]}" --frames 26 -o "$out/%d.png" && "$program" "${small[@]}" -t 1 -o "$scratch/one.png" &&
+        cmp -s "$scratch/one.png" "$out/25.png"
+}
+check '25 a second unless told otherwise' default_fps
+settings() {
+    "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 --frames 1 -o "$out/s%d.png" &&
+        "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 -o "$scratch/one.png" &&
+        cmp -s "$scratch/one.png" "$out/s0.png"
+}
+check 'samples, view and parameters as for one picture' settings
+slices() { "$BUILD/01_normal_colouring" "${small[@]}" -v slice --probe 30,18 --frames 2 -o "$out/v%d.png"; }
+check 'the slice of a chosen ray' slices
+
+# ---- Names and numbers ----
+
+refused() { # NAME STATUS PATTERN OPTION...
+    local name=$1 wanted=$2 pattern=$3 status
+    shift 3
+    clear_out
+    "$program" "${small[@]}" "$@" >"$scratch/said" 2>&1
+    status=$?
+    if [ "$status" = "$wanted" ] && [ "$(grep -c '' "$scratch/said")" = 1 ] &&
+        grep -q -e "$pattern" "$scratch/said" && [ -z "$(names)" ]; then
+        ok "$name"
+    else
+        not_ok "$name" "status $status: $(cat "$scratch/said")"
+    fi
+}
+for name in frame.png '%s.png' '%x.png' '%d-%d.png' '%4d.png' '%00d.png' '%0d.png' '%010d.png' '%ld.png' '%%d.png' \
+    '%d%%.png' '%n.png' 'a%' '%-4d.png' '%d.%s'; do
+    refused "the name '$name'" 2 'must hold one %d' --frames 2 -o "$out/$name"
+done
+for frames in 0 -1 1.5 x '' 100001 99999999999999999999; do
+    refused "--frames '$frames'" 2 '\-\-frames' --frames "$frames" -o "$out/%d.png"
+done
+for fps in 0 -1 x '' nan inf 1001 0.0001; do
+    refused "--fps '$fps'" 2 '\-\-fps' --frames 2 --fps "$fps" -o "$out/%d.png"
+done
+refused '--frames without --output' 2 'goes with --output' --frames 2
+refused '--fps without --frames' 2 'goes with --frames' --fps 2 -o "$out/%d.png"
+refused '--frames with --probe' 2 'leave --frames out' --frames 2 --probe 1,1 -o "$out/%d.png"
+refused 'a time too far' 2 'the last time' --frames 100000 --fps 0.001 -t 1e9 -o "$out/%d.png"
+refused 'a folder that is not there' 1 'nowhere' --frames 2 -o "$out/nowhere/%d.png"
+taken() {
+    clear_out
+    mkdir "$out/1.png"
+    ! "$program" "${small[@]}" --frames 3 -o "$out/%d.png" 2>"$scratch/said" && grep -q '1\.png' "$scratch/said" && [ -z "$(names)" ]
+}
+check 'a name that is taken by a folder, before any picture' taken
+rmdir "$out/1.png"
+
+# ---- Interrupted ----
+
+# Every file is a whole picture, and there is no other.
+whole() {
+    local file
+    for file in "$out"/* "$out"/.[!.]*; do
+        [ -e "$file" ] || continue
+        case $file in *.png) "$BUILD/tests/compare" "$file" "$file" >/dev/null || return 1 ;; *) return 1 ;; esac
+    done
+}
+interrupted() { # SIGNAL
+    clear_out
+    "$program" -s 320x180 --frames 5000 -o "$out/%05d.png" &
+    local child=$! tries=200 status
+    while [ ! -e "$out/00003.png" ] && [ $tries -gt 0 ]; do sleep 0.05; tries=$((tries - 1)); done
+    kill -"$1" $child
+    wait $child 2>/dev/null
+    status=$?
+    [ $status -gt 128 ] && [ -e "$out/00003.png" ] && [ ! -e "$out/04999.png" ] && whole
+}
+# A shell starts what runs beside it with SIGINT ignored; the program's own trap is not needed.
+check 'a signal in the midst leaves whole pictures' interrupted TERM
+check 'a lost terminal too' interrupted HUP
+
+clear_out
+if command -v script >/dev/null && script -qec true /dev/null >/dev/null 2>&1; then
+    progress() {
+        script -qec "$program -s 64x36 --frames 3 -o $out/%d.png" /dev/null </dev/null >"$scratch/terminal" &&
+            grep -q '0 of 3 pictures' "$scratch/terminal" && grep -q '2 of 3 pictures' "$scratch/terminal"
+    }
+    check 'a terminal is told how far it is' progress
+else
+    skip 'a terminal is told how far it is' 'no script on this machine'
+fi
+
+# ---- make film ----
+
+mkdir "$scratch/project" "$scratch/bin" && cp -r .make chapters shaders "$scratch/project" &&
+    mkdir "$scratch/project/build" && ln -s "$root/$program" "$scratch/project/build/00_first_scene"
+film() { (cd "$scratch/project" && CHAPTER=00 FRAMES=3 FPS=10 PATH=$1 .make/film.sh "${small[@]}" >"$scratch/said" 2>"$scratch/err"); }
+if command -v ffmpeg >/dev/null; then
+    films() { film "$PATH" && [ -s "$scratch/project/build/film/00_first_scene.mp4" ] && [ -s "$scratch/project/build/film/00_first_scene.gif" ]; }
+    check 'make film makes an MP4 and a GIF' films
+else
+    none() { ! film "$PATH" && grep -q 'ffmpeg is not installed: install it' "$scratch/err" && grep -q -e '--frames 3' "$scratch/err"; }
+    check 'make film says what to do without ffmpeg' none
+fi
+# One that only tells what it was asked for.
+# shellcheck disable=SC2016 # its own words
+printf '#!/bin/sh\nfor last; do :; done\nls build/film/00_first_scene/frame-0002.png >/dev/null || exit 1\necho "$@" >"$last"\n' >"$scratch/bin/ffmpeg"
+chmod +x "$scratch/bin/ffmpeg"
+asks() {
+    film "$scratch/bin:$PATH" && grep -q 'frame-%04d.png.*yuv420p' "$scratch/project/build/film/00_first_scene.mp4" &&
+        grep -q 'framerate 10 .*paletteuse' "$scratch/project/build/film/00_first_scene.gif" &&
+        grep -q '00_first_scene.gif' "$scratch/said"
+}
+check 'make film hands the pictures to ffmpeg twice' asks
+
+plan
