@@ -141,7 +141,7 @@ done
 [ -n "${1-}" ] || export ALL_SUITES=1
 mkdir -p "$results" || exit 1
 printf '%s\n' "$together" | xargs -P 2 -n 1 tests/run.sh --one
-printf '%s\n' "$last" | xargs -P 2 -n 1 tests/run.sh --one
+[ -z "$last" ] || printf '%s\n' "$last" | xargs -P 2 -n 1 tests/run.sh --one
 
 read -r passed failed skipped <<<"$(cat "$results"/*.counts 2>/dev/null |
     awk '{ p += $1; f += $2; s += $3 } END { print p + 0, f + 0, s + 0 }')"
