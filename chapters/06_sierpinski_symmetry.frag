@@ -27,8 +27,8 @@ const vec3  SLAB = vec3(0.0, -0.1, 0.0);           // centre and half size of th
 const vec3  SLAB_HALF = vec3(3.4, 0.1, 2.6);
 const float MARGIN = 0.02;                         // by which the bounds of both are larger than they
 
-// The world's axes in the pyramid's own, as columns: its corner (1, 1, 1) points up. An isometry, as in
-// chapter 05.
+// The world's axes as the pyramid sees them, in columns: its corner (1, 1, 1) points up. An
+// isometry, as in chapter 05.
 const mat3 TO_PYRAMID = mat3( 0.70710678, -0.70710678, 0.0,
                               0.57735027,  0.57735027, 0.57735027,
                              -0.40824829, -0.40824829, 0.81649658);
