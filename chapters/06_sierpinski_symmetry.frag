@@ -27,7 +27,8 @@ const vec3  SLAB = vec3(0.0, -0.1, 0.0);           // centre and half size of th
 const vec3  SLAB_HALF = vec3(3.4, 0.1, 2.6);
 const float MARGIN = 0.02;                         // by which the bounds of both are larger than they
 
-// The pyramid's axes as columns: its corner (1, 1, 1) points up. An isometry, as in chapter 05.
+// The world's axes as the pyramid sees them, in columns: its corner (1, 1, 1) points up. An
+// isometry, as in chapter 05.
 const mat3 TO_PYRAMID = mat3( 0.70710678, -0.70710678, 0.0,
                               0.57735027,  0.57735027, 0.57735027,
                              -0.40824829, -0.40824829, 0.81649658);
@@ -74,9 +75,9 @@ vec2 sceneInterval(Ray ray)
     return pyramid.x >= pyramid.y ? slab : (slab.x >= slab.y ? pyramid : both);
 }
 
-// What the first four levels of folds say about a point. x: 0 at the pyramid's own corners, to 1 at
-// its heart; a binary number, of which each level that moves the point is a digit. y: how open the
-// point is, from 1 down; each level takes away by the depth in its tetrahedron.
+// What the first four levels of folds say about a point. x: a binary number below 1, of which each
+// level that moves the point is a digit; 0 at the top. y: how open the point is, from 1 down; each
+// level takes away by the depth in its tetrahedron.
 vec2 foldTrail(vec3 p)
 {
     vec3 q = pyramidPoint(p) - SIZE;
@@ -93,7 +94,7 @@ vec2 foldTrail(vec3 p)
     return trail;
 }
 
-// Gold at the corners, rose at the heart; the slab is plain.
+// Gold where no fold moves the point, rose where all do; the slab is plain.
 //   size  of the pixel's footprint at p: what is so near to the slab counts as the slab
 vec3 colourAt(vec3 p, vec2 trail, float size)
 {

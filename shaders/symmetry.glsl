@@ -9,8 +9,8 @@
 //   formula  p - 2 min(<p, normal> + offset, 0) normal; with (-normal, -offset) the same plane, the
 //            other side kept
 // 1-Lipschitz: a distance taken at the folded point is a lower bound of that to the scene one sees,
-// and exact if nothing of the scene lies behind the plane. With another length of the normal than 1
-// it is no mirror, and not a bound.
+// and outside exact if nothing of the scene lies behind the plane. With another length of the normal
+// than 1 it is no mirror, and beyond 1 not a bound.
 // Source: report, section 2.2.4.
 vec3 opReflect(vec3 p, vec3 normal, float offset)
 {
