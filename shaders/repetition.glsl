@@ -16,8 +16,8 @@ float cellOf(float x, float period)
 // The place in the cell, from -period / 2 to period / 2: what is drawn at the origin returns in every
 // cell, without end.
 //   formula  x - period cellOf(x)
-//   f(opRepeat(x))  exact outside where f is, the volume fits in its cell and f(-x) = f(x); otherwise
-//            not a bound: ask cellNeighbour too
+//   f(opRepeat(x))  exact outside where f is, the volume fits in its cell and f(-x) = f(x); a lower
+//            bound where f is one and f(-x) = f(x); otherwise not a bound: ask cellNeighbour too
 // Source: report, section 2.2.3, whose mod(x - period / 2, period) + period / 2 never reaches 0.
 float opRepeat(float x, float period)
 {
@@ -86,8 +86,8 @@ float cellWallLimited(float x, float period, float first, float last)
 
 // How far it is to the other copies, where all stay near the middle of their cells: with it the own
 // copy alone is enough.
-//   reach    how far a copy reaches from the middle of its cell along this axis, scene units, at most
-//            period / 2
+//   reach    how far a copy reaches from the middle of its cell along this axis, scene units, less
+//            than period / 2, or a march stands still at the walls
 //   formula  period - |opRepeat(x)| - reach, from period / 2 - reach to period - reach
 //   min of the own copy and cellOthers  a lower bound, for copies that vary from cell to cell; for n
 //            axes one copy and the smallest of n

@@ -40,7 +40,8 @@ vec3 transmittance(vec3 depth, float mass)
 //   viewMass  air mass of the ray from the eye
 //   sunMass   air mass of the ray from the sun
 //   formula   v (exp(-depth s) - exp(-depth v)) / (v - s), v = viewMass, s = sunMass; where they
-//             differ by less than 0.02 v is moved to s + 0.02, an error of at most depth / 50
+//             differ by less than 0.02, s + 0.02 stands for v in the quotient: an error of at most
+//             about depth / 50 of the light
 // Source: S. Chandrasekhar, 'Radiative transfer' (1950): the first order of a plane layer.
 vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
 {
