@@ -108,45 +108,48 @@ names_of() { # FILE...: the NAMEs of the test files that exist
     done
 }
 
-# The window's suites send keys and mostly wait for pictures: they come last, with nothing else.
-last=$(names_of tests/test_window*.sh)
 # Tests of shaders say nothing more under the sanitizers, which see C alone.
 of_shaders() { grep -q 'tests/shaders/\|support_pixels.h' "tests/test_$1.c"; }
-# The long ones come first, so that none of them ends alone.
-together=$(
+
+# The long ones come first, so that none of them ends alone. Where CI is set there is more to do: other
+# people's shaders under the sanitizers, and every picture through every backend.
+scripts=$(
     [ -e tests/test_failures.sh ] && echo sanitize/failures
-    [ -e tests/test_others.sh ] && echo sanitize/others
-    names_of tests/test_*.sh | grep -vx -e "$last"
+    [ -n "${CI-}" ] && [ -e tests/test_others.sh ] && echo sanitize/others
+    names_of tests/test_*.sh | grep -v '^window'
+)
+# The window's suites mostly wait for pictures; beside them run the tests in C, which are short.
+beside=$(
+    names_of tests/test_window*.sh | sort -r
     names_of build/tests/test_*
     for name in $(names_of build/sanitize/tests/test_*); do
         of_shaders "$name" || echo "sanitize/$name"
     done
     [ -e build/sanitize/01_normal_colouring ] && echo sanitize/one_picture
 )
+suites=$(printf '%s\n' "$scripts" "$beside")
 
 if [ -n "${1-}" ]; then
-    all=$(printf '%s\n' "$together" "$last")
-    together=$(grep -x -e "$1" <<<"$all")
-    if [ -z "$together" ]; then
+    if ! grep -q -x -e "$1" <<<"$suites"; then
         printf 'make: SUITE=%s: no such suite: there are\n' "$1" >&2
-        printf '%s\n' "$all" | sed 's/^/  /' >&2
+        printf '%s\n' "$suites" | sed 's/^/  /' >&2
         exit 2
     fi
-    last=
+    suites=$1
+else
+    export ALL_SUITES=1
 fi
 
 for old in build/test-results/*; do
     kill -0 "$(basename "$old")" 2>/dev/null || rm -rf "$old"
 done
-[ -n "${1-}" ] || export ALL_SUITES=1
 mkdir -p "$results" || exit 1
-printf '%s\n' "$together" | xargs -P 2 -n 1 tests/run.sh --one
-[ -z "$last" ] || printf '%s\n' "$last" | xargs -P 2 -n 1 tests/run.sh --one
+printf '%s\n' "$suites" | xargs -P 2 -n 1 tests/run.sh --one
 
 read -r passed failed skipped <<<"$(cat "$results"/*.counts 2>/dev/null |
     awk '{ p += $1; f += $2; s += $3 } END { print p + 0, f + 0, s + 0 }')"
 # A suite that left no counts was killed with its runner.
-lost=$(($(wc -w <<<"$together $last") - $(find "$results" -name '*.counts' | wc -l)))
+lost=$(($(wc -w <<<"$suites") - $(find "$results" -name '*.counts' | wc -l)))
 if [ "$lost" != 0 ]; then
     echo "$lost suites left no result"
     failed=$((failed + lost))

@@ -1,7 +1,8 @@
 #!/bin/bash
-# test_images.sh [PICTURE...] - every picture of tests/images.txt, through every backend, against its
-# reference; and the backends against each other. With arguments only those pictures, such as
-# 03_shadows or 03_shadows-steps.
+# test_images.sh [PICTURE...] - every picture of tests/images.txt against its reference; the chapters' own
+# pictures through every backend, and the backends against each other. Where CI is set, or with arguments,
+# every picture goes through every backend. With arguments only those pictures, such as 03_shadows or
+# 03_shadows-steps.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/support.sh
@@ -58,6 +59,7 @@ picture() { # BACKEND... N
     read -r stem variant options <<<"$(sed -n "${number}p" "$scratch/list")"
     name=$stem
     [ "$variant" = - ] || name=$stem-$variant
+    [ "$variant" = - ] || [ -n "${EVERY_BACKEND-}" ] || set -- "$1"
     rm -f "$failures/$name".*
     for backend in "$@"; do
         # shellcheck disable=SC2086 # options are words
@@ -103,6 +105,10 @@ for backend in egl osmesa glfw; do
         skip "pictures through $backend" "$(head -n 1 "$scratch/version")"
     fi
 done
+
+[ $# = 0 ] || EVERY_BACKEND=1
+[ -z "${CI-}" ] || EVERY_BACKEND=1
+export EVERY_BACKEND
 
 # Two at a time: with one thread each they disturb each other least.
 export LP_NUM_THREADS=1
