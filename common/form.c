@@ -147,13 +147,14 @@ static bool check_declaration(const struct shader_source *source, const char *co
     do
         c = read_word(c, declared.type);
     while (c != NULL && strstr("lowp mediump highp", declared.type) != NULL);
-    while (c != NULL && (c = read_word(c, declared.name)) != NULL) {
+    if (c != NULL)
+        c = read_word(c, declared.name);
+    while (c != NULL) {
         declared.after = c;
         if (!check_input(&declared))
             return false;
         c = skip_blanks(c);
-        if (*c++ != ',')
-            return true;
+        c = *c == ',' ? read_word(c + 1, declared.name) : NULL;
     }
     return true;
 }
