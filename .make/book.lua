@@ -55,7 +55,7 @@ local function str(element)
     local parts, plain = {}, ''
     for _, code in utf8.codes(element.text) do
         local sign = utf8.char(code)
-        if code >= 0x2100 then
+        if code >= 0x2070 then
             if plain ~= '' then table.insert(parts, pandoc.Str(plain)) end
             plain = ''
             table.insert(parts, pandoc.RawInline('latex', '{\\symbolfont ' .. sign .. '}'))

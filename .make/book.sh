@@ -27,6 +27,7 @@ cat >"$folder/head.tex" <<'END'
 \newfontfamily{\symbolfont}{DejaVu Sans}
 \providecommand{\lt}{<}
 \providecommand{\gt}{>}
+\AtBeginDocument{\renewcommand{\setminus}{\mathbin{\backslash}}}
 \usepackage{float}
 \floatplacement{figure}{H}
 \emergencystretch=3em
