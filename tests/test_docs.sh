@@ -119,6 +119,11 @@ bad_formulas() { # PAGE
         END { if (open) print page ": a formula has no end" }'
 }
 
+# What a merge leaves where two hands changed the same lines.
+bad_merges() { # PAGE
+    grep -nE '^(<<<<<<<|>>>>>>>) ' "$1" | sed "s|^|$1:|"
+}
+
 # Five lines in French below their heading.
 bad_summary() { # PAGE
     awk '
@@ -145,7 +150,8 @@ bad_exercises() { # PAGE
         /^## / { judge(); exercise = 0; here = /^## Exercises/ }
         here && /^\*\*[0-9]+\./ {
             judge(); count++; exercise = $1; hint = solution = 0
-            if ($0 !~ /[(](easy|medium|hard|★|●)/) print "exercise " exercise " has no grade"
+            if ($0 !~ /^\*\*[0-9]+\. [(](easy|medium|hard)[)] [^*]*[.?!]\*\*/)
+                print "exercise " exercise " does not begin **K. (easy|medium|hard) Title.**"
         }
         here && /^\*Hint/ { hint = 1 }
         here && /Solution|<summary>Answer/ { solution = 1 }
@@ -232,6 +238,7 @@ check_pages() {
             "$(.make/listings.sh --check "$page" 2>&1)"
         judge "$page: links, pictures and anchors exist" "$(bad_links "$page")"
         judge "$page: pictures are references that are tested" "$(bad_pictures "$page")"
+        judge "$page: holds no half of a merge" "$(bad_merges "$page")"
         judge "$page: formulas are such as GitHub renders" "$(bad_formulas "$page")"
         judge "$page: commands are accepted by their programs" "$(bad_commands "$page")"
         judge "$page: probes end as the page shows" "$(bad_outputs "$page")"
@@ -265,6 +272,10 @@ check_checks() {
     refuses 'a picture without words' '![](../tests/references/03_shadows.png)\n' bad_pictures
     refuses 'a figure without a program' '![a](figures/gone.svg)\n' bad_pictures
     refuses 'an exercise without a solution' "## Exercises\n\n**1. (easy)**\n\n*Hint.* a\n" bad_exercises
+    refuses 'an exercise without a grade' \
+        "## Exercises\n\n**1. A title.** b\n\n*Hint.* a\n\nSolution\n\n**2. (easy) A.** b\n\n*Hint.* a\n\nSolution\n\n**3. (easy) A.** b\n\n*Hint.* a\n\nSolution\n" \
+        bad_exercises
+    refuses 'the mark of a merge' 'a\n<<<<<<< HEAD\nb\n' bad_merges
     refuses 'a formula that GitHub spoils' 'so $a \\\\, b$ is\n' bad_formulas
     refuses 'a summary of four lines' "## L'essentiel\n\n> a\n> b\n> c\n> d\n\ntext\n" bad_summary
     refuses 'a program that is not there' '`build/99_nothing`\n' bad_commands
