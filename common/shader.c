@@ -58,35 +58,34 @@ static void folder_of(const char *path, char folder[PATH_MAX])
     snprintf(folder, PATH_MAX, "%.*s", length == 0 ? 1 : (int)length, path);
 }
 
-// Resolve the name in an include: beside the including file, then in shaders/.
+// Resolve the name in an include: beside the including file, then in shaders/, then in chapters/.
 static char *resolve(const struct expansion *e, int from, const char *name, char why[TEXT_FILE_WHY])
 {
     const struct shader_source *source = e->source;
     const char *slash = strrchr(source->files[from], '/');
-    char folder[PATH_MAX], path[3 * PATH_MAX];
-    folder_of(source->paths[from], folder);
-    for (int i = 0; i < 2; i++) {
-        snprintf(path, sizeof path, "%s%s/%s", i == 0 ? folder : e->root, i == 0 ? "" : "/shaders",
-                 name);
-        char *resolved = name[0] == '/' ? NULL : realpath(path, NULL);
+    char beside[PATH_MAX], path[3 * PATH_MAX];
+    folder_of(source->paths[from], beside);
+    const char *const places[][2] = {{beside, ""}, {e->root, "/shaders"}, {e->root, "/chapters"}};
+    if (name[0] == '/') {
+        snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from shaders/");
+        return NULL;
+    }
+    for (int i = 0; i < 3; i++) {
+        snprintf(path, sizeof path, "%s%s/%s", places[i][0], places[i][1], name);
+        char *resolved = realpath(path, NULL);
         if (resolved != NULL && (inside(resolved, e->root) || inside(resolved, e->own)))
             return resolved;
-        if (name[0] == '/')
-            snprintf(why, TEXT_FILE_WHY,
-                     "an absolute path: give one from this file or from shaders/");
-        else if (resolved != NULL)
-            snprintf(why, TEXT_FILE_WHY,
-                     "lies outside the project and outside the shader's own folder");
-        else if (errno != ENOENT && errno != ENOTDIR)
-            snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", strerror(errno));
-        else {
-            snprintf(why, TEXT_FILE_WHY, "no such file beside %.300s or in shaders/",
-                     slash == NULL ? source->files[from] : slash + 1);
+        if (resolved == NULL && (errno == ENOENT || errno == ENOTDIR))
             continue;
-        }
+        if (resolved == NULL)
+            snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", strerror(errno));
+        else
+            snprintf(why, TEXT_FILE_WHY, "lies outside the project and the shader's own folder");
         free(resolved);
         return NULL;
     }
+    snprintf(why, TEXT_FILE_WHY, "no such file beside %.300s, in shaders/ or in chapters/",
+             slash == NULL ? source->files[from] : slash + 1);
     return NULL;
 }
 

@@ -49,9 +49,9 @@ struct shader_source {
 // Read a shader and what it includes.
 //   path   the file; a byte-order mark and carriage returns are dropped
 //   root   the project's folder; includes are looked for beside the including file, then in
-//          root/shaders, each file once, and never outside root or path's own folder
-//          (the preprocessor is not run: an include between #if and #endif is always expanded);
-//          the line of an include stays as a comment
+//          root/shaders, then in root/chapters, each file once, and never outside root or path's
+//          own folder (the preprocessor is not run: an include between #if and #endif is always
+//          expanded); the line of an include stays as a comment
 // Returns false, reported in one line with file and line: missing, unreadable, empty, binary (a
 // zero byte) or over 1 MiB, over 8 MiB with its includes; an include that is malformed, missing,
 // includes itself, or climbs out; a #version that does not come first; a comment that is never

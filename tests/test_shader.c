@@ -143,6 +143,31 @@ static void test_shader_outside_the_project(void **state)
     shader_free(&source);
 }
 
+// A handed-in file finds the chapter from wherever it lies; what lies nearer comes first.
+static void test_chapters_come_last(void **state)
+{
+    (void)state;
+    struct shader_source source;
+    scratch_write("root/chapters/01_scene.frag", "scene\n");
+    scratch_write("root/chapters/leaf.glsl", "not this leaf\n");
+    const char *path =
+        scratch_write("own/my.frag", "#include \"01_scene.frag\"\n#include \"leaf.glsl\"\n");
+    assert_true(shader_read(&source, path, scratch_path("root")));
+    assert_int_equal(source.file_count, 3);
+    assert_string_equal(source.files[1], "chapters/01_scene.frag");
+    assert_string_equal(source.files[2], "shaders/leaf.glsl");
+    shader_free(&source);
+    scratch_write("own/01_scene.frag", "mine\n");
+    assert_true(shader_read(&source, path, scratch_path("root")));
+    assert_string_equal(source.paths[1], scratch_path("own/01_scene.frag"));
+    shader_free(&source);
+    scratch_write("root/chapters/deep/my.frag", "#include \"01_scene.frag\"\n");
+    assert_true(
+        shader_read(&source, scratch_path("root/chapters/deep/my.frag"), scratch_path("root")));
+    assert_string_equal(source.files[1], "chapters/01_scene.frag");
+    shader_free(&source);
+}
+
 static void test_name_as_given(void **state)
 {
     (void)state;
@@ -192,7 +217,7 @@ static void test_missing_include(void **state)
 {
     (void)state;
     assert_refused("\n\n#include \"foo.glsl\"\n", "main.frag:3: #include \"foo.glsl\": ",
-                   "no such file beside main.frag or in shaders/");
+                   "no such file beside main.frag, in shaders/ or in chapters/");
     scratch_write("root/shaders/broken.glsl", "\n#include \"gone.glsl\"\n");
     assert_refused("#include \"broken.glsl\"\n", "shaders/broken.glsl:2: #include \"gone.glsl\": ");
 }
@@ -414,6 +439,7 @@ int main(void)
         UNIT(test_every_line_is_traced),
         UNIT(test_beside_comes_before_shaders),
         UNIT(test_shader_outside_the_project),
+        UNIT(test_chapters_come_last),
         UNIT(test_name_as_given),
         UNIT(test_comments_include_nothing),
         UNIT(test_nesting),

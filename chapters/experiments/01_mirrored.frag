@@ -3,7 +3,7 @@
 // The chapter's own pixelRay is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define pixelRay rightPixelRay
-#include "../01_normal_colouring.frag"
+#include "01_normal_colouring.frag"
 #undef pixelRay
 
 // With e_z opposite to the view the report takes e_x = normalize(e_z x (0, 1, 0)), e_y = e_x x e_z

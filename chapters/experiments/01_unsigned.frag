@@ -4,7 +4,7 @@
 // The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define sceneDistance signedDistance
-#include "../01_normal_colouring.frag"
+#include "01_normal_colouring.frag"
 #undef sceneDistance
 
 float sceneDistance(vec3 p)

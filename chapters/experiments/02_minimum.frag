@@ -4,7 +4,7 @@
 // The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define rayColour rightRayColour
-#include "../02_lighting.frag"
+#include "02_lighting.frag"
 #undef rayColour
 
 vec3 rayColour(Ray ray)

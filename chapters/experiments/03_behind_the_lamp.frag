@@ -5,7 +5,7 @@
 // The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../03_shadows.frag"
+#include "03_shadows.frag"
 #undef rayColour
 
 uniform bool stopping; // false: end the shadow ray at the lamp, as it should

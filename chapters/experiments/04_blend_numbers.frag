@@ -8,7 +8,7 @@
 #include "main.glsl"
 #define colourAt rightColourAt
 #define rayColour rightRayColour
-#include "../04_hue_colour.frag"
+#include "04_hue_colour.frag"
 #undef rayColour
 #undef colourAt
 

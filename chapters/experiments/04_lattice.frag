@@ -6,7 +6,7 @@
 #define sceneDistance wheelScene
 #define colourAt wheelColour
 #define rayColour wheelRayColour
-#include "../04_hue_colour.frag"
+#include "04_hue_colour.frag"
 #undef rayColour
 #undef colourAt
 #undef sceneDistance

@@ -4,7 +4,7 @@
 // The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define rayColour rightRayColour
-#include "../04_hue_colour.frag"
+#include "04_hue_colour.frag"
 #undef rayColour
 
 vec3 rayColour(Ray ray)

@@ -12,7 +12,7 @@ vec2 everywhere(Ray ray, float size)
 
 #define tetrahedronInterval everywhere
 #define sceneDistance chapterSceneDistance
-#include "../06_sierpinski_symmetry.frag"
+#include "06_sierpinski_symmetry.frag"
 #undef sceneDistance
 
 uniform int mistake; // 1 in [0, 2]: 0 none, 1 the sign of the offset, 2 normals of length sqrt(2)

@@ -25,4 +25,4 @@ Hit marchLocal(Ray ray, float tMin, float tMax, float threshold, float spread, i
 }
 
 #define marchCone marchLocal
-#include "../07_repetition.frag"
+#include "07_repetition.frag"

@@ -13,4 +13,4 @@ float reportCellOf(float x, float period)
 }
 
 #define cellOf reportCellOf
-#include "../07_repetition.frag"
+#include "07_repetition.frag"

@@ -4,7 +4,7 @@
 // The chapter's own pixelRay is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
-#include "../08_orthographic_view.frag"
+#include "08_orthographic_view.frag"
 #undef pixelRay
 
 uniform bool opposite; // false: e_z as section 1.3.1 says, opposite to the view, instead of along it

@@ -5,7 +5,7 @@
 // The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define sceneDistance chapterSceneDistance
-#include "../09_sky_and_sunset.frag"
+#include "09_sky_and_sunset.frag"
 #undef sceneDistance
 
 float sceneDistance(vec3 p)

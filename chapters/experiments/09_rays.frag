@@ -4,7 +4,7 @@
 // The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../09_sky_and_sunset.frag"
+#include "09_sky_and_sunset.frag"
 #undef rayColour
 
 vec3 rayColour(Ray ray)

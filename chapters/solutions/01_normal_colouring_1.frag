@@ -3,7 +3,7 @@
 // The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define sceneDistance chapterDistance
-#include "../01_normal_colouring.frag"
+#include "01_normal_colouring.frag"
 #undef sceneDistance
 
 // The points within a distance of a horizontal circle. Exact everywhere.

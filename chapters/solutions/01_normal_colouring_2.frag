@@ -3,7 +3,7 @@
 // The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define sceneDistance chapterDistance
-#include "../01_normal_colouring.frag"
+#include "01_normal_colouring.frag"
 #undef sceneDistance
 
 uniform float rounding; // 0.06 in [0, 0.08] step 0.01, scene units: radius of the frame's edges

@@ -3,7 +3,7 @@
 // The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define rayColour chapterColour
-#include "../01_normal_colouring.frag"
+#include "01_normal_colouring.frag"
 #undef rayColour
 
 // The gradient by four corners of a cube, made of length 1.

@@ -3,7 +3,7 @@
 // The chapter's own pixelRay is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define pixelRay chapterRay
-#include "../01_normal_colouring.frag"
+#include "01_normal_colouring.frag"
 #undef pixelRay
 
 uniform float fieldOfView; // 180 in [10, 360] step 10, degrees: angle from the bottom of the picture to its top

@@ -3,7 +3,7 @@
 // The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
 #include "main.glsl"
 #define sceneDistance trueDistance
-#include "../01_normal_colouring.frag"
+#include "01_normal_colouring.frag"
 #undef sceneDistance
 
 uniform float factor; // 1.5 in [0.25, 4] step *1.1, times the distance: length of a step

@@ -1,7 +1,7 @@
 // Solution of exercise 02.1: a third lamp, green, over the left of the stage. Lamps add up.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../02_lighting.frag"
+#include "02_lighting.frag"
 #undef rayColour
 
 uniform vec3 greenColour; // 0.05, 0.3, 0.1 in [0, 4], linear RGB: the light of the third lamp

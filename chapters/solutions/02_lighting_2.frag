@@ -12,4 +12,4 @@ vec3 keepHue(vec3 light)
 }
 
 #define encodeSRGB keepHue
-#include "../02_lighting.frag"
+#include "02_lighting.frag"

@@ -2,7 +2,7 @@
 // surface that leans away from the zenith sees less of it: the share (1 + N.y) / 2.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../02_lighting.frag"
+#include "02_lighting.frag"
 #undef rayColour
 
 uniform vec3 skyAbove; // 0.12, 0.2, 0.35 in [0, 1], linear RGB: the ambient light of an upward face

@@ -1,7 +1,7 @@
 // Solution of exercise 02.4: four rays a pixel, averaged in linear light and encoded once.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../02_lighting.frag"
+#include "02_lighting.frag"
 #undef rayColour
 
 uniform bool linearMean; // true: average linear light; false: average what is encoded, as --samples does

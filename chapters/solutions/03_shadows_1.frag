@@ -1,7 +1,7 @@
 // Solution of exercise 03.1: the cold lamp casts a shadow too.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../03_shadows.frag"
+#include "03_shadows.frag"
 #undef rayColour
 
 vec3 rayColour(Ray ray)

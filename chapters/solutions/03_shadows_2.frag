@@ -11,4 +11,4 @@ Ray startAlongLight(vec3 p, vec3 normal, vec3 toLight, float offset)
 }
 
 #define shadowRay startAlongLight
-#include "../03_shadows.frag"
+#include "03_shadows.frag"

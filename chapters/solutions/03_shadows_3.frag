@@ -15,4 +15,4 @@ vec2 ballInterval(Ray ray, vec3 low, vec3 high)
 }
 
 #define boxInterval ballInterval
-#include "../03_shadows.frag"
+#include "03_shadows.frag"

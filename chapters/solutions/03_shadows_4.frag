@@ -2,7 +2,7 @@
 // its own. The edge of a shadow becomes nine steps.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../03_shadows.frag"
+#include "03_shadows.frag"
 #undef rayColour
 
 uniform float lampSide; // 0.6 in [0, 2] step 0.1, scene units: side of the square that holds the points

@@ -13,4 +13,4 @@ vec3 paintedHSV(float hue, float saturation, float value)
 }
 
 #define hsvToRGB paintedHSV
-#include "../04_hue_colour.frag"
+#include "04_hue_colour.frag"

@@ -10,7 +10,7 @@ float softStep(float edge, float x);
 
 #define opSubtraction smoothSubtraction
 #define step softStep
-#include "../04_hue_colour.frag"
+#include "04_hue_colour.frag"
 #undef step
 #undef opSubtraction
 

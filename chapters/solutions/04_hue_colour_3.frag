@@ -5,7 +5,7 @@
 #include "main.glsl"
 #define colourAt chapterColourAt
 #define rayColour chapterRayColour
-#include "../04_hue_colour.frag"
+#include "04_hue_colour.frag"
 #undef rayColour
 #undef colourAt
 

@@ -6,7 +6,7 @@
 #define sceneDistance wheelScene
 #define colourAt wheelColourAt
 #define rayColour wheelRayColour
-#include "../04_hue_colour.frag"
+#include "04_hue_colour.frag"
 #undef rayColour
 #undef colourAt
 #undef sceneDistance

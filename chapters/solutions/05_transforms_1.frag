@@ -3,7 +3,7 @@
 // is laid on the water.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
-#include "../05_transforms.frag"
+#include "05_transforms.frag"
 #undef pixelRay
 
 uniform float turnTime; // 20 in [1, 120] step 1, seconds: one turn of the ring

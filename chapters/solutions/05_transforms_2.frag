@@ -2,7 +2,7 @@
 // holds its inverse M; the distance is divided by the largest stretch of M.
 #include "main.glsl"
 #define sceneDistance chapterDistance
-#include "../05_transforms.frag"
+#include "05_transforms.frag"
 #undef sceneDistance
 
 uniform float flatness; // 0.5 in [0.2, 1] step 0.05: height of the ball over its width

@@ -2,7 +2,7 @@
 // slope is nowhere more than height times fineness.
 #include "main.glsl"
 #define sceneDistance chapterDistance
-#include "../05_transforms.frag"
+#include "05_transforms.frag"
 #undef sceneDistance
 
 uniform float bumpHeight; // 0.03 in [0, 0.1] step 0.005, scene units: height of a bump

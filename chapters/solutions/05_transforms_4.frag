@@ -4,7 +4,7 @@
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define pixelRay chapterPixelRay
-#include "../05_transforms.frag"
+#include "05_transforms.frag"
 #undef sceneDistance
 #undef pixelRay
 

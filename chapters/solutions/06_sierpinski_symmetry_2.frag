@@ -42,4 +42,4 @@ vec2 octahedronInterval(Ray ray, float size)
 #define sdTetrahedronPlanes sdOctahedronPlanes
 #define sdSierpinskiPlanes sdOctahedra
 #define tetrahedronInterval octahedronInterval
-#include "../06_sierpinski_symmetry.frag"
+#include "06_sierpinski_symmetry.frag"

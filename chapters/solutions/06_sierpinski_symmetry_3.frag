@@ -4,4 +4,4 @@
 #include "main.glsl"
 #include "symmetry.glsl"
 #define sdSierpinskiPlanes sdSierpinski
-#include "../06_sierpinski_symmetry.frag"
+#include "06_sierpinski_symmetry.frag"

@@ -19,7 +19,7 @@ float seenPyramid(vec3 p, float size, int levels)
 }
 
 #define sdSierpinskiPlanes seenPyramid
-#include "../06_sierpinski_symmetry.frag"
+#include "06_sierpinski_symmetry.frag"
 
 // The way back from the pyramid's axes: the transposed matrix.
 vec3 scenePoint(vec3 p)

@@ -11,4 +11,4 @@ float cellOfFive(float x, float period)
 }
 
 #define cellOf cellOfFive
-#include "../07_repetition.frag"
+#include "07_repetition.frag"

@@ -4,7 +4,7 @@
 // The experiment's own sceneDistance is kept aside under another name.
 #include "main.glsl"
 #define sceneDistance latticeDistance
-#include "../experiments/07_lattice.frag"
+#include "experiments/07_lattice.frag"
 #undef sceneDistance
 
 const float SECTOR = 6.283185307 / 12.0;

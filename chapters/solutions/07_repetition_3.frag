@@ -4,7 +4,7 @@
 // The experiment's own sceneDistance is kept aside under another name.
 #include "main.glsl"
 #define sceneDistance latticeDistance
-#include "../experiments/07_lattice.frag"
+#include "experiments/07_lattice.frag"
 #undef sceneDistance
 
 uniform bool walled; // true: no step is longer than the way to the block's wall

@@ -1,7 +1,7 @@
 // Solution of exercise 08.1: perspective to the left of the middle, parallel rays to the right of it.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
-#include "../08_orthographic_view.frag"
+#include "08_orthographic_view.frag"
 #undef pixelRay
 
 Ray pixelRay(vec2 screen)

@@ -2,7 +2,7 @@
 // lies on a plane across the view keeps its shape, and depth is drawn along a slanting line.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
-#include "../08_orthographic_view.frag"
+#include "08_orthographic_view.frag"
 #undef pixelRay
 
 uniform float shortening; // 0.5 in [0, 1] step 0.1: length of a line along the view in the picture; 1 cavalier, 0.5 cabinet

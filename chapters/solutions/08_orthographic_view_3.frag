@@ -2,7 +2,7 @@
 // distance from the picture's middle, so that even a half turn fits.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
-#include "../08_orthographic_view.frag"
+#include "08_orthographic_view.frag"
 #undef pixelRay
 
 uniform float halfAngle; // 90 in [10, 180] step 5, degrees: angle at the picture's upper edge

@@ -2,7 +2,7 @@
 // eye, and what is farther is larger.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
-#include "../08_orthographic_view.frag"
+#include "08_orthographic_view.frag"
 #undef pixelRay
 
 uniform float beyond; // 1.3 in [1, 1.6] step 0.05: u, the place on the passage

@@ -12,7 +12,7 @@ float stretch = 0.0; // of the steps of the ray that is marched; 0 means none
 float chapterDistance(vec3 p);
 Hit   marchCubes(Ray ray, float tMin, float tMax, float threshold, int maxSteps);
 
-#include "../08_orthographic_view.frag"
+#include "08_orthographic_view.frag"
 #undef march
 #undef sceneDistance
 

@@ -1,7 +1,7 @@
 // Solution of exercise 09.1: the seasons. Latitude and declination become parameters.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../09_sky_and_sunset.frag"
+#include "09_sky_and_sunset.frag"
 #undef rayColour
 
 uniform float latitude;    // 43.6 in [-66, 66] step 1, degrees: of the city

@@ -2,7 +2,7 @@
 // (0.5, 0.7, 1) times the transmittance of the air beyond one air mass.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../09_sky_and_sunset.frag"
+#include "09_sky_and_sunset.frag"
 #undef rayColour
 
 vec3 rayColour(Ray ray)

@@ -2,7 +2,7 @@
 // and cap by the wall of these four cells together.
 #include "main.glsl"
 #define sceneDistance oneCellDistance
-#include "../09_sky_and_sunset.frag"
+#include "09_sky_and_sunset.frag"
 #undef sceneDistance
 
 float sceneDistance(vec3 p)

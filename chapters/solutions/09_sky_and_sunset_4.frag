@@ -2,7 +2,7 @@
 // cell of it holds one star or none, as an integer hash of the cell says.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../09_sky_and_sunset.frag"
+#include "09_sky_and_sunset.frag"
 #undef rayColour
 
 uniform float starSize; // 0.0022 in [0.0005, 0.01] step *1.2, radians: radius of a star as it is drawn

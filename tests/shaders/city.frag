@@ -4,7 +4,7 @@
 // tree's distance at it and beside it, from 3 on the sky. All in [0, 1], which main() keeps.
 #include "main.glsl"
 #define rayColour chapterRayColour
-#include "../../chapters/09_sky_and_sunset.frag"
+#include "09_sky_and_sunset.frag"
 #undef rayColour
 #include "random.glsl"
 
