@@ -3,13 +3,13 @@
 # rendered like the solution in chapters/solutions, with the options of tests/images.txt; the pictures
 # and the marches of some rays are compared.
 #
-# Environment: EXERCISE; FILE, or FILES for a table, one line a file. What differs is left as a
-# picture in build/check/. Exit status: 0 when every file is right, 1 when one is not, 2 when the
-# question is wrong.
-set -uf
+# Environment: EXERCISE; FILE, or FILES for a table, one line a file: a pattern, or several with spaces
+# between them. What differs is left as a picture in build/check/EXERCISE/, under the file's own path.
+# Exit status: 0 when every file is right, 1 when one is not, 2 when the question is wrong.
+set -u
 
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
-folder=build/check # for the pictures that are left
+limit=${CHECK_LIMIT:-30} # seconds for one picture
 
 fail() {
     printf 'make: %s\n' "$*" >&2
@@ -34,14 +34,31 @@ pictures_of() { # STEM NUMBER
         }' tests/images.txt
 }
 
+# The program with some options as one word, for at most so long: a loop of a shader may never end.
+render() { # OPTIONS SHADER OPTION...
+    local options=$1 shader=$2 guard=()
+    shift 2
+    ! command -v timeout >/dev/null || guard=(timeout --foreground -k 5 "$limit")
+    # shellcheck disable=SC2086 # options are words
+    ${guard[@]+"${guard[@]}"} "$program" $options -f "$shader" "$@"
+}
+
 # Where a march ended, 't end', from the table of --probe; the view's own options left out.
 march() { # SHADER X,Y OPTIONS
     local options
     options=$(sed -E 's/(-v|--view|--probe) +[^ ]+//g' <<<"$3")
-    # shellcheck disable=SC2086 # options are words
-    "$program" $options -f "$1" --probe "$2" 2>/dev/null | awk -F '[,:;]' '
+    render "$options" "$1" --probe "$2" 2>/dev/null | awk -F '[,:;]' '
         /^[0-9]/ { t = $2 }
         /^# / { sub(/^# /, "", $1); print t + 0, $1; exit }'
+}
+
+# The nine rays of the solution, a line each, 'X,Y t end'; nothing where a whole file records none.
+nine_rays() { # OPTIONS
+    local place end
+    for place in {192,320,448},{80,150,220}; do
+        end=$(march "$solution" "$place" "$1")
+        [ -z "$end" ] || echo "$place $end"
+    done
 }
 
 # Do two marches end alike: both on the surface at one distance, or both not?
@@ -54,17 +71,15 @@ same_march() { # A B
 }
 
 # Two rays or more of nine that end elsewhere: prints the first of them. One may lie on an edge.
-different_rays() { # FILE SOLUTION OPTIONS
+different_rays() { # FILE OPTIONS RAYS
     local place mine right first='' count=0
-    for place in {192,320,448},{80,150,220}; do
-        right=$(march "$2" "$place" "$3")
-        [ -n "$right" ] || return # a whole file records nothing
-        mine=$(march "$1" "$place" "$3")
+    while read -r place right; do
+        mine=$(march "$1" "$place" "$2")
         if ! same_march "$mine" "$right"; then
             count=$((count + 1))
             first=${first:-"pixel $place: '${mine#* }' at t ${mine% *}, the solution '${right#* }' at t ${right% *}"}
         fi
-    done
+    done <"$3"
     [ "$count" -lt 2 ] || echo "$first, and $((count - 1)) more of nine"
 }
 
@@ -79,22 +94,39 @@ there() { # FILE OPTIONS X,Y
     fi
 }
 
+# The solution's picture, or the ends of its nine rays, for line N of the options; made when first asked for.
+right_picture() { # N OPTIONS
+    [ -e "$scratch/$1.png" ] ||
+        render "$2" "$solution" -o "$scratch/$1.png" >/dev/null 2>"$scratch/errors" ||
+        fail "$solution: $(head -n 1 "$scratch/errors")"
+}
+right_rays() { # N OPTIONS
+    [ -e "$scratch/$1.rays" ] || nine_rays "$2" >"$scratch/$1.rays"
+}
+
+# Why a file gave no picture, from the status and what was said.
+why_not() { # STATUS
+    case $1 in
+    124 | 137) echo "does not end: no picture after $limit s" ;;
+    *) echo "does not run: $(grep -m 1 ':[0-9][0-9]*: ' "$scratch/errors" || head -n 1 "$scratch/errors")" ;;
+    esac
+}
+
 # One file: prints its verdict.
 judge() { # FILE
-    local file=$1 options numbers status rays difference
-    local mine=$scratch/mine.png right=$scratch/right.png errors=$scratch/errors
-    difference=$folder/$(basename "$file" .frag).difference.png
+    local file=$1 options numbers status rays number=0 mine=$scratch/mine.png
+    local difference=${file%.frag}.difference.png
+    difference=$folder/$(sed -E 's|^([.]{0,2}/)*||; s|/[.]{1,2}/|/|g' <<<"$difference")
+    [ -f "$file" ] || { echo 'is no file'; return 1; }
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
     while read -r options; do
-        # shellcheck disable=SC2086 # options are words
-        "$program" $options -f "$solution" -o "$right" >/dev/null 2>"$errors" ||
-            fail "$solution: $(head -n 1 "$errors")"
-        # shellcheck disable=SC2086
-        if ! "$program" $options -f "$file" -o "$mine" >/dev/null 2>"$errors"; then
-            echo "does not run: $(grep -m 1 ':[0-9][0-9]*: ' "$errors" || head -n 1 "$errors")"
-            return 1
-        fi
-        numbers=$(build/tests/compare "$right" "$mine" "$difference")
+        number=$((number + 1))
+        right_picture "$number" "$options"
+        render "$options" "$file" -o "$mine" >/dev/null 2>"$scratch/errors"
+        status=$?
+        [ "$status" = 0 ] || { why_not "$status"; return 1; }
+        mkdir -p "$(dirname "$difference")" || return 1
+        numbers=$(build/tests/compare "$scratch/$number.png" "$mine" "$difference")
         status=$?
         if [ "$status" != 0 ]; then
             echo "$(cut -d ' ' -f 2 <<<"$numbers") % of the pixels differ$(there "$file" "$options" \
@@ -102,10 +134,27 @@ judge() { # FILE
             return 1
         fi
         rm -f "$difference"
-        rays=$(different_rays "$file" "$solution" "$options")
+        right_rays "$number" "$options"
+        rays=$(different_rays "$file" "$options" "$scratch/$number.rays")
         [ -z "$rays" ] || { echo "the picture is right, its rays are not: $rays"; return 1; }
     done <<<"$wanted"
     echo "as the solution: $(cut -d ' ' -f 2 <<<"$numbers") % of the pixels differ"
+}
+
+# Set files to those that FILE or FILES asks for. A pattern whose folder has spaces is tried whole first.
+find_files() {
+    local IFS='' file
+    files=(${FILE:+"$FILE"})
+    [ -n "${FILES-}" ] || return
+    shopt -s nullglob
+    for IFS in '' ' '; do
+        # shellcheck disable=SC2206 # a pattern stands for files
+        files=($FILES)
+        for file in ${files[@]+"${files[@]}"}; do
+            [ ! -e "$file" ] || return
+        done
+    done
+    fail "FILES='$FILES': no file has such a name"
 }
 
 case ${EXERCISE-} in
@@ -113,23 +162,20 @@ case ${EXERCISE-} in
 '') fail "which exercise? For example: make check EXERCISE=03_2 FILE=my.frag" ;;
 *) fail "EXERCISE=$EXERCISE: a chapter and a number, such as 03_2" ;;
 esac
-set +f
 stem=$(basename "$(echo chapters/"${EXERCISE%%_*}"_*.c)" .c)
-set -f
 wanted=$(pictures_of "$stem" "${EXERCISE#*_}")
 [ -n "$wanted" ] || fail "EXERCISE=$EXERCISE: no solution to compare with; there are $(exercises | tr '\n' ' ')"
+find_files
+set -f
+[ ${#files[@]} -gt 0 ] || fail "which file? For example: make check EXERCISE=$EXERCISE FILE=my.frag"
+
 program=build/$stem
 solution=chapters/solutions/${stem}_${EXERCISE#*_}.frag
-mkdir -p "$folder" && scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-check.XXXXXX") || exit 2
+folder=build/check/$EXERCISE # for the pictures that are left
+rm -rf "$folder" && mkdir -p "$folder" && scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-check.XXXXXX") || exit 2
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 2' HUP INT TERM
 
-read -r -a files <<<"${FILES:-${FILE-}}"
-set +f
-# shellcheck disable=SC2206 # a pattern in FILES stands for files
-files=(${files[@]+${files[@]}})
-set -f
-[ ${#files[@]} -gt 0 ] || fail "which file? For example: make check EXERCISE=$EXERCISE FILE=my.frag"
 wrong=0 width=0
 for file in "${files[@]}"; do
     [ ${#file} -le "$width" ] || width=${#file}
@@ -143,5 +189,6 @@ for file in "${files[@]}"; do
         printf '%s: %s\n' "$file" "$verdict"
     fi
 done
+find "$folder" -depth -type d -empty -delete
 [ -z "${FILES-}" ] || echo "$((${#files[@]} - wrong)) of ${#files[@]} right"
 [ "$wrong" = 0 ]

@@ -39,13 +39,15 @@ done <"$scratch/exercises"
 check "a solution is right: chapter 00" accepted 00_2 chapters/solutions/00_first_scene_2.frag
 check "a solution is right: chapter 03" accepted 03_2 chapters/solutions/03_shadows_2.frag
 
+# A folder outside the project, as a lecturer has it: files of several students, some of one name.
+handed_in="$scratch/handed in"
+mkdir -p "$handed_in/ada" "$handed_in/ben"
 # Same picture, other rays: the first march goes elsewhere.
-mkdir "$scratch/in" && cp -R chapters "$scratch/in"
-cat >"$scratch/in/rays.frag" <<'END'
+cat >"$handed_in/ben/rays.frag" <<'END'
 #include "main.glsl"
 #include "march.glsl"
 #define rayColour painted
-#include "chapters/solutions/03_shadows_2.frag"
+#include "solutions/03_shadows_2.frag"
 #undef rayColour
 vec3 rayColour(Ray ray)
 {
@@ -53,26 +55,68 @@ vec3 rayColour(Ray ray)
     return painted(ray);
 }
 END
-echo '#include "chapters/solutions/03_shadows_2.frag"' >"$scratch/in/mine.frag"
-echo 'float sceneDistance(vec3 p) { return 1 +; }' >"$scratch/in/broken.frag"
+cp chapters/solutions/03_shadows_2.frag "$handed_in/ada/my lamp.frag"
+cp chapters/solutions/03_shadows_1.frag "$handed_in/ada/mine.frag"
+echo '#include "03_shadows.frag"' >"$handed_in/ben/mine.frag"
+echo 'float sceneDistance(vec3 p) { return 1 +; }' >"$handed_in/ben/broken.frag"
+: >"$handed_in/ben/empty.frag"
+cat >"$handed_in/endless.frag" <<'END'
+#version 330 core
+in vec2 FragCoord;
+out vec4 FragColor;
+void main()
+{
+    float x = FragCoord.x;
+    for (int i = 0; i >= 0; i = i > 9000 ? 0 : i + 1)
+        for (int k = 0; k >= 0; k = k > 9000 ? 0 : k + 1)
+            x += sin(x + FragCoord.y);
+    FragColor = vec4(x);
+}
+END
 
 says() { # WORDS
     grep -q -e "$1" "$scratch/answer.03_2" || { sed 's/^/# /' "$scratch/answer.03_2"; return 1; }
 }
-wrong_rays() { ! accepted 03_2 "$scratch/in/rays.frag" && says 'picture is right, its rays are not: pixel '; }
-check "a picture that is right with rays that are not is refused" wrong_rays
-broken() { ! accepted 03_2 "$scratch/in/broken.frag" && says 'does not run: .*broken.frag:1'; }
-check "a file that does not compile is refused with its line" broken
-absent() { ! accepted 03_2 "$scratch/in/absent.frag" && says 'cannot be read'; }
-check "a file that is not there is refused" absent
-
-table() {
-    EXERCISE=03_2 FILE='' FILES="$scratch/in/*.frag" \
-        .make/check.sh >"$scratch/answer.03_2" 2>&1
-    [ $? = 1 ] && says '^right  .*mine.frag ' && says '^wrong  .*rays.frag ' &&
-        says '^wrong  .*broken.frag ' && says '^1 of 3 right$'
+one_is() { # FILE WORDS
+    ! accepted 03_2 "$handed_in/$1" && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says "$2"
 }
-check "a folder gives a table" table
+check "a picture that is right with rays that are not is refused" \
+    one_is ben/rays.frag 'picture is right, its rays are not: pixel '
+check "a file that does not compile is refused with its line" \
+    one_is ben/broken.frag 'does not run: .*broken.frag:1'
+check "an empty file is refused" one_is ben/empty.frag 'does not run: .*empty.frag: empty'
+check "a file that is not there is refused" one_is absent.frag 'is no file'
+check "a name with a space is one file" accepted 03_2 "$handed_in/ada/my lamp.frag"
+
+table() { # EXERCISE PATTERN
+    EXERCISE=$1 FILE='' FILES=$2 .make/check.sh >"$scratch/answer.03_2" 2>&1
+}
+of_class() {
+    table 03_2 "$handed_in/*/*.frag"
+    [ $? = 1 ] && says '^right  .*ada/my lamp.frag ' && says '^wrong  .*rays.frag ' &&
+        says '^wrong  .*broken.frag ' && says '^wrong  .*empty.frag ' && says '^1 of 6 right$'
+}
+check "a folder outside the project gives a table" of_class
+of_one_name() {
+    local pictures
+    pictures=$(grep -o 'build/check/.*difference.png' "$scratch/answer.03_2")
+    [ "$(sort -u <<<"$pictures" | wc -l)" = 2 ] &&
+        while IFS= read -r picture; do [ -s "$picture" ] || return 1; done <<<"$pictures"
+}
+check "files of one name leave pictures of their own" of_one_name
+listed() {
+    table 03_2 "chapters/solutions/03_shadows_2.frag chapters/solutions/03_shadows_3.f*"
+    [ $? = 1 ] && says '^1 of 2 right$' && [ ! -e build/check/03_2"$handed_in" ]
+}
+check "several names with spaces between them; earlier pictures are gone" listed
+nobody() { table 03_2 "$handed_in/eve/*.frag"; [ $? = 2 ] && says 'no file has such a name'; }
+check "a pattern that fits no file is a wrong question" nobody
+endless() {
+    command -v timeout >/dev/null || return 0
+    CHECK_LIMIT=2 table 00_1 "$handed_in/endless.frag"
+    [ $? = 1 ] && says '^wrong .*does not end: no picture after 2 s'
+}
+check "a file that never ends is refused" endless
 asks_wrong() { # EXERCISE WORDS
     EXERCISE=$1 FILE=x FILES='' .make/check.sh >"$scratch/answer.03_2" 2>&1
     [ $? = 2 ] && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says "$2"
