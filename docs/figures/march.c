@@ -3,8 +3,8 @@
 
 #include "svg.h"
 
-// One scene unit is 90 pixels; the eye stands at the origin of the scene.
-static const double unit = 90.0, eye_x = 60.0, eye_y = 160.0;
+// One scene unit is 82 pixels; the eye stands at the origin of the scene.
+static const double unit = 82.0, eye_x = 118.0, eye_y = 142.0;
 static const double balls[2][3] = {{3.35, 0.62, 0.62}, {0.8, -1.42, 0.38}}; // x, y, radius
 static const double box[4] = {6.4, -0.62, 0.62, 0.75}; // x, y, half width, half height
 static const double slope = -6.0;                      // degrees
@@ -65,7 +65,7 @@ int main(void)
     double end_x = page_x(7.6 * cos(radians)), end_y = page_y(7.6 * sin(radians));
     svg_line(page_x(0.0), page_y(0.0), end_x, end_y,
              (struct svg_pen){.stroke = SVG_INK, .dash = "5 5"});
-    double t = 0.0;
+    double t = 0.0, at[12][2];
     int step = 0;
     for (bool found = false; !found && step < 12; step++) {
         double x = t * cos(radians), y = t * sin(radians), d = distance(x, y);
@@ -73,10 +73,14 @@ int main(void)
         svg_circle(page_x(x), page_y(y), unit * d,
                    (struct svg_pen){.stroke = SVG_ORANGE, .width = 1.8});
         svg_circle(page_x(x), page_y(y), found ? 5.0 : 3.5, (struct svg_pen){.fill = SVG_INK});
-        if (unit * d > 20.0)
-            svg_textf(page_x(x), page_y(y) - 9.0, 'm', 14.0, SVG_INK, "%d", step);
         draw_row(step, t, d);
+        at[step][0] = page_x(x);
+        at[step][1] = page_y(y);
         t += found ? 0.0 : d;
+    }
+    for (int i = 0; i < step - 1; i++) { // on a ground of their own, over the circles
+        svg_circle(at[i][0], at[i][1] - 15.0, 8.5, (struct svg_pen){.fill = SVG_PAPER});
+        svg_textf(at[i][0], at[i][1] - 10.0, 'm', 14.0, SVG_INK, "%d", i);
     }
     svg_line(page_x(0.0), page_y(0.0), page_x(t * cos(radians)), page_y(t * sin(radians)),
              (struct svg_pen){.stroke = SVG_INK, .width = 2.0});

@@ -37,6 +37,15 @@ static void words(struct place p, double dx, double dy, const char *colour, cons
     svg_text(page_x(p) + dx, page_y(p) + dy, 'l', 15.0, colour, text);
 }
 
+// The same on the screen: a ground of its own hides the lines of the grid.
+static void words_on_screen(struct place p, double dx, double dy, double width, const char *text)
+{
+    double l = page_x(p) + dx - 4.0, r = l + width + 8.0, b = page_y(p) + dy + 6.0, t = b - 21.0;
+    svg_polygon(4, (const double[4][2]){{l, t}, {r, t}, {r, b}, {l, b}},
+                (struct svg_pen){.fill = SVG_SKY});
+    words(p, dx, dy, SVG_TEAL, text);
+}
+
 static const double focal = 2.0, aspect = 1.5;
 
 static void draw_screen(void)
@@ -86,10 +95,10 @@ int main(void)
     words(eye, -44.0, 6.0, SVG_INK, "eye");
     words((struct place){0.0, 1.0, 0.0}, -12.0, -8.0, SVG_INK, "up");
     words((struct place){1.0, 0.0, 0.0}, -8.0, 22.0, SVG_INK, "right");
-    words((struct place){0.0, 0.0, 1.0}, -50.0, 22.0, SVG_INK, "forward");
-    words((struct place){0.0, 0.0, 1.25}, -18.0, 20.0, SVG_INK, "focalLength");
-    words(foot, -46.0, 24.0, SVG_TEAL, "<tspan font-style='italic'>x</tspan> right");
-    words(foot, 8.0, -22.0, SVG_TEAL, "<tspan font-style='italic'>y</tspan> up");
+    words((struct place){0.0, 0.0, 1.0}, -78.0, 24.0, SVG_INK, "forward");
+    words((struct place){0.0, 0.0, 1.25}, -52.0, 22.0, SVG_INK, "focalLength");
+    words_on_screen(foot, -54.0, 26.0, 44.0, "<tspan font-style='italic'>x</tspan> right");
+    words_on_screen(foot, 10.0, -22.0, 28.0, "<tspan font-style='italic'>y</tspan> up");
     words(beyond, -150.0, -16.0, SVG_ORANGE, "the ray of this pixel");
     svg_text(18.0, 404.0, 'l', 15.0, SVG_INK,
              "direction = normalize(<tspan font-style='italic'>x</tspan> right + <tspan "

@@ -46,17 +46,16 @@ int main(void)
         "Below, a row of balls, one a cell, with the walls of the cells as dashed lines.");
     plot_place(70.0, "right: x &#8722; N &#8970;x/N + &#189;&#8971;", right_place, SVG_BLUE);
     plot_place(440.0, "report: mod(x &#8722; N/2, N) + N/2", report_place, SVG_ORANGE);
-    const double unit = 84.0, middle = 380.0, row = 320.0;
-    for (int cell = -2; cell <= 2; cell++) {
+    const double unit = 72.0, middle = 380.0, row = 320.0;
+    for (int cell = -3; cell <= 2; cell++) {
         double x = middle + unit * period * cell;
         const struct svg_pen ball = {
             .stroke = SVG_BLUE, .width = 2.0, .fill = SVG_SKY, .opacity = cell == 0 ? 1.0 : 0.55};
         if (fabs(x - middle) < 360.0)
             svg_circle(x, row, unit * 0.6, ball);
         double wall = x + 0.5 * unit * period;
-        if (wall < 750.0)
-            svg_line(wall, row - 62.0, wall, row + 62.0,
-                     (struct svg_pen){.stroke = SVG_INK, .width = 1.0, .dash = "5 4"});
+        svg_line(wall, row - 62.0, wall, row + 62.0,
+                 (struct svg_pen){.stroke = SVG_INK, .width = 1.0, .dash = "5 4"});
         if (fabs(x - middle) < 360.0)
             svg_textf(x, row + 5.0, 'm', 15.0, SVG_BLUE, "cell %s%d", cell < 0 ? "&#8722;" : "",
                       cell < 0 ? -cell : cell);

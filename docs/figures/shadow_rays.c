@@ -5,7 +5,7 @@
 
 #include "svg.h"
 
-static const double unit = 88.0, left = 40.0, ground = 330.0;
+static const double unit = 88.0, left = 40.0, ground = 412.0;
 static const double lamp[2] = {5.6, 3.3}, eye[2] = {0.15, 2.2}, ball[3] = {4.15, 1.72, 0.52};
 
 static double page_x(double x)
@@ -64,7 +64,7 @@ static void look(double x, const char *name)
 int main(void)
 {
     svg_begin(
-        760.0, 380.0, "Two rays towards the lamp",
+        760.0, 462.0, "Two rays towards the lamp",
         "An eye on the left looks at two points of the ground, P and Q. From a little above each a "
         "second ray is marched towards the lamp, with its circles. The ray from Q, right of a "
         "ball, "
