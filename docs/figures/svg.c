@@ -198,3 +198,54 @@ void svg_plot_curve(const struct svg_plot *plot, int count, const double (*point
         }
     }
 }
+
+// The points where f changes its sign on the edges of one cell, in pixels: none, two or four.
+static int crossings(const struct svg_plot *plot, const double corner[4][3], double page[4][2])
+{
+    int count = 0;
+    for (int i = 0; i < 4; i++) {
+        const double *a = corner[i], *b = corner[(i + 1) % 4];
+        if ((a[2] < 0.0) == (b[2] < 0.0))
+            continue;
+        double s = a[2] / (a[2] - b[2]);
+        page[count][0] = svg_plot_x(plot, a[0] + s * (b[0] - a[0]));
+        page[count++][1] = svg_plot_y(plot, a[1] + s * (b[1] - a[1]));
+    }
+    return count;
+}
+
+void svg_plot_zero(const struct svg_plot *plot, double (*f)(double x, double y), struct svg_pen pen)
+{
+    const int columns = (int)(plot->width / 4.0), rows = (int)(plot->height / 4.0);
+    double dx = (plot->x[1] - plot->x[0]) / columns, dy = (plot->y[1] - plot->y[0]) / rows;
+    for (int cell = 0; cell < columns * rows; cell++) {
+        double corner[4][3], page[4][2];
+        for (int i = 0; i < 4; i++) { // round the cell
+            corner[i][0] = plot->x[0] + dx * (cell % columns + (i == 1 || i == 2));
+            corner[i][1] = plot->y[0] + dy * (cell / columns + (i >= 2));
+            corner[i][2] = f(corner[i][0], corner[i][1]);
+        }
+        int count = crossings(plot, (const double(*)[3])corner, page);
+        for (int i = 0; i + 1 < count; i += 2)
+            svg_line(page[i][0], page[i][1], page[i + 1][0], page[i + 1][1], pen);
+    }
+}
+
+void svg_pair(double top, const char *title, const char *const words[4], const double x[2],
+              const double y[2], struct svg_plot plot[2])
+{
+    svg_text(30.0, top + 18.0, 'l', 16.0, SVG_INK, title);
+    for (int i = 0; i < 2; i++) {
+        double left = 30.0 + 360.0 * i;
+        const double ground[4][2] = {{left, top + 30.0},
+                                     {left + 340.0, top + 30.0},
+                                     {left + 340.0, top + 160.0},
+                                     {left, top + 160.0}};
+        svg_polygon(4, ground,
+                    (struct svg_pen){.fill = "#ffffff", .stroke = SVG_PALE, .width = 1.0});
+        plot[i] = (struct svg_plot){left,         top + 30.0,   340.0, 130.0,
+                                    {x[0], x[1]}, {y[0], y[1]}, false, false};
+        svg_text(left, top + 178.0, 'l', 13.0, i == 0 ? SVG_ORANGE : SVG_BLUE, words[2 * i]);
+        svg_text(left, top + 195.0, 'l', 13.0, SVG_INK, words[2 * i + 1]);
+    }
+}

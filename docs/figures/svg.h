@@ -67,4 +67,19 @@ void svg_plot_frame(const struct svg_plot *plot, double x_step, double y_step, c
 void svg_plot_curve(const struct svg_plot *plot, int count, const double (*point)[2],
                     struct svg_pen pen);
 
+// Where a function of the plot's two numbers is zero, as short lines, one a cell of a grid.
+void svg_plot_zero(const struct svg_plot *plot, double (*f)(double x, double y),
+                   struct svg_pen pen);
+
+// A wrong formula beside the right one: two plots of a row, each with a ground and two lines of
+// words.
+//   top    pixels, where the row begins; it is SVG_PAIR_ROW high on a page of 760
+//   title  above both
+//   words  below the left plot, then below the right one
+//   x, y   the numbers at the edges of both
+//   plot   receives the two plots, 340 x 130 pixels
+#define SVG_PAIR_ROW 222.0
+void svg_pair(double top, const char *title, const char *const words[4], const double x[2],
+              const double y[2], struct svg_plot plot[2]);
+
 #endif
