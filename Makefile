@@ -14,8 +14,10 @@ FRAMES =
 FPS =
 ROUNDS =
 WRITE =
+DURATION =
 SANITIZE =
-export CHAPTER SUITE NAME EXERCISE FILE FILES FORCE FRAMES FPS ROUNDS WRITE
+FUZZER =
+export CHAPTER SUITE NAME EXERCISE FILE FILES FORCE FRAMES FPS ROUNDS WRITE DURATION
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -48,13 +50,20 @@ COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
 
 # The sanitizers: `make SANITIZE=1 programs tests` builds the same into build/sanitize/. Mesa unloads
 # its drivers, and a leak report from unloaded code has no names: so dlclose is empty there.
-ifeq ($(SANITIZE),)
+# `make FUZZER=1 fuzzer` builds what libFuzzer watches into build/fuzz/.
+CHECKS = address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+ifneq ($(FUZZER),)
+CC = clang
+BUILD = build/fuzz
+INSTRUMENT = -fsanitize=fuzzer-no-link,$(CHECKS)
+EXTRA =
+else ifeq ($(SANITIZE),)
 BUILD = build
 INSTRUMENT =
 EXTRA =
 else
 BUILD = build/sanitize
-INSTRUMENT = -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+INSTRUMENT = -fsanitize=$(CHECKS)
 EXTRA = $(BUILD)/tests/no_dlclose.o
 endif
 
@@ -74,6 +83,7 @@ all: ## build every chapter's program into build/ (the default)
 
 programs: $(PROGRAMS)
 tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%)
+fuzzer: $(BUILD)/tests/fuzz
 
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
@@ -84,6 +94,10 @@ $(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT)
 $(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/image.o \
     $(BUILD)/common/image_compare.o $(BUILD)/common/report.o $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
+
+# libFuzzer brings its own main.
+$(BUILD)/tests/fuzz: $(BUILD)/tests/fuzz.o $(BUILD)/tests/support_fuzz.o $(BUILD)/tests/support_scratch.o $(COMMON)
+	$(call say,link $@) $(CC) -fsanitize=fuzzer,$(CHECKS) $(LDFLAGS) -o $@ $^ $(LINK)
 
 # A figure may ask the mathematics that the tests ask.
 $(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/figures/svg.o $(SUPPORT) \
@@ -128,6 +142,11 @@ test: ## run every test; make test SUITE=camera runs one
 	@$(AGAIN) programs tests
 	@$(AGAIN) SANITIZE=1 programs tests
 	@tests/run.sh $(SUITE)
+
+fuzz: ## feed made-up bytes to the readers of shaders, parameters and command lines; DURATION=60 seconds each
+	@.make/setup.sh run fuzz
+	@$(AGAIN) FUZZER=1 fuzzer
+	@.make/fuzz.sh
 
 check: ## is a solution right? make check EXERCISE=03_2 FILE=my.frag; FILES='handed_in/*.frag' for a table
 	@.make/setup.sh run
@@ -190,7 +209,7 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 always:
-.PHONY: all programs tests run play film benchmark test check test-gpu gallery references book figures \
+.PHONY: all programs tests fuzzer run play film benchmark test fuzz check test-gpu gallery references book figures \
         figure_programs chapter diff lint format docs setup clean \
         help always
 .DELETE_ON_ERROR:

@@ -1,7 +1,7 @@
 #!/bin/sh
 # setup.sh [--check|--all] SET... - see to it that what the sets need is on this machine.
 #
-# Sets: run (build and render), test, lint, book. Where nothing is missing this asks only files and
+# Sets: run (build and render), test, lint, fuzz, book. Where nothing is missing this asks only files and
 # commands: no network, no package manager. Else, as root it installs; with a terminal and sudo it
 # says what it will install and lets sudo ask; otherwise it prints the one command and fails.
 #   --check  install nothing
@@ -106,6 +106,22 @@ need_lint() {
     need 'glslangValidator' 'glslang-tools|glslang|glslang|glslang' has_command glslangValidator
 }
 
+# The runtime of Debian's clang is a package of its own, named by clang's version.
+fuzzer_version() {
+    { clang -dumpversion || apt-cache show clang | sed -n 's/^Version: [0-9]*:*\([0-9.]*\).*/\1/p'; } 2>/dev/null |
+        sed -n '1s/\..*//p'
+}
+has_fuzzer() {
+    echo 'int LLVMFuzzerTestOneInput(const char *bytes, unsigned long size) { return !bytes && size; }' |
+        clang -x c -fsanitize=fuzzer,address -o /dev/null -
+}
+
+need_fuzz() {
+    need_run
+    version=$(fuzzer_version)
+    need 'clang with libFuzzer' "clang libclang-rt-${version:-14}-dev|clang compiler-rt|clang compiler-rt|-" has_fuzzer
+}
+
 need_book() {
     need_run
     need 'pandoc' 'pandoc|pandoc|pandoc|pandoc' has_command pandoc
@@ -124,8 +140,9 @@ look() {
         run) need_run ;;
         test) need_test ;;
         lint) need_lint ;;
+        fuzz) need_fuzz ;;
         book) need_book ;;
-        *) printf 'setup.sh: %s: no such set: run, test, lint or book\n' "$set" >&2; exit 2 ;;
+        *) printf 'setup.sh: %s: no such set: run, test, lint, fuzz or book\n' "$set" >&2; exit 2 ;;
         esac
     done
     # Two sets may name one package.

@@ -1,6 +1,6 @@
 // 02 Lighting: a lamp, a matt surface, and the light that comes back.
 //
-// A frame on a stage, balls and steps, under a warm lamp that circles and a cold one that stands
+// A frame on a stage, balls and a block, under a warm lamp that circles and a cold one that stands
 // still. Nothing casts a shadow yet: the lamp shines through everything.
 
 #include "main.glsl"       // main(): asks for pixelRay, then for rayColour

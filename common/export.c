@@ -238,16 +238,18 @@ static void put_word(struct export *e, const char *word, size_t length, bool glo
 // Blank #version, and the layout of an output.
 static void blank_rest(char *text, char *code)
 {
-    char *version = strstr(code, "#version"), *layout = strstr(code, "layout");
+    char *version = strstr(code, "#version");
     if (version != NULL) {
         size_t length = strcspn(version, "\n");
         memset(text + (version - code), ' ', length);
         memset(version, ' ', length);
     }
-    if (layout != NULL) {
-        size_t length = strcspn(layout, ")") + 1;
-        memset(text + (layout - code), ' ', length);
-        memset(layout, ' ', length);
+    const char *layout = glsl_find_word(code, "layout");
+    size_t from = layout != NULL ? (size_t)(layout - code) : 0;
+    size_t length = layout != NULL ? strcspn(layout, ")") : 0;
+    if (layout != NULL && layout[length] == ')') {
+        memset(text + from, ' ', length + 1);
+        memset(code + from, ' ', length + 1);
     }
 }
 
@@ -310,7 +312,7 @@ static void put_input_vector(struct export *e, const char *name, const float v[3
 
 static bool put_whole(struct export *e)
 {
-    char output[64];
+    char output[64] = "";
     char *text = strdup(e->source->text);
     if (text == NULL)
         return false;
