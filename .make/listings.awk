@@ -1,5 +1,5 @@
 # listings.awk - one page for listings.sh: the page on standard input or as operand, the page with
-# fresh blocks on standard output. Variables: mode (write, check), page, build.
+# fresh blocks on standard output. After source.awk. Variables: mode (write, check), page, build.
 
 function fail(text)
 {
@@ -7,96 +7,7 @@ function fail(text)
     bad = 1
 }
 
-# ---- What a source file defines ----
-
-# A line of a source without strings and comments, so that only code is left to count.
-function bare(line)
-{
-    gsub(/'(\\.|[^'\\])'/, "0", line)
-    gsub(/"(\\.|[^"\\])*"/, "0", line)
-    if (in_comment) {
-        if (!index(line, "*/"))
-            return ""
-        sub(/^.*\*\//, "", line)
-        in_comment = 0
-    }
-    sub(/\/\/.*/, "", line)
-    gsub(/\/\*([^*]|\*+[^*\/])*\*+\//, "", line)
-    if (index(line, "/*")) {
-        sub(/\/\*.*/, "", line)
-        in_comment = 1
-    }
-    sub(/[ \t]+$/, "", line)
-    return line
-}
-
-function count(text, pattern)
-{
-    return gsub(pattern, "", text)
-}
-
-# Note that file defines name from line first to line last.
-function define(file, name, first, last)
-{
-    definitions[file, name]++
-    from[file, name] = first
-    to[file, name] = last
-}
-
-# Note the names that a statement at column 0 defines.
-function define_statement(file, text, first, last,    at, head, mark, piece, n, i)
-{
-    at = match(text, /[{=;(\[]/)
-    head = substr(text, 1, at - 1)
-    mark = substr(text, at, 1)
-    sub(/[ \t]+$/, "", head)
-    if (mark == "(" && !index(text, "{"))
-        return
-    if (head ~ /^extern /)
-        return
-    if (mark == ";" && head ~ /^(struct|enum|union) [A-Za-z0-9_]+$/)
-        return
-    n = split(head, piece, ",")
-    for (i = 1; i <= n; i++)
-        if (match(piece[i], /[A-Za-z0-9_]+$/))
-            define(file, substr(piece[i], RSTART), first, last)
-}
-
-# Read a file once, and every definition in it. Returns the number of its lines, -1 when unreadable.
-function read_source(file,    line, n, code, first, text, depth, word)
-{
-    if (file in lines)
-        return lines[file]
-    n = first = depth = in_comment = 0
-    while ((getline line < file) > 0) {
-        source[file, ++n] = line
-        if (line ~ /\\$/ || source[file, n - 1] ~ /\\$/) {
-            if (line ~ /^#define / && split(line, word, /[ (]/) >= 2)
-                define(file, word[2], n, n)
-            continue
-        }
-        code = bare(line)
-        if (line ~ /^#define / && split(line, word, /[ (]/) >= 2)
-            define(file, word[2], n, n)
-        if (line ~ /^#/)
-            continue
-        if (!first && code ~ /^[A-Za-z_]/) {
-            first = n
-            text = ""
-        }
-        if (!first)
-            continue
-        text = text " " code
-        depth += count(code, "[{]") - count(code, "[}]")
-        if (depth <= 0 && (code ~ /;$/ || (code ~ /}$/ && text ~ /^[^={\[]*\(/))) {
-            define_statement(file, substr(text, 2), first, n)
-            first = depth = 0
-        }
-    }
-    lines[file] = n > 0 ? n : -1
-    close(file)
-    return lines[file]
-}
+# ---- Listings ----
 
 # The listing of a name, lines joined by newlines; "" after an error.
 function listing(file, name, comment,    first, last, text, i)

@@ -158,6 +158,22 @@ bad_exercises() { # PAGE
         END { judge(); if (count < 3) print "there are " count + 0 " exercises" }' "$1"
 }
 
+# Each lab of the guide has what a lab is made of; there are six.
+bad_labs() { # PAGE
+    awk '
+        function judge(i) {
+            for (i = 1; lab && i <= 4; i++)
+                if (!(part[i] in has)) print lab ": has no part " part[i]
+            split("", has)
+        }
+        BEGIN { split("*Predict.* *Show.* *Work.* *Exit_question.*", part, " ") }
+        { gsub(/Exit question/, "Exit_question") }
+        /^##/ { judge(); lab = "" }
+        /^### Lab / { lab = $0; count++ }
+        /^- / { has[$2] = 1 }
+        END { judge(); if (count != 6) print "there are " count + 0 " labs" }' "$1"
+}
+
 # Shaders that belong to a chapter and that its page never names.
 unnamed_shaders() { # STEM
     local file number=${1%%_*}
@@ -275,6 +291,8 @@ check_checks() {
     refuses 'an exercise without a grade' \
         "## Exercises\n\n**1. A title.** b\n\n*Hint.* a\n\nSolution\n\n**2. (easy) A.** b\n\n*Hint.* a\n\nSolution\n\n**3. (easy) A.** b\n\n*Hint.* a\n\nSolution\n" \
         bad_exercises
+    refuses 'a lab without a question' "$(sed '0,/Exit question/s//Question/' docs/teaching.md)" bad_labs
+    refuses 'a lab too few' "$(sed '/^### Lab 3/d' docs/teaching.md)" bad_labs
     refuses 'the mark of a merge' 'a\n<<<<<<< HEAD\nb\n' bad_merges
     refuses 'a formula that GitHub spoils' 'so $a \\\\, b$ is\n' bad_formulas
     refuses 'a summary of four lines' "## L'essentiel\n\n> a\n> b\n> c\n> d\n\ntext\n" bad_summary
@@ -317,8 +335,8 @@ END
 
 # lists NAME EXPECTED: below a marker stands this text.
 lists() { # NAME EXPECTED
-    local page=$scratch/list.md
-    printf 'before\n<!-- code: %s %s -->\nafter\n' "$scratch/source.glsl" "$1" >"$page"
+    local page=$scratch/list.md name=${1% with-comment}
+    printf 'before `%s`\n<!-- code: %s %s -->\nafter\n' "${name/\*/source.glsl}" "$scratch/source.glsl" "$1" >"$page"
     .make/listings.sh "$page" >/dev/null || return 1
     [ "$(sed -n '3,$p' "$page")" = "$(printf '```glsl\n%s\n```\nafter' "$2")" ] &&
         .make/listings.sh --check "$page" # what was written agrees with itself
@@ -357,7 +375,7 @@ check_tool() {
     check 'a malformed marker fails' fails "$page" 'malformed'
     printf '<!-- code: %s once -->\n```glsl\nfloat\n' "$source" >"$page"
     check 'a fence without end fails' fails "$page" 'no end'
-    printf '<!-- code: %s once -->\n```glsl\nstale\n```\n' "$source" >"$page"
+    printf '<!-- code: %s once -->\n```glsl\nstale\n```\n`once`\n' "$source" >"$page"
     check 'a stale listing fails --check' fails "$page" ':1: differs' --check
     check 'a stale listing is rewritten' rewrites "$page"
     check 'a rewritten listing passes --check' .make/listings.sh --check "$page"
@@ -372,7 +390,56 @@ check_tool() {
     check 'a table of no program fails' fails "$page" 'make first'
 }
 
+# ---- That listings are used ----
+
+# unused NAME PATTERN TEXT: a page of this text is refused, with these words.
+unused() {
+    printf '%b' "$3" >"$scratch/used.md"
+    .make/listings.sh "$scratch/used.md" >/dev/null 2>&1
+    ! .make/listings.sh --check "$scratch/used.md" >"$scratch/said" 2>&1
+    check "a page is refused for $1" grep -q -e "$2" "$scratch/said"
+}
+
+used() { # TEXT
+    printf '%b' "$1" >"$scratch/used.md"
+    .make/listings.sh "$scratch/used.md" >/dev/null && .make/listings.sh --check "$scratch/used.md"
+}
+
+# The same for functions and structs that no page shows.
+unlisted() { # MARKER...
+    printf '<!-- code: %s -->\n' "$@" >"$scratch/used.md"
+    awk -v library="$scratch/source.glsl" -f .make/source.awk -f .make/listings_used.awk \
+        "$scratch/used.md" 2>&1 | grep 'stands on no page'
+}
+
+check_use() {
+    local source=$scratch/source.glsl
+    write_source
+    unused 'a listing that its text never names' ':1: .* never names: `once`' \
+        "<!-- code: $source once -->\n\nThat was once, in \`oncemore\`.\n"
+    unused 'a listing that only a block names' 'never names: `once`' \
+        "<!-- code: $source once -->\n\n\`\`\`sh\n\`once\`\n\`\`\`\n"
+    unused 'a whole file that its text never names' 'never names: `source.glsl`' \
+        "<!-- code: $source * -->\n\n\`once\`\n"
+    check 'a listing that its text names passes' used \
+        "As \`once(p)\` says:\n\n<!-- code: $source once -->\n\n[all](x) of \`$source\`:\n\n<!-- code: $source * -->\n"
+    unused 'a copy of a source by hand' ':2: a copy by hand of shaders/march.glsl:5' \
+        'text\n```glsl\nstruct Hit {\n  bool found;\n\n};\n```\n'
+    check 'a block of two lines is no copy' used 'text\n```glsl\nstruct Hit {\n};\n```\n'
+    check 'lines in another order are no copy' used \
+        'text\n```glsl\n};\nstruct Hit {\n};\nstruct Hit {\n```\n'
+    check 'a function and a struct that no page shows are found' test "$(unlisted "$source EDGE" |
+        sed 's/.*: the //' | tr '\n' ',')" = \
+        "$(printf '%s stands on no page,' 'struct Pair' 'function once' 'function twice' 'function twice')"
+    check 'prototypes and constants need no page' test -z "$(unlisted "$source once" "$source Pair" "$source twice")"
+}
+
 check_pages
+judge "docs/teaching.md: each lab has its prediction, its demonstration, its work and its question" \
+    "$(bad_labs docs/teaching.md)"
+judge "every function and struct of the library that teaches stands on a page" \
+    "$(.make/listings.sh --check 2>&1 | grep 'stands on no page')"
 check_checks
 check_tool
+check_use
 plan

@@ -1,0 +1,131 @@
+# listings_used.awk - do the pages use their listings? After source.awk, for listings.sh; pages as operands.
+# A page that shows a listing names it in backticks in its text. A block of code of three lines or more
+# that is not written by a marker is no copy of a source, for it could rot. Variables:
+#
+#   sources  the files that a block may be copied from, spaces between them
+#   library  files whose every function and struct must stand as a listing on some page, or nothing
+
+function fail(where, text)
+{
+    print where ": " text > "/dev/stderr"
+    bad = 1
+}
+
+# ---- A page ----
+
+# Note the words of a line's inline code.
+function note_spoken(line,    part, word, n, m, i, k)
+{
+    n = split(line, part, "`")
+    for (i = 2; i < n; i += 2) {
+        m = split(part[i], word, /[^A-Za-z0-9_.]+/)
+        for (k = 1; k <= m; k++)
+            spoken[word[k]] = 1
+    }
+}
+
+# A page has been read: it must have spoken of each of its listings.
+function end_page(    i, name)
+{
+    for (i = 1; i <= shown; i++) {
+        name = show[i]
+        if (name == "*") {
+            name = show_file[i]
+            sub(/.*\//, "", name)
+        }
+        if (!(name in spoken))
+            fail(page ":" show_at[i], "a listing that the page's text never names: `" name "`")
+    }
+    split("", spoken)
+    shown = 0
+}
+
+# ---- A copy ----
+
+# A line as a copy is recognised: without its comment, its spaces reduced.
+function plain(line)
+{
+    sub(/\/\/.*/, "", line)
+    gsub(/[ \t]+/, " ", line)
+    gsub(/^ | $/, "", line)
+    return line
+}
+
+# The first line of the file from which on all lines of the block stand there in order; 0 if they do not.
+function copied_from(file,    i, k, first)
+{
+    read_source(file)
+    k = 1
+    for (i = 1; i <= lines[file] && k <= held; i++)
+        if (plain(source[file, i]) == block[k]) {
+            if (k++ == 1)
+                first = i
+        }
+    return k > held ? first : 0
+}
+
+function judge_block(    file, n, i, at)
+{
+    n = held < 3 ? 0 : split(sources, file, " ")
+    for (i = 1; i <= n; i++)
+        if ((at = copied_from(file[i]))) {
+            fail(page ":" block_at, "a copy by hand of " file[i] ":" at ": write a marker in its place")
+            return
+        }
+}
+
+# ---- The pages ----
+
+FNR == 1 {
+    if (page != "")
+        end_page()
+    page = FILENAME
+    fenced = marked = 0
+}
+
+/^ *```/ {
+    if (fenced && code)
+        judge_block()
+    fenced = !fenced
+    code = fenced && !marked && /^ *```(glsl|c)$/
+    block_at = FNR
+    held = marked = 0
+    next
+}
+
+fenced {
+    if (code && (line_plain = plain($0)) != "")
+        block[++held] = line_plain
+    next
+}
+
+/^<!-- code: / {
+    show[++shown] = $4
+    show_file[shown] = $3
+    show_at[shown] = FNR
+    listed[$3, $4] = marked = 1
+    next
+}
+
+{
+    marked = 0
+    note_spoken($0)
+}
+
+END {
+    if (page != "")
+        end_page()
+    n = split(library, file, " ")
+    for (i = 1; i <= n; i++) {
+        read_source(file[i])
+        m = split(names[file[i]], line, "\n")
+        for (k = 1; k < m; k++) {
+            split(line[k], word, " ")
+            if (word[1] == "other" || (file[i] ~ /scene\.glsl$/ && word[2] ~ /^[Tt]race/))
+                continue
+            if (!((file[i], word[2]) in listed))
+                fail(file[i] ":" from[file[i], word[2]], "the " word[1] " " word[2] " stands on no page")
+        }
+    }
+    exit bad
+}
