@@ -70,6 +70,29 @@ local function str(element)
     return parts
 end
 
+-- Inline code may break after a mark, so that a long path stays on the page.
+local escapes = {
+    ['\\'] = '\\textbackslash{}', ['{'] = '\\{', ['}'] = '\\}', ['$'] = '\\$', ['&'] = '\\&', ['#'] = '\\#',
+    ['%'] = '\\%', ['_'] = '\\_', ['^'] = '\\textasciicircum{}', ['~'] = '\\textasciitilde{}',
+    ["'"] = '\\textquotesingle{}', ['`'] = '\\textasciigrave{}',
+}
+
+local function code(element)
+    if #element.text < 16 then
+        return nil
+    end
+    local text = element.text:gsub('[\\{}$&#%%_^~\'`]', escapes)
+    text = text:gsub('([/,=_(])', '%1\\allowbreak{}'):gsub('%-%-', '-\\/-')
+    return pandoc.RawInline('latex', '\\texttt{' .. text .. '}')
+end
+
+-- A displayed formula that is wider than the page is set smaller.
+local function formula(element)
+    if element.mathtype == 'DisplayMath' then
+        return pandoc.RawInline('latex', '\\[\\fitted{' .. element.text .. '}\\]')
+    end
+end
+
 -- A wide table gets columns in proportion to their text, so that its cells wrap.
 -- Pictures share the width.
 local function width_of(cell)
@@ -85,7 +108,7 @@ local function table_widths(element)
     local function look(rows)
         for _, row in ipairs(rows) do
             for i, cell in ipairs(row.cells) do
-                longest[i] = math.max(longest[i] or 6, width_of(cell))
+                longest[i] = math.max(longest[i] or 9, width_of(cell))
             end
         end
     end
@@ -93,12 +116,16 @@ local function table_widths(element)
     for _, body in ipairs(element.bodies) do
         look(body.body)
     end
+    for i = 1, #longest do
+        total = total + longest[i]
+    end
+    if total < 70 then
+        return nil
+    end
+    total = 0
     for i, longest_here in ipairs(longest) do
         longest[i] = math.min(longest_here, 60)
         total = total + longest[i]
-    end
-    if total < 76 then
-        return nil
     end
     for i, spec in ipairs(element.colspecs) do
         element.colspecs[i] = {spec[1], longest[i] / total}
@@ -118,6 +145,7 @@ end
 function Pandoc(document)
     local blocks = pandoc.walk_block(pandoc.Div(document.blocks), {
         Header = header, Link = link, Para = paragraph, Image = picture, RawBlock = raw, RawInline = raw, Str = str, Table = table_widths,
+        Code = code, Math = formula,
     }).content
     return pandoc.Pandoc(blocks, pandoc.Meta({}))
 end

@@ -7,9 +7,9 @@ folder=build/book
 rm -rf "$folder"
 mkdir -p "$folder" || exit 1
 
-# The order of the book: how to read it, the chapters, what stands behind them.
+# The order of the book: how to read it, the chapters, what stands behind them, how the house is built.
 pages=() files=()
-for page in docs/README.md docs/[0-9][0-9]_*.md docs/benchmark.md docs/errata.md docs/glossary.md docs/teaching.md; do
+for page in docs/README.md docs/[0-9][0-9]_*.md docs/{benchmark,errata,glossary,teaching,architecture,contributing}.md; do
     [ ! -e "$page" ] || pages+=("$page")
 done
 
@@ -28,6 +28,9 @@ cat >"$folder/head.tex" <<'END'
 \providecommand{\lt}{<}
 \providecommand{\gt}{>}
 \AtBeginDocument{\renewcommand{\setminus}{\mathbin{\backslash}}}
+\newsavebox{\formulabox}
+\newcommand{\fitted}[1]{\sbox{\formulabox}{$\displaystyle #1$}%
+  \ifdim\wd\formulabox>\linewidth\resizebox{\linewidth}{!}{\usebox{\formulabox}}\else\usebox{\formulabox}\fi}
 \usepackage{float}
 \floatplacement{figure}{H}
 \emergencystretch=3em
