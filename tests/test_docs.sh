@@ -158,6 +158,35 @@ bad_exercises() { # PAGE
         END { judge(); if (count < 3) print "there are " count + 0 " exercises" }' "$1"
 }
 
+# French words in a page's brackets that the glossary lacks.
+untranslated() { # PAGE
+    prose_of "$1" | grep -o '([*][^*]*[*]' | sed 's/^([*]//; s/[*]$//; s/, /\n/g' | while IFS= read -r word; do
+        awk -F ' *[|] *' -v word="$word" '
+            function words(text) { # a plural is the word too
+                gsub(/[-*,()]/, " ", text)
+                text = " " text " "
+                gsub(/s? +/, " ", text)
+                return text
+            }
+            index(words($3), words(word)) { found = 1 }
+            END { exit !found }' docs/glossary.md || echo "$1: ($word) is not in docs/glossary.md"
+    done
+}
+
+# The glossary's terms, in order and each once, each with its French name and its place.
+bad_glossary() { # PAGE
+    awk -F ' *[|] *' '
+        /^## Symbols/ { exit }
+        /^[|] / && !/^[|] (English|---)/ {
+            term = tolower($2); gsub(/[^a-z0-9]+/, " ", term)
+            if (term "" <= last) print $2 ": out of order, or twice"
+            if ($3 !~ /^[*]..*[*]$/) print $2 ": has no French name"
+            if ($5 == "" || $6 !~ /^\[[0-9][0-9]\]\(/) print $2 ": is not said, or without its place"
+            last = term; count++
+        }
+        END { if (count < 100) print "there are " count + 0 " terms" }' "$1"
+}
+
 # Each lab of the guide has what a lab is made of; there are six.
 bad_labs() { # PAGE
     awk '
@@ -266,6 +295,7 @@ check_pages() {
         fi
         judge "docs/$stem.md: has its five lines in French" "$(bad_summary "docs/$stem.md")"
         judge "docs/$stem.md: its exercises have hints and solutions" "$(bad_exercises "docs/$stem.md")"
+        judge "docs/$stem.md: its French terms are in the glossary" "$(untranslated "docs/$stem.md")"
         judge "docs/$stem.md: names every parameter" "$(unnamed_parameters "$stem")"
         judge "docs/$stem.md: names every shader that goes with it" "$(unnamed_shaders "$stem")"
     done
@@ -291,6 +321,9 @@ check_checks() {
     refuses 'an exercise without a grade' \
         "## Exercises\n\n**1. A title.** b\n\n*Hint.* a\n\nSolution\n\n**2. (easy) A.** b\n\n*Hint.* a\n\nSolution\n\n**3. (easy) A.** b\n\n*Hint.* a\n\nSolution\n" \
         bad_exercises
+    refuses 'a French term that the glossary lacks' 'the ray (*rayon*), the **word** (*mot, rayon*)\n' untranslated
+    refuses 'a term twice' "$(sed '/^| acne /p' docs/glossary.md)" bad_glossary
+    refuses 'a term without a French name' "$(sed 's/ [*]cellule[*] / /' docs/glossary.md)" bad_glossary
     refuses 'a lab without a question' "$(sed '0,/Exit question/s//Question/' docs/teaching.md)" bad_labs
     refuses 'a lab too few' "$(sed '/^### Lab 3/d' docs/teaching.md)" bad_labs
     refuses 'the mark of a merge' 'a\n<<<<<<< HEAD\nb\n' bad_merges
@@ -435,6 +468,7 @@ check_use() {
 }
 
 check_pages
+judge "docs/glossary.md: terms in order, with French names and places" "$(bad_glossary docs/glossary.md)"
 judge "docs/teaching.md: each lab has its prediction, its demonstration, its work and its question" \
     "$(bad_labs docs/teaching.md)"
 judge "every function and struct of the library that teaches stands on a page" \
