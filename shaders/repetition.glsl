@@ -98,7 +98,7 @@ float cellOthers(float x, float period, float reach)
 
 // A number in [0, 1) that looks random, the same for the same cell on every machine: an integer hash,
 // no sine. Its 24 bits are independent: fract(64 cellRandom) is a second number, less its first 6.
-//   cell  whole numbers
+//   cell  whole numbers; to exchange the last two changes nothing, so a field takes the first and one other
 // Source: after pcg3d of M. Jarzynski, M. Olano, 'Hash functions for GPU rendering', JCGT 9 (2020),
 // whose rounds change x, y and z one after another; here all three at once.
 float cellRandom(ivec3 cell)

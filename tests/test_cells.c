@@ -167,6 +167,7 @@ static void test_hash_is_the_same_to_the_bit(void **unused)
             assert_true((double)v[0] == cell_hash(x, y, z) && (double)v[1] == cell_hash(z, x, y));
             assert_true((double)v[2] == cell_hash(y, z, x));
             assert_true((double)v[3] == cell_hash(8191 * x, 8191 * y, 8191 * z));
+            assert_true(cell_hash(x, z, y) == (double)v[0]); // as the header says
         }
         free(values);
     }
