@@ -65,6 +65,14 @@ broken() { ! accepted 03_2 "$scratch/in/broken.frag" && says 'does not run: .*br
 check "a file that does not compile is refused with its line" broken
 absent() { ! accepted 03_2 "$scratch/in/absent.frag" && says 'cannot be read'; }
 check "a file that is not there is refused" absent
+# The maximum draws the same lens as the exact distance; the steps tell them apart.
+bound() {
+    sed 's|exact; // true|exact; // false|; s|"../|"chapters/|' chapters/solutions/04_hue_colour_4.frag \
+        >"$scratch/in/bound.frag"
+    ! accepted 04_4 "$scratch/in/bound.frag" && grep -q 'most around ' "$scratch/answer.04_4"
+}
+check "a bound is refused where an exact distance is asked for" bound
+rm -f "$scratch/in/bound.frag"
 
 table() {
     EXERCISE=03_2 FILE='' FILES="$scratch/in/*.frag" \

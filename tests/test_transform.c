@@ -131,6 +131,12 @@ static double residual(double a, double b, double c)
     return acos(fmax(-1.0, fmin(1.0, 0.5 * (trace - 1.0)))) / k;
 }
 
+// The same for small angles, by docs/05_transforms.md: products of two.
+static double estimated(double a, double b, double c)
+{
+    return sqrt(b * c * b * c + a * c * a * c + a * b * a * b) * MIRROR_PI / 180.0;
+}
+
 static void test_negated_angles_are_no_inverse(void **unused)
 {
     (void)unused;
@@ -138,10 +144,11 @@ static void test_negated_angles_are_no_inverse(void **unused)
     print_message("# left by negated angles: %.1f degrees at (30, 40, 20), %.1f at (90, 90, 0)\n",
                   left, worse);
     assert_true(fabs(left - 26.1) < 0.05 && fabs(worse - 120.0) < 1e-6);
-    // Small angles: the estimate of docs/05_transforms.md, products of two.
-    double small = residual(5.0, 5.0, 5.0), estimate = sqrt(3.0) * 25.0 * MIRROR_PI / 180.0;
-    print_message("# at (5, 5, 5): %.3f degrees, estimated %.3f\n", small, estimate);
+    double small = residual(5.0, 5.0, 5.0), estimate = estimated(5.0, 5.0, 5.0);
+    print_message("# at (5, 5, 5): %.3f degrees, estimated %.3f; at (30, 40, 20) estimated %.1f\n",
+                  small, estimate, estimated(30.0, 40.0, 20.0));
     assert_true(fabs(small / estimate - 1.0) < 0.05);
+    assert_true(fabs(estimated(30.0, 40.0, 20.0) - 27.3) < 0.05);
     assert_true(residual(30.0, 0.0, 0.0) < 1e-5 && residual(0.0, 0.0, -70.0) < 1e-5);
     // The printed matrix: a term of row 1, column 2 is missing.
     double k = MIRROR_PI / 180.0;
