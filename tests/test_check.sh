@@ -59,7 +59,7 @@ cp chapters/solutions/03_shadows_2.frag "$handed_in/ada/my lamp.frag"
 cp chapters/solutions/03_shadows_1.frag "$handed_in/ada/mine.frag"
 echo '#include "03_shadows.frag"' >"$handed_in/ben/mine.frag"
 echo 'float sceneDistance(vec3 p) { return 1 +; }' >"$handed_in/ben/broken.frag"
-: >"$handed_in/ben/empty.frag"
+: >"$handed_in/ben/empty file.frag"
 cat >"$handed_in/endless.frag" <<'END'
 #version 330 core
 in vec2 FragCoord;
@@ -84,9 +84,16 @@ check "a picture that is right with rays that are not is refused" \
     one_is ben/rays.frag 'picture is right, its rays are not: pixel '
 check "a file that does not compile is refused with its line" \
     one_is ben/broken.frag 'does not run: .*broken.frag:1'
-check "an empty file is refused" one_is ben/empty.frag 'does not run: .*empty.frag: empty'
+check "an empty file, with a space in its name, is refused" \
+    one_is 'ben/empty file.frag' 'does not run: .*empty file.frag: empty'
 check "a file that is not there is refused" one_is absent.frag 'is no file'
-check "a name with a space is one file" accepted 03_2 "$handed_in/ada/my lamp.frag"
+
+# The maximum draws the same lens as the exact distance; the steps tell them apart.
+bound() {
+    sed 's|exact; // true|exact; // false|' chapters/solutions/04_hue_colour_4.frag >"$scratch/bound.frag"
+    ! accepted 04_4 "$scratch/bound.frag" && grep -q 'most around ' "$scratch/answer.04_4"
+}
+check "a bound is refused where an exact distance is asked for" bound
 
 table() { # EXERCISE PATTERN
     EXERCISE=$1 FILE='' FILES=$2 .make/check.sh >"$scratch/answer.03_2" 2>&1
@@ -94,7 +101,7 @@ table() { # EXERCISE PATTERN
 of_class() {
     table 03_2 "$handed_in/*/*.frag"
     [ $? = 1 ] && says '^right  .*ada/my lamp.frag ' && says '^wrong  .*rays.frag ' &&
-        says '^wrong  .*broken.frag ' && says '^wrong  .*empty.frag ' && says '^1 of 6 right$'
+        says '^wrong  .*broken.frag ' && says '^wrong  .*empty file.frag ' && says '^1 of 6 right$'
 }
 check "a folder outside the project gives a table" of_class
 of_one_name() {
@@ -105,8 +112,8 @@ of_one_name() {
 }
 check "files of one name leave pictures of their own" of_one_name
 listed() {
-    table 03_2 "chapters/solutions/03_shadows_2.frag chapters/solutions/03_shadows_3.f*"
-    [ $? = 1 ] && says '^1 of 2 right$' && [ ! -e build/check/03_2"$handed_in" ]
+    table 03_2 "chapters/solutions/03_shadows_1.frag chapters/solutions/03_shadows_3.f*"
+    [ $? = 1 ] && says '^0 of 2 right$' && [ ! -e build/check/03_2"$handed_in" ]
 }
 check "several names with spaces between them; earlier pictures are gone" listed
 nobody() { table 03_2 "$handed_in/eve/*.frag"; [ $? = 2 ] && says 'no file has such a name'; }
