@@ -83,6 +83,7 @@ local function code(element)
     end
     local text = element.text:gsub('[\\{}$&#%%_^~\'`]', escapes)
     text = text:gsub('([/,=_(])', '%1\\allowbreak{}'):gsub('%-%-', '-\\/-')
+    text = text:gsub('(%l)(%u)', '%1\\allowbreak{}%2')
     return pandoc.RawInline('latex', '\\texttt{' .. text .. '}')
 end
 
@@ -108,7 +109,7 @@ local function table_widths(element)
     local function look(rows)
         for _, row in ipairs(rows) do
             for i, cell in ipairs(row.cells) do
-                longest[i] = math.max(longest[i] or 9, width_of(cell))
+                longest[i] = math.max(longest[i] or 13, width_of(cell))
             end
         end
     end
@@ -142,10 +143,17 @@ local function raw(element)
     end
 end
 
+-- A diagram in Mermaid is for the screen; on paper the table before it says the same.
+local function block(element)
+    if element.classes:includes('mermaid') then
+        return {}
+    end
+end
+
 function Pandoc(document)
     local blocks = pandoc.walk_block(pandoc.Div(document.blocks), {
         Header = header, Link = link, Para = paragraph, Image = picture, RawBlock = raw, RawInline = raw, Str = str, Table = table_widths,
-        Code = code, Math = formula,
+        Code = code, CodeBlock = block, Math = formula,
     }).content
     return pandoc.Pandoc(blocks, pandoc.Meta({}))
 end

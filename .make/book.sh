@@ -23,6 +23,7 @@ done
 cat >"$folder/head.tex" <<'END'
 \usepackage{fvextra}
 \DefineVerbatimEnvironment{Highlighting}{Verbatim}{breaklines,breakanywhere,commandchars=\\\{\}}
+\RecustomVerbatimEnvironment{verbatim}{Verbatim}{breaklines,breakanywhere}
 \fvset{breaklines=true,breakanywhere=true,fontsize=\small}
 \newfontfamily{\symbolfont}{DejaVu Sans}
 \providecommand{\lt}{<}
