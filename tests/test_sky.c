@@ -52,6 +52,11 @@ static double shell_way(double s, double earth)
     return sqrt(b * b + 2.0 * earth + 1.0) - b;
 }
 
+static double mass_at(double height)
+{
+    return shell_way(sin(height * MIRROR_PI / 180.0), 721.5);
+}
+
 static void test_air_mass_and_transmittance(void **unused)
 {
     (void)unused;
@@ -84,7 +89,7 @@ static void test_air_mass_is_near_the_measured_one(void **unused)
     (void)unused;
     double worst = 0.0, at = 0.0;
     for (double h = 0.0; h <= 90.0; h += 0.25) {
-        double ratio = shell_way(sin(h * MIRROR_PI / 180.0), 721.5) / kasten_young(h);
+        double ratio = mass_at(h) / kasten_young(h);
         if (fabs(ratio - 1.0) > worst) {
             worst = fabs(ratio - 1.0);
             at = h;
@@ -93,19 +98,28 @@ static void test_air_mass_is_near_the_measured_one(void **unused)
     print_message("# even shell against Kasten and Young: worst %.1f %%, at %.2f degrees\n",
                   100.0 * worst, at);
     for (int h = 0; h <= 90; h += h < 30 ? 5 : 30)
-        print_message("# height %2d: shell %.2f, Kasten and Young %.2f\n", h,
-                      shell_way(sin(h * MIRROR_PI / 180.0), 721.5), kasten_young(h));
+        print_message("# height %2d: shell %.2f, Kasten and Young %.2f\n", h, mass_at(h),
+                      kasten_young(h));
     assert_true(worst < 0.06);
 }
 
-// The sky colour (0.5, 0.7, 1) times the transmittance beyond one air mass, the sun at 30 degrees.
-static void test_sun_at_thirty_degrees(void **unused)
+// What is left of the sun's white, and the first model of the sky: (0.5, 0.7, 1) times the
+// transmittance beyond one air mass, which is blue at 30 degrees and red above green above blue
+// only when low.
+static void test_light_of_a_low_sun(void **unused)
 {
     (void)unused;
-    double beyond = shell_way(0.5, 721.5) - 1.0;
-    assert_true(fabs(0.5 * exp(-0.04 * beyond) - 0.48) < 0.005);
-    assert_true(fabs(0.7 * exp(-0.10 * beyond) - 0.635) < 0.005);
-    assert_true(fabs(1.0 * exp(-0.25 * beyond) - 0.78) < 0.005);
+    const double heights[] = {90.0, 46.4, 30.0, 10.0, 5.0, 2.0, 0.0};
+    for (int i = 0; i < 7; i++) {
+        double mass = mass_at(heights[i]), red = exp(-0.04 * mass), green = exp(-0.1 * mass),
+               blue = exp(-0.25 * mass);
+        print_message("# sun at %.1f: mass %.2f, left %.3f %.3f %.4f, red : blue %.1f\n",
+                      heights[i], mass, red, green, blue, red / blue);
+        double sky[3] = {0.5 * red / exp(-0.04), 0.7 * green / exp(-0.1), blue / exp(-0.25)};
+        print_message("#   first model of the sky %.2f %.2f %.2f\n", sky[0], sky[1], sky[2]);
+        assert_int_equal(sky[0] > sky[2], heights[i] <= 10.0);
+        assert_int_equal(sky[0] > sky[1], heights[i] <= 5.0);
+    }
 }
 
 // The integral of section 5 of the page by Simpson's rule.
@@ -118,6 +132,24 @@ static double scattered(double depth, double v, double s)
         sum += weight * v * exp(-t * s - (depth - t) * v);
     }
     return sum * depth / N / 3.0;
+}
+
+// The formula of section 5 against its integral, at the places of the page's table.
+static void test_formula_of_scattered_light(void **unused)
+{
+    (void)unused;
+    const double depth[3] = {0.04, 0.1, 0.25}, view[2] = {1.0, 38.0};
+    const double sun[2] = {mass_at(48.4), 38.0};
+    for (int i = 0; i < 4; i++) {
+        double v = view[i % 2], s = sun[i / 2], light[3];
+        for (int k = 0; k < 3; k++) {
+            double x = depth[k];
+            light[k] = v == s ? x * v * exp(-x * v) : v * (exp(-x * s) - exp(-x * v)) / (v - s);
+            assert_true(fabs(light[k] - scattered(x, v, s)) < 1e-8);
+        }
+        print_message("# scattered light, sun's mass %.2f, view's %.0f: %.3f %.3f %.4f\n", s, v,
+                      light[0], light[1], light[2]);
+    }
 }
 
 static void test_scattered_light_is_the_integral(void **unused)
@@ -229,9 +261,9 @@ static void test_city_is_never_farther_than_it_says(void **unused)
     (void)unused;
     assert_true(gpu_load(&gpu, "tests/shaders/city.frag"));
     float *places = city(0.5), *distances = city(1.5);
-    int inside = 0, capped = 0;
+    int asked = 0, inside = 0, capped = 0;
     double closest = 1.0;
-    for (int i = 0; i < WIDE * HIGH; i += 3) {
+    for (int i = 0; i < WIDE * HIGH; i += 3, asked++) {
         struct d3 share = d3_sub(d3_times(2.0, d3_of(places + 4 * i)), d3(1.0, 1.0, 1.0));
         struct d3 p = d3(24.0 * share.x, 8.0 + 8.0 * share.y, 24.0 * share.z);
         double f = 32.0 * ((double)distances[4 * i] - 0.5), truth = city_towers_brute(p, 4);
@@ -246,9 +278,9 @@ static void test_city_is_never_farther_than_it_says(void **unused)
     }
     free(places);
     free(distances);
-    print_message(
-        "# city: %d places in towers, %d where the cap or a corner is felt; least share %.3f\n",
-        inside, capped, closest);
+    print_message("# city: %d places, %d in towers, %d where the cap or a corner is felt; "
+                  "least share %.3f\n",
+                  asked, inside, capped, closest);
     assert_true(inside > 1000 && capped > 1000);
 }
 
@@ -286,7 +318,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_air_mass_and_transmittance),
         cmocka_unit_test(test_air_mass_is_near_the_measured_one),
-        cmocka_unit_test(test_sun_at_thirty_degrees),
+        cmocka_unit_test(test_light_of_a_low_sun),
+        cmocka_unit_test(test_formula_of_scattered_light),
         cmocka_unit_test(test_scattered_light_is_the_integral),
         cmocka_unit_test(test_sun_runs_as_the_sphere_says),
         cmocka_unit_test(test_sun_of_the_picture),
