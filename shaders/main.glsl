@@ -2,7 +2,7 @@
 // trace holds.
 //
 // The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice,
-// 5 the numbers of a probe, 6 evaluations of the scene.
+// 5 the numbers of a probe, 6 evaluations of the scene, and how few of the march would do.
 
 #include "cover.glsl"
 #include "inputs.glsl"
