@@ -92,9 +92,10 @@ static int print_acne(struct gpu *gpu)
 
 static void print_bound_row(const char *stem, const char *rays, const struct bound_sums *sum)
 {
-    printf("%s,%s,%d,%.2f,%.2f,%.2f,%.2f,%.2f\n", stem, rays, sum->rays,
+    printf("%s,%s,%d,%.2f,%.2f,%.2f,%.2f,%.2f,%.4f\n", stem, rays, sum->rays,
            (double)sum->march / sum->rays, (double)sum->least / sum->rays,
-           (double)sum->most / sum->rays, (double)sum->march / sum->least, sum->smallest);
+           (double)sum->most / sum->rays, (double)sum->march / sum->least, sum->smallest,
+           sum->lipschitz);
 }
 
 // Rays from height 1: under an angle towards a plane, beside it (0), or away from it.
@@ -117,7 +118,7 @@ static int print_bound(struct gpu *gpu)
 {
     print_bound_planes();
     printf("# evaluations of a march, and the fewest that could do: between least and most\n");
-    printf("chapter,end,rays,march,least,most,march / least,smallest of a ray\n");
+    printf("chapter,end,rays,march,least,most,march / least,of one ray,slope\n");
     for (int i = 0; i < bound_case_count; i++) {
         struct bound_sums sum[2];
         if (!bound_measure(gpu, &bound_cases[i], 1, sum))
