@@ -55,18 +55,19 @@ done
 
 whole() { sed 's/^null$/-/' | awk '{ print $1 == "-" ? "-" : sprintf("%.0f", $1) }'; }
 tenth() { sed 's/^null$/-/' | awk '{ print $1 == "-" ? "-" : sprintf("%.1f", $1) }'; }
+hundredth() { sed 's/^null$/-/' | awk '{ print $1 == "-" ? "-" : sprintf("%.2f", $1) }'; }
 {
     echo "$(cat "$work/backend"); 640x360, $rounds rounds of $frames frames"
     echo
-    echo '| chapter | frame, units | frame, ms | frame, wall ms | cold start, ms | evaluations, mean | 99 % | most |'
-    echo '| --- | --- | --- | --- | --- | --- | --- | --- |'
+    echo '| chapter | frame, units | frame, ms | frame, wall ms | cold start, ms | evaluations, mean | 99 % | most | march / bound |'
+    echo '| --- | --- | --- | --- | --- | --- | --- | --- | --- |'
     for stem in $stems; do
         last=$work/$stem.$rounds
-        printf '| %s | %.2f | %.1f | %.1f | %.0f | %s | %s | %s |\n' "$stem" \
+        printf '| %s | %.2f | %.1f | %.1f | %.0f | %s | %s | %s | %s |\n' "$stem" \
             "$(middle <"$work/$stem.ratio")" "$(middle <"$work/$stem.frame")" \
             "$(middle <"$work/$stem.wall")" "$(middle <"$work/$stem.cold")" \
             "$(value evaluations_mean <"$last" | tenth)" "$(value evaluations_p99 <"$last" | whole)" \
-            "$(value evaluations_maximum <"$last" | whole)"
+            "$(value evaluations_maximum <"$last" | whole)" "$(value march_over_bound <"$last" | hundredth)"
     done
 } >"$work/table"
 cat "$work/table"

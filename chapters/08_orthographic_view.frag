@@ -85,7 +85,7 @@ float foam(float along, float aside)
 {
     float lane = floor(12.0 * aside);
     float line = fract(0.5 * along - 0.4 * iTime + 0.37 * lane * lane);
-    return smoothstep(0.75, 0.9, line) * smoothstep(1.0, 0.9, line);
+    return smoothstep(0.75, 0.9, line) * (1.0 - smoothstep(0.9, 1.0, line));
 }
 
 // How far the water at p has come, from one side of the channel to the next.

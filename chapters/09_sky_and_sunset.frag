@@ -205,7 +205,7 @@ vec2 windowsAt(Place place, vec2 at, float random, vec3 sun)
     bool shop = at.y < 1.0, there = place.tower && !place.ground && abs(place.normal.y) < 0.5;
     vec2 filled = shop ? vec2(0.86, 0.7) : vec2(0.6, 0.56);
     float pane = stripes(at.x, filled.x, width.x) * stripes(at.y, filled.y, width.y);
-    float share = (shop ? 0.8 : 0.42) * smoothstep(0.2, -0.08, sun.y) * smoothstep(-0.85, -0.4, sun.y);
+    float share = (shop ? 0.8 : 0.42) * (1.0 - smoothstep(-0.08, 0.2, sun.y)) * smoothstep(-0.85, -0.4, sun.y);
     float lit = random < share ? 0.25 + 0.75 * fract(64.0 * random) : 0.0;
     return vec2(there ? mix(pane, filled.x * filled.y, blur) : 0.0, mix(lit, 0.6 * share, blur));
 }
@@ -241,7 +241,7 @@ vec3 placeLight(vec3 p, Place place, vec3 direction, float seen, vec3 sun, vec3 
 {
     vec3 around = skyLight(sun), direct = seen * sunLight(sun), normal = place.normal;
     vec3 toLight = sun.y > 0.0 ? sun : -sun, toLamp = LAMP - pavement(place.block.local);
-    float dusk = smoothstep(0.12, -0.02, sun.y);
+    float dusk = 1.0 - smoothstep(-0.02, 0.12, sun.y);
     vec3 local = place.block.local;
     vec2 at = vec2(abs(normal.x) > 0.5 ? local.z : local.x, p.y) / BAY.xy + vec2(0.5, 0.0);
     float wall = 4096.0 * place.block.random + sign(normal.x + 2.0 * normal.z);

@@ -149,6 +149,30 @@ static int compare_floats(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+// Compare the marches of the grid's rays with the least that could have done.
+//   values  4 a pixel, as shaders/main.glsl writes them: -, steps, the least, -
+static struct benchmark_cover cover_of(const float *values, size_t pixels)
+{
+    struct benchmark_cover cover = {0};
+    double march = 0.0, bound = 0.0;
+    for (size_t i = 0; i < pixels; i++) {
+        double steps = (double)values[4 * i + 1], least = (double)values[4 * i + 2];
+        if (least == 0.0)
+            continue;
+        march += steps;
+        bound += least;
+        if (cover.rays == 0 || steps / least < cover.ray_ratio)
+            cover.ray_ratio = steps / least;
+        cover.rays++;
+    }
+    if (cover.rays > 0) {
+        cover.march = march / cover.rays;
+        cover.bound = bound / cover.rays;
+        cover.ratio = march / bound;
+    }
+    return cover;
+}
+
 static bool count_evaluations(struct benchmark *benchmark, struct renderer *renderer)
 {
     enum shader_view view = renderer->view;
@@ -163,6 +187,7 @@ static bool count_evaluations(struct benchmark *benchmark, struct renderer *rend
     if (done) {
         double sum = 0.0;
         renderer_read(renderer, values);
+        benchmark->cover = cover_of(values, pixels);
         for (size_t i = 0; i < pixels; i++) {
             values[i] = values[4 * i];
             sum += (double)values[i];
@@ -226,6 +251,12 @@ static void print_text(const struct benchmark *b, FILE *file)
                 b->percentile, b->most);
     else
         fprintf(file, "-, a file with a main of its own does not count them\n");
+    if (b->cover.rays > 0)
+        fprintf(file,
+                "%-14s %.2f evaluations a ray, the least %.2f: march / bound %.2f, of one ray at "
+                "least %.2f; rays: %d\n",
+                "march", b->cover.march, b->cover.bound, b->cover.ratio, b->cover.ray_ratio,
+                b->cover.rays);
 }
 
 static void print_string(FILE *file, const char *name, const char *text)
@@ -251,6 +282,24 @@ static void print_span(FILE *file, const char *name, const struct benchmark_span
             fprintf(file, "  \"%s_%s_ms\": null,\n", name, clock_names[i]);
 }
 
+static void print_cover(const struct benchmark_cover *cover, FILE *file)
+{
+    const struct {
+        const char *name;
+        double value;
+    } item[] = {{"march_evaluations", cover->march},
+                {"march_bound", cover->bound},
+                {"march_over_bound", cover->ratio},
+                {"march_over_bound_minimum", cover->ray_ratio}};
+    fprintf(file, "  \"march_rays\": %d", cover->rays);
+    for (int i = 0; i < 4; i++)
+        if (cover->rays > 0)
+            fprintf(file, ",\n  \"%s\": %.4f", item[i].name, item[i].value);
+        else
+            fprintf(file, ",\n  \"%s\": null", item[i].name);
+    fprintf(file, "\n");
+}
+
 static void print_json(const struct benchmark *b, FILE *file)
 {
     fprintf(file, "{\n");
@@ -268,11 +317,13 @@ static void print_json(const struct benchmark *b, FILE *file)
     if (b->has_evaluations)
         fprintf(file,
                 "  \"evaluations_mean\": %.4f,\n  \"evaluations_p99\": %.0f,\n"
-                "  \"evaluations_maximum\": %.0f\n}\n",
+                "  \"evaluations_maximum\": %.0f,\n",
                 b->mean, b->percentile, b->most);
     else
         fprintf(file, "  \"evaluations_mean\": null,\n  \"evaluations_p99\": null,\n"
-                      "  \"evaluations_maximum\": null\n}\n");
+                      "  \"evaluations_maximum\": null,\n");
+    print_cover(&b->cover, file);
+    fprintf(file, "}\n");
 }
 
 void benchmark_print(const struct benchmark *benchmark, bool json, FILE *file)

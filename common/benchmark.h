@@ -24,6 +24,13 @@ struct benchmark_span {
     double seconds[BENCHMARK_CLOCKS];
 };
 
+// What marches took against the least that could have shown the same: shaders/cover.glsl.
+struct benchmark_cover {
+    int rays;                // looked at, of those that march; 0: nothing is known
+    double march, bound;     // evaluations, the mean over these rays
+    double ratio, ray_ratio; // march / bound, and the smallest of a single ray
+};
+
 struct benchmark {
     // Given.
     const char *shader; // its name, for the report
@@ -36,6 +43,7 @@ struct benchmark {
     struct benchmark_span median, minimum, maximum; // of the frames, by clock
     bool has_evaluations;                           // the course's form counts them
     double mean, percentile, most;                  // evaluations of a pixel; 99 % have no more
+    struct benchmark_cover cover;                   // of the first marches, by the same count
 };
 
 // Tell the drivers to keep no compiled shaders between programs. To be called before the context is

@@ -75,7 +75,8 @@ static void put_vec3(struct export *e, const float v[3])
 static bool is_left_out(const char *file)
 {
     static const char *const names[] = {"shaders/main.glsl", "shaders/views.glsl",
-                                        "shaders/slice.glsl", "shaders/digits.glsl"};
+                                        "shaders/slice.glsl", "shaders/digits.glsl",
+                                        "shaders/cover.glsl"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(file, names[i]) == 0)
             return true;
@@ -201,7 +202,7 @@ static void put_course(struct export *e)
     put(e, "\n// ---- What Shadertoy calls ----\n\n"
            "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"
            "{\n"
-           "    trace = Trace(0, 0, 0, 0, 0.0, END_NONE, 0, vec3(0.0), -1, 0.0, 0.0);\n"
+           "    trace = Trace(0, 0, 0, vec2(0.0), 0, 0.0, END_NONE, 0, vec3(0.0), -1, 0.0, 0.0);\n"
            "    vec3 colour = rayColour(pixelRay(screenPosition(fragCoord)));\n"
            "    fragColor = vec4(clamp(colour, 0.0, 1.0), 1.0);\n"
            "}\n");

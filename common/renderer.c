@@ -412,7 +412,7 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
 // Column k of the target holds what shaders/main.glsl writes for step k:
 //   row 0  t, distance, steps of the first march, why it ended
 //   row 1  position x, y, z, -
-//   row 2  steps of all marches, evaluations, -, -
+//   row 2  steps of all marches, evaluations, where the first march was asked to look
 static void unpack_probe(const float *values, struct renderer_probe *probe)
 {
     const float(*row)[RENDERER_PROBE_STEPS][4] = (const float(*)[RENDERER_PROBE_STEPS][4])values;
@@ -420,6 +420,7 @@ static void unpack_probe(const float *values, struct renderer_probe *probe)
     probe->end = (enum renderer_end)(int)row[0][0][3];
     probe->all_steps = (int)row[2][0][0];
     probe->evaluations = (int)row[2][0][1];
+    memcpy(probe->interval, &row[2][0][2], sizeof probe->interval);
     for (int k = 0; k < RENDERER_PROBE_STEPS; k++) {
         probe->step[k].t = row[0][k][0];
         probe->step[k].distance = row[0][k][1];

@@ -70,6 +70,7 @@ struct renderer_probe {
     int all_steps;         // of all marches of the pixel: shadow rays included
     int evaluations;       // of the scene's distance, the normal's included
     enum renderer_end end; // why the first march stopped
+    float interval[2];     // where it was asked to look, scene units along the ray; 0, 0: not said
 };
 
 // Make the triangle's vertex array and read shaders/screen.vert.

@@ -20,7 +20,7 @@ float pixelSpread()
 // lack is seen as sparkle.
 Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
-    trace.marches++;
+    traceBegin(tMin, tMax);
     float t = tMin;
     int steps = 0;
     bool found = false;
@@ -51,7 +51,7 @@ Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, in
 // Needs a lower bound of the distance. The greys are a model, no measured area.
 float coneReaching(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
-    trace.marches++;
+    traceBegin(tMin, tMax);
     float t = tMin;
     int steps = 0;
     float smallest = 1.0;

@@ -2,8 +2,9 @@
 // trace holds.
 //
 // The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice,
-// 5 the numbers of a probe, 6 evaluations of the scene.
+// 5 the numbers of a probe, 6 evaluations of the scene, and how few of the march would do.
 
+#include "cover.glsl"
 #include "inputs.glsl"
 #include "scene.glsl"
 #include "slice.glsl"
@@ -23,10 +24,10 @@ void main()
 uniform vec2 iProbe; // centre of the pixel whose ray is marched, in pixels
 
 // Column k, row 0: t, distance, steps of the first march, why it ended. Row 1: position.
-// Row 2: steps of all marches, evaluations.
+// Row 2: steps of all marches, evaluations, where the first march was asked to look.
 void main()
 {
-    trace = Trace(0, 0, 0, 0, 0.0, END_NONE, 0, vec3(0.0), int(gl_FragCoord.x), 0.0, 0.0);
+    trace = Trace(0, 0, 0, vec2(0.0), 0, 0.0, END_NONE, 0, vec3(0.0), int(gl_FragCoord.x), 0.0, 0.0);
     Ray ray = pixelRay(screenPosition(iProbe));
     rayColour(ray);
     int row = int(gl_FragCoord.y);
@@ -35,16 +36,17 @@ void main()
     else if (row == 1)
         fragColour = vec4(ray.origin + trace.wantedT * ray.direction, 0.0);
     else
-        fragColour = vec4(float(trace.allSteps), float(trace.evaluations), 0.0, 0.0);
+        fragColour = vec4(float(trace.allSteps), float(trace.evaluations), trace.interval);
 }
 
 #else
 
 void main()
 {
-    trace = Trace(0, 0, 0, 0, 0.0, END_NONE, 0, vec3(0.0), -1, 0.0, 0.0);
+    trace = Trace(0, 0, 0, vec2(0.0), 0, 0.0, END_NONE, 0, vec3(0.0), -1, 0.0, 0.0);
     vec2 pixel = gl_FragCoord.xy + iPixelOffset;
-    vec3 colour = rayColour(pixelRay(screenPosition(pixel)));
+    Ray ray = pixelRay(screenPosition(pixel));
+    vec3 colour = rayColour(ray);
 #if VIEW == 1
     colour = normalView();
 #elif VIEW == 2
@@ -53,7 +55,9 @@ void main()
     colour = stepView(pixel);
 #endif
 #if VIEW == 6
-    fragColour = vec4(float(trace.evaluations), float(trace.allSteps), 0.0, 1.0);
+    // What the march took and what would do, for the pixels of the grid: else 0 and 0.
+    int steps = onCoverGrid(pixel) ? trace.steps : 0;
+    fragColour = vec4(float(trace.evaluations), float(steps), float(fewestEvaluations(ray, steps)), 1.0);
 #else
     fragColour = vec4(clamp(colour, 0.0, 1.0), 1.0);
 #endif

@@ -20,7 +20,7 @@ struct Hit {
 // Source: J. C. Hart, 'Sphere tracing', The Visual Computer 12 (1996); report, section 1.4.
 Hit march(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 {
-    trace.marches++;
+    traceBegin(tMin, tMax);
     float t = tMin;
     int steps = 0;
     bool found = false;

@@ -29,6 +29,7 @@ struct Trace {
     int   evaluations;    // of sceneDistance, by whatever asked
     int   allSteps;       // of all marches
     int   marches;        // begun
+    vec2  interval;       // where the first march was asked to look: from tMin to tMax
     int   steps;          // of the first march
     float t;              // where the first march ended
     int   end;            // why it did
@@ -46,6 +47,14 @@ float distanceAt(vec3 p)
 {
     trace.evaluations++;
     return sceneDistance(p);
+}
+
+// Note that a march begins; where the first one is to look is kept.
+void traceBegin(float tMin, float tMax)
+{
+    if (trace.marches == 0)
+        trace.interval = vec2(tMin, tMax);
+    trace.marches++;
 }
 
 // Note one step of a march.

@@ -74,7 +74,7 @@ vec3 sunDirection(float hour, float latitude, float declination)
 //   radius             radians, small
 float disc(vec3 direction, vec3 centre, float radius)
 {
-    return smoothstep(1.1 * radius, 0.9 * radius, length(direction - centre));
+    return 1.0 - smoothstep(0.9 * radius, 1.1 * radius, length(direction - centre));
 }
 
 // The glow round the sun: light that dust scatters forward, 1 towards the sun.

@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "support_bound.h"
 #include "support_measure.h"
 
 static int print_normal(void)
@@ -85,6 +86,45 @@ static int print_acne(struct gpu *gpu)
         if (share < 0.0)
             return 1;
         printf("%g,%.4f\n", offsets[i], share);
+    }
+    return 0;
+}
+
+static void print_bound_row(const char *stem, const char *rays, const struct bound_sums *sum)
+{
+    printf("%s,%s,%d,%.2f,%.2f,%.2f,%.2f,%.2f,%.4f\n", stem, rays, sum->rays,
+           (double)sum->march / sum->rays, (double)sum->least / sum->rays,
+           (double)sum->most / sum->rays, (double)sum->march / sum->least, sum->smallest,
+           sum->lipschitz);
+}
+
+// Rays from height 1: under an angle towards a plane, beside it (0), or away from it.
+static void print_bound_planes(void)
+{
+    static const double angles[] = {60.0, 45.0, 30.0, 10.0, 5.0, 0.0, -5.0, -10.0, -30.0, -60.0};
+    printf("# a ray of length 10000 and a plane, threshold 1e-9\n");
+    printf("degrees,march,least,march / least,formula\n");
+    for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++) {
+        bool hit;
+        double slope = sin(angles[i] * MIRROR_PI / 180.0);
+        int march = cover_plane_march(1.0, slope, 1e4, 1e-9, &hit);
+        int least = cover_plane_least(1.0, slope, 1e4, 1e-9);
+        printf("%g,%d,%d,%.2f,%.2f\n", angles[i], march, least, (double)march / least,
+               cover_plane_ratio(slope));
+    }
+}
+
+static int print_bound(struct gpu *gpu)
+{
+    print_bound_planes();
+    printf("# evaluations of a march, and the fewest that could do: between least and most\n");
+    printf("chapter,end,rays,march,least,most,march / least,of one ray,slope\n");
+    for (int i = 0; i < bound_case_count; i++) {
+        struct bound_sums sum[2];
+        if (!bound_measure(gpu, &bound_cases[i], 1, sum))
+            return 1;
+        print_bound_row(bound_cases[i].stem, "hit", &sum[1]);
+        print_bound_row(bound_cases[i].stem, "miss", &sum[0]);
     }
     return 0;
 }
@@ -234,6 +274,7 @@ static int usage(FILE *file)
           "  rate       how fast a march nears a hit\n"
           "  threshold  what a threshold adds to an outline\n"
           "  acne       share of lit pixels in their own shadow against the offset\n"
+          "  bound      evaluations of a march against the fewest that could do\n"
           "  speed A.frag B.frag [WxH]\n"
           "             CPU time of two shaders, their frames in turn, and of a cold compilation;\n"
           "             A.frag@X,Y,Z,PAN,TILT places the camera\n",
@@ -253,6 +294,8 @@ static int print_with_gpu(const char *name, int argc, char **argv)
             status = print_threshold(&gpu);
         else if (strcmp(name, "acne") == 0)
             status = print_acne(&gpu);
+        else if (strcmp(name, "bound") == 0)
+            status = print_bound(&gpu);
         else
             status = print_speed(&gpu, argc, argv);
     }
@@ -273,7 +316,7 @@ int main(int argc, char **argv)
     if (strcmp(argv[1], "rate") == 0)
         return print_rate();
     if (strcmp(argv[1], "threshold") == 0 || strcmp(argv[1], "acne") == 0 ||
-        strcmp(argv[1], "speed") == 0)
+        strcmp(argv[1], "bound") == 0 || strcmp(argv[1], "speed") == 0)
         return print_with_gpu(argv[1], argc, argv);
     return usage(stderr);
 }

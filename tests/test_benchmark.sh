@@ -81,8 +81,43 @@ percent() {
         [ "$(value evaluations_p99)" = 197 ] && [ "$(value evaluations_maximum)" = 199 ]
 }
 check 'mean, 99 % and maximum of a known count' percent
+# ---- Marches against the fewest evaluations that could do ----
+
+bound() {
+    run --benchmark 1 --benchmark=json -s 320x180 && holds "$(value march_rays) > 100 && $(value march_rays) < 576" &&
+        holds "$(value march_over_bound_minimum) >= 1 && $(value march_over_bound) > 1.3" &&
+        holds "($(value march_evaluations) / $(value march_bound) - $(value march_over_bound)) ^ 2 < 1e-6"
+}
+check 'a march takes more than the least' bound
+# Rays that leave a plane head-on, their start 1 above it. In the left half 288 of them step 1, 2, 4 and 8
+# to the end at 15, then 144 step 1 to the end at 1, and 144 do not march. One evaluation would do: t - d
+# is -1 all along.
+cat >"$scratch/leave.frag" <<'GLSL'
+#include "main.glsl"
+#include "march.glsl"
+Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 1.0), vec3(0.0, 0.0, 1.0)); }
+float sceneDistance(vec3 p) { return p.z; }
+vec3 rayColour(Ray ray)
+{
+    float x = ray.origin.x;
+    return vec3(march(ray, 0.0, x < 0.0 ? 15.0 : x < 0.9 ? 1.0 : 0.0, 0.001, 99).t + distanceAt(ray.origin));
+}
+GLSL
+known() {
+    run --benchmark 1 --benchmark=json -s 64x36 -f "$scratch/leave.frag" && [ "$(value march_rays)" = 432 ] &&
+        [ "$(value march_evaluations)" = 3.0000 ] && [ "$(value march_bound)" = 1.0000 ] &&
+        [ "$(value march_over_bound_minimum)" = 1.0000 ] && run --benchmark 1 -s 64x36 -f "$scratch/leave.frag" &&
+        grep -q '^march  *3.00 evaluations a ray, the least 1.00: march / bound 3.00, of one ray at least 1.00; rays: 432$' "$scratch/out"
+}
+check 'a known march, and rays that do not march left out' known
+unmarched() {
+    run --benchmark 1 --benchmark=json -s 20x10 -f "$scratch/count.frag" && [ "$(value march_rays)" = 0 ] && [ "$(value march_over_bound)" = null ] &&
+        run --benchmark 1 -s 20x10 -f "$scratch/count.frag" && ! grep -q '^march' "$scratch/out"
+}
+check 'no march, no bound' unmarched
 whole() { run --benchmark 2 -f tests/reference_scene.frag -s 32x18 && grep -q 'main of its own does not count' "$scratch/out" &&
-    run --benchmark 2 --benchmark=json -f tests/reference_scene.frag -s 32x18 && [ "$(value evaluations_mean)" = null ]; }
+    run --benchmark 2 --benchmark=json -f tests/reference_scene.frag -s 32x18 && [ "$(value evaluations_mean)" = null ] &&
+    [ "$(value march_over_bound)" = null ]; }
 check 'a whole file counts no evaluations' whole
 set_ones() { run --benchmark=json -s 32x18 -p maxSteps=3 && holds "$(value evaluations_maximum) < 30"; }
 check 'parameters count' set_ones
@@ -105,14 +140,14 @@ check 'a shader that is not there' refused 1 'nowhere' --benchmark 3 -f nowhere.
 
 table() {
     ROUNDS=1 FRAMES=2 CHAPTER=00 .make/benchmark.sh >"$scratch/out" 2>"$scratch/err" && [ ! -s "$scratch/err" ] &&
-        grep -qE '^\| 00_first_scene \| [0-9]\.[0-9]{2} \| [0-9.]+ \| [0-9.]+ \| [0-9]+ \| - \| - \| - \|$' "$scratch/out" &&
+        grep -qE '^\| 00_first_scene \| [0-9]\.[0-9]{2} \| [0-9.]+ \| [0-9.]+ \| [0-9]+ \| - \| - \| - \| - \|$' "$scratch/out" &&
         grep -qE '^00_first_scene .*units|not compared' "$scratch/out"
 }
 check 'make benchmark prints a table and compares' table
 committed() {
     local stem
     for stem in chapters/[0-9][0-9]_*.c; do
-        grep -q "^| $(basename "$stem" .c) | [0-9]" docs/benchmark.md || { echo "# no row: make benchmark WRITE=1"; return 1; }
+        grep -qE "^\| $(basename "$stem" .c)( \| [0-9.]+){4}( \| [0-9.]+| \| -){4} \|$" docs/benchmark.md || { echo "# no row: make benchmark WRITE=1"; return 1; }
     done
 }
 check 'docs/benchmark.md has a row for every chapter' committed

@@ -1,9 +1,5 @@
 // test_scene_06.c - the pyramid of chapter 06 in double precision: pixels of its picture, and the
 // tables of --probe, step by step.
-//
-// The pyramid is written down by its corners in the scene. A fold is a reflection in the plane
-// halfway between two of them, after which the tetrahedron's edges are halved towards the first. No
-// axes are turned, nothing is written out, and the normals come from cross products.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,16 +12,16 @@
 #include <cmocka.h>
 
 #include "support_pixels.h"
+#include "support_pyramid.h"
 
 #define CHAPTER "06_sierpinski_symmetry"
-#define SIZE    1.1
+#define SIZE    PYRAMID_SIZE
 #define MARGIN  0.02
 
-enum { WIDTH = 640, HEIGHT = 360, LEVELS = 7, MAX_STEPS = 160 };
+enum { WIDTH = 640, HEIGHT = 360, MAX_STEPS = 160 };
 
 static const double hit_threshold = 0.0002, normal_step = 0.0005;
 static const double spread = 1.5 / (HEIGHT * MIRROR_FOCAL_LENGTH);
-static const struct d3 slab = {0.0, -0.1, 0.0}, slab_half = {3.4, 0.1, 2.6};
 
 static struct gpu gpu;
 static struct renderer_probe probe; // too large for the stack
@@ -43,89 +39,16 @@ static int close_gpu(void **unused)
     return 0;
 }
 
-// ---- The pyramid ----
-
-struct tetrahedron {
-    struct d3 corner[4];
-};
-
-// It stands on the ground, its apex above (-0.7, -0.5), one lower corner towards the viewer. An
-// edge is sqrt(8) size.
-static struct tetrahedron whole_pyramid(void)
-{
-    struct tetrahedron t;
-    double radius = sqrt(8.0 / 3.0) * SIZE;
-    t.corner[0] = d3(-0.7, 4.0 / sqrt(3.0) * SIZE, -0.5);
-    for (int k = 1; k < 4; k++) {
-        double angle = (90.0 + 120.0 * k) * MIRROR_PI / 180.0;
-        t.corner[k] = d3(-0.7 + radius * cos(angle), 0.0, -0.5 + radius * sin(angle));
-    }
-    return t;
-}
-
-// The unit normal of the face opposite corner k, pointing out.
-static struct d3 face_normal(const struct tetrahedron *t, int k)
-{
-    struct d3 a = t->corner[(k + 1) % 4], b = t->corner[(k + 2) % 4], c = t->corner[(k + 3) % 4];
-    struct d3 normal = d3_unit(d3_cross(d3_sub(b, a), d3_sub(c, a)));
-    return d3_dot(normal, d3_sub(t->corner[k], a)) > 0.0 ? d3_times(-1.0, normal) : normal;
-}
-
-static double face_distance(const struct tetrahedron *t, int k, struct d3 p)
-{
-    return d3_dot(d3_sub(p, t->corner[(k + 1) % 4]), face_normal(t, k));
-}
-
-static double planes_distance(const struct tetrahedron *t, struct d3 p)
-{
-    double largest = -HUGE_VAL;
-    for (int k = 0; k < 4; k++)
-        largest = fmax(largest, face_distance(t, k, p));
-    return largest;
-}
-
-// One level: p to the apex's side, the edges halved towards the apex. True when p was moved.
-static bool fold(struct tetrahedron *t, struct d3 *p)
-{
-    bool moved = false;
-    struct d3 apex = t->corner[0];
-    for (int k = 1; k < 4; k++) {
-        struct d3 middle = d3_times(0.5, d3_add(apex, t->corner[k]));
-        struct d3 normal = d3_unit(d3_sub(apex, t->corner[k]));
-        double side = d3_dot(d3_sub(*p, middle), normal);
-        if (side < 0.0) {
-            *p = d3_sub(*p, d3_times(2.0 * side, normal));
-            moved = true;
-        }
-    }
-    for (int k = 1; k < 4; k++)
-        t->corner[k] = d3_times(0.5, d3_add(apex, t->corner[k]));
-    return moved;
-}
-
-static double scene_function(struct d3 p, int *nearest)
-{
-    struct tetrahedron t = whole_pyramid();
-    double ground = mirror_box(d3_sub(p, slab), slab_half);
-    for (int i = 0; i < LEVELS; i++)
-        fold(&t, &p);
-    double stone = planes_distance(&t, p);
-    *nearest = stone < ground;
-    return fmin(stone, ground);
-}
-
-static const struct mirror_scene scene = {.function = scene_function};
-
 // ---- Where a ray is looked at ----
 
 static bool pyramid_interval(struct mirror_ray ray, double t[2])
 {
-    struct tetrahedron pyramid = whole_pyramid();
+    struct tetrahedron pyramid = pyramid_whole();
     t[0] = 0.0;
     t[1] = 1e9;
     for (int k = 0; k < 4; k++) {
-        double height = face_distance(&pyramid, k, ray.origin) - MARGIN;
-        double rate = d3_dot(ray.direction, face_normal(&pyramid, k));
+        double height = pyramid_face(&pyramid, k, ray.origin) - MARGIN;
+        double rate = d3_dot(ray.direction, pyramid_normal(&pyramid, k));
         if (rate < 0.0)
             t[0] = fmax(t[0], -height / rate);
         else
@@ -137,9 +60,9 @@ static bool pyramid_interval(struct mirror_ray ray, double t[2])
 static void scene_interval(struct mirror_ray ray, double t[2])
 {
     double a[2], b[2];
-    struct d3 margin = d3(MARGIN, MARGIN, MARGIN), half = d3_add(slab_half, margin);
+    struct d3 margin = d3(MARGIN, MARGIN, MARGIN), half = d3_add(pyramid_slab_half, margin);
     bool in_a = pyramid_interval(ray, a);
-    bool in_b = brute_box_interval(ray, d3_sub(slab, half), d3_add(slab, half), b);
+    bool in_b = brute_box_interval(ray, d3_sub(pyramid_slab, half), d3_add(pyramid_slab, half), b);
     t[0] = fmin(in_a ? a[0] : HUGE_VAL, in_b ? b[0] : HUGE_VAL);
     t[1] = fmax(in_a ? a[1] : -1.0, in_b ? b[1] : -1.0);
 }
@@ -148,7 +71,7 @@ static bool march_cone(struct mirror_ray ray, const double interval[2], double *
 {
     *t = interval[0];
     for (int steps = 0; steps < MAX_STEPS && *t < interval[1]; steps++) {
-        double distance = mirror_distance(&scene, mirror_at(ray, *t), NULL);
+        double distance = mirror_distance(&pyramid_scene, mirror_at(ray, *t), NULL);
         if (distance < hit_threshold + spread * *t)
             return true;
         *t += distance;
@@ -168,21 +91,21 @@ static struct d3 wide_normal(struct d3 p, double h)
     double g[3];
     for (int k = 0; k < 3; k++) {
         struct d3 step = d3(k == 0 ? h : 0.0, k == 1 ? h : 0.0, k == 2 ? h : 0.0);
-        g[k] = mirror_distance(&scene, d3_add(p, step), NULL) -
-               mirror_distance(&scene, d3_sub(p, step), NULL);
+        g[k] = mirror_distance(&pyramid_scene, d3_add(p, step), NULL) -
+               mirror_distance(&pyramid_scene, d3_sub(p, step), NULL);
     }
     return d3_unit(d3(g[0], g[1], g[2]));
 }
 
 static void fold_trail(struct d3 p, double *inner, double *open)
 {
-    struct tetrahedron t = whole_pyramid();
+    struct tetrahedron t = pyramid_whole();
     double size = SIZE, digit = 0.5;
     *inner = 0.0;
     *open = 1.0;
     for (int i = 0; i < 4; i++) {
-        *open *= 1.0 + fmin(1.5 * planes_distance(&t, p) / size, 0.0);
-        *inner += fold(&t, &p) ? digit : 0.0;
+        *open *= 1.0 + fmin(1.5 * pyramid_planes(&t, p) / size, 0.0);
+        *inner += pyramid_fold(&t, &p) ? digit : 0.0;
         size *= 0.5;
         digit *= 0.5;
     }
@@ -223,7 +146,7 @@ static double sun_share(struct mirror_ray ray, double threshold)
     if (!pyramid_interval(ray, t))
         return 1.0;
     for (int steps = 0; steps < MAX_STEPS && t[0] < t[1] && smallest > 0.2; steps++) {
-        double distance = mirror_distance(&scene, mirror_at(ray, t[0]), NULL);
+        double distance = mirror_distance(&pyramid_scene, mirror_at(ray, t[0]), NULL);
         smallest = fmin(smallest, distance / (threshold + 0.02 * t[0]));
         t[0] += distance;
     }
@@ -233,7 +156,7 @@ static double sun_share(struct mirror_ray ray, double threshold)
 static struct d3 surface_light(struct d3 p, double size, double step, struct d3 to_sun,
                                struct mirror_sample *sample)
 {
-    double inner, open, height = mirror_box(d3_sub(p, slab), slab_half);
+    double inner, open, height = mirror_box(d3_sub(p, pyramid_slab), pyramid_slab_half);
     struct d3 normal = wide_normal(p, step);
     fold_trail(p, &inner, &open);
     double facing = mirror_lambert(normal, to_sun), share = 1.0;
@@ -309,7 +232,7 @@ static void check_table(struct mirror_ray ray, const double interval[2], int *hi
     assert_true(fabs(t - interval[0]) <= slack);
     for (int k = 0; k < probe.steps; k++) {
         const struct renderer_step *row = &probe.step[k];
-        double truth = mirror_distance(&scene, mirror_at(ray, (double)row->t), NULL);
+        double truth = mirror_distance(&pyramid_scene, mirror_at(ray, (double)row->t), NULL);
         double over = (double)row->distance - hit_threshold - spread * (double)row->t;
         bool last = k == probe.steps - 1;
         assert_true(fabs((double)row->distance - truth) <= slack);

@@ -98,6 +98,7 @@ static void check_probe(const char *text, int steps, enum renderer_end end)
     assert_int_equal(probe->end, end);
     assert_int_equal(probe->all_steps, steps + 2);
     assert_int_equal(probe->evaluations, steps + 2 + 6);
+    assert_true(probe->interval[0] == 0.0f && probe->interval[1] == 10.0f);
     double left = 2.0, t = 0.0;
     for (int i = 0; i < steps; i++) {
         const double place[3] = {1.01 + 0.6 * t, -0.59, left};

@@ -19,7 +19,7 @@ vec3 glow(Ray ray, float far)
 {
     float along = dot(HUNG_LAMP - ray.origin, ray.direction);
     float aside = distance(HUNG_LAMP, ray.origin + along * ray.direction);
-    return along < far ? LAMP_COLOUR * smoothstep(0.06, 0.04, aside) : vec3(0.0);
+    return along < far ? LAMP_COLOUR * (1.0 - smoothstep(0.04, 0.06, aside)) : vec3(0.0);
 }
 
 // What the hung lamp adds. As visibility() does, it asks nothing where the surface turns its back.

@@ -8,7 +8,7 @@
 
 Hit marchLocal(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
-    trace.marches++;
+    traceBegin(tMin, tMax);
     float t = tMin;
     int steps = 0;
     float distance = 0.0;

@@ -1,0 +1,38 @@
+// support_bound.h - the marches of a chapter against the fewest evaluations that could do, the one
+// from probes of the GPU, the other from the scene in double precision.
+#ifndef SUPPORT_BOUND_H
+#define SUPPORT_BOUND_H
+
+#include "support_cover.h"
+#include "support_gpu.h"
+#include "support_mirror.h"
+
+struct bound_case {
+    const char *stem;
+    const struct mirror_scene *scene; // its distance in double
+    double threshold, spread;         // a hit at t is nearer than threshold + spread t
+};
+
+extern const struct bound_case bound_cases[];
+extern const int bound_case_count;
+
+// Sums over rays.
+struct bound_sums {
+    int rays, march;      // evaluations of the march
+    int least, most;      // what would do, between these
+    int shader;           // the same as shaders/cover.glsl computes it
+    int astray;           // rays for which it is not between them
+    int below;            // rays whose march takes fewer than the least
+    double smallest;      // march / least of one ray
+    double lipschitz;     // the largest change of the distance between samples, per scene unit
+    int given_up, differ; // rays whose steps ran out; whose steps differ from the probe's
+};
+
+// Look at rays of the chapter's first picture, 640x360: those that shaders/cover.glsl chooses.
+//   every  1: all of them; n: each nth
+//   sums   takes misses, then hits
+// Returns false, reported, when it cannot be drawn.
+bool bound_measure(struct gpu *gpu, const struct bound_case *of, int every,
+                   struct bound_sums sums[2]);
+
+#endif
