@@ -104,12 +104,25 @@ local function width_of(cell)
     return pictures and 60 or #pandoc.utils.stringify(pandoc.Div(cell.contents))
 end
 
+-- The longest word of a cell, which cannot be broken; code can, and a formula's source says little.
+local function word_of(cell)
+    local most = 0
+    local prose = pandoc.walk_block(pandoc.Div(cell.contents), {
+        Code = function() return {} end, Math = function() return {} end, RawInline = function() return {} end,
+    })
+    for word in pandoc.utils.stringify(prose):gmatch('%S+') do
+        most = math.max(most, #word)
+    end
+    return math.min(most, 24)
+end
+
 local function table_widths(element)
-    local longest, total = {}, 0
+    local longest, word, total, words = {}, {}, 0, 0
     local function look(rows)
         for _, row in ipairs(rows) do
             for i, cell in ipairs(row.cells) do
                 longest[i] = math.max(longest[i] or 13, width_of(cell))
+                word[i] = math.max(word[i] or 4, word_of(cell))
             end
         end
     end
@@ -125,11 +138,14 @@ local function table_widths(element)
     end
     total = 0
     for i, longest_here in ipairs(longest) do
-        longest[i] = math.min(longest_here, 60)
+        longest[i] = math.min(longest_here, 90)
         total = total + longest[i]
+        words = words + word[i]
     end
+    -- Each column holds its longest word, of the 84 letters of a line; what is left goes by length.
+    local line = math.max(84, 1.1 * words)
     for i, spec in ipairs(element.colspecs) do
-        element.colspecs[i] = {spec[1], longest[i] / total}
+        element.colspecs[i] = {spec[1], word[i] / line + (1 - words / line) * longest[i] / total}
     end
     return pandoc.walk_block(element, {Image = function(image)
         image.attributes.width = string.format('%d%%', math.floor(92 / #longest)) -- of the page
