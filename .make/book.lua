@@ -78,7 +78,7 @@ local escapes = {
 }
 
 local function code(element)
-    if #element.text < 16 then
+    if #element.text < 12 then
         return nil
     end
     local text = element.text:gsub('[\\{}$&#%%_^~\'`]', escapes)
