@@ -293,13 +293,12 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
         gl->Enable(GL_BLEND);
         gl->BlendColor(share, share, share, share);
         gl->BlendFunc(GL_CONSTANT_COLOR, GL_ONE);
-        gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     }
+    gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     for (int y = part->from; y < part->to; y += TILE)
         for (int x = 0; x < inputs->width; x += TILE) {
             gl->Scissor(x, y, TILE, part->to - y < TILE ? part->to - y : TILE);
-            if (inputs->samples > 1)
-                gl->Clear(GL_COLOR_BUFFER_BIT);
+            gl->Clear(GL_COLOR_BUFFER_BIT); // a shader may discard its pixel
             draw_samples(renderer, program, inputs->samples, part->bottom);
             gl->Flush();
         }

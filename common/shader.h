@@ -25,7 +25,7 @@ enum shader_view {
 enum shader_form {
     SHADER_COURSE,    // the course's own: no #version, three functions and includes
     SHADER_SHADERTOY, // defines mainImage and no main
-    SHADER_WHOLE      // its own #version and main
+    SHADER_WHOLE      // its own main, and mostly a #version
 };
 
 // Where one line of the expanded text comes from.
@@ -61,8 +61,7 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
 // Free a source; one of zeros is allowed.
 void shader_free(struct shader_source *source);
 
-// The text that is compiled: what form.h puts before the expanded text, then this. A whole file of
-// desktop GLSL stays as it is.
+// The text that is compiled: what form.h puts before the expanded text, and what it makes of this.
 // Returns memory that the caller frees, or NULL, reported.
 char *shader_text(const struct shader_source *source, enum shader_view view);
 

@@ -57,7 +57,7 @@ char *shader_text(const struct shader_source *source, enum shader_view view)
 static void report_failure(const struct shader_source *source, enum shader_view view,
                            const char *step, const char *log)
 {
-    if (log != NULL && form_refuses(source, log))
+    if (log != NULL && form_refuses(source, log, strcmp(step, "link") == 0))
         return;
     char *errors = shader_explain(source, view, log != NULL ? log : "");
     if (errors == NULL)
@@ -134,6 +134,8 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
         gl->DeleteShader(vertex_stage);
     if (fragment_stage != 0)
         gl->DeleteShader(fragment_stage);
+    if (program != 0)
+        form_tell(fragment);
     // What is known to the user by now must not be found again as an error of the next call.
     while (program == 0 && gl->GetError() != GL_NO_ERROR)
         continue;

@@ -167,13 +167,33 @@ static bool append_source(struct explanation *e, int line)
     return append_text(e, "    ") && append(e, text, strcspn(text, "\n")) && append_text(e, "\n");
 }
 
+// Name a sign that is no part of GLSL, which drivers answer with whatever comes after it: an accent
+// in a name, a space or a quotation mark out of a word processor.
+//   sign  receives a phrase, or stays as it is
+static void foreign_sign(const struct explanation *e, int line, char sign[128])
+{
+    const char *code = e->code;
+    for (int i = 1; i < line; i++)
+        code = strchr(code, '\n') + 1;
+    while (*code != '\n' && (unsigned char)*code < 0x80)
+        code++;
+    int length = 1;
+    while (length < 4 && ((unsigned char)code[length] & 0xC0) == 0x80)
+        length++;
+    bool space = strncmp(code, "\xC2\xA0", 2) == 0;
+    if (*code != '\n' && *code != '\0')
+        snprintf(sign, 128, "only plain letters and signs, here is %s%.*s%s: ",
+                 space ? "a space that cannot break" : "'", space ? 0 : length, code,
+                 space ? "" : "'");
+}
+
 static bool explain_line(struct explanation *e, const char *log)
 {
     struct message message = read_message(log);
     int line = expanded_line(e, &message);
     if (message.line != 0 && e->has_errors && strcmp(message.kind, "warning") == 0)
         return true;
-    if (message.line == 0 && (line = line_of_call(e, log)) != 0)
+    if (message.line == 0 && (line = line_of_call(e, log)) != 0 && message.text == log)
         split_kind(skip(log, "ERROR: ") != NULL ? log + strlen("ERROR: ") : log, &message);
     if (line == 0) {
         e->shown = 0;
@@ -183,10 +203,14 @@ static bool explain_line(struct explanation *e, const char *log)
     char place[32];
     snprintf(place, sizeof place, ":%d: ", from->line);
     bool again = line == e->shown;
+    char sign[128] = "";
+    if (!again)
+        foreign_sign(e, line, sign);
     e->shown = line;
     return append_text(e, e->source->files[from->file]) && append_text(e, place) &&
-           append_text(e, message.kind) && append_text(e, ": ") && append_text(e, message.text) &&
-           append_text(e, "\n") && (again || append_source(e, line));
+           append_text(e, message.kind) && append_text(e, ": ") && append_text(e, sign) &&
+           append_text(e, message.text) && append_text(e, "\n") &&
+           (again || append_source(e, line));
 }
 
 // True when the same line stands earlier in the log.
