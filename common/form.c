@@ -11,6 +11,8 @@
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
+#define ARRAY_LIMIT 65536 // elements
+
 // What Shadertoy gives besides and the harness does not.
 static const char *const toy_refused[] = {"iChannel0",  "iChannel1",    "iChannel2",
                                           "iChannel3",  "iChannelTime", "iChannelResolution",
@@ -67,15 +69,44 @@ static bool blank_version(struct shader_source *source, const char *code, bool o
     return true;
 }
 
+static const struct shader_line *line_at(const struct shader_source *source, const char *code,
+                                         const char *place)
+{
+    int line = 0;
+    for (const char *c = code; c < place; c++)
+        line += *c == '\n';
+    return &source->lines[line < source->line_count ? line : source->line_count - 1];
+}
+
+// Refuse what no driver answers well: a text of comments, and arrays at which some run for minutes
+// and out of memory.
+static bool check_sense(const struct shader_source *source, const char *code)
+{
+    if (*skip_blanks(code) == '\0') {
+        report("%s: holds nothing but comments: a shader is code", source->files[0]);
+        return false;
+    }
+    for (const char *c = strchr(code, '['); c != NULL; c = strchr(c + 1, '[')) {
+        const char *number = skip_blanks(c + 1);
+        size_t digits = strspn(number, "0123456789");
+        if (*skip_blanks(number + digits) != ']' || strtod(number, NULL) <= ARRAY_LIMIT)
+            continue;
+        const struct shader_line *from = line_at(source, code, c);
+        report("%s:%d: an array of %.*s elements: a graphics processor has no room for it: %d at "
+               "most",
+               source->files[from->file], from->line, digits < 20 ? (int)digits : 20, number,
+               ARRAY_LIMIT);
+        return false;
+    }
+    return true;
+}
+
 // True when the file itself defines main, not the course's library. The vertex shader of the course
 // has one too, and stays as it is.
 static bool has_own_main(const struct shader_source *source, const char *code)
 {
     const char *main = glsl_find_definition(code, "main");
-    int line = 0;
-    for (const char *c = code; main != NULL && c < main; c++)
-        line += *c == '\n';
-    return main != NULL && source->lines[line].file == 0 &&
+    return main != NULL && line_at(source, code, main)->file == 0 &&
            glsl_find_word(code, "gl_Position") == NULL;
 }
 
@@ -103,7 +134,8 @@ bool form_find(struct shader_source *source, bool version)
     source->versioned = version && !blanked;
     if (toy)
         blank_extensions(source, code);
-    bool done = source->form == SHADER_COURSE || form_check_inputs(source, code);
+    bool done = check_sense(source, code) &&
+                (source->form == SHADER_COURSE || form_check_inputs(source, code));
     free(code);
     return done;
 }
@@ -231,10 +263,7 @@ static bool refuses_main(const struct shader_source *source, const char *code)
 {
     const char *main = glsl_find_word(code, "main"), *image = glsl_find_word(code, "mainImage");
     if (source->form == SHADER_SHADERTOY) {
-        int line = 1;
-        for (const char *c = code; c < image; c++)
-            line += *c == '\n';
-        const struct shader_line *from = &source->lines[line - 1];
+        const struct shader_line *from = line_at(source, code, image);
         report("%s:%d: mainImage has other parameters than those it is called with: write void "
                "mainImage(out vec4 fragColor, in vec2 fragCoord)",
                source->files[from->file], from->line);

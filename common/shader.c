@@ -35,11 +35,12 @@ static bool no_memory(const char *where)
 
 // ---- Names ----
 
+// True for the folder itself too.
 static bool inside(const char *path, const char *folder)
 {
     size_t length = strlen(folder);
-    return strncmp(path, folder, length) == 0 &&
-           (path[length] == '/' || (length > 0 && folder[length - 1] == '/'));
+    return strncmp(path, folder, length) == 0 && (path[length] == '/' || path[length] == '\0' ||
+                                                  (length > 0 && folder[length - 1] == '/'));
 }
 
 // The part of a path inside the folder that holds it.

@@ -8,7 +8,9 @@
 #include "glsl.h"
 #include "report.h"
 
-#define NAME_SIZE 128 // of a function in a link error
+#define NAME_SIZE   128 // of a function in a link error
+#define LINE_LIMIT  160 // letters of a source line that is shown
+#define ERROR_LIMIT 20  // errors that are shown: the first ones cause the others
 
 // One explanation under way.
 struct explanation {
@@ -18,6 +20,7 @@ struct explanation {
     char *text;  // what is explained so far
     size_t size, capacity;
     int shown;       // expanded line that was shown last, 0 for none
+    int errors;      // lines of the log that were explained, and those left out
     bool has_errors; // the log holds an error, so that its warnings only hide it
 };
 
@@ -164,7 +167,10 @@ static bool append_source(struct explanation *e, int line)
     for (int i = 1; i < line; i++)
         text = strchr(text, '\n') + 1;
     text = skip_blanks(text);
-    return append_text(e, "    ") && append(e, text, strcspn(text, "\n")) && append_text(e, "\n");
+    size_t length = strcspn(text, "\n");
+    bool cut = length > LINE_LIMIT;
+    return append_text(e, "    ") && append(e, text, cut ? LINE_LIMIT : length) &&
+           append_text(e, cut ? "...\n" : "\n");
 }
 
 // Name a sign that is no part of GLSL, which drivers answer with whatever comes after it: an accent
@@ -236,7 +242,7 @@ static bool explain_lines(struct explanation *e, const char *log, bool only_look
                 return false;
             struct message message = read_message(line);
             e->has_errors |= message.line != 0 && strcmp(message.kind, "error") == 0;
-            bool done = only_look || explain_line(e, line);
+            bool done = only_look || ++e->errors > ERROR_LIMIT || explain_line(e, line);
             free(line);
             if (!done)
                 return false;
@@ -244,6 +250,14 @@ static bool explain_lines(struct explanation *e, const char *log, bool only_look
         c += length + (c[length] == '\n');
     }
     return true;
+}
+
+// Say how many lines were left out.
+static bool append_rest(struct explanation *e)
+{
+    char rest[64];
+    snprintf(rest, sizeof rest, "and %d more\n", e->errors - ERROR_LIMIT);
+    return e->errors <= ERROR_LIMIT || append_text(e, rest);
 }
 
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log)
@@ -256,7 +270,7 @@ char *shader_explain(const struct shader_source *source, enum shader_view view, 
     free(prelude);
     if (done) {
         glsl_blank_comments(e.code, false);
-        done = explain_lines(&e, log, true) && explain_lines(&e, log, false);
+        done = explain_lines(&e, log, true) && explain_lines(&e, log, false) && append_rest(&e);
     }
     free(e.code);
     if (done)

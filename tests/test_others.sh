@@ -259,12 +259,37 @@ malformed() { # FORM BEGINNING
     refused "$name" 'holds a zero byte: a shader is text, in UTF-8$' "$1: binary" < <(printf '%s\n\0\1\2' "$2")
     refused "$name" 'the file includes itself: [^ ]* -> [^ ]*: take one of these includes out$' "$1: includes itself" \
         < <(printf '%s\n#include "%s.frag"\n' "$2" "$name")
+    refused "$name" 'holds a zero byte: a shader is text, in UTF-8$' "$1: a zero byte in its midst" < <(cat "$scratch/toy.frag"; printf '\0'; cat "$scratch/toy.frag")
+    refused "$name" 'malformed include: write #include "name.glsl" alone on its line$' "$1: a quotation mark that is missing" < <(printf '%s\n#include "a.glsl\n' "$2")
+    printf '#include "%s.frag"\n' "$name" >"$scratch/second.glsl"
+    refused "$name" 'the file includes itself: [^ ]* -> [^ ]*second.glsl -> [^ ]*: take one of these includes out$' "$1: includes itself through another" \
+        < <(printf '%s\n#include "second.glsl"\n' "$2")
+    refused "$name" 'an array of 2000000000 elements: ' "$1: a huge array" < <(printf '%s\nfloat big[ 2000000000 ];\n' "$2")
+    refused "$name" '\.\.\.$' "$1: 100000 parentheses, and no more than a glance of them" < <(printf '%s\nfloat deep = %s1.0%s;\n' "$2" "$deep" "$close")
+    refused "$name" 'and [0-9]* more$' "$1: no more than 20 errors" < <(printf '%s\n' "$2"; for i in {1..99}; do echo "float e$i = none$i;"; done)
     refused "$name" 'does not|never|error' "$1: noise" < <(printf '%s\n' "$2"; head -c 3000 "$program" | tr -d '\0')
 }
+deep=$(printf '%100000s' '' | tr ' ' '(') close=$(tr '(' ')' <<<"$deep")
 malformed course '#include "main.glsl"'
 malformed whole '#version 330 core'
 malformed toy 'void mainImage(out vec4 c, in vec2 p) {}'
 refused empty 'empty.frag: empty$' 'an empty file' </dev/null
+refused comment 'comment.frag: holds nothing but comments: a shader is code$' 'a file of comments' <<<'// to do'
+unreadable() { # FILE PATTERN
+    ! "$program" -f "$1" "${size[@]}" -o "$scratch/unreadable.png" 2>"$scratch/err" && [ "$(grep -c '' "$scratch/err")" = 1 ] &&
+        grep -q "$2" "$scratch/err" && [ ! -e "$scratch/unreadable.png" ]
+}
+mkfifo "$scratch/fifo.frag" && ln -s nowhere "$scratch/broken.frag"
+check 'a folder' unreadable "$scratch" ': not a regular file$'
+check 'a pipe' unreadable "$scratch/fifo.frag" ': not a regular file$'
+check 'a device without end' unreadable /dev/zero ': not a regular file$'
+check 'a link to nowhere' unreadable "$scratch/broken.frag" ': cannot be read: '
+# A sum of so many terms uses up the stack of some drivers' compilers; others draw it.
+endures() {
+    printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(p.x%s); }\n' "$(printf '%40000s' '' | sed 's/ /+p.x/g')" >"$scratch/sum.frag"
+    (ulimit -s 2048; draw sum; [ $? = 1 ] && [[ $said =~ sum.frag:\ the\ graphics\ driver\ crashed\ over\ it ]] && [ "$(grep -c '' <<<"$said")" = 1 ]) || draw sum
+}
+check 'a sum of 40000 terms' endures
 
 # ---- make play ----
 
