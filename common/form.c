@@ -296,10 +296,11 @@ bool form_refuses(const struct shader_source *source, const char *log, bool link
     return refused;
 }
 
-void form_tell(const struct shader_source *source)
+bool form_accepts(const struct shader_source *source)
 {
     char *code = source->form != SHADER_COURSE ? code_of(source) : NULL;
-    if (code != NULL)
-        form_warn(source, code);
+    bool accepted =
+        source->form == SHADER_COURSE || (code != NULL && form_check_linked(source, code));
     free(code);
+    return accepted;
 }

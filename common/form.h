@@ -42,8 +42,7 @@ char *form_body(const struct shader_source *source);
 // Returns false, nothing reported, when the log blames nothing of the kind.
 bool form_refuses(const struct shader_source *source, const char *log, bool linking);
 
-// Warn of what lets a shader run that its author may not expect: form_warn. Nothing in the course's
-// form.
-void form_tell(const struct shader_source *source);
+// Judge a shader that a driver has linked: form_check_linked. The course's form is accepted.
+bool form_accepts(const struct shader_source *source);
 
 #endif

@@ -327,49 +327,29 @@ static void add_output(struct outputs *outputs, const struct declared *at)
     outputs->placed |= number == 0;
 }
 
-// True when the code may write a colour that it does not declare in plain words.
-static bool writes_otherwise(const char *code)
-{
-    int depth = 0;
-    for (const char *c = code; *c != '\0'; c += word_length(c) > 0 ? word_length(c) : 1) {
-        depth += (*c == '(') - (*c == ')');
-        if (depth == 0 && is_word(c, "out"))
-            return true;
-    }
-    return glsl_find_word(code, "gl_FragColor") != NULL ||
-           glsl_find_word(code, "gl_FragData") != NULL;
-}
-
-static bool check_outputs(struct shader_source *source, const char *code, const char *statements,
+static bool check_outputs(struct shader_source *source, const char *code,
                           const struct outputs *outputs)
 {
     const struct declared *shown = &outputs->shown;
     int line;
-    if (outputs->count == 0) {
-        if (writes_otherwise(code) || glsl_find_word(code, "main") == NULL)
-            return true;
-        report("%s: writes no colour: declare out vec4 FragColor; and give it a value in main",
-               source->files[0]);
-        return false;
-    }
-    const char *file = where(source, statements, shown, &line);
+    if (outputs->count == 0)
+        return true;
+    const char *file = where(source, code, shown, &line);
     if (outputs->count > 1 && !outputs->placed) {
-        file = where(source, statements, &outputs->second, &line);
+        file = where(source, code, &outputs->second, &line);
         report("%s:%d: out %s %s: a second output: write layout(location = 0) before the one that "
                "is the picture",
                file, line, outputs->second.type, outputs->second.name);
-    } else if (strcmp(shown->type, "vec4") != 0 && strcmp(shown->type, "vec3") != 0) {
+        return false;
+    }
+    if (strcmp(shown->type, "vec4") != 0 && strcmp(shown->type, "vec3") != 0) {
         report("%s:%d: out %s %s: a picture is made of colours: write out vec4 %s;", file, line,
                shown->type, shown->name, shown->name);
-    } else if (!is_mentioned(code, statements, shown)) {
-        report("%s:%d: out %s %s: never gets a value: write %s = vec4(...); in main", file, line,
-               shown->type, shown->name, shown->name);
-    } else {
-        if (outputs->count == 1)
-            blank_location(source, statements, shown);
-        return true;
+        return false;
     }
-    return false;
+    if (outputs->count == 1)
+        blank_location(source, code, shown);
+    return true;
 }
 
 bool form_check_inputs(struct shader_source *source, const char *code)
@@ -385,12 +365,25 @@ bool form_check_inputs(struct shader_source *source, const char *code)
             done = check_input(source, statements, &walk.at);
     }
     if (done && source->form == SHADER_WHOLE)
-        done = check_outputs(source, code, statements, &outputs);
+        done = check_outputs(source, statements, &outputs);
     free(statements);
     return done;
 }
 
-// ---- Warnings ----
+// ---- What a driver takes and an author does not expect ----
+
+// True when the code may write a colour that it does not declare in plain words.
+static bool writes_otherwise(const char *code)
+{
+    int depth = 0;
+    for (const char *c = code; *c != '\0'; c += word_length(c) > 0 ? word_length(c) : 1) {
+        depth += (*c == '(') - (*c == ')');
+        if (depth == 0 && is_word(c, "out"))
+            return true;
+    }
+    return glsl_find_word(code, "gl_FragColor") != NULL ||
+           glsl_find_word(code, "gl_FragData") != NULL;
+}
 
 static bool is_set(const struct declared *at)
 {
@@ -401,20 +394,36 @@ static bool is_set(const struct declared *at)
     return set;
 }
 
-void form_warn(const struct shader_source *source, const char *code)
+static void warn_of_uniform(const struct shader_source *source, const char *statements,
+                            const struct declared *at)
+{
+    int line;
+    const char *file = where(source, statements, at, &line);
+    report("%s:%d: warning: uniform %s %s is 0, for nothing sets it here: give it a value where it "
+           "is declared; the time is iTime, the size iResolution",
+           file, line, at->type, at->name);
+}
+
+bool form_check_linked(const struct shader_source *source, const char *code)
 {
     char *statements = statements_of(source, code);
     struct walk walk = {.c = statements, .begins = true};
-    while (statements != NULL && next_declared(&walk)) {
+    bool done = statements != NULL, writes = writes_otherwise(code);
+    while (done && next_declared(&walk)) {
         int line;
         const struct declared *at = &walk.at;
-        if (at->kind != UNIFORM || is_set(at) || !is_mentioned(code, statements, at))
-            continue;
+        bool mentioned = is_mentioned(code, statements, at);
+        if (at->kind == UNIFORM && mentioned && !is_set(at))
+            warn_of_uniform(source, statements, at);
+        done = at->kind != OUT || mentioned || source->form != SHADER_WHOLE;
         const char *file = where(source, statements, at, &line);
-        report(
-            "%s:%d: warning: uniform %s %s is 0, for nothing sets it here: give it a value where "
-            "it is declared; the time is iTime, the size iResolution",
-            file, line, at->type, at->name);
+        if (!done)
+            report("%s:%d: out %s %s: never gets a value: write %s = vec4(...); in main", file,
+                   line, at->type, at->name, at->name);
     }
+    if (done && !writes && source->form == SHADER_WHOLE)
+        report("%s: writes no colour: declare out vec4 FragColor; and give it a value in main",
+               source->files[0]);
     free(statements);
+    return done && (writes || source->form != SHADER_WHOLE);
 }

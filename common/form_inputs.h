@@ -15,12 +15,12 @@
 //   code    its text without comments and without what the preprocessor leaves out
 // Returns false, reported with file and line: an input that is not one of the report's, or of
 // another type; a uniform with the name of a Shadertoy input and another type; a texture that is
-// read; of a whole file an output that is no colour, several of which none is at location 0, one
-// that is never written, none at all.
+// read; of a whole file an output that is no colour, or several of which none is at location 0.
 bool form_check_inputs(struct shader_source *source, const char *code);
 
-// Warn, in one line, of each uniform that is read and that nothing sets: it is 0.
-void form_warn(const struct shader_source *source, const char *code);
+// Judge what a driver has linked. Warns, in one line, of each uniform that is read and that nothing
+// sets: it is 0. Returns false, reported: a whole file that gives an output no value, or has none.
+bool form_check_linked(const struct shader_source *source, const char *code);
 
 // Say that something of Shadertoy's is not offered.
 //   place  where the code mentions it

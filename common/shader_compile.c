@@ -176,8 +176,10 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
         gl->DeleteShader(vertex_stage);
     if (fragment_stage != 0)
         gl->DeleteShader(fragment_stage);
-    if (program != 0)
-        form_tell(fragment);
+    if (program != 0 && !form_accepts(fragment)) {
+        gl->DeleteProgram(program);
+        program = 0;
+    }
     // What is known to the user by now must not be found again as an error of the next call.
     while (program == 0 && gl->GetError() != GL_NO_ERROR)
         continue;

@@ -91,7 +91,7 @@ printf '%s\n' '#version 330 core // comments with main, in and out' 'smooth in v
     'toy = vec4(c.xyz * 0.3 + 0.1 * Ex + 0.2 * Ey - 0.1 * Ez + CamPos * 0.01 + Time * 0.01 + FacteurLargeur * 0.1, 0.0); }' >"$scratch/whole.frag"
 exported 'every input of a whole file' "$BUILD/01_normal_colouring" -f "$scratch/whole.frag"
 printf '#version 330 core\nvoid main() { gl_FragDepth = 0.0; }\n' >"$scratch/none.frag"
-none() { ! "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/none.frag" >"$scratch/toy.frag" 2>"$scratch/err" && [ ! -s "$scratch/toy.frag" ] && grep -q 'none.frag: writes no colour' "$scratch/err"; }
+none() { ! "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/none.frag" >"$scratch/toy.frag" 2>"$scratch/err" && [ ! -s "$scratch/toy.frag" ] && grep -q 'none.frag: no output' "$scratch/err"; }
 check 'a file without an output is refused' none
 printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); } // toy\n' >"$scratch/given.frag"
 stays() { "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/given.frag" | cmp -s - "$scratch/given.frag"; }

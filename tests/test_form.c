@@ -74,7 +74,7 @@ static void test_forms(void **state)
     assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {} " MAIN, SHADER_WHOLE);
     assert_form("// #version 330\n" MAIN, SHADER_WHOLE);
     assert_form("void mainImage(out vec4 c, in vec2 p);\n", SHADER_SHADERTOY);
-    assert_form("// void mainImage(out vec4 c, in vec2 p) {}\n", SHADER_COURSE);
+    assert_form("// void mainImage(out vec4 c, in vec2 p) {}\nfloat x;\n", SHADER_COURSE);
     assert_form("void mainImage(out vec4 c, in vec2 p) {}\n" MAIN, SHADER_WHOLE);
     assert_form("void mainImages(out vec4 c) {}\nvoid notmainImage() {}\n", SHADER_COURSE);
     scratch_write("root/shaders/main.glsl", "void main()\n{\n}\n");
@@ -171,14 +171,19 @@ static void test_outputs(void **state)
     assert_refused("out ivec4 A; void main() { A = ivec4(1); }\n",
                    "main.frag:2: out ivec4 A: a picture is made of colours: write out vec4 A;");
     assert_refused("\nout float A; void main() { A = 1.0; }\n", "main.frag:3: out float A: a pict");
-    assert_refused("out vec4 A; void main() { }\n", "main.frag:2: out vec4 A: never gets a value");
-    assert_refused("void main() { }\n", "main.frag: writes no colour: declare out vec4 FragColor;");
-    assert_refused("void f(out vec4 A) { A = vec4(1); } void main() { }\n", "writes no colour");
-    assert_form("#version 330 core\n#define B A\nout vec4 A; void main() { B = vec4(1); }\n",
-                SHADER_WHOLE);
-    assert_form("#version 330 core\n#define TO out\nTO vec4 A; void main() { A = vec4(1); }\n",
-                SHADER_WHOLE);
-    assert_form("#version 330\nvoid main() { gl_FragColor = vec4(1); }\n", SHADER_WHOLE);
+}
+
+static void test_texts_without_sense(void **state)
+{
+    (void)state;
+    assert_refused("float a[65536]; int i = a[ 65537 ];\n",
+                   "main.frag:2: an array of 65537 elements");
+    assert_refused("\nfloat a[99999999999999999999999];\n",
+                   "main.frag:3: an array of 99999999999999999999 elements");
+    struct shader_source source;
+    const char *said;
+    assert_false(read_text(&source, "// nothing\n/* but\n */\n", &said));
+    assert_non_null(strstr(said, "main.frag: holds nothing but comments"));
 }
 
 static void test_inputs_and_textures(void **state)
@@ -205,8 +210,12 @@ int main(void)
 {
 #define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
     const struct CMUnitTest tests[] = {
-        UNIT(test_forms),   UNIT(test_forms_behind_conditions), UNIT(test_values_begin_at_zero),
-        UNIT(test_outputs), UNIT(test_inputs_and_textures),
+        UNIT(test_forms),
+        UNIT(test_forms_behind_conditions),
+        UNIT(test_values_begin_at_zero),
+        UNIT(test_texts_without_sense),
+        UNIT(test_outputs),
+        UNIT(test_inputs_and_textures),
     };
     return cmocka_run_group_tests_name("form", tests, NULL, NULL);
 }

@@ -159,6 +159,10 @@ discards() {
 check 'a pixel that a shader discards is black' discards
 as black unwritten 'a colour that only some pixels get' <<<'#version 330 core
 in vec2 FragCoord; out vec4 c; void main() { if (FragCoord.x > 9.0) c = vec4(1.0); }'
+wrong 'wrong.frag:3: out vec4 FragColor: never gets a value: write FragColor = vec4' 'a colour that gets no value' "$(printf 'in vec2 FragCoord;\nout vec4 FragColor;')" ''
+wrong 'wrong.frag: writes no colour: declare out vec4 FragColor; and' 'no output' 'in vec2 FragCoord;' ''
+wrong 'wrong.frag:16: error: .*FragColour' 'an output of another name' "$basic" 'FragColour = vec4(FragCoord, 0, 1);'
+as scene renamed 'a macro that stands for the colour' < <(report_scene "$(printf '#define COULEUR FragColor\n%s' "$basic")" "${still/FragColor/COULEUR}")
 refused views 'views.frag: cannot show the view steps: it has a main of its own' "the report's form: no views" -v steps <"$scratch/scene.frag"
 refused probe 'probe.frag: cannot show a probe: it has a main of its own' "the report's form: no probe" --probe 5,5 <"$scratch/scene.frag"
 
