@@ -147,12 +147,19 @@ fi
 
 mkdir "$scratch/project" "$scratch/bin" && cp -r .make chapters shaders "$scratch/project" &&
     mkdir "$scratch/project/build" && ln -s "$root/$program" "$scratch/project/build/00_first_scene"
-film() { (cd "$scratch/project" && CHAPTER=00 FRAMES=3 FPS=10 PATH=$1 .make/film.sh "${small[@]}" >"$scratch/said" 2>"$scratch/err"); }
+film() { (cd "$scratch/project" && CHAPTER=00 FRAMES=3 FPS=${2-10} PATH=$1 .make/film.sh -s 65x37 >"$scratch/said" 2>"$scratch/err"); }
 if command -v ffmpeg >/dev/null; then
     films() { film "$PATH" && [ -s "$scratch/project/build/film/00_first_scene.mp4" ] && [ -s "$scratch/project/build/film/00_first_scene.gif" ]; }
     check 'make film makes an MP4 and a GIF' films
+    # Players want an even size, halved colour, and the table of contents first.
+    playable() {
+        local mp4=$scratch/project/build/film/00_first_scene.mp4
+        [ "$(ffprobe -v error -show_entries stream=width,height,pix_fmt,nb_frames,color_space -of csv=p=0 "$mp4")" = '64,36,yuv420p,bt709,3' ] &&
+            [ "$(ffprobe -v trace "$mp4" 2>&1 | grep -oE "type:'(moov|mdat)'" | head -n 1)" = "type:'moov'" ]
+    }
+    check 'an MP4 that players take, of an odd size too' playable
 else
-    none() { ! film "$PATH" && grep -q 'ffmpeg is not installed: install it' "$scratch/err" && grep -q -e '--frames 3' "$scratch/err"; }
+    none() { ! film "$PATH" && grep -q 'ffmpeg is not installed: install it.*--frames 3' "$scratch/err" && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
     check 'make film says what to do without ffmpeg' none
 fi
 # One that only tells what it was asked for.
@@ -165,5 +172,15 @@ asks() {
         grep -q '00_first_scene.gif' "$scratch/said"
 }
 check 'make film hands the pictures to ffmpeg twice' asks
+slower() { film "$scratch/bin:$PATH" 100 && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif"; }
+check 'a GIF of at most 50 pictures a second' slower
+# One that stops half way.
+# shellcheck disable=SC2016 # its own words
+printf '#!/bin/sh\nfor last; do :; done\necho half >"$last"\nexit 255\n' >"$scratch/bin/ffmpeg"
+keeps() {
+    ! film "$scratch/bin:$PATH" && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif" &&
+        ! grep -q half "$scratch/project/build/film/"*.* && [ "$(find "$scratch/project/build/film" -maxdepth 1 -type f | wc -l)" = 2 ]
+}
+check 'a film that stops half way leaves the old one' keeps
 
 plan
