@@ -362,7 +362,8 @@ void renderer_read_sharp(struct renderer *renderer, float *values)
 // A NaN becomes 0: the comparison is false for it.
 static unsigned char byte_of(float value)
 {
-    return (unsigned char)(value > 0.0f ? fminf(value, 1.0f) * 255.0f + 0.5f : 0.0f);
+    float positive = value > 0.0f ? value : 0.0f;
+    return (unsigned char)((positive < 1.0f ? positive : 1.0f) * 255.0f + 0.5f);
 }
 
 static void store_rows(struct image *image, const float *values, int bottom, int rows)
