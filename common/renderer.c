@@ -409,6 +409,21 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
     return done;
 }
 
+bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
+{
+    const struct renderer_target *sharp = &renderer->sharp;
+    float *values = malloc(4 * sizeof *values * (size_t)sharp->width * (size_t)sharp->height);
+    bool done = values != NULL && image_create(image, sharp->width, sharp->height);
+    if (values == NULL)
+        report("picture %dx%d: not enough memory", sharp->width, sharp->height);
+    if (done) {
+        renderer_read_sharp(renderer, values);
+        store_rows(image, values, 0, sharp->height);
+    }
+    free(values);
+    return done;
+}
+
 // Column k of the target holds what shaders/main.glsl writes for step k:
 //   row 0  t, distance, steps of the first march, why it ended
 //   row 1  position x, y, z, -

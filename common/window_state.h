@@ -60,6 +60,7 @@ struct window {
     int sharp;                    // rows of it, from the top, that are sharp by now
     int band;                     // rows to sharpen next
     double sharp_seconds;         // that sharp took
+    bool shooting;                // a screenshot waits for the sharp picture; time waits too
 };
 
 // The parameter that the arrows change: the one last chosen, as long as the shader has it.
@@ -79,6 +80,12 @@ bool window_pass(struct window *window, double seconds);
 
 // Carry out what the hands did since the last turn.
 void window_obey(struct window *window);
+
+// True when the screenshot that was asked for can be written: the picture is sharp, or quick to draw.
+bool window_shoots(const struct window *window);
+
+// Write it.
+void window_shoot(struct window *window);
 
 // Bring Shadertoy's iMouse up to this turn: xy where the button was held last, zw where it was
 // pressed; z is positive while it is held, w in the one frame of the press. A change draws a frame
