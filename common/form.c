@@ -101,12 +101,11 @@ static bool check_sense(const struct shader_source *source, const char *code)
     return true;
 }
 
-// True when the file itself defines main, not the course's library. The vertex shader of the course
-// has one too, and stays as it is.
+// True when the file itself defines main and includes nothing: one that includes the course's
+// library has its form. The vertex shader of the course has a main too, and stays as it is.
 static bool has_own_main(const struct shader_source *source, const char *code)
 {
-    const char *main = glsl_find_definition(code, "main");
-    return main != NULL && line_at(source, code, main)->file == 0 &&
+    return source->file_count == 1 && glsl_find_definition(code, "main") != NULL &&
            glsl_find_word(code, "gl_Position") == NULL;
 }
 

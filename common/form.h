@@ -11,10 +11,9 @@
 //            must not reach the driver is blanked: one of GLSL ES, one in Shadertoy's form
 //   version  the text has a #version
 // What the preprocessor leaves out does not count. Shadertoy's form mentions mainImage and defines
-// no main; a whole file has a #version otherwise, or defines main itself; everything else is the
-// course's form.
-// Returns false, reported with file and line: nothing but comments, an array of more than 65536
-// elements, what form_check_inputs refuses.
+// no main; a whole file has a #version otherwise, or defines main and includes nothing; everything
+// else is the course's form. Returns false, reported with file and line: nothing but comments, an
+// array of more than 65536 elements, what form_check_inputs refuses.
 bool form_find(struct shader_source *source, bool version);
 
 // What stands before the text for the driver, its lines ended.

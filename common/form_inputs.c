@@ -272,7 +272,7 @@ static bool make_uniform(struct shader_source *source, const char *code, const s
         at->end - at->begin < (int)strlen(word) || memchr(text, '\n', strlen(word)) != NULL)
         return false;
     blank_text(source, code, at->begin, at->end);
-    memcpy(text, word, strlen(word));
+    memcpy(text, word, sizeof word - 1);
     return true;
 }
 

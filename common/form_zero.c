@@ -26,7 +26,7 @@ struct insertions {
 static void insert(struct insertions *all, size_t at, const char *before, const char *word,
                    int length, const char *after)
 {
-    if (all->count == all->capacity) {
+    if (all->item == NULL || all->count == all->capacity) {
         all->capacity = 2 * all->capacity + 64;
         struct insertion *grown = realloc(all->item, all->capacity * sizeof *grown);
         all->failed = grown == NULL;

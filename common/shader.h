@@ -84,10 +84,9 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
 // for this source and view. Understands Mesa "0:12(3): ", NVIDIA "0(12) : " and "ERROR: 0:12: ". A
 // line that names a function which links to nothing gets the file and line of the call.
 // Each line becomes "FILE:LINE: error: message" with the source line beneath, shown once where
-// several stand together and cut after 160 letters. Warnings are left out of a log that holds errors;
-// a line that belongs to no line of the source is kept as it is; of more than 20 lines the rest is
-// counted.
-// Returns memory that the caller frees, or NULL, reported.
+// several stand together and cut after 160 letters. Warnings are left out of a log that holds
+// errors; a line that belongs to no line of the source is kept as it is; of more than 20 lines the
+// rest is counted. Returns memory that the caller frees, or NULL, reported.
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log);
 
 #endif

@@ -52,6 +52,7 @@ struct window {
     char why[512];                // there is none because of this; "" when there is one
     // A picture that takes long is drawn at a lower resolution, and sharpened once it rests.
     bool moved;                   // what makes the picture changed in this turn
+    bool shooting;                // a screenshot waits for the sharp picture; time waits too
     double rest_at;               // from then on nothing moves
     int divisor;                  // of the picture's sides; 1 is sharp
     double cost;                  // seconds that a pixel takes, estimated
@@ -60,7 +61,6 @@ struct window {
     int sharp;                    // rows of it, from the top, that are sharp by now
     int band;                     // rows to sharpen next
     double sharp_seconds;         // that sharp took
-    bool shooting;                // a screenshot waits for the sharp picture; time waits too
 };
 
 // The parameter that the arrows change: the one last chosen, as long as the shader has it.
@@ -81,7 +81,8 @@ bool window_pass(struct window *window, double seconds);
 // Carry out what the hands did since the last turn.
 void window_obey(struct window *window);
 
-// True when the screenshot that was asked for can be written: the picture is sharp, or quick to draw.
+// True when the screenshot that was asked for can be written: the picture is sharp, or quick to
+// draw.
 bool window_shoots(const struct window *window);
 
 // Write it.

@@ -78,6 +78,7 @@ static void test_forms(void **state)
     assert_form("void mainImage(out vec4 c, in vec2 p) {}\n" MAIN, SHADER_WHOLE);
     assert_form("void mainImages(out vec4 c) {}\nvoid notmainImage() {}\n", SHADER_COURSE);
     scratch_write("root/shaders/main.glsl", "void main()\n{\n}\n");
+    assert_form("#include \"leaf.glsl\"\n" MAIN, SHADER_COURSE);
     assert_form("#include \"main.glsl\"\nvoid mainImage(int a) {}\n", SHADER_COURSE);
     assert_form("void mainImage( out vec4 c,\n in vec2 p )\n{ }\n", SHADER_SHADERTOY);
     assert_form("uniform int iFrame; void main() { gl_Position = vec4(0.0); }\n", SHADER_COURSE);
