@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "form_inputs.h"
 #include "glsl.h"
 #include "report.h"
 
@@ -215,6 +216,7 @@ static const struct {
     const char *word, *instead;
 } renamed[] = {{"main", "shaderMain"},
                {"mainImage", "shaderImage"},
+               {"gl_FragColor", "shaderColour"},
                {"in", ""},
                {"out", ""},
                {"varying", ""},
@@ -229,28 +231,51 @@ static void put_word(struct export *e, const char *word, size_t length, bool glo
 {
     for (size_t i = 0; i < sizeof renamed / sizeof *renamed; i++)
         if (strlen(renamed[i].word) == length && strncmp(word, renamed[i].word, length) == 0 &&
-            (i < 2 || global)) {
+            (i < 3 || global)) {
             put(e, "%s", renamed[i].instead);
             return;
         }
     put(e, "%.*s", (int)length, word);
 }
 
-// Blank #version, and the layout of an output.
+static void blank_both(char *text, char *code, size_t from, size_t length)
+{
+    memset(text + from, ' ', length);
+    memset(code + from, ' ', length);
+}
+
+// True for a uniform that Shadertoy declares itself.
+static bool is_given(const char *uniform)
+{
+    const char *name;
+    for (size_t i = 0; form_toy_input(i, &name) != NULL; i++) {
+        const char *found = glsl_find_word(uniform, name);
+        if (found != NULL && found < uniform + strcspn(uniform, ";"))
+            return true;
+    }
+    return false;
+}
+
+// Blank what Shadertoy says itself or does not take: #version, the precision of numbers, the
+// layouts of inputs and outputs, its own uniforms, and the word before a uniform that has a value.
 static void blank_rest(char *text, char *code)
 {
-    char *version = strstr(code, "#version");
-    if (version != NULL) {
-        size_t length = strcspn(version, "\n");
-        memset(text + (version - code), ' ', length);
-        memset(version, ' ', length);
-    }
-    const char *layout = glsl_find_word(code, "layout");
-    size_t from = layout != NULL ? (size_t)(layout - code) : 0;
-    size_t length = layout != NULL ? strcspn(layout, ")") : 0;
-    if (layout != NULL && layout[length] == ')') {
-        memset(text + from, ' ', length + 1);
-        memset(code + from, ' ', length + 1);
+    char *version = strchr(code, '#');
+    if (version != NULL && strncmp(version + 1 + strspn(version + 1, " \t"), "version", 7) == 0)
+        blank_both(text, code, (size_t)(version - code), strcspn(version, "\n"));
+    const char *word = code;
+    while ((word = glsl_find_word(word, "precision")) != NULL)
+        blank_both(text, code, (size_t)(word - code),
+                   strcspn(word, ";") + (strchr(word, ';') != NULL));
+    for (word = code; (word = glsl_find_word(word, "layout")) != NULL;)
+        blank_both(text, code, (size_t)(word - code),
+                   strcspn(word, ")") + (strchr(word, ')') != NULL));
+    for (word = code; (word = glsl_find_word(word, "uniform")) != NULL; word++) {
+        size_t length = strcspn(word, ";");
+        if (is_given(word))
+            blank_both(text, code, (size_t)(word - code), length + (word[length] == ';'));
+        else if (memchr(word, '=', length) != NULL)
+            blank_both(text, code, (size_t)(word - code), strlen("uniform"));
     }
 }
 
@@ -274,31 +299,38 @@ static void put_whole_text(struct export *e, const char *text)
     }
 }
 
-// The name of the output: of the first global "out".
+// The name of the output, of which the form has been judged: the first global "out", or the one at
+// location 0.
 static bool find_output(const char *code, char name[64])
 {
     int depth = 0;
+    bool found = false;
     for (const char *c = code; *c != '\0'; c++) {
         bool begins = c == code || !glsl_is_word(c[-1]);
         depth += (*c == '{' || *c == '(') - (*c == '}' || *c == ')');
+        if (depth != 0 || !begins || strncmp(c, "out", 3) != 0 || glsl_is_word(c[3]))
+            continue;
+        const char *statement = c;
+        while (statement > code && strchr(";}", statement[-1]) == NULL)
+            statement--;
+        const char *location = strstr(statement, "location");
+        int number = 0, used = 0;
+        bool placed = location != NULL && location < c &&
+                      sscanf(location, "location = %d", &number) == 1 && number == 0;
         char type[32];
-        if (depth == 0 && begins && strncmp(c, "out", 3) == 0 && !glsl_is_word(c[3])) {
-            const char *word = c + 3;
-            do {
-                int used = 0;
-                if (sscanf(word, " %31[a-zA-Z0-9_]%n", type, &used) != 1)
-                    return false;
-                word += used;
-            } while (strstr("lowp mediump highp", type) != NULL);
-            return sscanf(word, " %63[a-zA-Z0-9_]", name) == 1;
-        }
+        const char *word = c + 3;
+        while (sscanf(word, " %31[a-zA-Z0-9_]%n", type, &used) == 1 &&
+               strstr("lowp mediump highp", type) != NULL)
+            word += used;
+        if (!found || placed)
+            found = sscanf(word, " %*31[a-zA-Z0-9_] %63[a-zA-Z0-9_]", name) == 1;
     }
-    return false;
+    return found;
 }
 
 static void put_input(struct export *e, const char *name, const char *value)
 {
-    if (glsl_find_word(e->code, name) != NULL)
+    if (glsl_find_word(e->code, name) != NULL && !form_declares(e->code, name))
         put(e, "    %s = %s;\n", name, value);
 }
 
@@ -313,12 +345,21 @@ static void put_input_vector(struct export *e, const char *name, const float v[3
 
 static bool put_whole(struct export *e)
 {
-    char output[64] = "";
-    char *text = strdup(e->source->text);
+    char output[64] = "shaderColour";
+    char *text = strdup(e->source->text), *statements = strdup(e->code);
+    bool found = statements != NULL;
+    if (found) {
+        glsl_blank_directives(statements);
+        found = find_output(statements, output);
+    }
+    if (!found && glsl_find_word(e->code, "gl_FragColor") != NULL) {
+        found = true;
+        put(e, "vec4 shaderColour;\n");
+    }
+    free(statements);
     if (text == NULL)
         return false;
     blank_rest(text, e->code);
-    bool found = find_output(e->code, output);
     put_whole_text(e, text);
     free(text);
     put(e, "\n// ---- What Shadertoy calls ----\n\n"

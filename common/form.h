@@ -10,10 +10,10 @@
 //   source   its text, lines and files are there; form and versioned are set here. A #version that
 //            must not reach the driver is blanked: one of GLSL ES, one in Shadertoy's form
 //   version  the text has a #version
-// Shadertoy's form mentions mainImage and defines no main; a whole file has a #version otherwise;
-// everything else is the course's form.
-// Returns false, reported with file and line: an input of a whole file that is not one of the
-// report's or has another type; a uniform with the name of a Shadertoy input and another type.
+// What the preprocessor leaves out does not count. Shadertoy's form mentions mainImage and defines
+// no main; a whole file has a #version otherwise, or defines main and includes nothing; everything
+// else is the course's form. Returns false, reported with file and line: nothing but comments, an
+// array of more than 65536 elements, what form_check_inputs refuses.
 bool form_find(struct shader_source *source, bool version);
 
 // What stands before the text for the driver, its lines ended.
@@ -26,17 +26,22 @@ bool form_find(struct shader_source *source, bool version);
 // Returns memory that the caller frees, or NULL, reported.
 char *form_prelude(const struct shader_source *source, enum shader_view view);
 
-// The text after the prelude: the source's own, line by line. In Shadertoy's form gl_FragCoord is
-// renamed, for the renderer draws in parts and samples, and the shader must see one picture. A
-// whole file loses the words smooth, flat, noperspective and centroid, which drivers want to find
-// in the vertex shader too, and which change nothing on a triangle that covers the screen. Returns
-// memory that the caller frees, or NULL, reported.
+// The text after the prelude: the source's own, line by line. In the course's form nothing changes.
+// Otherwise variables without a value begin at 0, as form_zero has it. In Shadertoy's form
+// gl_FragCoord is renamed, for the renderer draws in parts and samples, and the shader must see one
+// picture. A whole file loses the words smooth, flat, noperspective and centroid, which drivers
+// want to find in the vertex shader too, and which change nothing on a triangle that covers the
+// screen. Returns memory that the caller frees, or NULL, reported.
 char *form_body(const struct shader_source *source);
 
-// Say why a shader cannot run that asks for what Shadertoy has and this harness has not: textures,
-// buffers, sounds.
-//   log  of the driver, which did not compile the shader
+// Say why a shader cannot run that asks for what Shadertoy has and this harness has not (textures,
+// buffers, sounds), that has no main, or another mainImage than Shadertoy's.
+//   log      of the driver, which did not compile the shader
+//   linking  or not link it
 // Returns false, nothing reported, when the log blames nothing of the kind.
-bool form_refuses(const struct shader_source *source, const char *log);
+bool form_refuses(const struct shader_source *source, const char *log, bool linking);
+
+// Judge a shader that a driver has linked: form_check_linked. The course's form is accepted.
+bool form_accepts(const struct shader_source *source);
 
 #endif

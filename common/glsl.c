@@ -67,16 +67,150 @@ static const char *skip_blanks(const char *c)
     return c + strspn(c, " \t\n\v\f");
 }
 
-bool glsl_defines(const char *code, const char *name)
+// ---- What the preprocessor leaves out ----
+
+// What is known of a condition before the driver has seen it.
+enum truth { NEVER, ALWAYS, PERHAPS };
+
+// Skip a word and the blanks behind it; NULL when c begins otherwise.
+static const char *after_word(const char *c, const char *word)
+{
+    size_t length = strlen(word);
+    if (c == NULL || strncmp(c, word, length) != 0 || glsl_is_word(c[length]))
+        return NULL;
+    return c + length + strspn(c + length, " \t\v\f");
+}
+
+// The directive that a line holds, or NULL.
+static const char *directive_of(const char *line)
+{
+    line += strspn(line, " \t\v\f");
+    return *line == '#' ? line + 1 + strspn(line + 1, " \t\v\f") : NULL;
+}
+
+// Whether the name at c is defined there.
+static enum truth is_defined(const char *code, const char *c)
+{
+    char name[64];
+    size_t length = 0;
+    while (glsl_is_word(c[length]))
+        length++;
+    if (length == 0 || length >= sizeof name)
+        return PERHAPS;
+    memcpy(name, c, length);
+    name[length] = '\0';
+    if (strcmp(name, "GL_ES") == 0)
+        return NEVER;
+    if (strncmp(name, "GL_", 3) == 0 || strncmp(name, "__", 2) == 0 || strcmp(name, "VIEW") == 0 ||
+        strcmp(name, "HW_PERFORMANCE") == 0)
+        return PERHAPS;
+    enum truth truth = NEVER;
+    for (const char *found = glsl_find_word(code, name); found != NULL && found < c;
+         found = find_word_from(code, found + 1, name)) {
+        const char *line = found;
+        while (line > code && line[-1] != '\n')
+            line--;
+        const char *directive = directive_of(line);
+        if (after_word(directive, "define") == found)
+            truth = truth == NEVER ? ALWAYS : truth;
+        else if (after_word(directive, "undef") == found)
+            truth = PERHAPS;
+    }
+    return truth;
+}
+
+static enum truth negate(enum truth truth)
+{
+    return truth == PERHAPS ? PERHAPS : truth == ALWAYS ? NEVER : ALWAYS;
+}
+
+// What stands behind #if: 0, 1, defined NAME or !defined(NAME), and nothing more; else PERHAPS.
+static enum truth truth_of(const char *code, const char *c)
+{
+    bool no = *c == '!';
+    const char *name = after_word(c + no, "defined");
+    const char *end = name != NULL ? name + (*name == '(') : c;
+    enum truth truth = name != NULL ? is_defined(code, end) : *c == '0' ? NEVER : ALWAYS;
+    bool number = name == NULL && (*c == '0' || *c == '1');
+    while (glsl_is_word(*end))
+        end++;
+    end += strspn(end, ") \t\v\f");
+    if ((name == NULL && !number) || *end != '\n')
+        return PERHAPS;
+    return no ? negate(truth) : truth;
+}
+
+// The condition of #if, #ifdef or #ifndef; false for another directive.
+static bool find_condition(const char *code, const char *directive, enum truth *truth)
+{
+    const char *rest;
+    if ((rest = after_word(directive, "ifdef")) != NULL)
+        *truth = is_defined(code, rest);
+    else if ((rest = after_word(directive, "ifndef")) != NULL)
+        *truth = negate(is_defined(code, rest));
+    else if ((rest = after_word(directive, "if")) != NULL)
+        *truth = truth_of(code, rest);
+    return rest != NULL;
+}
+
+// One #if under way.
+struct conditional {
+    bool live;         // what stands around it is not left out
+    enum truth branch; // the part at hand is taken
+    enum truth others; // and what is left for the parts to come
+};
+
+void glsl_blank_inactive(char *code)
+{
+    enum { DEPTH = 64 };
+    struct conditional open[DEPTH] = {{true, ALWAYS, NEVER}}, *at = open;
+    for (char *line = code; *line != '\0';) {
+        size_t length = strcspn(line, "\n");
+        const char *directive = directive_of(line);
+        bool now = at->live && at->branch != NEVER, inside = at > open;
+        enum truth truth;
+        if (find_condition(code, directive, &truth)) {
+            if (++at == open + DEPTH)
+                return;
+            *at = (struct conditional){now, truth, negate(truth)};
+        } else if (inside && after_word(directive, "else") != NULL) {
+            at->branch = at->others;
+        } else if (inside && after_word(directive, "elif") != NULL) {
+            at->branch = at->others = at->others == NEVER ? NEVER : PERHAPS;
+        } else if (inside && after_word(directive, "endif") != NULL) {
+            at--;
+        } else if (!now) {
+            blank(line, line + length);
+        }
+        line += length + (line[length] == '\n');
+    }
+}
+
+void glsl_blank_directives(char *code)
+{
+    bool joined = false;
+    for (char *line = code; *line != '\0';) {
+        size_t length = strcspn(line, "\n");
+        bool directive = joined || line[strspn(line, " \t\v\f")] == '#';
+        joined = directive && length > 0 && line[length - 1] == '\\';
+        if (directive)
+            blank(line, line + length);
+        line += length + (line[length] == '\n');
+    }
+}
+
+// ---- Words and functions ----
+
+const char *glsl_find_definition(const char *code, const char *name)
 {
     for (const char *c = glsl_find_word(code, name); c != NULL;
          c = find_word_from(code, c + 1, name)) {
         const char *next = skip_blanks(c + strlen(name));
         const char *close = *next == '(' ? strchr(next, ')') : NULL;
         if (close != NULL && *skip_blanks(close + 1) == '{')
-            return true;
+            return c;
     }
-    return false;
+    return NULL;
 }
 
 // A type before the name makes it a declaration; after these words stands an expression.

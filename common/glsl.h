@@ -10,6 +10,16 @@
 // Returns NULL, or the place of the first block comment that is never closed.
 char *glsl_blank_comments(char *text, bool keep_line_comments);
 
+// Overwrite with blanks what the preprocessor surely leaves out: between #if 0, #ifdef, #ifndef, or
+// #if with defined, and #else, #elif or #endif. Where only the driver knows (an expression, a name
+// of GL_ or __), everything stays. The directives themselves stay too.
+//   code  a text without comments
+void glsl_blank_inactive(char *code);
+
+// Overwrite with blanks the preprocessor's lines, and those that a backslash joins to them.
+//   code  a text without comments
+void glsl_blank_directives(char *code);
+
 // True for a letter, a digit or an underscore of the basic alphabet, whatever the locale.
 bool glsl_is_word(char c);
 
@@ -17,8 +27,8 @@ bool glsl_is_word(char c);
 //   code  a text without comments
 const char *glsl_find_word(const char *code, const char *word);
 
-// True when the code defines a function of this name; a prototype defines nothing.
-bool glsl_defines(const char *code, const char *name);
+// The name in the definition of a function, or NULL; a prototype defines nothing.
+const char *glsl_find_definition(const char *code, const char *name);
 
 // The first call of a function of this name, or NULL; prototypes and definitions are no calls.
 const char *glsl_find_call(const char *code, const char *name);

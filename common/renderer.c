@@ -293,13 +293,12 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
         gl->Enable(GL_BLEND);
         gl->BlendColor(share, share, share, share);
         gl->BlendFunc(GL_CONSTANT_COLOR, GL_ONE);
-        gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     }
+    gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     for (int y = part->from; y < part->to; y += TILE)
         for (int x = 0; x < inputs->width; x += TILE) {
             gl->Scissor(x, y, TILE, part->to - y < TILE ? part->to - y : TILE);
-            if (inputs->samples > 1)
-                gl->Clear(GL_COLOR_BUFFER_BIT);
+            gl->Clear(GL_COLOR_BUFFER_BIT); // a shader may discard its pixel
             draw_samples(renderer, program, inputs->samples, part->bottom);
             gl->Flush();
         }
@@ -363,7 +362,8 @@ void renderer_read_sharp(struct renderer *renderer, float *values)
 // A NaN becomes 0: the comparison is false for it.
 static unsigned char byte_of(float value)
 {
-    return (unsigned char)(value > 0.0f ? fminf(value, 1.0f) * 255.0f + 0.5f : 0.0f);
+    float positive = value > 0.0f ? value : 0.0f;
+    return (unsigned char)((positive < 1.0f ? positive : 1.0f) * 255.0f + 0.5f);
 }
 
 static void store_rows(struct image *image, const float *values, int bottom, int rows)
@@ -406,6 +406,21 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
     free(values);
     if (!done)
         image_free(image);
+    return done;
+}
+
+bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
+{
+    const struct renderer_target *sharp = &renderer->sharp;
+    float *values = malloc(4 * sizeof *values * (size_t)sharp->width * (size_t)sharp->height);
+    bool done = values != NULL && image_create(image, sharp->width, sharp->height);
+    if (values == NULL)
+        report("picture %dx%d: not enough memory", sharp->width, sharp->height);
+    if (done) {
+        renderer_read_sharp(renderer, values);
+        store_rows(image, values, 0, sharp->height);
+    }
+    free(values);
     return done;
 }
 

@@ -120,6 +120,10 @@ void renderer_read(struct renderer *renderer, float *values);
 // The same of renderer_sharpen: 4 * width * height floats.
 void renderer_read_sharp(struct renderer *renderer, float *values);
 
+// The same as an image, as renderer_picture makes one. Returns false, reported; the caller frees
+// the image.
+bool renderer_sharp_picture(struct renderer *renderer, struct image *image);
+
 // The pixel below a place in a window, also where a high-density display has several pixels to one
 // of the window's units.
 //   place   from the window's top left, y down, in the window's units

@@ -35,11 +35,12 @@ static bool no_memory(const char *where)
 
 // ---- Names ----
 
+// True for the folder itself too.
 static bool inside(const char *path, const char *folder)
 {
     size_t length = strlen(folder);
-    return strncmp(path, folder, length) == 0 &&
-           (path[length] == '/' || (length > 0 && folder[length - 1] == '/'));
+    return strncmp(path, folder, length) == 0 && (path[length] == '/' || path[length] == '\0' ||
+                                                  (length > 0 && folder[length - 1] == '/'));
 }
 
 // The part of a path inside the folder that holds it.
@@ -290,8 +291,10 @@ static bool expand_text(struct expansion *e, int file, const char *text, const c
         from.line++;
         if (after_directive(line_code, "version") != NULL && !check_version(e, from, first))
             return false;
+        // An author's own #line would blame another line.
+        bool counts = after_directive(line_code, "line") != NULL;
         if (rest != NULL ? !expand_include(e, from, line, length, line_code, rest)
-                         : !add_line(e, from, "", line, length))
+                         : !add_line(e, from, counts ? "// " : "", line, length))
             return false;
         first = first && strspn(line_code, " \t\v\f") == length;
         line += length + 1;

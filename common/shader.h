@@ -25,7 +25,7 @@ enum shader_view {
 enum shader_form {
     SHADER_COURSE,    // the course's own: no #version, three functions and includes
     SHADER_SHADERTOY, // defines mainImage and no main
-    SHADER_WHOLE      // its own #version and main
+    SHADER_WHOLE      // its own main, and mostly a #version
 };
 
 // Where one line of the expanded text comes from.
@@ -61,8 +61,7 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
 // Free a source; one of zeros is allowed.
 void shader_free(struct shader_source *source);
 
-// The text that is compiled: what form.h puts before the expanded text, then this. A whole file of
-// desktop GLSL stays as it is.
+// The text that is compiled: what form.h puts before the expanded text, and what it makes of this.
 // Returns memory that the caller frees, or NULL, reported.
 char *shader_text(const struct shader_source *source, enum shader_view view);
 
@@ -85,9 +84,9 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
 // for this source and view. Understands Mesa "0:12(3): ", NVIDIA "0(12) : " and "ERROR: 0:12: ". A
 // line that names a function which links to nothing gets the file and line of the call.
 // Each line becomes "FILE:LINE: error: message" with the source line beneath, shown once where
-// several stand together. Warnings are left out of a log that holds errors; a line that belongs to
-// no line of the source is kept as it is.
-// Returns memory that the caller frees, or NULL, reported.
+// several stand together and cut after 160 letters. Warnings are left out of a log that holds
+// errors; a line that belongs to no line of the source is kept as it is; of more than 20 lines the
+// rest is counted. Returns memory that the caller frees, or NULL, reported.
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log);
 
 #endif

@@ -1,8 +1,10 @@
 #include "shader.h"
 
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "form.h"
 #include "report.h"
@@ -57,7 +59,7 @@ char *shader_text(const struct shader_source *source, enum shader_view view)
 static void report_failure(const struct shader_source *source, enum shader_view view,
                            const char *step, const char *log)
 {
-    if (log != NULL && form_refuses(source, log))
+    if (log != NULL && form_refuses(source, log, strcmp(step, "link") == 0))
         return;
     char *errors = shader_explain(source, view, log != NULL ? log : "");
     if (errors == NULL)
@@ -120,20 +122,64 @@ static GLuint link_stages(const struct gl *gl, GLuint vertex, GLuint fragment,
     return 0;
 }
 
+// ---- Drivers that crash ----
+
+// A compiler that calls itself for each term of a sum runs out of stack on a long one. Then there
+// is no way back, but one line can be said.
+static struct {
+    char said[1024];
+    char stack[64 * 1024]; // for the signal, as the other one may be used up
+    struct sigaction before;
+    stack_t stack_before;
+} crash;
+
+static void on_crash(int number)
+{
+    (void)number;
+    ssize_t written = write(STDERR_FILENO, crash.said, strlen(crash.said));
+    (void)written;
+    _exit(1);
+}
+
+// Watch over a driver at work on this file.
+static void watch_driver(const char *file)
+{
+    struct sigaction action = {.sa_handler = on_crash, .sa_flags = SA_ONSTACK};
+    stack_t own = {.ss_sp = crash.stack, .ss_size = sizeof crash.stack};
+    snprintf(crash.said, sizeof crash.said,
+             "%.800s: the graphics driver crashed over it: split its longest statement\n", file);
+    sigaltstack(&own, &crash.stack_before);
+    sigaction(SIGSEGV, &action, &crash.before);
+}
+
+static void forget_driver(void)
+{
+    sigaction(SIGSEGV, &crash.before, NULL);
+    sigaltstack(&crash.stack_before, NULL);
+}
+
+// ---- A program ----
+
 GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
                    const struct shader_source *fragment, enum shader_view view)
 {
     GLuint program = 0, fragment_stage = 0;
+    watch_driver(fragment->files[0]);
     GLuint vertex_stage = compile(gl, GL_VERTEX_SHADER, vertex, view);
     if (vertex_stage != 0)
         fragment_stage = compile(gl, GL_FRAGMENT_SHADER, fragment, view);
     if (fragment_stage != 0)
         program = link_stages(gl, vertex_stage, fragment_stage, fragment, view);
+    forget_driver();
     // A shader that is attached lives on until its program goes.
     if (vertex_stage != 0)
         gl->DeleteShader(vertex_stage);
     if (fragment_stage != 0)
         gl->DeleteShader(fragment_stage);
+    if (program != 0 && !form_accepts(fragment)) {
+        gl->DeleteProgram(program);
+        program = 0;
+    }
     // What is known to the user by now must not be found again as an error of the next call.
     while (program == 0 && gl->GetError() != GL_NO_ERROR)
         continue;

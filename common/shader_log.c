@@ -8,7 +8,9 @@
 #include "glsl.h"
 #include "report.h"
 
-#define NAME_SIZE 128 // of a function in a link error
+#define NAME_SIZE   128 // of a function in a link error
+#define LINE_LIMIT  160 // letters of a source line that is shown
+#define ERROR_LIMIT 20  // errors that are shown: the first ones cause the others
 
 // One explanation under way.
 struct explanation {
@@ -18,6 +20,7 @@ struct explanation {
     char *text;  // what is explained so far
     size_t size, capacity;
     int shown;       // expanded line that was shown last, 0 for none
+    int errors;      // lines of the log that were explained, and those left out
     bool has_errors; // the log holds an error, so that its warnings only hide it
 };
 
@@ -164,7 +167,30 @@ static bool append_source(struct explanation *e, int line)
     for (int i = 1; i < line; i++)
         text = strchr(text, '\n') + 1;
     text = skip_blanks(text);
-    return append_text(e, "    ") && append(e, text, strcspn(text, "\n")) && append_text(e, "\n");
+    size_t length = strcspn(text, "\n");
+    bool cut = length > LINE_LIMIT;
+    return append_text(e, "    ") && append(e, text, cut ? LINE_LIMIT : length) &&
+           append_text(e, cut ? "...\n" : "\n");
+}
+
+// Name a sign that is no part of GLSL, which drivers answer with whatever comes after it: an accent
+// in a name, a space or a quotation mark out of a word processor.
+//   sign  receives a phrase, or stays as it is
+static void foreign_sign(const struct explanation *e, int line, char sign[128])
+{
+    const char *code = e->code;
+    for (int i = 1; i < line; i++)
+        code = strchr(code, '\n') + 1;
+    while (*code != '\n' && (unsigned char)*code < 0x80)
+        code++;
+    int length = 1;
+    while (length < 4 && ((unsigned char)code[length] & 0xC0) == 0x80)
+        length++;
+    bool space = strncmp(code, "\xC2\xA0", 2) == 0;
+    if (*code != '\n' && *code != '\0')
+        snprintf(sign, 128, "only plain letters and signs, here is %s%.*s%s: ",
+                 space ? "a space that cannot break" : "'", space ? 0 : length, code,
+                 space ? "" : "'");
 }
 
 static bool explain_line(struct explanation *e, const char *log)
@@ -173,7 +199,7 @@ static bool explain_line(struct explanation *e, const char *log)
     int line = expanded_line(e, &message);
     if (message.line != 0 && e->has_errors && strcmp(message.kind, "warning") == 0)
         return true;
-    if (message.line == 0 && (line = line_of_call(e, log)) != 0)
+    if (message.line == 0 && (line = line_of_call(e, log)) != 0 && message.text == log)
         split_kind(skip(log, "ERROR: ") != NULL ? log + strlen("ERROR: ") : log, &message);
     if (line == 0) {
         e->shown = 0;
@@ -183,10 +209,14 @@ static bool explain_line(struct explanation *e, const char *log)
     char place[32];
     snprintf(place, sizeof place, ":%d: ", from->line);
     bool again = line == e->shown;
+    char sign[128] = "";
+    if (!again)
+        foreign_sign(e, line, sign);
     e->shown = line;
     return append_text(e, e->source->files[from->file]) && append_text(e, place) &&
-           append_text(e, message.kind) && append_text(e, ": ") && append_text(e, message.text) &&
-           append_text(e, "\n") && (again || append_source(e, line));
+           append_text(e, message.kind) && append_text(e, ": ") && append_text(e, sign) &&
+           append_text(e, message.text) && append_text(e, "\n") &&
+           (again || append_source(e, line));
 }
 
 // True when the same line stands earlier in the log.
@@ -212,7 +242,7 @@ static bool explain_lines(struct explanation *e, const char *log, bool only_look
                 return false;
             struct message message = read_message(line);
             e->has_errors |= message.line != 0 && strcmp(message.kind, "error") == 0;
-            bool done = only_look || explain_line(e, line);
+            bool done = only_look || ++e->errors > ERROR_LIMIT || explain_line(e, line);
             free(line);
             if (!done)
                 return false;
@@ -220,6 +250,14 @@ static bool explain_lines(struct explanation *e, const char *log, bool only_look
         c += length + (c[length] == '\n');
     }
     return true;
+}
+
+// Say how many lines were left out.
+static bool append_rest(struct explanation *e)
+{
+    char rest[64];
+    snprintf(rest, sizeof rest, "and %d more\n", e->errors - ERROR_LIMIT);
+    return e->errors <= ERROR_LIMIT || append_text(e, rest);
 }
 
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log)
@@ -232,7 +270,7 @@ char *shader_explain(const struct shader_source *source, enum shader_view view, 
     free(prelude);
     if (done) {
         glsl_blank_comments(e.code, false);
-        done = explain_lines(&e, log, true) && explain_lines(&e, log, false);
+        done = explain_lines(&e, log, true) && explain_lines(&e, log, false) && append_rest(&e);
     }
     free(e.code);
     if (done)

@@ -85,7 +85,7 @@ static bool turn(struct window *window)
     double now = glfwGetTime();
     bool visible = take_size(window);
     window->moved = false;
-    if (!window->paused) {
+    if (!window->paused && !window->shooting) {
         window->inputs.time += now - window->turn;
         window->moved |= window_uses_time(window);
     }
@@ -102,6 +102,8 @@ static bool turn(struct window *window)
     if (drawing && !window_draw(window, now))
         return false;
     window->drew = drawing;
+    if (visible && !window->stale && window_shoots(window))
+        window_shoot(window);
     if (now >= window->retitle_at) {
         window->retitle_at = now + TITLE_SECONDS;
         window_retitle(window);

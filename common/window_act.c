@@ -106,25 +106,48 @@ static void choose(struct window *window, int by)
     snprintf(window->parameter, sizeof window->parameter, "%s", all->item[index].name);
 }
 
-// Write the picture under the first free name. That a disk is full is reported and ends nothing.
-static void save_screenshot(struct window *window)
+// The first name that is free. Returns false, reported, when there is none.
+static bool find_name(const struct window *window, char path[256])
 {
-    char path[256];
     int number = 1;
     do
-        snprintf(path, sizeof path, "%.200s-%04d.png", window->stem, number);
+        snprintf(path, 256, "%.200s-%04d.png", window->stem, number);
     while (access(path, F_OK) == 0 && ++number <= LAST_SCREENSHOT);
-    if (number > LAST_SCREENSHOT) {
+    if (number > LAST_SCREENSHOT)
         report("%s: all names up to this one are taken: move some screenshots away", path);
-        return;
-    }
-    struct image image = {0};
-    if (renderer_picture(window->renderer, &window->inputs, &image) &&
-        image_write_png(&image, path)) {
-        printf("%s: written, %dx%d\n", path, image.width, image.height);
+    return number <= LAST_SCREENSHOT;
+}
+
+// Write a picture. That a disk is full is reported and ends nothing.
+//   made  the image is there
+static void save(const struct window *window, struct image *image, bool made)
+{
+    char path[256];
+    if (made && find_name(window, path) && image_write_png(image, path)) {
+        printf("%s: written, %dx%d\n", path, image->width, image->height);
         fflush(stdout);
     }
-    image_free(&image);
+    image_free(image);
+}
+
+// An overlay that is to be in the picture is drawn with it, all at once.
+static bool can_wait(const struct window *window)
+{
+    return window->divisor > 1 && window->renderer->overlay == NULL;
+}
+
+bool window_shoots(const struct window *window)
+{
+    return window->shooting && (!can_wait(window) || window->sharp == window->whole.height);
+}
+
+void window_shoot(struct window *window)
+{
+    struct image image = {0};
+    window->shooting = false;
+    save(window, &image,
+         can_wait(window) ? renderer_sharp_picture(window->renderer, &image)
+                          : renderer_picture(window->renderer, &window->inputs, &image));
     // The screenshot was drawn where the picture on the screen was; a sharpened one is elsewhere.
     window->stale |= window->sharp < window->whole.height;
 }
@@ -209,7 +232,7 @@ static void act(struct window *window, struct window_event event)
         window->inputs.camera = window->options->camera;
         break;
     case WINDOW_SCREENSHOT:
-        save_screenshot(window);
+        window->shooting = true;
         break;
     case WINDOW_FULL_SCREEN:
         toggle_full_screen(window);

@@ -52,6 +52,7 @@ struct window {
     char why[512];                // there is none because of this; "" when there is one
     // A picture that takes long is drawn at a lower resolution, and sharpened once it rests.
     bool moved;                   // what makes the picture changed in this turn
+    bool shooting;                // a screenshot waits for the sharp picture; time waits too
     double rest_at;               // from then on nothing moves
     int divisor;                  // of the picture's sides; 1 is sharp
     double cost;                  // seconds that a pixel takes, estimated
@@ -79,6 +80,13 @@ bool window_pass(struct window *window, double seconds);
 
 // Carry out what the hands did since the last turn.
 void window_obey(struct window *window);
+
+// True when the screenshot that was asked for can be written: the picture is sharp, or quick to
+// draw.
+bool window_shoots(const struct window *window);
+
+// Write it.
+void window_shoot(struct window *window);
 
 // Bring Shadertoy's iMouse up to this turn: xy where the button was held last, zw where it was
 // pressed; z is positive while it is held, w in the one frame of the press. A change draws a frame

@@ -90,6 +90,12 @@ printf '%s\n' '#version 330 core // comments with main, in and out' 'smooth in v
     'void main(void) { vec4 c; float a = fovValue, b; grow(a, a, b); c = vec4(a + OrthoView + CustomToggle + CustomInt, FragCoord, b);' \
     'toy = vec4(c.xyz * 0.3 + 0.1 * Ex + 0.2 * Ey - 0.1 * Ez + CamPos * 0.01 + Time * 0.01 + FacteurLargeur * 0.1, 0.0); }' >"$scratch/whole.frag"
 exported 'every input of a whole file' "$BUILD/01_normal_colouring" -f "$scratch/whole.frag"
+printf '%s\n' '# version 330' 'precision mediump float;' 'layout(location = 1) in vec2 FragCoord; flat in int CustomInt, CustomToggle;' \
+    'uniform float iTime; uniform float radius = 0.5; uniform sampler2D none;' 'layout(location = 1) out vec4 other; layout(location = 0) out vec4 shown;' \
+    'void main() { shown = vec4(FragCoord * 0.37, radius + iTime * 0.1 + float(CustomInt + CustomToggle), 1.0); other = vec4(1.0); }' >"$scratch/placed.frag"
+exported 'locations, values and inputs in other words' "$BUILD/01_normal_colouring" -f "$scratch/placed.frag"
+printf '#version 120\nvarying vec2 FragCoord; void main() { gl_FragColor = vec4(FragCoord * 0.37, 0.5, 1.0); }\n' >"$scratch/old.frag"
+exported 'gl_FragColor' "$BUILD/01_normal_colouring" -f "$scratch/old.frag"
 printf '#version 330 core\nvoid main() { gl_FragDepth = 0.0; }\n' >"$scratch/none.frag"
 none() { ! "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/none.frag" >"$scratch/toy.frag" 2>"$scratch/err" && [ ! -s "$scratch/toy.frag" ] && grep -q 'none.frag: no output' "$scratch/err"; }
 check 'a file without an output is refused' none

@@ -97,10 +97,15 @@ variation 'constant arrays and whole loops' "$basic const float W[3] = float[](0
 variation 'an initialiser that is no constant' "$basic float now = Time; vec2 twice = 2.0 * FragCoord;" "$still"
 variation 'a declaration over several lines' "$(printf 'in\n  vec2\n  FragCoord ;\nin float Time\n;\nout vec4\nFragColor;')" "$still"
 variation 'functions with in and out' "$basic void move(in vec2 a, inout vec2 b, out vec2 c) { b += a; c = b; } void nothing(in vec2 foo) {}" "$still"
-variation 'a uniform that nobody sets' "$basic uniform float strength;" "${still/1.0);/1.0 - strength);}"
+variation 'a uniform with a value' "$basic uniform float strength = 1.0;" "${still/1.0);/strength);}"
+variation 'a uniform that nobody sets and nothing reads' "$basic uniform float strength; uniform sampler2D tex;" "$still"
+variation 'whole inputs that are flat' "$basic flat in int CustomInt, CustomToggle;" "${still/1.0);/1 - CustomInt);}"
+variation 'a location of an input' 'layout(location = 1) in vec2 FragCoord; layout (location = 4) out vec4 FragColor;' "$still"
+variation 'what #ifdef leaves out' "$(printf '%s\n#ifdef OLD\nin vec2 uv;\nuniform float iTime;\n#endif\n#line 77' "$basic")" "$still"
+variation 'a macro for the output' "$(printf '#define TO out\nin vec2 FragCoord; TO vec4 FragColor;')" "$still"
 variation 'mainImage called by its own main' "$basic void mainImage(out vec4 c, in vec2 p) { c = vec4(p, 0.0, 1.0); }" "$still"
 
-for change in crlf mark tabs latin comment late es; do
+for change in crlf mark tabs latin comment late es compatible bare; do
     case $change in
     crlf) sed 's/$/\r/' ;;
     mark) printf '\357\273\277' && cat ;;
@@ -109,6 +114,8 @@ for change in crlf mark tabs latin comment late es; do
     comment) printf '/* a scene\n   by others */ // indeed\n\n' && cat ;;
     late) sed '1s/ core//' ;;
     es) sed '1s/.*/#version 300 es\nprecision highp float;/' ;;
+    compatible) sed '1s/core/compatibility/' ;;
+    bare) sed 1d ;;
     esac <"$scratch/scene.frag" >"$scratch/changed"
     as scene "scene_$change" "the report's form: $change" <"$scratch/changed"
 done
@@ -132,10 +139,30 @@ wrong() { # PATTERN TITLE DECLARATIONS BODY
     refused wrong "$1" "the report's form: $2" < <(report_scene "$3" "$4")
 }
 wrong 'wrong.frag:2: in vec3 FragCoord: FragCoord is a vec2 here' 'an input of another type' 'in vec3 FragCoord; out vec4 FragColor;' "$still"
-wrong 'wrong.frag:3: in int CustomInt: CustomInt is a float' 'an input on line 3' "$(printf 'in vec2 FragCoord; out vec4 FragColor;\nin vec3 Ex; flat in int CustomInt;')" "$still"
+wrong 'wrong.frag:3: in int CustomInt: CustomInt is a float' 'an input on line 3' "$(printf 'in vec2 FragCoord; out vec4 FragColor;\nin vec3 Ex; in int CustomInt;')" "$still"
 wrong 'wrong.frag:2: uniform vec2 iResolution: iResolution is a vec3 here' 'a uniform of another type' "$basic uniform vec2 iResolution;" "$still"
 wrong 'wrong.frag:2: in vec2 MousePos: there is no such input: there are FragCoord,' 'an unknown input' "$basic in vec2 MousePos;" "$ray FragColor = vec4(MousePos, d.xy);"
 wrong 'wrong.frag:16: error' 'an error in its own line' "$basic" 'FragColor = vec4(FragCoord);'
+warned() {
+    report_scene "$basic uniform float strength;" "${still/1.0);/1.0 - strength);}" >"$scratch/warned.frag"
+    draw warned && cmp -s "$scratch/warned.png" "$scratch/scene.png" && [ "$(grep -c '' <<<"$said")" = 1 ] &&
+        [[ $said =~ warned.frag:2:\ warning:\ uniform\ float\ strength\ is\ 0,\ for\ nothing\ sets\ it ]]
+}
+check "the report's form: a uniform that is read and that nobody sets is told of" warned
+# What is left out is black, whatever the picture before: two of a row, the second all discarded.
+discards() {
+    printf '#version 330 core\nin float Time; out vec4 c; void main() { if (Time > 0.5) discard; c = vec4(1.0); }\n' >"$scratch/discard.frag"
+    printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(0.0); }\n' >"$scratch/black.frag"
+    "$program" -f "$scratch/discard.frag" "${size[@]}" --frames 2 --fps 1 -o "$scratch/discard-%d.png" && draw black &&
+        cmp -s "$scratch/discard-0.png" "$scratch/white.png" && cmp -s "$scratch/discard-1.png" "$scratch/black.png"
+}
+check 'a pixel that a shader discards is black' discards
+as black unwritten 'a colour that only some pixels get' <<<'#version 330 core
+in vec2 FragCoord; out vec4 c; void main() { if (FragCoord.x > 9.0) c = vec4(1.0); }'
+wrong 'wrong.frag:3: out vec4 FragColor: never gets a value: write FragColor = vec4' 'a colour that gets no value' "$(printf 'in vec2 FragCoord;\nout vec4 FragColor;')" ''
+wrong 'wrong.frag: writes no colour: declare out vec4 FragColor; and' 'no output' 'in vec2 FragCoord;' ''
+wrong 'wrong.frag:16: error: .*FragColour' 'an output of another name' "$basic" 'FragColour = vec4(FragCoord, 0, 1);'
+as scene renamed 'a macro that stands for the colour' < <(report_scene "$(printf '#define COULEUR FragColor\n%s' "$basic")" "${still/FragColor/COULEUR}")
 refused views 'views.frag: cannot show the view steps: it has a main of its own' "the report's form: no views" -v steps <"$scratch/scene.frag"
 refused probe 'probe.frag: cannot show a probe: it has a main of its own' "the report's form: no probe" --probe 5,5 <"$scratch/scene.frag"
 
@@ -172,6 +199,13 @@ toy 'initialisers of the inputs' 'float now = iTime; vec2 res = iResolution.xy;'
 toy 'constant arrays' 'const float w[2] = float[2](0.5, 0.5); const vec2[2] v = vec2[](vec2(1), vec2(2));' "$head" "$toy_body c.a = w[1] + v[0].x;"
 toy 'uniforms declared by itself' 'uniform vec3 iResolution; uniform float iTime, iTimeDelta; uniform vec4 iMouse;' "$head" "$toy_body"
 toy 'every input' 'float all() { return iTime + iTimeDelta + float(iFrame) + iFrameRate + dot(iMouse, iDate); }' "$head" "$toy_body c.a = all();"
+toy 'a parameter of every kind' '' 'void mainImage(inout vec4 c, inout vec2 p)' "p += 0.0; $toy_body"
+toy 'const in' '' 'void mainImage(out vec4 c, const in vec2 p)' "$toy_body"
+toy 'another name of mainImage' '#define MI mainImage' 'void MI(out vec4 c, vec2 p)' "$toy_body"
+toy 'a whole head as a macro' "#define mainImage $head" 'mainImage' "$toy_body"
+toy 'an extension' '#extension GL_OES_standard_derivatives : enable' "$head" "$toy_body"
+toy 'a main that is left out' "$(printf '#if 0\nvoid main() {}\nvoid mainImage(inout vec4 c, vec2 p) {}\n#endif')" "$head" "$toy_body"
+toy 'variables without a value' 'float glow;' "$head" "c *= 0.; for (float i, s; i++ < 9.; glow += s) c += s; c += glow; vec3 none; int j; $toy_body c += float(j) + none.xyzz;"
 toy 'a macro that nothing uses reads iChannel0' "$(printf '#define tex(p) texture(iChannel0, p)')" "$head" "$toy_body"
 
 for change in crlf mark latin version comment macro; do
@@ -229,12 +263,37 @@ malformed() { # FORM BEGINNING
     refused "$name" 'holds a zero byte: a shader is text, in UTF-8$' "$1: binary" < <(printf '%s\n\0\1\2' "$2")
     refused "$name" 'the file includes itself: [^ ]* -> [^ ]*: take one of these includes out$' "$1: includes itself" \
         < <(printf '%s\n#include "%s.frag"\n' "$2" "$name")
+    refused "$name" 'holds a zero byte: a shader is text, in UTF-8$' "$1: a zero byte in its midst" < <(cat "$scratch/toy.frag"; printf '\0'; cat "$scratch/toy.frag")
+    refused "$name" 'malformed include: write #include "name.glsl" alone on its line$' "$1: a quotation mark that is missing" < <(printf '%s\n#include "a.glsl\n' "$2")
+    printf '#include "%s.frag"\n' "$name" >"$scratch/second.glsl"
+    refused "$name" 'the file includes itself: [^ ]* -> [^ ]*second.glsl -> [^ ]*: take one of these includes out$' "$1: includes itself through another" \
+        < <(printf '%s\n#include "second.glsl"\n' "$2")
+    refused "$name" 'an array of 2000000000 elements: ' "$1: a huge array" < <(printf '%s\nfloat big[ 2000000000 ];\n' "$2")
+    refused "$name" '\.\.\.$' "$1: 100000 parentheses, and no more than a glance of them" < <(printf '%s\nfloat deep = %s1.0%s;\n' "$2" "$deep" "$close")
+    refused "$name" 'and [0-9]* more$' "$1: no more than 20 errors" < <(printf '%s\n' "$2"; for i in {1..99}; do echo "float e$i = none$i;"; done)
     refused "$name" 'does not|never|error' "$1: noise" < <(printf '%s\n' "$2"; head -c 3000 "$program" | tr -d '\0')
 }
+deep=$(printf '%100000s' '' | tr ' ' '(') close=$(tr '(' ')' <<<"$deep")
 malformed course '#include "main.glsl"'
 malformed whole '#version 330 core'
 malformed toy 'void mainImage(out vec4 c, in vec2 p) {}'
 refused empty 'empty.frag: empty$' 'an empty file' </dev/null
+refused comment 'comment.frag: holds nothing but comments: a shader is code$' 'a file of comments' <<<'// to do'
+unreadable() { # FILE PATTERN
+    ! "$program" -f "$1" "${size[@]}" -o "$scratch/unreadable.png" 2>"$scratch/err" && [ "$(grep -c '' "$scratch/err")" = 1 ] &&
+        grep -q "$2" "$scratch/err" && [ ! -e "$scratch/unreadable.png" ]
+}
+mkfifo "$scratch/fifo.frag" && ln -s nowhere "$scratch/broken.frag"
+check 'a folder' unreadable "$scratch" ': not a regular file$'
+check 'a pipe' unreadable "$scratch/fifo.frag" ': not a regular file$'
+check 'a device without end' unreadable /dev/zero ': not a regular file$'
+check 'a link to nowhere' unreadable "$scratch/broken.frag" ': cannot be read: '
+# A sum of so many terms uses up the stack of some drivers' compilers; others draw it.
+endures() {
+    printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(p.x%s); }\n' "$(printf '%40000s' '' | sed 's/ /+p.x/g')" >"$scratch/sum.frag"
+    (ulimit -s 2048; draw sum; [ $? = 1 ] && [[ $said =~ sum.frag:\ the\ graphics\ driver\ crashed\ over\ it ]] && [ "$(grep -c '' <<<"$said")" = 1 ]) || draw sum
+}
+check 'a sum of 40000 terms' endures
 
 # ---- make play ----
 

@@ -115,19 +115,22 @@ whole() {
         case $file in *.png) "$BUILD/tests/compare" "$file" "$file" >/dev/null || return 1 ;; *) return 1 ;; esac
     done
 }
+# A shell starts what runs beside it with SIGINT ignored.
+heed=(env --default-signal=INT)
+"${heed[@]}" true 2>/dev/null || heed=()
 interrupted() { # SIGNAL
     clear_out
-    "$program" -s 320x180 --frames 5000 -o "$out/%05d.png" &
+    "${heed[@]}" "$program" -s 320x180 --frames 5000 -o "$out/%05d.png" &
     local child=$! tries=200 status
     while [ ! -e "$out/00003.png" ] && [ $tries -gt 0 ]; do sleep 0.05; tries=$((tries - 1)); done
     kill -"$1" $child
     wait $child 2>/dev/null
     status=$?
-    [ $status -gt 128 ] && [ -e "$out/00003.png" ] && [ ! -e "$out/04999.png" ] && whole
+    [ $status = $((128 + $(kill -l "$1"))) ] && [ -e "$out/00003.png" ] && [ ! -e "$out/04999.png" ] && whole
 }
-# A shell starts what runs beside it with SIGINT ignored; the program's own trap is not needed.
 check 'a signal in the midst leaves whole pictures' interrupted TERM
 check 'a lost terminal too' interrupted HUP
+if [ ${#heed[@]} != 0 ]; then check 'and Ctrl+C' interrupted INT; else skip 'and Ctrl+C' 'env has no --default-signal'; fi
 
 clear_out
 if command -v script >/dev/null && script -qec true /dev/null >/dev/null 2>&1; then
@@ -144,14 +147,21 @@ fi
 
 mkdir "$scratch/project" "$scratch/bin" && cp -r .make chapters shaders "$scratch/project" &&
     mkdir "$scratch/project/build" && ln -s "$root/$program" "$scratch/project/build/00_first_scene"
-film() { (cd "$scratch/project" && CHAPTER=00 FRAMES=3 FPS=10 PATH=$1 .make/film.sh "${small[@]}" >"$scratch/said" 2>"$scratch/err"); }
+film() { (cd "$scratch/project" && CHAPTER=00 FRAMES=3 FPS=${2-10} PATH=$1 .make/film.sh -s 65x37 >"$scratch/said" 2>"$scratch/err"); }
 if command -v ffmpeg >/dev/null; then
     films() { film "$PATH" && [ -s "$scratch/project/build/film/00_first_scene.mp4" ] && [ -s "$scratch/project/build/film/00_first_scene.gif" ]; }
     check 'make film makes an MP4 and a GIF' films
-else
-    none() { ! film "$PATH" && grep -q 'ffmpeg is not installed: install it' "$scratch/err" && grep -q -e '--frames 3' "$scratch/err"; }
-    check 'make film says what to do without ffmpeg' none
+    # Players want an even size, halved colour, and the table of contents first.
+    playable() {
+        local mp4=$scratch/project/build/film/00_first_scene.mp4
+        [ "$(ffprobe -v error -show_entries stream=width,height,pix_fmt,nb_frames,color_space -of csv=p=0 "$mp4")" = '64,36,yuv420p,bt709,3' ] &&
+            [ "$(ffprobe -v trace "$mp4" 2>&1 | grep -oE "type:'(moov|mdat)'" | head -n 1)" = "type:'moov'" ]
+    }
+    check 'an MP4 that players take, of an odd size too' playable
 fi
+mkdir "$scratch/few" && for tool in sh basename tr sed; do ln -s "$(command -v $tool)" "$scratch/few"; done
+none() { ! film "$scratch/few" && grep -q 'ffmpeg is not installed: install it.*--frames 3' "$scratch/err" && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
+check 'make film says what to do without ffmpeg' none
 # One that only tells what it was asked for.
 # shellcheck disable=SC2016 # its own words
 printf '#!/bin/sh\nfor last; do :; done\nls build/film/00_first_scene/frame-0002.png >/dev/null || exit 1\necho "$@" >"$last"\n' >"$scratch/bin/ffmpeg"
@@ -162,5 +172,15 @@ asks() {
         grep -q '00_first_scene.gif' "$scratch/said"
 }
 check 'make film hands the pictures to ffmpeg twice' asks
+slower() { film "$scratch/bin:$PATH" 100 && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif"; }
+check 'a GIF of at most 50 pictures a second' slower
+# One that stops half way.
+# shellcheck disable=SC2016 # its own words
+printf '#!/bin/sh\nfor last; do :; done\necho half >"$last"\nexit 255\n' >"$scratch/bin/ffmpeg"
+keeps() {
+    ! film "$scratch/bin:$PATH" && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif" &&
+        ! grep -q half "$scratch/project/build/film/"*.* && [ "$(find "$scratch/project/build/film" -maxdepth 1 -type f | wc -l)" = 2 ]
+}
+check 'a film that stops half way leaves the old one' keeps
 
 plan

@@ -354,34 +354,19 @@ static void test_open_comment(void **state)
 
 // ---- Forms ----
 
-static void assert_form(const char *text, enum shader_form form)
-{
-    struct shader_source source = read_text(text);
-    assert_int_equal(source.form, form);
-    shader_free(&source);
-}
-
-static void test_forms(void **state)
+static void test_versions(void **state)
 {
     (void)state;
-    assert_form("#version 330 core\nvoid main() {}\n", SHADER_WHOLE);
-    assert_form("// why\n/* and\nhow */ # version 330 core\n#include \"leaf.glsl\"\n",
-                SHADER_WHOLE);
-    assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {}\n", SHADER_SHADERTOY);
-    assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {} void main() {}\n",
-                SHADER_WHOLE);
-    assert_form("// #version 330\nvoid main() {}\n", SHADER_COURSE);
-    assert_form("void mainImage(out vec4 c, in vec2 p);\n", SHADER_SHADERTOY);
-    assert_form("// void mainImage(out vec4 c, in vec2 p) {}\n", SHADER_COURSE);
-    assert_form("void mainImage(out vec4 c, in vec2 p) {}\nvoid main() {}\n", SHADER_COURSE);
-    assert_form("void mainImages(out vec4 c) {}\nvoid notmainImage() {}\n", SHADER_COURSE);
-    scratch_write("root/shaders/main.glsl", "void main()\n{\n}\n");
-    assert_form("#include \"main.glsl\"\nvoid mainImage(int a) {}\n", SHADER_COURSE);
-    assert_form("void mainImage( out vec4 c,\n in vec2 p )\n{ }\n", SHADER_SHADERTOY);
     assert_refused("x\n#version 330 core\n", "main.frag:2: #version must come first");
     assert_refused("#include \"leaf.glsl\"\n#version 330 core\n", "main.frag:2: #version must");
     scratch_write("root/shaders/leaf.glsl", "// x\n#version 330\n");
     assert_refused("#include \"leaf.glsl\"\n", "shaders/leaf.glsl:2: #version");
+}
+
+static void test_line_directives(void **state)
+{
+    (void)state;
+    assert_text("x\n # line 100\ny\n", "x\n//  # line 100\ny\n");
 }
 
 static void test_compiled_text(void **state)
@@ -453,7 +438,8 @@ int main(void)
         UNIT(test_size_limits),
         UNIT(test_special_files),
         UNIT(test_open_comment),
-        UNIT(test_forms),
+        UNIT(test_versions),
+        UNIT(test_line_directives),
         UNIT(test_compiled_text),
         UNIT(test_views),
     };

@@ -254,6 +254,20 @@ static void test_whole_files(void **state)
                   "/root/main.frag:6: error: ", "\n    colour = vec4(none);\n");
 }
 
+static void test_signs_that_are_no_glsl(void **state)
+{
+    (void)state;
+    assert_blamed(library_ok,
+                  "#version 330 core\nout vec4 c; // é\nvoid main()\n{\n    float \xC3\xA9t;\n"
+                  "    c = vec4(1.0);\n}\n",
+                  "main.frag:5: error: only plain letters and signs, here is '\xC3\xA9'", "float");
+    assert_blamed(library_ok,
+                  "#version 330 core\nout vec4 c;\nvoid main()\n{\n    c =\xC2\xA0vec4(1.0);\n}\n",
+                  "main.frag:5: error: only plain letters and signs, here is a space that cannot "
+                  "break",
+                  "vec4");
+}
+
 static void test_calls_that_link_to_nothing(void **state)
 {
     (void)state;
@@ -261,7 +275,12 @@ static void test_calls_that_link_to_nothing(void **state)
                   "\nshaders/lib.glsl:4: error: ", "gone");
     assert_blamed("float lib(float x);\n", main_ok, "/root/main.frag:5: error: ", "lib");
     assert_blamed(library_ok, "#include \"lib.glsl\"\nfloat f() { return lib(1.0); }\n",
-                  "does not link", "main");
+                  "draws no picture, for it has no main", "mainImage");
+    assert_blamed(library_ok, "#version 330 core\nfloat f(float x) { return x; }\n",
+                  "draws no picture, for it has no main", "mainImage");
+    assert_blamed(library_ok, "vec4 mainImage(in vec2 p)\n{\n    return p.xyxy;\n}\n",
+                  "main.frag:1: mainImage has other parameters",
+                  "void mainImage(out vec4 fragColor, in vec2 fragCoord)");
 }
 
 static int open_context(void **state)
@@ -295,6 +314,7 @@ int main(void)
         UNIT(test_undeclared_names),
         UNIT(test_whole_files),
         UNIT(test_calls_that_link_to_nothing),
+        UNIT(test_signs_that_are_no_glsl),
     };
     return cmocka_run_group_tests_name("shader errors", tests, open_context, close_context);
 }

@@ -44,6 +44,33 @@ abandons() { key Right && within 2 coarse_above && key Left && within 10 half_sh
 check 'a change while it sharpens begins anew' abandons
 sharpens() { within 20 fine_screen && shoot_as first && within 5 on_screen; }
 check 'once it rested it is the screenshot' sharpens
+# P before it is sharp: the window goes on, the picture comes when it is complete.
+wrote() { says out "$(basename "$picture"): written"; }
+other_title() { [ "$(title)" != "$before" ]; }
+early() {
+    shots=$((shots + 1))
+    picture=$scratch/run/$(printf '%s-%04d.png' $chapter "$shots")
+    key Right Left && within 2 coarse_above && sleep 0.3 && before=$(title) && key p Up && within 2 other_title && ! wrote &&
+        within 20 wrote && cmp -s "$picture" "$scratch/first.png"
+}
+check 'a screenshot of a heavy picture does not hold the window up' early
+check 'Backspace closes it' backspace
+
+# All rows of one time, though it takes many turns.
+cat >"$scratch/heavy.frag" <<'GLSL'
+void mainImage(out vec4 c, vec2 p)
+{
+    float sum;
+    for (int i = 0; i < 5000; i++)
+        sum += sin(sum + float(i) + p.x);
+    c = vec4(fract(iTime), 1.0, 1e-9 * sum, 1.0);
+}
+GLSL
+start $chapter -s 480x300 --shader "$scratch/heavy.frag"
+one_time() { shoot $chapter && [ "$(convert "$picture" -format %k info:)" = 1 ]; }
+check 'nor does that of a heavy one that moves, and it is of one time' one_time
+goes_on() { look before && sleep 0.5 && look screen && ! same before screen; }
+check 'which then goes on' within 5 goes_on
 check 'Backspace closes it' backspace
 
 # ---- How fast ----

@@ -1,0 +1,222 @@
+// test_form.c - the three kinds of shader file: which one a text is, what other people's need, and
+// one clear line for each that cannot be a picture.
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+// cmocka needs the four above.
+#include <cmocka.h>
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../common/shader.h"
+#include "support_scratch.h"
+
+static int set_up(void **state)
+{
+    *state = (void *)(size_t)scratch_make();
+    scratch_write("root/shaders/leaf.glsl", "float leaf();\n");
+    return 0;
+}
+
+static int tear_down(void **state)
+{
+    (void)state;
+    scratch_remove();
+    return 0;
+}
+
+// Read a text as root/chapters/main.frag. Returns whether it can be; said is what was said.
+static bool read_text(struct shader_source *source, const char *text, const char **said)
+{
+    const char *path = scratch_write("root/chapters/main.frag", text);
+    capture_begin();
+    bool done = shader_read(source, path, scratch_path("root"));
+    *said = capture_end();
+    return done;
+}
+
+static void assert_form(const char *text, enum shader_form form)
+{
+    struct shader_source source;
+    const char *said;
+    if (!read_text(&source, text, &said) || said[0] != '\0')
+        fail_msg("%s: %s", text, said);
+    if (source.form != form)
+        fail_msg("%s: form %d, not %d", text, (int)source.form, (int)form);
+    shader_free(&source);
+}
+
+// A whole file with this text behind its #version is refused in one line that says this.
+static void assert_refused(const char *text, const char *words)
+{
+    struct shader_source source;
+    const char *said;
+    char whole[512];
+    snprintf(whole, sizeof whole, "#version 330 core\n%s", text);
+    assert_false(read_text(&source, whole, &said));
+    if (line_count(said) != 1 || strstr(said, words) == NULL)
+        fail_msg("%s: '%s' is missing in: %s", text, words, said);
+}
+
+// A main that writes a colour.
+#define MAIN "out vec4 colour; void main() { colour = vec4(1.0); }\n"
+
+static void test_forms(void **state)
+{
+    (void)state;
+    assert_form("#version 330 core\n" MAIN, SHADER_WHOLE);
+    assert_form("// why\n/* and\nhow */ # version 330 core\n#include \"leaf.glsl\"\n",
+                SHADER_WHOLE);
+    assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {}\n", SHADER_SHADERTOY);
+    assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {} " MAIN, SHADER_WHOLE);
+    assert_form("// #version 330\n" MAIN, SHADER_WHOLE);
+    assert_form("void mainImage(out vec4 c, in vec2 p);\n", SHADER_SHADERTOY);
+    assert_form("// void mainImage(out vec4 c, in vec2 p) {}\nfloat x;\n", SHADER_COURSE);
+    assert_form("void mainImage(out vec4 c, in vec2 p) {}\n" MAIN, SHADER_WHOLE);
+    assert_form("void mainImages(out vec4 c) {}\nvoid notmainImage() {}\n", SHADER_COURSE);
+    scratch_write("root/shaders/main.glsl", "void main()\n{\n}\n");
+    assert_form("#include \"leaf.glsl\"\n" MAIN, SHADER_COURSE);
+    assert_form("#include \"main.glsl\"\nvoid mainImage(int a) {}\n", SHADER_COURSE);
+    assert_form("void mainImage( out vec4 c,\n in vec2 p )\n{ }\n", SHADER_SHADERTOY);
+    assert_form("uniform int iFrame; void main() { gl_Position = vec4(0.0); }\n", SHADER_COURSE);
+}
+
+// What the preprocessor leaves out decides nothing.
+static void test_forms_behind_conditions(void **state)
+{
+    (void)state;
+    static const char toy[] = "void mainImage(out vec4 c, in vec2 p) {}\n";
+    static const struct {
+        const char *before, *after;
+        enum shader_form form; // of main between them, and Shadertoy's behind
+    } cases[] = {
+        {"#if 0\n", "#endif\n", SHADER_SHADERTOY},
+        {"#if 1\n", "#endif\n", SHADER_WHOLE},
+        {"#ifdef DESKTOP\n", "#endif\n", SHADER_SHADERTOY},
+        {"#define DESKTOP\n#ifdef DESKTOP\n", "#endif\n", SHADER_WHOLE},
+        {"#define DESKTOP 1\n#undef DESKTOP\n#ifdef DESKTOP\n", "#endif\n", SHADER_WHOLE},
+        {"#ifndef DESKTOP\n", "#endif\n", SHADER_WHOLE},
+        {"#ifdef GL_ES\n", "#endif\n", SHADER_SHADERTOY},
+        {"#ifdef GL_ARB_gpu_shader5\n", "#endif\n", SHADER_WHOLE},
+        {"#if defined(DESKTOP)\n", "#endif\n", SHADER_SHADERTOY},
+        {"#if !defined DESKTOP\n", "#endif\n", SHADER_WHOLE},
+        {"#if defined(DESKTOP) || 1\n", "#endif\n", SHADER_WHOLE},
+        {"#if __VERSION__ > 100\n", "#endif\n", SHADER_WHOLE},
+        {"#if 1\n#else\n", "#endif\n", SHADER_SHADERTOY},
+        {"#if 0\n#else\n", "#endif\n", SHADER_WHOLE},
+        {"#if 1\n#elif 1\n", "#endif\n", SHADER_SHADERTOY},
+        {"#if 1\n#elif 1\n#else\n", "#endif\n", SHADER_SHADERTOY},
+        {"#if 0\n#elif X\n", "#endif\n", SHADER_WHOLE},
+        {"#if 0\n#if 1\n", "#endif\n#endif\n", SHADER_SHADERTOY},
+        {"#if 0\n#define DESKTOP\n#endif\n#ifdef DESKTOP\n", "#endif\n", SHADER_SHADERTOY},
+        {"#if 0\n#endif\n", "#endif\n#else\n", SHADER_WHOLE},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        char text[512];
+        snprintf(text, sizeof text, "%s" MAIN "%s%s", cases[i].before, cases[i].after, toy);
+        assert_form(text, cases[i].form);
+    }
+}
+
+// The text for the driver, of a whole file.
+static void assert_driver_gets(const char *text, const char *expected)
+{
+    char whole[512];
+    snprintf(whole, sizeof whole, "#version 330 core\n%s", text);
+    struct shader_source source;
+    const char *said;
+    assert_true(read_text(&source, whole, &said));
+    char *compiled = shader_text(&source, SHADER_PICTURE);
+    assert_string_equal(compiled + strlen("#version 330 core\n"), expected);
+    free(compiled);
+    shader_free(&source);
+}
+
+static void test_values_begin_at_zero(void **state)
+{
+    (void)state;
+    assert_driver_gets("float a, b = 1.0, c; // float d;\n",
+                       "float a=float(0), b = 1.0, c=float(0); // float d;\n");
+    assert_driver_gets("vec3 f(vec3 p, float r);\nstruct S { float d; vec3 c; };\nS s;\n",
+                       "vec3 f(vec3 p, float r);\nstruct S { float d; vec3 c; };\nS s;\n");
+    assert_driver_gets(
+        "void f() { for (float i, d = g(1, 2), s; i < 3.0; i++) { highp mat2 m; } }\n",
+        "void f() { for (float i=float(0), d = g(1, 2), s=float(0); i < 3.0; i++) { "
+        "highp mat2 m=mat2(0); } }\n");
+    assert_driver_gets("const float a = 1.0; float h[3]; float[2] v; int\ni\n;\n",
+                       "const float a = 1.0; float h[3]; float[2] v; int\ni=int(0)\n;\n");
+    assert_driver_gets(
+        "#define A float x;\nuniform float u;\nprecision highp float;\nin float Time;\n",
+        "#define A float x;\nuniform float u;\nprecision highp float;\nin float Time;\n");
+    assert_driver_gets("out vec4 c;\nvoid main() { if (x) c = vec4(1.0); }\n",
+                       "out vec4 c;\nvoid main() {c=vec4(0); if (x) c = vec4(1.0); }\n");
+}
+
+static void test_outputs(void **state)
+{
+    (void)state;
+    static const char body[] = "void main() { A = vec4(1); B = vec4(1); }\n";
+    char text[256];
+    snprintf(text, sizeof text, "out vec4 A; out vec4 B; %s", body);
+    assert_refused(text, "main.frag:2: out vec4 B: a second output: write layout(location = 0)");
+    snprintf(text, sizeof text, "out vec4 A, B; %s", body);
+    assert_refused(text, "main.frag:2: out vec4 B: a second output");
+    snprintf(text, sizeof text,
+             "layout(location = 1) out vec4 A; layout(location=0) out vec4 B; %s", body);
+    char whole[300];
+    snprintf(whole, sizeof whole, "#version 330 core\n%s", text);
+    assert_form(whole, SHADER_WHOLE);
+    assert_refused("out ivec4 A; void main() { A = ivec4(1); }\n",
+                   "main.frag:2: out ivec4 A: a picture is made of colours: write out vec4 A;");
+    assert_refused("\nout float A; void main() { A = 1.0; }\n", "main.frag:3: out float A: a pict");
+}
+
+static void test_texts_without_sense(void **state)
+{
+    (void)state;
+    assert_refused("float a[65536]; int i = a[ 65537 ];\n",
+                   "main.frag:2: an array of 65537 elements");
+    assert_refused("\nfloat a[99999999999999999999999];\n",
+                   "main.frag:3: an array of 99999999999999999999 elements");
+    struct shader_source source;
+    const char *said;
+    assert_false(read_text(&source, "// nothing\n/* but\n */\n", &said));
+    assert_non_null(strstr(said, "main.frag: holds nothing but comments"));
+}
+
+static void test_inputs_and_textures(void **state)
+{
+    (void)state;
+#define WRITES "out vec4 A; void main() { A = vec4(k); }\n"
+    assert_driver_gets("flat in int CustomInt; out vec4 A; void main(){ A = vec4(CustomInt); }\n",
+                       "uniform int CustomInt; out vec4 A; void main(){A=vec4(0); A = "
+                       "vec4(CustomInt); }\n");
+    assert_driver_gets("layout(location = 3) in float Time;\n",
+                       "                     in float Time;\n");
+    assert_refused("in int CustomInt; " WRITES, "CustomInt is a float here: write in float");
+    assert_refused("flat in int Time; " WRITES, "Time is a float here: write in float Time;");
+    assert_refused("layout(location = 3) in vec2 k; " WRITES, "in vec2 k: there is no such input");
+    assert_form("#version 330 core\n#ifdef OLD\nin vec2 k;\n#else\nfloat k;\n#endif\n" WRITES,
+                SHADER_WHOLE);
+    assert_refused(
+        "uniform sampler2D tex; out vec4 A; void main() { A = texture(tex, vec2(0)); }\n",
+        "main.frag:2: tex is not offered: a shader gets no textures");
+    assert_form("#version 330 core\nuniform sampler2D tex; float k; " WRITES, SHADER_WHOLE);
+}
+
+int main(void)
+{
+#define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+    const struct CMUnitTest tests[] = {
+        UNIT(test_forms),
+        UNIT(test_forms_behind_conditions),
+        UNIT(test_values_begin_at_zero),
+        UNIT(test_texts_without_sense),
+        UNIT(test_outputs),
+        UNIT(test_inputs_and_textures),
+    };
+    return cmocka_run_group_tests_name("form", tests, NULL, NULL);
+}
