@@ -19,7 +19,7 @@ export CMOCKA_MESSAGE_OUTPUT=TAP
 export ASAN_OPTIONS=intercept_tls_get_addr=0
 export LSAN_OPTIONS=suppressions=$PROJECT_ROOT/tests/lsan.supp:print_suppressions=0
 export UBSAN_OPTIONS=print_stacktrace=1
-limit=${TEST_LIMIT:-120} # seconds for a suite
+limit=${TEST_LIMIT:-300} # seconds for a suite: it guards against what never ends, on a slow machine too
 
 # ---- One suite ----
 

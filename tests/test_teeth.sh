@@ -98,13 +98,15 @@ awk '!/^ *#/ && NF > 1 { print ($2 == "-" ? $1 : $1 "-" $2) }' tests/images.txt 
 sed 's/[[:space:]]*$//' tests/mistakes.txt | grep -v '^\(#\|$\)' >"$scratch/all"
 
 # The line of '*' stands for each picture that has no mistake of its own, but for those of solutions: test_check.sh
-# shows that the chapter's unsolved shader does not pass for them.
-grep '| *[*] *|' "$scratch/all" | while read -r line; do
-    while read -r name; do
-        [[ $name == *-solution-* ]] || grep -q "| *$name *|" "$scratch/all" ||
-            printf '%s | %s |%s\n' "$(field "$line" 1)" "$name" "${line#*| \* *|}"
-    done <"$scratch/pictures"
-done >"$scratch/each"
+# shows that the chapter's unsolved shader does not pass for them. In a run of all suites that is left to CI.
+if [ -z "${ALL_SUITES-}" ] || [ -n "${CI-}" ]; then
+    grep '| *[*] *|' "$scratch/all" | while read -r line; do
+        while read -r name; do
+            [[ $name == *-solution-* ]] || grep -q "| *$name *|" "$scratch/all" ||
+                printf '%s | %s |%s\n' "$(field "$line" 1)" "$name" "${line#*| \* *|}"
+        done <"$scratch/pictures"
+    done
+fi >"$scratch/each"
 grep -v '| *[*] *|' "$scratch/all" | cat - "$scratch/each" | while read -r line; do
     name=$(field "$line" 2)
     for wanted in "${@:-$name}"; do
