@@ -19,7 +19,7 @@ fail() {
 # NN_K of every exercise that has a solution.
 exercises() {
     awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2) "_" $2 }' \
-        tests/images.txt
+        tests/images.txt | sort -t _ -k 1,1 -k 2,2n
 }
 
 # The options of each picture of the exercise, a line each, without the solution's own file.
@@ -70,11 +70,13 @@ same_march() { # A B
     }'
 }
 
-# Two rays or more of nine that end elsewhere: prints the first of them. One may lie on an edge.
+# Two rays or more of nine that end elsewhere: prints the first of them. One may lie on an edge. A file
+# with a main of its own, such as Shadertoy's, records none.
 different_rays() { # FILE OPTIONS RAYS
     local place mine right first='' count=0
     while read -r place right; do
         mine=$(march "$1" "$place" "$2")
+        [ -n "$mine" ] || { echo 'none is recorded: include main.glsl, as the chapter does'; return; }
         if ! same_march "$mine" "$right"; then
             count=$((count + 1))
             first=${first:-"pixel $place: '${mine#* }' at t ${mine% *}, the solution '${right#* }' at t ${right% *}"}
@@ -89,7 +91,7 @@ there() { # FILE OPTIONS X,Y
     mine=$(march "$1" "$3" "$2")
     right=$(march "$solution" "$3" "$2")
     printf ', most around %s' "$3"
-    if [ -n "$right" ] && ! same_march "$mine" "$right"; then
+    if [ -n "$mine" ] && [ -n "$right" ] && ! same_march "$mine" "$right"; then
         printf " ('%s' at t %s, the solution '%s' at t %s)" "${mine#* }" "${mine% *}" "${right#* }" "${right% *}"
     fi
 }
@@ -164,7 +166,7 @@ case ${EXERCISE-} in
 esac
 stem=$(basename "$(echo chapters/"${EXERCISE%%_*}"_*.c)" .c)
 wanted=$(pictures_of "$stem" "${EXERCISE#*_}")
-[ -n "$wanted" ] || fail "EXERCISE=$EXERCISE: no solution to compare with; there are $(exercises | tr '\n' ' ')"
+[ -n "$wanted" ] || fail "EXERCISE=$EXERCISE: no solution to compare with; there are $(exercises | paste -s -d ' ' -)"
 find_files
 set -f
 [ ${#files[@]} -gt 0 ] || fail "which file? For example: make check EXERCISE=$EXERCISE FILE=my.frag"

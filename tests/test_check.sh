@@ -82,6 +82,8 @@ one_is() { # FILE WORDS
 }
 check "a picture that is right with rays that are not is refused" \
     one_is ben/rays.frag 'picture is right, its rays are not: pixel '
+build/03_shadows -f chapters/solutions/03_shadows_2.frag --print-shader=shadertoy >"$handed_in/toy.frag"
+check "a right picture of a file that records no rays says so" one_is toy.frag 'rays are not: none is recorded'
 check "a file that does not compile is refused with its line" \
     one_is ben/broken.frag 'does not run: .*broken.frag:1'
 check "an empty file, with a space in its name, is refused" \
@@ -130,6 +132,6 @@ asks_wrong() { # EXERCISE WORDS
 }
 check "no exercise" asks_wrong '' 'which exercise'
 check "an exercise of no chapter" asks_wrong 99_1 'there are 00_1 '
-check "an exercise without a solution" asks_wrong 03_99 'there are 00_1 '
+check "an exercise without a solution" asks_wrong 03_99 'there are 00_1 .* 03_4 04_1 .* 09_4$'
 check "what is no exercise" asks_wrong shadows 'such as 03_2'
 plan
