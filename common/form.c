@@ -141,17 +141,22 @@ bool form_find(struct shader_source *source, bool version)
 
 // ---- What the driver gets ----
 
-// What stands in the parentheses of mainImage where it is declared, to its end; NULL where only a
-// macro of the text does that.
+// What stands in the parentheses of mainImage where it is declared, to its end; of the one with two
+// parameters where there are others. NULL where only a macro of the text declares it.
 static const char *parameters_of(const char *code)
 {
+    const char *other = NULL;
     for (const char *c = code; (c = glsl_find_word(c, "mainImage")) != NULL;) {
         c = skip_blanks(c + strlen("mainImage"));
         const char *first = *c == '(' ? skip_blanks(c + 1) : "";
-        if (is_word(first, "out") || is_word(first, "inout"))
+        if (!is_word(first, "out") && !is_word(first, "inout"))
+            continue;
+        const char *comma = first + strcspn(first, ",)");
+        if (*comma == ',' && comma[1 + strcspn(comma + 1, ",)")] == ')')
             return first;
+        other = other == NULL ? first : other;
     }
-    return NULL;
+    return other;
 }
 
 // How mainImage takes its pixel: the words before the parameter.

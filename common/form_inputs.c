@@ -43,14 +43,37 @@ const char *form_toy_input(size_t number, const char **name)
     return toy_inputs[number].declaration;
 }
 
+static const char *skip_blanks(const char *c)
+{
+    return c + strspn(c, " \t\n\v\f");
+}
+
+static size_t word_length(const char *c)
+{
+    size_t length = 0;
+    while (glsl_is_word(c[length]))
+        length++;
+    return length;
+}
+
+static bool is_word(const char *c, const char *word)
+{
+    size_t length = strlen(word);
+    return strncmp(c, word, length) == 0 && !glsl_is_word(c[length]);
+}
+
 bool form_declares(const char *code, const char *name)
 {
     const char *word = glsl_find_word(code, "uniform");
     while (word != NULL) {
-        const char *found = glsl_find_word(word, name);
-        if (found != NULL && found < word + strcspn(word, ";"))
+        const char *end = word + strcspn(word, ";");
+        while (word < end && !is_word(word, name)) {
+            size_t length = word_length(word);
+            word += length > 0 ? length : 1;
+        }
+        if (word < end)
             return true;
-        word = glsl_find_word(word + 1, "uniform");
+        word = glsl_find_word(word, "uniform");
     }
     return false;
 }
@@ -71,25 +94,6 @@ void form_refuse_name(const struct shader_source *source, const char *code, cons
     report("%s:%d: %s is not offered: a shader gets no textures, buffers or sounds here: compute "
            "the values in the shader",
            source->files[from->file], from->line, name);
-}
-
-static const char *skip_blanks(const char *c)
-{
-    return c + strspn(c, " \t\n\v\f");
-}
-
-static size_t word_length(const char *c)
-{
-    size_t length = 0;
-    while (glsl_is_word(c[length]))
-        length++;
-    return length;
-}
-
-static bool is_word(const char *c, const char *word)
-{
-    size_t length = strlen(word);
-    return strncmp(c, word, length) == 0 && !glsl_is_word(c[length]);
 }
 
 // ---- The declarations outside of functions ----
@@ -282,23 +286,25 @@ static bool check_input(struct shader_source *source, const char *code, const st
     const struct input *input = find_input(at);
     const char *kind = kind_names[at->kind], *type = at->type, *name = at->name;
     int line;
-    const char *file = where(source, code, at, &line);
     if (at->kind == IN)
         blank_location(source, code, at);
     if (input != NULL && strcmp(type, input->type) != 0) {
         if (make_uniform(source, code, at))
             return true;
+        const char *file = where(source, code, at, &line);
         report("%s:%d: %s %s %s: %s is a %s here: write %s %s %s;", file, line, kind, type, name,
                name, input->type, kind, input->type, name);
         return false;
     }
-    if (at->kind == UNIFORM && is_read(at) &&
-        (strstr(type, "sampler") != NULL || strncmp(name, "iChannel", strlen("iChannel")) == 0)) {
+    if (at->kind == UNIFORM &&
+        (strstr(type, "sampler") != NULL || strncmp(name, "iChannel", strlen("iChannel")) == 0) &&
+        is_read(at)) {
         form_refuse_name(source, code, at->after, name);
         return false;
     }
     if (input != NULL || at->kind == UNIFORM || strncmp(name, "gl_", 3) == 0 || !is_read(at))
         return true;
+    const char *file = where(source, code, at, &line);
     report("%s:%d: in %s %s: there is no such input: there are FragCoord, Time, Ex, Ey, Ez, "
            "CamPos, fovValue, FacteurLargeur, OrthoView, CustomToggle and CustomInt",
            file, line, type, name);
@@ -313,8 +319,12 @@ struct outputs {
     bool placed;            // one is at location 0
 };
 
-static void add_output(struct outputs *outputs, const struct declared *at)
+// Where an #if stands around it, only the driver knows whether it is one.
+static void add_output(struct outputs *outputs, const struct declared *at, const char *code,
+                       const char *statements)
 {
+    if (!glsl_is_certain(code, (size_t)(at->after - statements)))
+        return;
     const char *location = at->layout != NULL ? glsl_find_word(at->layout, "location") : NULL;
     int number = -1;
     if (location != NULL && location < at->begin + strcspn(at->begin, ";"))
@@ -360,7 +370,7 @@ bool form_check_inputs(struct shader_source *source, const char *code)
     bool done = statements != NULL;
     while (done && next_declared(&walk)) {
         if (walk.at.kind == OUT)
-            add_output(&outputs, &walk.at);
+            add_output(&outputs, &walk.at, code, statements);
         else
             done = check_input(source, statements, &walk.at);
     }
@@ -409,17 +419,21 @@ bool form_check_linked(const struct shader_source *source, const char *code)
     char *statements = statements_of(source, code);
     struct walk walk = {.c = statements, .begins = true};
     bool done = statements != NULL, writes = writes_otherwise(code);
+    struct outputs outputs = {0};
     while (done && next_declared(&walk)) {
-        int line;
         const struct declared *at = &walk.at;
-        bool mentioned = is_mentioned(code, statements, at);
-        if (at->kind == UNIFORM && mentioned && !is_set(at))
+        if (at->kind == UNIFORM && !is_set(at) && is_mentioned(code, statements, at))
             warn_of_uniform(source, statements, at);
-        done = at->kind != OUT || mentioned || source->form != SHADER_WHOLE;
-        const char *file = where(source, statements, at, &line);
-        if (!done)
-            report("%s:%d: out %s %s: never gets a value: write %s = vec4(...); in main", file,
-                   line, at->type, at->name, at->name);
+        else if (at->kind == OUT && source->form == SHADER_WHOLE)
+            add_output(&outputs, at, code, statements);
+    }
+    const struct declared *shown = &outputs.shown;
+    if (outputs.count > 0 && !is_mentioned(code, statements, shown)) {
+        int line;
+        const char *file = where(source, statements, shown, &line);
+        report("%s:%d: out %s %s: never gets a value: write %s = vec4(...); in main", file, line,
+               shown->type, shown->name, shown->name);
+        done = false;
     }
     if (done && !writes && source->form == SHADER_WHOLE)
         report("%s: writes no colour: declare out vec4 FragColor; and give it a value in main",

@@ -1,6 +1,5 @@
 #include "glsl.h"
 
-#include <stddef.h>
 #include <string.h>
 
 // The end of the line comment that begins at c: its newline, or the end of the text.
@@ -184,6 +183,17 @@ void glsl_blank_inactive(char *code)
         }
         line += length + (line[length] == '\n');
     }
+}
+
+bool glsl_is_certain(const char *code, size_t at)
+{
+    int open = 0;
+    for (const char *line = code; line < code + at; line += strcspn(line, "\n") + 1) {
+        const char *directive = directive_of(line);
+        bool opens = directive != NULL && strncmp(directive, "if", 2) == 0;
+        open += opens - (after_word(directive, "endif") != NULL);
+    }
+    return open <= 0;
 }
 
 void glsl_blank_directives(char *code)
