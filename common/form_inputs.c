@@ -43,11 +43,6 @@ const char *form_toy_input(size_t number, const char **name)
     return toy_inputs[number].declaration;
 }
 
-static const char *skip_blanks(const char *c)
-{
-    return c + strspn(c, " \t\n\v\f");
-}
-
 static size_t word_length(const char *c)
 {
     size_t length = 0;
@@ -56,18 +51,12 @@ static size_t word_length(const char *c)
     return length;
 }
 
-static bool is_word(const char *c, const char *word)
-{
-    size_t length = strlen(word);
-    return strncmp(c, word, length) == 0 && !glsl_is_word(c[length]);
-}
-
 bool form_declares(const char *code, const char *name)
 {
     const char *word = glsl_find_word(code, "uniform");
     while (word != NULL) {
         const char *end = word + strcspn(word, ";");
-        while (word < end && !is_word(word, name)) {
+        while (word < end && !glsl_at_word(word, name)) {
             size_t length = word_length(word);
             word += length > 0 ? length : 1;
         }
@@ -120,10 +109,10 @@ struct walk {
 
 static enum kind kind_at(const char *c)
 {
-    if (is_word(c, "varying"))
+    if (glsl_at_word(c, "varying"))
         return IN;
     for (enum kind kind = IN; kind <= UNIFORM; kind++)
-        if (is_word(c, kind_names[kind]))
+        if (glsl_at_word(c, kind_names[kind]))
             return kind;
     return NONE;
 }
@@ -132,7 +121,7 @@ static bool is_qualifier(const char *c)
 {
     static const char *const words[] = {"flat", "smooth", "noperspective", "centroid", "layout"};
     for (size_t i = 0; i < COUNT(words); i++)
-        if (is_word(c, words[i]))
+        if (glsl_at_word(c, words[i]))
             return true;
     return false;
 }
@@ -140,7 +129,7 @@ static bool is_qualifier(const char *c)
 // Read a word of less than 64 letters. Returns what follows it; NULL where there is none.
 static const char *read_word(const char *c, char word[64])
 {
-    c = skip_blanks(c);
+    c = glsl_skip_blanks(c);
     size_t length = word_length(c);
     if (length == 0 || length >= 64)
         return NULL;
@@ -162,7 +151,7 @@ static bool read_first(struct declared *at, const char *c)
 // Another name of the same declaration.
 static bool read_next(struct declared *at)
 {
-    const char *c = at->after != NULL ? skip_blanks(at->after) : "";
+    const char *c = at->after != NULL ? glsl_skip_blanks(at->after) : "";
     const char *after = *c == ',' ? read_word(c + 1, at->name) : NULL;
     at->after = after != NULL ? after : at->after;
     return after != NULL;
@@ -183,7 +172,7 @@ static bool next_declared(struct walk *walk)
         bool qualifier = length > 0 && fresh && is_qualifier(c);
         if (length > 0 && fresh && (qualifier || kind != NONE) && at->begin == NULL)
             at->begin = c;
-        if (qualifier && is_word(c, "layout")) {
+        if (qualifier && glsl_at_word(c, "layout")) {
             at->layout = c;
             length = strcspn(c, ")") + (strchr(c, ')') != NULL);
         }
@@ -323,7 +312,8 @@ struct outputs {
 static void add_output(struct outputs *outputs, const struct declared *at, const char *code,
                        const char *statements)
 {
-    if (!glsl_is_certain(code, (size_t)(at->after - statements)))
+    bool counts = outputs->count < 2 || at->layout != NULL; // from the third on only a location
+    if (!counts || !glsl_is_certain(code, (size_t)(at->after - statements)))
         return;
     const char *location = at->layout != NULL ? glsl_find_word(at->layout, "location") : NULL;
     int number = -1;
@@ -388,7 +378,7 @@ static bool writes_otherwise(const char *code)
     int depth = 0;
     for (const char *c = code; *c != '\0'; c += word_length(c) > 0 ? word_length(c) : 1) {
         depth += (*c == '(') - (*c == ')');
-        if (depth == 0 && is_word(c, "out"))
+        if (depth == 0 && glsl_at_word(c, "out"))
             return true;
     }
     return glsl_find_word(code, "gl_FragColor") != NULL ||
@@ -397,7 +387,7 @@ static bool writes_otherwise(const char *code)
 
 static bool is_set(const struct declared *at)
 {
-    bool set = *skip_blanks(at->after) == '=' || find_input(at) != NULL ||
+    bool set = *glsl_skip_blanks(at->after) == '=' || find_input(at) != NULL ||
                strcmp(at->name, "CustomToggle") == 0 || strcmp(at->name, "CustomInt") == 0;
     for (size_t i = 0; i < COUNT(course_inputs); i++)
         set = set || strcmp(at->name, course_inputs[i]) == 0;

@@ -43,11 +43,6 @@ static void insert(struct insertions *all, size_t at, const char *before, const 
     all->size += strlen(item->text);
 }
 
-static const char *skip_blanks(const char *c)
-{
-    return c + strspn(c, " \t\n\v\f");
-}
-
 static int word_length(const char *c)
 {
     int length = 0;
@@ -106,10 +101,10 @@ static const char *skip_to_end(const char *c, bool commas)
 // name behind which an #if may put more.
 static const char *zero_names(struct insertions *all, const char *type, int length)
 {
-    const char *c = skip_blanks(type + length);
+    const char *c = glsl_skip_blanks(type + length);
     while (word_length(c) > 0) {
         const char *after = c + word_length(c);
-        c = skip_blanks(after);
+        c = glsl_skip_blanks(after);
         size_t at = (size_t)(after - all->statements);
         bool alone = memchr(all->code + at, '#', (size_t)(c - after)) == NULL;
         if ((*c == ',' || *c == ';') && alone)
@@ -118,7 +113,7 @@ static const char *zero_names(struct insertions *all, const char *type, int leng
             c = skip_to_end(c, true);
         if (*c != ',')
             return c;
-        c = skip_blanks(c + 1);
+        c = glsl_skip_blanks(c + 1);
     }
     return c;
 }
@@ -127,7 +122,7 @@ static const char *zero_names(struct insertions *all, const char *type, int leng
 static bool is_structure(const char *code, const char *brace)
 {
     const char *c = brace;
-    for (int words = 0; words < 2; words++) {
+    for (int words = 0; words < 2 && *brace == '{'; words++) {
         while (c > code && strchr(" \t\n\v\f", c[-1]) != NULL)
             c--;
         if (c == code || !glsl_is_word(c[-1]))
@@ -149,8 +144,8 @@ static void zero_variables(struct insertions *all)
         } else if (length == 0) {
             begins = (begins && strchr(" \t\n\v\f", *c) != NULL) || strchr(";{}", *c) != NULL;
             c++;
-        } else if (strncmp(c, "for", 3) == 0 && length == 3 && *skip_blanks(c + 3) == '(') {
-            c = skip_blanks(c + 3) + 1;
+        } else if (strncmp(c, "for", 3) == 0 && length == 3 && *glsl_skip_blanks(c + 3) == '(') {
+            c = glsl_skip_blanks(c + 3) + 1;
             begins = true;
         } else if (begins && is_other(c, length)) {
             c = skip_to_end(c, false);
@@ -168,8 +163,8 @@ static void zero_variables(struct insertions *all)
 static void open_colour(struct insertions *all)
 {
     for (const char *c = all->code; (c = glsl_find_word(c, "mainImage")) != NULL;) {
-        c = skip_blanks(c + strlen("mainImage"));
-        const char *word = *c == '(' ? skip_blanks(c + 1) : "";
+        c = glsl_skip_blanks(c + strlen("mainImage"));
+        const char *word = *c == '(' ? glsl_skip_blanks(c + 1) : "";
         if (word_length(word) == 3 && strncmp(word, "out", 3) == 0)
             insert(all, (size_t)(word - all->code), "in", "", 0, "");
     }
@@ -198,11 +193,11 @@ static void zero_outputs(struct insertions *all)
         depth += (*c == '(') - (*c == ')');
         if (depth == 0 && length == 3 && strncmp(c, "out", 3) == 0 &&
             glsl_is_certain(all->code, (size_t)(c - all->statements))) {
-            const char *type = skip_blanks(c + 3);
+            const char *type = glsl_skip_blanks(c + 3);
             while (is_precision(type, word_length(type)))
-                type = skip_blanks(type + word_length(type));
-            const char *name = skip_blanks(type + word_length(type));
-            const char *after = skip_blanks(name + word_length(name));
+                type = glsl_skip_blanks(type + word_length(type));
+            const char *name = glsl_skip_blanks(type + word_length(type));
+            const char *after = glsl_skip_blanks(name + word_length(name));
             size_t at = (size_t)(end - all->statements);
             bool fits = word_length(name) < 64;
             if (fits && is_type(type, word_length(type)) && (*after == ';' || *after == ',')) {

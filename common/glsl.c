@@ -61,9 +61,15 @@ const char *glsl_find_word(const char *code, const char *word)
     return find_word_from(code, code, word);
 }
 
-static const char *skip_blanks(const char *c)
+const char *glsl_skip_blanks(const char *c)
 {
     return c + strspn(c, " \t\n\v\f");
+}
+
+bool glsl_at_word(const char *c, const char *word)
+{
+    size_t length = strlen(word);
+    return strncmp(c, word, length) == 0 && !glsl_is_word(c[length]);
 }
 
 // ---- What the preprocessor leaves out ----
@@ -215,9 +221,9 @@ const char *glsl_find_definition(const char *code, const char *name)
 {
     for (const char *c = glsl_find_word(code, name); c != NULL;
          c = find_word_from(code, c + 1, name)) {
-        const char *next = skip_blanks(c + strlen(name));
+        const char *next = glsl_skip_blanks(c + strlen(name));
         const char *close = *next == '(' ? strchr(next, ')') : NULL;
-        if (close != NULL && *skip_blanks(close + 1) == '{')
+        if (close != NULL && *glsl_skip_blanks(close + 1) == '{')
             return c;
     }
     return NULL;
@@ -244,7 +250,7 @@ const char *glsl_find_call(const char *code, const char *name)
 {
     for (const char *c = glsl_find_word(code, name); c != NULL;
          c = find_word_from(code, c + 1, name))
-        if (*skip_blanks(c + strlen(name)) == '(' && !after_type(code, c))
+        if (*glsl_skip_blanks(c + strlen(name)) == '(' && !after_type(code, c))
             return c;
     return NULL;
 }

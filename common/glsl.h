@@ -29,6 +29,12 @@ void glsl_blank_directives(char *code);
 // True for a letter, a digit or an underscore of the basic alphabet, whatever the locale.
 bool glsl_is_word(char c);
 
+// What follows blanks and ends of lines.
+const char *glsl_skip_blanks(const char *c);
+
+// True when this whole word stands at c, which is no place inside another.
+bool glsl_at_word(const char *c, const char *word);
+
 // The first place where word stands as a whole identifier, or NULL.
 //   code  a text without comments
 const char *glsl_find_word(const char *code, const char *word);
