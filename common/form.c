@@ -38,17 +38,6 @@ static char *code_of(const struct shader_source *source)
     return code;
 }
 
-static const char *skip_blanks(const char *c)
-{
-    return c + strspn(c, " \t\n\v\f");
-}
-
-static bool is_word(const char *c, const char *word)
-{
-    size_t length = strlen(word);
-    return strncmp(c, word, length) == 0 && !glsl_is_word(c[length]);
-}
-
 // ---- Which form ----
 
 // Blank the #version, which the driver must not see, or the word compatibility in it.
@@ -82,14 +71,14 @@ static const struct shader_line *line_at(const struct shader_source *source, con
 // and out of memory.
 static bool check_sense(const struct shader_source *source, const char *code)
 {
-    if (*skip_blanks(code) == '\0') {
+    if (*glsl_skip_blanks(code) == '\0') {
         report("%s: holds nothing but comments: a shader is code", source->files[0]);
         return false;
     }
     for (const char *c = strchr(code, '['); c != NULL; c = strchr(c + 1, '[')) {
-        const char *number = skip_blanks(c + 1);
+        const char *number = glsl_skip_blanks(c + 1);
         size_t digits = strspn(number, "0123456789");
-        if (*skip_blanks(number + digits) != ']' || strtod(number, NULL) <= ARRAY_LIMIT)
+        if (*glsl_skip_blanks(number + digits) != ']' || strtod(number, NULL) <= ARRAY_LIMIT)
             continue;
         const struct shader_line *from = line_at(source, code, c);
         report("%s:%d: an array of %.*s elements: a graphics processor has no room for it: %d at "
@@ -115,7 +104,7 @@ static void blank_extensions(struct shader_source *source, const char *code)
     for (const char *line = code; *line != '\0'; line += strcspn(line, "\n") + 1) {
         const char *hash = line + strspn(line, " \t\v\f");
         const char *word = *hash == '#' ? hash + 1 + strspn(hash + 1, " \t\v\f") : "";
-        if (is_word(word, "extension"))
+        if (glsl_at_word(word, "extension"))
             memset(source->text + (hash - code), ' ', strcspn(hash, "\n"));
     }
 }
@@ -141,25 +130,30 @@ bool form_find(struct shader_source *source, bool version)
 
 // ---- What the driver gets ----
 
-// What stands in the parentheses of mainImage where it is declared, to its end; NULL where only a
-// macro of the text does that.
+// What stands in the parentheses of mainImage where it is declared, to its end; of the one with two
+// parameters where there are others. NULL where only a macro of the text declares it.
 static const char *parameters_of(const char *code)
 {
+    const char *other = NULL;
     for (const char *c = code; (c = glsl_find_word(c, "mainImage")) != NULL;) {
-        c = skip_blanks(c + strlen("mainImage"));
-        const char *first = *c == '(' ? skip_blanks(c + 1) : "";
-        if (is_word(first, "out") || is_word(first, "inout"))
+        c = glsl_skip_blanks(c + strlen("mainImage"));
+        const char *first = *c == '(' ? glsl_skip_blanks(c + 1) : "";
+        if (!glsl_at_word(first, "out") && !glsl_at_word(first, "inout"))
+            continue;
+        const char *comma = first + strcspn(first, ",)");
+        if (*comma == ',' && comma[1 + strcspn(comma + 1, ",)")] == ')')
             return first;
+        other = other == NULL ? first : other;
     }
-    return NULL;
+    return other;
 }
 
 // How mainImage takes its pixel: the words before the parameter.
 static const char *pixel_way(const char *parameters)
 {
     const char *c = parameters != NULL ? parameters + strcspn(parameters, ",)") : "";
-    c = skip_blanks(c + (*c == ','));
-    return is_word(c, "inout") ? "inout" : is_word(c, "const") ? "const in" : "in";
+    c = glsl_skip_blanks(c + (*c == ','));
+    return glsl_at_word(c, "inout") ? "inout" : glsl_at_word(c, "const") ? "const in" : "in";
 }
 
 static char *toy_prelude(const struct shader_source *source)

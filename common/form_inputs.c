@@ -43,14 +43,26 @@ const char *form_toy_input(size_t number, const char **name)
     return toy_inputs[number].declaration;
 }
 
+static size_t word_length(const char *c)
+{
+    size_t length = 0;
+    while (glsl_is_word(c[length]))
+        length++;
+    return length;
+}
+
 bool form_declares(const char *code, const char *name)
 {
     const char *word = glsl_find_word(code, "uniform");
     while (word != NULL) {
-        const char *found = glsl_find_word(word, name);
-        if (found != NULL && found < word + strcspn(word, ";"))
+        const char *end = word + strcspn(word, ";");
+        while (word < end && !glsl_at_word(word, name)) {
+            size_t length = word_length(word);
+            word += length > 0 ? length : 1;
+        }
+        if (word < end)
             return true;
-        word = glsl_find_word(word + 1, "uniform");
+        word = glsl_find_word(word, "uniform");
     }
     return false;
 }
@@ -71,25 +83,6 @@ void form_refuse_name(const struct shader_source *source, const char *code, cons
     report("%s:%d: %s is not offered: a shader gets no textures, buffers or sounds here: compute "
            "the values in the shader",
            source->files[from->file], from->line, name);
-}
-
-static const char *skip_blanks(const char *c)
-{
-    return c + strspn(c, " \t\n\v\f");
-}
-
-static size_t word_length(const char *c)
-{
-    size_t length = 0;
-    while (glsl_is_word(c[length]))
-        length++;
-    return length;
-}
-
-static bool is_word(const char *c, const char *word)
-{
-    size_t length = strlen(word);
-    return strncmp(c, word, length) == 0 && !glsl_is_word(c[length]);
 }
 
 // ---- The declarations outside of functions ----
@@ -116,10 +109,10 @@ struct walk {
 
 static enum kind kind_at(const char *c)
 {
-    if (is_word(c, "varying"))
+    if (glsl_at_word(c, "varying"))
         return IN;
     for (enum kind kind = IN; kind <= UNIFORM; kind++)
-        if (is_word(c, kind_names[kind]))
+        if (glsl_at_word(c, kind_names[kind]))
             return kind;
     return NONE;
 }
@@ -128,7 +121,7 @@ static bool is_qualifier(const char *c)
 {
     static const char *const words[] = {"flat", "smooth", "noperspective", "centroid", "layout"};
     for (size_t i = 0; i < COUNT(words); i++)
-        if (is_word(c, words[i]))
+        if (glsl_at_word(c, words[i]))
             return true;
     return false;
 }
@@ -136,7 +129,7 @@ static bool is_qualifier(const char *c)
 // Read a word of less than 64 letters. Returns what follows it; NULL where there is none.
 static const char *read_word(const char *c, char word[64])
 {
-    c = skip_blanks(c);
+    c = glsl_skip_blanks(c);
     size_t length = word_length(c);
     if (length == 0 || length >= 64)
         return NULL;
@@ -158,7 +151,7 @@ static bool read_first(struct declared *at, const char *c)
 // Another name of the same declaration.
 static bool read_next(struct declared *at)
 {
-    const char *c = at->after != NULL ? skip_blanks(at->after) : "";
+    const char *c = at->after != NULL ? glsl_skip_blanks(at->after) : "";
     const char *after = *c == ',' ? read_word(c + 1, at->name) : NULL;
     at->after = after != NULL ? after : at->after;
     return after != NULL;
@@ -179,7 +172,7 @@ static bool next_declared(struct walk *walk)
         bool qualifier = length > 0 && fresh && is_qualifier(c);
         if (length > 0 && fresh && (qualifier || kind != NONE) && at->begin == NULL)
             at->begin = c;
-        if (qualifier && is_word(c, "layout")) {
+        if (qualifier && glsl_at_word(c, "layout")) {
             at->layout = c;
             length = strcspn(c, ")") + (strchr(c, ')') != NULL);
         }
@@ -282,23 +275,25 @@ static bool check_input(struct shader_source *source, const char *code, const st
     const struct input *input = find_input(at);
     const char *kind = kind_names[at->kind], *type = at->type, *name = at->name;
     int line;
-    const char *file = where(source, code, at, &line);
     if (at->kind == IN)
         blank_location(source, code, at);
     if (input != NULL && strcmp(type, input->type) != 0) {
         if (make_uniform(source, code, at))
             return true;
+        const char *file = where(source, code, at, &line);
         report("%s:%d: %s %s %s: %s is a %s here: write %s %s %s;", file, line, kind, type, name,
                name, input->type, kind, input->type, name);
         return false;
     }
-    if (at->kind == UNIFORM && is_read(at) &&
-        (strstr(type, "sampler") != NULL || strncmp(name, "iChannel", strlen("iChannel")) == 0)) {
+    if (at->kind == UNIFORM &&
+        (strstr(type, "sampler") != NULL || strncmp(name, "iChannel", strlen("iChannel")) == 0) &&
+        is_read(at)) {
         form_refuse_name(source, code, at->after, name);
         return false;
     }
     if (input != NULL || at->kind == UNIFORM || strncmp(name, "gl_", 3) == 0 || !is_read(at))
         return true;
+    const char *file = where(source, code, at, &line);
     report("%s:%d: in %s %s: there is no such input: there are FragCoord, Time, Ex, Ey, Ez, "
            "CamPos, fovValue, FacteurLargeur, OrthoView, CustomToggle and CustomInt",
            file, line, type, name);
@@ -313,8 +308,13 @@ struct outputs {
     bool placed;            // one is at location 0
 };
 
-static void add_output(struct outputs *outputs, const struct declared *at)
+// Where an #if stands around it, only the driver knows whether it is one.
+static void add_output(struct outputs *outputs, const struct declared *at, const char *code,
+                       const char *statements)
 {
+    bool counts = outputs->count < 2 || at->layout != NULL; // from the third on only a location
+    if (!counts || !glsl_is_certain(code, (size_t)(at->after - statements)))
+        return;
     const char *location = at->layout != NULL ? glsl_find_word(at->layout, "location") : NULL;
     int number = -1;
     if (location != NULL && location < at->begin + strcspn(at->begin, ";"))
@@ -360,7 +360,7 @@ bool form_check_inputs(struct shader_source *source, const char *code)
     bool done = statements != NULL;
     while (done && next_declared(&walk)) {
         if (walk.at.kind == OUT)
-            add_output(&outputs, &walk.at);
+            add_output(&outputs, &walk.at, code, statements);
         else
             done = check_input(source, statements, &walk.at);
     }
@@ -378,7 +378,7 @@ static bool writes_otherwise(const char *code)
     int depth = 0;
     for (const char *c = code; *c != '\0'; c += word_length(c) > 0 ? word_length(c) : 1) {
         depth += (*c == '(') - (*c == ')');
-        if (depth == 0 && is_word(c, "out"))
+        if (depth == 0 && glsl_at_word(c, "out"))
             return true;
     }
     return glsl_find_word(code, "gl_FragColor") != NULL ||
@@ -387,7 +387,7 @@ static bool writes_otherwise(const char *code)
 
 static bool is_set(const struct declared *at)
 {
-    bool set = *skip_blanks(at->after) == '=' || find_input(at) != NULL ||
+    bool set = *glsl_skip_blanks(at->after) == '=' || find_input(at) != NULL ||
                strcmp(at->name, "CustomToggle") == 0 || strcmp(at->name, "CustomInt") == 0;
     for (size_t i = 0; i < COUNT(course_inputs); i++)
         set = set || strcmp(at->name, course_inputs[i]) == 0;
@@ -409,17 +409,21 @@ bool form_check_linked(const struct shader_source *source, const char *code)
     char *statements = statements_of(source, code);
     struct walk walk = {.c = statements, .begins = true};
     bool done = statements != NULL, writes = writes_otherwise(code);
+    struct outputs outputs = {0};
     while (done && next_declared(&walk)) {
-        int line;
         const struct declared *at = &walk.at;
-        bool mentioned = is_mentioned(code, statements, at);
-        if (at->kind == UNIFORM && mentioned && !is_set(at))
+        if (at->kind == UNIFORM && !is_set(at) && is_mentioned(code, statements, at))
             warn_of_uniform(source, statements, at);
-        done = at->kind != OUT || mentioned || source->form != SHADER_WHOLE;
-        const char *file = where(source, statements, at, &line);
-        if (!done)
-            report("%s:%d: out %s %s: never gets a value: write %s = vec4(...); in main", file,
-                   line, at->type, at->name, at->name);
+        else if (at->kind == OUT && source->form == SHADER_WHOLE)
+            add_output(&outputs, at, code, statements);
+    }
+    const struct declared *shown = &outputs.shown;
+    if (outputs.count > 0 && !is_mentioned(code, statements, shown)) {
+        int line;
+        const char *file = where(source, statements, shown, &line);
+        report("%s:%d: out %s %s: never gets a value: write %s = vec4(...); in main", file, line,
+               shown->type, shown->name, shown->name);
+        done = false;
     }
     if (done && !writes && source->form == SHADER_WHOLE)
         report("%s: writes no colour: declare out vec4 FragColor; and give it a value in main",

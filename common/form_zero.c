@@ -17,6 +17,7 @@ struct insertion {
 };
 
 struct insertions {
+    const char *code, *statements; // the same places, with directives and without
     struct insertion *item;
     size_t count, capacity;
     size_t size; // letters of all texts
@@ -26,24 +27,20 @@ struct insertions {
 static void insert(struct insertions *all, size_t at, const char *before, const char *word,
                    int length, const char *after)
 {
-    if (all->item == NULL || all->count == all->capacity) {
-        all->capacity = 2 * all->capacity + 64;
-        struct insertion *grown = realloc(all->item, all->capacity * sizeof *grown);
-        all->failed = grown == NULL;
+    if (all->count == all->capacity) {
+        size_t capacity = 2 * all->capacity + 64;
+        struct insertion *grown = realloc(all->item, capacity * sizeof *grown);
+        all->failed |= grown == NULL;
         if (grown == NULL)
             return;
         all->item = grown;
+        all->capacity = capacity;
     }
     struct insertion *item = &all->item[all->count++];
     item->at = at;
     item->number = all->count;
     snprintf(item->text, sizeof item->text, "%s%.*s%s", before, length, word, after);
     all->size += strlen(item->text);
-}
-
-static const char *skip_blanks(const char *c)
-{
-    return c + strspn(c, " \t\n\v\f");
 }
 
 static int word_length(const char *c)
@@ -100,42 +97,60 @@ static const char *skip_to_end(const char *c, bool commas)
     return c;
 }
 
-// The names behind a type. Returns where the declaration ends; what is none is left alone.
-static const char *zero_names(struct insertions *all, const char *code, const char *type,
-                              int length)
+// The names behind a type. Returns where the declaration ends; what is none is left alone, and a
+// name behind which an #if may put more.
+static const char *zero_names(struct insertions *all, const char *type, int length)
 {
-    const char *c = skip_blanks(type + length);
+    const char *c = glsl_skip_blanks(type + length);
     while (word_length(c) > 0) {
         const char *after = c + word_length(c);
-        c = skip_blanks(after);
-        if (*c == ',' || *c == ';')
-            insert(all, (size_t)(after - code), "=", type, length, "(0)");
+        c = glsl_skip_blanks(after);
+        size_t at = (size_t)(after - all->statements);
+        bool alone = memchr(all->code + at, '#', (size_t)(c - after)) == NULL;
+        if ((*c == ',' || *c == ';') && alone)
+            insert(all, at, "=", type, length, "(0)");
         else if (*c == '=' || *c == '[')
             c = skip_to_end(c, true);
         if (*c != ',')
             return c;
-        c = skip_blanks(c + 1);
+        c = glsl_skip_blanks(c + 1);
     }
     return c;
 }
 
+// True where two words stand before a brace: a structure, the first word a macro for struct.
+static bool is_structure(const char *code, const char *brace)
+{
+    const char *c = brace;
+    for (int words = 0; words < 2 && *brace == '{'; words++) {
+        while (c > code && strchr(" \t\n\v\f", c[-1]) != NULL)
+            c--;
+        if (c == code || !glsl_is_word(c[-1]))
+            return false;
+        while (c > code && glsl_is_word(c[-1]))
+            c--;
+    }
+    return *brace == '{';
+}
+
 // Look at the beginning of each statement.
-//   code  without directives
-static void zero_variables(struct insertions *all, const char *code)
+static void zero_variables(struct insertions *all)
 {
     bool begins = true;
-    for (const char *c = code; *c != '\0';) {
+    for (const char *c = all->statements; *c != '\0';) {
         int length = word_length(c);
-        if (length == 0) {
+        if (is_structure(all->statements, c)) {
+            c = skip_to_end(c, false);
+        } else if (length == 0) {
             begins = (begins && strchr(" \t\n\v\f", *c) != NULL) || strchr(";{}", *c) != NULL;
             c++;
-        } else if (strncmp(c, "for", 3) == 0 && length == 3 && *skip_blanks(c + 3) == '(') {
-            c = skip_blanks(c + 3) + 1;
+        } else if (strncmp(c, "for", 3) == 0 && length == 3 && *glsl_skip_blanks(c + 3) == '(') {
+            c = glsl_skip_blanks(c + 3) + 1;
             begins = true;
         } else if (begins && is_other(c, length)) {
             c = skip_to_end(c, false);
         } else if (begins && is_type(c, length)) {
-            c = zero_names(all, code, c, length);
+            c = zero_names(all, c, length);
             begins = false;
         } else {
             begins = begins && is_precision(c, length);
@@ -145,33 +160,45 @@ static void zero_variables(struct insertions *all, const char *code)
 }
 
 // "mainImage(out": the colour is an inout.
-static void open_colour(struct insertions *all, const char *code)
+static void open_colour(struct insertions *all)
 {
-    for (const char *c = code; (c = glsl_find_word(c, "mainImage")) != NULL;) {
-        c = skip_blanks(c + strlen("mainImage"));
-        const char *word = *c == '(' ? skip_blanks(c + 1) : "";
+    for (const char *c = all->code; (c = glsl_find_word(c, "mainImage")) != NULL;) {
+        c = glsl_skip_blanks(c + strlen("mainImage"));
+        const char *word = *c == '(' ? glsl_skip_blanks(c + 1) : "";
         if (word_length(word) == 3 && strncmp(word, "out", 3) == 0)
-            insert(all, (size_t)(word - code), "in", "", 0, "");
+            insert(all, (size_t)(word - all->code), "in", "", 0, "");
     }
 }
 
-// The outputs of a whole file begin at 0 too: where main begins, for they cannot have a value
-// before.
-static void zero_outputs(struct insertions *all, const char *code, const char *statements)
+// The place behind the brace with which main begins, or NULL where the word stands elsewhere too: a
+// macro, a second main.
+static const char *only_main(const char *code)
 {
     const char *main = glsl_find_definition(code, "main");
-    const char *brace = main != NULL ? strchr(main, '{') : NULL;
+    if (main == NULL || glsl_find_word(code, "main") != main ||
+        glsl_find_word(main + strlen("main"), "main") != NULL)
+        return NULL;
+    return strchr(main, '{') + 1;
+}
+
+// The outputs of a whole file begin at 0 too: where main begins, for they cannot have a value
+// before. One that is declared behind it, or perhaps left out, stays as it is.
+static void zero_outputs(struct insertions *all)
+{
+    const char *main = only_main(all->code);
+    const char *end = main != NULL ? all->statements + (main - all->code) : all->statements;
     int depth = 0;
-    for (const char *c = statements; *c != '\0' && brace != NULL;) {
+    for (const char *c = all->statements; c < end;) {
         int length = word_length(c);
         depth += (*c == '(') - (*c == ')');
-        if (depth == 0 && length == 3 && strncmp(c, "out", 3) == 0) {
-            const char *type = skip_blanks(c + 3);
+        if (depth == 0 && length == 3 && strncmp(c, "out", 3) == 0 &&
+            glsl_is_certain(all->code, (size_t)(c - all->statements))) {
+            const char *type = glsl_skip_blanks(c + 3);
             while (is_precision(type, word_length(type)))
-                type = skip_blanks(type + word_length(type));
-            const char *name = skip_blanks(type + word_length(type));
-            const char *after = skip_blanks(name + word_length(name));
-            size_t at = (size_t)(brace + 1 - code);
+                type = glsl_skip_blanks(type + word_length(type));
+            const char *name = glsl_skip_blanks(type + word_length(type));
+            const char *after = glsl_skip_blanks(name + word_length(name));
+            size_t at = (size_t)(end - all->statements);
             bool fits = word_length(name) < 64;
             if (fits && is_type(type, word_length(type)) && (*after == ';' || *after == ',')) {
                 insert(all, at, "", name, word_length(name), "=");
@@ -206,13 +233,13 @@ static char *apply(const struct insertions *all, const char *text)
 
 char *form_zero(const char *text, const char *code)
 {
-    struct insertions all = {0};
     char *statements = strdup(code), *result = NULL;
+    struct insertions all = {.code = code, .statements = statements};
     if (statements != NULL) {
         glsl_blank_directives(statements);
-        zero_variables(&all, statements);
-        open_colour(&all, code);
-        zero_outputs(&all, code, statements);
+        zero_variables(&all);
+        open_colour(&all);
+        zero_outputs(&all);
         if (all.count > 0)
             qsort(all.item, all.count, sizeof *all.item, by_place);
         result = all.failed ? NULL : apply(&all, text);

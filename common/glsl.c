@@ -1,6 +1,5 @@
 #include "glsl.h"
 
-#include <stddef.h>
 #include <string.h>
 
 // The end of the line comment that begins at c: its newline, or the end of the text.
@@ -62,9 +61,15 @@ const char *glsl_find_word(const char *code, const char *word)
     return find_word_from(code, code, word);
 }
 
-static const char *skip_blanks(const char *c)
+const char *glsl_skip_blanks(const char *c)
 {
     return c + strspn(c, " \t\n\v\f");
+}
+
+bool glsl_at_word(const char *c, const char *word)
+{
+    size_t length = strlen(word);
+    return strncmp(c, word, length) == 0 && !glsl_is_word(c[length]);
 }
 
 // ---- What the preprocessor leaves out ----
@@ -186,6 +191,17 @@ void glsl_blank_inactive(char *code)
     }
 }
 
+bool glsl_is_certain(const char *code, size_t at)
+{
+    int open = 0;
+    for (const char *line = code; line < code + at; line += strcspn(line, "\n") + 1) {
+        const char *directive = directive_of(line);
+        bool opens = directive != NULL && strncmp(directive, "if", 2) == 0;
+        open += opens - (after_word(directive, "endif") != NULL);
+    }
+    return open <= 0;
+}
+
 void glsl_blank_directives(char *code)
 {
     bool joined = false;
@@ -205,9 +221,9 @@ const char *glsl_find_definition(const char *code, const char *name)
 {
     for (const char *c = glsl_find_word(code, name); c != NULL;
          c = find_word_from(code, c + 1, name)) {
-        const char *next = skip_blanks(c + strlen(name));
+        const char *next = glsl_skip_blanks(c + strlen(name));
         const char *close = *next == '(' ? strchr(next, ')') : NULL;
-        if (close != NULL && *skip_blanks(close + 1) == '{')
+        if (close != NULL && *glsl_skip_blanks(close + 1) == '{')
             return c;
     }
     return NULL;
@@ -234,7 +250,7 @@ const char *glsl_find_call(const char *code, const char *name)
 {
     for (const char *c = glsl_find_word(code, name); c != NULL;
          c = find_word_from(code, c + 1, name))
-        if (*skip_blanks(c + strlen(name)) == '(' && !after_type(code, c))
+        if (*glsl_skip_blanks(c + strlen(name)) == '(' && !after_type(code, c))
             return c;
     return NULL;
 }

@@ -3,6 +3,7 @@
 #define GLSL_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 // Overwrite comments with blanks; line ends stay, so that lines and columns keep their numbers.
 // A line comment whose last character is a backslash goes on in the next line, as drivers have it.
@@ -16,12 +17,23 @@ char *glsl_blank_comments(char *text, bool keep_line_comments);
 //   code  a text without comments
 void glsl_blank_inactive(char *code);
 
+// True when no #if stands around a place: what is there is compiled, whatever the driver knows.
+//   code  a text without comments
+//   at    the place, letters from its beginning
+bool glsl_is_certain(const char *code, size_t at);
+
 // Overwrite with blanks the preprocessor's lines, and those that a backslash joins to them.
 //   code  a text without comments
 void glsl_blank_directives(char *code);
 
 // True for a letter, a digit or an underscore of the basic alphabet, whatever the locale.
 bool glsl_is_word(char c);
+
+// What follows blanks and ends of lines.
+const char *glsl_skip_blanks(const char *c);
+
+// True when this whole word stands at c, which is no place inside another.
+bool glsl_at_word(const char *c, const char *word);
 
 // The first place where word stands as a whole identifier, or NULL.
 //   code  a text without comments

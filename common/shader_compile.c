@@ -129,7 +129,7 @@ static GLuint link_stages(const struct gl *gl, GLuint vertex, GLuint fragment,
 static struct {
     char said[1024];
     char stack[64 * 1024]; // for the signal, as the other one may be used up
-    struct sigaction before;
+    struct sigaction before, bus_before;
     stack_t stack_before;
 } crash;
 
@@ -150,11 +150,13 @@ static void watch_driver(const char *file)
              "%.800s: the graphics driver crashed over it: split its longest statement\n", file);
     sigaltstack(&own, &crash.stack_before);
     sigaction(SIGSEGV, &action, &crash.before);
+    sigaction(SIGBUS, &action, &crash.bus_before); // what macOS may send for the same
 }
 
 static void forget_driver(void)
 {
     sigaction(SIGSEGV, &crash.before, NULL);
+    sigaction(SIGBUS, &crash.bus_before, NULL);
     sigaltstack(&crash.stack_before, NULL);
 }
 

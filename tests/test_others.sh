@@ -254,6 +254,151 @@ refused toy_open 'toy_open.frag:[0-9]*: error' "Shadertoy's form: a brace that i
 refused toy_views 'toy_views.frag: cannot show the view normals: it has a main of its own' "Shadertoy's form: no views" -v normals <"$scratch/toy.frag"
 refused toy_probe 'cannot show a probe' "Shadertoy's form: no probe" --probe 5,5 <"$scratch/toy.frag"
 
+# ---- Valid shaders that are hard to read: each must be white, as the specification has it ----
+
+tricky() { # TITLE <TEXT
+    as white tricky "valid: $1"
+}
+tricky 'an output declared behind main' <<'GLSL'
+#version 330 core
+void helper();
+void main() { helper(); }
+out vec4 c;
+void helper() { c = vec4(1.0); }
+GLSL
+tricky 'outputs between which only the driver can choose' <<'GLSL'
+#version 330 core
+#if __VERSION__ >= 400
+out vec4 a;
+#define OUT a
+#else
+out vec4 b;
+#define OUT b
+#endif
+void main() { OUT = vec4(1.0); }
+GLSL
+tricky 'a second output that gets no value' <<'GLSL'
+#version 330 core
+layout(location = 0) out vec4 c;
+layout(location = 1) out vec4 bright;
+void main() { c = vec4(1.0); }
+GLSL
+tricky 'a main renamed by a macro, and another that calls it' <<'GLSL'
+#version 330 core
+out vec4 c;
+#define main scene
+void main() { c += vec4(0.5); }
+#undef main
+void main() { c = vec4(0.5); scene(); }
+GLSL
+tricky 'a declaration that an #if divides' <<'GLSL'
+#version 330 core
+out vec4 c;
+void main() {
+    float d
+#if __VERSION__ >= 400
+    , e
+#endif
+    = 1.0;
+    c = vec4(d);
+}
+GLSL
+tricky 'declarations in cases' <<'GLSL'
+#version 330 core
+out vec4 c;
+float f(int i) {
+    switch (i) {
+        case 0: float a; a = 0.5; return a;
+        case 1: { float b, d = 0.25; b = d; return b + d; }
+        default: int k = 3, m; m = k; return m == 3 ? 1.0 : 0.0;
+    }
+    return 0.0;
+}
+void main() { c = vec4(f(0) + f(1) == 1.0 && f(2) == 1.0); }
+GLSL
+tricky 'structures, arrays, prototypes, inout, shadowing, loops' <<'GLSL'
+#version 330 core
+out vec4 c;
+struct S { float a; vec2 b[2]; } s = S(1.0, vec2[2](vec2(1), vec2(2))), none;
+const float K[2] = float[](1.0, 2.0), L = 3.0;
+float add(float, vec3 b, inout float c);
+float same(const in float x);
+float one = 1.0, two, three[2], four;
+float[2] arr, brr = float[2](1.0, 2.0);
+float add(float a, vec3 b, inout float c) { c += a; float x = c, y; { float x; x = 2.0; y = x; } return x + y; }
+float same(const in float x) { return x; }
+void main() {
+    float x = 1.0, y; y = x;
+    float r = add(x, vec3(0), y);
+    bool ok = r == 4.0 && y == 2.0 && K[1] + L == 5.0 && brr[1] == 2.0 && s.b[1].x == 2.0;
+    for (float i = 0.0, j; i < 3.0; i++) { j = i; ok = ok && j == i; }
+    for (int i; i < 0;) ok = false;
+    mat2 m; m = mat2(1.0); uint u; u = 3u; bvec2 bb; bb = bvec2(true); mat2x3 n; n = mat2x3(1.0);
+    ok = ok && m[1][1] == 1.0 && u == 3u && all(bb) && n[1][1] == 1.0;
+    if (ok) float unused; else ok = false;
+    four = same(1.0);
+    c = vec4(ok && four == one);
+}
+GLSL
+tricky 'macros that declare, comments between the words' <<'GLSL'
+#version 330 core
+out vec4 c;
+#define STRUCT struct
+#define DECL(t, n) t n
+#define DECLS float p; float q; \
+    vec3 w;
+#define REPEAT(n, body) for (int i = 0; i < n; i++) { body }
+#define IF if (true)
+STRUCT Sun { vec3 d; float t, u; };
+void main() {
+    DECL(float, a) = 1.0; DECL(float, z);
+    DECLS
+    float /* one, two; */ b /* = 3 */ , /**/ d // ; e
+      ; b = 1.0; // b = 2.0; \
+      b = 3.0;
+    p = 1.0; q = p; w = vec3(q); z = 0.0; d = Sun(w, 0.0, 2.0).t;
+    REPEAT(3, float e; e = 1.0; z += e;)
+    IF float f;
+    c = vec4(z == 3.0 && a == b && w.z == 1.0 && d == 0.0);
+}
+GLSL
+tricky 'Shadertoy: a second mainImage with more parameters' <<'GLSL'
+void mainImage(out vec4 c, const in vec2 p, float k) { c = vec4(k); }
+void mainImage(out vec4 c, in vec2 p) { mainImage(c, p, 1.0); }
+GLSL
+tricky 'Shadertoy: structures in constant arrays, gl_FragCoord in a function' <<'GLSL'
+#define STRUCT struct
+STRUCT Sun { vec3 o; vec3 d; };
+const Sun R[2] = Sun[](Sun(vec3(1), vec3(0)), Sun(vec3(1), vec3(1)));
+vec2 place() { return gl_FragCoord.xy; }
+void mainImage( out vec4 fragColor, in vec2 fragCoord )
+{
+    float f = distance(place(), fragCoord), g, h[3] = float[3](1., 2., 3.), k;
+    g = 1.0; k = h[2];
+    fragColor = vec4(f == 0.0 && k == 3.0 && R[1].o.x == g);
+}
+GLSL
+tricky 'the course: structures and cases' <<'GLSL'
+#include "main.glsl"
+struct S { float a; float b; };
+Ray pixelRay(vec2 s) { return Ray(vec3(0, 0, 3), vec3(0, 0, -1)); }
+float sceneDistance(vec3 p) { float d; d = length(p) - 1.0; return d; }
+vec3 rayColour(Ray ray)
+{
+    S s = S(1.0, 0.0);
+    switch (int(s.b)) { case 0: float q = 1.0; return vec3(q); }
+    return vec3(0.0);
+}
+GLSL
+# Each look at a text takes as long as the text: 30000 uniforms took half a minute.
+crowd() {
+    { for i in {1..30000}; do echo "uniform float u$i;"; done; echo 'void mainImage(out vec4 c, in vec2 p) { c = vec4(1.0); }'; } >"$scratch/crowd.frag"
+    local start=$SECONDS
+    draw crowd && cmp -s "$scratch/crowd.png" "$scratch/white.png" && [ $((SECONDS - start)) -lt 15 ]
+}
+# The sanitizers look at the whole text for each word, and take minutes: there it is no question.
+[[ $BUILD == */sanitize ]] || check 'thirty thousand uniforms end soon' crowd
+
 # ---- Malformed files, in every form ----
 
 malformed() { # FORM BEGINNING

@@ -120,7 +120,7 @@ heed=(env --default-signal=INT)
 "${heed[@]}" true 2>/dev/null || heed=()
 interrupted() { # SIGNAL
     clear_out
-    "${heed[@]}" "$program" -s 320x180 --frames 5000 -o "$out/%05d.png" &
+    ${heed[@]+"${heed[@]}"} "$program" -s 320x180 --frames 5000 -o "$out/%05d.png" &
     local child=$! tries=200 status
     while [ ! -e "$out/00003.png" ] && [ $tries -gt 0 ]; do sleep 0.05; tries=$((tries - 1)); done
     kill -"$1" $child
