@@ -109,14 +109,30 @@ static void blank_extensions(struct shader_source *source, const char *code)
     }
 }
 
+// A course file that --print-shader wrote begins with what form_prelude put there. That is blanked:
+// the file is of the course's form again.
+static bool blank_printed(struct shader_source *source, char *code)
+{
+    static const char first[] = "#version 330 core\n#define VIEW ";
+    if (strncmp(code, first, strlen(first)) != 0 || glsl_find_definition(code, "rayColour") == NULL)
+        return false;
+    size_t line = strcspn(code, "\n"), end = line + 1 + strcspn(code + line + 1, "\n");
+    for (size_t i = 0; i < end; i++)
+        if (i != line) // the line ends stay
+            source->text[i] = code[i] = ' ';
+    return true;
+}
+
 bool form_find(struct shader_source *source, bool version)
 {
     char *code = code_of(source);
     if (code == NULL)
         return false;
+    bool printed = version && blank_printed(source, code);
+    version = version && !printed;
     bool toy =
         glsl_find_word(code, "mainImage") != NULL && glsl_find_definition(code, "main") == NULL;
-    bool whole = version || has_own_main(source, code);
+    bool whole = version || (!printed && has_own_main(source, code));
     bool blanked = version && blank_version(source, code, !toy);
     source->form = toy ? SHADER_SHADERTOY : whole ? SHADER_WHOLE : SHADER_COURSE;
     source->versioned = version && !blanked;

@@ -12,8 +12,9 @@
 //   version  the text has a #version
 // What the preprocessor leaves out does not count. Shadertoy's form mentions mainImage and defines
 // no main; a whole file has a #version otherwise, or defines main and includes nothing; everything
-// else is the course's form. Returns false, reported with file and line: nothing but comments, an
-// array of more than 65536 elements, what form_check_inputs refuses.
+// else is the course's form, also what --print-shader wrote of one. Returns false, reported with
+// file and line: nothing but comments, an array of more than 65536 elements, what form_check_inputs
+// refuses.
 bool form_find(struct shader_source *source, bool version);
 
 // What stands before the text for the driver, its lines ended.

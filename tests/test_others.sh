@@ -456,4 +456,15 @@ check 'make play FILE opens a file' opens
 missing() { ! play nowhere.frag && grep -q 'nowhere.frag: no such file' "$scratch/err" && [ ! -e "$scratch/project/nowhere.frag" ]; }
 check 'make play FILE says that a file is missing' missing
 
+# ---- The course's own, printed ----
+
+# What --print-shader writes is the chapter again: the same picture, its parameters, every view.
+printed() { # OPTION...
+    "$program" --print-shader >"$scratch/printed.frag" &&
+        "$program" "${size[@]}" -o "$scratch/chapter.png" "$@" && draw printed "$@" && [ -z "$said" ] &&
+        cmp -s "$scratch/chapter.png" "$scratch/printed.png"
+}
+check 'a printed chapter is the chapter' printed -p biased=true
+check 'with its views' printed -v steps
+
 plan
