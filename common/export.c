@@ -319,8 +319,7 @@ static bool find_output(const char *code, char name[64])
                       sscanf(location, "location = %d", &number) == 1 && number == 0;
         char type[32];
         const char *word = c + 3;
-        while (sscanf(word, " %31[a-zA-Z0-9_]%n", type, &used) == 1 &&
-               strstr("lowp mediump highp", type) != NULL)
+        while (sscanf(word, " %31[a-zA-Z0-9_]%n", type, &used) == 1 && glsl_at_precision(type))
             word += used;
         if (!found || placed)
             found = sscanf(word, " %*31[a-zA-Z0-9_] %63[a-zA-Z0-9_]", name) == 1;

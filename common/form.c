@@ -58,15 +58,6 @@ static bool blank_version(struct shader_source *source, const char *code, bool o
     return true;
 }
 
-static const struct shader_line *line_at(const struct shader_source *source, const char *code,
-                                         const char *place)
-{
-    int line = 0;
-    for (const char *c = code; c < place; c++)
-        line += *c == '\n';
-    return &source->lines[line < source->line_count ? line : source->line_count - 1];
-}
-
 // Refuse what no driver answers well: a text of comments, and arrays at which some run for minutes
 // and out of memory.
 static bool check_sense(const struct shader_source *source, const char *code)
@@ -80,7 +71,7 @@ static bool check_sense(const struct shader_source *source, const char *code)
         size_t digits = strspn(number, "0123456789");
         if (*glsl_skip_blanks(number + digits) != ']' || strtod(number, NULL) <= ARRAY_LIMIT)
             continue;
-        const struct shader_line *from = line_at(source, code, c);
+        const struct shader_line *from = form_line_at(source, code, c);
         report("%s:%d: an array of %.*s elements: a graphics processor has no room for it: %d at "
                "most",
                source->files[from->file], from->line, digits < 20 ? (int)digits : 20, number,
@@ -272,7 +263,7 @@ static bool refuses_main(const struct shader_source *source, const char *code)
 {
     const char *main = glsl_find_word(code, "main"), *image = glsl_find_word(code, "mainImage");
     if (source->form == SHADER_SHADERTOY) {
-        const struct shader_line *from = line_at(source, code, image);
+        const struct shader_line *from = form_line_at(source, code, image);
         report("%s:%d: mainImage has other parameters than those it is called with: write void "
                "mainImage(out vec4 fragColor, in vec2 fragCoord)",
                source->files[from->file], from->line);

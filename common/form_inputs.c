@@ -43,21 +43,13 @@ const char *form_toy_input(size_t number, const char **name)
     return toy_inputs[number].declaration;
 }
 
-static size_t word_length(const char *c)
-{
-    size_t length = 0;
-    while (glsl_is_word(c[length]))
-        length++;
-    return length;
-}
-
 bool form_declares(const char *code, const char *name)
 {
     const char *word = glsl_find_word(code, "uniform");
     while (word != NULL) {
         const char *end = word + strcspn(word, ";");
         while (word < end && !glsl_at_word(word, name)) {
-            size_t length = word_length(word);
+            size_t length = glsl_word_length(word);
             word += length > 0 ? length : 1;
         }
         if (word < end)
@@ -67,8 +59,8 @@ bool form_declares(const char *code, const char *name)
     return false;
 }
 
-static const struct shader_line *line_at(const struct shader_source *source, const char *code,
-                                         const char *place)
+const struct shader_line *form_line_at(const struct shader_source *source, const char *code,
+                                       const char *place)
 {
     int line = 0;
     for (const char *c = code; c < place; c++)
@@ -79,7 +71,7 @@ static const struct shader_line *line_at(const struct shader_source *source, con
 void form_refuse_name(const struct shader_source *source, const char *code, const char *place,
                       const char *name)
 {
-    const struct shader_line *from = line_at(source, code, place);
+    const struct shader_line *from = form_line_at(source, code, place);
     report("%s:%d: %s is not offered: a shader gets no textures, buffers or sounds here: compute "
            "the values in the shader",
            source->files[from->file], from->line, name);
@@ -130,7 +122,7 @@ static bool is_qualifier(const char *c)
 static const char *read_word(const char *c, char word[64])
 {
     c = glsl_skip_blanks(c);
-    size_t length = word_length(c);
+    size_t length = glsl_word_length(c);
     if (length == 0 || length >= 64)
         return NULL;
     snprintf(word, 64, "%.*s", (int)length, c);
@@ -143,7 +135,7 @@ static bool read_first(struct declared *at, const char *c)
     at->end = c;
     do
         c = read_word(c, at->type);
-    while (c != NULL && strstr("lowp mediump highp", at->type) != NULL);
+    while (c != NULL && glsl_at_precision(at->type));
     at->after = c != NULL ? read_word(c, at->name) : NULL;
     return at->after != NULL;
 }
@@ -166,7 +158,7 @@ static bool next_declared(struct walk *walk)
     at->kind = NONE;
     while (*walk->c != '\0') {
         const char *c = walk->c;
-        size_t length = word_length(c);
+        size_t length = glsl_word_length(c);
         bool fresh = walk->depth == 0 && walk->begins;
         enum kind kind = length > 0 && fresh ? kind_at(c) : NONE;
         bool qualifier = length > 0 && fresh && is_qualifier(c);
@@ -231,7 +223,7 @@ static bool is_mentioned(const char *code, const char *statements, const struct 
 static const char *where(const struct shader_source *source, const char *code,
                          const struct declared *at, int *line)
 {
-    const struct shader_line *from = line_at(source, code, at->after);
+    const struct shader_line *from = form_line_at(source, code, at->after);
     *line = from->line;
     return source->files[from->file];
 }
@@ -376,7 +368,7 @@ bool form_check_inputs(struct shader_source *source, const char *code)
 static bool writes_otherwise(const char *code)
 {
     int depth = 0;
-    for (const char *c = code; *c != '\0'; c += word_length(c) > 0 ? word_length(c) : 1) {
+    for (const char *c = code; *c != '\0'; c += glsl_word_length(c) > 0 ? glsl_word_length(c) : 1) {
         depth += (*c == '(') - (*c == ')');
         if (depth == 0 && glsl_at_word(c, "out"))
             return true;

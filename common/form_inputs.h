@@ -22,6 +22,10 @@ bool form_check_inputs(struct shader_source *source, const char *code);
 // sets: it is 0. Returns false, reported: a whole file that gives an output no value, or has none.
 bool form_check_linked(const struct shader_source *source, const char *code);
 
+// Where a place of the code comes from: the file and the line.
+const struct shader_line *form_line_at(const struct shader_source *source, const char *code,
+                                       const char *place);
+
 // Say that something of Shadertoy's is not offered.
 //   place  where the code mentions it
 void form_refuse_name(const struct shader_source *source, const char *code, const char *place,

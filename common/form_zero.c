@@ -45,10 +45,7 @@ static void insert(struct insertions *all, size_t at, const char *before, const 
 
 static int word_length(const char *c)
 {
-    int length = 0;
-    while (glsl_is_word(c[length]))
-        length++;
-    return length;
+    return (int)glsl_word_length(c);
 }
 
 static bool is_one_of(const char *c, int length, const char *const words[], size_t count)
@@ -74,12 +71,6 @@ static bool is_other(const char *c, int length)
     static const char *const words[] = {"struct",        "uniform",  "in",       "out",  "varying",
                                         "attribute",     "layout",   "const",    "flat", "smooth",
                                         "noperspective", "centroid", "precision"};
-    return is_one_of(c, length, words, COUNT(words));
-}
-
-static bool is_precision(const char *c, int length)
-{
-    static const char *const words[] = {"lowp", "mediump", "highp"};
     return is_one_of(c, length, words, COUNT(words));
 }
 
@@ -153,7 +144,7 @@ static void zero_variables(struct insertions *all)
             c = zero_names(all, c, length);
             begins = false;
         } else {
-            begins = begins && is_precision(c, length);
+            begins = begins && glsl_at_precision(c);
             c += length;
         }
     }
@@ -194,7 +185,7 @@ static void zero_outputs(struct insertions *all)
         if (depth == 0 && length == 3 && strncmp(c, "out", 3) == 0 &&
             glsl_is_certain(all->code, (size_t)(c - all->statements))) {
             const char *type = glsl_skip_blanks(c + 3);
-            while (is_precision(type, word_length(type)))
+            while (glsl_at_precision(type))
                 type = glsl_skip_blanks(type + word_length(type));
             const char *name = glsl_skip_blanks(type + word_length(type));
             const char *after = glsl_skip_blanks(name + word_length(name));

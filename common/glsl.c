@@ -66,10 +66,23 @@ const char *glsl_skip_blanks(const char *c)
     return c + strspn(c, " \t\n\v\f");
 }
 
+size_t glsl_word_length(const char *c)
+{
+    size_t length = 0;
+    while (glsl_is_word(c[length]))
+        length++;
+    return length;
+}
+
 bool glsl_at_word(const char *c, const char *word)
 {
     size_t length = strlen(word);
     return strncmp(c, word, length) == 0 && !glsl_is_word(c[length]);
+}
+
+bool glsl_at_precision(const char *c)
+{
+    return glsl_at_word(c, "lowp") || glsl_at_word(c, "mediump") || glsl_at_word(c, "highp");
 }
 
 // ---- What the preprocessor leaves out ----
@@ -80,10 +93,10 @@ enum truth { NEVER, ALWAYS, PERHAPS };
 // Skip a word and the blanks behind it; NULL when c begins otherwise.
 static const char *after_word(const char *c, const char *word)
 {
-    size_t length = strlen(word);
-    if (c == NULL || strncmp(c, word, length) != 0 || glsl_is_word(c[length]))
+    if (c == NULL || !glsl_at_word(c, word))
         return NULL;
-    return c + length + strspn(c + length, " \t\v\f");
+    c += strlen(word);
+    return c + strspn(c, " \t\v\f");
 }
 
 // The directive that a line holds, or NULL.
@@ -97,9 +110,7 @@ static const char *directive_of(const char *line)
 static enum truth is_defined(const char *code, const char *c)
 {
     char name[64];
-    size_t length = 0;
-    while (glsl_is_word(c[length]))
-        length++;
+    size_t length = glsl_word_length(c);
     if (length == 0 || length >= sizeof name)
         return PERHAPS;
     memcpy(name, c, length);

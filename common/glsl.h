@@ -32,8 +32,14 @@ bool glsl_is_word(char c);
 // What follows blanks and ends of lines.
 const char *glsl_skip_blanks(const char *c);
 
+// The letters of the word that stands at c; 0 where none does.
+size_t glsl_word_length(const char *c);
+
 // True when this whole word stands at c, which is no place inside another.
 bool glsl_at_word(const char *c, const char *word);
+
+// True when lowp, mediump or highp stands at c, which is no place inside a word.
+bool glsl_at_precision(const char *c);
 
 // The first place where word stands as a whole identifier, or NULL.
 //   code  a text without comments

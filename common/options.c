@@ -63,9 +63,8 @@ static const struct option *option_of(int code)
 }
 
 // ---- Values ----
-// -------------------------------------------------------------------------------------- Each takes
-// the text after its option and reports what is wrong with it.
 
+// Each takes the text after its option and reports what is wrong with it.
 static bool refuse(const char *option, const char *text, const char *expected)
 {
     report("--%s '%s': %s", option, text, expected);
