@@ -43,7 +43,7 @@ V =
 say = $(if $(V),,@echo '$(1)' &&)
 
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
-LANGUAGE = -std=c11 -D_XOPEN_SOURCE=700
+LANGUAGE = -std=c11 -D_XOPEN_SOURCE=700 -Icommon
 COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
 
 # ---- What is built ----
@@ -67,10 +67,11 @@ INSTRUMENT = -fsanitize=$(CHECKS)
 EXTRA = $(BUILD)/tests/no_dlclose.o
 endif
 
-ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,common/context_$(name).c))
-WINDOW := $(filter-out common/window_none.c,$(wildcard common/window*.c))
-ABSENT += $(if $(filter glfw,$(BACKENDS)),common/window_none.c,$(WINDOW))
-COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(wildcard common/*.c)))
+# What this machine has no library for is left out.
+SOURCES := $(sort $(shell find common -name '*.c'))
+ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,common/context/$(name).c))
+ABSENT += $(if $(filter glfw,$(BACKENDS)),common/window/none.c,$(filter-out %/none.c,$(filter common/window/%,$(SOURCES))))
+COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES)))
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
 PROGRAMS := $(STEMS:%=$(BUILD)/%)
@@ -91,8 +92,8 @@ $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
 $(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
-$(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/image.o \
-    $(BUILD)/common/image_compare.o $(BUILD)/common/report.o $(EXTRA)
+$(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/picture/image.o \
+    $(BUILD)/common/picture/image_compare.o $(BUILD)/common/report.o $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 # libFuzzer brings its own main.
@@ -113,7 +114,7 @@ $(BUILD)/flags: always
 	@mkdir -p $(@D)
 	@echo '$(CC) $(COMPILE) $(LINK)' | cmp -s - $@ || echo '$(CC) $(COMPILE) $(LINK)' > $@
 
--include $(wildcard $(BUILD)/common/*.d $(BUILD)/chapters/*.d $(BUILD)/tests/*.d $(BUILD)/docs/figures/*.d)
+-include $(shell find $(BUILD)/common $(BUILD)/chapters $(BUILD)/tests $(BUILD)/docs -name '*.d' 2>/dev/null)
 
 # ---- What a person asks for ----
 
@@ -192,7 +193,7 @@ lint: ## hold C, GLSL and scripts against every checker; warnings are errors
 
 format: ## lay out the C sources by .clang-format
 	@.make/setup.sh lint
-	@clang-format -i $(wildcard common/*.[ch] chapters/*.c tests/*.[ch] docs/figures/*.[ch])
+	@clang-format -i $$(find common chapters tests docs -name '*.[ch]')
 
 docs: ## rewrite the listings and tables in docs/ from the sources that they show
 	@.make/setup.sh run

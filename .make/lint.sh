@@ -80,7 +80,7 @@ one() { # CHECK [FILE]
         cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 \
             --enable=warning,performance,portability --suppress=missingIncludeSystem \
             --suppress=CastIntegerToAddressAtReturn --suppress=memleak \
-            -DHAVE_GLFW -DHAVE_EGL -DHAVE_OSMESA "$2"
+            -Icommon -DHAVE_GLFW -DHAVE_EGL -DHAVE_OSMESA "$2"
         ;;
     shellcheck) shellcheck -x "$2" ;;
     library) check_library "$2" ;;
@@ -105,10 +105,10 @@ mkdir -p "$glsl_folder"
 
 list() {
     local file
-    for file in common/*.c chapters/*.c tests/*.c docs/figures/*.c; do
+    for file in $(find common chapters tests docs -name '*.c' | sort); do
         printf '%s\n' "tidy $file" "gcc $file" "clang $file" "cppcheck $file" "format $file"
     done
-    for file in common/*.h tests/*.h docs/figures/*.h; do
+    for file in $(find common tests docs -name '*.h' | sort); do
         echo "format $file"
     done
     for file in shaders/*.glsl; do

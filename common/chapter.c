@@ -10,17 +10,17 @@
 #include <mach-o/dyld.h>
 #endif
 
-#include "benchmark.h"
-#include "context.h"
-#include "export.h"
-#include "image.h"
+#include "picture/benchmark.h"
+#include "context/context.h"
+#include "shader/export.h"
+#include "picture/image.h"
 #include "options.h"
-#include "panel.h"
-#include "probe.h"
-#include "renderer.h"
+#include "picture/panel.h"
+#include "picture/probe.h"
+#include "picture/renderer.h"
 #include "report.h"
 #include "sequence.h"
-#include "window.h"
+#include "window/window.h"
 
 enum { DONE = 0, NOT_DONE = 1, WRONG_COMMAND_LINE = 2 };
 

@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "benchmark.h"
+#include "picture/benchmark.h"
 #include "number.h"
-#include "overlay.h"
+#include "picture/overlay.h"
 #include "report.h"
 #include "sequence.h"
 

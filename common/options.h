@@ -6,8 +6,8 @@
 #include <stdio.h>
 
 #include "camera.h"
-#include "context.h"
-#include "shader.h"
+#include "context/context.h"
+#include "shader/shader.h"
 
 #define OPTIONS_SIZE_LIMIT    16384 // pixels, each way
 #define OPTIONS_SAMPLES_LIMIT 8     // samples along each side of a pixel

@@ -7,11 +7,11 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "../common/export.h"
+#include "../common/shader/export.h"
 #include "../common/options.h"
-#include "../common/parameter.h"
+#include "../common/shader/parameter.h"
 #include "../common/sequence.h"
-#include "../common/shader.h"
+#include "../common/shader/shader.h"
 #include "support_scratch.h"
 
 const struct fuzz_target fuzz_targets[FUZZ_TARGETS] = {

@@ -4,8 +4,8 @@
 
 #include <stdbool.h>
 
-#include "../common/context.h"
-#include "../common/renderer.h"
+#include "../common/context/context.h"
+#include "../common/picture/renderer.h"
 
 struct gpu {
     struct context context;

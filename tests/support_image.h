@@ -6,7 +6,7 @@
 #include <limits.h>
 #include <stdbool.h>
 
-#include "../common/image.h"
+#include "../common/picture/image.h"
 
 // A folder of one test alone, and paths in it where nothing is yet.
 struct picture_folder {

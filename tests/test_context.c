@@ -1,4 +1,4 @@
-// Tests of common/context.c and its backends, without a window.
+// Tests of common/context/context.c and its backends, without a window.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "../common/context.h"
+#include "../common/context/context.h"
 
 // What a child does with the environment changed; true when it went as it should.
 struct child {

@@ -1,4 +1,4 @@
-// Unit tests of common/image.c: pictures created, written and refused. Reading is tested in
+// Unit tests of common/picture/image.c: pictures created, written and refused. Reading is tested in
 // test_image_read.c, comparing in test_image_compare.c.
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,7 +15,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "../common/image.h"
+#include "../common/picture/image.h"
 #include "support_image.h"
 #include "support_scratch.h"
 

@@ -9,8 +9,8 @@
 
 #include <cmocka.h>
 
-#include "../common/overlay.h"
-#include "../common/panel.h"
+#include "../common/picture/overlay.h"
+#include "../common/picture/panel.h"
 #include "../common/report.h"
 #include "support_gpu.h"
 #include "support_scratch.h"

@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "../common/number.h"
-#include "../common/parameter.h"
+#include "../common/shader/parameter.h"
 #include "support_scratch.h"
 
 #define LINES 64

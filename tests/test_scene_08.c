@@ -11,7 +11,7 @@
 
 #include <cmocka.h>
 
-#include "../common/slice.h"
+#include "../common/picture/slice.h"
 #include "support_pixels.h"
 
 #define STEM   "08_orthographic_view"

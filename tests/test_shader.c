@@ -14,7 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../common/shader.h"
+#include "../common/shader/shader.h"
 #include "support_scratch.h"
 
 // ---- A project of its own for each test ----

@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/context.h"
-#include "../common/shader.h"
+#include "../common/context/context.h"
+#include "../common/shader/shader.h"
 #include "support_scratch.h"
 
 static struct {

@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "../common/slice.h"
+#include "../common/picture/slice.h"
 #include "support_gpu.h"
 #include "support_mirror.h"
 #include "support_scratch.h"

@@ -1,0 +1,178 @@
+#include "context/context.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "report.h"
+
+enum { NEEDED_MAJOR = 3, NEEDED_MINOR = 3, WHY_SIZE = 512 };
+
+// The drivers that were built in, in the order in which CONTEXT_ANY tries them for a file: those
+// that need no display first.
+static const struct context_driver *const drivers[] = {
+#ifdef HAVE_EGL
+    &context_driver_egl,
+#endif
+#ifdef HAVE_OSMESA
+    &context_driver_osmesa,
+#endif
+#ifdef HAVE_GLFW
+    &context_driver_glfw,
+#endif
+    NULL};
+
+static const char *const names[] = {
+    [CONTEXT_GLFW] = "glfw", [CONTEXT_EGL] = "egl", [CONTEXT_OSMESA] = "osmesa"};
+
+bool context_backend_from_name(const char *name, enum context_backend *backend)
+{
+    for (int i = CONTEXT_GLFW; i <= CONTEXT_OSMESA; i++)
+        if (strcmp(name, names[i]) == 0) {
+            *backend = (enum context_backend)i;
+            return true;
+        }
+    return false;
+}
+
+// Append to a list in text, whose items are set apart by a separator.
+__attribute__((format(printf, 4, 5))) static void
+append(char *text, size_t size, const char *separator, const char *format, ...)
+{
+    size_t used = strlen(text);
+    if (used > 0)
+        used += (size_t)snprintf(text + used, size - used, "%s", separator);
+    if (used >= size)
+        return;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text + used, size - used, format, arguments);
+    va_end(arguments);
+}
+
+static void report_not_built_in(enum context_backend wanted)
+{
+    char built[64] = "";
+    for (int i = 0; drivers[i] != NULL; i++)
+        append(built, sizeof built, ", ", "%s", drivers[i]->name);
+    report("%s: not built in, its library was not found by make; built in: %s: run make setup, "
+           "then make",
+           wanted == CONTEXT_ANY ? "OpenGL backend" : names[wanted],
+           built[0] != '\0' ? built : "none");
+}
+
+// What the current context says it is, or NULL.
+static const char *version_of(const struct context_driver *driver)
+{
+    PFNGLGETSTRINGPROC get_string = (PFNGLGETSTRINGPROC)driver->find("glGetString");
+    return get_string != NULL ? (const char *)get_string(GL_VERSION) : NULL;
+}
+
+// Asked before the table is loaded, so that an old driver is told by its version, not by the first
+// function that it lacks.
+static bool version_suffices(const struct context_driver *driver, char *why, size_t why_size)
+{
+    const char *version = version_of(driver);
+    int major = 0, minor = 0;
+    if (version != NULL && sscanf(version, "%d.%d", &major, &minor) == 2 &&
+        (major > NEEDED_MAJOR || (major == NEEDED_MAJOR && minor >= NEEDED_MINOR)))
+        return true;
+    snprintf(why, why_size, "the driver offers OpenGL %s", version != NULL ? version : "?");
+    return false;
+}
+
+// Take over a context that a driver made current, if it is new enough; else close it.
+static bool take(struct context *context, const struct context_driver *driver, void *state,
+                 char *why, size_t why_size)
+{
+    *context = (struct context){.driver = driver, .state = state};
+    if (version_suffices(driver, why, why_size))
+        return true;
+    context_close(context);
+    return false;
+}
+
+static bool load(struct context *context)
+{
+    if (gl_load(&context->gl, context->driver->find))
+        return true;
+    context_close(context);
+    return false;
+}
+
+bool context_open_offscreen(struct context *context, enum context_backend wanted)
+{
+    char reasons[4 * WHY_SIZE] = "";
+    *context = (struct context){0};
+    for (int i = 0; drivers[i] != NULL; i++) {
+        const struct context_driver *driver = drivers[i];
+        if (wanted != CONTEXT_ANY && wanted != driver->backend)
+            continue;
+        char why[WHY_SIZE] = "";
+        void *state = driver->open_offscreen(why, sizeof why);
+        if (state != NULL && take(context, driver, state, why, sizeof why))
+            return load(context);
+        append(reasons, sizeof reasons, "; ", "%s: %s", driver->name, why);
+    }
+    if (reasons[0] == '\0')
+        report_not_built_in(wanted);
+    else
+        report("OpenGL %d.%d: no context: %s: update the graphics driver or %s", NEEDED_MAJOR,
+               NEEDED_MINOR, reasons,
+               wanted == CONTEXT_ANY ? "install Mesa (make setup)" : "try another --backend");
+    return false;
+}
+
+#ifdef HAVE_GLFW
+bool context_open_window(struct context *context, enum context_backend wanted, const char *title,
+                         int width, int height)
+{
+    *context = (struct context){0};
+    if (wanted != CONTEXT_ANY && wanted != CONTEXT_GLFW) {
+        report("%s: cannot show a window: choose --backend glfw, or a file with --output FILE.png",
+               names[wanted]);
+        return false;
+    }
+    char why[WHY_SIZE] = "";
+    void *state = context_glfw_open_window(title, width, height, why, sizeof why);
+    if (state != NULL && take(context, &context_driver_glfw, state, why, sizeof why)) {
+        context->window = context_glfw_window(state);
+        return load(context);
+    }
+    report(
+        "window with OpenGL %d.%d: cannot be opened: %s: try another display or driver, or render "
+        "without a window with --output FILE.png",
+        NEEDED_MAJOR, NEEDED_MINOR, why);
+    return false;
+}
+#else
+bool context_open_window(struct context *context, enum context_backend wanted, const char *title,
+                         int width, int height)
+{
+    (void)title, (void)width, (void)height;
+    *context = (struct context){0};
+    if (wanted != CONTEXT_ANY && wanted != CONTEXT_GLFW)
+        report("%s: cannot show a window: choose a file with --output FILE.png", names[wanted]);
+    else
+        report_not_built_in(CONTEXT_GLFW);
+    return false;
+}
+#endif
+
+void context_close(struct context *context)
+{
+    if (context->driver != NULL)
+        context->driver->close(context->state);
+    *context = (struct context){0};
+}
+
+void context_describe(const struct context *context, char *text, size_t size)
+{
+    const struct context_driver *driver = context->driver;
+    const char *platform = driver->platform != NULL ? driver->platform(context->state) : NULL;
+    const char *version = (const char *)context->gl.GetString(GL_VERSION);
+    const char *renderer = (const char *)context->gl.GetString(GL_RENDERER);
+    snprintf(text, size, "%s%s%s%s, OpenGL %s, %s", driver->name, platform != NULL ? " (" : "",
+             platform != NULL ? platform : "", platform != NULL ? ")" : "",
+             version != NULL ? version : "?", renderer != NULL ? renderer : "?");
+}

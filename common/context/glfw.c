@@ -1,0 +1,95 @@
+#include "context/context.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#define HIDDEN_SIZE 16 // pixels; what is drawn goes into targets of our own
+
+// GLFW's reason for its last failure. Its text lives until glfwTerminate only.
+static void last_error(char *why, size_t why_size, const char *step)
+{
+    const char *text = NULL;
+    int code = glfwGetError(&text);
+    snprintf(why, why_size, "%s: %s (0x%08X)", step, text != NULL ? text : "no reason given",
+             (unsigned)code);
+}
+
+static bool is_set(const char *variable)
+{
+    const char *value = getenv(variable);
+    return value != NULL && value[0] != '\0';
+}
+
+static bool initialise(char *why, size_t why_size)
+{
+    if (glfwInit())
+        return true;
+    last_error(why, why_size, "glfwInit");
+#ifndef __APPLE__
+    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))
+        snprintf(why, why_size, "no display: DISPLAY and WAYLAND_DISPLAY are not set");
+#endif
+    return false;
+}
+
+static GLFWwindow *open_window(bool visible, const char *title, int width, int height, char *why,
+                               size_t why_size)
+{
+    if (!initialise(why, why_size))
+        return NULL;
+    glfwDefaultWindowHints();
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+#ifdef __APPLE__
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS has no other core profile
+#endif
+    glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
+    GLFWwindow *window = glfwCreateWindow(width, height, title, NULL, NULL);
+    if (window != NULL) {
+        glfwMakeContextCurrent(window);
+        if (glfwGetCurrentContext() == window)
+            return window;
+    }
+    last_error(why, why_size, window == NULL ? "glfwCreateWindow" : "glfwMakeContextCurrent");
+    glfwTerminate();
+    return NULL;
+}
+
+static void *open_offscreen(char *why, size_t why_size)
+{
+    return open_window(false, "", HIDDEN_SIZE, HIDDEN_SIZE, why, why_size);
+}
+
+void *context_glfw_open_window(const char *title, int width, int height, char *why, size_t why_size)
+{
+    GLFWwindow *window = open_window(true, title, width, height, why, why_size);
+    if (window != NULL)
+        glfwSwapInterval(1);
+    return window;
+}
+
+struct GLFWwindow *context_glfw_window(void *state)
+{
+    return state;
+}
+
+static gl_function find(const char *name)
+{
+    return glfwGetProcAddress(name);
+}
+
+static void close_window(void *state)
+{
+    glfwDestroyWindow(state);
+    glfwTerminate();
+}
+
+const struct context_driver context_driver_glfw = {.backend = CONTEXT_GLFW,
+                                                   .name = "glfw",
+                                                   .open_offscreen = open_offscreen,
+                                                   .find = find,
+                                                   .close = close_window};

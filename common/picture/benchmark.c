@@ -1,0 +1,335 @@
+#include "picture/benchmark.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "report.h"
+
+// OpenGL ES 3.0 has no timer: these are asked for where they are used, not in the table of gl.h.
+struct timer {
+    PFNGLGENQUERIESPROC gen;
+    PFNGLDELETEQUERIESPROC drop;
+    PFNGLBEGINQUERYPROC begin;
+    PFNGLENDQUERYPROC end;
+    PFNGLGETQUERYOBJECTUI64VPROC get;
+    GLuint query;
+};
+
+void benchmark_forget_caches(void)
+{
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    setenv("MESA_GLSL_CACHE_DISABLE", "true", 1);
+    setenv("__GL_SHADER_DISK_CACHE", "0", 1);
+}
+
+// ---- Clocks ----
+
+static double clock_seconds(clockid_t clock)
+{
+    struct timespec now;
+    clock_gettime(clock, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static struct benchmark_span now(void)
+{
+    return (struct benchmark_span){
+        {clock_seconds(CLOCK_PROCESS_CPUTIME_ID), clock_seconds(CLOCK_MONOTONIC), 0.0}};
+}
+
+static struct benchmark_span since(const struct benchmark_span *begin)
+{
+    struct benchmark_span span = now();
+    for (int i = 0; i < BENCHMARK_CLOCKS; i++)
+        span.seconds[i] -= begin->seconds[i];
+    return span;
+}
+
+// A processor that plays the graphics card has no clock of its own.
+static bool is_software(const struct gl *gl)
+{
+    static const char *const names[] = {"llvmpipe", "softpipe", "swrast", "SWR", "Software"};
+    const char *renderer = (const char *)gl->GetString(GL_RENDERER);
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (renderer == NULL || strstr(renderer, names[i]) != NULL)
+            return true;
+    return false;
+}
+
+static bool open_timer(struct timer *timer, const struct context *context)
+{
+    gl_function (*find)(const char *) = context->driver->find;
+    if (is_software(&context->gl))
+        return false;
+    *timer = (struct timer){.gen = (PFNGLGENQUERIESPROC)find("glGenQueries"),
+                            .drop = (PFNGLDELETEQUERIESPROC)find("glDeleteQueries"),
+                            .begin = (PFNGLBEGINQUERYPROC)find("glBeginQuery"),
+                            .end = (PFNGLENDQUERYPROC)find("glEndQuery"),
+                            .get = (PFNGLGETQUERYOBJECTUI64VPROC)find("glGetQueryObjectui64v")};
+    if (timer->gen == NULL || timer->drop == NULL || timer->begin == NULL || timer->end == NULL ||
+        timer->get == NULL)
+        return false;
+    timer->gen(1, &timer->query);
+    return true;
+}
+
+// ---- Frames ----
+
+bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer, const char *path)
+{
+    struct benchmark_span begin = now();
+    if (!renderer_load(renderer, path))
+        return false;
+    renderer->gl->Finish();
+    benchmark->compile = since(&begin);
+    return true;
+}
+
+//   timer  NULL where there is no GPU's clock
+static bool draw_frame(const struct benchmark *benchmark, struct renderer *renderer,
+                       const struct timer *timer, struct benchmark_span *span)
+{
+    GLuint64 nanoseconds = 0;
+    struct benchmark_span begin = now();
+    if (timer != NULL)
+        timer->begin(GL_TIME_ELAPSED, timer->query);
+    bool done = renderer_draw(renderer, &benchmark->inputs, 0, benchmark->inputs.height);
+    if (timer != NULL)
+        timer->end(GL_TIME_ELAPSED);
+    renderer->gl->Finish();
+    *span = since(&begin);
+    if (timer != NULL)
+        timer->get(timer->query, GL_QUERY_RESULT, &nanoseconds);
+    span->seconds[BENCHMARK_GPU] = 1e-9 * (double)nanoseconds;
+    return done;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
+                        const struct timer *timer)
+{
+    int count = benchmark->frames;
+    size_t size = (size_t)count * sizeof(double);
+    double *seconds[BENCHMARK_CLOCKS] = {malloc(size), malloc(size), malloc(size)};
+    bool room = seconds[0] != NULL && seconds[1] != NULL && seconds[2] != NULL, done = room;
+    if (!room)
+        report("--benchmark: not enough memory");
+    for (int i = -BENCHMARK_WARM_UP; i < count && done; i++) {
+        struct benchmark_span span;
+        done = draw_frame(benchmark, renderer, timer, &span);
+        if (i == -BENCHMARK_WARM_UP)
+            benchmark->first = span;
+        for (int clock = 0; clock < BENCHMARK_CLOCKS && i >= 0; clock++)
+            seconds[clock][i] = span.seconds[clock];
+    }
+    for (int clock = 0; clock < BENCHMARK_CLOCKS && done; clock++) {
+        double *of = seconds[clock];
+        qsort(of, (size_t)count, sizeof *of, compare_doubles);
+        benchmark->minimum.seconds[clock] = of[0];
+        benchmark->median.seconds[clock] = 0.5 * (of[(count - 1) / 2] + of[count / 2]);
+        benchmark->maximum.seconds[clock] = of[count - 1];
+    }
+    for (int clock = 0; clock < BENCHMARK_CLOCKS; clock++)
+        free(seconds[clock]);
+    return done;
+}
+
+// ---- Evaluations ----
+
+static int compare_floats(const void *a, const void *b)
+{
+    float x = *(const float *)a, y = *(const float *)b;
+    return (x > y) - (x < y);
+}
+
+// Compare the marches of the grid's rays with the least that could have done.
+//   values  4 a pixel, as shaders/main.glsl writes them: -, steps, the least, -
+static struct benchmark_cover cover_of(const float *values, size_t pixels)
+{
+    struct benchmark_cover cover = {0};
+    double march = 0.0, bound = 0.0;
+    for (size_t i = 0; i < pixels; i++) {
+        double steps = (double)values[4 * i + 1], least = (double)values[4 * i + 2];
+        if (least == 0.0)
+            continue;
+        march += steps;
+        bound += least;
+        if (cover.rays == 0 || steps / least < cover.ray_ratio)
+            cover.ray_ratio = steps / least;
+        cover.rays++;
+    }
+    if (cover.rays > 0) {
+        cover.march = march / cover.rays;
+        cover.bound = bound / cover.rays;
+        cover.ratio = march / bound;
+    }
+    return cover;
+}
+
+static bool count_evaluations(struct benchmark *benchmark, struct renderer *renderer)
+{
+    enum shader_view view = renderer->view;
+    struct renderer_inputs inputs = benchmark->inputs;
+    size_t pixels = (size_t)inputs.width * (size_t)inputs.height;
+    float *values = malloc(4 * sizeof *values * pixels);
+    inputs.samples = 1;
+    if (values == NULL)
+        report("--benchmark: not enough memory: try a smaller --size");
+    bool done = values != NULL && renderer_set_view(renderer, SHADER_COUNT) &&
+                renderer_draw(renderer, &inputs, 0, inputs.height);
+    if (done) {
+        double sum = 0.0;
+        renderer_read(renderer, values);
+        benchmark->cover = cover_of(values, pixels);
+        for (size_t i = 0; i < pixels; i++) {
+            values[i] = values[4 * i];
+            sum += (double)values[i];
+        }
+        qsort(values, pixels, sizeof *values, compare_floats);
+        benchmark->mean = sum / (double)pixels;
+        benchmark->percentile = (double)values[(size_t)ceil(0.99 * (double)pixels) - 1];
+        benchmark->most = (double)values[pixels - 1];
+        benchmark->has_evaluations = true;
+    }
+    free(values);
+    return renderer_set_view(renderer, view) && done;
+}
+
+bool benchmark_run(struct benchmark *benchmark, const struct context *context,
+                   struct renderer *renderer)
+{
+    struct timer timer = {0};
+    bool timed = benchmark->has_gpu = open_timer(&timer, context);
+    context_describe(context, benchmark->backend, sizeof benchmark->backend);
+    bool done = draw_frames(benchmark, renderer, timed ? &timer : NULL);
+    if (timed)
+        timer.drop(1, &timer.query);
+    if (done && renderer->fragment.form == SHADER_COURSE)
+        done = count_evaluations(benchmark, renderer);
+    GLenum error = renderer->gl->GetError();
+    if (done && error != GL_NO_ERROR)
+        report("--benchmark: OpenGL error 0x%04x: try a smaller --size", error);
+    return done && error == GL_NO_ERROR;
+}
+
+// ---- Report ----
+
+static const char *const clock_names[BENCHMARK_CLOCKS] = {"cpu", "wall", "gpu"};
+
+static void print_row(FILE *file, const char *name, const struct benchmark_span *span, int clocks)
+{
+    fprintf(file, "%-14s", name);
+    for (int i = 0; i < clocks; i++)
+        fprintf(file, " %10.3f", 1000.0 * span->seconds[i]);
+    fprintf(file, "\n");
+}
+
+static void print_text(const struct benchmark *b, FILE *file)
+{
+    int clocks = b->has_gpu ? BENCHMARK_CLOCKS : BENCHMARK_GPU;
+    fprintf(file, "%-14s %s\n%-14s %s\n", "shader", b->shader, "backend", b->backend);
+    fprintf(file, "%-14s %dx%d, time %g s, samples a pixel: %d, frames: %d\n\n", "picture",
+            b->inputs.width, b->inputs.height, b->inputs.time,
+            b->inputs.samples * b->inputs.samples, b->frames);
+    fprintf(file, "%-14s %10s %10s%s\n", "milliseconds", "cpu", "wall",
+            b->has_gpu ? "        gpu" : "");
+    print_row(file, "cold compile", &b->compile, BENCHMARK_GPU);
+    print_row(file, "first frame", &b->first, clocks);
+    print_row(file, "frame, median", &b->median, clocks);
+    print_row(file, "minimum", &b->minimum, clocks);
+    print_row(file, "maximum", &b->maximum, clocks);
+    fprintf(file, "\n%-14s ", "evaluations");
+    if (b->has_evaluations)
+        fprintf(file, "mean %.2f, 99 %% of the pixels at most %.0f, maximum %.0f\n", b->mean,
+                b->percentile, b->most);
+    else
+        fprintf(file, "-, a file with a main of its own does not count them\n");
+    if (b->cover.rays > 0)
+        fprintf(file,
+                "%-14s %.2f evaluations a ray, the least %.2f: march / bound %.2f, of one ray at "
+                "least %.2f; rays: %d\n",
+                "march", b->cover.march, b->cover.bound, b->cover.ratio, b->cover.ray_ratio,
+                b->cover.rays);
+}
+
+static void print_string(FILE *file, const char *name, const char *text)
+{
+    fprintf(file, "  \"%s\": \"", name);
+    for (const char *c = text; *c != '\0'; c++)
+        if (*c == '"' || *c == '\\')
+            fprintf(file, "\\%c", *c);
+        else
+            fputc((unsigned char)*c < ' ' ? '?' : *c, file);
+    fprintf(file, "\",\n");
+}
+
+static void print_span(FILE *file, const char *name, const struct benchmark_span *span,
+                       bool has_gpu)
+{
+
+    for (int i = 0; i < BENCHMARK_CLOCKS; i++)
+        if (i != BENCHMARK_GPU || has_gpu)
+            fprintf(file, "  \"%s_%s_ms\": %.4f,\n", name, clock_names[i],
+                    1000.0 * span->seconds[i]);
+        else
+            fprintf(file, "  \"%s_%s_ms\": null,\n", name, clock_names[i]);
+}
+
+static void print_cover(const struct benchmark_cover *cover, FILE *file)
+{
+    const struct {
+        const char *name;
+        double value;
+    } item[] = {{"march_evaluations", cover->march},
+                {"march_bound", cover->bound},
+                {"march_over_bound", cover->ratio},
+                {"march_over_bound_minimum", cover->ray_ratio}};
+    fprintf(file, "  \"march_rays\": %d", cover->rays);
+    for (int i = 0; i < 4; i++)
+        if (cover->rays > 0)
+            fprintf(file, ",\n  \"%s\": %.4f", item[i].name, item[i].value);
+        else
+            fprintf(file, ",\n  \"%s\": null", item[i].name);
+    fprintf(file, "\n");
+}
+
+static void print_json(const struct benchmark *b, FILE *file)
+{
+    fprintf(file, "{\n");
+    print_string(file, "shader", b->shader);
+    print_string(file, "backend", b->backend);
+    fprintf(file, "  \"width\": %d,\n  \"height\": %d,\n  \"time\": %.9g,\n", b->inputs.width,
+            b->inputs.height, b->inputs.time);
+    fprintf(file, "  \"samples\": %d,\n  \"frames\": %d,\n", b->inputs.samples * b->inputs.samples,
+            b->frames);
+    print_span(file, "compile", &b->compile, false);
+    print_span(file, "first_frame", &b->first, b->has_gpu);
+    print_span(file, "frame_median", &b->median, b->has_gpu);
+    print_span(file, "frame_minimum", &b->minimum, b->has_gpu);
+    print_span(file, "frame_maximum", &b->maximum, b->has_gpu);
+    if (b->has_evaluations)
+        fprintf(file,
+                "  \"evaluations_mean\": %.4f,\n  \"evaluations_p99\": %.0f,\n"
+                "  \"evaluations_maximum\": %.0f,\n",
+                b->mean, b->percentile, b->most);
+    else
+        fprintf(file, "  \"evaluations_mean\": null,\n  \"evaluations_p99\": null,\n"
+                      "  \"evaluations_maximum\": null,\n");
+    print_cover(&b->cover, file);
+    fprintf(file, "}\n");
+}
+
+void benchmark_print(const struct benchmark *benchmark, bool json, FILE *file)
+{
+    if (json)
+        print_json(benchmark, file);
+    else
+        print_text(benchmark, file);
+}

@@ -1,0 +1,350 @@
+#include "picture/image.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <math.h>
+#include <setjmp.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <png.h>
+
+#include "report.h"
+
+enum { SIDE_LIMIT = 16384, CHANNELS = 3, WHY_SIZE = 160, LINK_LIMIT = 40 };
+
+static size_t row_size(const struct image *image)
+{
+    return CHANNELS * (size_t)image->width;
+}
+
+static unsigned char *row_of(const struct image *image, int y)
+{
+    return image->pixel + (size_t)y * row_size(image);
+}
+
+static bool size_allowed(int width, int height)
+{
+    return width >= 1 && width <= SIDE_LIMIT && height >= 1 && height <= SIDE_LIMIT;
+}
+
+static bool allocate(struct image *image, int width, int height)
+{
+    unsigned char *pixel = calloc((size_t)width * (size_t)height, CHANNELS);
+    *image = (struct image){0};
+    if (pixel != NULL)
+        *image = (struct image){.width = width, .height = height, .pixel = pixel};
+    return pixel != NULL;
+}
+
+bool image_create(struct image *image, int width, int height)
+{
+    *image = (struct image){0};
+    if (!size_allowed(width, height)) {
+        report("picture %dx%d: each side must be 1 to %d pixels", width, height, SIDE_LIMIT);
+        return false;
+    }
+    if (allocate(image, width, height))
+        return true;
+    report("picture %dx%d: not enough memory: choose a smaller one", width, height);
+    return false;
+}
+
+void image_free(struct image *image)
+{
+    free(image->pixel);
+    *image = (struct image){0};
+}
+
+// ---- Where a picture is written ----
+
+// The folder that holds a path's last name; size of folder as of path.
+static void folder_of(const char *path, char folder[PATH_MAX])
+{
+    const char *slash = strrchr(path, '/');
+    if (slash == NULL)
+        strcpy(folder, ".");
+    else
+        snprintf(folder, PATH_MAX, "%.*s", slash == path ? 1 : (int)(slash - path), path);
+}
+
+// Put what a symbolic link points to in the place of its own path. Returns 0 or an errno.
+static int follow_link(char path[PATH_MAX])
+{
+    char text[PATH_MAX], joined[PATH_MAX];
+    ssize_t length = readlink(path, text, sizeof text - 1);
+    if (length < 0)
+        return errno;
+    text[length] = '\0';
+    const char *slash = strrchr(path, '/');
+    int folder = text[0] == '/' || slash == NULL ? 0 : (int)(slash - path) + 1;
+    if (snprintf(joined, sizeof joined, "%.*s%s", folder, path, text) >= PATH_MAX)
+        return ENAMETOOLONG;
+    strcpy(path, joined);
+    return 0;
+}
+
+// Follow the links of a path's last name, a dangling one as well: a rename would replace the link.
+// Returns 0 or an errno.
+static int follow_links(const char *path, char target[PATH_MAX])
+{
+    if (snprintf(target, PATH_MAX, "%s", path) >= PATH_MAX)
+        return ENAMETOOLONG;
+    for (int i = 0; i < LINK_LIMIT; i++) {
+        struct stat status;
+        if (lstat(target, &status) != 0)
+            return errno == ENOENT ? 0 : errno;
+        if (!S_ISLNK(status.st_mode))
+            return 0;
+        int error = follow_link(target);
+        if (error != 0)
+            return error;
+    }
+    return ELOOP;
+}
+
+static const char *kind_of(mode_t mode)
+{
+    return S_ISDIR(mode)    ? "a folder"
+           : S_ISCHR(mode)  ? "a character device"
+           : S_ISBLK(mode)  ? "a block device"
+           : S_ISFIFO(mode) ? "a pipe"
+           : S_ISSOCK(mode) ? "a socket"
+                            : "no regular file";
+}
+
+static bool refuse(const char *path, const char *why)
+{
+    report("%s: cannot be written: %s", path, why);
+    return false;
+}
+
+// True when an existing file may be replaced. A rename asks the folder's permission alone, but who
+// write-protects a file expects it to stay.
+static bool may_replace(const char *path, mode_t mode)
+{
+    if (!S_ISREG(mode)) {
+        report("%s: cannot be written: it is %s: give the name of a file", path, kind_of(mode));
+        return false;
+    }
+    return access(path, W_OK) == 0 || refuse(path, strerror(errno));
+}
+
+static bool folder_writable(const char *path, const char *folder)
+{
+    char inside[PATH_MAX + 2];
+    snprintf(inside, sizeof inside, "%s/.", folder);
+    if (access(inside, W_OK | X_OK) == 0)
+        return true;
+    report("%s: cannot be written: folder %s: %s: choose another", path, folder, strerror(errno));
+    return false;
+}
+
+// The file that is meant by a path, and its folder. Returns false, reported, when a picture could
+// not be written there.
+static bool find_target(const char *path, char target[PATH_MAX], char folder[PATH_MAX])
+{
+    struct stat status;
+    if (stat(path, &status) == 0) {
+        if (!may_replace(path, status.st_mode))
+            return false;
+    } else if (errno != ENOENT || path[0] == '\0') {
+        return refuse(path, strerror(errno));
+    }
+    int error = follow_links(path, target);
+    if (error != 0)
+        return refuse(path, strerror(error));
+    if (target[strlen(target) - 1] == '/')
+        return refuse(path, "a name that ends in / is a folder's: give the name of a file");
+    folder_of(target, folder);
+    return folder_writable(path, folder);
+}
+
+bool image_check_target(const char *path)
+{
+    char target[PATH_MAX], folder[PATH_MAX];
+    return find_target(path, target, folder);
+}
+
+// ---- Writing ----
+
+// Write data into a file and close it. Returns 0 or an errno.
+static int write_and_close(int file, const char *data, size_t size)
+{
+    int error = 0;
+    while (size > 0 && error == 0) {
+        ssize_t written = write(file, data, size);
+        error = written < 0 ? errno : 0;
+        data += error == 0 ? written : 0;
+        size -= error == 0 ? (size_t)written : 0;
+    }
+    return close(file) != 0 && error == 0 ? errno : error;
+}
+
+// Create a file with a name that nothing has. mkstemp would give it to its owner alone, and the
+// umask cannot be read without changing it.
+static int create_beside(const char *folder, char name[PATH_MAX + 64])
+{
+    int file = -1;
+    for (int i = 0; file < 0 && (i == 0 || (errno == EEXIST && i < 100)); i++) {
+        snprintf(name, PATH_MAX + 64, "%s/.picture-%ld-%d.tmp", folder, (long)getpid(), i);
+        file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    }
+    return file;
+}
+
+// Write data beside the target and rename it over. Returns 0 or an errno; then nothing is left.
+static int replace(const char *target, const char *folder, const char *data, size_t size)
+{
+    char name[PATH_MAX + 64];
+    int file = create_beside(folder, name);
+    if (file < 0)
+        return errno;
+    int error = write_and_close(file, data, size);
+    if (error == 0 && rename(name, target) != 0)
+        error = errno;
+    if (error != 0)
+        unlink(name);
+    return error;
+}
+
+// As replace(), untouched by signals: one that ends the program waits until the file is whole, and
+// the one of a file size limit, which would end it in the midst, becomes an error of write().
+static int replace_undisturbed(const char *target, const char *folder, const char *data,
+                               size_t size)
+{
+    struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
+    sigset_t ending, mask;
+    sigemptyset(&ending);
+    sigaddset(&ending, SIGINT);
+    sigaddset(&ending, SIGTERM);
+    sigaddset(&ending, SIGHUP);
+    sigprocmask(SIG_BLOCK, &ending, &mask);
+    sigaction(SIGXFSZ, &ignore, &before);
+    int error = replace(target, folder, data, size);
+    sigaction(SIGXFSZ, &before, NULL);
+    sigprocmask(SIG_SETMASK, &mask, NULL);
+    return error;
+}
+
+// libpng's errors jump to whoever called setjmp; the text waits in a buffer of WHY_SIZE.
+static void on_png_error(png_structp png, png_const_charp text)
+{
+    snprintf(png_get_error_ptr(png), WHY_SIZE, "%s", text);
+    png_longjmp(png, 1);
+}
+
+static void on_png_warning(png_structp png, png_const_charp text)
+{
+    (void)png, (void)text;
+}
+
+// May leave by longjmp.
+static void write_png(png_structp png, png_infop info, const struct image *image)
+{
+    png_set_compression_level(png, 1);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
+    png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(png, info);
+    for (int y = 0; y < image->height; y++)
+        png_write_row(png, row_of(image, y));
+    png_write_end(png, NULL);
+}
+
+static bool encode(const struct image *image, FILE *stream, char why[WHY_SIZE])
+{
+    png_structp png =
+        png_create_write_struct(PNG_LIBPNG_VER_STRING, why, on_png_error, on_png_warning);
+    png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
+    if (info == NULL || setjmp(png_jmpbuf(png)) != 0) {
+        png_destroy_write_struct(&png, &info);
+        return false;
+    }
+    png_init_io(png, stream);
+    write_png(png, info, image);
+    png_destroy_write_struct(&png, &info);
+    return true;
+}
+
+bool image_write_png(const struct image *image, const char *path)
+{
+    char target[PATH_MAX], folder[PATH_MAX], why[WHY_SIZE] = "not enough memory";
+    if (!find_target(path, target, folder))
+        return false;
+    char *data = NULL;
+    size_t size = 0;
+    FILE *stream = open_memstream(&data, &size);
+    bool encoded = stream != NULL && encode(image, stream, why);
+    if (stream != NULL && fclose(stream) != 0)
+        encoded = false;
+    int error = encoded ? replace_undisturbed(target, folder, data, size) : 0;
+    free(data);
+    return (encoded && error == 0) || refuse(path, encoded ? strerror(error) : why);
+}
+
+// ---- Reading ----
+
+// May leave by longjmp.
+static void read_png(png_structp png, png_infop info, struct image *image)
+{
+    png_read_info(png, info);
+    png_uint_32 width = png_get_image_width(png, info), height = png_get_image_height(png, info);
+    if (width > SIDE_LIMIT || height > SIDE_LIMIT)
+        png_error(png, "a side is longer than 16384 pixels");
+    png_set_scale_16(png);
+    png_set_palette_to_rgb(png);
+    png_set_expand_gray_1_2_4_to_8(png);
+    png_set_gray_to_rgb(png);
+    png_set_strip_alpha(png);
+    int passes = png_set_interlace_handling(png);
+    png_read_update_info(png, info);
+    if (!allocate(image, (int)width, (int)height))
+        png_error(png, "not enough memory");
+    if (png_get_rowbytes(png, info) != row_size(image))
+        png_error(png, "a kind of PNG that is not understood");
+    for (int pass = 0; pass < passes; pass++)
+        for (int y = 0; y < image->height; y++)
+            png_read_row(png, row_of(image, y), NULL);
+    png_read_end(png, NULL);
+}
+
+static bool decode(struct image *image, FILE *file, char why[WHY_SIZE])
+{
+    png_structp png =
+        png_create_read_struct(PNG_LIBPNG_VER_STRING, why, on_png_error, on_png_warning);
+    png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
+    if (info == NULL || setjmp(png_jmpbuf(png)) != 0) {
+        png_destroy_read_struct(&png, &info, NULL);
+        return false;
+    }
+    png_init_io(png, file);
+    read_png(png, info, image);
+    png_destroy_read_struct(&png, &info, NULL);
+    return true;
+}
+
+bool image_read_png(struct image *image, const char *path)
+{
+    *image = (struct image){0};
+    FILE *file = fopen(path, "rb");
+    if (file == NULL) {
+        report("%s: cannot be read: %s", path, strerror(errno));
+        return false;
+    }
+    char why[WHY_SIZE] = "not enough memory";
+    bool done = decode(image, file, why);
+    if (!done) {
+        report("%s: cannot be read: %s", path, ferror(file) ? strerror(errno) : why);
+        image_free(image);
+    }
+    fclose(file);
+    return done;
+}

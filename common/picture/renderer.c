@@ -1,0 +1,475 @@
+#include "picture/renderer.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "report.h"
+#include "picture/slice.h"
+
+// A tile is what one draw call covers: small enough that no single draw holds a GPU for seconds.
+#define TILE 512 // pixels
+
+// A file is drawn in bands of at most this many pixels, so that the float target stays small.
+#define BAND_PIXELS (4 * 1024 * 1024)
+
+bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root)
+{
+    *renderer = (struct renderer){.gl = gl, .root = root, .focal_length = RENDERER_FOCAL_LENGTH};
+    char path[4096];
+    snprintf(path, sizeof path, "%s/shaders/screen.vert", root);
+    if (!shader_read(&renderer->vertex, path, root))
+        return false;
+    gl->GenVertexArrays(1, &renderer->vertex_array);
+    struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table};
+    for (int i = 0; i < 3; i++) {
+        gl->GenFramebuffers(1, &targets[i]->framebuffer);
+        gl->GenTextures(1, &targets[i]->texture);
+    }
+    return true;
+}
+
+static void forget_programs(struct renderer *renderer)
+{
+    for (int i = 0; i < SHADER_PROGRAM_COUNT; i++) {
+        if (renderer->program[i] != 0)
+            renderer->gl->DeleteProgram(renderer->program[i]);
+        renderer->program[i] = 0;
+    }
+}
+
+void renderer_close(struct renderer *renderer)
+{
+    if (renderer->gl == NULL)
+        return;
+    forget_programs(renderer);
+    struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table};
+    for (int i = 0; i < 3; i++) {
+        renderer->gl->DeleteTextures(1, &targets[i]->texture);
+        renderer->gl->DeleteFramebuffers(1, &targets[i]->framebuffer);
+    }
+    renderer->gl->DeleteVertexArrays(1, &renderer->vertex_array);
+    shader_free(&renderer->vertex);
+    shader_free(&renderer->fragment);
+    parameters_free(&renderer->parameters);
+    *renderer = (struct renderer){0};
+}
+
+// Link a view of a source. The slice view shows what a probe finds, so it needs both programs: an
+// error in one of them is found here, while the old shader is still there.
+//   program  by view; 0 where nothing was linked
+static bool link_view(struct renderer *renderer, const struct shader_source *source,
+                      enum shader_view view, GLuint program[SHADER_PROGRAM_COUNT])
+{
+    if (!shader_has_view(source, view))
+        return false;
+    if (program[view] == 0)
+        program[view] = shader_link(renderer->gl, &renderer->vertex, source, view);
+    if (program[view] == 0)
+        return false;
+    return view != SHADER_SLICE || link_view(renderer, source, SHADER_PROBE, program);
+}
+
+bool renderer_load(struct renderer *renderer, const char *path)
+{
+    struct shader_source source = {0};
+    struct parameters parameters = {0};
+    GLuint program[SHADER_PROGRAM_COUNT] = {0};
+    if (!shader_read(&source, path, renderer->root) || !parameters_read(&parameters, &source) ||
+        !link_view(renderer, &source, renderer->view, program)) {
+        if (program[renderer->view] != 0)
+            renderer->gl->DeleteProgram(program[renderer->view]);
+        shader_free(&source);
+        parameters_free(&parameters);
+        return false;
+    }
+    parameters_keep(&parameters, &renderer->parameters);
+    forget_programs(renderer);
+    shader_free(&renderer->fragment);
+    parameters_free(&renderer->parameters);
+    renderer->fragment = source;
+    renderer->parameters = parameters;
+    memcpy(renderer->program, program, sizeof program);
+    return true;
+}
+
+bool renderer_set_view(struct renderer *renderer, enum shader_view view)
+{
+    if (!link_view(renderer, &renderer->fragment, view, renderer->program))
+        return false;
+    renderer->view = view;
+    return true;
+}
+
+// Bind a float target, made anew when its size changes.
+static bool bind_target(struct renderer *renderer, struct renderer_target *target, int width,
+                        int height)
+{
+    const struct gl *gl = renderer->gl;
+    gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    if (target->width == width && target->height == height)
+        return true;
+    gl->BindTexture(GL_TEXTURE_2D, target->texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, NULL);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture,
+                             0);
+    if (gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
+        gl->GetError() != GL_NO_ERROR) {
+        target->width = 0;
+        report("float target %dx%d: the driver cannot make it: try a smaller --size or another "
+               "--backend",
+               width, height);
+        return false;
+    }
+    target->width = width;
+    target->height = height;
+    return true;
+}
+
+// The place of a uniform in the program in use; -1, which OpenGL ignores, where it is not used.
+static GLint place(const struct renderer *renderer, GLuint program, const char *name)
+{
+    return renderer->gl->GetUniformLocation(program, name);
+}
+
+static void set_vector(const struct renderer *renderer, GLuint program, const char *name,
+                       const float v[3])
+{
+    renderer->gl->Uniform3f(place(renderer, program, name), v[0], v[1], v[2]);
+}
+
+static void set_parameter(const struct renderer *renderer, GLuint program,
+                          const struct parameter *parameter)
+{
+    const struct gl *gl = renderer->gl;
+    GLint at = place(renderer, program, parameter->name);
+    float v[4] = {(float)parameter->value[0], (float)parameter->value[1],
+                  (float)parameter->value[2], (float)parameter->value[3]};
+    if (parameter->type != PARAMETER_FLOAT)
+        gl->Uniform1i(at, (GLint)parameter->value[0]);
+    else if (parameter->components == 1)
+        gl->Uniform1f(at, v[0]);
+    else if (parameter->components == 2)
+        gl->Uniform2f(at, v[0], v[1]);
+    else if (parameter->components == 3)
+        gl->Uniform3f(at, v[0], v[1], v[2]);
+    else
+        gl->Uniform4f(at, v[0], v[1], v[2], v[3]);
+}
+
+// Everything that stays the same for all tiles and samples of a picture.
+static GLuint use_program(struct renderer *renderer, const struct renderer_inputs *inputs,
+                          enum shader_view view)
+{
+    const struct gl *gl = renderer->gl;
+    GLuint program = renderer->program[view];
+    struct camera_basis basis = camera_basis_of(&inputs->camera);
+    gl->UseProgram(program);
+    gl->Uniform3f(place(renderer, program, "iResolution"), (float)inputs->width,
+                  (float)inputs->height, 1.0f);
+    gl->Uniform1f(place(renderer, program, "iTime"), (float)inputs->time);
+    gl->Uniform1f(place(renderer, program, "iTimeDelta"), (float)inputs->time_delta);
+    gl->Uniform1i(place(renderer, program, "iFrame"), inputs->frame);
+    gl->Uniform4f(place(renderer, program, "iMouse"), inputs->mouse[0], inputs->mouse[1],
+                  inputs->mouse[2], inputs->mouse[3]);
+    gl->Uniform1f(place(renderer, program, "iFrameRate"),
+                  inputs->time_delta > 0.0 ? (float)(1.0 / inputs->time_delta) : 60.0f);
+    gl->Uniform4f(place(renderer, program, "iDate"), inputs->date[0], inputs->date[1],
+                  inputs->date[2], inputs->date[3]);
+    set_vector(renderer, program, "iCameraPosition", inputs->camera.position);
+    set_vector(renderer, program, "iCameraRight", basis.right);
+    set_vector(renderer, program, "iCameraUp", basis.up);
+    set_vector(renderer, program, "iCameraForward", basis.forward);
+    gl->Uniform1f(place(renderer, program, "focalLength"), renderer->focal_length);
+    gl->Uniform1f(place(renderer, program, "iOrthoView"), (float)renderer->orthographic);
+    for (int i = 0; i < renderer->parameters.count; i++)
+        set_parameter(renderer, program, &renderer->parameters.item[i]);
+    gl->BindVertexArray(renderer->vertex_array);
+    return program;
+}
+
+// One draw of the triangle.
+//   offset  what is added to gl_FragCoord to give the place in the picture: target and jitter
+//   jitter  the part of it that moves the sample inside its pixel
+static void draw_pass(const struct renderer *renderer, GLuint program, const float offset[2],
+                      const float jitter[2])
+{
+    renderer->gl->Uniform2f(place(renderer, program, "iPixelOffset"), offset[0], offset[1]);
+    // What is not in the program is ignored: this is its name in Shadertoy's form.
+    renderer->gl->Uniform2f(place(renderer, program, "harnessPixelOffset"), offset[0], offset[1]);
+    renderer->gl->Uniform2f(place(renderer, program, "iPixelJitter"), jitter[0], jitter[1]);
+    renderer->gl->DrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+// All samples of the tile that the scissor holds, averaged by blending: sum of samples / count.
+// Sample (i, j) of n x n stands at ((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5) from the pixel's
+// centre, so that one sample is the centre and the picture does not shift with n.
+static void draw_samples(const struct renderer *renderer, GLuint program, int samples, int bottom)
+{
+    for (int k = 0; k < samples * samples; k++) {
+        float jitter[2] = {((float)(k % samples) + 0.5f) / (float)samples - 0.5f,
+                           ((float)(k / samples) + 0.5f) / (float)samples - 0.5f};
+        float offset[2] = {jitter[0], (float)bottom + jitter[1]};
+        draw_pass(renderer, program, offset, jitter);
+    }
+}
+
+// The march that a slice shows.
+struct march {
+    int pixel[2];
+    int steps; // columns of the table that hold one
+    bool hit;
+    struct slice_frame frame;
+};
+
+// March the chosen pixel's ray, which leaves its steps in the table, and frame it.
+static bool march_for_slice(struct renderer *renderer, const struct renderer_inputs *inputs,
+                            struct march *march)
+{
+    const int size[2] = {inputs->width, inputs->height};
+    for (int i = 0; i < 2; i++)
+        march->pixel[i] = inputs->pixel[i] < 0 ? size[i] / 2 : inputs->pixel[i];
+    struct renderer_probe *probe = malloc(sizeof *probe);
+    bool done =
+        probe != NULL && renderer_probe(renderer, inputs, march->pixel[0], march->pixel[1], probe);
+    if (probe == NULL)
+        report("slice of %d,%d: not enough memory", march->pixel[0], march->pixel[1]);
+    if (done) {
+        march->steps = probe->steps < RENDERER_PROBE_STEPS ? probe->steps : RENDERER_PROBE_STEPS;
+        march->hit = probe->end == RENDERER_HIT;
+        march->frame = slice_frame_of(probe, inputs->width, inputs->height, inputs->zoom);
+    }
+    free(probe);
+    return done;
+}
+
+// What shaders/slice.glsl reads. The table is the texture of unit 0, which a sampler reads unless
+// told otherwise.
+static void set_march(const struct renderer *renderer, GLuint program, const struct march *march)
+{
+    const struct gl *gl = renderer->gl;
+    const struct slice_frame *frame = &march->frame;
+    gl->BindTexture(GL_TEXTURE_2D, renderer->table.texture);
+    gl->Uniform1i(place(renderer, program, "iMarchSteps"), march->steps);
+    gl->Uniform1i(place(renderer, program, "iMarchHit"), march->hit);
+    gl->Uniform2f(place(renderer, program, "iMarchPixel"), (float)march->pixel[0] + 0.5f,
+                  (float)march->pixel[1] + 0.5f);
+    gl->Uniform3f(place(renderer, program, "iSliceFrame"), frame->left, frame->bottom, frame->unit);
+    gl->Uniform1f(place(renderer, program, "iSliceTick"), frame->tick);
+    gl->Uniform1f(place(renderer, program, "iSliceLine"), frame->line);
+    gl->Uniform1i(place(renderer, program, "iSliceTickScaled"), frame->digits[0]);
+    gl->Uniform1i(place(renderer, program, "iSliceDecimals"), frame->digits[1]);
+}
+
+// The part of a picture that one call draws.
+struct part {
+    struct renderer_target *target;
+    int bottom, height; // the rows of the picture that the target holds
+    int from, to;       // the rows of the target to draw
+};
+
+static bool draw_part(struct renderer *renderer, const struct renderer_inputs *inputs,
+                      const struct part *part)
+{
+    const struct gl *gl = renderer->gl;
+    struct march march = {0};
+    bool slice = renderer->view == SHADER_SLICE;
+    if ((slice && !march_for_slice(renderer, inputs, &march)) ||
+        !bind_target(renderer, part->target, inputs->width, part->height))
+        return false;
+    GLuint program = use_program(renderer, inputs, renderer->view);
+    if (slice)
+        set_march(renderer, program, &march);
+    // The viewport is the whole picture, of which the target holds a part: so the triangle is set
+    // up in the same way whatever the part.
+    gl->Viewport(0, -part->bottom, inputs->width, inputs->height);
+    gl->Enable(GL_SCISSOR_TEST);
+    float share = 1.0f / (float)(inputs->samples * inputs->samples);
+    if (inputs->samples > 1) {
+        gl->Enable(GL_BLEND);
+        gl->BlendColor(share, share, share, share);
+        gl->BlendFunc(GL_CONSTANT_COLOR, GL_ONE);
+    }
+    gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    for (int y = part->from; y < part->to; y += TILE)
+        for (int x = 0; x < inputs->width; x += TILE) {
+            gl->Scissor(x, y, TILE, part->to - y < TILE ? part->to - y : TILE);
+            gl->Clear(GL_COLOR_BUFFER_BIT); // a shader may discard its pixel
+            draw_samples(renderer, program, inputs->samples, part->bottom);
+            gl->Flush();
+        }
+    gl->Disable(GL_BLEND);
+    gl->Disable(GL_SCISSOR_TEST);
+    return true;
+}
+
+bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
+                   int rows)
+{
+    struct part part = {&renderer->picture, bottom, rows, 0, rows};
+    return draw_part(renderer, inputs, &part);
+}
+
+bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
+                      int rows)
+{
+    struct part part = {&renderer->sharp, 0, inputs->height, from, from + rows};
+    return draw_part(renderer, inputs, &part);
+}
+
+void renderer_present(struct renderer *renderer, int framebuffer_width, int framebuffer_height)
+{
+    const struct gl *gl = renderer->gl;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->picture.framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl->BlitFramebuffer(0, 0, renderer->picture.width, renderer->picture.height, 0, 0,
+                        framebuffer_width, framebuffer_height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void renderer_present_sharp(struct renderer *renderer, int from, int rows)
+{
+    const struct gl *gl = renderer->gl;
+    int width = renderer->sharp.width;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->sharp.framebuffer);
+    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    gl->BlitFramebuffer(0, from, width, from + rows, 0, from, width, from + rows,
+                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+static void read_target(const struct renderer *renderer, const struct renderer_target *target,
+                        float *values)
+{
+    const struct gl *gl = renderer->gl;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
+    gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
+    gl->ReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_FLOAT, values);
+}
+
+void renderer_read(struct renderer *renderer, float *values)
+{
+    read_target(renderer, &renderer->picture, values);
+}
+
+void renderer_read_sharp(struct renderer *renderer, float *values)
+{
+    read_target(renderer, &renderer->sharp, values);
+}
+
+// A NaN becomes 0: the comparison is false for it.
+static unsigned char byte_of(float value)
+{
+    float positive = value > 0.0f ? value : 0.0f;
+    return (unsigned char)((positive < 1.0f ? positive : 1.0f) * 255.0f + 0.5f);
+}
+
+static void store_rows(struct image *image, const float *values, int bottom, int rows)
+{
+    for (int row = 0; row < rows; row++) {
+        size_t y = (size_t)(image->height - 1 - (bottom + row));
+        unsigned char *pixel = image->pixel + 3 * (size_t)image->width * y;
+        const float *value = values + 4 * (size_t)image->width * (size_t)row;
+        for (int x = 0; x < image->width; x++)
+            for (int channel = 0; channel < 3; channel++)
+                pixel[3 * x + channel] = byte_of(value[4 * x + channel]);
+    }
+}
+
+bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
+                      struct image *image)
+{
+    int band = BAND_PIXELS / inputs->width;
+    if (band > inputs->height)
+        band = inputs->height;
+    float *values = malloc(4 * sizeof *values * (size_t)inputs->width * (size_t)band);
+    if (values == NULL || !image_create(image, inputs->width, inputs->height)) {
+        if (values == NULL)
+            report("picture %dx%d: not enough memory: try a smaller --size", inputs->width,
+                   inputs->height);
+        free(values);
+        return false;
+    }
+    bool done = true;
+    for (int bottom = 0; bottom < inputs->height && done; bottom += band) {
+        int rows = inputs->height - bottom < band ? inputs->height - bottom : band;
+        done = renderer_draw(renderer, inputs, bottom, rows);
+        if (done) {
+            if (renderer->overlay != NULL)
+                overlay_draw(renderer->overlay, bottom);
+            renderer_read(renderer, values);
+            store_rows(image, values, bottom, rows);
+        }
+    }
+    free(values);
+    if (!done)
+        image_free(image);
+    return done;
+}
+
+bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
+{
+    const struct renderer_target *sharp = &renderer->sharp;
+    float *values = malloc(4 * sizeof *values * (size_t)sharp->width * (size_t)sharp->height);
+    bool done = values != NULL && image_create(image, sharp->width, sharp->height);
+    if (values == NULL)
+        report("picture %dx%d: not enough memory", sharp->width, sharp->height);
+    if (done) {
+        renderer_read_sharp(renderer, values);
+        store_rows(image, values, 0, sharp->height);
+    }
+    free(values);
+    return done;
+}
+
+// Column k of the target holds what shaders/main.glsl writes for step k:
+//   row 0  t, distance, steps of the first march, why it ended
+//   row 1  position x, y, z, -
+//   row 2  steps of all marches, evaluations, where the first march was asked to look
+static void unpack_probe(const float *values, struct renderer_probe *probe)
+{
+    const float(*row)[RENDERER_PROBE_STEPS][4] = (const float(*)[RENDERER_PROBE_STEPS][4])values;
+    probe->steps = (int)row[0][0][2];
+    probe->end = (enum renderer_end)(int)row[0][0][3];
+    probe->all_steps = (int)row[2][0][0];
+    probe->evaluations = (int)row[2][0][1];
+    memcpy(probe->interval, &row[2][0][2], sizeof probe->interval);
+    for (int k = 0; k < RENDERER_PROBE_STEPS; k++) {
+        probe->step[k].t = row[0][k][0];
+        probe->step[k].distance = row[0][k][1];
+        memcpy(probe->step[k].position, row[1][k], sizeof probe->step[k].position);
+    }
+}
+
+void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[2],
+                       const int window[2], int pixel[2])
+{
+    pixel[0] = (int)floor(place[0] * inputs->width / window[0]);
+    pixel[1] = inputs->height - 1 - (int)floor(place[1] * inputs->height / window[1]);
+}
+
+bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
+                    struct renderer_probe *probe)
+{
+    enum { ROWS = 3 };
+    const struct gl *gl = renderer->gl;
+    if (!link_view(renderer, &renderer->fragment, SHADER_PROBE, renderer->program) ||
+        !bind_target(renderer, &renderer->table, RENDERER_PROBE_STEPS, ROWS))
+        return false;
+    GLuint program = use_program(renderer, inputs, SHADER_PROBE);
+    gl->Uniform2f(place(renderer, program, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
+    gl->Viewport(0, 0, RENDERER_PROBE_STEPS, ROWS);
+    const float none[2] = {0.0f, 0.0f};
+    draw_pass(renderer, program, none, none);
+    float *values = malloc(4 * sizeof *values * RENDERER_PROBE_STEPS * ROWS);
+    if (values == NULL) {
+        report("probe %d,%d: not enough memory", x, y);
+        return false;
+    }
+    read_target(renderer, &renderer->table, values);
+    unpack_probe(values, probe);
+    free(values);
+    return true;
+}

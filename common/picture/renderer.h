@@ -1,0 +1,140 @@
+// renderer.h - one full-screen triangle, one shader, a float target: how a picture is made.
+#ifndef RENDERER_H
+#define RENDERER_H
+
+#include <stdbool.h>
+
+#include "camera.h"
+#include "context/context.h"
+#include "picture/image.h"
+#include "picture/overlay.h"
+#include "shader/parameter.h"
+#include "shader/shader.h"
+
+#define RENDERER_PROBE_STEPS  2048 // rows that one probe can hold
+#define RENDERER_FOCAL_LENGTH 1.0f // for shaders that declare no focalLength of their own
+
+// What a picture depends on, besides the shader and its parameters. Times come from here, never
+// from the clock, so that the same inputs give the same picture.
+struct renderer_inputs {
+    int width, height;    // pixels of the whole picture
+    struct camera camera; // whose rays start the picture
+    double time;          // seconds
+    double time_delta;    // seconds since the last frame; 0 for a file
+    int frame;            // number of the frame; 0 for a file
+    float mouse[4];       // Shadertoy's iMouse; zeros for a file
+    float date[4];        // Shadertoy's iDate: year, month from 0, day, seconds of the day
+    int samples;          // along each side of a pixel
+    int pixel[2]; // whose ray is looked at, 0,0 bottom left; -1,-1: none; the slice: the middle
+    float zoom;   // of the slice view; 1: the whole march, as does 0
+};
+
+// A float texture to draw into.
+struct renderer_target {
+    GLuint framebuffer, texture;
+    int width, height; // pixels
+};
+
+// Everything needed to draw one shader file. Opened once; a shader is loaded into it, and loaded
+// again when its file changes.
+struct renderer {
+    const struct gl *gl;
+    const char *root;
+    struct shader_source vertex;   // shaders/screen.vert
+    struct shader_source fragment; // the last one that compiled
+    struct parameters parameters;  // of that one
+    enum shader_view view;
+    float focal_length;                   // for shaders that declare no focalLength of their own
+    double orthographic;                  // OrthoView of whole files: 0 perspective, 1 orthographic
+    GLuint program[SHADER_PROGRAM_COUNT]; // by view, compiled when first asked for
+    GLuint vertex_array;
+    struct renderer_target picture;
+    struct renderer_target sharp;  // a window's picture that is drawn in several frames
+    struct renderer_target table;  // of a probe, one column a step: the slice view reads it
+    const struct overlay *overlay; // drawn over every written picture, not owned; NULL: none
+};
+
+// One row of a probe: what the march knew after evaluating the distance once.
+struct renderer_step {
+    float t;           // distance along the ray, scene units
+    float distance;    // the scene's distance there
+    float position[3]; // scene units
+};
+
+enum renderer_end { RENDERER_NO_MARCH, RENDERER_HIT, RENDERER_PASSED, RENDERER_GAVE_UP };
+
+// The march of one pixel's first ray, as the GPU computed it.
+struct renderer_probe {
+    struct renderer_step step[RENDERER_PROBE_STEPS];
+    int steps;             // of the first march; the table holds at most RENDERER_PROBE_STEPS
+    int all_steps;         // of all marches of the pixel: shadow rays included
+    int evaluations;       // of the scene's distance, the normal's included
+    enum renderer_end end; // why the first march stopped
+    float interval[2];     // where it was asked to look, scene units along the ray; 0, 0: not said
+};
+
+// Make the triangle's vertex array and read shaders/screen.vert.
+//   gl, root  must outlive the renderer
+// Returns false, reported. Close with renderer_close in the same context.
+bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root);
+void renderer_close(struct renderer *renderer);
+
+// Read, expand, compile and link a shader file, and read its parameters. Parameters that it shares
+// with the shader before keep their values, as parameters_keep says.
+// Returns false, reported; then the renderer is as it was and still draws the last good shader.
+bool renderer_load(struct renderer *renderer, const char *path);
+
+// Choose what is shown; compiles the view when it is new. Returns false, reported, and keeps the
+// old view when the shader has no such view.
+bool renderer_set_view(struct renderer *renderer, enum shader_view view);
+
+// Draw rows [bottom, bottom + rows) of the picture into the float target, tile by tile, samples x
+// samples jittered passes each, averaged. Row 0 is the bottom row.
+// Returns false, reported: no memory for the target, no float target.
+bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
+                   int rows);
+
+// Draw rows [from, from + rows) of the picture into a target of its own, which keeps the other rows
+// as long as the picture's size stays. Rows drawn in parts are those of renderer_draw, to the bit.
+// Returns false, reported.
+bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
+                      int rows);
+
+// Copy what renderer_draw drew into the framebuffer of the window, scaled to its size.
+void renderer_present(struct renderer *renderer, int framebuffer_width, int framebuffer_height);
+
+// Copy rows [from, from + rows) of what renderer_sharpen drew, pixel by pixel.
+void renderer_present_sharp(struct renderer *renderer, int from, int rows);
+
+// Draw a whole picture, with the overlay where there is one, and read it back: value v becomes
+// floor(255 clamp(v, 0, 1) + 0.5).
+// The caller frees image. Returns false, reported.
+bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
+                      struct image *image);
+
+// Read the float target: 4 floats a pixel, width x rows of the last renderer_draw, bottom row
+// first.
+//   values   room for 4 * width * rows floats, the caller's
+void renderer_read(struct renderer *renderer, float *values);
+
+// The same of renderer_sharpen: 4 * width * height floats.
+void renderer_read_sharp(struct renderer *renderer, float *values);
+
+// The same as an image, as renderer_picture makes one. Returns false, reported; the caller frees
+// the image.
+bool renderer_sharp_picture(struct renderer *renderer, struct image *image);
+
+// The pixel below a place in a window, also where a high-density display has several pixels to one
+// of the window's units.
+//   place   from the window's top left, y down, in the window's units
+//   window  width and height in these units, at least 1
+//   pixel   takes the place in the picture, 0,0 bottom left
+void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[2],
+                       const int window[2], int pixel[2]);
+
+// March the ray of pixel (x, y), 0,0 bottom left, and bring back every step.
+// Returns false, reported: the shader has no trace, the driver failed.
+bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
+                    struct renderer_probe *probe);
+
+#endif

@@ -1,0 +1,26 @@
+// slice.h - which part of the plane of a ray the slice view shows.
+#ifndef SLICE_H
+#define SLICE_H
+
+#include "picture/renderer.h"
+
+#define SLICE_ZOOM_MINIMUM 0.1f
+#define SLICE_ZOOM_MAXIMUM 200.0f // beyond it a float's rounding shows in the lines
+
+// The plane that holds a ray: (along, across), scene units along the ray from the eye, and up.
+struct slice_frame {
+    float left, bottom; // (along, across) of the picture's bottom left corner
+    float unit;         // scene units a pixel
+    float tick;         // scene units between ticks: 1, 2 or 5 times a power of ten
+    float line;         // between lines of equal distance: a fourth or a fifth of the tick
+    int digits[2];      // the tick as digits[0] / 10^digits[1]
+};
+
+// Frame a march: from behind the eye to a little past its end. A ray that passed the far limit is
+// shown to a little past the place where the scene was nearest, or to its last step where that is
+// the eye.
+//   zoom  1: as above; z: z times as large about that place; 0 counts as 1
+struct slice_frame slice_frame_of(const struct renderer_probe *probe, int width, int height,
+                                  float zoom);
+
+#endif

@@ -1,0 +1,48 @@
+// form.h - the three kinds of shader file: which one a text is, and what must stand before it.
+#ifndef FORM_H
+#define FORM_H
+
+#include <stdbool.h>
+
+#include "shader/shader.h"
+
+// Tell the form of an expanded text and make it ready.
+//   source   its text, lines and files are there; form and versioned are set here. A #version that
+//            must not reach the driver is blanked: one of GLSL ES, one in Shadertoy's form
+//   version  the text has a #version
+// What the preprocessor leaves out does not count. Shadertoy's form mentions mainImage and defines
+// no main; a whole file has a #version otherwise, or defines main and includes nothing; everything
+// else is the course's form, also what --print-shader wrote of one. Returns false, reported with
+// file and line: nothing but comments, an array of more than 65536 elements, what form_check_inputs
+// refuses.
+bool form_find(struct shader_source *source, bool version);
+
+// What stands before the text for the driver, its lines ended.
+//   course      #version and VIEW
+//   Shadertoy   #version, Shadertoy's inputs but those that the text declares itself, and a main
+//               that calls mainImage and clamps what it gives; it stands in front, where no macro
+//               of the text reaches it. Every name there begins with "harness", so that none
+//               collides
+//   whole       nothing, or #version 330 core in place of one of GLSL ES
+// Returns memory that the caller frees, or NULL, reported.
+char *form_prelude(const struct shader_source *source, enum shader_view view);
+
+// The text after the prelude: the source's own, line by line. In the course's form nothing changes.
+// Otherwise variables without a value begin at 0, as form_zero has it. In Shadertoy's form
+// gl_FragCoord is renamed, for the renderer draws in parts and samples, and the shader must see one
+// picture. A whole file loses the words smooth, flat, noperspective and centroid, which drivers
+// want to find in the vertex shader too, and which change nothing on a triangle that covers the
+// screen. Returns memory that the caller frees, or NULL, reported.
+char *form_body(const struct shader_source *source);
+
+// Say why a shader cannot run that asks for what Shadertoy has and this harness has not (textures,
+// buffers, sounds), that has no main, or another mainImage than Shadertoy's.
+//   log      of the driver, which did not compile the shader
+//   linking  or not link it
+// Returns false, nothing reported, when the log blames nothing of the kind.
+bool form_refuses(const struct shader_source *source, const char *log, bool linking);
+
+// Judge a shader that a driver has linked: form_check_linked. The course's form is accepted.
+bool form_accepts(const struct shader_source *source);
+
+#endif

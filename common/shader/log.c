@@ -1,0 +1,281 @@
+#include "shader/shader.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "shader/form.h"
+#include "shader/glsl.h"
+#include "report.h"
+
+#define NAME_SIZE   128 // of a function in a link error
+#define LINE_LIMIT  160 // letters of a source line that is shown
+#define ERROR_LIMIT 20  // errors that are shown: the first ones cause the others
+
+// One explanation under way.
+struct explanation {
+    const struct shader_source *source;
+    int prelude; // lines that shader_text puts first
+    char *code;  // the expanded text without comments
+    char *text;  // what is explained so far
+    size_t size, capacity;
+    int shown;       // expanded line that was shown last, 0 for none
+    int errors;      // lines of the log that were explained, and those left out
+    bool has_errors; // the log holds an error, so that its warnings only hide it
+};
+
+// What one line of a log says.
+struct message {
+    int line;         // of the compiled text, 0 when the log line names none
+    const char *kind; // "error" or "warning"
+    const char *text; // what follows
+};
+
+static bool append(struct explanation *e, const char *text, size_t length)
+{
+    if (e->size + length + 1 > e->capacity) {
+        size_t capacity = 2 * e->capacity + length + 256;
+        char *grown = realloc(e->text, capacity);
+        if (grown == NULL)
+            return false;
+        e->text = grown;
+        e->capacity = capacity;
+    }
+    memcpy(e->text + e->size, text, length);
+    e->size += length;
+    e->text[e->size] = '\0';
+    return true;
+}
+
+static bool append_text(struct explanation *e, const char *text)
+{
+    return append(e, text, strlen(text));
+}
+
+static const char *skip_blanks(const char *c)
+{
+    return c + strspn(c, " \t");
+}
+
+// Skip a prefix; NULL when c is NULL or begins otherwise.
+static const char *skip(const char *c, const char *prefix)
+{
+    size_t length = strlen(prefix);
+    return c != NULL && strncmp(c, prefix, length) == 0 ? c + length : NULL;
+}
+
+// Read a number of a log; NULL when there is none.
+static const char *skip_number(const char *c, int *number)
+{
+    int digits = c != NULL ? (int)strspn(c, "0123456789") : 0;
+    if (digits == 0 || digits > 8)
+        return NULL;
+    *number = atoi(c);
+    return c + digits;
+}
+
+// "error: text", "error C1008: text", "preprocessor error: text", "text": the driver's code stays.
+static void split_kind(const char *c, struct message *message)
+{
+    static const char *const kinds[] = {"error", "warning", "preprocessor error", "fatal error",
+                                        "preprocessor warning"};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        const char *rest = skip(c, kinds[i]);
+        if (rest == NULL || (*rest != ':' && *rest != ' '))
+            continue;
+        message->kind = strstr(kinds[i], "error") != NULL ? "error" : "warning";
+        c = skip_blanks(rest + (*rest == ':'));
+        break;
+    }
+    message->text = c;
+}
+
+// Mesa "0:12(3): error: text", NVIDIA "0(12) : error C1008: text", others "ERROR: 0:12: text".
+static struct message read_message(const char *log)
+{
+    struct message message = {.kind = "error", .text = log};
+    int file, line, column;
+    const char *other = skip(log, "ERROR: ");
+    if (other == NULL && (other = skip(log, "WARNING: ")) != NULL)
+        message.kind = "warning";
+    const char *number = skip_number(other != NULL ? other : log, &file);
+    const char *end = skip_number(
+        number != NULL && (*number == ':' || *number == '(') ? number + 1 : NULL, &line);
+    if (end == NULL)
+        return message;
+    if (*number == '(')
+        end = skip(end, ")");
+    else if (*end == '(')
+        end = skip(skip_number(end + 1, &column), ")");
+    end = end != NULL ? skip(skip_blanks(end), ":") : NULL;
+    if (end == NULL)
+        return message;
+    message.line = line;
+    split_kind(skip_blanks(end), &message);
+    return message;
+}
+
+// The expanded line that holds a place in the code.
+static int line_of(const char *code, const char *place)
+{
+    int line = 1;
+    for (const char *c = code; c < place; c++)
+        line += *c == '\n';
+    return line;
+}
+
+// A link error names a function and no line: `foo', "float foo(vec3);" or foo( . Find the first
+// call of a name that stands so; of one in quotes, which may be an input, else the first mention.
+// Returns the expanded line, or 0.
+static int line_of_call(const struct explanation *e, const char *log)
+{
+    for (const char *c = log; *c != '\0';) {
+        size_t length = 0;
+        while (glsl_is_word(c[length]))
+            length++;
+        char name[NAME_SIZE];
+        bool quoted = length > 0 && c > log && strchr("`'\"", c[-1]) != NULL && c[length] != '\0' &&
+                      strchr("'\"", c[length]) != NULL;
+        if (length > 0 && length < sizeof name && (quoted || *skip_blanks(c + length) == '(')) {
+            snprintf(name, sizeof name, "%.*s", (int)length, c);
+            const char *call = glsl_find_call(e->code, name);
+            if (call == NULL && quoted)
+                call = glsl_find_word(e->code, name);
+            if (call != NULL)
+                return line_of(e->code, call);
+        }
+        c += length > 0 ? length : 1;
+    }
+    return 0;
+}
+
+// The expanded line of a message, or 0. A text that ends too early is blamed on the line after its
+// last one.
+static int expanded_line(const struct explanation *e, const struct message *message)
+{
+    int line = message->line - e->prelude;
+    int count = e->source->line_count;
+    if (message->line == 0)
+        return 0;
+    return line == count + 1 ? count : line >= 1 && line <= count ? line : 0;
+}
+
+// The line as its author wrote it, without what the log line adds.
+static bool append_source(struct explanation *e, int line)
+{
+    const char *text = e->source->text;
+    for (int i = 1; i < line; i++)
+        text = strchr(text, '\n') + 1;
+    text = skip_blanks(text);
+    size_t length = strcspn(text, "\n");
+    bool cut = length > LINE_LIMIT;
+    return append_text(e, "    ") && append(e, text, cut ? LINE_LIMIT : length) &&
+           append_text(e, cut ? "...\n" : "\n");
+}
+
+// Name a sign that is no part of GLSL, which drivers answer with whatever comes after it: an accent
+// in a name, a space or a quotation mark out of a word processor.
+//   sign  receives a phrase, or stays as it is
+static void foreign_sign(const struct explanation *e, int line, char sign[128])
+{
+    const char *code = e->code;
+    for (int i = 1; i < line; i++)
+        code = strchr(code, '\n') + 1;
+    while (*code != '\n' && (unsigned char)*code < 0x80)
+        code++;
+    int length = 1;
+    while (length < 4 && ((unsigned char)code[length] & 0xC0) == 0x80)
+        length++;
+    bool space = strncmp(code, "\xC2\xA0", 2) == 0;
+    if (*code != '\n' && *code != '\0')
+        snprintf(sign, 128, "only plain letters and signs, here is %s%.*s%s: ",
+                 space ? "a space that cannot break" : "'", space ? 0 : length, code,
+                 space ? "" : "'");
+}
+
+static bool explain_line(struct explanation *e, const char *log)
+{
+    struct message message = read_message(log);
+    int line = expanded_line(e, &message);
+    if (message.line != 0 && e->has_errors && strcmp(message.kind, "warning") == 0)
+        return true;
+    if (message.line == 0 && (line = line_of_call(e, log)) != 0 && message.text == log)
+        split_kind(skip(log, "ERROR: ") != NULL ? log + strlen("ERROR: ") : log, &message);
+    if (line == 0) {
+        e->shown = 0;
+        return append_text(e, log) && append_text(e, "\n");
+    }
+    const struct shader_line *from = &e->source->lines[line - 1];
+    char place[32];
+    snprintf(place, sizeof place, ":%d: ", from->line);
+    bool again = line == e->shown;
+    char sign[128] = "";
+    if (!again)
+        foreign_sign(e, line, sign);
+    e->shown = line;
+    return append_text(e, e->source->files[from->file]) && append_text(e, place) &&
+           append_text(e, message.kind) && append_text(e, ": ") && append_text(e, sign) &&
+           append_text(e, message.text) && append_text(e, "\n") &&
+           (again || append_source(e, line));
+}
+
+// True when the same line stands earlier in the log.
+static bool is_repeated(const char *log, const char *line, size_t length)
+{
+    for (const char *c = log; c < line; c += strcspn(c, "\n") + 1)
+        if (strcspn(c, "\r\n") == length && strncmp(c, line, length) == 0)
+            return true;
+    return false;
+}
+
+// Explain each line of the log, or only see whether one of them is an error.
+static bool explain_lines(struct explanation *e, const char *log, bool only_look)
+{
+    for (const char *c = log; *c != '\0';) {
+        size_t length = strcspn(c, "\n");
+        size_t trimmed = length;
+        while (trimmed > 0 && strchr(" \t\r", c[trimmed - 1]) != NULL)
+            trimmed--;
+        if (trimmed > 0 && !is_repeated(log, c, trimmed)) {
+            char *line = strndup(c, trimmed);
+            if (line == NULL)
+                return false;
+            struct message message = read_message(line);
+            e->has_errors |= message.line != 0 && strcmp(message.kind, "error") == 0;
+            bool done = only_look || ++e->errors > ERROR_LIMIT || explain_line(e, line);
+            free(line);
+            if (!done)
+                return false;
+        }
+        c += length + (c[length] == '\n');
+    }
+    return true;
+}
+
+// Say how many lines were left out.
+static bool append_rest(struct explanation *e)
+{
+    char rest[64];
+    snprintf(rest, sizeof rest, "and %d more\n", e->errors - ERROR_LIMIT);
+    return e->errors <= ERROR_LIMIT || append_text(e, rest);
+}
+
+char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log)
+{
+    struct explanation e = {.source = source, .code = strdup(source->text)};
+    char *prelude = form_prelude(source, view);
+    for (const char *c = prelude; c != NULL && *c != '\0'; c++)
+        e.prelude += *c == '\n';
+    bool done = prelude != NULL && e.code != NULL && append_text(&e, "");
+    free(prelude);
+    if (done) {
+        glsl_blank_comments(e.code, false);
+        done = explain_lines(&e, log, true) && explain_lines(&e, log, false) && append_rest(&e);
+    }
+    free(e.code);
+    if (done)
+        return e.text;
+    free(e.text);
+    report("%s: not enough memory to explain the driver's errors", source->files[0]);
+    return NULL;
+}

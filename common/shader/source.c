@@ -1,0 +1,372 @@
+#include "shader/shader.h"
+
+#include <errno.h>
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "shader/form.h"
+#include "shader/glsl.h"
+#include "report.h"
+#include "shader/text_file.h"
+
+#define TEXT_LIMIT  (8 * 1024 * 1024) // bytes of the expanded text
+#define DEPTH_LIMIT 64                // files open at once, the first one included
+#define WHERE_SIZE  (3 * PATH_MAX)    // FILE:LINE: #include "NAME"
+
+// One expansion under way.
+struct expansion {
+    struct shader_source *source;
+    char root[PATH_MAX]; // resolved
+    char own[PATH_MAX];  // folder of the first file, resolved
+    size_t text_size, text_capacity;
+    int line_capacity;
+    int open[DEPTH_LIMIT]; // the files from the first to the one being read
+    int depth;
+    bool whole;
+};
+
+static bool no_memory(const char *where)
+{
+    report("%s: not enough memory", where);
+    return false;
+}
+
+// ---- Names ----
+
+// True for the folder itself too.
+static bool inside(const char *path, const char *folder)
+{
+    size_t length = strlen(folder);
+    return strncmp(path, folder, length) == 0 && (path[length] == '/' || path[length] == '\0' ||
+                                                  (length > 0 && folder[length - 1] == '/'));
+}
+
+// The part of a path inside the folder that holds it.
+static const char *within(const char *path, const char *folder)
+{
+    path += strlen(folder);
+    return path + (*path == '/');
+}
+
+static void folder_of(const char *path, char folder[PATH_MAX])
+{
+    const char *slash = strrchr(path, '/');
+    size_t length = slash == NULL ? 0 : (size_t)(slash - path);
+    if (slash == NULL)
+        path = ".";
+    snprintf(folder, PATH_MAX, "%.*s", length == 0 ? 1 : (int)length, path);
+}
+
+// Resolve the name in an include: beside the including file, then in shaders/, then in chapters/.
+static char *resolve(const struct expansion *e, int from, const char *name, char why[TEXT_FILE_WHY])
+{
+    const struct shader_source *source = e->source;
+    const char *slash = strrchr(source->files[from], '/');
+    char beside[PATH_MAX], path[3 * PATH_MAX];
+    folder_of(source->paths[from], beside);
+    const char *const places[][2] = {{beside, ""}, {e->root, "/shaders"}, {e->root, "/chapters"}};
+    if (name[0] == '/') {
+        snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from shaders/");
+        return NULL;
+    }
+    for (int i = 0; i < 3; i++) {
+        snprintf(path, sizeof path, "%s%s/%s", places[i][0], places[i][1], name);
+        char *resolved = realpath(path, NULL);
+        if (resolved != NULL && (inside(resolved, e->root) || inside(resolved, e->own)))
+            return resolved;
+        if (resolved == NULL && (errno == ENOENT || errno == ENOTDIR))
+            continue;
+        if (resolved == NULL)
+            snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", strerror(errno));
+        else
+            snprintf(why, TEXT_FILE_WHY, "lies outside the project and the shader's own folder");
+        free(resolved);
+        return NULL;
+    }
+    snprintf(why, TEXT_FILE_WHY, "no such file beside %.300s, in shaders/ or in chapters/",
+             slash == NULL ? source->files[from] : slash + 1);
+    return NULL;
+}
+
+// The name of a file in messages: from the project's folder on, else as the first file was given.
+static char *name_of(const struct expansion *e, const char *given, const char *resolved)
+{
+    char name[2 * PATH_MAX], folder[PATH_MAX];
+    folder_of(e->source->file_count == 0 ? given : e->source->files[0], folder);
+    if (e->source->file_count == 0)
+        return strdup(given);
+    if (inside(resolved, e->root))
+        return strdup(within(resolved, e->root));
+    bool bare = strcmp(folder, ".") == 0 && strchr(e->source->files[0], '/') == NULL;
+    snprintf(name, sizeof name, "%s%s%s", bare ? "" : folder, bare ? "" : "/",
+             within(resolved, e->own));
+    return strdup(name);
+}
+
+// ---- The expanded text ----
+
+// Add a file to the table; takes resolved over. Returns its index, or -1, reported.
+static int add_file(struct expansion *e, const char *given, char *resolved)
+{
+    struct shader_source *source = e->source;
+    size_t count = (size_t)source->file_count + 1;
+    char *name = name_of(e, given, resolved);
+    char **files = realloc(source->files, count * sizeof *files);
+    source->files = files != NULL ? files : source->files;
+    char **paths = realloc(source->paths, count * sizeof *paths);
+    source->paths = paths != NULL ? paths : source->paths;
+    if (name == NULL || files == NULL || paths == NULL) {
+        free(name);
+        free(resolved);
+        no_memory(given);
+        return -1;
+    }
+    source->files[source->file_count] = name;
+    source->paths[source->file_count] = resolved;
+    return source->file_count++;
+}
+
+static bool reserve(struct expansion *e, size_t more, const char *where)
+{
+    struct shader_source *source = e->source;
+    if (e->text_size + more + 1 > e->text_capacity) {
+        size_t capacity = 2 * e->text_capacity + more + 4096;
+        char *text = realloc(source->text, capacity);
+        if (text == NULL)
+            return no_memory(where);
+        source->text = text;
+        e->text_capacity = capacity;
+    }
+    if (source->line_count == e->line_capacity) {
+        int capacity = 2 * e->line_capacity + 256;
+        struct shader_line *lines = realloc(source->lines, (size_t)capacity * sizeof *lines);
+        if (lines == NULL)
+            return no_memory(where);
+        source->lines = lines;
+        e->line_capacity = capacity;
+    }
+    return true;
+}
+
+// Add one line of a file, its end included, after a prefix.
+static bool add_line(struct expansion *e, struct shader_line from, const char *prefix,
+                     const char *line, size_t length)
+{
+    struct shader_source *source = e->source;
+    size_t more = strlen(prefix) + length + 1;
+    if (e->text_size + more > TEXT_LIMIT) {
+        report("%s:%d: the text passes 8 MiB with its includes: include less",
+               source->files[from.file], from.line);
+        return false;
+    }
+    if (!reserve(e, more, source->files[from.file]))
+        return false;
+    snprintf(source->text + e->text_size, more + 1, "%s%.*s\n", prefix, (int)length, line);
+    e->text_size += more;
+    source->lines[source->line_count++] = from;
+    return true;
+}
+
+static bool expand_file(struct expansion *e, int file, const char *where);
+
+// Report an include that would have its file contain itself, with the way round.
+static bool report_cycle(const struct expansion *e, int file, const char *where)
+{
+    char chain[2048] = "";
+    size_t size = 0;
+    int first = 0;
+    while (e->open[first] != file)
+        first++;
+    for (int i = first; i < e->depth && size < sizeof chain; i++)
+        size += (size_t)snprintf(chain + size, sizeof chain - size, "%s -> ",
+                                 e->source->files[e->open[i]]);
+    report("%s: the file includes itself: %s%s: take one of these includes out", where, chain,
+           e->source->files[file]);
+    return false;
+}
+
+// Put the file of an include in place, unless it is there already.
+static bool include(struct expansion *e, struct shader_line from, const char *name)
+{
+    struct shader_source *source = e->source;
+    char where[WHERE_SIZE], why[TEXT_FILE_WHY];
+    snprintf(where, sizeof where, "%s:%d: #include \"%s\"", source->files[from.file], from.line,
+             name);
+    char *resolved = resolve(e, from.file, name, why);
+    if (resolved == NULL) {
+        report("%s: %s", where, why);
+        return false;
+    }
+    for (int i = 0; i < source->file_count; i++) {
+        if (strcmp(source->paths[i], resolved) != 0)
+            continue;
+        free(resolved);
+        for (int k = 0; k < e->depth; k++)
+            if (e->open[k] == i)
+                return report_cycle(e, i, where);
+        return true;
+    }
+    if (e->depth == DEPTH_LIMIT) {
+        free(resolved);
+        report("%s: more than %d files within each other", where, DEPTH_LIMIT);
+        return false;
+    }
+    int file = add_file(e, name, resolved);
+    return file >= 0 && expand_file(e, file, where);
+}
+
+// What follows a directive's name in a line without comments, or NULL for another line.
+static const char *after_directive(const char *code, const char *name)
+{
+    const char *word = code + strspn(code, " \t\v\f");
+    if (*word != '#')
+        return NULL;
+    word += 1 + strspn(word + 1, " \t\v\f");
+    size_t length = strlen(name);
+    return strncmp(word, name, length) == 0 && !glsl_is_word(word[length]) ? word + length : NULL;
+}
+
+// True when no comment crosses the line's ends, so that the line alone means what it means in
+// place.
+static bool stands_alone(const char *line, size_t length, const char *code)
+{
+    char *alone = strndup(line, length);
+    bool same = alone != NULL && line[length - 1] != '\\' &&
+                glsl_blank_comments(alone, false) == NULL && strncmp(alone, code, length) == 0;
+    free(alone);
+    return same;
+}
+
+// The name between the quotes of an include; false when it is malformed.
+//   rest  what follows the word, up to the line's end
+static bool quoted_name(const char *rest, char name[PATH_MAX])
+{
+    const char *open = rest + strspn(rest, " \t\v\f");
+    size_t length = *open == '"' ? strcspn(open + 1, "\"\n") : 0;
+    if (length == 0 || length >= PATH_MAX || open[length + 1] != '"')
+        return false;
+    const char *end = open + length + 2;
+    memcpy(name, open + 1, length);
+    name[length] = '\0';
+    return end[strspn(end, " \t\v\f")] == '\n';
+}
+
+static bool expand_include(struct expansion *e, struct shader_line from, const char *line,
+                           size_t length, const char *code, const char *rest)
+{
+    char name[PATH_MAX];
+    if (!quoted_name(rest, name) || !stands_alone(line, length, code)) {
+        report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line",
+               e->source->files[from.file], from.line);
+        return false;
+    }
+    return add_line(e, from, "// ", line, length) && include(e, from, name);
+}
+
+// A #version makes the first file a whole one; anywhere else the driver would refuse it, far from
+// its cause.
+static bool check_version(struct expansion *e, struct shader_line from, bool first)
+{
+    const char *file = e->source->files[from.file];
+    if (from.file > 0)
+        report("%s:%d: #version in an included file: take it out", file, from.line);
+    else if (!first)
+        report("%s:%d: #version must come first: move it to the top", file, from.line);
+    else
+        e->whole = true;
+    return from.file == 0 && first;
+}
+
+// Expand a text whose comments are blanked in code.
+static bool expand_text(struct expansion *e, int file, const char *text, const char *code)
+{
+    struct shader_line from = {file, 0};
+    bool first = true;
+    for (const char *line = text; *line != '\0';) {
+        size_t length = strcspn(line, "\n");
+        const char *line_code = code + (line - text);
+        const char *rest = after_directive(line_code, "include");
+        from.line++;
+        if (after_directive(line_code, "version") != NULL && !check_version(e, from, first))
+            return false;
+        // An author's own #line would blame another line.
+        bool counts = after_directive(line_code, "line") != NULL;
+        if (rest != NULL ? !expand_include(e, from, line, length, line_code, rest)
+                         : !add_line(e, from, counts ? "// " : "", line, length))
+            return false;
+        first = first && strspn(line_code, " \t\v\f") == length;
+        line += length + 1;
+    }
+    return true;
+}
+
+static int line_of(const char *text, const char *place)
+{
+    int line = 1;
+    for (const char *c = text; c < place; c++)
+        line += *c == '\n';
+    return line;
+}
+
+static bool expand_file(struct expansion *e, int file, const char *where)
+{
+    char why[TEXT_FILE_WHY];
+    char *text = text_file_read(e->source->paths[file], why);
+    char *code = text != NULL ? strdup(text) : NULL;
+    bool done = false;
+    if (text == NULL)
+        report("%s: %s", where, why);
+    else if (code == NULL)
+        no_memory(where);
+    else {
+        const char *open = glsl_blank_comments(code, false);
+        if (open != NULL)
+            report("%s:%d: this comment is never closed: write */ at its end",
+                   e->source->files[file], line_of(code, open));
+        else {
+            e->open[e->depth++] = file;
+            done = expand_text(e, file, text, code);
+            e->depth--;
+        }
+    }
+    free(code);
+    free(text);
+    return done;
+}
+
+bool shader_read(struct shader_source *source, const char *path, const char *root)
+{
+    struct expansion e = {.source = source};
+    *source = (struct shader_source){0};
+    char *resolved_root = realpath(root, NULL);
+    char *resolved = resolved_root != NULL ? realpath(path, NULL) : NULL;
+    bool fits = resolved != NULL && snprintf(e.root, sizeof e.root, "%s", resolved_root) < PATH_MAX;
+    if (!fits)
+        report("%s: cannot be read: %s", resolved_root == NULL ? root : path, strerror(errno));
+    free(resolved_root);
+    if (!fits) {
+        free(resolved);
+        return false;
+    }
+    folder_of(resolved, e.own);
+    int file = add_file(&e, path, resolved);
+    if (file == 0 && expand_file(&e, file, path) && form_find(source, e.whole))
+        return true;
+    shader_free(source);
+    return false;
+}
+
+void shader_free(struct shader_source *source)
+{
+    for (int i = 0; i < source->file_count; i++) {
+        free(source->files[i]);
+        free(source->paths[i]);
+    }
+    free(source->files);
+    free(source->paths);
+    free(source->lines);
+    free(source->text);
+    *source = (struct shader_source){0};
+}

@@ -1,0 +1,316 @@
+#include "window/state.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <unistd.h>
+
+#include "picture/image.h"
+#include "report.h"
+#include "picture/slice.h"
+
+#define SPEED           2.0f  // scene units a second
+#define DEGREES         0.15f // of a turn, for each pixel of the pointer
+#define ZOOM            1.1   // focal length or slice, for each notch of the wheel
+#define FOCAL_MINIMUM   0.2   // of a shader that declares no focalLength
+#define FOCAL_MAXIMUM   10.0
+#define PASSAGE         0.5 // seconds from one projection to the other
+#define LAST_SCREENSHOT 9999
+
+struct parameter *window_chosen(const struct window *window)
+{
+    const struct parameters *all = &window->renderer->parameters;
+    struct parameter *parameter = parameters_find(all, window->parameter);
+    return parameter != NULL || all->count == 0 ? parameter : &all->item[0];
+}
+
+// ---- What keys and wheel do ----
+
+static void zoom(struct window *window, double notches)
+{
+    float *own = &window->renderer->focal_length, *slice = &window->inputs.zoom;
+    struct parameter *parameter = parameters_find(&window->renderer->parameters, "focalLength");
+    double factor = pow(ZOOM, notches);
+    if (window->renderer->view == SHADER_SLICE)
+        *slice = (float)fmin(fmax((double)*slice * factor, (double)SLICE_ZOOM_MINIMUM),
+                             (double)SLICE_ZOOM_MAXIMUM);
+    else if (parameter != NULL)
+        parameter->value[0] =
+            fmin(fmax(parameter->value[0] * factor, parameter->minimum), parameter->maximum);
+    else
+        *own = (float)fmin(fmax((double)*own * factor, FOCAL_MINIMUM), FOCAL_MAXIMUM);
+}
+
+// What Tab drives, and between which ends; NULL where there is nothing.
+static double *orthographic_of(struct window *window, double end[2])
+{
+    struct renderer *renderer = window->renderer;
+    struct parameter *parameter = parameters_find(&renderer->parameters, "orthographic");
+    end[0] = parameter != NULL ? parameter->minimum : 0.0;
+    end[1] = parameter != NULL ? parameter->maximum : 1.0;
+    if (parameter != NULL)
+        return &parameter->value[0];
+    // The linker keeps only what is used: the uniform is there where OrthoView is read.
+    GLuint program = renderer->program[renderer->view];
+    bool read = renderer->gl->GetUniformLocation(program, "iOrthoView") >= 0;
+    return read ? &renderer->orthographic : NULL;
+}
+
+bool window_has_orthographic(struct window *window)
+{
+    double end[2];
+    return orthographic_of(window, end) != NULL;
+}
+
+// Towards the farther end; pressed again on the way, back.
+static void toggle_orthographic(struct window *window)
+{
+    double end[2];
+    const double *value = orthographic_of(window, end);
+    if (value == NULL)
+        return;
+    double from = window->passing ? window->towards : *value;
+    window->towards = from > 0.5 * (end[0] + end[1]) ? end[0] : end[1];
+    window->passing = true;
+}
+
+// A switch has no values between its ends.
+static bool is_switch(const struct parameter *parameter)
+{
+    return parameter != NULL && parameter->type != PARAMETER_FLOAT;
+}
+
+bool window_pass(struct window *window, double seconds)
+{
+    double end[2];
+    double *value = window->passing ? orthographic_of(window, end) : NULL;
+    window->passing = value != NULL;
+    if (value == NULL)
+        return false;
+    double left = window->towards - *value;
+    double step = seconds / PASSAGE * (end[1] - end[0]);
+    bool arrived = fabs(left) <= step ||
+                   is_switch(parameters_find(&window->renderer->parameters, "orthographic"));
+    *value = arrived ? window->towards : *value + copysign(step, left);
+    window->passing = !arrived;
+    window->retitle_at = 0.0;
+    return true;
+}
+
+static void choose(struct window *window, int by)
+{
+    const struct parameters *all = &window->renderer->parameters;
+    const struct parameter *parameter = window_chosen(window);
+    if (parameter == NULL)
+        return;
+    int index = ((int)(parameter - all->item) + by + all->count) % all->count;
+    snprintf(window->parameter, sizeof window->parameter, "%s", all->item[index].name);
+}
+
+// The first name that is free. Returns false, reported, when there is none.
+static bool find_name(const struct window *window, char path[256])
+{
+    int number = 1;
+    do
+        snprintf(path, 256, "%.200s-%04d.png", window->stem, number);
+    while (access(path, F_OK) == 0 && ++number <= LAST_SCREENSHOT);
+    if (number > LAST_SCREENSHOT)
+        report("%s: all names up to this one are taken: move some screenshots away", path);
+    return number <= LAST_SCREENSHOT;
+}
+
+// Write a picture. That a disk is full is reported and ends nothing.
+//   made  the image is there
+static void save(const struct window *window, struct image *image, bool made)
+{
+    char path[256];
+    if (made && find_name(window, path) && image_write_png(image, path)) {
+        printf("%s: written, %dx%d\n", path, image->width, image->height);
+        fflush(stdout);
+    }
+    image_free(image);
+}
+
+// An overlay that is to be in the picture is drawn with it, all at once.
+static bool can_wait(const struct window *window)
+{
+    return window->divisor > 1 && window->renderer->overlay == NULL;
+}
+
+bool window_shoots(const struct window *window)
+{
+    return window->shooting && (!can_wait(window) || window->sharp == window->whole.height);
+}
+
+void window_shoot(struct window *window)
+{
+    struct image image = {0};
+    window->shooting = false;
+    save(window, &image,
+         can_wait(window) ? renderer_sharp_picture(window->renderer, &image)
+                          : renderer_picture(window->renderer, &window->inputs, &image));
+    // The screenshot was drawn where the picture on the screen was; a sharpened one is elsewhere.
+    window->stale |= window->sharp < window->whole.height;
+}
+
+// A view that the shader has not is refused where the eyes are: in the overlay.
+static void show_view(struct window *window, enum shader_view view)
+{
+    bool shown = renderer_set_view(window->renderer, view);
+    if (!shown || !window->broken)
+        snprintf(window->error, sizeof window->error, "%s", shown ? "" : report_last());
+}
+
+static GLFWmonitor *monitor_below(GLFWwindow *handle)
+{
+    int count = 0, x = 0, y = 0, width = 0, height = 0;
+    GLFWmonitor **monitors = glfwGetMonitors(&count);
+    glfwGetWindowPos(handle, &x, &y);
+    glfwGetWindowSize(handle, &width, &height);
+    for (int i = 0; i < count; i++) {
+        int left, top;
+        glfwGetMonitorPos(monitors[i], &left, &top);
+        const GLFWvidmode *mode = glfwGetVideoMode(monitors[i]);
+        int right = x + width / 2 - left, down = y + height / 2 - top;
+        if (mode != NULL && right >= 0 && right < mode->width && down >= 0 && down < mode->height)
+            return monitors[i];
+    }
+    return glfwGetPrimaryMonitor();
+}
+
+static void toggle_full_screen(struct window *window)
+{
+    GLFWwindow *handle = window->handle;
+    int *place = window->place;
+    if (glfwGetWindowMonitor(handle) != NULL) {
+        glfwSetWindowMonitor(handle, NULL, place[0], place[1], place[2], place[3], GLFW_DONT_CARE);
+        return;
+    }
+    GLFWmonitor *monitor = monitor_below(handle);
+    const GLFWvidmode *mode = monitor != NULL ? glfwGetVideoMode(monitor) : NULL;
+    if (mode == NULL) {
+        report("full screen: the window system names no monitor");
+        return;
+    }
+    glfwGetWindowPos(handle, &place[0], &place[1]);
+    glfwGetWindowSize(handle, &place[2], &place[3]);
+    glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+}
+
+// True when the action changes the picture; others change the overlay or the window alone.
+static bool changes_picture(enum window_action action)
+{
+    switch (action) {
+    case WINDOW_PAUSE: // time went on until now
+    case WINDOW_RESTART:
+    case WINDOW_BEGIN:
+    case WINDOW_ORTHOGRAPHIC:
+    case WINDOW_CHANGE:
+    case WINDOW_RESET:
+    case WINDOW_VIEW:
+        return true;
+    default:
+        return false;
+    }
+}
+
+static void act(struct window *window, struct window_event event)
+{
+    struct parameter *parameter = window_chosen(window);
+    window->stale |= changes_picture(event.action);
+    switch (event.action) {
+    case WINDOW_END:
+        glfwSetWindowShouldClose(window->handle, GLFW_TRUE);
+        break;
+    case WINDOW_PAUSE:
+        window->paused = !window->paused;
+        break;
+    case WINDOW_RESTART:
+        window->inputs.time = window->options->time;
+        break;
+    case WINDOW_BEGIN:
+        window->inputs.time = window->options->time;
+        window->inputs.camera = window->options->camera;
+        break;
+    case WINDOW_SCREENSHOT:
+        window->shooting = true;
+        break;
+    case WINDOW_FULL_SCREEN:
+        toggle_full_screen(window);
+        break;
+    case WINDOW_ORTHOGRAPHIC:
+        toggle_orthographic(window);
+        break;
+    case WINDOW_CHOOSE:
+        choose(window, event.amount);
+        break;
+    case WINDOW_CHANGE:
+        window->passing = false;
+        if (parameter != NULL)
+            parameter_change(parameter, event.amount);
+        window->moved = true;
+        break;
+    case WINDOW_RESET:
+        window->passing = false;
+        if (parameter != NULL)
+            parameter_reset(parameter);
+        break;
+    case WINDOW_FOLD:
+        window->folded = !window->folded;
+        break;
+    case WINDOW_HELP:
+        window->helps = !window->helps;
+        break;
+    case WINDOW_VIEW:
+        show_view(window, (enum shader_view)event.amount);
+        break;
+    }
+}
+
+// A click chooses the pixel's ray, and again lets it go.
+//   place  in the window's units from its top left
+static void look_at_ray(struct window *window, const double place[2])
+{
+    int *pixel = window->inputs.pixel, size[2] = {0, 0}, at[2];
+    glfwGetWindowSize(window->handle, &size[0], &size[1]);
+    if (size[0] < 1 || size[1] < 1)
+        return;
+    renderer_pixel_at(&window->inputs, place, size, at);
+    bool same = at[0] == pixel[0] && at[1] == pixel[1];
+    for (int i = 0; i < 2; i++)
+        pixel[i] = same ? -1 : at[i];
+    window->why[0] = '\0';
+    window->tell = !same;
+    window->follow = true;
+    window->stale |= window->renderer->view == SHADER_SLICE;
+}
+
+void window_obey(struct window *window)
+{
+    struct window_input *input = &window->input;
+    struct camera *camera = &window->inputs.camera;
+    window_input_count(input);
+    window_follow_mouse(window);
+    float travel[3], longest = 0.0f;
+    for (int axis = 0; axis < 3; axis++) {
+        travel[axis] = (float)input->travel[axis];
+        longest = fmaxf(longest, fabsf(travel[axis]));
+    }
+    bool looked = input->look[0] != 0.0 || input->look[1] != 0.0;
+    // A pointer that goes right turns the view right, dragging or captured.
+    if (looked)
+        camera_turn(camera, DEGREES * (float)input->look[0], -DEGREES * (float)input->look[1]);
+    if (longest > 0.0f)
+        camera_move(camera, travel, SPEED * longest);
+    if (input->wheel != 0.0)
+        zoom(window, input->wheel);
+    if (input->clicked)
+        look_at_ray(window, input->click);
+    window->moved |= looked || longest > 0.0f || input->wheel != 0.0;
+    for (int i = 0; i < input->events; i++)
+        act(window, input->event[i]);
+    if (window->moved || input->clicked || input->events > 0 || input->damaged)
+        window->dirty = true;
+    if (input->events > 0 || input->wheel != 0.0)
+        window->retitle_at = 0.0;
+    window_input_forget(input);
+}

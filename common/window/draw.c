@@ -1,0 +1,328 @@
+#include "window/state.h"
+
+#include <ctype.h>
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "picture/probe.h"
+#include "report.h"
+
+#define FIGURES_SECONDS 0.25 // between two changes of the overlay's rate
+#define SLOW_SECONDS                                                                               \
+    0.08 // a picture may take: 10 frames a second with what a frame needs beside it
+#define FINER_SECONDS 0.06 // below this a finer one is tried: without a gap the two would alternate
+#define REST_SECONDS                                                                               \
+    0.3 // without motion until the picture sharpens: longer than between two
+        // repeats of a held key
+#define DIVISOR_LIMIT 8
+#define BAND_SECONDS  0.05 // of sharpening between two looks at what the hands do
+
+void window_retitle(struct window *window)
+{
+    char text[sizeof window->shown], value[128] = "", rate[32] = "";
+    const struct parameter *parameter = window_chosen(window);
+    if (parameter != NULL)
+        parameter_value_text(parameter, value, sizeof value);
+    if (window->rate > 0.0)
+        snprintf(rate, sizeof rate, " - %.0f fps", window->rate);
+    snprintf(text, sizeof text, "%.60s%s%s - %s%s%.63s%s%.60s%s", window->title,
+             window->broken ? " - error: see terminal" : "", rate,
+             shader_view_name(window->renderer->view), parameter != NULL ? " - " : "",
+             parameter != NULL ? parameter->name : "", parameter != NULL ? " = " : "", value,
+             window->paused ? " (paused)" : "");
+    if (strcmp(text, window->shown) != 0)
+        glfwSetWindowTitle(window->handle, text);
+    memcpy(window->shown, text, sizeof text);
+}
+
+// The linker keeps only what is used.
+static bool program_uses_time(const struct window *window, GLuint program)
+{
+    static const char *const names[] = {"iTime", "iTimeDelta", "iFrame", "iFrameRate", "iDate"};
+    for (size_t i = 0; i < sizeof names / sizeof *names && program != 0; i++)
+        if (window->renderer->gl->GetUniformLocation(program, names[i]) >= 0)
+            return true;
+    return false;
+}
+
+bool window_uses_time(const struct window *window)
+{
+    const struct renderer *renderer = window->renderer;
+    bool marches = window->inputs.pixel[0] >= 0 || renderer->view == SHADER_SLICE;
+    return program_uses_time(window, renderer->program[renderer->view]) ||
+           (marches && program_uses_time(window, renderer->program[SHADER_PROBE]));
+}
+
+// ---- Keys ----
+
+// The label of a key that GLFW names by the American keyboard, where it can be written in ASCII.
+static void label_of(int key, char label[8])
+{
+    const char *name = glfwGetKeyName(key, 0);
+    bool plain = name != NULL && name[0] > ' ' && name[0] <= '~' && name[1] == '\0';
+    char letter = (char)(plain ? toupper((unsigned char)name[0]) : key);
+    snprintf(label, 8, isalnum((unsigned char)letter) ? "%c" : "\"%c\"",
+             letter); // a comma is easily missed
+}
+
+static void add_key(struct window *window, const char *does, const char *label)
+{
+    if (window->key_count == WINDOW_KEYS)
+        return;
+    struct panel_key *key = &window->keys[window->key_count++];
+    snprintf(key->label, sizeof key->label, "%s", label);
+    key->does = does;
+}
+
+static void add_letter(struct window *window, const char *does, int key)
+{
+    char label[8];
+    label_of(key, label);
+    add_key(window, does, label);
+}
+
+// List the keys with the labels of the keyboard that is there.
+static void name_keys(struct window *window)
+{
+    static const int moves[] = {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_C};
+    const struct parameters *parameters = &window->renderer->parameters;
+    char l[5][8], text[64];
+    for (int i = 0; i < 5; i++)
+        label_of(moves[i], l[i]);
+    window->key_count = 0;
+    snprintf(text, sizeof text, "%s %s %s %s", l[0], l[1], l[2], l[3]);
+    add_key(window, "move", text);
+    snprintf(text, sizeof text, "Space %s", l[4]);
+    add_key(window, "up, down", text);
+    add_key(window, "faster", "Shift");
+    add_key(window, "look", "drag");
+    add_letter(window, "mouse look", GLFW_KEY_M);
+    add_key(window, "ray", "click");
+    add_key(window, "zoom", "wheel");
+    add_key(window, "view", "1 2 3 4 5");
+    if (parameters->count > 0) {
+        add_key(window, "choose", "up down");
+        add_key(window, "change", "left right");
+        add_key(window, "reset", "Home");
+    }
+    if (window_has_orthographic(window))
+        add_key(window, "orthographic", "Tab");
+    add_key(window, "pause", "Esc");
+    add_letter(window, "restart", GLFW_KEY_R);
+    add_letter(window, "screenshot", GLFW_KEY_P);
+    add_letter(window, "hide all", GLFW_KEY_H);
+    add_letter(window, "fewer", GLFW_KEY_K);
+    add_key(window, "full screen", "F11");
+    add_key(window, "end", "Backspace");
+    label_of(GLFW_KEY_K, l[0]);
+    label_of(GLFW_KEY_H, l[1]);
+    snprintf(window->hint, sizeof window->hint, "%s: %s    %s: hide", l[0],
+             window->helps ? "fewer" : "keys, ranges", l[1]);
+}
+
+// ---- Overlay ----
+
+// March the chosen pixel's ray again, for this frame's camera and parameters.
+static void follow_ray(struct window *window)
+{
+    const struct renderer_inputs *inputs = &window->inputs;
+    int *pixel = window->inputs.pixel;
+    if (pixel[0] >= inputs->width || pixel[1] >= inputs->height || pixel[1] < 0)
+        pixel[0] = pixel[1] = -1;
+    if (pixel[0] < 0 || window->why[0] != '\0')
+        return;
+    if (window->renderer->fragment.form != SHADER_COURSE) {
+        snprintf(window->why, sizeof window->why,
+                 "no march: a file with a main of its own keeps no trace of its rays");
+    } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->probe)) {
+        snprintf(window->why, sizeof window->why, "%s", report_last());
+    } else if (window->tell) {
+        printf("ray of pixel %d,%d\n", pixel[0], pixel[1]);
+        probe_print(window->probe, stdout);
+        fflush(stdout);
+    }
+    window->tell = false;
+}
+
+static void gather(struct window *window)
+{
+    const struct renderer_inputs *inputs = &window->inputs;
+    const struct parameter *chosen = window_chosen(window);
+    double scale = window->options->overlay;
+    name_keys(window);
+    struct panel panel = {
+        .title = window->title,
+        .renderer = window->renderer,
+        .chosen = chosen != NULL ? chosen->name : NULL,
+        .rate = window->figures[0],
+        .milliseconds = window->figures[1],
+        .divisor = window->divisor,
+        .sharp = window->whole.height > 0 ? 100 * window->sharp / window->whole.height : 0,
+        .paused = window->paused,
+        .folded = window->folded,
+        .whole = window->helps,
+        .hint = window->hint,
+        .keys = window->keys,
+        .key_count = window->helps ? window->key_count : 0,
+        .pixel = {inputs->pixel[0], inputs->pixel[1]},
+        .probe = window->why[0] == '\0' ? window->probe : NULL,
+        .why = window->why,
+        .error = window->error,
+        .broken = window->broken,
+    };
+    panel_gather(&panel, &window->overlay, inputs->width, inputs->height,
+                 scale > 0.0 ? (float)scale : overlay_scale_of(inputs->height));
+    window->renderer->overlay = window->options->has_overlay ? &window->overlay : NULL;
+}
+
+// ---- A frame ----
+
+// The finest resolution whose frame is quick enough.
+static int divisor_for(const struct window *window)
+{
+    int divisor = window->divisor > 1 ? window->divisor : 1;
+    double cost = window->cost * window->inputs.width * window->inputs.height;
+    while (divisor < DIVISOR_LIMIT && cost / (divisor * divisor) > SLOW_SECONDS)
+        divisor++;
+    while (divisor > 1 && cost / ((divisor - 1) * (divisor - 1)) < FINER_SECONDS)
+        divisor--;
+    return divisor;
+}
+
+static bool draw_at(struct window *window, int divisor)
+{
+    struct renderer_inputs inputs = window->inputs;
+    inputs.width = (inputs.width + divisor - 1) / divisor;
+    inputs.height = (inputs.height + divisor - 1) / divisor;
+    for (int i = 0; i < 2 && inputs.pixel[0] >= 0; i++)
+        inputs.pixel[i] /= divisor;
+    for (int i = 0; i < 4; i++)
+        inputs.mouse[i] /= (float)divisor;
+    double begin = glfwGetTime();
+    if (!renderer_draw(window->renderer, &inputs, 0, inputs.height))
+        return false;
+    window->renderer->gl->Finish();
+    window->seconds = glfwGetTime() - begin;
+    window->cost = window->seconds / ((double)inputs.width * inputs.height);
+    return true;
+}
+
+// Learn what a pixel of a new program costs by a small picture that nobody sees, so that a heavy
+// one never holds the window up. Drivers finish compiling in the first. What each draw costs beside
+// its pixels counts much in so small a one: hence the half. A slice costs little in any scene.
+static bool try_program(struct window *window)
+{
+    const struct renderer *renderer = window->renderer;
+    GLuint program = renderer->program[renderer->view];
+    if (program == window->tried)
+        return true;
+    window->tried = program;
+    if (renderer->view == SHADER_SLICE) {
+        window->cost = 0.0;
+        return true;
+    }
+    if (!draw_at(window, DIVISOR_LIMIT) || !draw_at(window, DIVISOR_LIMIT))
+        return false;
+    window->cost *= 0.5;
+    return true;
+}
+
+// Draw the picture at the resolution that is due.
+static bool draw_picture(struct window *window, double now)
+{
+    if (window->moved)
+        window->rest_at = now + REST_SECONDS;
+    if (!try_program(window))
+        return false;
+    window->divisor = divisor_for(window);
+    if (!draw_at(window, window->divisor))
+        return false;
+    window->whole = window->inputs;
+    window->sharp = 0;
+    window->sharp_seconds = 0.0;
+    window->band = (int)fmin(BAND_SECONDS / (window->cost * window->whole.width + 1e-9), 64.0) + 1;
+    window->inputs.frame++;
+    return true;
+}
+
+bool window_sharpens(const struct window *window, double now)
+{
+    return window->divisor > 1 && window->sharp < window->whole.height && now >= window->rest_at;
+}
+
+// Draw a few more rows of the sharp picture, from the top down: so many that what the hands do is
+// never left waiting.
+static bool sharpen(struct window *window)
+{
+    const struct renderer_inputs *whole = &window->whole;
+    int left = whole->height - window->sharp;
+    int rows = window->band < left ? window->band : left;
+    double begin = glfwGetTime();
+    if (!renderer_sharpen(window->renderer, whole, left - rows, rows))
+        return false;
+    window->renderer->gl->Finish();
+    double seconds = glfwGetTime() - begin;
+    window->sharp += rows;
+    window->sharp_seconds += seconds;
+    window->band = (int)fmin(rows * fmin(BAND_SECONDS / (seconds + 1e-9), 2.0), 4096.0) + 1;
+    if (window->sharp < whole->height)
+        return true;
+    window->seconds = window->sharp_seconds;
+    window->cost = window->seconds / ((double)whole->width * whole->height);
+    return true;
+}
+
+// Show what there is: the picture, and over it what is sharp already.
+static void present(const struct window *window)
+{
+    struct renderer *renderer = window->renderer;
+    int height = window->whole.height, sharp = window->sharp;
+    if (sharp < height)
+        renderer_present(renderer, window->whole.width, height);
+    if (sharp > 0)
+        renderer_present_sharp(renderer, height - sharp, sharp);
+}
+
+// The rate of frames that follow each other; while nothing changes none is drawn.
+static void count(struct window *window, double now)
+{
+    double seconds = window->drew ? now - window->frame : 0.0;
+    if (seconds > 0.0)
+        window->rate += (window->rate > 0.0 ? 0.1 : 1.0) * (1.0 / seconds - window->rate);
+    window->frame = now;
+    if (now < window->figures_at)
+        return;
+    window->figures_at = now + FIGURES_SECONDS;
+    window->figures[0] = window->rate;
+    window->figures[1] = 1000.0 * window->seconds;
+}
+
+bool window_draw(struct window *window, double now)
+{
+    struct renderer_inputs *inputs = &window->inputs;
+    const struct gl *gl = window->renderer->gl;
+    bool draws = window->stale;
+    inputs->time_delta = inputs->frame > 0 && !window->paused ? now - window->frame : 0.0;
+    window_tell_date(window);
+    if (draws && !draw_picture(window, now))
+        return false;
+    if (!draws && window_sharpens(window, now) && !sharpen(window))
+        return false;
+    if (draws || window->follow)
+        follow_ray(window);
+    gather(window);
+    present(window);
+    gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
+    overlay_draw(&window->overlay, 0);
+    GLenum error = gl->GetError();
+    if (error != GL_NO_ERROR) {
+        report("window %dx%d: OpenGL error 0x%04x while drawing: try a smaller --size",
+               inputs->width, inputs->height, error);
+        return false;
+    }
+    glfwSwapBuffers(window->handle);
+    window->stale = window->follow = window->dirty = false;
+    count(window, now);
+    return true;
+}

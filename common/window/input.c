@@ -1,0 +1,209 @@
+#include "window/input.h"
+
+#include <math.h>
+#include <stddef.h>
+
+#include "shader/shader.h"
+
+#define LONGEST_STEP 0.1 // seconds: a machine that stalls must not throw the camera away
+#define FASTER       4.0 // times the speed while Left Shift is held
+#define TEN_STEPS    10  // key presses that one press with Shift counts for
+#define DRAG_BEGINS  3.0 // pixels: a hand that clicks trembles less
+
+// GLFW names positions by the American keyboard: GLFW_KEY_W is the key labelled Z on a French one.
+static const struct {
+    int key;
+    enum window_key as;
+} held_keys[] = {
+    {GLFW_KEY_A, WINDOW_KEY_LEFT},    {GLFW_KEY_D, WINDOW_KEY_RIGHT},
+    {GLFW_KEY_SPACE, WINDOW_KEY_UP},  {GLFW_KEY_C, WINDOW_KEY_DOWN},
+    {GLFW_KEY_W, WINDOW_KEY_FORWARD}, {GLFW_KEY_LEFT_CONTROL, WINDOW_KEY_DOWN_TOO},
+    {GLFW_KEY_S, WINDOW_KEY_BACK},    {GLFW_KEY_LEFT_SHIFT, WINDOW_KEY_FASTER},
+};
+
+static const struct {
+    int key;
+    struct window_event event;
+    bool repeats;
+} pressed_keys[] = {
+    {GLFW_KEY_BACKSPACE, {WINDOW_END, 0}, false},
+    {GLFW_KEY_ESCAPE, {WINDOW_PAUSE, 0}, false},
+    {GLFW_KEY_R, {WINDOW_RESTART, 0}, false},
+    {GLFW_KEY_P, {WINDOW_SCREENSHOT, 0}, false},
+    {GLFW_KEY_H, {WINDOW_FOLD, 0}, false},
+    {GLFW_KEY_K, {WINDOW_HELP, 0}, false},
+    {GLFW_KEY_F11, {WINDOW_FULL_SCREEN, 0}, false},
+    {GLFW_KEY_TAB, {WINDOW_ORTHOGRAPHIC, 0}, false},
+    {GLFW_KEY_UP, {WINDOW_CHOOSE, -1}, true},
+    {GLFW_KEY_DOWN, {WINDOW_CHOOSE, 1}, true},
+    {GLFW_KEY_LEFT, {WINDOW_CHANGE, -1}, true},
+    {GLFW_KEY_RIGHT, {WINDOW_CHANGE, 1}, true},
+    {GLFW_KEY_HOME, {WINDOW_RESET, 0}, false},
+    {GLFW_KEY_1, {WINDOW_VIEW, SHADER_PICTURE}, false},
+    {GLFW_KEY_2, {WINDOW_VIEW, SHADER_NORMALS}, false},
+    {GLFW_KEY_3, {WINDOW_VIEW, SHADER_DEPTH}, false},
+    {GLFW_KEY_4, {WINDOW_VIEW, SHADER_STEPS}, false},
+    {GLFW_KEY_5, {WINDOW_VIEW, SHADER_SLICE}, false},
+};
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+static struct window_input *input_of(GLFWwindow *window)
+{
+    return glfwGetWindowUserPointer(window);
+}
+
+// Movement is counted at every press and release, not once a frame: so the way travelled is the
+// time the key was down, whatever the frame rate.
+void window_input_count(struct window_input *input)
+{
+    const bool *held = input->held;
+    double now = glfwGetTime();
+    double seconds = fmin(now - input->counted, LONGEST_STEP);
+    input->counted = now;
+    if (held[WINDOW_KEY_FASTER])
+        seconds *= FASTER;
+    bool down = held[WINDOW_KEY_DOWN] || held[WINDOW_KEY_DOWN_TOO];
+    input->travel[0] += seconds * (held[WINDOW_KEY_RIGHT] - held[WINDOW_KEY_LEFT]);
+    input->travel[1] += seconds * (held[WINDOW_KEY_UP] - down);
+    input->travel[2] += seconds * (held[WINDOW_KEY_FORWARD] - held[WINDOW_KEY_BACK]);
+}
+
+bool window_input_moves(const struct window_input *input)
+{
+    for (int i = 0; i < WINDOW_KEY_COUNT; i++)
+        if (input->held[i] && i != WINDOW_KEY_FASTER)
+            return true;
+    return false;
+}
+
+void window_input_forget(struct window_input *input)
+{
+    for (int axis = 0; axis < 3; axis++)
+        input->travel[axis] = 0.0;
+    input->look[0] = input->look[1] = input->wheel = 0.0;
+    input->damaged = input->clicked = input->pressed = false;
+    input->events = 0;
+}
+
+static void release_all(struct window_input *input)
+{
+    window_input_count(input);
+    for (int i = 0; i < WINDOW_KEY_COUNT; i++)
+        input->held[i] = false;
+    input->state = WINDOW_POINTER_FREE;
+    input->jumped = true;
+}
+
+static void capture(struct window_input *input)
+{
+    input->captured = !input->captured;
+    input->state = WINDOW_POINTER_FREE;
+    input->jumped = true;
+    glfwSetInputMode(input->window, GLFW_CURSOR,
+                     input->captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+}
+
+static void on_key(GLFWwindow *window, int key, int scancode, int action, int modifiers)
+{
+    (void)scancode;
+    struct window_input *input = input_of(window);
+    for (size_t i = 0; i < COUNT(held_keys); i++)
+        if (held_keys[i].key == key && action != GLFW_REPEAT) {
+            window_input_count(input);
+            input->held[held_keys[i].as] = action == GLFW_PRESS;
+        }
+    if (key == GLFW_KEY_M && action == GLFW_PRESS)
+        capture(input);
+    for (size_t i = 0; i < COUNT(pressed_keys); i++) {
+        bool acts = action == GLFW_PRESS || (action == GLFW_REPEAT && pressed_keys[i].repeats);
+        if (pressed_keys[i].key != key || !acts || input->events == WINDOW_INPUT_EVENTS)
+            continue;
+        struct window_event event = pressed_keys[i].event;
+        bool shifted = (modifiers & GLFW_MOD_SHIFT) != 0;
+        if (shifted && event.action == WINDOW_CHANGE)
+            event.amount *= TEN_STEPS;
+        if (shifted && event.action == WINDOW_RESTART)
+            event.action = WINDOW_BEGIN;
+        input->event[input->events++] = event;
+    }
+}
+
+static void on_button(GLFWwindow *window, int button, int action, int modifiers)
+{
+    (void)modifiers;
+    struct window_input *input = input_of(window);
+    if (button != GLFW_MOUSE_BUTTON_LEFT || input->captured)
+        return;
+    if (action == GLFW_RELEASE && input->state == WINDOW_POINTER_PRESSED) {
+        input->clicked = true;
+        input->click[0] = input->pointer[0];
+        input->click[1] = input->pointer[1];
+    }
+    if (action == GLFW_PRESS) {
+        // Asked for now, the pointer may be further on than it was when the button went down.
+        if (!input->seen)
+            glfwGetCursorPos(window, &input->at[0], &input->at[1]);
+        input->pressed = true;
+        for (int i = 0; i < 2; i++)
+            input->press[i] = input->held_at[i] = input->at[i];
+    }
+    input->state = action == GLFW_PRESS ? WINDOW_POINTER_PRESSED : WINDOW_POINTER_FREE;
+    if (input->jumped)
+        glfwGetCursorPos(window, &input->pointer[0], &input->pointer[1]);
+    input->jumped = false;
+}
+
+static void on_pointer(GLFWwindow *window, double x, double y)
+{
+    struct window_input *input = input_of(window);
+    input->seen = true;
+    input->at[0] = x;
+    input->at[1] = y;
+    if (input->state != WINDOW_POINTER_FREE) {
+        input->held_at[0] = x;
+        input->held_at[1] = y;
+    }
+    double right = x - input->pointer[0], down = y - input->pointer[1];
+    if (input->state == WINDOW_POINTER_PRESSED) {
+        if (hypot(right, down) <= DRAG_BEGINS)
+            return;
+        input->state = WINDOW_POINTER_DRAGS;
+    }
+    if ((input->captured || input->state == WINDOW_POINTER_DRAGS) && !input->jumped) {
+        input->look[0] += right;
+        input->look[1] += down;
+    }
+    input->pointer[0] = x;
+    input->pointer[1] = y;
+    input->jumped = false;
+}
+
+static void on_wheel(GLFWwindow *window, double right, double up)
+{
+    (void)right;
+    input_of(window)->wheel += up;
+}
+
+static void on_focus(GLFWwindow *window, int focused)
+{
+    (void)focused;
+    release_all(input_of(window));
+}
+
+static void on_damage(GLFWwindow *window)
+{
+    input_of(window)->damaged = true;
+}
+
+void window_input_open(struct window_input *input, GLFWwindow *window)
+{
+    *input = (struct window_input){.window = window, .counted = glfwGetTime(), .jumped = true};
+    glfwSetWindowUserPointer(window, input);
+    glfwSetKeyCallback(window, on_key);
+    glfwSetMouseButtonCallback(window, on_button);
+    glfwSetCursorPosCallback(window, on_pointer);
+    glfwSetScrollCallback(window, on_wheel);
+    glfwSetWindowFocusCallback(window, on_focus);
+    glfwSetWindowRefreshCallback(window, on_damage);
+}

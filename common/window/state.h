@@ -1,0 +1,112 @@
+// window_state.h - what the parts of the window share. For window*.c alone.
+//
+// window.c holds the loop, window_input.c gathers what the hands do, window_act.c carries it out,
+// window_draw.c draws frames, title bar and overlay, window_toy.c knows Shadertoy's inputs.
+#ifndef WINDOW_STATE_H
+#define WINDOW_STATE_H
+
+#include "options.h"
+#include "picture/overlay.h"
+#include "picture/panel.h"
+#include "picture/renderer.h"
+#include "window/watch.h"
+#include "window/input.h"
+
+#define WINDOW_KEYS 20 // entries of the overlay's list of keys, at most
+
+struct window {
+    GLFWwindow *handle;
+    struct renderer *renderer;
+    const struct options *options;
+    const char *title, *stem, *shader;
+    struct window_input input;
+    struct watch watch;
+    struct renderer_inputs inputs; // of the frame on the screen
+    char parameter[64];            // the one that the arrows change
+    bool paused, broken;
+    bool dirty;         // the screen is to be shown again
+    bool stale;         // the picture is to be drawn again
+    bool drew;          // the last turn of the loop drew a frame
+    bool passing;       // Tab was pressed: orthographic is on its way
+    double towards;     // to this value
+    double turn, frame; // when the last turn began, when the last frame began
+    double rate;        // frames a second, 0 before it is known
+    double seconds;     // that drawing the last picture took
+    double look_at, retitle_at;
+    int place[4]; // x, y, width, height before full screen
+    char shown[256];
+    // The overlay.
+    struct overlay overlay;
+    bool folded;       // H was pressed
+    bool helps;        // K was pressed: all keys, all of the parameters
+    double figures[2]; // frames a second and milliseconds that it shows
+    double figures_at; // when they may change
+    char error[4096];  // of the last reload, or why a view is refused; "" when all is well
+    struct panel_key keys[WINDOW_KEYS];
+    int key_count;
+    char hint[64]; // which key shows more
+    // The ray that is looked at.
+    struct renderer_probe *probe; // owned
+    bool follow;                  // march it again
+    bool tell;                    // print its table once it is there
+    char why[512];                // there is none because of this; "" when there is one
+    // A picture that takes long is drawn at a lower resolution, and sharpened once it rests.
+    bool moved;                   // what makes the picture changed in this turn
+    bool shooting;                // a screenshot waits for the sharp picture; time waits too
+    double rest_at;               // from then on nothing moves
+    int divisor;                  // of the picture's sides; 1 is sharp
+    double cost;                  // seconds that a pixel takes, estimated
+    GLuint tried;                 // the program of which that is known
+    struct renderer_inputs whole; // of the last picture, at its whole size
+    int sharp;                    // rows of it, from the top, that are sharp by now
+    int band;                     // rows to sharpen next
+    double sharp_seconds;         // that sharp took
+};
+
+// The parameter that the arrows change: the one last chosen, as long as the shader has it.
+struct parameter *window_chosen(const struct window *window);
+
+// Show chapter, view and parameter in the title bar.
+void window_retitle(struct window *window);
+
+// True when Tab has something to drive: a parameter named orthographic, or a whole file that reads
+// OrthoView.
+bool window_has_orthographic(struct window *window);
+
+// Carry on with the passage from one projection to the other that Tab began.
+//   seconds  since the last turn
+// Returns true when it changed the picture.
+bool window_pass(struct window *window, double seconds);
+
+// Carry out what the hands did since the last turn.
+void window_obey(struct window *window);
+
+// True when the screenshot that was asked for can be written: the picture is sharp, or quick to
+// draw.
+bool window_shoots(const struct window *window);
+
+// Write it.
+void window_shoot(struct window *window);
+
+// Bring Shadertoy's iMouse up to this turn: xy where the button was held last, zw where it was
+// pressed; z is positive while it is held, w in the one frame of the press. A change draws a frame
+// where the shader reads it.
+void window_follow_mouse(struct window *window);
+
+// Set Shadertoy's iDate to the local time.
+void window_tell_date(struct window *window);
+
+// True when the picture on the screen depends on the time.
+bool window_uses_time(const struct window *window);
+
+// True when rows of the picture on the screen are to be sharpened.
+//   now  of glfwGetTime
+bool window_sharpens(const struct window *window, double now);
+
+// Draw the frame that is due, with the overlay: the picture where it is stale, else a part of the
+// sharp one where it is coarse.
+//   now  of glfwGetTime
+// Returns false, reported.
+bool window_draw(struct window *window, double now);
+
+#endif

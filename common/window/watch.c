@@ -1,0 +1,101 @@
+#include "window/watch.h"
+
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "report.h"
+
+enum { LOOKS_WHEN_WHOLE = 1, LOOKS_WHEN_MISSING = 5 };
+
+#ifdef __APPLE__
+#define MODIFIED(status) ((status).st_mtimespec)
+#else
+#define MODIFIED(status) ((status).st_mtim)
+#endif
+
+// Bring the record of a file up to date; true when it was not.
+static bool refresh(struct watch_file *file)
+{
+    struct stat status;
+    struct watch_file now = {.path = file->path};
+    if (stat(file->path, &status) == 0) {
+        now.changed = MODIFIED(status);
+        now.size = status.st_size;
+        now.inode = status.st_ino;
+    }
+    bool same = now.changed.tv_sec == file->changed.tv_sec &&
+                now.changed.tv_nsec == file->changed.tv_nsec && now.size == file->size &&
+                now.inode == file->inode;
+    *file = now;
+    return !same;
+}
+
+bool watch_add(struct watch *watch, const char *path)
+{
+    for (int i = 0; i < watch->count; i++)
+        if (strcmp(watch->file[i].path, path) == 0)
+            return true;
+    struct watch_file *file =
+        realloc(watch->file, ((size_t)watch->count + 1) * sizeof *watch->file);
+    char *copy = malloc(strlen(path) + 1);
+    if (file != NULL)
+        watch->file = file;
+    if (file == NULL || copy == NULL) {
+        free(copy);
+        report("%s: not enough memory to watch it for changes", path);
+        return false;
+    }
+    strcpy(copy, path);
+    file[watch->count] = (struct watch_file){.path = copy};
+    refresh(&file[watch->count]);
+    watch->count++;
+    return true;
+}
+
+bool watch_look(struct watch *watch)
+{
+    bool news = false, whole = true;
+    for (int i = 0; i < watch->count; i++) {
+        news |= refresh(&watch->file[i]);
+        whole &= watch->file[i].size > 0;
+    }
+    if (news) {
+        watch->pending = true;
+        watch->quiet = 0;
+        return false;
+    }
+    watch->quiet++;
+    if (!watch->pending || watch->quiet < (whole ? LOOKS_WHEN_WHOLE : LOOKS_WHEN_MISSING))
+        return false;
+    watch->pending = false;
+    return true;
+}
+
+static bool is_among(const char *path, const char *first, char *const *others, int count)
+{
+    bool found = strcmp(path, first) == 0;
+    for (int i = 0; i < count && !found; i++)
+        found = strcmp(path, others[i]) == 0;
+    return found;
+}
+
+void watch_keep(struct watch *watch, const char *first, char *const *others, int count)
+{
+    int kept = 0;
+    for (int i = 0; i < watch->count; i++) {
+        if (is_among(watch->file[i].path, first, others, count))
+            watch->file[kept++] = watch->file[i];
+        else
+            free(watch->file[i].path);
+    }
+    watch->count = kept;
+}
+
+void watch_clear(struct watch *watch)
+{
+    for (int i = 0; i < watch->count; i++)
+        free(watch->file[i].path);
+    free(watch->file);
+    *watch = (struct watch){0};
+}

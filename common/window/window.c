@@ -1,0 +1,163 @@
+#include "window/window.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "report.h"
+#include "window/state.h"
+
+// A little less than 1/60 s, so that the display's own beat sets the pace where there is one.
+#define FRAME_SECONDS 0.0163
+#define LOOK_SECONDS  0.1  // between two looks at the shader's files
+#define TITLE_SECONDS 0.25 // between two changes of the title bar
+
+// ---- Reload ----
+
+static void watch_files(struct window *window, const struct shader_source *source)
+{
+    for (int i = 0; i < source->file_count; i++)
+        watch_add(&window->watch, source->paths[i]);
+}
+
+// Load the shader again. One that is broken leaves the last good picture; then its files, and those
+// of the last good one, are all watched for the repair.
+static void reload(struct window *window)
+{
+    struct renderer *renderer = window->renderer;
+    struct shader_source source = {0};
+    bool loaded = false;
+    if (shader_read(&source, window->shader, renderer->root)) {
+        watch_files(window, &source);
+        loaded = renderer_load(renderer, window->shader);
+        shader_free(&source);
+    }
+    window->broken = !loaded;
+    snprintf(window->error, sizeof window->error, "%s", loaded ? "" : report_last());
+    window->why[0] = '\0';
+    window->dirty = true;
+    window->stale |= loaded;
+    window->retitle_at = 0.0;
+    if (loaded) {
+        const struct shader_source *good = &renderer->fragment;
+        watch_keep(&window->watch, window->shader, good->paths, good->file_count);
+        printf("%s: loaded again\n", window->shader);
+        fflush(stdout);
+    }
+}
+
+// ---- The loop ----
+
+// Take over the size of the framebuffer, which on a high-density display is larger than the
+// window's. Returns false while there is nothing to draw on.
+static bool take_size(struct window *window)
+{
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window->handle, &width, &height);
+    bool hidden = glfwGetWindowAttrib(window->handle, GLFW_ICONIFIED) != 0;
+    if (width < 1 || height < 1 || hidden) {
+        window->dirty = true;
+        return false;
+    }
+    if (width != window->inputs.width || height != window->inputs.height)
+        window->stale = true;
+    window->inputs.width = width;
+    window->inputs.height = height;
+    return true;
+}
+
+// Wait until the next frame is due, or, while the picture stands still, until something happens.
+static void wait_for_turn(const struct window *window)
+{
+    double due = window->frame + FRAME_SECONDS;
+    if (window->drew || window_input_moves(&window->input))
+        glfwPollEvents();
+    else
+        glfwWaitEventsTimeout(LOOK_SECONDS);
+    double left = due - glfwGetTime();
+    while (left > 0.0) {
+        glfwWaitEventsTimeout(left);
+        left = due - glfwGetTime();
+    }
+}
+
+static bool turn(struct window *window)
+{
+    double now = glfwGetTime();
+    bool visible = take_size(window);
+    window->moved = false;
+    if (!window->paused && !window->shooting) {
+        window->inputs.time += now - window->turn;
+        window->moved |= window_uses_time(window);
+    }
+    window->moved |= window_pass(window, now - window->turn);
+    window->turn = now;
+    window_obey(window);
+    window->stale |= window->moved;
+    if (now >= window->look_at) {
+        window->look_at = now + LOOK_SECONDS;
+        if (watch_look(&window->watch))
+            reload(window);
+    }
+    bool drawing = visible && (window->dirty || window->stale || window_sharpens(window, now));
+    if (drawing && !window_draw(window, now))
+        return false;
+    window->drew = drawing;
+    if (visible && !window->stale && window_shoots(window))
+        window_shoot(window);
+    if (now >= window->retitle_at) {
+        window->retitle_at = now + TITLE_SECONDS;
+        window_retitle(window);
+    }
+    return true;
+}
+
+// Until the window is closed; false, reported, when drawing failed.
+static bool run(struct window *window)
+{
+    const struct renderer *renderer = window->renderer;
+    glfwSwapInterval(1);
+    window_input_open(&window->input, window->handle);
+    watch_add(&window->watch, window->shader);
+    watch_files(window, &renderer->fragment);
+    while (renderer->gl->GetError() != GL_NO_ERROR)
+        continue; // of what came before the first frame
+    window->turn = glfwGetTime();
+    bool done = true;
+    while (done && !glfwWindowShouldClose(window->handle)) {
+        wait_for_turn(window);
+        done = turn(window);
+    }
+    watch_clear(&window->watch);
+    return done;
+}
+
+bool window_run(struct context *context, struct renderer *renderer, const struct options *options,
+                const char *title, const char *stem, const char *shader)
+{
+    struct window window = {
+        .handle = context->window,
+        .renderer = renderer,
+        .options = options,
+        .title = title,
+        .stem = stem,
+        .shader = shader,
+        .inputs = {.camera = options->camera,
+                   .time = options->time,
+                   .samples = options->samples,
+                   .pixel = {-1, -1},
+                   .zoom = 1.0f},
+        .probe = malloc(sizeof(struct renderer_probe)),
+        .stale = true,
+    };
+    if (window.probe == NULL)
+        report("window: not enough memory");
+    if (window.probe == NULL || !overlay_open(&window.overlay, renderer->gl)) {
+        free(window.probe);
+        return false;
+    }
+    bool done = run(&window);
+    renderer->overlay = NULL;
+    overlay_close(&window.overlay);
+    free(window.probe);
+    return done;
+}
