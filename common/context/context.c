@@ -123,7 +123,6 @@ bool context_open_offscreen(struct context *context, enum context_backend wanted
     return false;
 }
 
-#ifdef HAVE_GLFW
 bool context_open_window(struct context *context, enum context_backend wanted, const char *title,
                          int width, int height)
 {
@@ -133,10 +132,17 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
                names[wanted]);
         return false;
     }
+    const struct context_driver *const *driver = drivers;
+    while (*driver != NULL && (*driver)->open_window == NULL)
+        driver++;
+    if (*driver == NULL) {
+        report_not_built_in(CONTEXT_GLFW);
+        return false;
+    }
     char why[WHY_SIZE] = "";
-    void *state = context_glfw_open_window(title, width, height, why, sizeof why);
-    if (state != NULL && take(context, &context_driver_glfw, state, why, sizeof why)) {
-        context->window = context_glfw_window(state);
+    void *state = (*driver)->open_window(title, width, height, why, sizeof why);
+    if (state != NULL && take(context, *driver, state, why, sizeof why)) {
+        context->window = state;
         return load(context);
     }
     report(
@@ -145,19 +151,6 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
         NEEDED_MAJOR, NEEDED_MINOR, why);
     return false;
 }
-#else
-bool context_open_window(struct context *context, enum context_backend wanted, const char *title,
-                         int width, int height)
-{
-    (void)title, (void)width, (void)height;
-    *context = (struct context){0};
-    if (wanted != CONTEXT_ANY && wanted != CONTEXT_GLFW)
-        report("%s: cannot show a window: choose a file with --output FILE.png", names[wanted]);
-    else
-        report_not_built_in(CONTEXT_GLFW);
-    return false;
-}
-#endif
 
 void context_close(struct context *context)
 {

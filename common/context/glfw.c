@@ -1,4 +1,4 @@
-#include "context/context.h"
+#include "context/driver.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -64,17 +64,12 @@ static void *open_offscreen(char *why, size_t why_size)
     return open_window(false, "", HIDDEN_SIZE, HIDDEN_SIZE, why, why_size);
 }
 
-void *context_glfw_open_window(const char *title, int width, int height, char *why, size_t why_size)
+static void *open_visible(const char *title, int width, int height, char *why, size_t why_size)
 {
     GLFWwindow *window = open_window(true, title, width, height, why, why_size);
     if (window != NULL)
         glfwSwapInterval(1);
     return window;
-}
-
-struct GLFWwindow *context_glfw_window(void *state)
-{
-    return state;
 }
 
 static gl_function find(const char *name)
@@ -91,5 +86,6 @@ static void close_window(void *state)
 const struct context_driver context_driver_glfw = {.backend = CONTEXT_GLFW,
                                                    .name = "glfw",
                                                    .open_offscreen = open_offscreen,
+                                                   .open_window = open_visible,
                                                    .find = find,
                                                    .close = close_window};

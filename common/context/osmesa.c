@@ -1,4 +1,4 @@
-#include "context/context.h"
+#include "context/driver.h"
 
 #include <dlfcn.h>
 #include <stdio.h>
