@@ -106,6 +106,15 @@ static int print_shader(const struct run *run)
     return DONE;
 }
 
+// Give the parameters the values of the command line. Returns the exit status.
+static int assign_settings(const struct options *options, struct parameters *parameters)
+{
+    for (int i = 0; i < options->setting_count; i++)
+        if (!parameters_assign(parameters, options->settings[i]))
+            return WRONG_COMMAND_LINE;
+    return DONE;
+}
+
 // Read the shader and its parameters, with the values of the command line.
 // Returns the exit status; the caller frees both in any case.
 static int read_with_settings(const struct run *run, struct shader_source *source,
@@ -113,10 +122,7 @@ static int read_with_settings(const struct run *run, struct shader_source *sourc
 {
     if (!shader_read(source, run->shader, run->root) || !parameters_read(parameters, source))
         return NOT_DONE;
-    for (int i = 0; i < run->options.setting_count; i++)
-        if (!parameters_assign(parameters, run->options.settings[i]))
-            return WRONG_COMMAND_LINE;
-    return DONE;
+    return assign_settings(&run->options, parameters);
 }
 
 static int list_parameters(const struct run *run)
@@ -266,45 +272,53 @@ static bool work_still(const struct run *run, struct renderer *renderer)
     return done;
 }
 
-static const char *shader_name(const struct run *run)
-{
-    return run->options.shader != NULL ? run->options.shader : run->chapter->stem;
-}
-
-// Load the shader and give it the values of the command line. Returns the exit status.
-static int load(const struct run *run, struct renderer *renderer, struct benchmark *benchmark)
+static int run_benchmark(const struct run *run, const struct context *context,
+                         struct renderer *renderer)
 {
     const struct options *options = &run->options;
-    renderer->view = options->view;
-    if (!benchmark_load(benchmark, renderer, run->shader))
+    struct benchmark benchmark = {.shader = options->shader != NULL ? options->shader
+                                                                    : run->chapter->stem,
+                                  .frames = options->benchmark,
+                                  .inputs = still_inputs(options)};
+    if (!benchmark_load(&benchmark, renderer, run->shader))
         return NOT_DONE;
-    for (int i = 0; i < options->setting_count; i++)
-        if (!parameters_assign(&renderer->parameters, options->settings[i]))
-            return WRONG_COMMAND_LINE;
+    int status = assign_settings(options, &renderer->parameters);
+    if (status != DONE)
+        return status;
+    if (!benchmark_run(&benchmark, context, renderer))
+        return NOT_DONE;
+    benchmark_print(&benchmark, options->json, stdout);
     return DONE;
 }
 
-// With a context and a renderer: load the shader, then carry out what was asked.
-static int work(struct run *run, struct context *context, struct renderer *renderer)
+static bool open_loop(const struct run *run, struct context *context, struct renderer *renderer)
 {
     const struct options *options = &run->options;
-    struct benchmark benchmark = {
-        .shader = shader_name(run), .frames = options->benchmark, .inputs = still_inputs(options)};
-    int status = load(run, renderer, &benchmark);
+    const struct window_start start = {.title = title_of(run),
+                                       .stem = run->chapter->stem,
+                                       .shader = run->shader,
+                                       .camera = options->camera,
+                                       .time = options->time,
+                                       .samples = options->samples,
+                                       .overlay_scale = options->overlay,
+                                       .overlay_kept = options->has_overlay};
+    return window_run(context, renderer, &start);
+}
+
+// With a context and a renderer: load the shader, then carry out what was asked.
+static int work(const struct run *run, struct context *context, struct renderer *renderer)
+{
+    renderer->view = run->options.view;
+    if (run->options.benchmark > 0)
+        return run_benchmark(run, context, renderer);
+    if (!renderer_load(renderer, run->shader))
+        return NOT_DONE;
+    int status = assign_settings(&run->options, &renderer->parameters);
     if (status != DONE)
         return status;
-    if (options->benchmark > 0) {
-        bool done = benchmark_run(&benchmark, context, renderer);
-        if (done)
-            benchmark_print(&benchmark, options->json, stdout);
-        return done ? DONE : NOT_DONE;
-    }
-    if (context->window != NULL)
-        return window_run(context, renderer, options, title_of(run), run->chapter->stem,
-                          run->shader)
-                   ? DONE
-                   : NOT_DONE;
-    return work_still(run, renderer) ? DONE : NOT_DONE;
+    bool done =
+        context->window != NULL ? open_loop(run, context, renderer) : work_still(run, renderer);
+    return done ? DONE : NOT_DONE;
 }
 
 static int open_and_work(struct run *run)

@@ -111,7 +111,7 @@ static bool find_name(const struct window *window, char path[256])
 {
     int number = 1;
     do
-        snprintf(path, 256, "%.200s-%04d.png", window->stem, number);
+        snprintf(path, 256, "%.200s-%04d.png", window->start->stem, number);
     while (access(path, F_OK) == 0 && ++number <= LAST_SCREENSHOT);
     if (number > LAST_SCREENSHOT)
         report("%s: all names up to this one are taken: move some screenshots away", path);
@@ -225,11 +225,11 @@ static void act(struct window *window, struct window_event event)
         window->paused = !window->paused;
         break;
     case WINDOW_RESTART:
-        window->inputs.time = window->options->time;
+        window->inputs.time = window->start->time;
         break;
     case WINDOW_BEGIN:
-        window->inputs.time = window->options->time;
-        window->inputs.camera = window->options->camera;
+        window->inputs.time = window->start->time;
+        window->inputs.camera = window->start->camera;
         break;
     case WINDOW_SCREENSHOT:
         window->shooting = true;

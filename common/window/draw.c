@@ -26,7 +26,7 @@ void window_retitle(struct window *window)
         parameter_value_text(parameter, value, sizeof value);
     if (window->rate > 0.0)
         snprintf(rate, sizeof rate, " - %.0f fps", window->rate);
-    snprintf(text, sizeof text, "%.60s%s%s - %s%s%.63s%s%.60s%s", window->title,
+    snprintf(text, sizeof text, "%.60s%s%s - %s%s%.63s%s%.60s%s", window->start->title,
              window->broken ? " - error: see terminal" : "", rate,
              shader_view_name(window->renderer->view), parameter != NULL ? " - " : "",
              parameter != NULL ? parameter->name : "", parameter != NULL ? " = " : "", value,
@@ -149,10 +149,10 @@ static void gather(struct window *window)
 {
     const struct renderer_inputs *inputs = &window->inputs;
     const struct parameter *chosen = window_chosen(window);
-    double scale = window->options->overlay;
+    double scale = window->start->overlay_scale;
     name_keys(window);
     struct panel panel = {
-        .title = window->title,
+        .title = window->start->title,
         .renderer = window->renderer,
         .chosen = chosen != NULL ? chosen->name : NULL,
         .rate = window->figures[0],
@@ -173,7 +173,7 @@ static void gather(struct window *window)
     };
     panel_gather(&panel, &window->overlay, inputs->width, inputs->height,
                  scale > 0.0 ? (float)scale : overlay_scale_of(inputs->height));
-    window->renderer->overlay = window->options->has_overlay ? &window->overlay : NULL;
+    window->renderer->overlay = window->start->overlay_kept ? &window->overlay : NULL;
 }
 
 // ---- A frame ----

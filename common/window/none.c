@@ -3,10 +3,10 @@
 
 #include "report.h"
 
-bool window_run(struct context *context, struct renderer *renderer, const struct options *options,
-                const char *title, const char *stem, const char *shader)
+bool window_run(struct context *context, struct renderer *renderer,
+                const struct window_start *start)
 {
-    (void)context, (void)renderer, (void)options, (void)stem, (void)shader;
-    report("%s: built without GLFW, which opens windows: run make setup, then make", title);
+    (void)context, (void)renderer;
+    report("%s: built without GLFW, which opens windows: run make setup, then make", start->title);
     return false;
 }

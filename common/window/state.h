@@ -5,20 +5,19 @@
 #ifndef WINDOW_STATE_H
 #define WINDOW_STATE_H
 
-#include "options.h"
 #include "picture/overlay.h"
 #include "picture/panel.h"
 #include "picture/renderer.h"
 #include "window/watch.h"
 #include "window/input.h"
+#include "window/window.h"
 
 #define WINDOW_KEYS 20 // entries of the overlay's list of keys, at most
 
 struct window {
     GLFWwindow *handle;
     struct renderer *renderer;
-    const struct options *options;
-    const char *title, *stem, *shader;
+    const struct window_start *start;
     struct window_input input;
     struct watch watch;
     struct renderer_inputs inputs; // of the frame on the screen

@@ -26,9 +26,9 @@ static void reload(struct window *window)
     struct renderer *renderer = window->renderer;
     struct shader_source source = {0};
     bool loaded = false;
-    if (shader_read(&source, window->shader, renderer->root)) {
+    if (shader_read(&source, window->start->shader, renderer->root)) {
         watch_files(window, &source);
-        loaded = renderer_load(renderer, window->shader);
+        loaded = renderer_load(renderer, window->start->shader);
         shader_free(&source);
     }
     window->broken = !loaded;
@@ -39,8 +39,8 @@ static void reload(struct window *window)
     window->retitle_at = 0.0;
     if (loaded) {
         const struct shader_source *good = &renderer->fragment;
-        watch_keep(&window->watch, window->shader, good->paths, good->file_count);
-        printf("%s: loaded again\n", window->shader);
+        watch_keep(&window->watch, window->start->shader, good->paths, good->file_count);
+        printf("%s: loaded again\n", window->start->shader);
         fflush(stdout);
     }
 }
@@ -117,7 +117,7 @@ static bool run(struct window *window)
     const struct renderer *renderer = window->renderer;
     glfwSwapInterval(1);
     window_input_open(&window->input, window->handle);
-    watch_add(&window->watch, window->shader);
+    watch_add(&window->watch, window->start->shader);
     watch_files(window, &renderer->fragment);
     while (renderer->gl->GetError() != GL_NO_ERROR)
         continue; // of what came before the first frame
@@ -131,19 +131,16 @@ static bool run(struct window *window)
     return done;
 }
 
-bool window_run(struct context *context, struct renderer *renderer, const struct options *options,
-                const char *title, const char *stem, const char *shader)
+bool window_run(struct context *context, struct renderer *renderer,
+                const struct window_start *start)
 {
     struct window window = {
         .handle = context->window,
         .renderer = renderer,
-        .options = options,
-        .title = title,
-        .stem = stem,
-        .shader = shader,
-        .inputs = {.camera = options->camera,
-                   .time = options->time,
-                   .samples = options->samples,
+        .start = start,
+        .inputs = {.camera = start->camera,
+                   .time = start->time,
+                   .samples = start->samples,
                    .pixel = {-1, -1},
                    .zoom = 1.0f},
         .probe = malloc(sizeof(struct renderer_probe)),
