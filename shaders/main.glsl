@@ -27,7 +27,7 @@ uniform vec2 iProbe; // centre of the pixel whose ray is marched, in pixels
 // Row 2: steps of all marches, evaluations, where the first march was asked to look.
 void main()
 {
-    trace = Trace(0, 0, 0, vec2(0.0), 0, 0.0, END_NONE, 0, vec3(0.0), int(gl_FragCoord.x), 0.0, 0.0);
+    traceReset(int(gl_FragCoord.x));
     Ray ray = pixelRay(screenPosition(iProbe));
     rayColour(ray);
     int row = int(gl_FragCoord.y);
@@ -43,7 +43,7 @@ void main()
 
 void main()
 {
-    trace = Trace(0, 0, 0, vec2(0.0), 0, 0.0, END_NONE, 0, vec3(0.0), -1, 0.0, 0.0);
+    traceReset(-1);
     vec2 pixel = gl_FragCoord.xy + iPixelOffset;
     Ray ray = pixelRay(screenPosition(pixel));
     vec3 colour = rayColour(ray);

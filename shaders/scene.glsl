@@ -42,6 +42,13 @@ struct Trace {
 
 Trace trace;
 
+// Forget all rays: with this every pixel begins.
+//   wanted  the step whose numbers a probe asks for, from 0; -1: none
+void traceReset(int wanted)
+{
+    trace = Trace(0, 0, 0, vec2(0.0), 0, 0.0, END_NONE, 0, vec3(0.0), wanted, 0.0, 0.0);
+}
+
 // The scene's distance, counted. March, normal and shadow ask this function, never sceneDistance.
 float distanceAt(vec3 p)
 {

@@ -203,7 +203,7 @@ static void put_course(struct export *e)
     put(e, "\n// ---- What Shadertoy calls ----\n\n"
            "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"
            "{\n"
-           "    trace = Trace(0, 0, 0, vec2(0.0), 0, 0.0, END_NONE, 0, vec3(0.0), -1, 0.0, 0.0);\n"
+           "    traceReset(-1);\n"
            "    vec3 colour = rayColour(pixelRay(screenPosition(fragCoord)));\n"
            "    fragColor = vec4(clamp(colour, 0.0, 1.0), 1.0);\n"
            "}\n");

@@ -57,7 +57,7 @@ void main()
     int item = pixel.x / 4 + 256 * pixel.y;
     int slot = pixel.x % 4;
     seed = uint(item) * 9781u + 17u;
-    trace = Trace(0, 0, 0, vec2(0.0), 0, 0.0, END_NONE, 0, vec3(0.0), -1, 0.0, 0.0);
+    traceReset(-1);
     Ray ray = randomRay(item);
     vec4 first = vec4(0.0), second = vec4(0.0);
     if (Time < 10.0) {
