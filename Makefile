@@ -92,8 +92,8 @@ $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
 $(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
-$(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/common/picture/image.o \
-    $(BUILD)/common/picture/image_compare.o $(BUILD)/common/report.o $(EXTRA)
+$(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/support_compare.o \
+    $(BUILD)/common/picture/image.o $(BUILD)/common/report.o $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 # libFuzzer brings its own main.

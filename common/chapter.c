@@ -169,7 +169,7 @@ static int print_version(const struct run *run)
 // Draw the overlay over a picture that is about to be written. The caller closes the overlay.
 //   probe  of the pixel that --probe names, or NULL
 static bool add_overlay(const struct run *run, struct renderer *renderer,
-                        const struct renderer_inputs *inputs, const struct renderer_probe *probe,
+                        const struct renderer_inputs *inputs, const struct probe *probe,
                         struct overlay *overlay)
 {
     double scale = run->options.overlay;
@@ -187,7 +187,7 @@ static bool add_overlay(const struct run *run, struct renderer *renderer,
 }
 
 static bool write_picture(const struct run *run, struct renderer *renderer,
-                          const struct renderer_inputs *inputs, const struct renderer_probe *probe,
+                          const struct renderer_inputs *inputs, const struct probe *probe,
                           const char *path)
 {
     struct image image = {0};
@@ -253,7 +253,7 @@ static bool work_still(const struct run *run, struct renderer *renderer)
 {
     const struct options *options = &run->options;
     struct renderer_inputs inputs = still_inputs(options);
-    struct renderer_probe *probe = NULL;
+    struct probe *probe = NULL;
     bool done = true;
     if (options->frames > 0)
         return write_frames(run, renderer);

@@ -5,7 +5,7 @@
 // 1 outside, 2 when it could not compare.
 #include <stdio.h>
 
-#include "../common/picture/image.h"
+#include "support_compare.h"
 
 enum { SAME = 0, DIFFERENT = 1, NOT_COMPARED = 2 };
 

@@ -36,9 +36,9 @@ static void add(struct samples *samples, const struct bound_case *of, struct mir
 // Between the steps of the march as the probe has it, from where it was asked to look to where it
 // hit or was to end.
 static bool sample_ray(struct samples *samples, const struct bound_case *of, struct mirror_ray ray,
-                       const struct renderer_probe *probe)
+                       const struct probe *probe)
 {
-    const struct renderer_step *last = &probe->step[probe->steps - 1];
+    const struct probe_step *last = &probe->step[probe->steps - 1];
     double t = (double)last->t, far = (double)probe->interval[1];
     samples->item = malloc(((size_t)probe->steps * PARTS + 1) * sizeof *samples->item);
     samples->count = 0;
@@ -71,7 +71,7 @@ static double steepest(const struct samples *samples)
 // ---- All rays ----
 
 static void add_ray(struct bound_sums sums[2], const struct samples *samples,
-                    const struct renderer_probe *probe, const float *shader)
+                    const struct probe *probe, const float *shader)
 {
     struct bound_sums *sum = &sums[samples->hit];
     struct cover_count count = cover_of(samples->item, samples->count, samples->hit);
@@ -94,7 +94,7 @@ static bool look_at(struct gpu *gpu, const struct bound_case *of,
                     const struct renderer_inputs *inputs, int pixel, const float *shader,
                     struct bound_sums sums[2])
 {
-    static struct renderer_probe probe; // too large for the stack
+    static struct probe probe; // too large for the stack
     int x = pixel % WIDTH, y = pixel / WIDTH;
     struct samples samples;
     struct mirror_ray ray = mirror_screen_ray(&inputs->camera, MIRROR_FOCAL_LENGTH,

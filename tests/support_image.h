@@ -7,6 +7,7 @@
 #include <stdbool.h>
 
 #include "../common/picture/image.h"
+#include "support_compare.h"
 
 // A folder of one test alone, and paths in it where nothing is yet.
 struct picture_folder {

@@ -1,4 +1,4 @@
-// Unit tests of common/picture/image_compare.c: the two numbers that decide whether two pictures are the
+// Unit tests of tests/support_compare.c: the two numbers that decide whether two pictures are the
 // same.
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../common/picture/image.h"
+#include "support_compare.h"
 #include "support_image.h"
 #include "support_scratch.h"
 

@@ -1,4 +1,4 @@
-// Unit tests of common/picture/image.c: what image_read_png takes, and what it refuses.
+// Unit tests of tests/support_compare.c: what image_read_png takes, and what it refuses.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -11,7 +11,7 @@
 
 #include <png.h>
 
-#include "../common/picture/image.h"
+#include "support_compare.h"
 #include "support_image.h"
 #include "support_scratch.h"
 

@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "support_compare.h"
 #include "support_gpu.h"
 #include "support_scratch.h"
 

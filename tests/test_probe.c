@@ -22,7 +22,7 @@
 enum { WIDTH = 640, HEIGHT = 360 };
 
 static struct gpu gpu;
-static struct renderer_probe probe; // too large for the stack
+static struct probe probe; // too large for the stack
 
 static int open_gpu(void **unused)
 {
@@ -82,7 +82,7 @@ struct limits {
     int max_steps;
 };
 
-static void check_row(const struct walk *walk, const struct renderer_step *row)
+static void check_row(const struct walk *walk, const struct probe_step *row)
 {
     assert_true((double)row->t >= walk->low && (double)row->t <= walk->high);
     assert_true((double)row->distance >= walk->nearest && (double)row->distance <= walk->widest);
@@ -92,7 +92,7 @@ static void check_row(const struct walk *walk, const struct renderer_step *row)
 
 // Walk to the end; with a table, every row of it must lie in its interval.
 static struct outcome walk_to_end(struct walk *walk, const struct limits *limits,
-                                  const struct renderer_probe *table)
+                                  const struct probe *table)
 {
     struct outcome outcome = {0, walk->low < limits->t_max ? MIRROR_NONE : MIRROR_PASSED};
     double edge = 8.0 * MIRROR_FLOAT_ROUNDING * limits->t_max;
@@ -209,7 +209,7 @@ static void check_pixel(struct subject *subject, int x, int y)
                         .high = start + width};
     assert_true(renderer_probe(&gpu.renderer, &subject->inputs, x, y, &probe));
     subject->ends[probe.end]++;
-    assert_int_equal(probe.evaluations, probe.all_steps + (probe.end == RENDERER_HIT ? 6 : 0));
+    assert_int_equal(probe.evaluations, probe.all_steps + (probe.end == PROBE_HIT ? 6 : 0));
     compare_pixel(subject, &walk, &limits);
 }
 
@@ -225,10 +225,10 @@ static void check_chapter(struct subject *subject)
             check_pixel(subject, x, y);
     print_message("# %s: %d pixels compared, %d that rounding decides; %d hits, known to %.1g; %d "
                   "passed\n",
-                  subject->stem, subject->decided, subject->undecided, subject->ends[RENDERER_HIT],
-                  subject->widest, subject->ends[RENDERER_PASSED]);
+                  subject->stem, subject->decided, subject->undecided, subject->ends[PROBE_HIT],
+                  subject->widest, subject->ends[PROBE_PASSED]);
     assert_true(subject->decided > 5 * subject->undecided && subject->widest < 0.001);
-    assert_true(subject->ends[RENDERER_HIT] > 20 && subject->ends[RENDERER_PASSED] > 20);
+    assert_true(subject->ends[PROBE_HIT] > 20 && subject->ends[PROBE_PASSED] > 20);
 }
 
 static void test_probe_of_chapter_01(void **unused)

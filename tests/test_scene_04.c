@@ -24,7 +24,7 @@ static const struct d3 low = {-3.25, -0.27, -3.25}, high = {3.25, 1.6, 3.25};
 static const struct d3 to_sun = {-0.72, 0.6, 0.3487};
 
 static struct gpu gpu;
-static struct renderer_probe probe; // too large for the stack
+static struct probe probe; // too large for the stack
 
 static int open_gpu(void **unused)
 {
@@ -218,7 +218,7 @@ static void test_pixels(void **unused)
 // much farther. Eight roundings of numbers up to the distance of the eye and t.
 static void check_row(struct mirror_ray ray, int row)
 {
-    const struct renderer_step *step = &probe.step[row];
+    const struct probe_step *step = &probe.step[row];
     double slack = 8.0 * MIRROR_FLOAT_ROUNDING * (d3_length(ray.origin) + (double)step->t);
     struct d3 p = mirror_at(ray, (double)step->t);
     assert_true(d3_length(d3_sub(p, d3_of(step->position))) <= slack);
@@ -226,7 +226,7 @@ static void check_row(struct mirror_ray ray, int row)
     bool last = row == probe.steps - 1;
     if (!last)
         assert_true(fabs((double)(step[1].t - step->t) - (double)step->distance) <= slack);
-    assert_true(((double)step->distance < threshold) == (last && probe.end == RENDERER_HIT));
+    assert_true(((double)step->distance < threshold) == (last && probe.end == PROBE_HIT));
 }
 
 static void check_pixel(const struct renderer_inputs *inputs, int x, int y, int *rows)

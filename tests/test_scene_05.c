@@ -25,7 +25,7 @@ static const double speed[3] = {3.55, 4.46, 4.94};
 static const struct d3 sun_colour = {2.6, 1.6, 0.7};
 
 static struct gpu gpu;
-static struct renderer_probe probe; // too large for the stack
+static struct probe probe; // too large for the stack
 
 static int open_gpu(void **unused)
 {
@@ -313,20 +313,20 @@ static void test_probe(void **unused)
             assert_true(renderer_probe(&gpu.renderer, &inputs, x, y, &probe));
             ends[probe.end]++;
             for (int i = 0; i < probe.steps; i++, steps++) {
-                const struct renderer_step *step = &probe.step[i];
+                const struct probe_step *step = &probe.step[i];
                 struct d3 p = mirror_at(ray, (double)step->t);
                 worst = fmax(worst, d3_length(d3_sub(p, d3_of(step->position))));
                 double f = mirror_distance(&scene, p, NULL);
                 worst = fmax(worst, fabs((double)step->distance - f));
                 bool last = i == probe.steps - 1, hit = step->distance < 0.004f;
-                assert_true(last ? hit == (probe.end == RENDERER_HIT) : !hit);
+                assert_true(last ? hit == (probe.end == PROBE_HIT) : !hit);
                 if (!last)
                     worst = fmax(worst, fabs((double)(step[1].t - step->t - step->distance)));
             }
         }
     print_message("# %d steps, off by at most %.2g; %d hits, %d passed, %d gave up\n", steps, worst,
-                  ends[RENDERER_HIT], ends[RENDERER_PASSED], ends[RENDERER_GAVE_UP]);
-    assert_true(worst < 1e-5 && steps > 1000 && ends[RENDERER_HIT] > 100);
+                  ends[PROBE_HIT], ends[PROBE_PASSED], ends[PROBE_GAVE_UP]);
+    assert_true(worst < 1e-5 && steps > 1000 && ends[PROBE_HIT] > 100);
 }
 
 int main(void)

@@ -24,7 +24,7 @@ static const double hit_threshold = 0.0002, normal_step = 0.0005;
 static const double spread = 1.5 / (HEIGHT * MIRROR_FOCAL_LENGTH);
 
 static struct gpu gpu;
-static struct renderer_probe probe; // too large for the stack
+static struct probe probe; // too large for the stack
 
 static int open_gpu(void **unused)
 {
@@ -231,18 +231,18 @@ static void check_table(struct mirror_ray ray, const double interval[2], int *hi
         return;
     assert_true(fabs(t - interval[0]) <= slack);
     for (int k = 0; k < probe.steps; k++) {
-        const struct renderer_step *row = &probe.step[k];
+        const struct probe_step *row = &probe.step[k];
         double truth = mirror_distance(&pyramid_scene, mirror_at(ray, (double)row->t), NULL);
         double over = (double)row->distance - hit_threshold - spread * (double)row->t;
         bool last = k == probe.steps - 1;
         assert_true(fabs((double)row->distance - truth) <= slack);
         assert_true(fabs((double)row->t - t) <= slack);
-        assert_true((over < 0.0) == (last && probe.end == RENDERER_HIT) || fabs(over) < slack);
+        assert_true((over < 0.0) == (last && probe.end == PROBE_HIT) || fabs(over) < slack);
         t = (double)row->t + (double)row->distance;
     }
-    if (probe.end == RENDERER_PASSED)
+    if (probe.end == PROBE_PASSED)
         assert_true(t >= interval[1] - slack);
-    *hits += probe.end == RENDERER_HIT;
+    *hits += probe.end == PROBE_HIT;
 }
 
 static void test_probe_is_the_march_in_double(void **unused)

@@ -19,7 +19,7 @@ static const struct d3 zenith = {0.012, 0.020, 0.075}, haze = {0.06, 0.042, 0.09
                        glow = {0.95, 0.36, 0.12}, sunset = {-0.384, 0.030, -0.923};
 
 static struct gpu gpu;
-static struct renderer_probe probe; // too large for the stack
+static struct probe probe; // too large for the stack
 
 static int open_gpu(void **unused)
 {
@@ -261,7 +261,7 @@ struct rows {
     int longest; // steps of a ray
 };
 
-static void check_row(const struct renderer_step *row, bool capped, struct rows *rows)
+static void check_row(const struct probe_step *row, bool capped, struct rows *rows)
 {
     struct d3 p = d3_of(row->position);
     double expected = capped ? capped_distance(p) : own_distance(p);
@@ -275,7 +275,7 @@ static void check_table(struct mirror_ray ray, bool capped, struct rows *rows)
     double interval[2];
     slab_interval(ray, interval);
     for (int i = 0; i < probe.steps; i++) {
-        const struct renderer_step *row = &probe.step[i];
+        const struct probe_step *row = &probe.step[i];
         double t = i == 0 ? interval[0] : (double)(row[-1].t + row[-1].distance);
         assert_true(fabs((double)row->t - t) < 4e-5);
         assert_true(d3_length(d3_sub(mirror_at(ray, (double)row->t), d3_of(row->position))) < 4e-5);
@@ -284,7 +284,7 @@ static void check_table(struct mirror_ray ray, bool capped, struct rows *rows)
         check_row(row, capped, rows);
     }
     rows->rays++;
-    rows->hits += probe.end == RENDERER_HIT;
+    rows->hits += probe.end == PROBE_HIT;
     rows->longest = probe.steps > rows->longest ? probe.steps : rows->longest;
 }
 
@@ -305,7 +305,7 @@ static void check_rays(bool capped, struct rows *rows)
             assert_int_equal(probe.evaluations, probe.all_steps);
             check_table(ray, capped, rows);
             struct found found = field_march(ray);
-            bool hit = probe.end == RENDERER_HIT;
+            bool hit = probe.end == PROBE_HIT;
             if (capped && (found.hit == hit || hit))
                 assert_true(abs(found.steps - probe.steps) <= 1);
         }

@@ -179,7 +179,7 @@ static const struct mirror_picture picture = {
     .name = STEM, .shader = SHADER, .chapter = STEM, .time = 0.0, .sample = sample_at};
 
 static struct gpu gpu;
-static struct renderer_probe probe; // too large for the stack
+static struct probe probe; // too large for the stack
 
 static int open_gpu(void **unused)
 {
@@ -245,7 +245,7 @@ static void check_rows(struct mirror_ray ray, double start, int steps)
     const double slack = 4e-6;
     double least = start - slack, most = start + slack;
     for (int k = 0; k < steps; k++) {
-        const struct renderer_step *row = &probe.step[k];
+        const struct probe_step *row = &probe.step[k];
         double t = (double)row->t;
         double distance = mirror_distance(&scene, mirror_at(ray, t), NULL);
         assert_true(t >= least && t <= most);
@@ -264,7 +264,7 @@ static bool check_march(const struct renderer_inputs *inputs, double u, int x, i
     double t[2];
     assert_true(renderer_probe(&gpu.renderer, inputs, x, y, &probe));
     if (!brute_box_interval(ray, low, high, t))
-        return probe.steps == 0 && probe.end == RENDERER_PASSED;
+        return probe.steps == 0 && probe.end == PROBE_PASSED;
     struct mirror_march march = mirror_march(&scene, ray, t[0], t[1], 0.001, 128);
     check_rows(ray, t[0], march.steps < probe.steps ? march.steps : probe.steps);
     return march.steps == probe.steps && (int)march.end == (int)probe.end;
@@ -277,7 +277,7 @@ static void check_projection(double u)
     for (int y = 8; y < HEIGHT; y += 20)
         for (int x = 10; x < WIDTH; x += 31) {
             agree += check_march(&inputs, u, x, y);
-            hits += probe.end == RENDERER_HIT;
+            hits += probe.end == PROBE_HIT;
             all++;
         }
     print_message("# u = %.2f: %d rays, %d hits; the number of steps agrees on %d\n", u, all, hits,
@@ -309,7 +309,7 @@ static void test_depth_view(void **unused)
                 assert_true(renderer_probe(&gpu.renderer, &inputs, x, y, &probe));
                 double t = probe.steps > 0 ? (double)probe.step[probe.steps - 1].t : 0.0;
                 double grey = 1.0 / (1.0 + pow(t / 6.0, 4.0));
-                if (probe.end == RENDERER_HIT)
+                if (probe.end == PROBE_HIT)
                     assert_true(fabs((double)values[4 * (y * WIDTH + x)] - grey) < 1e-5);
             }
         free(values);

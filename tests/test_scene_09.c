@@ -17,7 +17,7 @@
 #define STEM   "09_sky_and_sunset"
 
 static struct gpu gpu;
-static struct renderer_probe probe; // too large for the stack
+static struct probe probe; // too large for the stack
 
 static int open_gpu(void **unused)
 {

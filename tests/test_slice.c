@@ -39,7 +39,7 @@ static int close_all(void **unused)
 // One slice: its table, its frame, its pixels.
 struct slice {
     struct renderer_inputs inputs;
-    struct renderer_probe probe;
+    struct probe probe;
     struct slice_frame frame;
     float *values;
 };
@@ -90,7 +90,7 @@ static double from_march(const struct slice *slice, const double at[2])
 {
     double nearest = fabs(at[1]);
     for (int k = 0; k < slice->probe.steps; k++) {
-        const struct renderer_step *step = &slice->probe.step[k];
+        const struct probe_step *step = &slice->probe.step[k];
         double centre = hypot(at[0] - (double)step->t, at[1]);
         nearest = fmin(nearest, fabs(centre - fabs((double)step->distance)));
         nearest = fmin(nearest, centre);
@@ -100,7 +100,7 @@ static double from_march(const struct slice *slice, const double at[2])
 
 // Below the ray, where no number stands: the pixels of each circle are covered by 1.15 - their
 // distance to it, for its pen is 1.3 pixels wide.
-static int check_circle(const struct slice *slice, const struct renderer_step *step)
+static int check_circle(const struct slice *slice, const struct probe_step *step)
 {
     int seen = 0;
     double middle = ((double)step->t - (double)slice->frame.left) / (double)slice->frame.unit;
@@ -124,7 +124,7 @@ static void check_march(const struct slice *slice)
 {
     int positions = 0, points = 0;
     for (int k = 0; k < slice->probe.steps; k++) {
-        const struct renderer_step *step = &slice->probe.step[k];
+        const struct probe_step *step = &slice->probe.step[k];
         const float *pixel = pixel_at(slice, (double)step->t, 0.0, NULL);
         if (pixel != NULL) {
             assert_true(pixel[0] < INKED);
@@ -301,7 +301,7 @@ static void the_steps_view_agrees_with_the_table(void **unused)
     assert_true(mirror_camera(gpu.root, "01_normal_colouring", &inputs.camera));
     float *view = gpu_numbers(&gpu, &inputs);
     assert_non_null(view);
-    struct renderer_probe *probe = malloc(sizeof *probe);
+    struct probe *probe = malloc(sizeof *probe);
     assert_non_null(probe);
     static const int pixel[][2] = {{320, 180}, {340, 140}, {250, 60}, {274, 180}, {10, 300}};
     for (size_t i = 0; i < sizeof pixel / sizeof *pixel; i++) {
@@ -319,10 +319,10 @@ static void the_steps_view_agrees_with_the_table(void **unused)
 
 // ---- The frame ----
 
-static struct slice_frame frame_of(enum renderer_end end, const float *t, const float *distance,
+static struct slice_frame frame_of(enum probe_end end, const float *t, const float *distance,
                                    int steps, float zoom)
 {
-    struct renderer_probe *probe = calloc(1, sizeof *probe);
+    struct probe *probe = calloc(1, sizeof *probe);
     assert_non_null(probe);
     probe->steps = steps;
     probe->end = end;
@@ -349,27 +349,27 @@ static void the_frame_shows_the_march(void **unused)
 {
     (void)unused;
     const float hit_t[] = {0.0f, 3.0f, 4.0f}, hit[] = {3.0f, 1.0f, 1e-4f};
-    assert_shows(frame_of(RENDERER_HIT, hit_t, hit, 3, 1.0f), 0.0, 4.2);
+    assert_shows(frame_of(PROBE_HIT, hit_t, hit, 3, 1.0f), 0.0, 4.2);
     const float miss_t[] = {0.0f, 2.0f, 4.0f, 12.0f, 30.0f},
                 miss[] = {2.0f, 0.1f, 8.0f, 18.0f, 40.0f};
-    struct slice_frame frame = frame_of(RENDERER_PASSED, miss_t, miss, 5, 1.0f);
+    struct slice_frame frame = frame_of(PROBE_PASSED, miss_t, miss, 5, 1.0f);
     assert_shows(frame, 0.0, 2.2);
     assert_true((double)frame.left + WIDTH * (double)frame.unit < 12.0);
     for (int i = 0; i <= 100; i++) {
         double zooms = (double)SLICE_ZOOM_MAXIMUM / (double)SLICE_ZOOM_MINIMUM;
         float zoom = SLICE_ZOOM_MINIMUM * (float)pow(zooms, i / 100.0);
-        assert_shows(frame_of(RENDERER_PASSED, miss_t, miss, 5, zoom), 2.0, 2.0);
+        assert_shows(frame_of(PROBE_PASSED, miss_t, miss, 5, zoom), 2.0, 2.0);
     }
     // A ray that leaves a surface, as a shadow ray does: the circles grow, and the last is shown.
     const float leave_t[] = {0.0f, 0.002f, 0.006f, 1.0f, 3.5f},
                 leave[] = {0.002f, 0.004f, 0.994f, 2.5f, 4.0f};
-    assert_shows(frame_of(RENDERER_PASSED, leave_t, leave, 5, 1.0f), 0.0, 3.4);
+    assert_shows(frame_of(PROBE_PASSED, leave_t, leave, 5, 1.0f), 0.0, 3.4);
     // No march, one that ends where it starts, and distances that are no numbers.
-    assert_shows(frame_of(RENDERER_NO_MARCH, NULL, NULL, 0, 1.0f), 0.0, 1.0);
+    assert_shows(frame_of(PROBE_NO_MARCH, NULL, NULL, 0, 1.0f), 0.0, 1.0);
     const float zero[] = {0.0f}, nan[] = {NAN};
-    assert_shows(frame_of(RENDERER_HIT, zero, zero, 1, 1.0f), 0.0, 0.5);
-    assert_shows(frame_of(RENDERER_GAVE_UP, zero, nan, 1, 1.0f), 0.0, 0.5);
-    assert_shows(frame_of(RENDERER_GAVE_UP, nan, nan, 1, 1.0f), 0.0, 0.5);
+    assert_shows(frame_of(PROBE_HIT, zero, zero, 1, 1.0f), 0.0, 0.5);
+    assert_shows(frame_of(PROBE_GAVE_UP, zero, nan, 1, 1.0f), 0.0, 0.5);
+    assert_shows(frame_of(PROBE_GAVE_UP, nan, nan, 1, 1.0f), 0.0, 0.5);
 }
 
 int main(void)

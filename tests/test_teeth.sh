@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/support.sh
 
-# What the tolerance allows, as in common/picture/image.h: F2 in per cent, B8.
+# What the tolerance allows, as in tests/support_compare.h: F2 in per cent, B8.
 f2_tolerance=0.05
 b8_tolerance=0.15
 

@@ -42,9 +42,9 @@ static void load_text(const char *text)
     assert_true(renderer_load(&gpu.renderer, scratch_write("shader.frag", text)));
 }
 
-static struct renderer_probe *probe_of(const struct renderer_inputs *inputs, int x, int y)
+static struct probe *probe_of(const struct renderer_inputs *inputs, int x, int y)
 {
-    struct renderer_probe *probe = calloc(1, sizeof *probe);
+    struct probe *probe = calloc(1, sizeof *probe);
     assert_non_null(probe);
     assert_true(renderer_probe(&gpu.renderer, inputs, x, y, probe));
     return probe;
@@ -58,17 +58,17 @@ static void a_picture_leaves_no_trace_in_a_probe(void **unused)
     assert_true(gpu_load(&gpu, "chapters/02_lighting.frag"));
     struct renderer_inputs inputs = inputs_of(640, 360, 1);
     struct renderer_inputs others[] = {inputs_of(700, 530, 2), inputs_of(2, 1, 1)};
-    struct renderer_probe *first = probe_of(&inputs, 320, 100);
-    assert_int_equal(first->end, RENDERER_HIT);
+    struct probe *first = probe_of(&inputs, 320, 100);
+    assert_int_equal(first->end, PROBE_HIT);
     assert_in_range(first->steps, 3, 200);
     for (int i = 0; i < 2; i++) {
         assert_true(renderer_draw(&gpu.renderer, &others[i], 0, others[i].height));
-        struct renderer_probe *again = probe_of(&inputs, 320, 100);
+        struct probe *again = probe_of(&inputs, 320, 100);
         assert_int_equal(first->steps, again->steps);
         assert_int_equal(first->all_steps, again->all_steps);
         assert_int_equal(first->evaluations, again->evaluations);
         assert_memory_equal(first->step, again->step,
-                            (size_t)first->steps * sizeof(struct renderer_step));
+                            (size_t)first->steps * sizeof(struct probe_step));
         free(again);
     }
     free(first);
@@ -89,11 +89,11 @@ static void a_picture_leaves_no_trace_in_a_probe(void **unused)
     "    return normalAt(ray.origin, 0.01);\n"                                                     \
     "}\n"
 
-static void check_probe(const char *text, int steps, enum renderer_end end)
+static void check_probe(const char *text, int steps, enum probe_end end)
 {
     load_text(text);
     struct renderer_inputs inputs = inputs_of(200, 100, 1);
-    struct renderer_probe *probe = probe_of(&inputs, 150, 20);
+    struct probe *probe = probe_of(&inputs, 150, 20);
     assert_int_equal(probe->steps, steps);
     assert_int_equal(probe->end, end);
     assert_int_equal(probe->all_steps, steps + 2);
@@ -116,8 +116,8 @@ static void check_probe(const char *text, int steps, enum renderer_end end)
 static void a_probe_shows_every_step(void **unused)
 {
     (void)unused;
-    check_probe(TOWARDS_A_PLANE("100"), 8, RENDERER_HIT);
-    check_probe(TOWARDS_A_PLANE("5"), 5, RENDERER_GAVE_UP);
+    check_probe(TOWARDS_A_PLANE("100"), 8, PROBE_HIT);
+    check_probe(TOWARDS_A_PLANE("5"), 5, PROBE_GAVE_UP);
 }
 
 int main(void)

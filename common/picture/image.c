@@ -28,31 +28,20 @@ static unsigned char *row_of(const struct image *image, int y)
     return image->pixel + (size_t)y * row_size(image);
 }
 
-static bool size_allowed(int width, int height)
-{
-    return width >= 1 && width <= SIDE_LIMIT && height >= 1 && height <= SIDE_LIMIT;
-}
-
-static bool allocate(struct image *image, int width, int height)
-{
-    unsigned char *pixel = calloc((size_t)width * (size_t)height, CHANNELS);
-    *image = (struct image){0};
-    if (pixel != NULL)
-        *image = (struct image){.width = width, .height = height, .pixel = pixel};
-    return pixel != NULL;
-}
-
 bool image_create(struct image *image, int width, int height)
 {
     *image = (struct image){0};
-    if (!size_allowed(width, height)) {
+    if (width < 1 || width > SIDE_LIMIT || height < 1 || height > SIDE_LIMIT) {
         report("picture %dx%d: each side must be 1 to %d pixels", width, height, SIDE_LIMIT);
         return false;
     }
-    if (allocate(image, width, height))
-        return true;
-    report("picture %dx%d: not enough memory: choose a smaller one", width, height);
-    return false;
+    unsigned char *pixel = calloc((size_t)width * (size_t)height, CHANNELS);
+    if (pixel == NULL) {
+        report("picture %dx%d: not enough memory: choose a smaller one", width, height);
+        return false;
+    }
+    *image = (struct image){.width = width, .height = height, .pixel = pixel};
+    return true;
 }
 
 void image_free(struct image *image)
@@ -288,63 +277,4 @@ bool image_write_png(const struct image *image, const char *path)
     int error = encoded ? replace_undisturbed(target, folder, data, size) : 0;
     free(data);
     return (encoded && error == 0) || refuse(path, encoded ? strerror(error) : why);
-}
-
-// ---- Reading ----
-
-// May leave by longjmp.
-static void read_png(png_structp png, png_infop info, struct image *image)
-{
-    png_read_info(png, info);
-    png_uint_32 width = png_get_image_width(png, info), height = png_get_image_height(png, info);
-    if (width > SIDE_LIMIT || height > SIDE_LIMIT)
-        png_error(png, "a side is longer than 16384 pixels");
-    png_set_scale_16(png);
-    png_set_palette_to_rgb(png);
-    png_set_expand_gray_1_2_4_to_8(png);
-    png_set_gray_to_rgb(png);
-    png_set_strip_alpha(png);
-    int passes = png_set_interlace_handling(png);
-    png_read_update_info(png, info);
-    if (!allocate(image, (int)width, (int)height))
-        png_error(png, "not enough memory");
-    if (png_get_rowbytes(png, info) != row_size(image))
-        png_error(png, "a kind of PNG that is not understood");
-    for (int pass = 0; pass < passes; pass++)
-        for (int y = 0; y < image->height; y++)
-            png_read_row(png, row_of(image, y), NULL);
-    png_read_end(png, NULL);
-}
-
-static bool decode(struct image *image, FILE *file, char why[WHY_SIZE])
-{
-    png_structp png =
-        png_create_read_struct(PNG_LIBPNG_VER_STRING, why, on_png_error, on_png_warning);
-    png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
-    if (info == NULL || setjmp(png_jmpbuf(png)) != 0) {
-        png_destroy_read_struct(&png, &info, NULL);
-        return false;
-    }
-    png_init_io(png, file);
-    read_png(png, info, image);
-    png_destroy_read_struct(&png, &info, NULL);
-    return true;
-}
-
-bool image_read_png(struct image *image, const char *path)
-{
-    *image = (struct image){0};
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        report("%s: cannot be read: %s", path, strerror(errno));
-        return false;
-    }
-    char why[WHY_SIZE] = "not enough memory";
-    bool done = decode(image, file, why);
-    if (!done) {
-        report("%s: cannot be read: %s", path, ferror(file) ? strerror(errno) : why);
-        image_free(image);
-    }
-    fclose(file);
-    return done;
 }

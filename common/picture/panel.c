@@ -351,7 +351,7 @@ static void write_step(struct pen *pen, const char *const cell[STEP_COLUMNS],
     pen->top += LINE;
 }
 
-static void write_steps(struct pen *pen, const struct renderer_probe *probe, int most)
+static void write_steps(struct pen *pen, const struct probe *probe, int most)
 {
     int rows = probe_rows(probe), first = rows > most ? rows - most : 0;
     write_step(pen, (const char *const[]){"step", "t", "distance"}, DIM);
@@ -364,10 +364,10 @@ static void write_steps(struct pen *pen, const struct renderer_probe *probe, int
     }
 }
 
-static void write_outcome(struct pen *pen, const struct renderer_probe *probe)
+static void write_outcome(struct pen *pen, const struct probe *probe)
 {
     char text[80];
-    write_line(pen, probe_end(probe), BRIGHT);
+    write_line(pen, probe_outcome(probe), BRIGHT);
     snprintf(text, sizeof text, "steps %d, of all marches %d", probe->steps, probe->all_steps);
     write_line(pen, text, PLAIN);
     snprintf(text, sizeof text, "evaluations of the scene %d", probe->evaluations);
@@ -381,7 +381,7 @@ static float march_left(const struct overlay *overlay)
 
 static void write_march(const struct panel *panel, struct overlay *overlay, float bottom)
 {
-    const struct renderer_probe *probe = panel->probe;
+    const struct probe *probe = panel->probe;
     // Heading, titles, three lines of the outcome, two rules.
     int most = (int)((bottom - MARGIN - 2.0f * PADDING) / LINE) - 6;
     int rows = probe_rows(probe) < most ? probe_rows(probe) : most;

@@ -28,8 +28,8 @@ struct panel {
     const char *hint; // what to press; NULL or "": none
     const struct panel_key *keys;
     int key_count;
-    int pixel[2];                       // whose march is shown, 0,0 bottom left; -1,-1: none
-    const struct renderer_probe *probe; // its march, or NULL: then why says why there is none
+    int pixel[2];              // whose march is shown, 0,0 bottom left; -1,-1: none
+    const struct probe *probe; // its march, or NULL: then why says why there is none
     const char *why;
     const char *error; // its lines ended by '\n'; NULL or "": none
     bool broken;       // the error is that of a reload; else it says why a view is refused

@@ -1,25 +1,25 @@
 #include "picture/probe.h"
 
-int probe_rows(const struct renderer_probe *probe)
+int probe_rows(const struct probe *probe)
 {
-    return probe->steps < RENDERER_PROBE_STEPS ? probe->steps : RENDERER_PROBE_STEPS;
+    return probe->steps < PROBE_STEPS ? probe->steps : PROBE_STEPS;
 }
 
-const char *probe_end(const struct renderer_probe *probe)
+const char *probe_outcome(const struct probe *probe)
 {
     static const char *const ends[] = {"no march", "hit", "miss: passed the far limit",
                                        "miss: the steps ran out"};
     return ends[probe->end];
 }
 
-void probe_print(const struct renderer_probe *probe, FILE *file)
+void probe_print(const struct probe *probe, FILE *file)
 {
     fprintf(file, "step,t,distance,x,y,z\n");
     for (int i = 0; i < probe_rows(probe); i++) {
-        const struct renderer_step *step = &probe->step[i];
+        const struct probe_step *step = &probe->step[i];
         fprintf(file, "%d,%.9g,%.9g,%.9g,%.9g,%.9g\n", i, (double)step->t, (double)step->distance,
                 (double)step->position[0], (double)step->position[1], (double)step->position[2]);
     }
     fprintf(file, "# %s; steps: %d, with shadow rays %d; evaluations of the scene: %d\n",
-            probe_end(probe), probe->steps, probe->all_steps, probe->evaluations);
+            probe_outcome(probe), probe->steps, probe->all_steps, probe->evaluations);
 }

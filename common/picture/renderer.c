@@ -233,14 +233,14 @@ static bool march_for_slice(struct renderer *renderer, const struct renderer_inp
     const int size[2] = {inputs->width, inputs->height};
     for (int i = 0; i < 2; i++)
         march->pixel[i] = inputs->pixel[i] < 0 ? size[i] / 2 : inputs->pixel[i];
-    struct renderer_probe *probe = malloc(sizeof *probe);
+    struct probe *probe = malloc(sizeof *probe);
     bool done =
         probe != NULL && renderer_probe(renderer, inputs, march->pixel[0], march->pixel[1], probe);
     if (probe == NULL)
         report("slice of %d,%d: not enough memory", march->pixel[0], march->pixel[1]);
     if (done) {
-        march->steps = probe->steps < RENDERER_PROBE_STEPS ? probe->steps : RENDERER_PROBE_STEPS;
-        march->hit = probe->end == RENDERER_HIT;
+        march->steps = probe_rows(probe);
+        march->hit = probe->end == PROBE_HIT;
         march->frame = slice_frame_of(probe, inputs->width, inputs->height, inputs->zoom);
     }
     free(probe);
@@ -428,15 +428,15 @@ bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
 //   row 0  t, distance, steps of the first march, why it ended
 //   row 1  position x, y, z, -
 //   row 2  steps of all marches, evaluations, where the first march was asked to look
-static void unpack_probe(const float *values, struct renderer_probe *probe)
+static void unpack_probe(const float *values, struct probe *probe)
 {
-    const float(*row)[RENDERER_PROBE_STEPS][4] = (const float(*)[RENDERER_PROBE_STEPS][4])values;
+    const float(*row)[PROBE_STEPS][4] = (const float(*)[PROBE_STEPS][4])values;
     probe->steps = (int)row[0][0][2];
-    probe->end = (enum renderer_end)(int)row[0][0][3];
+    probe->end = (enum probe_end)(int)row[0][0][3];
     probe->all_steps = (int)row[2][0][0];
     probe->evaluations = (int)row[2][0][1];
     memcpy(probe->interval, &row[2][0][2], sizeof probe->interval);
-    for (int k = 0; k < RENDERER_PROBE_STEPS; k++) {
+    for (int k = 0; k < PROBE_STEPS; k++) {
         probe->step[k].t = row[0][k][0];
         probe->step[k].distance = row[0][k][1];
         memcpy(probe->step[k].position, row[1][k], sizeof probe->step[k].position);
@@ -451,19 +451,19 @@ void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[
 }
 
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
-                    struct renderer_probe *probe)
+                    struct probe *probe)
 {
     enum { ROWS = 3 };
     const struct gl *gl = renderer->gl;
     if (!link_view(renderer, &renderer->fragment, SHADER_PROBE, renderer->program) ||
-        !bind_target(renderer, &renderer->table, RENDERER_PROBE_STEPS, ROWS))
+        !bind_target(renderer, &renderer->table, PROBE_STEPS, ROWS))
         return false;
     GLuint program = use_program(renderer, inputs, SHADER_PROBE);
     gl->Uniform2f(place(renderer, program, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
-    gl->Viewport(0, 0, RENDERER_PROBE_STEPS, ROWS);
+    gl->Viewport(0, 0, PROBE_STEPS, ROWS);
     const float none[2] = {0.0f, 0.0f};
     draw_pass(renderer, program, none, none);
-    float *values = malloc(4 * sizeof *values * RENDERER_PROBE_STEPS * ROWS);
+    float *values = malloc(4 * sizeof *values * PROBE_STEPS * ROWS);
     if (values == NULL) {
         report("probe %d,%d: not enough memory", x, y);
         return false;

@@ -8,10 +8,10 @@
 #include "context/context.h"
 #include "picture/image.h"
 #include "picture/overlay.h"
+#include "picture/probe.h"
 #include "shader/parameter.h"
 #include "shader/shader.h"
 
-#define RENDERER_PROBE_STEPS  2048 // rows that one probe can hold
 #define RENDERER_FOCAL_LENGTH 1.0f // for shaders that declare no focalLength of their own
 
 // What a picture depends on, besides the shader and its parameters. Times come from here, never
@@ -52,25 +52,6 @@ struct renderer {
     struct renderer_target sharp;  // a window's picture that is drawn in several frames
     struct renderer_target table;  // of a probe, one column a step: the slice view reads it
     const struct overlay *overlay; // drawn over every written picture, not owned; NULL: none
-};
-
-// One row of a probe: what the march knew after evaluating the distance once.
-struct renderer_step {
-    float t;           // distance along the ray, scene units
-    float distance;    // the scene's distance there
-    float position[3]; // scene units
-};
-
-enum renderer_end { RENDERER_NO_MARCH, RENDERER_HIT, RENDERER_PASSED, RENDERER_GAVE_UP };
-
-// The march of one pixel's first ray, as the GPU computed it.
-struct renderer_probe {
-    struct renderer_step step[RENDERER_PROBE_STEPS];
-    int steps;             // of the first march; the table holds at most RENDERER_PROBE_STEPS
-    int all_steps;         // of all marches of the pixel: shadow rays included
-    int evaluations;       // of the scene's distance, the normal's included
-    enum renderer_end end; // why the first march stopped
-    float interval[2];     // where it was asked to look, scene units along the ray; 0, 0: not said
 };
 
 // Make the triangle's vertex array and read shaders/screen.vert.
@@ -135,6 +116,6 @@ void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[
 // March the ray of pixel (x, y), 0,0 bottom left, and bring back every step.
 // Returns false, reported: the shader has no trace, the driver failed.
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
-                    struct renderer_probe *probe);
+                    struct probe *probe);
 
 #endif

@@ -8,9 +8,9 @@
 #define TICK_SHARE 0.115 // of the picture's width: at least so far from tick to tick
 
 // The step where the scene was nearest: of a hit the last.
-static const struct renderer_step *nearest_step(const struct renderer_probe *probe, int steps)
+static const struct probe_step *nearest_step(const struct probe *probe, int steps)
 {
-    const struct renderer_step *nearest = &probe->step[0];
+    const struct probe_step *nearest = &probe->step[0];
     for (int i = 1; i < steps; i++)
         if (probe->step[i].distance < nearest->distance)
             nearest = &probe->step[i];
@@ -34,19 +34,18 @@ static void round_tick(struct slice_frame *frame, double length)
     frame->digits[1] = power < 0 ? -power : 0;
 }
 
-struct slice_frame slice_frame_of(const struct renderer_probe *probe, int width, int height,
-                                  float zoom)
+struct slice_frame slice_frame_of(const struct probe *probe, int width, int height, float zoom)
 {
-    int steps = probe->steps < RENDERER_PROBE_STEPS ? probe->steps : RENDERER_PROBE_STEPS;
+    int steps = probe_rows(probe);
     double centre = 0.0, end = NOTHING;
     if (steps > 0) {
-        const struct renderer_step *nearest = nearest_step(probe, steps);
+        const struct probe_step *nearest = nearest_step(probe, steps);
         double last = (double)probe->step[steps - 1].t;
         centre = (double)nearest->t;
         // A ray that only leaves is shown whole: a shadow ray, or one into the sky.
-        if (probe->end == RENDERER_PASSED && nearest == &probe->step[0])
+        if (probe->end == PROBE_PASSED && nearest == &probe->step[0])
             end = 1.05 * last;
-        else if (probe->end == RENDERER_PASSED)
+        else if (probe->end == PROBE_PASSED)
             end = fmin(last, 1.5 * centre + 2.0 * fabs((double)nearest->distance));
         else
             end = last * (1.0 + BEYOND);

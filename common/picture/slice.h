@@ -2,7 +2,7 @@
 #ifndef SLICE_H
 #define SLICE_H
 
-#include "picture/renderer.h"
+#include "picture/probe.h"
 
 #define SLICE_ZOOM_MINIMUM 0.1f
 #define SLICE_ZOOM_MAXIMUM 200.0f // beyond it a float's rounding shows in the lines
@@ -20,7 +20,6 @@ struct slice_frame {
 // shown to a little past the place where the scene was nearest, or to its last step where that is
 // the eye.
 //   zoom  1: as above; z: z times as large about that place; 0 counts as 1
-struct slice_frame slice_frame_of(const struct renderer_probe *probe, int width, int height,
-                                  float zoom);
+struct slice_frame slice_frame_of(const struct probe *probe, int width, int height, float zoom);
 
 #endif

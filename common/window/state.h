@@ -45,10 +45,10 @@ struct window {
     int key_count;
     char hint[64]; // which key shows more
     // The ray that is looked at.
-    struct renderer_probe *probe; // owned
-    bool follow;                  // march it again
-    bool tell;                    // print its table once it is there
-    char why[512];                // there is none because of this; "" when there is one
+    struct probe *probe; // owned
+    bool follow;         // march it again
+    bool tell;           // print its table once it is there
+    char why[512];       // there is none because of this; "" when there is one
     // A picture that takes long is drawn at a lower resolution, and sharpened once it rests.
     bool moved;                   // what makes the picture changed in this turn
     bool shooting;                // a screenshot waits for the sharp picture; time waits too

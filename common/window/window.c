@@ -143,7 +143,7 @@ bool window_run(struct context *context, struct renderer *renderer,
                    .samples = start->samples,
                    .pixel = {-1, -1},
                    .zoom = 1.0f},
-        .probe = malloc(sizeof(struct renderer_probe)),
+        .probe = malloc(sizeof(struct probe)),
         .stale = true,
     };
     if (window.probe == NULL)
