@@ -60,14 +60,14 @@ static int print_rate(void)
     return 0;
 }
 
-static int print_threshold(struct gpu *gpu)
+static int print_threshold(void)
 {
     static const double thresholds[] = {0.0001, 0.001, 0.01, 0.05, 0.1, 0.2};
     double exact = measure_outline_theory(0.0);
     printf("# outline of a ball of radius 1 seen from 5, 640x360: radius %.3f pixels\n", exact);
     printf("threshold,grown_by,expected\n");
     for (size_t i = 0; i < sizeof thresholds / sizeof thresholds[0]; i++) {
-        double radius = measure_outline(gpu, thresholds[i]);
+        double radius = measure_outline(thresholds[i]);
         if (radius < 0.0)
             return 1;
         printf("%g,%.3f,%.3f\n", thresholds[i], radius - exact,
@@ -76,13 +76,13 @@ static int print_threshold(struct gpu *gpu)
     return 0;
 }
 
-static int print_acne(struct gpu *gpu)
+static int print_acne(void)
 {
     static const double offsets[] = {0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 4.0, 10.0};
     printf("# share of the stage's lit pixels in their own shadow, chapter 03\n");
     printf("offset_in_thresholds,share\n");
     for (size_t i = 0; i < sizeof offsets / sizeof offsets[0]; i++) {
-        double share = measure_acne(gpu, offsets[i]);
+        double share = measure_acne(offsets[i]);
         if (share < 0.0)
             return 1;
         printf("%g,%.4f\n", offsets[i], share);
@@ -114,14 +114,14 @@ static void print_bound_planes(void)
     }
 }
 
-static int print_bound(struct gpu *gpu)
+static int print_bound(void)
 {
     print_bound_planes();
     printf("# evaluations of a march, and the fewest that could do: between least and most\n");
     printf("chapter,end,rays,march,least,most,march / least,of one ray,slope\n");
     for (int i = 0; i < bound_case_count; i++) {
         struct bound_sums sum[2];
-        if (!bound_measure(gpu, &bound_cases[i], 1, sum))
+        if (!bound_measure(&bound_cases[i], 1, sum))
             return 1;
         print_bound_row(bound_cases[i].stem, "hit", &sum[1]);
         print_bound_row(bound_cases[i].stem, "miss", &sum[0]);
@@ -205,15 +205,15 @@ static double median(double *seconds, int count)
 }
 
 // Frames of the two in turn, so that whatever slows the machine slows both.
-static bool measure_warm(struct contender pair[2], struct gpu *gpu)
+static bool measure_warm(struct contender pair[2])
 {
     for (int k = 0; k < 2; k++)
-        if (!renderer_open(&pair[k].renderer, &gpu->context.gl, gpu->root) ||
+        if (!renderer_open(&pair[k].renderer, &gpu.context.gl, gpu.root) ||
             !renderer_load(&pair[k].renderer, pair[k].path))
             return false;
     for (int i = -5; i < FRAMES; i++)
         for (int k = 0; k < 2; k++) {
-            double seconds = frame_seconds(&pair[k], &gpu->context.gl);
+            double seconds = frame_seconds(&pair[k], &gpu.context.gl);
             if (seconds < 0.0)
                 return false;
             if (i >= 0)
@@ -237,7 +237,7 @@ static bool measure_cold(struct contender pair[2], const char *root)
     return true;
 }
 
-static int print_speed(struct gpu *gpu, int argc, char **argv)
+static int print_speed(int argc, char **argv)
 {
     static struct contender pair[2];
     int width = 640, height = 360;
@@ -247,7 +247,7 @@ static int print_speed(struct gpu *gpu, int argc, char **argv)
         fputs("measure speed: expected FILE[@X,Y,Z,PAN,TILT] twice, then WxH or nothing\n", stderr);
         return 2;
     }
-    if (!measure_warm(pair, gpu) || !measure_cold(pair, gpu->root))
+    if (!measure_warm(pair) || !measure_cold(pair, gpu.root))
         return 1;
     printf("# process CPU time at %dx%d, time 1: medians of %d frames and of %d cold starts\n",
            width, height, FRAMES, COLD_RUNS);
@@ -284,22 +284,21 @@ static int usage(FILE *file)
 
 static int print_with_gpu(const char *name, int argc, char **argv)
 {
-    struct gpu gpu;
     int status = 1;
     // A cold start is one without the driver's own store of compiled shaders.
     if (strcmp(name, "speed") == 0)
         setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-    if (gpu_open(&gpu)) {
+    if (gpu_open()) {
         if (strcmp(name, "threshold") == 0)
-            status = print_threshold(&gpu);
+            status = print_threshold();
         else if (strcmp(name, "acne") == 0)
-            status = print_acne(&gpu);
+            status = print_acne();
         else if (strcmp(name, "bound") == 0)
-            status = print_bound(&gpu);
+            status = print_bound();
         else
-            status = print_speed(&gpu, argc, argv);
+            status = print_speed(argc, argv);
     }
-    gpu_close(&gpu);
+    gpu_close();
     return status;
 }
 

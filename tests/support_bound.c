@@ -90,9 +90,8 @@ static void add_ray(struct bound_sums sums[2], const struct samples *samples,
     sum->differ += probe->steps != (int)shader[1];
 }
 
-static bool look_at(struct gpu *gpu, const struct bound_case *of,
-                    const struct renderer_inputs *inputs, int pixel, const float *shader,
-                    struct bound_sums sums[2])
+static bool look_at(const struct bound_case *of, const struct renderer_inputs *inputs, int pixel,
+                    const float *shader, struct bound_sums sums[2])
 {
     static struct probe probe; // too large for the stack
     int x = pixel % WIDTH, y = pixel / WIDTH;
@@ -100,7 +99,7 @@ static bool look_at(struct gpu *gpu, const struct bound_case *of,
     struct mirror_ray ray = mirror_screen_ray(&inputs->camera, MIRROR_FOCAL_LENGTH,
                                               mirror_screen_x(x + 0.5, WIDTH, HEIGHT),
                                               mirror_screen_y(y + 0.5, HEIGHT));
-    if (!renderer_probe(&gpu->renderer, inputs, x, y, &probe) || probe.steps < 1 ||
+    if (!renderer_probe(&gpu.renderer, inputs, x, y, &probe) || probe.steps < 1 ||
         !sample_ray(&samples, of, ray, &probe))
         return false;
     add_ray(sums, &samples, &probe, shader);
@@ -108,20 +107,19 @@ static bool look_at(struct gpu *gpu, const struct bound_case *of,
     return true;
 }
 
-bool bound_measure(struct gpu *gpu, const struct bound_case *of, int every,
-                   struct bound_sums sums[2])
+bool bound_measure(const struct bound_case *of, int every, struct bound_sums sums[2])
 {
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
     char shader[256];
     snprintf(shader, sizeof shader, "chapters/%s.frag", of->stem);
     sums[0] = sums[1] = (struct bound_sums){0};
-    bool done = mirror_camera(gpu->root, of->stem, &inputs.camera) && gpu_load(gpu, shader) &&
-                renderer_set_view(&gpu->renderer, SHADER_COUNT);
-    float *values = done ? gpu_numbers(gpu, &inputs) : NULL;
+    bool done = mirror_camera(gpu.root, of->stem, &inputs.camera) && gpu_load(shader) &&
+                renderer_set_view(&gpu.renderer, SHADER_COUNT);
+    float *values = done ? gpu_numbers(&inputs) : NULL;
     done = values != NULL;
     for (int i = 0, ray = 0; done && i < WIDTH * HEIGHT; i++)
         if (values[4 * i + 2] > 0.0f && ray++ % every == 0)
-            done = look_at(gpu, of, &inputs, i, values + (size_t)4 * (size_t)i, sums);
+            done = look_at(of, &inputs, i, values + (size_t)4 * (size_t)i, sums);
     free(values);
-    return renderer_set_view(&gpu->renderer, SHADER_PICTURE) && done;
+    return renderer_set_view(&gpu.renderer, SHADER_PICTURE) && done;
 }

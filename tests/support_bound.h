@@ -32,7 +32,6 @@ struct bound_sums {
 //   every  1: all of them; n: each nth
 //   sums   takes misses, then hits
 // Returns false, reported, when it cannot be drawn.
-bool bound_measure(struct gpu *gpu, const struct bound_case *of, int every,
-                   struct bound_sums sums[2]);
+bool bound_measure(const struct bound_case *of, int every, struct bound_sums sums[2]);
 
 #endif

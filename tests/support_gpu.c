@@ -1,8 +1,18 @@
 #include "support_gpu.h"
 
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#include <cmocka.h>
+
+#include "support_scratch.h"
+
+struct gpu gpu;
 
 const char *gpu_project_root(void)
 {
@@ -10,47 +20,75 @@ const char *gpu_project_root(void)
     return root != NULL && root[0] != '\0' ? root : ".";
 }
 
-bool gpu_open(struct gpu *gpu)
+bool gpu_open(void)
 {
-    memset(gpu, 0, sizeof *gpu);
-    snprintf(gpu->root, sizeof gpu->root, "%s", gpu_project_root());
-    return context_open_offscreen(&gpu->context, CONTEXT_ANY) &&
-           renderer_open(&gpu->renderer, &gpu->context.gl, gpu->root);
+    memset(&gpu, 0, sizeof gpu);
+    snprintf(gpu.root, sizeof gpu.root, "%s", gpu_project_root());
+    return context_open_offscreen(&gpu.context, CONTEXT_ANY) &&
+           renderer_open(&gpu.renderer, &gpu.context.gl, gpu.root);
 }
 
-void gpu_close(struct gpu *gpu)
+void gpu_close(void)
 {
-    renderer_close(&gpu->renderer);
-    context_close(&gpu->context);
+    renderer_close(&gpu.renderer);
+    context_close(&gpu.context);
 }
 
-bool gpu_load(struct gpu *gpu, const char *shader)
+int gpu_setup(void **state)
+{
+    return scratch_setup(state) == 0 && gpu_open() ? 0 : -1;
+}
+
+int gpu_teardown(void **state)
+{
+    gpu_close();
+    return scratch_teardown(state);
+}
+
+bool gpu_load(const char *shader)
 {
     char path[8192];
-    snprintf(path, sizeof path, "%s/%s", gpu->root, shader);
-    if (!renderer_load(&gpu->renderer, path))
+    snprintf(path, sizeof path, "%s/%s", gpu.root, shader);
+    if (!renderer_load(&gpu.renderer, path))
         return false;
     // A reload keeps the values of the shader before; a test starts from the shader's own.
-    for (int i = 0; i < gpu->renderer.parameters.count; i++)
-        parameter_reset(&gpu->renderer.parameters.item[i]);
+    for (int i = 0; i < gpu.renderer.parameters.count; i++)
+        parameter_reset(&gpu.renderer.parameters.item[i]);
     return true;
 }
 
-float *gpu_numbers(struct gpu *gpu, const struct renderer_inputs *inputs)
+bool gpu_load_text(const char *text)
+{
+    return renderer_load(&gpu.renderer, scratch_write("shader.frag", text));
+}
+
+struct renderer_inputs gpu_inputs(int width, int height, int samples)
+{
+    return (struct renderer_inputs){
+        .width = width,
+        .height = height,
+        .camera = {.position = {1.5f, 2.75f, 5.3f}, .pan = -17.0f, .tilt = -22.5f},
+        .samples = samples};
+}
+
+float *gpu_numbers(const struct renderer_inputs *inputs)
 {
     float *values = malloc(4 * sizeof *values * (size_t)inputs->width * (size_t)inputs->height);
-    if (values != NULL && renderer_draw(&gpu->renderer, inputs, 0, inputs->height)) {
-        renderer_read(&gpu->renderer, values);
+    if (values != NULL && renderer_draw(&gpu.renderer, inputs, 0, inputs->height)) {
+        renderer_read(&gpu.renderer, values);
         return values;
     }
     free(values);
     return NULL;
 }
 
-float *gpu_call(struct gpu *gpu, int width, int height, int function, const float numbers[4])
+float *gpu_call(const char *shader, int width, int height, int function, const float numbers[4])
 {
     struct renderer_inputs inputs = {
         .width = width, .height = height, .time = function, .samples = 1};
     memcpy(inputs.mouse, numbers, sizeof inputs.mouse);
-    return gpu_numbers(gpu, &inputs);
+    assert_true(gpu_load(shader));
+    float *values = gpu_numbers(&inputs);
+    assert_non_null(values);
+    return values;
 }

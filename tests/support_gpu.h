@@ -7,30 +7,42 @@
 #include "../common/context/context.h"
 #include "../common/picture/renderer.h"
 
-struct gpu {
+// Each test program has one.
+extern struct gpu {
     struct context context;
     struct renderer renderer;
     char root[4096]; // the project's folder: PROJECT_ROOT, or "."
-};
+} gpu;
 
 // The project's folder: the environment's PROJECT_ROOT, or ".".
 const char *gpu_project_root(void);
 
 // Open a context without a window and a renderer in it. False, reported. Close with gpu_close.
-bool gpu_open(struct gpu *gpu);
-void gpu_close(struct gpu *gpu);
+bool gpu_open(void);
+void gpu_close(void);
+
+// Setup and teardown of cmocka, for a group: the above, and a folder (support_scratch.h).
+int gpu_setup(void **state);
+int gpu_teardown(void **state);
 
 // Load a shader, a path below the project's folder, with its parameters as the shader says. False,
 // reported.
-bool gpu_load(struct gpu *gpu, const char *shader);
+bool gpu_load(const char *shader);
+
+// Load a text, from a file that is written into the folder. False, reported.
+bool gpu_load_text(const char *text);
+
+// A picture from a place that sees the solids of the chapters 01 to 03.
+struct renderer_inputs gpu_inputs(int width, int height, int samples);
 
 // Draw the loaded shader and read the float target: 4 * width * height floats, bottom row first,
 // which the caller frees. NULL, reported.
-float *gpu_numbers(struct gpu *gpu, const struct renderer_inputs *inputs);
+float *gpu_numbers(const struct renderer_inputs *inputs);
 
-// What the numeric test shaders get from C: the function, and four numbers of its own.
+// Load a shader, ask one of its functions with four numbers of its own, and read the target as
+// gpu_numbers does. Fails the test where that cannot be.
 //   function  the shader's Time
 //   numbers   its iMouse
-float *gpu_call(struct gpu *gpu, int width, int height, int function, const float numbers[4]);
+float *gpu_call(const char *shader, int width, int height, int function, const float numbers[4]);
 
 #endif

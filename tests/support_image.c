@@ -86,6 +86,15 @@ struct image picture_copy(const struct image *image)
     return copy;
 }
 
+size_t picture_bytes(const char *path, unsigned char *bytes, size_t size)
+{
+    FILE *file = fopen(path, "rb");
+    assert_non_null(file);
+    size_t length = fread(bytes, 1, size, file);
+    fclose(file);
+    return length;
+}
+
 void picture_assert_stored(const char *path, const struct image *expected)
 {
     struct image image;

@@ -5,6 +5,7 @@
 
 #include <limits.h>
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "../common/picture/image.h"
 #include "support_compare.h"
@@ -30,6 +31,9 @@ bool picture_refused(bool done, const char *text);
 struct image picture_random(int width, int height);
 struct image picture_smooth(int width, int height);
 struct image picture_copy(const struct image *image);
+
+// Read a file's bytes, at most size of them. Returns how many; fails the test where it is missing.
+size_t picture_bytes(const char *path, unsigned char *bytes, size_t size);
 
 // Fails the test unless the file holds exactly this picture.
 void picture_assert_stored(const char *path, const struct image *expected);

@@ -104,16 +104,16 @@ double measure_rate(double cosine)
 
 enum { WIDTH = 640, HEIGHT = 360 };
 
-double measure_outline(struct gpu *gpu, double threshold)
+double measure_outline(double threshold)
 {
     struct renderer_inputs inputs = {
         .width = WIDTH, .height = HEIGHT, .samples = 1, .camera = {.position = {0.0f, 0.0f, 5.0f}}};
     char setting[64];
     snprintf(setting, sizeof setting, "hitThreshold=%g", threshold);
-    if (!gpu_load(gpu, "tests/shaders/silhouette.frag") ||
-        !parameters_assign(&gpu->renderer.parameters, setting))
+    if (!gpu_load("tests/shaders/silhouette.frag") ||
+        !parameters_assign(&gpu.renderer.parameters, setting))
         return -1.0;
-    float *values = gpu_numbers(gpu, &inputs);
+    float *values = gpu_numbers(&inputs);
     if (values == NULL)
         return -1.0;
     int white = 0;
@@ -152,16 +152,16 @@ static void count_acne(const struct mirror_picture *picture, const struct camera
     }
 }
 
-double measure_acne(struct gpu *gpu, double offset)
+double measure_acne(double offset)
 {
     const struct mirror_picture *picture = mirror_find("03_shadows");
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
     char setting[64];
     snprintf(setting, sizeof setting, "shadowOffset=%g", offset);
-    if (picture == NULL || !mirror_camera(gpu->root, picture->chapter, &inputs.camera) ||
-        !gpu_load(gpu, picture->shader) || !parameters_assign(&gpu->renderer.parameters, setting))
+    if (picture == NULL || !mirror_camera(gpu.root, picture->chapter, &inputs.camera) ||
+        !gpu_load(picture->shader) || !parameters_assign(&gpu.renderer.parameters, setting))
         return -1.0;
-    float *values = gpu_numbers(gpu, &inputs);
+    float *values = gpu_numbers(&inputs);
     if (values == NULL)
         return -1.0;
     int lit = 0, dark = 0;

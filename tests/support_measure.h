@@ -38,7 +38,7 @@ double measure_rate(double cosine);
 
 // The radius of a ball's outline, in pixels, as the GPU draws it: 640x360, radius 1 seen from a
 // distance of 5. Negative, reported, when it cannot be drawn.
-double measure_outline(struct gpu *gpu, double threshold);
+double measure_outline(double threshold);
 
 // The same for a ball of radius 1 + threshold, by geometry.
 double measure_outline_theory(double threshold);
@@ -46,6 +46,6 @@ double measure_outline_theory(double threshold);
 // The share of the stage's lit pixels in chapter 03 that the GPU finds in their own shadow.
 //   offset  the parameter shadowOffset, times the threshold
 // Negative, reported, when it cannot be drawn.
-double measure_acne(struct gpu *gpu, double offset);
+double measure_acne(double offset);
 
 #endif

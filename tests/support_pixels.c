@@ -85,16 +85,15 @@ static void check_pixels(const struct pixel_list *list, const struct mirror_pict
     assert_true(worst <= list->tolerance);
 }
 
-void pixels_check(struct gpu *gpu, const struct mirror_picture *picture,
-                  const struct pixel_list *list)
+void pixels_check(const struct mirror_picture *picture, const struct pixel_list *list)
 {
     struct image image = {0};
     struct renderer_inputs inputs = {
         .width = WIDTH, .height = HEIGHT, .time = picture->time, .samples = 1};
-    assert_true(mirror_camera(gpu->root, picture->chapter, &inputs.camera));
-    assert_true(gpu_load(gpu, picture->shader));
-    assert_true(renderer_picture(&gpu->renderer, &inputs, &image));
-    float *values = gpu_numbers(gpu, &inputs);
+    assert_true(mirror_camera(gpu.root, picture->chapter, &inputs.camera));
+    assert_true(gpu_load(picture->shader));
+    assert_true(renderer_picture(&gpu.renderer, &inputs, &image));
+    float *values = gpu_numbers(&inputs);
     assert_non_null(values);
     check_pixels(list, picture, &inputs.camera, values, &image);
     free(values);

@@ -23,7 +23,6 @@ struct pixel_list {
 // Draw a picture and hold its pixels, those of the list that name it, at least five, against the
 // colours that picture->sample computes. A cmocka test: it fails where a colour is off by more than
 // the tolerance, or where a pixel or one within two pixels of it shows something else.
-void pixels_check(struct gpu *gpu, const struct mirror_picture *picture,
-                  const struct pixel_list *list);
+void pixels_check(const struct mirror_picture *picture, const struct pixel_list *list);
 
 #endif

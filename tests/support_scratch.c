@@ -50,6 +50,20 @@ void scratch_remove(void)
     need(nftw(state.folder, remove_one, 16, FTW_DEPTH | FTW_PHYS) == 0, state.folder);
 }
 
+int scratch_setup(void **unused)
+{
+    (void)unused;
+    scratch_make();
+    return 0;
+}
+
+int scratch_teardown(void **unused)
+{
+    (void)unused;
+    scratch_remove();
+    return 0;
+}
+
 static char *next_path(const char *name)
 {
     char *path = state.path[state.next++ % 8];

@@ -10,6 +10,10 @@
 const char *scratch_make(void);
 void scratch_remove(void);
 
+// The same as setup and teardown of cmocka, for a group or a test.
+int scratch_setup(void **unused);
+int scratch_teardown(void **unused);
+
 // The path of a name in the folder; valid until the eighth call after it.
 const char *scratch_path(const char *name);
 

@@ -14,21 +14,6 @@
 
 #define SHADER "tests/shaders/cover.frag"
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 // ---- Closed forms ----
 
 static void set(const char *name, double value)
@@ -42,13 +27,13 @@ static void set(const char *name, double value)
 static void ask(double slope, double gap, double far, double threshold, int answer[2])
 {
     struct renderer_inputs inputs = {.width = 4, .height = 4, .samples = 1};
-    assert_true(gpu_load(&gpu, SHADER));
+    assert_true(gpu_load(SHADER));
     set("slope", slope);
     set("gap", gap);
     set("far", far);
     set("threshold", threshold);
     assert_true(renderer_set_view(&gpu.renderer, SHADER_COUNT));
-    float *values = gpu_numbers(&gpu, &inputs);
+    float *values = gpu_numbers(&inputs);
     assert_non_null(values);
     for (int i = 0; i < 16; i++)
         for (int k = 1; k < 3; k++)
@@ -112,7 +97,7 @@ static struct bound_sums total(const struct bound_sums sums[2])
 static void check_chapter(int chapter)
 {
     struct bound_sums sums[2], all;
-    assert_true(bound_measure(&gpu, &bound_cases[chapter], 2, sums));
+    assert_true(bound_measure(&bound_cases[chapter], 2, sums));
     all = total(sums);
     double ratio = (double)all.march / all.least;
     print_message("# %s: %d rays, march %d, the least from %d to %d, in the shader %d (%d rays "
@@ -162,5 +147,5 @@ int main(void)
         cmocka_unit_test(test_chapter_06),
         cmocka_unit_test(test_chapter_09),
     };
-    return cmocka_run_group_tests_name("bound", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("bound", tests, gpu_setup, gpu_teardown);
 }

@@ -12,25 +12,12 @@
 #include "support_cell.h"
 #include "support_gpu.h"
 
+#define SHADER "tests/shaders/repetition.frag"
+
 enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS, SIDE = 256 };
 
 // What the Time of tests/shaders/repetition.frag chooses.
 enum { NUMBERS = 20, MORE_NUMBERS, LIMITED_NUMBERS, HASH };
-
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) && gpu_load(&gpu, "tests/shaders/repetition.frag") ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
 
 struct period_limits {
     float period, reach, first, last;
@@ -43,10 +30,8 @@ static const struct period_limits all_periods[] = {{2.0f, 0.75f, -3.0f, 5.0f},
 
 static float *numbers_of(int function, const struct period_limits *limits)
 {
-    const float v[4] = {limits->period, limits->reach, limits->first, limits->last};
-    float *values = gpu_call(&gpu, WIDE, ROWS, function, v);
-    assert_non_null(values);
-    return values;
+    return gpu_call(SHADER, WIDE, ROWS, function,
+                    (const float[4]){limits->period, limits->reach, limits->first, limits->last});
 }
 
 // A place on a wall belongs to either cell: rounding chooses.
@@ -149,10 +134,7 @@ static void test_the_reports_formula_misses_the_middle(void **unused)
 
 static float *hashes(float slice)
 {
-    const float v[4] = {slice, 0.0f, 0.0f, 0.0f};
-    float *values = gpu_call(&gpu, SIDE, SIDE, HASH, v);
-    assert_non_null(values);
-    return values;
+    return gpu_call(SHADER, SIDE, SIDE, HASH, (const float[4]){slice});
 }
 
 static void test_hash_is_the_same_to_the_bit(void **unused)
@@ -252,5 +234,5 @@ int main(void)
         cmocka_unit_test(test_hash_is_the_same_to_the_bit),
         cmocka_unit_test(test_hash_looks_like_chance),
     };
-    return cmocka_run_group_tests_name("cells", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("cells", tests, gpu_setup, gpu_teardown);
 }

@@ -24,27 +24,9 @@ static const double shift = 0.5, blend = 0.625, step = 0.0078125, radius = 0.75;
 // Rounding of a distance, of its cube, and of a point's own coordinates.
 static const double slack = 2e-6;
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 static float *values_of(int operation)
 {
-    assert_true(gpu_load(&gpu, "tests/shaders/combine.frag"));
-    float *values = gpu_call(&gpu, 1024, ROWS, operation, sizes);
-    assert_non_null(values);
-    return values;
+    return gpu_call("tests/shaders/combine.frag", 1024, ROWS, operation, sizes);
 }
 
 // The distance from (x, y), seen from a ball's centre, to an arc of its circle, from one angle to
@@ -215,5 +197,5 @@ int main(void)
         cmocka_unit_test(test_smooth_union_lies_between_min_and_min_less_a_sixth),
         cmocka_unit_test(test_share_is_the_slope_in_b),
     };
-    return cmocka_run_group_tests_name("combine", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("combine", tests, gpu_setup, gpu_teardown);
 }

@@ -30,28 +30,10 @@ struct ray_result {
     int marches;
 };
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 static float *call(int scene, float threshold, float spread, float most_steps)
 {
-    const float numbers[4] = {(float)scene, threshold, spread, most_steps};
-    assert_true(gpu_load(&gpu, SHADER));
-    float *values = gpu_call(&gpu, ITEMS_WIDE * SLOTS, ROWS, RAYS, numbers);
-    assert_non_null(values);
-    return values;
+    return gpu_call(SHADER, ITEMS_WIDE * SLOTS, ROWS, RAYS,
+                    (const float[4]){(float)scene, threshold, spread, most_steps});
 }
 
 static struct ray_result result_of(const float *values, int item)
@@ -262,5 +244,5 @@ int main(void)
         cmocka_unit_test(test_share_of_the_light),
         cmocka_unit_test(test_interval_holds_what_is_inside),
     };
-    return cmocka_run_group_tests_name("cone", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("cone", tests, gpu_setup, gpu_teardown);
 }

@@ -45,20 +45,6 @@ static void test_folder(void **state)
     run_folder(*state);
 }
 
-static int set_up(void **state)
-{
-    (void)state;
-    scratch_make();
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    scratch_remove();
-    return 0;
-}
-
 int main(void)
 {
     struct CMUnitTest tests[FUZZ_TARGETS];
@@ -66,5 +52,5 @@ int main(void)
         tests[i] = (struct CMUnitTest){.name = fuzz_targets[i].name,
                                        .test_func = test_folder,
                                        .initial_state = (void *)(size_t)&fuzz_targets[i]};
-    return cmocka_run_group_tests(tests, set_up, tear_down);
+    return cmocka_run_group_tests(tests, scratch_setup, scratch_teardown);
 }

@@ -16,15 +16,8 @@
 
 static int set_up(void **state)
 {
-    *state = (void *)(size_t)scratch_make();
+    scratch_setup(state);
     scratch_write("root/shaders/leaf.glsl", "float leaf();\n");
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    scratch_remove();
     return 0;
 }
 
@@ -209,7 +202,7 @@ static void test_inputs_and_textures(void **state)
 
 int main(void)
 {
-#define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+#define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, scratch_teardown)
     const struct CMUnitTest tests[] = {
         UNIT(test_forms),
         UNIT(test_forms_behind_conditions),

@@ -12,28 +12,9 @@
 #include "support_gpu.h"
 #include "support_mirror.h"
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 static float *values_of(int function, int rows)
 {
-    const float none[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-    assert_true(gpu_load(&gpu, "tests/shaders/hue.frag"));
-    float *values = gpu_call(&gpu, 1024, rows, function, none);
-    assert_non_null(values);
-    return values;
+    return gpu_call("tests/shaders/hue.frag", 1024, rows, function, (const float[4]){0});
 }
 
 // Figure 5 of the report, cut every 60 degrees: one channel rests at 1, one at 0, one is on its
@@ -137,5 +118,5 @@ int main(void)
         cmocka_unit_test(test_knees_are_exact),
         cmocka_unit_test(test_saturation_and_value),
     };
-    return cmocka_run_group_tests_name("hue", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("hue", tests, gpu_setup, gpu_teardown);
 }

@@ -21,15 +21,6 @@
 
 enum { NOBODY = 65534 };
 
-static size_t read_bytes(const char *path, unsigned char *bytes, size_t size)
-{
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    size_t length = fread(bytes, 1, size, file);
-    fclose(file);
-    return length;
-}
-
 static void assert_not_written(const struct picture_folder *in, const char *path, const char *text)
 {
     struct image image = picture_random(4, 4);
@@ -97,7 +88,7 @@ static void the_file_is_an_srgb_png_for_everybody(void **state)
     umask(mask);
     assert_int_equal(stat(in->target, &status), 0);
     assert_int_equal(status.st_mode & 0777, 0640);
-    read_bytes(in->target, bytes, sizeof bytes);
+    picture_bytes(in->target, bytes, sizeof bytes);
     assert_memory_equal(bytes + 37, "sRGB", 4); // after the signature (8) and IHDR (25 + 4)
     assert_int_equal(bytes[24], 8);             // bits
     assert_int_equal(bytes[25], 2);             // colours, no palette, no transparency

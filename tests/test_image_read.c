@@ -15,15 +15,6 @@
 #include "support_image.h"
 #include "support_scratch.h"
 
-static size_t read_bytes(const char *path, unsigned char *bytes, size_t size)
-{
-    FILE *file = fopen(path, "rb");
-    assert_non_null(file);
-    size_t length = fread(bytes, 1, size, file);
-    fclose(file);
-    return length;
-}
-
 static void write_bytes(const char *path, const unsigned char *bytes, size_t size)
 {
     FILE *file = fopen(path, "wb");
@@ -55,7 +46,7 @@ static void every_truncated_file_is_refused(void **state)
     unsigned char bytes[2048];
     struct image image = picture_random(9, 9), read;
     assert_true(image_write_png(&image, in->target));
-    size_t size = read_bytes(in->target, bytes, sizeof bytes);
+    size_t size = picture_bytes(in->target, bytes, sizeof bytes);
     assert_true(size > 200 && size < sizeof bytes);
     for (size_t i = 0; i < size; i++) {
         write_bytes(in->target, bytes, i);
@@ -74,7 +65,7 @@ static void every_changed_byte_is_harmless(void **state)
     unsigned char bytes[2048];
     struct image image = picture_random(9, 9), read;
     assert_true(image_write_png(&image, in->target));
-    size_t size = read_bytes(in->target, bytes, sizeof bytes), caught = 0;
+    size_t size = picture_bytes(in->target, bytes, sizeof bytes), caught = 0;
     for (size_t i = 0; i < size; i++) {
         bytes[i] ^= 0x55;
         write_bytes(in->target, bytes, size);

@@ -9,21 +9,6 @@
 
 #include "support_measure.h"
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 static void assert_near(double got, double expected, double share)
 {
     if (!(fabs(got - expected) <= share * fabs(expected)))
@@ -85,16 +70,15 @@ static void test_threshold_fattens_the_outline(void **unused)
 {
     (void)unused;
     for (double threshold = 0.001; threshold < 0.2; threshold *= 3.0)
-        assert_true(fabs(measure_outline(&gpu, threshold) - measure_outline_theory(threshold)) <
-                    0.15);
+        assert_true(fabs(measure_outline(threshold) - measure_outline_theory(threshold)) < 0.15);
 }
 
 static void test_offset_ends_the_acne(void **unused)
 {
     (void)unused;
-    assert_true(measure_acne(&gpu, 0.0) > 0.9);
-    assert_true(measure_acne(&gpu, 0.25) > 0.3);
-    double one = measure_acne(&gpu, 1.0), four = measure_acne(&gpu, 4.0);
+    assert_true(measure_acne(0.0) > 0.9);
+    assert_true(measure_acne(0.25) > 0.3);
+    double one = measure_acne(1.0), four = measure_acne(4.0);
     assert_true(one >= 0.0 && one < 0.001 && four >= 0.0 && four < 0.001);
 }
 
@@ -108,5 +92,5 @@ int main(void)
         cmocka_unit_test(test_threshold_fattens_the_outline),
         cmocka_unit_test(test_offset_ends_the_acne),
     };
-    return cmocka_run_group_tests_name("measure", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("measure", tests, gpu_setup, gpu_teardown);
 }

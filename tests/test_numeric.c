@@ -38,21 +38,6 @@ static const struct sizes all_sizes[] = {
 
 enum { SIZES = sizeof all_sizes / sizeof all_sizes[0] };
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 static double mirror(const struct sizes *sizes, struct d3 p)
 {
     struct d3 v = d3_of(sizes->v), shift = d3(v.x, 0.0, 0.0);
@@ -103,10 +88,7 @@ static struct d3 vector(const float *slot)
 
 static float *distances(const struct sizes *sizes)
 {
-    assert_true(gpu_load(&gpu, DISTANCES));
-    float *values = gpu_call(&gpu, ITEMS_WIDE * SLOTS, ROWS, sizes->function, sizes->v);
-    assert_non_null(values);
-    return values;
+    return gpu_call(DISTANCES, ITEMS_WIDE * SLOTS, ROWS, sizes->function, sizes->v);
 }
 
 static void test_distances_agree_with_double(void **unused)
@@ -229,11 +211,7 @@ static void test_gradients_have_length_1_almost_everywhere(void **unused)
 
 static float *values_of(int function, int rows)
 {
-    const float none[4] = {0.0f, 0.0f, 0.0f, 0.0f};
-    assert_true(gpu_load(&gpu, VALUES));
-    float *values = gpu_call(&gpu, 1024, rows, function, none);
-    assert_non_null(values);
-    return values;
+    return gpu_call(VALUES, 1024, rows, function, (const float[4]){0});
 }
 
 // pow is the only inexact function in it: a thousandth of a step of the screen's 255 is allowed.
@@ -315,7 +293,7 @@ static void check_rays(const struct camera *camera, float focal_length)
     gpu.renderer.focal_length = focal_length;
     struct renderer_inputs inputs = {
         .width = WIDTH, .height = HEIGHT, .time = 2.0, .camera = *camera, .samples = 1};
-    float *values = gpu_numbers(&gpu, &inputs);
+    float *values = gpu_numbers(&inputs);
     assert_non_null(values);
     for (int y = 0; y < HEIGHT; y++)
         for (int x = 0; x < WIDTH; x++) {
@@ -340,7 +318,7 @@ static void check_rays(const struct camera *camera, float focal_length)
 static void test_rays_leave_the_camera_as_its_basis_says(void **unused)
 {
     (void)unused;
-    assert_true(gpu_load(&gpu, VALUES));
+    assert_true(gpu_load(VALUES));
     const struct camera cameras[] = {{.position = {0.0f, 0.0f, 0.0f}},
                                      {{1.5f, 2.75f, 5.3f}, -17.0f, -22.5f},
                                      {{-3.0f, 1.0f, 2.0f}, 123.0f, 89.0f},
@@ -366,5 +344,5 @@ int main(void)
         cmocka_unit_test(test_ramp_rises_evenly_for_every_eye),
         cmocka_unit_test(test_rays_leave_the_camera_as_its_basis_says),
     };
-    return cmocka_run_group_tests_name("numeric", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("numeric", tests, gpu_setup, gpu_teardown);
 }

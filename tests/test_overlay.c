@@ -17,7 +17,6 @@
 
 enum { WIDTH = 400, HEIGHT = 240 };
 
-static struct gpu gpu;
 static struct overlay overlay;
 static const struct overlay_colour WHITE = {{255, 255, 255, 255}};
 
@@ -207,7 +206,7 @@ static void the_last_report_is_kept(void **unused)
 static int set_up(void **unused)
 {
     (void)unused;
-    return gpu_open(&gpu) && gpu_load(&gpu, "chapters/01_normal_colouring.frag") &&
+    return gpu_open() && gpu_load("chapters/01_normal_colouring.frag") &&
                    overlay_open(&overlay, &gpu.context.gl)
                ? 0
                : -1;
@@ -218,7 +217,7 @@ static int tear_down(void **unused)
     (void)unused;
     overlay_close(&overlay);
     overlay_close(&overlay);
-    gpu_close(&gpu);
+    gpu_close();
     return 0;
 }
 

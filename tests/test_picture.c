@@ -16,42 +16,11 @@
 #include "support_gpu.h"
 #include "support_scratch.h"
 
-static struct gpu gpu;
-
-static int open_all(void **unused)
-{
-    (void)unused;
-    scratch_make();
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_all(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    scratch_remove();
-    return 0;
-}
-
-static struct renderer_inputs inputs_of(int width, int height, int samples)
-{
-    return (struct renderer_inputs){
-        .width = width,
-        .height = height,
-        .camera = {.position = {1.5f, 2.75f, 5.3f}, .pan = -17.0f, .tilt = -22.5f},
-        .samples = samples};
-}
-
-static void load_text(const char *text)
-{
-    assert_true(renderer_load(&gpu.renderer, scratch_write("shader.frag", text)));
-}
-
 static void load_chapter(const char *stem)
 {
     char path[128];
     snprintf(path, sizeof path, "chapters/%s.frag", stem);
-    assert_true(gpu_load(&gpu, path));
+    assert_true(gpu_load(path));
 }
 
 // The whole picture as floats, drawn in bands; the caller frees it.
@@ -104,13 +73,13 @@ static double worst_place(const struct renderer_inputs *inputs, int band)
 // interpolated place has some rounding more.
 static void check_place(const char *text, double most)
 {
-    load_text(text);
+    assert_true(gpu_load_text(text));
     static const int sizes[][3] = {{1, 1, 1},       {2, 1, 1},      {640, 360, 360},
                                    {700, 530, 530}, {700, 530, 37}, {513, 1030, 512},
                                    {530, 700, 513}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
         for (int samples = 1; samples <= 3; samples++) {
-            struct renderer_inputs inputs = inputs_of(sizes[i][0], sizes[i][1], samples);
+            struct renderer_inputs inputs = gpu_inputs(sizes[i][0], sizes[i][1], samples);
             double worst = worst_place(&inputs, sizes[i][2]);
             if (worst > most)
                 fail_msg("%dx%d in bands of %d, %d samples: a pixel is %g pixels from its place",
@@ -134,8 +103,8 @@ static void pixels_of_a_whole_file_stand_at_their_places(void **unused)
 static void a_picture_of_several_bands_has_no_seam(void **unused)
 {
     (void)unused;
-    load_text(COURSE_PLACE);
-    struct renderer_inputs inputs = inputs_of(10000, 450, 1);
+    assert_true(gpu_load_text(COURSE_PLACE));
+    struct renderer_inputs inputs = gpu_inputs(10000, 450, 1);
     struct image image = {0};
     assert_true(renderer_picture(&gpu.renderer, &inputs, &image));
     int worst = 0;
@@ -163,8 +132,8 @@ static void a_picture_of_several_bands_has_no_seam(void **unused)
 static void check_mean(const char *stem, int samples, double difference, double most)
 {
     load_chapter(stem);
-    struct renderer_inputs small = inputs_of(220, 130, samples);
-    struct renderer_inputs large = inputs_of(220 * samples, 130 * samples, 1);
+    struct renderer_inputs small = gpu_inputs(220, 130, samples);
+    struct renderer_inputs large = gpu_inputs(220 * samples, 130 * samples, 1);
     float *mean = draw(&small, small.height);
     float *all = draw(&large, large.height);
     size_t differ = 0;
@@ -209,15 +178,16 @@ static void samples_nearly_are_the_mean_of_a_larger_picture(void **unused)
 static void each_sample_is_clamped(void **unused)
 {
     (void)unused;
-    load_text("#include \"main.glsl\"\n"
-              "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"
-              "float sceneDistance(vec3 p) { return p.z; }\n"
-              "vec3 rayColour(Ray ray)\n"
-              "{\n"
-              "    float place = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
-              "    return fract(place) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
-              "}\n");
-    struct renderer_inputs inputs = inputs_of(64, 48, 2);
+    assert_true(gpu_load_text(
+        "#include \"main.glsl\"\n"
+        "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"
+        "float sceneDistance(vec3 p) { return p.z; }\n"
+        "vec3 rayColour(Ray ray)\n"
+        "{\n"
+        "    float place = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
+        "    return fract(place) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
+        "}\n"));
+    struct renderer_inputs inputs = gpu_inputs(64, 48, 2);
     float *values = draw(&inputs, inputs.height);
     for (size_t i = 0; i < 64 * 48; i++)
         for (size_t k = 0; k < 3; k++)
@@ -229,7 +199,7 @@ static void each_sample_is_clamped(void **unused)
 static double changed_by_bands(const char *stem, double difference)
 {
     load_chapter(stem);
-    struct renderer_inputs inputs = inputs_of(700, 530, 1);
+    struct renderer_inputs inputs = gpu_inputs(700, 530, 1);
     float *whole = draw(&inputs, inputs.height);
     float *bands = draw(&inputs, 37);
     size_t count = 4 * (size_t)inputs.width * (size_t)inputs.height, changed = 0;
@@ -262,7 +232,7 @@ static void check_sharpened(enum shader_view view, int samples)
 {
     enum { PARTS = 6 };
     static const int parts[PARTS] = {1, 64, 3, 200, 129, 133};
-    struct renderer_inputs inputs = inputs_of(700, 530, samples);
+    struct renderer_inputs inputs = gpu_inputs(700, 530, samples);
     inputs.pixel[0] = inputs.pixel[1] = view == SHADER_SLICE ? 300 : -1;
     assert_true(renderer_set_view(&gpu.renderer, view));
     float *whole = draw(&inputs, inputs.height);
@@ -271,7 +241,7 @@ static void check_sharpened(enum shader_view view, int samples)
     assert_non_null(sharp);
     int left = inputs.height;
     for (int i = 0; i < PARTS; i++) {
-        struct renderer_inputs coarse = inputs_of(175, 133, 1);
+        struct renderer_inputs coarse = gpu_inputs(175, 133, 1);
         coarse.time = i;
         assert_true(renderer_draw(&gpu.renderer, &coarse, 0, coarse.height));
         left -= parts[i];
@@ -318,7 +288,7 @@ static void a_click_finds_its_pixel_on_any_display(void **unused)
         {{640, 360}, {640, 360}, {-1.0, 3.0}, {-1, 356}}, // dragged out of the window
     };
     for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
-        struct renderer_inputs inputs = inputs_of(cases[i].picture[0], cases[i].picture[1], 1);
+        struct renderer_inputs inputs = gpu_inputs(cases[i].picture[0], cases[i].picture[1], 1);
         int pixel[2];
         renderer_pixel_at(&inputs, cases[i].place, cases[i].window, pixel);
         if (pixel[0] != cases[i].pixel[0] || pixel[1] != cases[i].pixel[1])
@@ -357,8 +327,8 @@ static void values_become_bytes(void **unused)
                  "#version 330 core\nout vec4 colour;\n"
                  "void main() { colour = vec4(%s, 0.25, 0.75, 1.0); }\n",
                  cases[i].value);
-        load_text(text);
-        struct renderer_inputs inputs = inputs_of(3, 2, 1);
+        assert_true(gpu_load_text(text));
+        struct renderer_inputs inputs = gpu_inputs(3, 2, 1);
         struct image image = {0};
         assert_true(renderer_picture(&gpu.renderer, &inputs, &image));
         for (int pixel = 0; pixel < 6; pixel++) {
@@ -377,7 +347,7 @@ static void values_become_bytes(void **unused)
 static void what_came_before_leaves_no_trace(void **unused)
 {
     (void)unused;
-    struct renderer_inputs inputs = inputs_of(96, 54, 1);
+    struct renderer_inputs inputs = gpu_inputs(96, 54, 1);
     load_chapter("02_lighting");
     float *first = draw(&inputs, inputs.height);
 
@@ -385,7 +355,7 @@ static void what_came_before_leaves_no_trace(void **unused)
     float *steps = draw(&inputs, inputs.height);
     assert_memory_not_equal(first, steps, 4 * sizeof *first * 96 * 54);
     assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
-    struct renderer_inputs smooth = inputs_of(40, 30, 2);
+    struct renderer_inputs smooth = gpu_inputs(40, 30, 2);
     free(draw(&smooth, smooth.height));
     capture_begin();
     bool loaded = renderer_load(&gpu.renderer, "/nowhere/shader.frag");
@@ -415,5 +385,5 @@ int main(void)
         cmocka_unit_test(values_become_bytes),
         cmocka_unit_test(what_came_before_leaves_no_trace),
     };
-    return cmocka_run_group_tests_name("picture", tests, open_all, close_all);
+    return cmocka_run_group_tests_name("picture", tests, gpu_setup, gpu_teardown);
 }

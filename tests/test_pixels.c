@@ -125,27 +125,12 @@ static const struct pixel pixels[] = {
 
 enum { PIXELS = sizeof pixels / sizeof pixels[0] };
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 static void check_named(const char *name)
 {
     const struct mirror_picture *picture = mirror_find(name);
     assert_non_null(picture);
     const struct pixel_list list = {pixels, PIXELS, tolerance_of(name)};
-    pixels_check(&gpu, picture, &list);
+    pixels_check(picture, &list);
 }
 
 static void test_first_steps(void **unused)
@@ -189,5 +174,5 @@ int main(void)
         cmocka_unit_test(test_chapter_01),  cmocka_unit_test(test_chapter_02),
         cmocka_unit_test(test_chapter_03),
     };
-    return cmocka_run_group_tests_name("pixels", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("pixels", tests, gpu_setup, gpu_teardown);
 }

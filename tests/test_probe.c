@@ -21,21 +21,7 @@
 
 enum { WIDTH = 640, HEIGHT = 360 };
 
-static struct gpu gpu;
 static struct probe probe; // too large for the stack
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
 
 // A march of which only intervals are known.
 struct walk {
@@ -219,7 +205,7 @@ static void check_chapter(struct subject *subject)
     snprintf(shader, sizeof shader, "chapters/%s.frag", subject->stem);
     subject->inputs = (struct renderer_inputs){.width = WIDTH, .height = HEIGHT, .samples = 1};
     assert_true(mirror_camera(gpu.root, subject->stem, &subject->inputs.camera));
-    assert_true(gpu_load(&gpu, shader));
+    assert_true(gpu_load(shader));
     for (int y = 8; y < HEIGHT; y += 20)
         for (int x = 10; x < WIDTH; x += 31)
             check_pixel(subject, x, y);
@@ -259,7 +245,7 @@ static void load_chapter(const char *stem, struct renderer_inputs *inputs)
     snprintf(shader, sizeof shader, "chapters/%s.frag", stem);
     *inputs = (struct renderer_inputs){.width = WIDTH, .height = HEIGHT, .samples = 1};
     assert_true(mirror_camera(gpu.root, stem, &inputs->camera));
-    assert_true(gpu_load(&gpu, shader));
+    assert_true(gpu_load(shader));
 }
 
 // ---- The view of the steps
@@ -361,5 +347,5 @@ int main(void)
         cmocka_unit_test(test_program_prints_the_table),
         cmocka_unit_test(test_program_refuses_a_whole_file),
     };
-    return cmocka_run_group_tests_name("probe", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("probe", tests, gpu_setup, gpu_teardown);
 }

@@ -16,21 +16,6 @@
 #define RAYS   "tests/shaders/projection.frag"
 #define PLATES "tests/shaders/plates.frag"
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 // ---- Rays ----
 
 enum { COLUMNS = 65, ROWS = 33, RAYS_COUNT = COLUMNS * ROWS };
@@ -68,7 +53,7 @@ static void rays_of(const struct view *view, double u, int which, float *rays[2]
                                          .time = which + part,
                                          .mouse = {(float)view->framing},
                                          .samples = 1};
-        rays[part] = gpu_numbers(&gpu, &inputs);
+        rays[part] = gpu_numbers(&inputs);
         assert_non_null(rays[part]);
     }
 }
@@ -82,7 +67,7 @@ static void free_rays(float *rays[2])
 static void test_u_0_is_the_perspective_ray_to_the_bit(void **unused)
 {
     (void)unused;
-    assert_true(gpu_load(&gpu, RAYS));
+    assert_true(gpu_load(RAYS));
     for (int i = 0; i < VIEWS; i++) {
         float *ours[2], *perspective[2];
         rays_of(&views[i], 0.0, PROJECTION, ours);
@@ -99,7 +84,7 @@ static void test_u_0_is_the_perspective_ray_to_the_bit(void **unused)
 static void test_u_1_is_the_orthographic_ray(void **unused)
 {
     (void)unused;
-    assert_true(gpu_load(&gpu, RAYS));
+    assert_true(gpu_load(RAYS));
     for (int i = 0; i < VIEWS; i++) {
         float *ours[2], *parallel[2];
         rays_of(&views[i], 1.0, PROJECTION, ours);
@@ -149,7 +134,7 @@ static double worst_crossing(const struct view *view, double u, double depth)
 static void test_rays_cross_every_plane_where_the_formula_says(void **unused)
 {
     (void)unused;
-    assert_true(gpu_load(&gpu, RAYS));
+    assert_true(gpu_load(RAYS));
     double framing = 0.0, others = 0.0;
     for (int i = 0; i < VIEWS; i++)
         for (int k = 0; k < PASSAGE; k++) {
@@ -184,7 +169,7 @@ static float *coverage(const struct camera *camera, double u)
     struct renderer_inputs inputs = {
         .width = WIDTH, .height = HEIGHT, .camera = *camera, .samples = SAMPLES};
     set("orthographic", u);
-    float *values = gpu_numbers(&gpu, &inputs);
+    float *values = gpu_numbers(&inputs);
     assert_non_null(values);
     return values;
 }
@@ -231,7 +216,7 @@ static void check_sizes(double aside, double u)
 static void test_equal_plates_have_the_sizes_of_their_depths(void **unused)
 {
     (void)unused;
-    assert_true(gpu_load(&gpu, PLATES));
+    assert_true(gpu_load(PLATES));
     for (int k = 0; k < PASSAGE; k++) {
         check_sizes(0.0, passage[k]);
         check_sizes(1.7, passage[k]);
@@ -306,7 +291,7 @@ static void test_parallel_edges_stay_parallel(void **unused)
 {
     (void)unused;
     const struct camera camera = {.position = {2.0f, 1.5f, 0.0f}, .pan = -12.0f, .tilt = -20.0f};
-    assert_true(gpu_load(&gpu, PLATES));
+    assert_true(gpu_load(PLATES));
     set("strip", 1.0);
     set("framingDistance", 8.0);
     for (int k = 0; k < PASSAGE; k++) {
@@ -331,5 +316,5 @@ int main(void)
         cmocka_unit_test(test_equal_plates_have_the_sizes_of_their_depths),
         cmocka_unit_test(test_parallel_edges_stay_parallel),
     };
-    return cmocka_run_group_tests_name("projection", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("projection", tests, gpu_setup, gpu_teardown);
 }

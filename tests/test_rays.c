@@ -24,28 +24,10 @@ enum {
     SHADOW = 30
 };
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 static float *rays(int function, float x, float y, float z, float w)
 {
-    const float numbers[4] = {x, y, z, w};
-    assert_true(gpu_load(&gpu, "tests/shaders/rays.frag"));
-    float *values = gpu_call(&gpu, ITEMS_WIDE * SLOTS, ROWS, function, numbers);
-    assert_non_null(values);
-    return values;
+    return gpu_call("tests/shaders/rays.frag", ITEMS_WIDE * SLOTS, ROWS, function,
+                    (const float[4]){x, y, z, w});
 }
 
 // The march of one ray, as the shader wrote it.
@@ -325,8 +307,8 @@ static void test_silhouette_is_the_ball_s_outline(void **unused)
                                      .height = HEIGHT,
                                      .samples = 1,
                                      .camera = {{1.0f, 1.5f, 4.0f}, -12.0f, -20.0f}};
-    assert_true(gpu_load(&gpu, "tests/shaders/silhouette.frag"));
-    float *values = gpu_numbers(&gpu, &inputs);
+    assert_true(gpu_load("tests/shaders/silhouette.frag"));
+    float *values = gpu_numbers(&inputs);
     assert_non_null(values);
     int inside = 0, outside = 0, tangent = 0;
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
@@ -361,5 +343,5 @@ int main(void)
         cmocka_unit_test(test_shadow_ray_finds_what_stands_between),
         cmocka_unit_test(test_silhouette_is_the_ball_s_outline),
     };
-    return cmocka_run_group_tests_name("rays", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("rays", tests, gpu_setup, gpu_teardown);
 }

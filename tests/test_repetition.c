@@ -36,21 +36,6 @@ enum {
     LONELY
 };
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) && gpu_load(&gpu, SHADER) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 // ---- One copy ----
 
 static double symmetric(struct d3 q)
@@ -131,9 +116,7 @@ static double brute(const struct field *field, struct d3 p)
 
 static float *ask(const struct field *field)
 {
-    float *values = gpu_call(&gpu, WIDE, ROWS, field->function, field->v);
-    assert_non_null(values);
-    return values;
+    return gpu_call(SHADER, WIDE, ROWS, field->function, field->v);
 }
 
 // What was found over all points: how far the GPU's number lies over and under the brute force.
@@ -316,5 +299,5 @@ int main(void)
         cmocka_unit_test(test_low_towers_hide_a_high_one),
         cmocka_unit_test(test_the_capped_march_misses_nothing),
     };
-    return cmocka_run_group_tests_name("repetition", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("repetition", tests, gpu_setup, gpu_teardown);
 }

@@ -23,21 +23,7 @@ static const double ring = 2.5, threshold = 0.002, blend = 0.6;
 static const struct d3 low = {-3.25, -0.27, -3.25}, high = {3.25, 1.6, 3.25};
 static const struct d3 to_sun = {-0.72, 0.6, 0.3487};
 
-static struct gpu gpu;
 static struct probe probe; // too large for the stack
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
 
 // ---- The scene ----
 
@@ -209,7 +195,7 @@ static void test_pixels(void **unused)
     const struct mirror_picture picture = {
         .name = STEM, .shader = "chapters/" STEM ".frag", .chapter = STEM, .sample = sample_of};
     const struct pixel_list list = {pixels, sizeof pixels / sizeof pixels[0], 0.15 / 255.0};
-    pixels_check(&gpu, &picture, &list);
+    pixels_check(&picture, &list);
 }
 
 // ---- The probe ----
@@ -255,7 +241,7 @@ static void test_probe(void **unused)
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
     int rows = 0;
     assert_true(mirror_camera(gpu.root, STEM, &inputs.camera));
-    assert_true(gpu_load(&gpu, "chapters/" STEM ".frag"));
+    assert_true(gpu_load("chapters/" STEM ".frag"));
     for (int y = 8; y < HEIGHT; y += 24)
         for (int x = 10; x < WIDTH; x += 37)
             check_pixel(&inputs, x, y, &rows);
@@ -269,5 +255,5 @@ int main(void)
         cmocka_unit_test(test_pixels),
         cmocka_unit_test(test_probe),
     };
-    return cmocka_run_group_tests_name("scene 04", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("scene 04", tests, gpu_setup, gpu_teardown);
 }

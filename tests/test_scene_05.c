@@ -24,21 +24,7 @@ static const double wave[3][2] = {{0.45, 1.20}, {-1.10, 1.70}, {1.90, 1.60}};
 static const double speed[3] = {3.55, 4.46, 4.94};
 static const struct d3 sun_colour = {2.6, 1.6, 0.7};
 
-static struct gpu gpu;
 static struct probe probe; // too large for the stack
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
 
 // ---- Where things are ----
 
@@ -290,7 +276,7 @@ static void test_pixels(void **unused)
 {
     (void)unused;
     const struct pixel_list list = {pixels, sizeof pixels / sizeof pixels[0], 0.5 / 255.0};
-    pixels_check(&gpu, &picture, &list);
+    pixels_check(&picture, &list);
 }
 
 // ---- The probe ----
@@ -302,7 +288,7 @@ static void test_probe(void **unused)
     (void)unused;
     struct renderer_inputs inputs = {.width = 640, .height = 360, .time = TIME, .samples = 1};
     assert_true(mirror_camera(gpu.root, STEM, &inputs.camera));
-    assert_true(gpu_load(&gpu, SHADER));
+    assert_true(gpu_load(SHADER));
     int steps = 0, ends[4] = {0};
     double worst = 0.0;
     for (int y = 8; y < 240; y += 16)
@@ -335,5 +321,5 @@ int main(void)
         cmocka_unit_test(test_pixels),
         cmocka_unit_test(test_probe),
     };
-    return cmocka_run_group_tests_name("scene_05", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("scene_05", tests, gpu_setup, gpu_teardown);
 }

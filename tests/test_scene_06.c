@@ -23,21 +23,7 @@ enum { WIDTH = 640, HEIGHT = 360, MAX_STEPS = 160 };
 static const double hit_threshold = 0.0002, normal_step = 0.0005;
 static const double spread = 1.5 / (HEIGHT * MIRROR_FOCAL_LENGTH);
 
-static struct gpu gpu;
 static struct probe probe; // too large for the stack
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
 
 // ---- Where a ray is looked at ----
 
@@ -214,7 +200,7 @@ static void test_pixels_agree_with_double(void **unused)
                                            .chapter = CHAPTER,
                                            .sample = sample_06};
     const struct pixel_list list = {pixels, sizeof pixels / sizeof pixels[0], 0.1 / 255.0};
-    pixels_check(&gpu, &picture, &list);
+    pixels_check(&picture, &list);
 }
 
 // ---- The table of --probe ----
@@ -250,7 +236,7 @@ static void test_probe_is_the_march_in_double(void **unused)
     (void)unused;
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
     assert_true(mirror_camera(gpu.root, CHAPTER, &inputs.camera));
-    assert_true(gpu_load(&gpu, "chapters/" CHAPTER ".frag"));
+    assert_true(gpu_load("chapters/" CHAPTER ".frag"));
     int hits = 0, rays = 0, steps = 0;
     for (int y = 8; y < HEIGHT; y += 20)
         for (int x = 10; x < WIDTH; x += 31, rays++) {
@@ -273,5 +259,5 @@ int main(void)
         cmocka_unit_test(test_pixels_agree_with_double),
         cmocka_unit_test(test_probe_is_the_march_in_double),
     };
-    return cmocka_run_group_tests_name("scene of chapter 06", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("scene of chapter 06", tests, gpu_setup, gpu_teardown);
 }

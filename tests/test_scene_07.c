@@ -18,21 +18,7 @@ static const double period = 5.5, far = 38.0, low = 0.15, high = 2.95, fog = 26.
 static const struct d3 zenith = {0.012, 0.020, 0.075}, haze = {0.06, 0.042, 0.09},
                        glow = {0.95, 0.36, 0.12}, sunset = {-0.384, 0.030, -0.923};
 
-static struct gpu gpu;
 static struct probe probe; // too large for the stack
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
 
 // ---- The lanterns ----
 
@@ -248,8 +234,8 @@ static void test_pixels(void **unused)
 {
     (void)unused;
     const struct pixel_list list = {pixels, sizeof pixels / sizeof pixels[0], 0.25 / 255.0};
-    pixels_check(&gpu, &picture, &list);
-    pixels_check(&gpu, &later, &list);
+    pixels_check(&picture, &list);
+    pixels_check(&later, &list);
 }
 
 // ---- The probe ----
@@ -292,7 +278,7 @@ static void check_rays(bool capped, struct rows *rows)
 {
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
     assert_true(mirror_camera(gpu.root, "07_repetition", &inputs.camera));
-    assert_true(gpu_load(&gpu, "chapters/07_repetition.frag"));
+    assert_true(gpu_load("chapters/07_repetition.frag"));
     struct parameter *parameter = parameters_find(&gpu.renderer.parameters, "capped");
     assert_non_null(parameter);
     parameter->value[0] = capped ? 1.0 : 0.0;
@@ -330,5 +316,5 @@ int main(void)
         cmocka_unit_test(test_pixels),
         cmocka_unit_test(test_no_step_is_longer_than_the_way_to_any_lantern),
     };
-    return cmocka_run_group_tests_name("scene_07", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("scene_07", tests, gpu_setup, gpu_teardown);
 }

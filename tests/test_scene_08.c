@@ -178,21 +178,7 @@ static struct mirror_sample sample_at(const struct mirror_eye *eye)
 static const struct mirror_picture picture = {
     .name = STEM, .shader = SHADER, .chapter = STEM, .time = 0.0, .sample = sample_at};
 
-static struct gpu gpu;
 static struct probe probe; // too large for the stack
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
 
 // ---- Pixels ----
 
@@ -214,7 +200,7 @@ static void test_pixels(void **unused)
 {
     (void)unused;
     struct pixel_list list = {pixels, sizeof pixels / sizeof pixels[0], 0.4 / 255.0};
-    pixels_check(&gpu, &picture, &list);
+    pixels_check(&picture, &list);
 }
 
 // ---- The march of a ray ----
@@ -225,7 +211,7 @@ static struct renderer_inputs load(double u)
 {
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
     assert_true(mirror_camera(gpu.root, STEM, &inputs.camera));
-    assert_true(gpu_load(&gpu, SHADER));
+    assert_true(gpu_load(SHADER));
     struct parameter *parameter = parameters_find(&gpu.renderer.parameters, "orthographic");
     assert_non_null(parameter);
     parameter->value[0] = u;
@@ -301,7 +287,7 @@ static void test_depth_view(void **unused)
     for (int k = 0; k < 3; k++) {
         struct renderer_inputs inputs = load(0.5 * k);
         assert_true(renderer_set_view(&gpu.renderer, SHADER_DEPTH));
-        float *values = gpu_numbers(&gpu, &inputs);
+        float *values = gpu_numbers(&inputs);
         assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
         assert_non_null(values);
         for (int y = 40; y < HEIGHT; y += 40)
@@ -326,7 +312,7 @@ static void check_slice(double u, int x, int y)
     inputs.pixel[0] = x;
     inputs.pixel[1] = y;
     assert_true(renderer_set_view(&gpu.renderer, SHADER_SLICE));
-    float *values = gpu_numbers(&gpu, &inputs);
+    float *values = gpu_numbers(&inputs);
     assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
     assert_non_null(values);
     assert_true(renderer_probe(&gpu.renderer, &inputs, x, y, &probe));
@@ -411,7 +397,7 @@ static void test_the_frames_have_the_sizes_of_their_depths(void **unused)
             m[i] = (1.0 - u) * m[i] + u * framing;
         print_message("# u = %.2f: near frame %.3f, far frame %.3f, ratio %.3f\n", u,
                       framing / m[0], framing / m[1], m[1] / m[0]);
-        float *values = gpu_numbers(&gpu, &inputs);
+        float *values = gpu_numbers(&inputs);
         assert_non_null(values);
         check_frame_corner(values, &inputs.camera, u, near);
         check_frame_corner(values, &inputs.camera, u, far);
@@ -449,5 +435,5 @@ int main(void)
         cmocka_unit_test(test_the_frames_have_the_sizes_of_their_depths),
         cmocka_unit_test(test_the_tower_meets_the_channel),
     };
-    return cmocka_run_group_tests_name("scene_08", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("scene_08", tests, gpu_setup, gpu_teardown);
 }

@@ -16,21 +16,7 @@
 #define SHADER "chapters/09_sky_and_sunset.frag"
 #define STEM   "09_sky_and_sunset"
 
-static struct gpu gpu;
 static struct probe probe; // too large for the stack
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
 
 // The hour at time 0, and at the time of the night's picture: a quarter of an hour a second.
 static struct mirror_sample at_its_hour(const struct mirror_eye *eye)
@@ -76,7 +62,7 @@ static void check(int picture)
     // The march ends up to a pixel's width before the surface: that moves a window's rim, not its
     // middle, and the fog by less than 0.3 of 255.
     struct pixel_list list = {pixels, sizeof pixels / sizeof pixels[0], 0.6 / 255.0};
-    pixels_check(&gpu, &pictures[picture], &list);
+    pixels_check(&pictures[picture], &list);
 }
 
 static void test_sunset(void **unused)
@@ -125,7 +111,7 @@ static void test_probe_walks_by_the_city(void **unused)
     struct renderer_inputs inputs = {.width = 640, .height = 360, .samples = 1};
     int steps = 0;
     assert_true(mirror_camera(gpu.root, STEM, &inputs.camera));
-    assert_true(gpu_load(&gpu, SHADER));
+    assert_true(gpu_load(SHADER));
     for (int y = 9; y < 360; y += 18)
         for (int x = 11; x < 640; x += 37)
             steps += check_march(&inputs, x, y);
@@ -139,7 +125,7 @@ static void test_steps_down_the_avenue(void **unused)
     (void)unused;
     struct renderer_inputs inputs = {
         .width = 1, .height = 1, .samples = 1, .camera = {.position = {3.0f, 5.0f, 0.0f}}};
-    assert_true(gpu_load(&gpu, SHADER));
+    assert_true(gpu_load(SHADER));
     // A picture of one pixel has a wide ray: the far end of the march is not asked for here.
     assert_true(renderer_probe(&gpu.renderer, &inputs, 0, 0, &probe));
     for (int i = 0; i < probe.steps; i++)
@@ -156,5 +142,5 @@ int main(void)
         cmocka_unit_test(test_probe_walks_by_the_city),
         cmocka_unit_test(test_steps_down_the_avenue),
     };
-    return cmocka_run_group_tests_name("scene 09", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("scene 09", tests, gpu_setup, gpu_teardown);
 }

@@ -21,16 +21,9 @@
 
 static int set_up(void **state)
 {
-    *state = (void *)(size_t)scratch_make();
+    scratch_setup(state);
     scratch_write("root/shaders/leaf.glsl", "float leaf();\n");
     scratch_write("root/shaders/twig.glsl", "// twig\n#include \"leaf.glsl\"\nfloat twig();\n");
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    scratch_remove();
     return 0;
 }
 
@@ -414,7 +407,7 @@ static void test_views(void **state)
     shader_free(&source);
 }
 
-#define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+#define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, scratch_teardown)
 
 int main(void)
 {

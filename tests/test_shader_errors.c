@@ -23,15 +23,8 @@ static struct {
 
 static int set_up(void **state)
 {
-    *state = (void *)(size_t)scratch_make();
+    scratch_setup(state);
     scratch_write("root/shaders/lib.glsl", "// lib\n  float lib() { return x; }\n");
-    return 0;
-}
-
-static int tear_down(void **state)
-{
-    (void)state;
-    scratch_remove();
     return 0;
 }
 
@@ -297,7 +290,7 @@ static int close_context(void **state)
     return 0;
 }
 
-#define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, tear_down)
+#define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, scratch_teardown)
 
 int main(void)
 {

@@ -14,21 +14,6 @@
 #include "support_gpu.h"
 #include "support_mirror.h"
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 static double degrees(double x)
 {
     return x * 180.0 / MIRROR_PI;
@@ -36,11 +21,7 @@ static double degrees(double x)
 
 static float *sky(int function, int rows, float x, float y)
 {
-    const float numbers[4] = {x, y, 0.0f, 0.0f};
-    assert_true(gpu_load(&gpu, "tests/shaders/sky.frag"));
-    float *values = gpu_call(&gpu, 1024, rows, function, numbers);
-    assert_non_null(values);
-    return values;
+    return gpu_call("tests/shaders/sky.frag", 1024, rows, function, (const float[4]){x, y});
 }
 
 // The way of a ray from the ground through a shell of even density, from the triangle of the
@@ -251,7 +232,7 @@ enum { WIDE = 1024, HIGH = 256 };
 static float *city(double time)
 {
     struct renderer_inputs inputs = {.width = WIDE, .height = HIGH, .time = time, .samples = 1};
-    float *values = gpu_numbers(&gpu, &inputs);
+    float *values = gpu_numbers(&inputs);
     assert_non_null(values);
     return values;
 }
@@ -259,7 +240,7 @@ static float *city(double time)
 static void test_city_is_never_farther_than_it_says(void **unused)
 {
     (void)unused;
-    assert_true(gpu_load(&gpu, "tests/shaders/city.frag"));
+    assert_true(gpu_load("tests/shaders/city.frag"));
     float *places = city(0.5), *distances = city(1.5);
     int asked = 0, inside = 0, capped = 0;
     double closest = 1.0;
@@ -287,7 +268,7 @@ static void test_city_is_never_farther_than_it_says(void **unused)
 static void test_trees_are_1_lipschitz(void **unused)
 {
     (void)unused;
-    assert_true(gpu_load(&gpu, "tests/shaders/city.frag"));
+    assert_true(gpu_load("tests/shaders/city.frag"));
     float *values = city(2.5);
     double largest = 0.0;
     for (int i = 0; i < WIDE * HIGH; i++) {
@@ -305,7 +286,7 @@ static void test_trees_are_1_lipschitz(void **unused)
 static void test_sky_is_a_light_at_every_hour(void **unused)
 {
     (void)unused;
-    assert_true(gpu_load(&gpu, "tests/shaders/city.frag"));
+    assert_true(gpu_load("tests/shaders/city.frag"));
     float *values = city(3.5);
     for (int i = 0; i < WIDE * HIGH; i++)
         for (int k = 0; k < 3; k++)
@@ -328,5 +309,5 @@ int main(void)
         cmocka_unit_test(test_trees_are_1_lipschitz),
         cmocka_unit_test(test_sky_is_a_light_at_every_hour),
     };
-    return cmocka_run_group_tests_name("sky", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("sky", tests, gpu_setup, gpu_teardown);
 }

@@ -19,23 +19,6 @@ enum { WIDTH = 640, HEIGHT = 360, AXIS = 29, LABELS = 20 }; // pixels
 // Half of shaders/slice.glsl's ink lies on a light pixel: less red than this.
 #define INKED 0.55f
 
-static struct gpu gpu;
-
-static int open_all(void **unused)
-{
-    (void)unused;
-    scratch_make();
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_all(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    scratch_remove();
-    return 0;
-}
-
 // One slice: its table, its frame, its pixels.
 struct slice {
     struct renderer_inputs inputs;
@@ -55,7 +38,7 @@ static struct slice *slice_of(const struct camera *camera, int x, int y, float z
                                              .pixel = {x, y},
                                              .zoom = zoom};
     assert_true(renderer_set_view(&gpu.renderer, SHADER_SLICE));
-    slice->values = gpu_numbers(&gpu, &slice->inputs);
+    slice->values = gpu_numbers(&slice->inputs);
     assert_non_null(slice->values);
     assert_true(renderer_probe(&gpu.renderer, &slice->inputs, x, y, &slice->probe));
     slice->frame = slice_frame_of(&slice->probe, WIDTH, HEIGHT, zoom);
@@ -227,7 +210,7 @@ static struct slice *load_slice(size_t i)
     char shader[128];
     struct camera camera;
     snprintf(shader, sizeof shader, "chapters/%s.frag", rays[i].stem);
-    assert_true(gpu_load(&gpu, shader));
+    assert_true(gpu_load(shader));
     assert_true(mirror_camera(gpu.root, rays[i].stem, &camera));
     return slice_of(&camera, rays[i].x, rays[i].y, rays[i].zoom);
 }
@@ -276,7 +259,7 @@ static void every_step_has_one_circle(void **unused)
 {
     (void)unused;
     const struct camera camera = {.position = {0.0f, 0.0f, 0.0f}};
-    assert_true(renderer_load(&gpu.renderer, scratch_write("shader.frag", equal_steps)));
+    assert_true(gpu_load_text(equal_steps));
     struct slice *slice = slice_of(&camera, 2, 180, 0.5f);
     assert_int_equal(slice->probe.steps, 3);
     for (int k = -2; k <= 5; k++) {
@@ -293,13 +276,13 @@ static void the_steps_view_agrees_with_the_table(void **unused)
 {
     (void)unused;
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
-    assert_true(renderer_load(&gpu.renderer, scratch_write("shader.frag", equal_steps)));
+    assert_true(gpu_load_text(equal_steps));
     assert_true(renderer_set_view(&gpu.renderer, SHADER_STEPS));
-    float *colours = gpu_numbers(&gpu, &inputs);
+    float *colours = gpu_numbers(&inputs);
     assert_non_null(colours);
-    assert_true(gpu_load(&gpu, "chapters/01_normal_colouring.frag"));
+    assert_true(gpu_load("chapters/01_normal_colouring.frag"));
     assert_true(mirror_camera(gpu.root, "01_normal_colouring", &inputs.camera));
-    float *view = gpu_numbers(&gpu, &inputs);
+    float *view = gpu_numbers(&inputs);
     assert_non_null(view);
     struct probe *probe = malloc(sizeof *probe);
     assert_non_null(probe);
@@ -381,5 +364,5 @@ int main(void)
         cmocka_unit_test(the_steps_view_agrees_with_the_table),
         cmocka_unit_test(the_frame_shows_the_march),
     };
-    return cmocka_run_group_tests_name("slice", tests, open_all, close_all);
+    return cmocka_run_group_tests_name("slice", tests, gpu_setup, gpu_teardown);
 }

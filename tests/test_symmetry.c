@@ -22,28 +22,9 @@ enum { ITEMS_WIDE = 256, SLOTS = 4, ROWS = 32, ITEMS = ITEMS_WIDE * ROWS, MOST_L
 static const struct d3 corners[4] = {
     {1.0, 1.0, 1.0}, {1.0, -1.0, -1.0}, {-1.0, 1.0, -1.0}, {-1.0, -1.0, 1.0}};
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 static float *call(int function, float x, float y, float z, float w)
 {
-    const float numbers[4] = {x, y, z, w};
-    assert_true(gpu_load(&gpu, SHADER));
-    float *values = gpu_call(&gpu, ITEMS_WIDE * SLOTS, ROWS, function, numbers);
-    assert_non_null(values);
-    return values;
+    return gpu_call(SHADER, ITEMS_WIDE * SLOTS, ROWS, function, (const float[4]){x, y, z, w});
 }
 
 // ---- The truth ----
@@ -371,5 +352,5 @@ int main(void)
         cmocka_unit_test(test_folds_are_1_lipschitz),
         cmocka_unit_test(test_another_length_stretches),
     };
-    return cmocka_run_group_tests_name("symmetry", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("symmetry", tests, gpu_setup, gpu_teardown);
 }

@@ -11,37 +11,6 @@
 #include "support_gpu.h"
 #include "support_scratch.h"
 
-static struct gpu gpu;
-
-static int open_all(void **unused)
-{
-    (void)unused;
-    scratch_make();
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_all(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    scratch_remove();
-    return 0;
-}
-
-static struct renderer_inputs inputs_of(int width, int height, int samples)
-{
-    return (struct renderer_inputs){
-        .width = width,
-        .height = height,
-        .camera = {.position = {1.5f, 2.75f, 5.3f}, .pan = -17.0f, .tilt = -22.5f},
-        .samples = samples};
-}
-
-static void load_text(const char *text)
-{
-    assert_true(renderer_load(&gpu.renderer, scratch_write("shader.frag", text)));
-}
-
 static struct probe *probe_of(const struct renderer_inputs *inputs, int x, int y)
 {
     struct probe *probe = calloc(1, sizeof *probe);
@@ -55,9 +24,9 @@ static struct probe *probe_of(const struct renderer_inputs *inputs, int x, int y
 static void a_picture_leaves_no_trace_in_a_probe(void **unused)
 {
     (void)unused;
-    assert_true(gpu_load(&gpu, "chapters/02_lighting.frag"));
-    struct renderer_inputs inputs = inputs_of(640, 360, 1);
-    struct renderer_inputs others[] = {inputs_of(700, 530, 2), inputs_of(2, 1, 1)};
+    assert_true(gpu_load("chapters/02_lighting.frag"));
+    struct renderer_inputs inputs = gpu_inputs(640, 360, 1);
+    struct renderer_inputs others[] = {gpu_inputs(700, 530, 2), gpu_inputs(2, 1, 1)};
     struct probe *first = probe_of(&inputs, 320, 100);
     assert_int_equal(first->end, PROBE_HIT);
     assert_in_range(first->steps, 3, 200);
@@ -91,8 +60,8 @@ static void a_picture_leaves_no_trace_in_a_probe(void **unused)
 
 static void check_probe(const char *text, int steps, enum probe_end end)
 {
-    load_text(text);
-    struct renderer_inputs inputs = inputs_of(200, 100, 1);
+    assert_true(gpu_load_text(text));
+    struct renderer_inputs inputs = gpu_inputs(200, 100, 1);
     struct probe *probe = probe_of(&inputs, 150, 20);
     assert_int_equal(probe->steps, steps);
     assert_int_equal(probe->end, end);
@@ -126,5 +95,5 @@ int main(void)
         cmocka_unit_test(a_probe_shows_every_step),
         cmocka_unit_test(a_picture_leaves_no_trace_in_a_probe),
     };
-    return cmocka_run_group_tests_name("trace", tests, open_all, close_all);
+    return cmocka_run_group_tests_name("trace", tests, gpu_setup, gpu_teardown);
 }

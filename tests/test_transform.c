@@ -30,29 +30,10 @@ enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS, SLOTS = 4 };
 
 static const struct d3 half = {0.75, 0.5, 1.25}, shift = {0.5, -0.25, 1.0};
 
-static struct gpu gpu;
-
-static int open_gpu(void **unused)
-{
-    (void)unused;
-    return gpu_open(&gpu) ? 0 : -1;
-}
-
-static int close_gpu(void **unused)
-{
-    (void)unused;
-    gpu_close(&gpu);
-    return 0;
-}
-
 // The numbers of ITEMS items, each of 4 slots of 4 floats; the caller frees them.
 static float *ask(int function, float a, float b, float c)
 {
-    const float numbers[4] = {a, b, c, 0.0f};
-    assert_true(gpu_load(&gpu, SHADER));
-    float *values = gpu_call(&gpu, WIDE * SLOTS, ROWS, function, numbers);
-    assert_non_null(values);
-    return values;
+    return gpu_call(SHADER, WIDE * SLOTS, ROWS, function, (const float[4]){a, b, c});
 }
 
 // ---- Isometries ----
@@ -292,5 +273,5 @@ int main(void)
         cmocka_unit_test(test_largest_stretch_agrees_with_squaring),
         cmocka_unit_test(test_torus_is_exact),
     };
-    return cmocka_run_group_tests_name("transform", tests, open_gpu, close_gpu);
+    return cmocka_run_group_tests_name("transform", tests, gpu_setup, gpu_teardown);
 }
