@@ -1,4 +1,4 @@
-// window_input.h - what the hands do, gathered from GLFW's events between two frames. For window.c
+// input.h - what the hands do, gathered from GLFW's events between two frames. For window.c
 // alone.
 #ifndef WINDOW_INPUT_H
 #define WINDOW_INPUT_H

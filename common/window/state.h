@@ -1,7 +1,7 @@
-// window_state.h - what the parts of the window share. For window*.c alone.
+// state.h - what the parts of the window share. For the files of this folder alone.
 //
-// window.c holds the loop, window_input.c gathers what the hands do, window_act.c carries it out,
-// window_draw.c draws frames, title bar and overlay, window_toy.c knows Shadertoy's inputs.
+// window.c holds the loop, input.c gathers what the hands do, act.c carries it out, draw.c draws
+// frames, title bar and overlay, toy.c knows Shadertoy's inputs.
 #ifndef WINDOW_STATE_H
 #define WINDOW_STATE_H
 
@@ -10,7 +10,7 @@
 #include "picture/renderer.h"
 #include "window/watch.h"
 #include "window/input.h"
-#include "window/window.h"
+#include "window/start.h"
 
 #define WINDOW_KEYS 20 // entries of the overlay's list of keys, at most
 
