@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -164,6 +165,35 @@ static void a_panel_changes_only_itself(void **unused)
     assert_int_equal(drawn(box), 0);
 }
 
+// Of more parameters than there is room for, the chosen one is in sight: its band is there, inside
+// the panel, below the title.
+static void a_panel_scrolls_to_the_chosen_parameter(void **unused)
+{
+    (void)unused;
+    enum { MANY = 20, BAND = 38 };
+    struct parameter item[MANY] = {0};
+    struct renderer many = {.parameters = {item, MANY}};
+    struct panel panel = {.title = "A title", .renderer = &many, .pixel = {-1, -1}};
+    for (int i = 0; i < MANY; i++) {
+        snprintf(item[i].name, sizeof item[i].name, "p%d", i);
+        item[i].components = 1;
+    }
+    for (int i = 0; i < MANY; i++) {
+        int bands = 0;
+        panel.chosen = item[i].name;
+        panel_gather(&panel, &overlay, WIDTH, HEIGHT, 1.0f);
+        const struct overlay_rectangle *back = &overlay.rectangle[0];
+        for (size_t k = 1; k < overlay.count; k++)
+            if (overlay.rectangle[k].colour.channel[3] == BAND) {
+                bands++;
+                assert_true(overlay.rectangle[k].top > back->top + 2.0f * OVERLAY_LINE);
+                assert_true(overlay.rectangle[k].bottom < back->bottom);
+            }
+        assert_int_equal(bands, 1);
+        assert_true(back->bottom < HEIGHT);
+    }
+}
+
 // Any size and any length of text: nothing hangs, nothing is written beyond a buffer.
 static void a_panel_fits_any_picture(void **unused)
 {
@@ -230,6 +260,7 @@ int main(void)
         cmocka_unit_test(any_text_can_be_drawn),
         cmocka_unit_test(the_scale_follows_the_height),
         cmocka_unit_test(a_panel_changes_only_itself),
+        cmocka_unit_test(a_panel_scrolls_to_the_chosen_parameter),
         cmocka_unit_test(a_panel_fits_any_picture),
         cmocka_unit_test(the_last_report_is_kept),
     };

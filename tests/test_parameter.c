@@ -363,11 +363,12 @@ static void test_key_presses(void **state)
     struct parameter *p = parameters_find(&read, "height");
     for (int i = 0; i < 10; i++)
         parameter_change(p, -1);
-    assert_number(p->value[0], 0.0);
+    // To the bit: a sum of steps of 0.1 that drifts misses 0 and 0.3.
+    assert_true(p->value[0] == 0.0);
     parameter_change(p, 3);
-    assert_number(p->value[0], 0.3);
+    assert_true(p->value[0] == 0.3);
     parameter_change(p, -3);
-    assert_number(p->value[0], 0.0);
+    assert_true(p->value[0] == 0.0);
     parameter_change(p, 1000);
     assert_number(p->value[0], 4.0);
     parameter_change(p, -1000);

@@ -196,7 +196,7 @@ static void toggle_full_screen(struct window *window)
     glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-// True when the action changes the picture; others change the overlay or the window alone.
+// True when a key changes the picture; others change the overlay or the window alone.
 static bool changes_picture(enum window_action action)
 {
     switch (action) {
@@ -213,7 +213,7 @@ static bool changes_picture(enum window_action action)
     }
 }
 
-static void act(struct window *window, struct window_event event)
+static void press(struct window *window, struct window_event event)
 {
     struct parameter *parameter = window_chosen(window);
     window->stale |= changes_picture(event.action);
@@ -263,6 +263,8 @@ static void act(struct window *window, struct window_event event)
     case WINDOW_VIEW:
         show_view(window, (enum shader_view)event.amount);
         break;
+    default:
+        break;
     }
 }
 
@@ -284,33 +286,38 @@ static void look_at_ray(struct window *window, const double place[2])
     window->stale |= window->renderer->view == SHADER_SLICE;
 }
 
+// A pointer that goes right turns the view right, dragging or captured.
+static void act(struct window *window, const struct window_event *event)
+{
+    struct camera *camera = &window->inputs.camera;
+    float way[3], longest = 0.0f;
+    for (int axis = 0; axis < 3; axis++) {
+        way[axis] = (float)event->way[axis];
+        longest = fmaxf(longest, fabsf(way[axis]));
+    }
+    if (event->action == WINDOW_LOOK)
+        camera_turn(camera, DEGREES * way[0], -DEGREES * way[1]);
+    else if (event->action == WINDOW_TRAVEL)
+        camera_move(camera, way, SPEED * longest);
+    else if (event->action == WINDOW_ZOOM)
+        zoom(window, event->way[0]);
+    else if (event->action == WINDOW_RAY)
+        look_at_ray(window, event->way);
+    else
+        press(window, *event);
+    window->moved |= event->action >= WINDOW_ZOOM;
+    if (event->action < WINDOW_LOOK)
+        window->retitle_at = 0.0;
+}
+
+// One after the other: what Shift and R bring back, a drag that follows in the same turn moves on.
 void window_obey(struct window *window)
 {
     struct window_input *input = &window->input;
-    struct camera *camera = &window->inputs.camera;
     window_input_count(input);
     window_follow_mouse(window);
-    float travel[3], longest = 0.0f;
-    for (int axis = 0; axis < 3; axis++) {
-        travel[axis] = (float)input->travel[axis];
-        longest = fmaxf(longest, fabsf(travel[axis]));
-    }
-    bool looked = input->look[0] != 0.0 || input->look[1] != 0.0;
-    // A pointer that goes right turns the view right, dragging or captured.
-    if (looked)
-        camera_turn(camera, DEGREES * (float)input->look[0], -DEGREES * (float)input->look[1]);
-    if (longest > 0.0f)
-        camera_move(camera, travel, SPEED * longest);
-    if (input->wheel != 0.0)
-        zoom(window, input->wheel);
-    if (input->clicked)
-        look_at_ray(window, input->click);
-    window->moved |= looked || longest > 0.0f || input->wheel != 0.0;
     for (int i = 0; i < input->events; i++)
-        act(window, input->event[i]);
-    if (window->moved || input->clicked || input->events > 0 || input->damaged)
-        window->dirty = true;
-    if (input->events > 0 || input->wheel != 0.0)
-        window->retitle_at = 0.0;
+        act(window, &input->event[i]);
+    window->dirty |= input->events > 0 || input->damaged;
     window_input_forget(input);
 }

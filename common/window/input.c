@@ -23,27 +23,28 @@ static const struct {
 
 static const struct {
     int key;
-    struct window_event event;
+    enum window_action action;
+    int amount;
     bool repeats;
 } pressed_keys[] = {
-    {GLFW_KEY_BACKSPACE, {WINDOW_END, 0}, false},
-    {GLFW_KEY_ESCAPE, {WINDOW_PAUSE, 0}, false},
-    {GLFW_KEY_R, {WINDOW_RESTART, 0}, false},
-    {GLFW_KEY_P, {WINDOW_SCREENSHOT, 0}, false},
-    {GLFW_KEY_H, {WINDOW_FOLD, 0}, false},
-    {GLFW_KEY_K, {WINDOW_HELP, 0}, false},
-    {GLFW_KEY_F11, {WINDOW_FULL_SCREEN, 0}, false},
-    {GLFW_KEY_TAB, {WINDOW_ORTHOGRAPHIC, 0}, false},
-    {GLFW_KEY_UP, {WINDOW_CHOOSE, -1}, true},
-    {GLFW_KEY_DOWN, {WINDOW_CHOOSE, 1}, true},
-    {GLFW_KEY_LEFT, {WINDOW_CHANGE, -1}, true},
-    {GLFW_KEY_RIGHT, {WINDOW_CHANGE, 1}, true},
-    {GLFW_KEY_HOME, {WINDOW_RESET, 0}, false},
-    {GLFW_KEY_1, {WINDOW_VIEW, SHADER_PICTURE}, false},
-    {GLFW_KEY_2, {WINDOW_VIEW, SHADER_NORMALS}, false},
-    {GLFW_KEY_3, {WINDOW_VIEW, SHADER_DEPTH}, false},
-    {GLFW_KEY_4, {WINDOW_VIEW, SHADER_STEPS}, false},
-    {GLFW_KEY_5, {WINDOW_VIEW, SHADER_SLICE}, false},
+    {GLFW_KEY_BACKSPACE, WINDOW_END, 0, false},
+    {GLFW_KEY_ESCAPE, WINDOW_PAUSE, 0, false},
+    {GLFW_KEY_R, WINDOW_RESTART, 0, false},
+    {GLFW_KEY_P, WINDOW_SCREENSHOT, 0, false},
+    {GLFW_KEY_H, WINDOW_FOLD, 0, false},
+    {GLFW_KEY_K, WINDOW_HELP, 0, false},
+    {GLFW_KEY_F11, WINDOW_FULL_SCREEN, 0, false},
+    {GLFW_KEY_TAB, WINDOW_ORTHOGRAPHIC, 0, false},
+    {GLFW_KEY_UP, WINDOW_CHOOSE, -1, true},
+    {GLFW_KEY_DOWN, WINDOW_CHOOSE, 1, true},
+    {GLFW_KEY_LEFT, WINDOW_CHANGE, -1, true},
+    {GLFW_KEY_RIGHT, WINDOW_CHANGE, 1, true},
+    {GLFW_KEY_HOME, WINDOW_RESET, 0, false},
+    {GLFW_KEY_1, WINDOW_VIEW, SHADER_PICTURE, false},
+    {GLFW_KEY_2, WINDOW_VIEW, SHADER_NORMALS, false},
+    {GLFW_KEY_3, WINDOW_VIEW, SHADER_DEPTH, false},
+    {GLFW_KEY_4, WINDOW_VIEW, SHADER_STEPS, false},
+    {GLFW_KEY_5, WINDOW_VIEW, SHADER_SLICE, false},
 };
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -51,6 +52,16 @@ static const struct {
 static struct window_input *input_of(GLFWwindow *window)
 {
     return glfwGetWindowUserPointer(window);
+}
+
+static void add(struct window_input *input, struct window_event event)
+{
+    struct window_event *last = input->events > 0 ? &input->event[input->events - 1] : NULL;
+    if (last != NULL && last->action == event.action && event.action >= WINDOW_ZOOM)
+        for (int axis = 0; axis < 3; axis++)
+            last->way[axis] += event.way[axis];
+    else if (input->events < WINDOW_INPUT_EVENTS)
+        input->event[input->events++] = event;
 }
 
 // Movement is counted at every press and release, not once a frame: so the way travelled is the
@@ -63,10 +74,13 @@ void window_input_count(struct window_input *input)
     input->counted = now;
     if (held[WINDOW_KEY_FASTER])
         seconds *= FASTER;
-    bool down = held[WINDOW_KEY_DOWN] || held[WINDOW_KEY_DOWN_TOO];
-    input->travel[0] += seconds * (held[WINDOW_KEY_RIGHT] - held[WINDOW_KEY_LEFT]);
-    input->travel[1] += seconds * (held[WINDOW_KEY_UP] - down);
-    input->travel[2] += seconds * (held[WINDOW_KEY_FORWARD] - held[WINDOW_KEY_BACK]);
+    int right = held[WINDOW_KEY_RIGHT] - held[WINDOW_KEY_LEFT];
+    int up = held[WINDOW_KEY_UP] - (held[WINDOW_KEY_DOWN] || held[WINDOW_KEY_DOWN_TOO]);
+    int forward = held[WINDOW_KEY_FORWARD] - held[WINDOW_KEY_BACK];
+    if (seconds > 0.0 && (right != 0 || up != 0 || forward != 0))
+        add(input,
+            (struct window_event){.action = WINDOW_TRAVEL,
+                                  .way = {seconds * right, seconds * up, seconds * forward}});
 }
 
 bool window_input_moves(const struct window_input *input)
@@ -79,10 +93,7 @@ bool window_input_moves(const struct window_input *input)
 
 void window_input_forget(struct window_input *input)
 {
-    for (int axis = 0; axis < 3; axis++)
-        input->travel[axis] = 0.0;
-    input->look[0] = input->look[1] = input->wheel = 0.0;
-    input->damaged = input->clicked = input->pressed = false;
+    input->damaged = input->pressed = false;
     input->events = 0;
 }
 
@@ -100,6 +111,7 @@ static void capture(struct window_input *input)
     input->captured = !input->captured;
     input->state = WINDOW_POINTER_FREE;
     input->jumped = true;
+    input->seen = false; // a captured pointer is anywhere
     glfwSetInputMode(input->window, GLFW_CURSOR,
                      input->captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
 }
@@ -117,15 +129,16 @@ static void on_key(GLFWwindow *window, int key, int scancode, int action, int mo
         capture(input);
     for (size_t i = 0; i < COUNT(pressed_keys); i++) {
         bool acts = action == GLFW_PRESS || (action == GLFW_REPEAT && pressed_keys[i].repeats);
-        if (pressed_keys[i].key != key || !acts || input->events == WINDOW_INPUT_EVENTS)
+        if (pressed_keys[i].key != key || !acts)
             continue;
-        struct window_event event = pressed_keys[i].event;
+        struct window_event event = {.action = pressed_keys[i].action,
+                                     .amount = pressed_keys[i].amount};
         bool shifted = (modifiers & GLFW_MOD_SHIFT) != 0;
         if (shifted && event.action == WINDOW_CHANGE)
             event.amount *= TEN_STEPS;
         if (shifted && event.action == WINDOW_RESTART)
             event.action = WINDOW_BEGIN;
-        input->event[input->events++] = event;
+        add(input, event);
     }
 }
 
@@ -135,22 +148,21 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
     struct window_input *input = input_of(window);
     if (button != GLFW_MOUSE_BUTTON_LEFT || input->captured)
         return;
-    if (action == GLFW_RELEASE && input->state == WINDOW_POINTER_PRESSED) {
-        input->clicked = true;
-        input->click[0] = input->pointer[0];
-        input->click[1] = input->pointer[1];
-    }
-    if (action == GLFW_PRESS) {
-        // Asked for now, the pointer may be further on than it was when the button went down.
-        if (!input->seen)
-            glfwGetCursorPos(window, &input->at[0], &input->at[1]);
-        input->pressed = true;
-        for (int i = 0; i < 2; i++)
+    // Asked for now, the pointer may be further on than it was when the button went down.
+    if (!input->seen)
+        glfwGetCursorPos(window, &input->at[0], &input->at[1]);
+    input->seen = true;
+    if (action == GLFW_RELEASE && input->state == WINDOW_POINTER_PRESSED)
+        add(input, (struct window_event){.action = WINDOW_RAY,
+                                         .way = {input->pointer[0], input->pointer[1]}});
+    input->pressed |= action == GLFW_PRESS;
+    for (int i = 0; i < 2; i++) {
+        if (action == GLFW_PRESS)
             input->press[i] = input->held_at[i] = input->at[i];
+        if (input->jumped)
+            input->pointer[i] = input->at[i];
     }
     input->state = action == GLFW_PRESS ? WINDOW_POINTER_PRESSED : WINDOW_POINTER_FREE;
-    if (input->jumped)
-        glfwGetCursorPos(window, &input->pointer[0], &input->pointer[1]);
     input->jumped = false;
 }
 
@@ -170,10 +182,8 @@ static void on_pointer(GLFWwindow *window, double x, double y)
             return;
         input->state = WINDOW_POINTER_DRAGS;
     }
-    if ((input->captured || input->state == WINDOW_POINTER_DRAGS) && !input->jumped) {
-        input->look[0] += right;
-        input->look[1] += down;
-    }
+    if ((input->captured || input->state == WINDOW_POINTER_DRAGS) && !input->jumped)
+        add(input, (struct window_event){.action = WINDOW_LOOK, .way = {right, down}});
     input->pointer[0] = x;
     input->pointer[1] = y;
     input->jumped = false;
@@ -182,7 +192,8 @@ static void on_pointer(GLFWwindow *window, double x, double y)
 static void on_wheel(GLFWwindow *window, double right, double up)
 {
     (void)right;
-    input_of(window)->wheel += up;
+    if (up != 0.0)
+        add(input_of(window), (struct window_event){.action = WINDOW_ZOOM, .way = {up}});
 }
 
 static void on_focus(GLFWwindow *window, int focused)

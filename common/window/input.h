@@ -1,5 +1,5 @@
-// input.h - what the hands do, gathered from GLFW's events between two frames. For window.c
-// alone.
+// input.h - what the hands do, gathered from GLFW's events between two frames, in their order. For
+// the window alone.
 #ifndef WINDOW_INPUT_H
 #define WINDOW_INPUT_H
 
@@ -8,7 +8,7 @@
 #define GLFW_INCLUDE_NONE // OpenGL's names come from gl.h
 #include <GLFW/glfw3.h>
 
-#define WINDOW_INPUT_EVENTS 64 // key presses kept between two frames; more are dropped
+#define WINDOW_INPUT_EVENTS 64 // kept between two frames; more are dropped
 
 enum window_action {
     WINDOW_END,
@@ -23,12 +23,18 @@ enum window_action {
     WINDOW_RESET,
     WINDOW_FOLD, // the overlay
     WINDOW_HELP, // all of it
-    WINDOW_VIEW  // amount: enum shader_view
+    WINDOW_VIEW, // amount: enum shader_view
+    WINDOW_RAY,  // way: where a click was, window coordinates from the top left
+    // What goes on: events of a kind that follow each other are one, their ways added up.
+    WINDOW_ZOOM,  // way: notches of the wheel, away from the person positive
+    WINDOW_LOOK,  // way: pixels that the pointer went right and down
+    WINDOW_TRAVEL // way: seconds of movement right, up, forward; more where faster is held
 };
 
 struct window_event {
     enum window_action action;
     int amount;
+    double way[3];
 };
 
 // Keys that act as long as they are held.
@@ -49,22 +55,17 @@ enum window_pointer { WINDOW_POINTER_FREE, WINDOW_POINTER_PRESSED, WINDOW_POINTE
 struct window_input {
     GLFWwindow *window;
     // Since the last window_input_forget:
-    double travel[3]; // seconds of movement right, up, forward; more where faster is held
-    double look[2];   // pixels that the pointer looked to the right and down
-    double wheel;     // notches, away from the person positive
-    bool clicked;     // pressed and released in one place,
-    double click[2];  // window coordinates from the top left
-    bool pressed;     // the button went down,
-    double press[2];  // there
-    bool damaged;     // the window must be drawn again
     struct window_event event[WINDOW_INPUT_EVENTS];
     int events;
+    bool pressed;    // the button went down,
+    double press[2]; // there
+    bool damaged;    // the window must be drawn again
     // Kept from frame to frame:
     bool held[WINDOW_KEY_COUNT];
-    double counted; // travel holds all movement up to this time of glfwGetTime
+    double counted; // all movement up to this time of glfwGetTime is in the events
     enum window_pointer state;
     bool captured;
-    bool jumped;       // the next place of the pointer is no movement
+    bool jumped;       // the next position of the pointer is no movement
     double pointer[2]; // where it was last
     bool seen;         // at is known
     double at[2];      // where it is
@@ -75,7 +76,7 @@ struct window_input {
 //   input  must outlive the window's last event
 void window_input_open(struct window_input *input, GLFWwindow *window);
 
-// Count the movement up to now. To be called before travel is read.
+// Count the movement up to now. To be called before the events are read.
 void window_input_count(struct window_input *input);
 
 // Start the next frame: what was gathered is forgotten; held keys stay held.
