@@ -130,23 +130,22 @@ static bool bind_target(struct renderer *renderer, struct renderer_target *targe
     return true;
 }
 
-// The place of a uniform in the program in use; -1, which OpenGL ignores, where it is not used.
-static GLint place(const struct renderer *renderer, GLuint program, const char *name)
+// The location of a uniform in the program in use; -1, which OpenGL ignores, where nothing reads
+// it.
+static GLint location(const struct renderer *renderer, const char *name)
 {
-    return renderer->gl->GetUniformLocation(program, name);
+    return renderer->gl->GetUniformLocation(renderer->used, name);
 }
 
-static void set_vector(const struct renderer *renderer, GLuint program, const char *name,
-                       const float v[3])
+static void set_vector(const struct renderer *renderer, const char *name, const float v[3])
 {
-    renderer->gl->Uniform3f(place(renderer, program, name), v[0], v[1], v[2]);
+    renderer->gl->Uniform3f(location(renderer, name), v[0], v[1], v[2]);
 }
 
-static void set_parameter(const struct renderer *renderer, GLuint program,
-                          const struct parameter *parameter)
+static void set_parameter(const struct renderer *renderer, const struct parameter *parameter)
 {
     const struct gl *gl = renderer->gl;
-    GLint at = place(renderer, program, parameter->name);
+    GLint at = location(renderer, parameter->name);
     float v[4] = {(float)parameter->value[0], (float)parameter->value[1],
                   (float)parameter->value[2], (float)parameter->value[3]};
     if (parameter->type != PARAMETER_FLOAT)
@@ -162,59 +161,57 @@ static void set_parameter(const struct renderer *renderer, GLuint program,
 }
 
 // Everything that stays the same for all tiles and samples of a picture.
-static GLuint use_program(struct renderer *renderer, const struct renderer_inputs *inputs,
-                          enum shader_view view)
+static void use_program(struct renderer *renderer, const struct renderer_inputs *inputs,
+                        enum shader_view view)
 {
     const struct gl *gl = renderer->gl;
-    GLuint program = renderer->program[view];
+    renderer->used = renderer->program[view];
     struct camera_basis basis = camera_basis_of(&inputs->camera);
-    gl->UseProgram(program);
-    gl->Uniform3f(place(renderer, program, "iResolution"), (float)inputs->width,
-                  (float)inputs->height, 1.0f);
-    gl->Uniform1f(place(renderer, program, "iTime"), (float)inputs->time);
-    gl->Uniform1f(place(renderer, program, "iTimeDelta"), (float)inputs->time_delta);
-    gl->Uniform1i(place(renderer, program, "iFrame"), inputs->frame);
-    gl->Uniform4f(place(renderer, program, "iMouse"), inputs->mouse[0], inputs->mouse[1],
+    gl->UseProgram(renderer->used);
+    gl->Uniform3f(location(renderer, "iResolution"), (float)inputs->width, (float)inputs->height,
+                  1.0f);
+    gl->Uniform1f(location(renderer, "iTime"), (float)inputs->time);
+    gl->Uniform1f(location(renderer, "iTimeDelta"), (float)inputs->time_delta);
+    gl->Uniform1i(location(renderer, "iFrame"), inputs->frame);
+    gl->Uniform4f(location(renderer, "iMouse"), inputs->mouse[0], inputs->mouse[1],
                   inputs->mouse[2], inputs->mouse[3]);
-    gl->Uniform1f(place(renderer, program, "iFrameRate"),
+    gl->Uniform1f(location(renderer, "iFrameRate"),
                   inputs->time_delta > 0.0 ? (float)(1.0 / inputs->time_delta) : 60.0f);
-    gl->Uniform4f(place(renderer, program, "iDate"), inputs->date[0], inputs->date[1],
-                  inputs->date[2], inputs->date[3]);
-    set_vector(renderer, program, "iCameraPosition", inputs->camera.position);
-    set_vector(renderer, program, "iCameraRight", basis.right);
-    set_vector(renderer, program, "iCameraUp", basis.up);
-    set_vector(renderer, program, "iCameraForward", basis.forward);
-    gl->Uniform1f(place(renderer, program, "focalLength"), renderer->focal_length);
-    gl->Uniform1f(place(renderer, program, "iOrthoView"), (float)renderer->orthographic);
+    gl->Uniform4f(location(renderer, "iDate"), inputs->date[0], inputs->date[1], inputs->date[2],
+                  inputs->date[3]);
+    set_vector(renderer, "iCameraPosition", inputs->camera.position);
+    set_vector(renderer, "iCameraRight", basis.right);
+    set_vector(renderer, "iCameraUp", basis.up);
+    set_vector(renderer, "iCameraForward", basis.forward);
+    gl->Uniform1f(location(renderer, "focalLength"), renderer->focal_length);
+    gl->Uniform1f(location(renderer, "iOrthoView"), (float)renderer->orthographic);
     for (int i = 0; i < renderer->parameters.count; i++)
-        set_parameter(renderer, program, &renderer->parameters.item[i]);
+        set_parameter(renderer, &renderer->parameters.item[i]);
     gl->BindVertexArray(renderer->vertex_array);
-    return program;
 }
 
 // One draw of the triangle.
 //   offset  what is added to gl_FragCoord to give the place in the picture: target and jitter
 //   jitter  the part of it that moves the sample inside its pixel
-static void draw_pass(const struct renderer *renderer, GLuint program, const float offset[2],
-                      const float jitter[2])
+static void draw_pass(const struct renderer *renderer, const float offset[2], const float jitter[2])
 {
-    renderer->gl->Uniform2f(place(renderer, program, "iPixelOffset"), offset[0], offset[1]);
+    renderer->gl->Uniform2f(location(renderer, "iPixelOffset"), offset[0], offset[1]);
     // What is not in the program is ignored: this is its name in Shadertoy's form.
-    renderer->gl->Uniform2f(place(renderer, program, "harnessPixelOffset"), offset[0], offset[1]);
-    renderer->gl->Uniform2f(place(renderer, program, "iPixelJitter"), jitter[0], jitter[1]);
+    renderer->gl->Uniform2f(location(renderer, "harnessPixelOffset"), offset[0], offset[1]);
+    renderer->gl->Uniform2f(location(renderer, "iPixelJitter"), jitter[0], jitter[1]);
     renderer->gl->DrawArrays(GL_TRIANGLES, 0, 3);
 }
 
 // All samples of the tile that the scissor holds, averaged by blending: sum of samples / count.
 // Sample (i, j) of n x n stands at ((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5) from the pixel's
 // centre, so that one sample is the centre and the picture does not shift with n.
-static void draw_samples(const struct renderer *renderer, GLuint program, int samples, int bottom)
+static void draw_samples(const struct renderer *renderer, int samples, int bottom)
 {
     for (int k = 0; k < samples * samples; k++) {
         float jitter[2] = {((float)(k % samples) + 0.5f) / (float)samples - 0.5f,
                            ((float)(k / samples) + 0.5f) / (float)samples - 0.5f};
         float offset[2] = {jitter[0], (float)bottom + jitter[1]};
-        draw_pass(renderer, program, offset, jitter);
+        draw_pass(renderer, offset, jitter);
     }
 }
 
@@ -249,20 +246,20 @@ static bool march_for_slice(struct renderer *renderer, const struct renderer_inp
 
 // What shaders/slice.glsl reads. The table is the texture of unit 0, which a sampler reads unless
 // told otherwise.
-static void set_march(const struct renderer *renderer, GLuint program, const struct march *march)
+static void set_march(const struct renderer *renderer, const struct march *march)
 {
     const struct gl *gl = renderer->gl;
     const struct slice_frame *frame = &march->frame;
     gl->BindTexture(GL_TEXTURE_2D, renderer->table.texture);
-    gl->Uniform1i(place(renderer, program, "iMarchSteps"), march->steps);
-    gl->Uniform1i(place(renderer, program, "iMarchHit"), march->hit);
-    gl->Uniform2f(place(renderer, program, "iMarchPixel"), (float)march->pixel[0] + 0.5f,
+    gl->Uniform1i(location(renderer, "iMarchSteps"), march->steps);
+    gl->Uniform1i(location(renderer, "iMarchHit"), march->hit);
+    gl->Uniform2f(location(renderer, "iMarchPixel"), (float)march->pixel[0] + 0.5f,
                   (float)march->pixel[1] + 0.5f);
-    gl->Uniform3f(place(renderer, program, "iSliceFrame"), frame->left, frame->bottom, frame->unit);
-    gl->Uniform1f(place(renderer, program, "iSliceTick"), frame->tick);
-    gl->Uniform1f(place(renderer, program, "iSliceLine"), frame->line);
-    gl->Uniform1i(place(renderer, program, "iSliceTickScaled"), frame->digits[0]);
-    gl->Uniform1i(place(renderer, program, "iSliceDecimals"), frame->digits[1]);
+    gl->Uniform3f(location(renderer, "iSliceFrame"), frame->left, frame->bottom, frame->unit);
+    gl->Uniform1f(location(renderer, "iSliceTick"), frame->tick);
+    gl->Uniform1f(location(renderer, "iSliceLine"), frame->line);
+    gl->Uniform1i(location(renderer, "iSliceTickScaled"), frame->digits[0]);
+    gl->Uniform1i(location(renderer, "iSliceDecimals"), frame->digits[1]);
 }
 
 // The part of a picture that one call draws.
@@ -281,9 +278,9 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
     if ((slice && !march_for_slice(renderer, inputs, &march)) ||
         !bind_target(renderer, part->target, inputs->width, part->height))
         return false;
-    GLuint program = use_program(renderer, inputs, renderer->view);
+    use_program(renderer, inputs, renderer->view);
     if (slice)
-        set_march(renderer, program, &march);
+        set_march(renderer, &march);
     // The viewport is the whole picture, of which the target holds a part: so the triangle is set
     // up in the same way whatever the part.
     gl->Viewport(0, -part->bottom, inputs->width, inputs->height);
@@ -299,7 +296,7 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
         for (int x = 0; x < inputs->width; x += TILE) {
             gl->Scissor(x, y, TILE, part->to - y < TILE ? part->to - y : TILE);
             gl->Clear(GL_COLOR_BUFFER_BIT); // a shader may discard its pixel
-            draw_samples(renderer, program, inputs->samples, part->bottom);
+            draw_samples(renderer, inputs->samples, part->bottom);
             gl->Flush();
         }
     gl->Disable(GL_BLEND);
@@ -458,11 +455,11 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
     if (!link_view(renderer, &renderer->fragment, SHADER_PROBE, renderer->program) ||
         !bind_target(renderer, &renderer->table, PROBE_STEPS, ROWS))
         return false;
-    GLuint program = use_program(renderer, inputs, SHADER_PROBE);
-    gl->Uniform2f(place(renderer, program, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
+    use_program(renderer, inputs, SHADER_PROBE);
+    gl->Uniform2f(location(renderer, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
     gl->Viewport(0, 0, PROBE_STEPS, ROWS);
     const float none[2] = {0.0f, 0.0f};
-    draw_pass(renderer, program, none, none);
+    draw_pass(renderer, none, none);
     float *values = malloc(4 * sizeof *values * PROBE_STEPS * ROWS);
     if (values == NULL) {
         report("probe %d,%d: not enough memory", x, y);

@@ -47,6 +47,7 @@ struct renderer {
     float focal_length;                   // for shaders that declare no focalLength of their own
     double orthographic;                  // OrthoView of whole files: 0 perspective, 1 orthographic
     GLuint program[SHADER_PROGRAM_COUNT]; // by view, compiled when first asked for
+    GLuint used;                          // the program of the draw under way
     GLuint vertex_array;
     struct renderer_target picture;
     struct renderer_target sharp;  // a window's picture that is drawn in several frames
