@@ -4,6 +4,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "../common/picture/benchmark.h"
 #include "support_bound.h"
 #include "support_measure.h"
 
@@ -192,18 +193,6 @@ static double cold_seconds(struct contender *contender, const char *root)
     return seconds;
 }
 
-static int compare_seconds(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double *seconds, int count)
-{
-    qsort(seconds, (size_t)count, sizeof *seconds, compare_seconds);
-    return seconds[count / 2];
-}
-
 // Frames of the two in turn, so that whatever slows the machine slows both.
 static bool measure_warm(struct contender pair[2])
 {
@@ -254,8 +243,8 @@ static int print_speed(int argc, char **argv)
     printf("shader,frame_ms,cold_ms\n");
     double warm[2], cold[2];
     for (int k = 0; k < 2; k++) {
-        warm[k] = median(pair[k].warm, FRAMES);
-        cold[k] = median(pair[k].cold, COLD_RUNS);
+        warm[k] = benchmark_spread_of(pair[k].warm, FRAMES).median;
+        cold[k] = benchmark_spread_of(pair[k].cold, COLD_RUNS).median;
         printf("%s,%.2f,%.1f\n", pair[k].path, 1000.0 * warm[k], 1000.0 * cold[k]);
     }
     printf("ratio,%.2f,%.2f\n", warm[1] / warm[0], cold[1] / cold[0]);

@@ -4,7 +4,6 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,9 +11,7 @@
 
 #include "../common/picture/overlay.h"
 #include "../common/picture/panel.h"
-#include "../common/report.h"
 #include "support_gpu.h"
-#include "support_scratch.h"
 
 enum { WIDTH = 400, HEIGHT = 240 };
 
@@ -165,74 +162,6 @@ static void a_panel_changes_only_itself(void **unused)
     assert_int_equal(drawn(box), 0);
 }
 
-// Of more parameters than there is room for, the chosen one is in sight: its band is there, inside
-// the panel, below the title.
-static void a_panel_scrolls_to_the_chosen_parameter(void **unused)
-{
-    (void)unused;
-    enum { MANY = 20, BAND = 38 };
-    struct parameter item[MANY] = {0};
-    struct renderer many = {.parameters = {item, MANY}};
-    struct panel panel = {.title = "A title", .renderer = &many, .pixel = {-1, -1}};
-    for (int i = 0; i < MANY; i++) {
-        snprintf(item[i].name, sizeof item[i].name, "p%d", i);
-        item[i].components = 1;
-    }
-    for (int i = 0; i < MANY; i++) {
-        int bands = 0;
-        panel.chosen = item[i].name;
-        panel_gather(&panel, &overlay, WIDTH, HEIGHT, 1.0f);
-        const struct overlay_rectangle *back = &overlay.rectangle[0];
-        for (size_t k = 1; k < overlay.count; k++)
-            if (overlay.rectangle[k].colour.channel[3] == BAND) {
-                bands++;
-                assert_true(overlay.rectangle[k].top > back->top + 2.0f * OVERLAY_LINE);
-                assert_true(overlay.rectangle[k].bottom < back->bottom);
-            }
-        assert_int_equal(bands, 1);
-        assert_true(back->bottom < HEIGHT);
-    }
-}
-
-// Any size and any length of text: nothing hangs, nothing is written beyond a buffer.
-static void a_panel_fits_any_picture(void **unused)
-{
-    (void)unused;
-    char error[6000];
-    memset(error, 'x', sizeof error - 1);
-    error[sizeof error - 1] = '\0';
-    for (size_t i = 50; i < sizeof error - 1; i += 377)
-        error[i] = '\n';
-    struct panel panel = {.title = "A title",
-                          .renderer = &gpu.renderer,
-                          .pixel = {0, 0},
-                          .why = "a reason\n\nof three lines",
-                          .error = error};
-    static const int sizes[][2] = {{1, 1}, {30, 20}, {320, 200}, {16384, 1}, {1, 16384}};
-    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
-        for (int power = -1; power <= 3; power++)
-            panel_gather(&panel, &overlay, sizes[i][0], sizes[i][1], ldexpf(1.0f, power));
-}
-
-static void the_last_report_is_kept(void **unused)
-{
-    (void)unused;
-    char text[20000];
-    capture_begin();
-    report("first: %d", 1);
-    assert_string_equal(report_last(), "first: 1\n");
-    report_lines("one\n two\x1b[m");
-    assert_string_equal(report_last(), "one\n two?[m\n");
-    memset(text, 'y', sizeof text);
-    for (size_t length = 8180; length < 8200; length++) {
-        text[length] = '\0';
-        report_lines(text);
-        assert_true(strlen(report_last()) >= 8180);
-        text[length] = 'y';
-    }
-    capture_end();
-}
-
 static int set_up(void **unused)
 {
     (void)unused;
@@ -260,9 +189,6 @@ int main(void)
         cmocka_unit_test(any_text_can_be_drawn),
         cmocka_unit_test(the_scale_follows_the_height),
         cmocka_unit_test(a_panel_changes_only_itself),
-        cmocka_unit_test(a_panel_scrolls_to_the_chosen_parameter),
-        cmocka_unit_test(a_panel_fits_any_picture),
-        cmocka_unit_test(the_last_report_is_kept),
     };
     return cmocka_run_group_tests_name("overlay", tests, set_up, tear_down);
 }

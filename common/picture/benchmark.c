@@ -112,6 +112,13 @@ static int compare_doubles(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
+struct benchmark_spread benchmark_spread_of(double *values, int count)
+{
+    qsort(values, (size_t)count, sizeof *values, compare_doubles);
+    return (struct benchmark_spread){values[0], 0.5 * (values[(count - 1) / 2] + values[count / 2]),
+                                     values[count - 1]};
+}
+
 static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
                         const struct timer *timer)
 {
@@ -130,11 +137,10 @@ static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
             seconds[clock][i] = span.seconds[clock];
     }
     for (int clock = 0; clock < BENCHMARK_CLOCKS && done; clock++) {
-        double *of = seconds[clock];
-        qsort(of, (size_t)count, sizeof *of, compare_doubles);
-        benchmark->minimum.seconds[clock] = of[0];
-        benchmark->median.seconds[clock] = 0.5 * (of[(count - 1) / 2] + of[count / 2]);
-        benchmark->maximum.seconds[clock] = of[count - 1];
+        struct benchmark_spread spread = benchmark_spread_of(seconds[clock], count);
+        benchmark->minimum.seconds[clock] = spread.minimum;
+        benchmark->median.seconds[clock] = spread.median;
+        benchmark->maximum.seconds[clock] = spread.maximum;
     }
     for (int clock = 0; clock < BENCHMARK_CLOCKS; clock++)
         free(seconds[clock]);

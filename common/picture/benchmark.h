@@ -46,6 +46,15 @@ struct benchmark {
     struct benchmark_cover cover;                   // of the first marches, by the same count
 };
 
+// Of numbers in any order: the least, the one in the middle (the mean of two where their count is
+// even), the largest.
+struct benchmark_spread {
+    double minimum, median, maximum;
+};
+
+//   values  count >= 1 of them; they are sorted
+struct benchmark_spread benchmark_spread_of(double *values, int count);
+
 // Tell the drivers to keep no compiled shaders between programs. To be called before the context is
 // opened.
 void benchmark_forget_caches(void);

@@ -1,0 +1,211 @@
+// test_panel.c - what the overlay says, word for word, and that it keeps to its place: no picture
+// is drawn here, the boxes that letters are made of are compared.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+#include "../common/picture/panel.h"
+
+static struct overlay overlay;
+static struct parameter parameters[] = {
+    {.name = "long", .components = 1, .maximum = 8.0, .unit = "metres"},
+    {.name = "wide", .components = 1, .maximum = 9.0, .unit = "feet"},
+    {.name = "high", .components = 1, .maximum = 7.0, .unit = "yards"},
+};
+static struct renderer renderer = {.parameters = {parameters, 3}};
+static const struct probe probe = {.step = {{.t = 0.0f, .distance = 1.5f}, {1.5f, 0.25f, {0}}},
+                                   .steps = 2,
+                                   .all_steps = 71,
+                                   .evaluations = 346,
+                                   .end = PROBE_PASSED};
+
+static int close_overlay(void **unused)
+{
+    (void)unused;
+    overlay_close(&overlay);
+    return 0;
+}
+
+// Do the boxes of a text stand at a place of the list, all moved by the same way?
+static bool stands_at(const struct overlay_rectangle *text, size_t count,
+                      const struct overlay_rectangle *place)
+{
+    float right = place->left - text->left, down = place->top - text->top;
+    for (size_t i = 0; i < count; i++)
+        if (fabsf(place[i].left - text[i].left - right) > 0.01f ||
+            fabsf(place[i].right - text[i].right - right) > 0.01f ||
+            fabsf(place[i].top - text[i].top - down) > 0.01f ||
+            fabsf(place[i].bottom - text[i].bottom - down) > 0.01f)
+            return false;
+    return true;
+}
+
+static bool says(const char *text)
+{
+    struct overlay words = {0};
+    bool found = false;
+    overlay_text(&words, 0.0f, 0.0f, text, (struct overlay_colour){{0}});
+    assert_true(words.count > 0);
+    for (size_t i = 0; i + words.count <= overlay.count && !found; i++)
+        found = stands_at(words.rectangle, words.count, &overlay.rectangle[i]);
+    overlay_close(&words);
+    return found;
+}
+
+static void a_ray_s_march_is_told(void **unused)
+{
+    (void)unused;
+    struct panel panel = {.renderer = &renderer, .title = "", .pixel = {31, 47}, .probe = &probe};
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("ray of pixel 31, 47"));
+    assert_true(says("1.50000") && says("0.250000"));
+    assert_true(says("miss: passed the far limit"));
+    assert_true(says("steps 2, of all marches 71"));
+    assert_true(says("evaluations of the scene 346"));
+}
+
+static void the_status_is_told(void **unused)
+{
+    (void)unused;
+    struct panel panel = {.renderer = &renderer, .title = "A title", .pixel = {-1, -1}};
+    panel.rate = 59.8;
+    panel.milliseconds = 16.7;
+    panel.paused = true;
+    panel.hint = "H: help";
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("A title") && says("view: picture    60 fps, 16.7 ms    paused"));
+    assert_true(says("H: help"));
+    panel.divisor = 3;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("1/3 resolution while moving") && !says("H: help"));
+    panel.sharp = 40;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("1/3 resolution; sharpening: 40 %"));
+    panel.sharp = 100;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("H: help"));
+}
+
+// The range of a parameter that is not chosen stands in the whole table alone.
+static void the_table_is_whole_where_it_has_room(void **unused)
+{
+    (void)unused;
+    struct panel panel = {.renderer = &renderer, .title = "", .chosen = "wide", .pixel = {-1, -1}};
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("[0, 9] feet") && !says("[0, 8]"));
+    panel.whole = true;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("[0, 8]") && says("metres") && says("[0, 7]"));
+    float width = overlay.rectangle[0].right + 8.0f; // with the margin at its right
+    panel_gather(&panel, &overlay, (int)width, 360, 1.0f);
+    assert_true(says("[0, 8]"));
+    panel_gather(&panel, &overlay, (int)width - 1, 360, 1.0f);
+    assert_true(says("[0, 9] feet") && !says("[0, 8]"));
+    panel.chosen = NULL;
+    panel_gather(&panel, &overlay, (int)width - 1, 360, 1.0f);
+    assert_true(says("[0, 8]"));
+}
+
+// Of more parameters than there is room for, the chosen one is in sight, with its detail.
+static void a_panel_scrolls_to_the_chosen_parameter(void **unused)
+{
+    (void)unused;
+    enum { MANY = 20, HEIGHT = 240 };
+    struct parameter item[MANY] = {0};
+    struct renderer many = {.parameters = {item, MANY}};
+    struct panel panel = {.title = "A title", .renderer = &many, .pixel = {-1, -1}};
+    for (int i = 0; i < MANY; i++) {
+        snprintf(item[i].name, sizeof item[i].name, "parameter%d", i);
+        snprintf(item[i].unit, sizeof item[i].unit, "unit%d", i);
+        item[i].components = 1;
+    }
+    for (int i = 0; i < MANY; i++) {
+        panel.chosen = item[i].name;
+        panel_gather(&panel, &overlay, 400, HEIGHT, 1.0f);
+        char detail[64];
+        snprintf(detail, sizeof detail, "[0, 0] unit%d", i);
+        assert_true(says(panel.chosen) && says(detail) && says("of 20"));
+        assert_true(overlay.rectangle[0].bottom < HEIGHT);
+    }
+}
+
+// Panels of a chapter and of a ray stand side by side, or the ray's stands alone.
+static void a_ray_comes_first_where_room_is_short(void **unused)
+{
+    (void)unused;
+    struct panel panel = {
+        .renderer = &renderer, .title = "A title", .pixel = {1, 2}, .probe = &probe};
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("A title") && says("ray of pixel 1, 2"));
+    panel_gather(&panel, &overlay, 260, 360, 1.0f);
+    assert_true(!says("A title") && says("ray of pixel 1, 2"));
+    panel.pixel[0] = -1;
+    panel_gather(&panel, &overlay, 260, 360, 1.0f);
+    assert_true(says("A title"));
+}
+
+// The widest digits make the panel no wider than the narrowest, within a step of 20 units.
+static void a_panel_does_not_tremble(void **unused)
+{
+    (void)unused;
+    struct panel panel = {.renderer = &renderer, .title = "", .rate = 11.0, .pixel = {-1, -1}};
+    renderer.parameters.count = 0;
+    for (double width = 0.0; panel.rate < 100.0; panel.rate += 11.0) {
+        panel_gather(&panel, &overlay, 640, 360, 1.0f);
+        double now = (double)(overlay.rectangle[0].right - overlay.rectangle[0].left) - 14.0;
+        assert_true(fmod(now, 20.0) == 0.0 && (width == 0.0 || now == width));
+        width = now;
+    }
+    renderer.parameters.count = 3;
+}
+
+// Any size and any length of text: no more lines of an error than half of the picture holds, and
+// from a size on that people use nothing stands outside of the picture.
+static void a_panel_fits_any_picture(void **unused)
+{
+    (void)unused;
+    char error[6000];
+    memset(error, 'x', sizeof error - 1);
+    error[sizeof error - 1] = '\0';
+    for (size_t i = 50; i < sizeof error - 1; i += 377)
+        error[i] = '\n';
+    struct panel panel = {.title = "A title",
+                          .renderer = &renderer,
+                          .pixel = {100, 100},
+                          .why = "a reason\n\nof three lines",
+                          .error = error};
+    static const int sizes[][2] = {{1, 1},     {30, 20},   {320, 200}, {640, 9},
+                                   {16384, 1}, {1, 16384}, {1280, 720}};
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        for (int power = -1; power <= 3; power++) {
+            float scale = ldexpf(1.0f, power), width = (float)sizes[i][0] / scale;
+            float height = (float)sizes[i][1] / scale;
+            panel_gather(&panel, &overlay, sizes[i][0], sizes[i][1], scale);
+            const struct overlay_rectangle *back = &overlay.rectangle[0];
+            assert_true(back->bottom - back->top <= 0.5f * height + 3.0f * OVERLAY_LINE);
+            for (size_t k = 0; k < overlay.count && width >= 320.0f && height >= 180.0f; k++)
+                assert_true(overlay.rectangle[k].left >= 0.0f && overlay.rectangle[k].top >= 0.0f &&
+                            overlay.rectangle[k].right <= width &&
+                            overlay.rectangle[k].bottom <= height);
+        }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(a_ray_s_march_is_told),
+        cmocka_unit_test(the_status_is_told),
+        cmocka_unit_test(the_table_is_whole_where_it_has_room),
+        cmocka_unit_test(a_panel_scrolls_to_the_chosen_parameter),
+        cmocka_unit_test(a_ray_comes_first_where_room_is_short),
+        cmocka_unit_test(a_panel_does_not_tremble),
+        cmocka_unit_test(a_panel_fits_any_picture),
+    };
+    return cmocka_run_group_tests_name("panel", tests, NULL, close_overlay);
+}
