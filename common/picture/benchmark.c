@@ -227,8 +227,6 @@ bool benchmark_run(struct benchmark *benchmark, const struct context *context,
 
 // ---- Report ----
 
-static const char *const clock_names[BENCHMARK_CLOCKS] = {"cpu", "wall", "gpu"};
-
 static void print_row(FILE *file, const char *name, const struct benchmark_span *span, int clocks)
 {
     fprintf(file, "%-14s", name);
@@ -265,71 +263,61 @@ static void print_text(const struct benchmark *b, FILE *file)
                 b->cover.rays);
 }
 
-static void print_string(FILE *file, const char *name, const char *text)
+// The lines of a JSON object, each but the first behind a comma.
+static void print_string(FILE *file, const char *before, const char *name, const char *text)
 {
-    fprintf(file, "  \"%s\": \"", name);
+    fprintf(file, "%s\n  \"%s\": \"", before, name);
     for (const char *c = text; *c != '\0'; c++)
         if (*c == '"' || *c == '\\')
             fprintf(file, "\\%c", *c);
         else
             fputc((unsigned char)*c < ' ' ? '?' : *c, file);
-    fprintf(file, "\",\n");
+    fprintf(file, "\"");
+}
+
+static void print_number(FILE *file, const char *name, double value, int decimals, bool known)
+{
+    if (known)
+        fprintf(file, ",\n  \"%s\": %.*f", name, decimals, value);
+    else
+        fprintf(file, ",\n  \"%s\": null", name);
 }
 
 static void print_span(FILE *file, const char *name, const struct benchmark_span *span,
                        bool has_gpu)
 {
-
-    for (int i = 0; i < BENCHMARK_CLOCKS; i++)
-        if (i != BENCHMARK_GPU || has_gpu)
-            fprintf(file, "  \"%s_%s_ms\": %.4f,\n", name, clock_names[i],
-                    1000.0 * span->seconds[i]);
-        else
-            fprintf(file, "  \"%s_%s_ms\": null,\n", name, clock_names[i]);
-}
-
-static void print_cover(const struct benchmark_cover *cover, FILE *file)
-{
-    const struct {
-        const char *name;
-        double value;
-    } item[] = {{"march_evaluations", cover->march},
-                {"march_bound", cover->bound},
-                {"march_over_bound", cover->ratio},
-                {"march_over_bound_minimum", cover->ray_ratio}};
-    fprintf(file, "  \"march_rays\": %d", cover->rays);
-    for (int i = 0; i < 4; i++)
-        if (cover->rays > 0)
-            fprintf(file, ",\n  \"%s\": %.4f", item[i].name, item[i].value);
-        else
-            fprintf(file, ",\n  \"%s\": null", item[i].name);
-    fprintf(file, "\n");
+    static const char *const clocks[BENCHMARK_CLOCKS] = {"cpu", "wall", "gpu"};
+    for (int i = 0; i < BENCHMARK_CLOCKS; i++) {
+        char key[40];
+        snprintf(key, sizeof key, "%s_%s_ms", name, clocks[i]);
+        print_number(file, key, 1000.0 * span->seconds[i], 4, i != BENCHMARK_GPU || has_gpu);
+    }
 }
 
 static void print_json(const struct benchmark *b, FILE *file)
 {
-    fprintf(file, "{\n");
-    print_string(file, "shader", b->shader);
-    print_string(file, "backend", b->backend);
-    fprintf(file, "  \"width\": %d,\n  \"height\": %d,\n  \"time\": %.9g,\n", b->inputs.width,
-            b->inputs.height, b->inputs.time);
-    fprintf(file, "  \"samples\": %d,\n  \"frames\": %d,\n", b->inputs.samples * b->inputs.samples,
-            b->frames);
+    bool counted = b->has_evaluations, covered = b->cover.rays > 0;
+    print_string(file, "{", "shader", b->shader);
+    print_string(file, ",", "backend", b->backend);
+    print_number(file, "width", b->inputs.width, 0, true);
+    print_number(file, "height", b->inputs.height, 0, true);
+    fprintf(file, ",\n  \"time\": %.9g", b->inputs.time);
+    print_number(file, "samples", b->inputs.samples * b->inputs.samples, 0, true);
+    print_number(file, "frames", b->frames, 0, true);
     print_span(file, "compile", &b->compile, false);
     print_span(file, "first_frame", &b->first, b->has_gpu);
     print_span(file, "frame_median", &b->median, b->has_gpu);
     print_span(file, "frame_minimum", &b->minimum, b->has_gpu);
     print_span(file, "frame_maximum", &b->maximum, b->has_gpu);
-    if (b->has_evaluations)
-        fprintf(file,
-                "  \"evaluations_mean\": %.4f,\n  \"evaluations_p99\": %.0f,\n"
-                "  \"evaluations_maximum\": %.0f,\n",
-                b->mean, b->percentile, b->most);
-    else
-        fprintf(file, "  \"evaluations_mean\": null,\n  \"evaluations_p99\": null,\n"
-                      "  \"evaluations_maximum\": null,\n");
-    print_cover(&b->cover, file);
-    fprintf(file, "}\n");
+    print_number(file, "evaluations_mean", b->mean, 4, counted);
+    print_number(file, "evaluations_p99", b->percentile, 0, counted);
+    print_number(file, "evaluations_maximum", b->most, 0, counted);
+    print_number(file, "march_rays", b->cover.rays, 0, true);
+    print_number(file, "march_evaluations", b->cover.march, 4, covered);
+    print_number(file, "march_bound", b->cover.bound, 4, covered);
+    print_number(file, "march_over_bound", b->cover.ratio, 4, covered);
+    print_number(file, "march_over_bound_minimum", b->cover.ray_ratio, 4, covered);
+    fprintf(file, "\n}\n");
 }
 
 void benchmark_print(const struct benchmark *benchmark, bool json, FILE *file)
