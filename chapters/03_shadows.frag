@@ -6,7 +6,7 @@
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere, sdBox, sdBoxFrame
 #include "lighting.glsl"   // lambert, fallOff, encodeSRGB
-#include "shadow.glsl"     // shadowRay, lightReaching
+#include "shadow.glsl"     // shadowRay, shadowReach, lightReaching
 #include "bounds.glsl"     // boxInterval
 
 uniform bool  sun;          // false: light from a direction, as the sun's, instead of from the lamp's position
@@ -71,9 +71,8 @@ vec2 sceneInterval(Ray ray)
 float visibility(vec3 p, vec3 normal, vec3 toLight, float distance)
 {
     Ray ray = shadowRay(p, normal, toLight, shadowOffset * hitThreshold);
-    float far = min(distance, sceneInterval(ray).y);
-    bool asked = shadows && dot(normal, toLight) > 0.0;
-    return lightReaching(ray, asked ? far : 0.0, hitThreshold, maxSteps);
+    float far = shadowReach(normal, toLight, min(distance, sceneInterval(ray).y));
+    return lightReaching(ray, shadows ? far : 0.0, hitThreshold, maxSteps);
 }
 
 // The warm light: from where the lamp is, or from its direction alone, the same for every point.

@@ -6,7 +6,7 @@
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere, sdBox
 #include "lighting.glsl"   // lambert, encodeSRGB
-#include "shadow.glsl"     // shadowRay, lightReaching
+#include "shadow.glsl"     // shadowRay, shadowReach, lightReaching
 #include "bounds.glsl"     // boxInterval
 #include "hue.glsl"        // hsvToRGB
 #include "combine.glsl"    // opUnion, opIntersection, opSubtraction, opSmoothUnion, smoothUnionShare
@@ -115,7 +115,7 @@ vec3 colourAt(vec3 p)
 }
 
 // What the ray sees that meets nothing: a dark room with a glow at the horizon, to the left.
-vec3 skyColour(vec3 direction)
+vec3 skyLight(vec3 direction)
 {
     float glow = 0.5 + 0.5 * dot(direction, vec3(-0.5196, 0.1, -0.8485));
     glow *= glow * glow;
@@ -125,18 +125,17 @@ vec3 skyColour(vec3 direction)
 // The light that arrives: the sun's where it is in sight, and the sky's, more from above.
 vec3 receivedLight(vec3 p, vec3 normal)
 {
-    float facing = lambert(normal, SUN);
     Ray ray = shadowRay(p, normal, SUN, 8.0 * hitThreshold);
-    float far = facing > 0.0 ? boxInterval(ray, LOW, HIGH).y : 0.0;
+    float far = shadowReach(normal, SUN, boxInterval(ray, LOW, HIGH).y);
     float seen = lightReaching(ray, far, hitThreshold, maxSteps);
-    return seen * facing * SUN_LIGHT + (0.5 + 0.5 * normal.y) * SKY_LIGHT;
+    return seen * lambert(normal, SUN) * SUN_LIGHT + (0.5 + 0.5 * normal.y) * SKY_LIGHT;
 }
 
 vec3 rayColour(Ray ray)
 {
     vec2 interval = boxInterval(ray, LOW, HIGH);
     Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
-    vec3 light = skyColour(ray.direction);
+    vec3 light = skyLight(ray.direction);
     if (hit.found) {
         vec3 p = ray.origin + hit.t * ray.direction;
         light = colourAt(p) * receivedLight(p, normalAt(p, normalStep));

@@ -7,9 +7,10 @@
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere, sdBox
 #include "lighting.glsl"   // lambert, encodeSRGB
-#include "shadow.glsl"     // shadowRay, lightReaching
-#include "bounds.glsl"     // boxInterval
-#include "transform.glsl"  // rotations, opTwist, the stretch of each deformation, sdTorus
+#include "shadow.glsl"     // shadowRay
+#include "bounds.glsl"     // boxInterval, intervalUnion
+#include "fresnel.glsl"    // schlickShare
+#include "transform.glsl"  // rotations, Pose, seenFrom, opTwist, the stretch of each deformation, sdTorus
 
 uniform float waveHeight;   // 1 in [0, 3] step 0.1, times a calm sea: height of the waves
 uniform float twist;        // 0.6 in [0, 3] step 0.1, radians per radius of the ring: twist of the ring along its length
@@ -33,14 +34,7 @@ const float RING_REACH = 1.5;                     // of a ball around the ring a
 
 const vec3  SUN_COLOUR = vec3(2.6, 1.6, 0.7);    // linear RGB
 
-// Found once a pixel, before its rays: place and rotation of each thing, direction of the sun, bounds.
-struct Pose {
-    vec3 place;
-    mat3 turn;
-};
-Pose ringPose, ballPose, cratePose;
-vec3 toSun;
-float ringStretch, seaStretch;
+// ---- The sea ----
 
 // The phases of the waves over a point of the sea.
 vec3 wavePhase(vec2 xz)
@@ -59,7 +53,9 @@ vec2 seaSlope(vec2 xz)
     return vec2(dot(WAVE_X, change), dot(WAVE_Z, change));
 }
 
-// Afloat: up and down with the sea at a place, its deck along the water there.
+// ---- What floats on it, and where ----
+
+// Up and down with the sea at a place, its deck along the water there.
 //   draught  how high the middle floats
 //   turn     how the thing lies in still water
 Pose afloat(vec2 xz, float draught, mat3 turn)
@@ -69,45 +65,54 @@ Pose afloat(vec2 xz, float draught, mat3 turn)
     return Pose(vec3(xz.x, seaHeight(xz) + draught, xz.y), rock * turn);
 }
 
+// What the scene is at the time of the picture: where the things float, and by what the distances that
+// are not exact are divided.
+struct Moment {
+    Pose  ring, ball, crate;
+    float ringStretch, seaStretch;
+};
+
+Moment momentNow()
+{
+    return Moment(afloat(vec2(-1.2, 1.2), 0.16, rotationY(0.5) * rotationZ(0.22) * rotationX(-1.35)),
+                  afloat(vec2(0.95, -1.3), 0.18, rotationY(0.4) * rotationZ(-0.35)),
+                  afloat(vec2(3.0, -2.8), 0.12, rotationY(0.7) * rotationX(0.5) * rotationZ(0.3)),
+                  twistStretch(twist, RING_REACH), heightStretch(waveHeight * STEEPEST));
+}
+
+// The same for every point that a pixel asks about. So pixelRay, which runs first, finds it once for
+// all that follows.
+Moment now;
+
 Ray pixelRay(vec2 screen)
 {
-    ringPose = afloat(vec2(-1.2, 1.2), 0.16, rotationY(0.5) * rotationZ(0.22) * rotationX(-1.35));
-    ballPose = afloat(vec2(0.95, -1.3), 0.18, rotationY(0.4) * rotationZ(-0.35));
-    cratePose = afloat(vec2(3.0, -2.8), 0.12, rotationY(0.7) * rotationX(0.5) * rotationZ(0.3));
-    toSun = normalize(rotationY(-radians(sunAzimuth)) * vec3(0.0, 0.18, -1.0));
-    ringStretch = twistStretch(twist, RING_REACH);
-    seaStretch = heightStretch(waveHeight * STEEPEST);
+    now = momentNow();
     return perspectiveRay(screen);
 }
 
-// A point as a thing sees it: moved back, then turned back. GLSL's row times matrix is the transposed
-// matrix times the column, and the transposed matrix is the inverse rotation.
-vec3 seenFrom(Pose pose, vec3 p)
-{
-    return (p - pose.place) * pose.turn;
-}
+// ---- The scene at that moment ----
 
 // The ring is a torus, twisted along y, scaled. The bound of the twist holds near the axis; farther
 // away the distance to a ball around the ring serves.
 float ringDistance(vec3 p)
 {
-    vec3 q = seenFrom(ringPose, p) / RING;
+    vec3 q = seenFrom(now.ring, p) / RING;
     float ball = length(q) - (RING_REACH - 0.2);
-    float ring = sdTorus(opTwist(q, twist).xzy, 1.0, 0.26) / ringStretch;
+    float ring = sdTorus(opTwist(q, twist).xzy, 1.0, 0.26) / now.ringStretch;
     return RING * (ball > 0.2 ? ball : ring);
 }
 
 // A ball that is turned is the same ball: it needs its place alone.
 float thingsDistance(vec3 p)
 {
-    float ball = sdSphere(p - ballPose.place, 0.62);
-    float crate = sdBox(seenFrom(cratePose, p), vec3(0.42)) - 0.02;
+    float ball = sdSphere(p - now.ball.place, 0.62);
+    float crate = sdBox(seenFrom(now.crate, p), vec3(0.42)) - 0.02;
     return min(ringDistance(p), min(ball, crate));
 }
 
 float seaDistance(vec3 p)
 {
-    return (p.y - seaHeight(p.xz)) / seaStretch;
+    return (p.y - seaHeight(p.xz)) / now.seaStretch;
 }
 
 float sceneDistance(vec3 p)
@@ -115,11 +120,24 @@ float sceneDistance(vec3 p)
     return stepScale * min(seaDistance(p), thingsDistance(p));
 }
 
+vec2 cubeInterval(Ray ray, vec3 middle, float reach)
+{
+    return boxInterval(ray, middle - reach, middle + reach);
+}
+
+// Where a ray can meet a thing.
+vec2 thingsInterval(Ray ray)
+{
+    vec2 ring = cubeInterval(ray, now.ring.place, RING * (RING_REACH - 0.2));
+    vec2 ball = cubeInterval(ray, now.ball.place, 0.65);
+    return intervalUnion(intervalUnion(ring, ball), cubeInterval(ray, now.crate.place, 0.77));
+}
+
 // The paint of a thing at p, asked of the same point as its distance: the stripes turn with it.
 vec3 colourAt(vec3 p)
 {
-    vec3 ring = opTwist(seenFrom(ringPose, p) / RING, twist);
-    vec3 ball = seenFrom(ballPose, p), crate = seenFrom(cratePose, p);
+    vec3 ring = opTwist(seenFrom(now.ring, p) / RING, twist);
+    vec3 ball = seenFrom(now.ball, p), crate = seenFrom(now.crate, p);
     float cosine2 = ring.x * ring.x / dot(ring.xy, ring.xy); // of the angle around the ring, squared
     vec3 red = mix(vec3(0.75, 0.02, 0.01), vec3(0.8), smoothstep(0.34, 0.36, abs(cosine2 - 0.5)));
     vec3 yellow = mix(vec3(0.03), vec3(0.95, 0.55, 0.02), smoothstep(0.06, 0.07, abs(ball.y - 0.1)));
@@ -129,14 +147,41 @@ vec3 colourAt(vec3 p)
     return dot(crate, crate) < 0.7 ? wood : colour;
 }
 
+// ---- Light ----
+
+vec3 sunDirection()
+{
+    return normalize(rotationY(-radians(sunAzimuth)) * vec3(0.0, 0.18, -1.0));
+}
+
 // The sky in a direction: blue above, pale on the horizon, golden towards the sun.
-vec3 skyLight(vec3 direction)
+vec3 skyLight(vec3 direction, vec3 toSun)
 {
     float low = 1.0 / (1.0 + 5.0 * max(direction.y, 0.0));
     float sun = max(dot(direction, toSun), 0.0);
     float sun4 = sun * sun * sun * sun, sun8 = sun4 * sun4, sun32 = sun8 * sun8 * sun8 * sun8;
     vec3 blue = mix(vec3(0.035, 0.13, 0.36), vec3(0.38, 0.42, 0.50), low * low);
     return blue + vec3(0.62, 0.25, 0.04) * sun8 * low * low + vec3(0.55, 0.36, 0.14) * sun32;
+}
+
+// The sun in the sky: a disc, or as a mirror that is never quite smooth spreads it.
+vec3 sunGlare(vec3 direction, vec3 toSun, bool mirrored)
+{
+    float sun = max(dot(direction, toSun), 0.0);
+    return (mirrored ? 12.0 * pow(sun, 260.0) : 4.0 * smoothstep(0.9997, 0.9998, sun)) * SUN_COLOUR;
+}
+
+// What a matt surface receives.
+vec3 receivedLight(vec3 normal, vec3 toSun, bool shadowed)
+{
+    vec3 sunny = shadowed ? vec3(0.0) : SUN_COLOUR * lambert(normal, toSun);
+    return sunny + mix(vec3(0.05, 0.08, 0.10), vec3(0.30, 0.36, 0.46), 0.5 + 0.5 * normal.y);
+}
+
+// The light out of the water: greener in the crests, where it is thin.
+vec3 deepLight(float height)
+{
+    return vec3(0.004, 0.040, 0.060) + vec3(0.0, 0.07, 0.06) * max(height / 0.12, 0.0);
 }
 
 // The sea's normal: the waves of the march and ripples too small for it, flatter with the distance t,
@@ -151,23 +196,7 @@ vec3 waterNormal(vec2 xz, float t)
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
 
-// The smallest interval that holds two, either of which may be empty.
-vec2 joined(vec2 a, vec2 b)
-{
-    return b.x < b.y ? vec2(min(a.x, b.x), max(a.y, b.y)) : a;
-}
-
-vec2 boxAround(Ray ray, Pose pose, float reach)
-{
-    return boxInterval(ray, pose.place - reach, pose.place + reach);
-}
-
-// Where a ray can meet a thing.
-vec2 thingsInterval(Ray ray)
-{
-    vec2 ring = joined(vec2(FAR, 0.0), boxAround(ray, ringPose, RING * (RING_REACH - 0.2)));
-    return joined(joined(ring, boxAround(ray, ballPose, 0.65)), boxAround(ray, cratePose, 0.77));
-}
+// ---- The picture ----
 
 // A hit that is not at the sea is at a thing.
 bool atThing(Hit hit, vec3 p)
@@ -177,8 +206,9 @@ bool atThing(Hit hit, vec3 p)
 
 vec3 rayColour(Ray ray)
 {
-    vec3 size = vec3(1.0, waveHeight, 1.0);
-    vec2 interval = joined(thingsInterval(ray), boxInterval(ray, size * LOW, size * HIGH));
+    // The first ray meets a thing, the waves, the flat sea beyond them, or the sky.
+    vec3 size = vec3(1.0, waveHeight, 1.0), toSun = sunDirection();
+    vec2 interval = intervalUnion(thingsInterval(ray), boxInterval(ray, size * LOW, size * HIGH));
     Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
     float flatSea = ray.direction.y < -0.0001 ? -ray.origin.y / ray.direction.y : FAR;
     float t = min(hit.found ? hit.t : flatSea, FAR);
@@ -187,28 +217,21 @@ vec3 rayColour(Ray ray)
     vec3 normal = hit.found ? normalAt(p, 0.002) : vec3(0.0, 1.0, 0.0);
     normal = thing ? normal : waterNormal(p.xz, t);
 
-    // One more ray: from a thing to the sun, from the water to what is mirrored in it.
+    // The second goes from a thing to the sun, from the water to what is mirrored in it.
     vec3 mirrored = sky ? ray.direction : reflect(ray.direction, normal);
     mirrored.y = abs(mirrored.y);
     Ray next = shadowRay(p, normal, thing ? toSun : mirrored, 0.03);
     interval = thingsInterval(next);
     Hit second = march(next, interval.x, interval.y, hitThreshold, maxSteps);
     vec3 q = next.origin + second.t * next.direction;
+
+    // What a mirror here would show, its share of the light, and the light of what was met.
+    vec3 image = skyLight(mirrored, toSun) + sunGlare(mirrored, toSun, !sky);
+    float share = schlickShare(max(dot(normal, -ray.direction), 0.0), 0.02);
     vec3 paint = colourAt(thing ? p : q);
-
-    // What a mirror here would show, and its share: Schlick's approximation.
-    float sun = max(dot(mirrored, toSun), 0.0);
-    float glare = sky ? 4.0 * smoothstep(0.9997, 0.9998, sun) : 12.0 * pow(sun, 260.0);
-    vec3 image = skyLight(mirrored) + glare * SUN_COLOUR;
-    float grazing = 1.0 - max(dot(normal, -ray.direction), 0.0), square = grazing * grazing;
-    float share = 0.02 + 0.98 * square * square * grazing;
-
-    vec3 sunny = second.found ? vec3(0.0) : SUN_COLOUR * lambert(normal, toSun);
-    vec3 ambient = mix(vec3(0.05, 0.08, 0.10), vec3(0.30, 0.36, 0.46), 0.5 + 0.5 * normal.y);
-    vec3 ofThing = paint * (sunny + ambient) + 0.6 * share * image;
-    vec3 deep = vec3(0.004, 0.040, 0.060) + vec3(0.0, 0.07, 0.06) * max(p.y / 0.12, 0.0);
-    vec3 ofWater = mix(deep, atThing(second, q) ? 0.6 * paint : image, share);
-    vec3 haze = skyLight(vec3(ray.direction.x, 0.0, ray.direction.z));
+    vec3 ofThing = paint * receivedLight(normal, toSun, second.found) + 0.6 * share * image;
+    vec3 ofWater = mix(deepLight(p.y), atThing(second, q) ? 0.6 * paint : image, share);
+    vec3 haze = skyLight(vec3(ray.direction.x, 0.0, ray.direction.z), toSun);
     ofWater = mix(haze, ofWater, exp(-0.012 * t));
     return encodeSRGB(sky ? image : (thing ? ofThing : ofWater));
 }

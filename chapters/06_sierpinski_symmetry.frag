@@ -8,8 +8,8 @@
 #include "symmetry.glsl"   // sdSierpinskiPlanes, foldToCorner, tetrahedronInterval
 #include "hue.glsl"        // hsvToRGB
 #include "lighting.glsl"   // lambert, encodeSRGB
-#include "shadow.glsl"     // shadowRay
-#include "bounds.glsl"     // boxInterval
+#include "shadow.glsl"     // shadowRay, shadowReach
+#include "bounds.glsl"     // boxInterval, intervalUnion
 
 uniform int   levels;       // 7 in [0, 10]: how often each tetrahedron is cut in four
 uniform float footprint;    // 1.5 in [0, 4] step 0.25, half pixels: how fast the threshold and the normal's step grow along the ray; 0 keeps them fixed
@@ -65,14 +65,12 @@ vec2 pyramidInterval(Ray ray)
     return tetrahedronInterval(turned, SIZE + 1.7320508 * MARGIN);
 }
 
-// The interval of a ray in which there is something to hit: the pyramid's, the slab's, or from the
-// first of both to the last.
+// The interval of a ray in which there is something to hit.
 vec2 sceneInterval(Ray ray)
 {
     vec2 pyramid = pyramidInterval(ray);
     vec2 slab = boxInterval(ray, SLAB - SLAB_HALF - MARGIN, SLAB + SLAB_HALF + MARGIN);
-    vec2 both = vec2(min(pyramid.x, slab.x), max(pyramid.y, slab.y));
-    return pyramid.x >= pyramid.y ? slab : (slab.x >= slab.y ? pyramid : both);
+    return intervalUnion(pyramid, slab);
 }
 
 // What the first four levels of folds say about a point. x: a binary number below 1, of which each
@@ -124,7 +122,7 @@ vec3 sunLight(vec3 p, vec3 normal, vec3 toSun, float size)
 {
     Ray ray = shadowRay(p, normal, toSun, 2.0 * size);
     vec2 interval = pyramidInterval(ray);
-    float far = dot(normal, toSun) > 0.0 ? interval.y : 0.0;
+    float far = shadowReach(normal, toSun, interval.y);
     float seen = coneReaching(ray, interval.x, far, size, SUN_SPREAD, maxSteps);
     return seen * lambert(normal, toSun) * SUN_COLOUR;
 }

@@ -5,7 +5,7 @@
 #include "march.glsl"        // march
 #include "normal.glsl"       // normalAt
 #include "lighting.glsl"     // lambert, encodeSRGB
-#include "shadow.glsl"       // shadowRay, lightReaching
+#include "shadow.glsl"       // shadowRay, shadowReach, lightReaching
 #include "bounds.glsl"       // boxInterval
 
 uniform float framingDistance; // 9.5 in [1, 40] step 0.5, scene units: from the camera's plane to the one that keeps its size
@@ -114,9 +114,8 @@ vec3 colourAt(vec3 p)
 float sunlight(vec3 p, vec3 normal)
 {
     Ray ray = shadowRay(p, normal, TO_SUN, SHADOW_OFFSET);
-    float caught = lambert(normal, TO_SUN);
-    float far = caught > 0.0 ? boxInterval(ray, LOW, HIGH).y : 0.0;
-    return caught * lightReaching(ray, far, hitThreshold, maxSteps);
+    float far = shadowReach(normal, TO_SUN, boxInterval(ray, LOW, HIGH).y);
+    return lambert(normal, TO_SUN) * lightReaching(ray, far, hitThreshold, maxSteps);
 }
 
 // What is behind all. Parallel rays see one and the same point of a sky: so it is a painting, seen at

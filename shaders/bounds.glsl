@@ -1,4 +1,4 @@
-// bounds.glsl - the part of a ray that lies in a box: what is outside needs no march.
+// bounds.glsl - the part of a ray that lies in a box, or in several: what is outside needs no march.
 #include "scene.glsl"
 
 // Where a ray is inside a box with faces across the axes.
@@ -16,4 +16,15 @@ vec2 boxInterval(Ray ray, vec3 low, vec3 high)
     vec3 entry = min(first, second);
     vec3 leave = max(first, second);
     return vec2(max(0.0, max(entry.x, max(entry.y, entry.z))), min(leave.x, min(leave.y, leave.z)));
+}
+
+// The smallest interval that holds two, which may be empty: that of a scene of two parts, each in bounds
+// of its own.
+//   a, b     (entry, exit); empty where entry >= exit
+//   returns  from the first entry to the last exit, what lies between the two included; where one is
+//            empty the other as it is, where both are an empty one
+vec2 intervalUnion(vec2 a, vec2 b)
+{
+    vec2 both = vec2(min(a.x, b.x), max(a.y, b.y));
+    return a.x >= a.y ? b : (b.x >= b.y ? a : both);
 }

@@ -39,6 +39,22 @@ mat3 rotationZ(float angle)
     return mat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0);
 }
 
+// Where a thing is: turned first, then moved.
+struct Pose {
+    vec3 place; // of its origin, scene units
+    mat3 turn;  // a rotation
+};
+
+// A point as a thing in a pose sees it: moved back, then turned back. GLSL's row times matrix is the
+// transposed matrix times the column, and the transposed matrix is the inverse rotation.
+//   p        point, scene units
+//   formula  transpose(turn) (p - place)
+//   sd(seenFrom(pose, p))  exact where sd is
+vec3 seenFrom(Pose pose, vec3 p)
+{
+    return (p - pose.place) * pose.turn;
+}
+
 // ---- Linear maps ----
 
 // The largest factor by which a matrix stretches a vector: its largest singular value.

@@ -256,6 +256,60 @@ static void test_lambert_and_fall_off_agree_with_double(void **unused)
     assert_true(worst < 4.0 * MIRROR_FLOAT_ROUNDING);
 }
 
+// Fresnel's share of light that is not polarised, from air into a medium of this index of
+// refraction: the mean of the two polarisations, each the square of a quotient of amplitudes.
+static double fresnel(double facing, double index)
+{
+    double inside = sqrt(1.0 - (1.0 - facing * facing) / (index * index));
+    double across = (facing - index * inside) / (facing + index * inside);
+    double along = (index * facing - inside) / (index * facing + inside);
+    return 0.5 * (across * across + along * along);
+}
+
+static void test_schlick_is_near_fresnel(void **unused)
+{
+    (void)unused;
+    float *values = values_of(5, 1);
+    double water = 0.0, glass = 0.0;
+    for (int i = 0; i < 1024; i++) {
+        const float *v = values + 4 * i;
+        double facing = (double)v[0], power = pow(1.0 - facing, 5.0);
+        assert_true(fabs((double)v[1] - (0.02 + 0.98 * power)) < 1e-6);
+        assert_true(fabs((double)v[2] - (0.04 + 0.96 * power)) < 1e-6);
+        water = fmax(water, fabs((double)v[1] - fresnel(facing, 1.333)));
+        glass = fmax(glass, fabs((double)v[2] - fresnel(facing, 1.5)));
+    }
+    print_message("# Schlick against Fresnel: off by at most %.4f for water, %.4f for glass\n",
+                  water, glass);
+    assert_true(values[1] == 1.0f && values[4 * 1023 + 1] == 0.02f);
+    assert_true(water > 0.05 && water < 0.060 && glass > 0.03 && glass < 0.036);
+    free(values);
+}
+
+// All pairs of intervals with ends from 0 to 4, empty ones too, against the ends of what a fine
+// grid has in one of them.
+static void test_interval_union_is_the_smallest(void **unused)
+{
+    (void)unused;
+    float *values = values_of(6, 1);
+    for (int i = 0; i < 625; i++) {
+        const float *v = values + 4 * i;
+        int a[2] = {i % 5, i / 5 % 5}, b[2] = {i / 25 % 5, i / 125};
+        double first = INFINITY, last = -INFINITY;
+        for (double t = 0.0; t <= 4.0; t += 0.25)
+            if ((a[0] < a[1] && a[0] <= t && t <= a[1]) ||
+                (b[0] < b[1] && b[0] <= t && t <= b[1])) {
+                first = fmin(first, t);
+                last = fmax(last, t);
+            }
+        if (first < last)
+            assert_true((double)v[0] == first && (double)v[1] == last);
+        else
+            assert_true(v[0] >= v[1]);
+    }
+    free(values);
+}
+
 // ---- The ramp of the steps view ----
 
 // Eight pieces, each straight in the screen's numbers, can't be even everywhere: between two of the
@@ -341,6 +395,8 @@ int main(void)
         cmocka_unit_test(test_gradients_have_length_1_almost_everywhere),
         cmocka_unit_test(test_encoding_agrees_with_double_and_rises),
         cmocka_unit_test(test_lambert_and_fall_off_agree_with_double),
+        cmocka_unit_test(test_schlick_is_near_fresnel),
+        cmocka_unit_test(test_interval_union_is_the_smallest),
         cmocka_unit_test(test_ramp_rises_evenly_for_every_eye),
         cmocka_unit_test(test_rays_leave_the_camera_as_its_basis_says),
     };

@@ -44,7 +44,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 interval = boxInterval(ray, LOW, HIGH);
     Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
-    vec3 light = skyColour(ray.direction);
+    vec3 light = skyLight(ray.direction);
     if (hit.found) {
         vec3 p = ray.origin + hit.t * ray.direction;
         light = colourAt(p) * receivedLight(p, normalAt(p, normalStep));

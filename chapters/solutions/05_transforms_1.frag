@@ -11,6 +11,6 @@ uniform float turnTime; // 20 in [1, 120] step 1, seconds: one turn of the ring
 Ray pixelRay(vec2 screen)
 {
     Ray ray = chapterPixelRay(screen);
-    ringPose.turn = ringPose.turn * rotationZ(radians(360.0 * iTime / turnTime));
+    now.ring.turn = now.ring.turn * rotationZ(radians(360.0 * iTime / turnTime));
     return ray;
 }

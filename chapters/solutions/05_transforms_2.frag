@@ -11,8 +11,8 @@ uniform bool  divided;  // true: divide by the largest stretch
 float sceneDistance(vec3 p)
 {
     mat3 m = mat3(1.0, 0.0, 0.0, 0.0, 1.0 / flatness, 0.0, 0.0, 0.0, 1.0);
-    float ball = sdSphere(m * seenFrom(ballPose, p), 0.62);
+    float ball = sdSphere(m * seenFrom(now.ball, p), 0.62);
     float lens = divided ? ball / largestStretch(m) : ball;
-    float crate = sdBox(seenFrom(cratePose, p), vec3(0.42)) - 0.02;
+    float crate = sdBox(seenFrom(now.crate, p), vec3(0.42)) - 0.02;
     return stepScale * min(min(seaDistance(p), ringDistance(p)), min(lens, crate));
 }

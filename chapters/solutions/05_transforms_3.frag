@@ -10,9 +10,9 @@ uniform float fineness;   // 16 in [1, 40] step 1, radians per scene unit: how c
 
 float sceneDistance(vec3 p)
 {
-    vec3 q = seenFrom(ballPose, p), wave = sin(fineness * q);
+    vec3 q = seenFrom(now.ball, p), wave = sin(fineness * q);
     float bumps = bumpHeight * wave.x * wave.y * wave.z;
     float ball = (sdSphere(q, 0.62 - bumpHeight) + bumps) / displacementStretch(bumpHeight * fineness);
-    float crate = sdBox(seenFrom(cratePose, p), vec3(0.42)) - 0.02;
+    float crate = sdBox(seenFrom(now.crate, p), vec3(0.42)) - 0.02;
     return stepScale * min(min(seaDistance(p), ringDistance(p)), min(ball, crate));
 }

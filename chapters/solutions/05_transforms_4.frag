@@ -21,7 +21,7 @@ Ray pixelRay(vec2 screen)
 
 float sceneDistance(vec3 p)
 {
-    float stretch = directed && trace.marches == 1 ? min(fall, seaStretch) : seaStretch;
+    float stretch = directed && trace.marches == 1 ? min(fall, now.seaStretch) : now.seaStretch;
     float sea = (p.y - seaHeight(p.xz)) / stretch;
     return stepScale * min(sea, thingsDistance(p));
 }

@@ -11,7 +11,9 @@ out vec4 FragColor;
 
 #include "inputs.glsl"
 #include "scene.glsl"
+#include "bounds.glsl"
 #include "camera.glsl"
+#include "fresnel.glsl"
 #include "lighting.glsl"
 #include "views.glsl"
 
@@ -37,8 +39,15 @@ void main()
         float angle = 0.006135923151542565 * number; // 1024 pixels are one turn
         vec3 toLight = vec3(sin(angle), cos(angle), 0.0);
         FragColor = vec4(angle, lambert(vec3(0.0, 1.0, 0.0), toLight), 0.0, 0.0);
-    } else {
+    } else if (Time < 5.0) {
         float distance = 0.125 + 0.015625 * number;
         FragColor = vec4(distance, fallOff(distance, 6.0), 0.0, 0.0);
+    } else if (Time < 6.0) {
+        float facing = number / 1023.0;
+        FragColor = vec4(facing, schlickShare(facing, 0.02), schlickShare(facing, 0.04), 0.0);
+    } else {
+        // The ends of two intervals are four digits of the number, base 5.
+        vec4 ends = mod(floor(number / vec4(1.0, 5.0, 25.0, 125.0)), 5.0);
+        FragColor = vec4(intervalUnion(ends.xy, ends.zw), 0.0, 0.0);
     }
 }
