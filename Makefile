@@ -35,7 +35,7 @@ HAVE := $(if $(filter glfw,$(BACKENDS)),-DHAVE_GLFW) $(if $(filter egl,$(BACKEND
         $(if $(filter osmesa,$(BACKENDS)),-DHAVE_OSMESA)
 # Other people's headers are not held to our warnings: -isystem.
 HEADERS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(LIBRARIES) cglm 2>/dev/null))
-LINK := $(shell pkg-config --libs $(LIBRARIES) 2>/dev/null) -ldl -lm
+LINK := $(shell pkg-config --libs $(LIBRARIES) 2>/dev/null) -ldl -lm -pthread
 CMOCKA := $(shell pkg-config --libs cmocka 2>/dev/null)
 
 # Short lines; V=1 shows the whole commands.

@@ -12,6 +12,7 @@
 
 #include "picture/benchmark.h"
 #include "context/context.h"
+#include "context/guard.h"
 #include "shader/export.h"
 #include "picture/image.h"
 #include "options.h"
@@ -328,7 +329,7 @@ static int open_and_work(struct run *run)
     const struct options *options = &run->options;
     bool still = options->output != NULL || options->has_probe || options->benchmark > 0;
     if (options->benchmark > 0)
-        benchmark_forget_caches();
+        guard_forget_caches();
     if (!check_targets(options))
         return NOT_DONE;
     bool opened = still ? context_open_offscreen(&context, options->backend)
@@ -365,6 +366,8 @@ static int act(struct run *run, const char *program)
 int chapter_run(const struct chapter *chapter, int argc, char **argv)
 {
     struct run run = {.chapter = chapter};
+    if (!guard_stack())
+        return NOT_DONE;
     if (!options_parse(&run.options, argc, argv))
         return WRONG_COMMAND_LINE;
     if (!run.options.has_camera)

@@ -294,10 +294,10 @@ mkdir "$scratch/copy" "$scratch/home"
 cp -R "$chapter" shaders chapters "$scratch/copy"
 chmod -R a+rX "$scratch/copy" "$out"
 chmod 777 "$scratch/home"
-as_stranger() {
-    ${stranger[@]+"${stranger[@]}"} env HOME="$scratch/home" MESA_SHADER_CACHE_DIR="$scratch/home" \
-        "$scratch/copy/03_shadows" "${small[@]}" "$@"
+as_stranger_do() {
+    ${stranger[@]+"${stranger[@]}"} env HOME="$scratch/home" MESA_SHADER_CACHE_DIR="$scratch/home" "$@"
 }
+as_stranger() { as_stranger_do "$scratch/copy/03_shadows" "${small[@]}" "$@"; }
 if [ -n "${forbidden-}" ]; then
     for name in 'an unreadable shader' 'an unreadable include' 'a folder that cannot be written' \
         'a file that cannot be written'; do
@@ -320,6 +320,40 @@ else
 fi
 
 # ---- Contexts ----
+
+# A software driver has a thread for each processor: one who may have no threads gets a picture all the same.
+# The leak checker wants a thread too.
+threadless() {
+    # shellcheck disable=SC2016 # for the inner shell
+    as_stranger_do timeout 120 bash -c 'ulimit -u 1 && exec "$@"' - \
+        env ASAN_OPTIONS="$ASAN_OPTIONS:detect_leaks=0" "$scratch/copy/03_shadows" "${small[@]}" \
+        -o "$scratch/home/new.png"
+}
+if [ -n "${forbidden-}" ]; then
+    skip 'no threads' "$forbidden"
+else
+    succeed 'no threads' threadless
+fi
+
+# A cache of shaders on a disk that is full, which only one who may mount can try.
+full_cache() {
+    # shellcheck disable=SC2016 # for the inner shell
+    "${alone[@]}" bash -c 'mount -t tmpfs -o size=64k none "$0" && { cat /dev/zero >"$0/fill"; "$@"; }' \
+        "$scratch/home" env MESA_SHADER_CACHE_DIR="$scratch/home" "$chapter" "${to[@]}" 2>&1 |
+        grep -v 'No space left' >&2
+    return "${PIPESTATUS[0]}"
+}
+for how in -m -rm; do
+    alone=(unshare "$how")
+    "${alone[@]}" mount -t tmpfs none "$scratch/home" 2>/dev/null && break
+    alone=()
+done
+if [ ${#alone[@]} = 0 ]; then
+    skip 'a full disk under the cache of shaders' 'this user may not mount'
+else
+    succeed 'a full disk under the cache of shaders' full_cache
+    fill
+fi
 
 refuse 'a window without a display' 1 'display' "$chapter"
 refuse 'glfw without a display' 1 'glfw' "$chapter" "${to[@]}" -b glfw
@@ -345,6 +379,9 @@ if "$chapter" --version -b osmesa >/dev/null 2>&1; then
 else
     skip 'osmesa: a driver that refuses 3.3' 'no OSMesa on this machine'
 fi
+refuse 'a driver that there is not' 1 'driver' env GALLIUM_DRIVER=nonsense "$chapter" "${to[@]}"
+small_stack() { (ulimit -s 64 && exec "$chapter" "${to[@]}"); }
+refuse 'a stack of 64 KiB' 1 'stack may take 64 KiB' small_stack
 refuse 'no backend at all' 1 'egl.*osmesa.*glfw' "${too_old[@]}" "$chapter" "${to[@]}"
 if open_display; then
     refuse 'glfw: a driver that refuses 3.3' 1 '3\.3.*glfw' "${too_old[@]}" "$chapter" "${to[@]}" -b glfw

@@ -2,8 +2,10 @@
 
 #include <stdarg.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
+#include "context/guard.h"
 #include "report.h"
 
 enum { NEEDED_MAJOR = 3, NEEDED_MINOR = 3, WHY_SIZE = 512 };
@@ -100,6 +102,16 @@ static bool load(struct context *context)
     return false;
 }
 
+// A driver may crash over a name of its own that there is not, before it says anything.
+static void guard_driver(const char *backend)
+{
+    const char *name = getenv("GALLIUM_DRIVER");
+    guard_process();
+    guard_begin("%s: the graphics driver crashed when it was opened: %s%.200s", backend,
+                name != NULL ? "unset GALLIUM_DRIVER, which is " : "try another --backend",
+                name != NULL ? name : "");
+}
+
 bool context_open_offscreen(struct context *context, enum context_backend wanted)
 {
     char reasons[4 * WHY_SIZE] = "";
@@ -109,8 +121,11 @@ bool context_open_offscreen(struct context *context, enum context_backend wanted
         if (wanted != CONTEXT_ANY && wanted != driver->backend)
             continue;
         char why[WHY_SIZE] = "";
+        guard_driver(driver->name);
         void *state = driver->open_offscreen(why, sizeof why);
-        if (state != NULL && take(context, driver, state, why, sizeof why))
+        bool taken = state != NULL && take(context, driver, state, why, sizeof why);
+        guard_end();
+        if (taken)
             return load(context);
         append(reasons, sizeof reasons, "; ", "%s: %s", driver->name, why);
     }
@@ -140,8 +155,11 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
         return false;
     }
     char why[WHY_SIZE] = "";
+    guard_driver((*driver)->name);
     void *state = (*driver)->open_window(title, width, height, why, sizeof why);
-    if (state != NULL && take(context, *driver, state, why, sizeof why)) {
+    bool taken = state != NULL && take(context, *driver, state, why, sizeof why);
+    guard_end();
+    if (taken) {
         context->window = state;
         return load(context);
     }

@@ -17,13 +17,6 @@ struct timer {
     GLuint query;
 };
 
-void benchmark_forget_caches(void)
-{
-    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-    setenv("MESA_GLSL_CACHE_DISABLE", "true", 1);
-    setenv("__GL_SHADER_DISK_CACHE", "0", 1);
-}
-
 // ---- Clocks ----
 
 static double clock_seconds(clockid_t clock)

@@ -55,10 +55,6 @@ struct benchmark_spread {
 //   values  count >= 1 of them; they are sorted
 struct benchmark_spread benchmark_spread_of(double *values, int count);
 
-// Tell the drivers to keep no compiled shaders between programs. To be called before the context is
-// opened.
-void benchmark_forget_caches(void);
-
 // Load the shader into an open renderer and time that: read, compile, link.
 // Returns false, reported.
 bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer, const char *path);

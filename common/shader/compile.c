@@ -1,11 +1,10 @@
 #include "shader/shader.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "context/guard.h"
 #include "shader/form.h"
 #include "report.h"
 
@@ -122,57 +121,21 @@ static GLuint link_stages(const struct gl *gl, GLuint vertex, GLuint fragment,
     return 0;
 }
 
-// ---- Drivers that crash ----
-
-// A compiler that calls itself for each term of a sum runs out of stack on a long one. Then there
-// is no way back, but one line can be said.
-static struct {
-    char said[1024];
-    char stack[64 * 1024]; // for the signal, as the other one may be used up
-    struct sigaction before, bus_before;
-    stack_t stack_before;
-} crash;
-
-static void on_crash(int number)
-{
-    (void)number;
-    ssize_t written = write(STDERR_FILENO, crash.said, strlen(crash.said));
-    (void)written;
-    _exit(1);
-}
-
-// Watch over a driver at work on this file.
-static void watch_driver(const char *file)
-{
-    struct sigaction action = {.sa_handler = on_crash, .sa_flags = SA_ONSTACK};
-    stack_t own = {.ss_sp = crash.stack, .ss_size = sizeof crash.stack};
-    snprintf(crash.said, sizeof crash.said,
-             "%.800s: the graphics driver crashed over it: split its longest statement\n", file);
-    sigaltstack(&own, &crash.stack_before);
-    sigaction(SIGSEGV, &action, &crash.before);
-    sigaction(SIGBUS, &action, &crash.bus_before); // what macOS may send for the same
-}
-
-static void forget_driver(void)
-{
-    sigaction(SIGSEGV, &crash.before, NULL);
-    sigaction(SIGBUS, &crash.bus_before, NULL);
-    sigaltstack(&crash.stack_before, NULL);
-}
-
 // ---- A program ----
 
 GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
                    const struct shader_source *fragment, enum shader_view view)
 {
     GLuint program = 0, fragment_stage = 0;
-    watch_driver(fragment->files[0]);
+    // A compiler that calls itself for each term of a sum runs out of stack on a long one.
+    guard_begin("%.800s: the graphics driver crashed over it: split its longest statement",
+                fragment->files[0]);
     GLuint vertex_stage = compile(gl, GL_VERTEX_SHADER, vertex, view);
     if (vertex_stage != 0)
         fragment_stage = compile(gl, GL_FRAGMENT_SHADER, fragment, view);
     if (fragment_stage != 0)
         program = link_stages(gl, vertex_stage, fragment_stage, fragment, view);
-    forget_driver();
+    guard_end();
     // A shader that is attached lives on until its program goes.
     if (vertex_stage != 0)
         gl->DeleteShader(vertex_stage);

@@ -57,9 +57,9 @@ bool window_uses_time(const struct window *window)
 // ---- Keys ----
 
 // The label of a key that GLFW names by the American keyboard, where it can be written in ASCII.
-static void label_of(int key, char label[8])
+static void label_of(const struct window *window, int key, char label[8])
 {
-    const char *name = glfwGetKeyName(key, 0);
+    const char *name = window->has_keyboard ? glfwGetKeyName(key, 0) : NULL;
     bool plain = name != NULL && name[0] > ' ' && name[0] <= '~' && name[1] == '\0';
     char letter = (char)(plain ? toupper((unsigned char)name[0]) : key);
     snprintf(label, 8, isalnum((unsigned char)letter) ? "%c" : "\"%c\"",
@@ -78,7 +78,7 @@ static void add_key(struct window *window, const char *does, const char *label)
 static void add_letter(struct window *window, const char *does, int key)
 {
     char label[8];
-    label_of(key, label);
+    label_of(window, key, label);
     add_key(window, does, label);
 }
 
@@ -89,7 +89,7 @@ static void name_keys(struct window *window)
     const struct parameters *parameters = &window->renderer->parameters;
     char l[5][8], text[64];
     for (int i = 0; i < 5; i++)
-        label_of(moves[i], l[i]);
+        label_of(window, moves[i], l[i]);
     window->key_count = 0;
     snprintf(text, sizeof text, "%s %s %s %s", l[0], l[1], l[2], l[3]);
     add_key(window, "move", text);
@@ -115,8 +115,8 @@ static void name_keys(struct window *window)
     add_letter(window, "fewer", GLFW_KEY_K);
     add_key(window, "full screen", "F11");
     add_key(window, "end", "Backspace");
-    label_of(GLFW_KEY_K, l[0]);
-    label_of(GLFW_KEY_H, l[1]);
+    label_of(window, GLFW_KEY_K, l[0]);
+    label_of(window, GLFW_KEY_H, l[1]);
     snprintf(window->hint, sizeof window->hint, "%s: %s    %s: hide", l[0],
              window->helps ? "fewer" : "keys, ranges", l[1]);
 }

@@ -23,6 +23,7 @@ struct window {
     struct renderer_inputs inputs; // of the frame on the screen
     char parameter[64];            // the one that the arrows change
     bool paused, broken;
+    bool has_keyboard;  // the window had the focus: before that there may be no keyboard at all
     bool dirty;         // the screen is to be shown again
     bool stale;         // the picture is to be drawn again
     bool drew;          // the last turn of the loop drew a frame

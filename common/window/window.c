@@ -85,6 +85,8 @@ static bool turn(struct window *window)
     double now = glfwGetTime();
     bool visible = take_size(window);
     window->moved = false;
+    if (!window->has_keyboard && glfwGetWindowAttrib(window->handle, GLFW_FOCUSED) != 0)
+        window->has_keyboard = window->dirty = true;
     if (!window->paused && !window->shooting) {
         window->inputs.time += now - window->turn;
         window->moved |= window_uses_time(window);
