@@ -1,5 +1,22 @@
 #include "picture/probe.h"
 
+#include <string.h>
+
+void probe_unpack(struct probe *probe, const float *values)
+{
+    const float(*row)[PROBE_STEPS][4] = (const float(*)[PROBE_STEPS][4])values;
+    probe->steps = (int)row[0][0][2];
+    probe->end = (enum probe_end)(int)row[0][0][3];
+    probe->all_steps = (int)row[2][0][0];
+    probe->evaluations = (int)row[2][0][1];
+    memcpy(probe->interval, &row[2][0][2], sizeof probe->interval);
+    for (int k = 0; k < PROBE_STEPS; k++) {
+        probe->step[k].t = row[0][k][0];
+        probe->step[k].distance = row[0][k][1];
+        memcpy(probe->step[k].position, row[1][k], sizeof probe->step[k].position);
+    }
+}
+
 int probe_rows(const struct probe *probe)
 {
     return probe->steps < PROBE_STEPS ? probe->steps : PROBE_STEPS;

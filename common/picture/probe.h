@@ -4,7 +4,8 @@
 
 #include <stdio.h>
 
-#define PROBE_STEPS 2048 // rows that one probe can hold
+#define PROBE_STEPS 2048 // that one probe can hold
+#define PROBE_ROWS  3    // of the target that a probe's program draws, one column a step
 
 // One row of a probe: what the march knew after evaluating the distance once.
 struct probe_step {
@@ -24,6 +25,13 @@ struct probe {
     enum probe_end end; // why the first march stopped
     float interval[2];  // where it was asked to look, scene units along the ray; 0, 0: not said
 };
+
+// Take over what shaders/main.glsl draws for a probe: in column k
+//   row 0  t, distance, steps of the first march, why it ended
+//   row 1  position x, y, z, -
+//   row 2  steps of all marches, evaluations, where the first march was asked to look
+//   values  PROBE_STEPS x PROBE_ROWS pixels of 4 floats, row 0 first
+void probe_unpack(struct probe *probe, const float *values);
 
 // The rows of a probe's table: one for each step of the first march, as far as the probe holds
 // them.

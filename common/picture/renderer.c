@@ -421,25 +421,6 @@ bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
     return done;
 }
 
-// Column k of the target holds what shaders/main.glsl writes for step k:
-//   row 0  t, distance, steps of the first march, why it ended
-//   row 1  position x, y, z, -
-//   row 2  steps of all marches, evaluations, where the first march was asked to look
-static void unpack_probe(const float *values, struct probe *probe)
-{
-    const float(*row)[PROBE_STEPS][4] = (const float(*)[PROBE_STEPS][4])values;
-    probe->steps = (int)row[0][0][2];
-    probe->end = (enum probe_end)(int)row[0][0][3];
-    probe->all_steps = (int)row[2][0][0];
-    probe->evaluations = (int)row[2][0][1];
-    memcpy(probe->interval, &row[2][0][2], sizeof probe->interval);
-    for (int k = 0; k < PROBE_STEPS; k++) {
-        probe->step[k].t = row[0][k][0];
-        probe->step[k].distance = row[0][k][1];
-        memcpy(probe->step[k].position, row[1][k], sizeof probe->step[k].position);
-    }
-}
-
 void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[2],
                        const int window[2], int pixel[2])
 {
@@ -450,23 +431,22 @@ void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe)
 {
-    enum { ROWS = 3 };
     const struct gl *gl = renderer->gl;
     if (!link_view(renderer, &renderer->fragment, SHADER_PROBE, renderer->program) ||
-        !bind_target(renderer, &renderer->table, PROBE_STEPS, ROWS))
+        !bind_target(renderer, &renderer->table, PROBE_STEPS, PROBE_ROWS))
         return false;
     use_program(renderer, inputs, SHADER_PROBE);
     gl->Uniform2f(location(renderer, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
-    gl->Viewport(0, 0, PROBE_STEPS, ROWS);
+    gl->Viewport(0, 0, PROBE_STEPS, PROBE_ROWS);
     const float none[2] = {0.0f, 0.0f};
     draw_pass(renderer, none, none);
-    float *values = malloc(4 * sizeof *values * PROBE_STEPS * ROWS);
+    float *values = malloc(4 * sizeof *values * PROBE_STEPS * PROBE_ROWS);
     if (values == NULL) {
         report("probe %d,%d: not enough memory", x, y);
         return false;
     }
     read_target(renderer, &renderer->table, values);
-    unpack_probe(values, probe);
+    probe_unpack(probe, values);
     free(values);
     return true;
 }
