@@ -50,6 +50,25 @@ void image_free(struct image *image)
     *image = (struct image){0};
 }
 
+// A NaN becomes 0: the comparison is false for it.
+static unsigned char byte_of(float value)
+{
+    float positive = value > 0.0f ? value : 0.0f;
+    return (unsigned char)((positive < 1.0f ? positive : 1.0f) * 255.0f + 0.5f);
+}
+
+void image_store(struct image *image, const float *values, int bottom, int rows)
+{
+    for (int row = 0; row < rows; row++) {
+        size_t y = (size_t)(image->height - 1 - (bottom + row));
+        unsigned char *pixel = image->pixel + 3 * (size_t)image->width * y;
+        const float *value = values + 4 * (size_t)image->width * (size_t)row;
+        for (int x = 0; x < image->width; x++)
+            for (int channel = 0; channel < 3; channel++)
+                pixel[3 * x + channel] = byte_of(value[4 * x + channel]);
+    }
+}
+
 // ---- Where a picture is written ----
 
 // The folder that holds a path's last name; size of folder as of path.

@@ -16,6 +16,13 @@ bool image_create(struct image *image, int width, int height);
 // Free the pixels; an image of zeros is allowed.
 void image_free(struct image *image);
 
+// Store rows of colours as bytes: a channel v becomes floor(255 clamp(v, 0, 1) + 0.5), a NaN 0.
+//   values  4 floats a pixel, the last of which counts for nothing; image->width x rows of them,
+//   the
+//           lowest row first
+//   bottom  the first of these rows in the picture, counted from its lowest
+void image_store(struct image *image, const float *values, int bottom, int rows);
+
 // Write a PNG (8-bit RGB, sRGB chunk, fast compression).
 //   path  written beside and renamed over, so that a reader never sees half a file; symbolic links
 //         are followed; an existing target that is not a regular file is refused

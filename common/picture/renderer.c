@@ -356,25 +356,6 @@ void renderer_read_sharp(struct renderer *renderer, float *values)
     read_target(renderer, &renderer->sharp, values);
 }
 
-// A NaN becomes 0: the comparison is false for it.
-static unsigned char byte_of(float value)
-{
-    float positive = value > 0.0f ? value : 0.0f;
-    return (unsigned char)((positive < 1.0f ? positive : 1.0f) * 255.0f + 0.5f);
-}
-
-static void store_rows(struct image *image, const float *values, int bottom, int rows)
-{
-    for (int row = 0; row < rows; row++) {
-        size_t y = (size_t)(image->height - 1 - (bottom + row));
-        unsigned char *pixel = image->pixel + 3 * (size_t)image->width * y;
-        const float *value = values + 4 * (size_t)image->width * (size_t)row;
-        for (int x = 0; x < image->width; x++)
-            for (int channel = 0; channel < 3; channel++)
-                pixel[3 * x + channel] = byte_of(value[4 * x + channel]);
-    }
-}
-
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
                       struct image *image)
 {
@@ -397,7 +378,7 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
             if (renderer->overlay != NULL)
                 overlay_draw(renderer->overlay, bottom);
             renderer_read(renderer, values);
-            store_rows(image, values, bottom, rows);
+            image_store(image, values, bottom, rows);
         }
     }
     free(values);
@@ -415,7 +396,7 @@ bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
         report("picture %dx%d: not enough memory", sharp->width, sharp->height);
     if (done) {
         renderer_read_sharp(renderer, values);
-        store_rows(image, values, 0, sharp->height);
+        image_store(image, values, 0, sharp->height);
     }
     free(values);
     return done;
