@@ -75,7 +75,7 @@ float *gpu_numbers(const struct renderer_inputs *inputs)
 {
     float *values = malloc(4 * sizeof *values * (size_t)inputs->width * (size_t)inputs->height);
     if (values != NULL && renderer_draw(&gpu.renderer, inputs, 0, inputs->height)) {
-        renderer_read(&gpu.renderer, values);
+        renderer_read(&gpu.renderer, &gpu.renderer.picture, values);
         return values;
     }
     free(values);

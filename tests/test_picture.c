@@ -32,7 +32,7 @@ static float *draw(const struct renderer_inputs *inputs, int band)
     for (int bottom = 0; bottom < inputs->height; bottom += band) {
         int rows = inputs->height - bottom < band ? inputs->height - bottom : band;
         assert_true(renderer_draw(&gpu.renderer, inputs, bottom, rows));
-        renderer_read(&gpu.renderer, values + row * (size_t)bottom);
+        renderer_read(&gpu.renderer, &gpu.renderer.picture, values + row * (size_t)bottom);
     }
     return values;
 }
@@ -248,7 +248,7 @@ static void check_sharpened(enum shader_view view, int samples)
         assert_true(renderer_sharpen(&gpu.renderer, &inputs, left, parts[i]));
     }
     assert_int_equal(left, 0);
-    renderer_read_sharp(&gpu.renderer, sharp);
+    renderer_read(&gpu.renderer, &gpu.renderer.sharp, sharp);
     assert_memory_equal(sharp, whole, size);
     free(whole);
     free(sharp);

@@ -185,7 +185,7 @@ static bool count_evaluations(struct benchmark *benchmark, struct renderer *rend
                 renderer_draw(renderer, &inputs, 0, inputs.height);
     if (done) {
         double sum = 0.0;
-        renderer_read(renderer, values);
+        renderer_read(renderer, &renderer->picture, values);
         benchmark->cover = cover_of(values, pixels);
         for (size_t i = 0; i < pixels; i++) {
             values[i] = values[4 * i];

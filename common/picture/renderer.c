@@ -337,23 +337,13 @@ void renderer_present_sharp(struct renderer *renderer, int from, int rows)
                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-static void read_target(const struct renderer *renderer, const struct renderer_target *target,
-                        float *values)
+void renderer_read(const struct renderer *renderer, const struct renderer_target *target,
+                   float *values)
 {
     const struct gl *gl = renderer->gl;
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
     gl->PixelStorei(GL_PACK_ALIGNMENT, 1);
     gl->ReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_FLOAT, values);
-}
-
-void renderer_read(struct renderer *renderer, float *values)
-{
-    read_target(renderer, &renderer->picture, values);
-}
-
-void renderer_read_sharp(struct renderer *renderer, float *values)
-{
-    read_target(renderer, &renderer->sharp, values);
 }
 
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
@@ -377,7 +367,7 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
         if (done) {
             if (renderer->overlay != NULL)
                 overlay_draw(renderer->overlay, bottom);
-            renderer_read(renderer, values);
+            renderer_read(renderer, &renderer->picture, values);
             image_store(image, values, bottom, rows);
         }
     }
@@ -395,7 +385,7 @@ bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
     if (values == NULL)
         report("picture %dx%d: not enough memory", sharp->width, sharp->height);
     if (done) {
-        renderer_read_sharp(renderer, values);
+        renderer_read(renderer, sharp, values);
         image_store(image, values, 0, sharp->height);
     }
     free(values);
@@ -426,7 +416,7 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
         report("probe %d,%d: not enough memory", x, y);
         return false;
     }
-    read_target(renderer, &renderer->table, values);
+    renderer_read(renderer, &renderer->table, values);
     probe_unpack(probe, values);
     free(values);
     return true;

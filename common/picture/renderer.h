@@ -94,16 +94,14 @@ void renderer_present_sharp(struct renderer *renderer, int from, int rows);
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
                       struct image *image);
 
-// Read the float target: 4 floats a pixel, width x rows of the last renderer_draw, bottom row
-// first.
-//   values   room for 4 * width * rows floats, the caller's
-void renderer_read(struct renderer *renderer, float *values);
+// Read a target: 4 floats a pixel, bottom row first.
+//   target   the renderer's picture, as the last renderer_draw left it, or sharp or table
+//   values   room for 4 * target->width * target->height floats, the caller's
+void renderer_read(const struct renderer *renderer, const struct renderer_target *target,
+                   float *values);
 
-// The same of renderer_sharpen: 4 * width * height floats.
-void renderer_read_sharp(struct renderer *renderer, float *values);
-
-// The same as an image, as renderer_picture makes one. Returns false, reported; the caller frees
-// the image.
+// What renderer_sharpen drew, as renderer_picture makes an image. Returns false, reported; the
+// caller frees the image.
 bool renderer_sharp_picture(struct renderer *renderer, struct image *image);
 
 // The pixel below a place in a window, also where a high-density display has several pixels to one
