@@ -17,11 +17,14 @@ WRITE =
 DURATION =
 SANITIZE =
 FUZZER =
+# What awk, sort and gcc read and print does not depend on the reader's language.
+export LC_ALL = C
 export CHAPTER SUITE NAME EXERCISE FILE FILES FORCE FRAMES FPS ROUNDS WRITE DURATION
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
 JOBS = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(CPUS))
+# Where a recipe says it, '+' hands the caller's jobs on: make looks for the word MAKE itself.
 AGAIN = $(MAKE) --no-print-directory $(if $(V),,-s) $(JOBS)
 
 # ---- What this machine has ----
@@ -42,7 +45,8 @@ CMOCKA := $(shell pkg-config --libs cmocka 2>/dev/null)
 V =
 say = $(if $(V),,@echo '$(1)' &&)
 
-WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+# A warning stops `make lint` and CI, not a reader whose compiler knows more of them.
+WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
 LANGUAGE = -std=c11 -D_XOPEN_SOURCE=700 -Icommon
 COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
 
@@ -80,7 +84,7 @@ TESTS := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard tests/test_*.c)))
 
 all: ## build every chapter's program into build/ (the default)
 	@.make/setup.sh --check run
-	@$(AGAIN) programs
+	+@$(AGAIN) programs
 
 programs: $(PROGRAMS)
 tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%)
@@ -120,53 +124,62 @@ $(BUILD)/flags: always
 
 run: ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2'; without a display, render all
 	@.make/setup.sh run
-	@$(AGAIN) programs
+	+@$(AGAIN) programs
 	@.make/run.sh $(OPTIONS)
 
 play: ## open your own shader in a window: make play FILE=my.frag; without FILE chapters/play.frag, made for you
 	@.make/setup.sh run
-	@$(AGAIN) programs
+	+@$(AGAIN) programs
 	@.make/play.sh $(OPTIONS)
 
 film: ## make an MP4 and a GIF of a chapter by ffmpeg: make film CHAPTER=00 FRAMES=100 FPS=25
 	@.make/setup.sh run
-	@$(AGAIN) programs
+	+@$(AGAIN) programs
 	@.make/film.sh $(OPTIONS)
 
 benchmark: ## measure every chapter against the reference scene; WRITE=1 keeps the table in docs/benchmark.md
 	@.make/setup.sh run
-	@$(AGAIN) programs
+	+@$(AGAIN) programs
 	@.make/benchmark.sh
 
 test: ## run every test; make test SUITE=camera runs one
+	@tests/run.sh --find $(SUITE)
 	@.make/setup.sh test
-	@$(AGAIN) programs tests
-	@$(AGAIN) SANITIZE=1 programs tests
+	+@$(AGAIN) programs tests
+	+@$(AGAIN) SANITIZE=1 programs tests
 	@tests/run.sh $(SUITE)
+
+test-fresh: ## type `make run` and `make test` on bare Debian machines made for it, as root and as a user; needs root
+	@.make/setup.sh fresh
+	@.make/fresh.sh
+
+test-fresh: ## type `make run` and `make test` on bare Debian machines made for it, as root and as a user; needs root
+	@.make/setup.sh fresh
+	@.make/fresh.sh
 
 fuzz: ## feed made-up bytes to the readers of shaders, parameters and command lines; DURATION=60 seconds each
 	@.make/setup.sh run fuzz
-	@$(AGAIN) FUZZER=1 fuzzer
+	+@$(AGAIN) FUZZER=1 fuzzer
 	@.make/fuzz.sh
 
 check: ## is a solution right? make check EXERCISE=03_2 FILE=my.frag; FILES='handed_in/*.frag' for a table
 	@.make/setup.sh run
-	@$(AGAIN) programs build/tests/compare
+	+@$(AGAIN) programs build/tests/compare
 	@.make/check.sh
 
 test-gpu: ## compare the references with this machine's own GPU; reports, does not judge
 	@.make/setup.sh run
-	@$(AGAIN) programs build/tests/compare
+	+@$(AGAIN) programs build/tests/compare
 	@tests/references.sh gpu
 
 gallery: ## render every picture of tests/images.txt into build/gallery/
 	@.make/setup.sh run
-	@$(AGAIN) programs
+	+@$(AGAIN) programs
 	@tests/references.sh gallery
 
 references: ## render the reference pictures again; those within tolerance stay (FORCE=1 rewrites all)
 	@.make/setup.sh run
-	@$(AGAIN) programs build/tests/compare
+	+@$(AGAIN) programs build/tests/compare
 	@tests/references.sh update
 
 book: ## set all pages as one PDF, build/book.pdf (pandoc and XeLaTeX, a package set of its own)
@@ -175,7 +188,7 @@ book: ## set all pages as one PDF, build/book.pdf (pandoc and XeLaTeX, a package
 
 figures: ## draw the diagrams of docs/figures/ again
 	@.make/setup.sh test
-	@$(AGAIN) figure_programs
+	+@$(AGAIN) figure_programs
 	@for name in $(FIGURES); do build/docs/figures/$$name > docs/figures/$$name.svg || exit 1; done
 
 figure_programs: $(FIGURES:%=$(BUILD)/docs/figures/%)
@@ -188,8 +201,8 @@ diff: ## show what changed since the chapter before: make diff CHAPTER=03
 
 lint: ## hold C, GLSL and scripts against every checker; warnings are errors
 	@.make/setup.sh lint
-	@$(AGAIN) programs
-	@CFLAGS='$(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS)' .make/lint.sh
+	+@$(AGAIN) programs
+	@CFLAGS='$(LANGUAGE) $(WARNINGS) -Werror $(HAVE) $(HEADERS)' .make/lint.sh
 
 format: ## lay out the C sources by .clang-format
 	@.make/setup.sh lint
@@ -197,7 +210,7 @@ format: ## lay out the C sources by .clang-format
 
 docs: ## rewrite the listings and tables in docs/ from the sources that they show
 	@.make/setup.sh run
-	@$(AGAIN) programs
+	+@$(AGAIN) programs
 	@.make/listings.sh
 
 setup: ## install what run, test and lint need
@@ -210,7 +223,7 @@ help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
 
 always:
-.PHONY: all programs tests fuzzer run play film benchmark test fuzz check test-gpu gallery references book figures \
+.PHONY: all programs tests fuzzer run play film benchmark test fuzz check test-gpu gallery references book figures test-fresh \
         figure_programs chapter diff lint format docs setup clean \
         help always
 .DELETE_ON_ERROR:

@@ -1,7 +1,7 @@
 #!/bin/sh
 # setup.sh [--check|--all] SET... - see to it that what the sets need is on this machine.
 #
-# Sets: run (build and render), test, lint, fuzz, book. Where nothing is missing this asks only files and
+# Sets: run (build and render), test, lint, fuzz, book, fresh (bare machines to test on). Where nothing is missing this asks only files and
 # commands: no network, no package manager. Else, as root it installs; with a terminal and sudo it
 # says what it will install and lets sudo ask; otherwise it prints the one command and fails.
 #   --check  install nothing
@@ -9,6 +9,7 @@
 # The tests are handed to need by name.
 # shellcheck disable=SC2317
 set -u
+export LC_ALL=C
 
 mode=install all=
 case ${1-} in
@@ -133,6 +134,11 @@ need_book() {
     need 'rsvg-convert (figures)' 'librsvg2-bin|librsvg2-tools|librsvg|librsvg' has_command rsvg-convert
 }
 
+need_fresh() {
+    need 'debootstrap' 'debootstrap|-|-|-' has_command debootstrap
+    need 'git' 'git|git|git|git' has_command git
+}
+
 look() {
     packages='' purposes='' extra=''
     for set in "$@"; do
@@ -142,7 +148,8 @@ look() {
         lint) need_lint ;;
         fuzz) need_fuzz ;;
         book) need_book ;;
-        *) printf 'setup.sh: %s: no such set: run, test, lint, fuzz or book\n' "$set" >&2; exit 2 ;;
+        fresh) need_fresh ;;
+        *) printf 'setup.sh: %s: no such set: run, test, lint, fuzz, book or fresh\n' "$set" >&2; exit 2 ;;
         esac
     done
     # Two sets may name one package.
@@ -180,10 +187,10 @@ install_command() {
     esac
 }
 
-# What a person would type.
+# What a person would type, or hand to somebody: where there is no sudo, that is root.
 one_command() {
-    as='sudo '
-    [ "$(id -u)" = 0 ] && as=
+    as=
+    [ "$(id -u)" != 0 ] && command -v sudo >/dev/null && as='sudo '
     case $manager in
     apt-get) echo "${as}apt-get update && ${as}apt-get install -y --no-install-recommends $1" ;;
     dnf) echo "${as}dnf install $1" ;;
@@ -233,7 +240,10 @@ elif [ "$mode" = install ] && [ "$manager" = brew ] && [ -t 0 ] && [ "$(id -u)" 
     printf 'setup: installing %s (brew: %s)\n' "$purposes" "$packages"
     carry_out ''
 else
-    printf 'setup: this machine lacks: %s. Install with:\n  %s\n' "$purposes" \
+    lacks=$purposes
+    # Who must ask somebody asks once: the command also brings what `make test` needs.
+    [ "$(id -u)" = 0 ] || look "$@" test
+    printf 'setup: this machine lacks: %s. Install with, as one who may:\n  %s\n' "$lacks" \
         "$(one_command "$packages$(available)")" >&2
     exit 1
 fi

@@ -6,6 +6,7 @@
 # and failure suites, and one picture, run a second time as sanitize/NAME on the programs of
 # build/sanitize/. Exit status: 0 when all passed; a skip is a failure where CI is set.
 set -u
+export LC_ALL=C
 
 cd "$(dirname "$0")/.." || exit 1
 PROJECT_ROOT=$(pwd)
