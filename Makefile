@@ -153,10 +153,6 @@ test-fresh: ## type `make run` and `make test` on bare Debian machines made for 
 	@.make/setup.sh fresh
 	@.make/fresh.sh
 
-test-fresh: ## type `make run` and `make test` on bare Debian machines made for it, as root and as a user; needs root
-	@.make/setup.sh fresh
-	@.make/fresh.sh
-
 fuzz: ## feed made-up bytes to the readers of shaders, parameters and command lines; DURATION=60 seconds each
 	@.make/setup.sh run fuzz
 	+@$(AGAIN) FUZZER=1 fuzzer

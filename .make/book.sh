@@ -2,6 +2,7 @@
 # book.sh - `make book`: all pages as one PDF, build/book.pdf, with a table of contents, numbered figures
 # and listings. pandoc reads the pages, XeLaTeX sets them.
 set -u
+export LC_ALL=C
 
 folder=build/book
 rm -rf "$folder"

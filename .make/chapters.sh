@@ -1,5 +1,7 @@
 # shellcheck shell=sh
-# chapters.sh - read by the other scripts here: which chapters there are.
+# chapters.sh - read by the other scripts here: which chapters there are. They read and
+# print the same in every language.
+export LC_ALL=C
 
 stems() {
     for file in chapters/[0-9][0-9]_*.c; do

@@ -7,6 +7,7 @@
 # between them. What differs is left as a picture in build/check/EXERCISE/, under the file's own path.
 # Exit status: 0 when every file is right, 1 when one is not, 2 when the question is wrong.
 set -u
+export LC_ALL=C
 
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
 limit=${CHECK_LIMIT:-30} # seconds for one picture

@@ -6,6 +6,7 @@
 # 1 after a crash, a leak, a hang (5 s for one input) or a broken promise: the bytes are kept in
 # build/fuzz/, and are given to a person to add to tests/corpus once mended.
 set -u
+export LC_ALL=C
 
 folder=build/fuzz
 duration=${DURATION:-60}

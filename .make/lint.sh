@@ -2,6 +2,7 @@
 # lint.sh - `make lint`: every source against every checker that knows its language. Called by make
 # after the programs are built; CFLAGS holds the language, the warnings and what this machine has.
 set -u
+export LC_ALL=C
 
 glsl_folder=build/lint
 read -r -a flags <<<"${CFLAGS-}"

@@ -20,6 +20,7 @@
 # changes nothing and gives status 1 when a block differs from its source or is not used; without pages
 # it also looks at the library.
 set -eu
+export LC_ALL=C
 cd "$(dirname "$0")/.."
 
 mode="write"

@@ -5,6 +5,7 @@
 # chapters/play.frag, made from chapters/first_steps/play.frag when it is not there; one that is
 # there is never touched. Without a display the picture goes to build/gallery/play.png.
 set -u
+export LC_ALL=C
 
 file=${FILE-}
 if [ -z "$file" ]; then

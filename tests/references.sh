@@ -6,6 +6,7 @@
 #            and its two numbers are printed (FORCE=1 in the environment replaces all)
 #   gpu      render each with what this machine has, and print how far from the reference it is
 set -u
+export LC_ALL=C
 
 mode=${1-}
 case $mode in

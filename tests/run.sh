@@ -1,5 +1,6 @@
 #!/bin/bash
-# run.sh [SUITE] - run every test suite, or one, and add up.
+# run.sh [SUITE] - run every test suite, or one, and add up. With --find before it, only say whether
+# there is such a suite.
 #
 # A suite is a program build/tests/test_NAME (cmocka) or a script tests/test_NAME.sh; either prints
 # TAP: "ok 1 - name", "not ok 2 - name", "ok 3 - name # SKIP reason", other lines with '#'. The unit
@@ -128,9 +129,8 @@ names_of() { # FILE...: the NAMEs of the test files that exist
     local file name
     for file in "$@"; do
         [ -e "$file" ] || continue
-        case $file in *.o | *.d) continue ;; esac
-        name=$(basename "$file" .sh)
-        echo "${name#test_}"
+        name=${file##*/test_}
+        echo "${name%.*}"
     done
 }
 
@@ -147,14 +147,16 @@ scripts=$(
 # The window's suites mostly wait for pictures; beside them run the tests in C, which are short.
 beside=$(
     names_of tests/test_window*.sh | sort -r
-    names_of build/tests/test_*
-    for name in $(names_of build/sanitize/tests/test_*); do
+    names_of tests/test_*.c
+    for name in $(names_of tests/test_*.c); do
         of_shaders "$name" || echo "sanitize/$name"
     done
-    [ -e build/sanitize/01_normal_colouring ] && echo sanitize/one_picture
+    echo sanitize/one_picture
 )
 suites=$(printf '%s\n' "$scripts" "$beside")
 
+find=
+[ "${1-}" != --find ] || { find=1; shift; }
 if [ -n "${1-}" ]; then
     if ! grep -q -x -e "$1" <<<"$suites"; then
         printf 'make: SUITE=%s: no such suite: there are\n' "$1" >&2
@@ -165,6 +167,8 @@ if [ -n "${1-}" ]; then
 else
     export ALL_SUITES=1
 fi
+
+[ -z "$find" ] || exit 0
 
 for old in build/test-results/*; do
     kill -0 "$(basename "$old")" 2>/dev/null || rm -rf "$old"

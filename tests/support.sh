@@ -9,6 +9,7 @@
 # Sets BUILD, scratch (a folder that goes at the end) and what the programs need from the
 # environment: software rendering, a shader cache of the tests, readable sanitizers.
 
+export LC_ALL=C
 BUILD=${BUILD:-build}
 root=$PWD # for the suite that sources this
 export root

@@ -294,14 +294,9 @@ mkdir "$scratch/copy" "$scratch/home"
 cp -R "$chapter" shaders chapters tests/lsan.supp "$scratch/copy"
 chmod -R a+rX "$scratch/copy" "$out"
 chmod 777 "$scratch/home"
-<<<<<<< HEAD
 as_stranger_do() {
-    ${stranger[@]+"${stranger[@]}"} env HOME="$scratch/home" MESA_SHADER_CACHE_DIR="$scratch/home" "$@"
-=======
-as_stranger() {
     ${stranger[@]+"${stranger[@]}"} env HOME="$scratch/home" MESA_SHADER_CACHE_DIR="$scratch/home" \
-        LSAN_OPTIONS="${LSAN_OPTIONS//"$root/tests"/"$scratch/copy"}" "$scratch/copy/03_shadows" "${small[@]}" "$@"
->>>>>>> 4fa711c (wip3)
+        LSAN_OPTIONS="${LSAN_OPTIONS//"$root/tests"/"$scratch/copy"}" "$@"
 }
 as_stranger() { as_stranger_do "$scratch/copy/03_shadows" "${small[@]}" "$@"; }
 if [ -n "${forbidden-}" ]; then
@@ -385,16 +380,12 @@ if "$chapter" --version -b osmesa >/dev/null 2>&1; then
 else
     skip 'osmesa: a driver that refuses 3.3' 'no OSMesa on this machine'
 fi
-<<<<<<< HEAD
 refuse 'a driver that there is not' 1 'driver' env GALLIUM_DRIVER=nonsense "$chapter" "${to[@]}"
 small_stack() { (ulimit -s 64 && exec "$chapter" "${to[@]}"); }
 refuse 'a stack of 64 KiB' 1 'stack may take 64 KiB' small_stack
-refuse 'no backend at all' 1 'egl.*osmesa.*glfw' "${too_old[@]}" "$chapter" "${to[@]}"
-=======
 tried='egl.*osmesa.*glfw'
 grep -q -e '-DHAVE_OSMESA' "$BUILD/flags" || tried='egl.*glfw' # what make did not find is not tried
 refuse 'no backend at all' 1 "$tried" "${too_old[@]}" "$chapter" "${to[@]}"
->>>>>>> 4fa711c (wip3)
 if open_display; then
     refuse 'glfw: a driver that refuses 3.3' 1 '3\.3.*glfw' "${too_old[@]}" "$chapter" "${to[@]}" -b glfw
     refuse 'a window: a driver that refuses 3.3' 1 '3\.3' "${too_old[@]}" "$chapter"
