@@ -8,9 +8,9 @@
 # each command ends well, tests passed, none failed, and none was skipped that tests/skipped.txt does not
 # name. What the commands printed is in build/fresh/.
 #
-# Nothing of this machine is seen inside: a mount and a process namespace of its own, with a proc and a
-# tmpfs on /dev/shm. /dev is never mounted: its files are nodes in the root. Both namespaces end with
-# this script, and the mounts with them.
+# Nothing of this machine is seen inside: a mount and a process namespace of its own, with a proc, a
+# tmpfs on /dev/shm and terminals of its own. /dev is never mounted: its files are nodes in the root.
+# Both namespaces end with this script, and the mounts with them.
 #
 # Environment: RELEASES, else Debian 12 and 13; SID=1 adds sid, which reports and does not judge;
 # MIRROR, else the one that this machine's apt uses; XDG_CACHE_HOME.
@@ -57,7 +57,8 @@ isolated() {
 within() {
     # shellcheck disable=SC2016 # for the shell inside
     isolated timeout -k 5 "$limit" sh -c '
-        mount -t proc proc "$1/proc" && mount -t tmpfs -o mode=1777 tmpfs "$1/dev/shm" || exit 1
+        mount -t proc proc "$1/proc" && mount -t tmpfs -o mode=1777 tmpfs "$1/dev/shm" &&
+            mount -t devpts -o newinstance,ptmxmode=666 devpts "$1/dev/pts" || exit 1
         home=$(sed -n "s|^$2:.*:\(.*\):.*|\1|p" "$1/etc/passwd")
         chroot --userspec="$2:$2" "$1" /usr/bin/env -i HOME="$home" USER="$2" LOGNAME="$2" SHELL=/bin/sh \
             PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin sh -c "cd; $3"

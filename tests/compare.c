@@ -1,8 +1,8 @@
 // compare A.png B.png [DIFFERENCE.png] - are two pictures the same one?
 //
-// Prints the two numbers that decide, the largest difference and the place that differs most, in
-// pixels as --probe counts them. Exit status: 0 within tolerance,
-// 1 outside, 2 when it could not compare.
+// Prints the two numbers that decide, the largest difference, how many pixels differ at all, and
+// the place that differs most, in pixels as --probe counts them. Exit status: 0 within tolerance, 1
+// outside, 2 when it could not compare.
 #include <stdio.h>
 
 #include "support_compare.h"
@@ -17,7 +17,7 @@ static int compare(const struct image *a, const struct image *b, const char *pic
     printf("F2 %.4f %% B8 %.3f largest %d", 100.0 * difference.f2, difference.b8,
            difference.largest);
     if (difference.differs > 0)
-        printf(" most at %d,%d", difference.x, difference.y);
+        printf(" differ %zu most at %d,%d", difference.differs, difference.x, difference.y);
     printf("\n");
     if (picture != NULL) {
         struct image shown = {0};

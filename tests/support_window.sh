@@ -98,12 +98,22 @@ walk() { # KEY
 
 backspace() { key BackSpace && ends_well; }
 
-error_shown() { [ "$(import -window "$window" png:- | compare -metric AE "$scratch/good.png" - null: 2>&1)" -gt 2000 ]; }
+# How many pixels of two pictures differ.
+apart() { # A B
+    local numbers
+    numbers=$(build/tests/compare "$scratch/$1.png" "$scratch/$2.png")
+    [ $? != 2 ] || return
+    case $numbers in *' differ '*) numbers=${numbers##* differ } && echo "${numbers%% *}" ;; *) echo 0 ;; esac
+}
+# How many pixels of the screen differ from a picture.
+screen_apart() { import -window "$window" "$scratch/now.png" && apart "$1" now; }
+
+error_shown() { [ "$(screen_apart good)" -gt 2000 ]; }
 
 look() { import -window "$window" "$scratch/$1.png"; }
 
 # How many pixels of the screen differ from what it was before.
-changed() { import -window "$window" png:- | compare -metric AE "$scratch/before.png" - null: 2>&1; }
+changed() { screen_apart before; }
 
 # ---- Set-up ----
 

@@ -7,17 +7,69 @@ cd "$(dirname "$0")/.." || exit 1
 
 open_scratch
 
-drawn() { # NAME
-    "$BUILD/docs/figures/$1" >"$scratch/$1.svg" && cmp "$scratch/$1.svg" "docs/figures/$1.svg"
+# Another machine's cos, log and pow may differ in their last bit, and turn a second decimal, which is
+# a hundredth of a pixel: everything else is the same, and no number is farther off.
+alike() { # A B
+    awk -v most=0.0101 '
+    function numbers_of(text, number,    count) {
+        count = 0
+        while (match(text, /-?[0-9]+([.][0-9]+)?/)) {
+            number[++count] = substr(text, RSTART, RLENGTH)
+            text = substr(text, RSTART + RLENGTH)
+        }
+        return count
+    }
+    function words_of(text) { gsub(/-?[0-9]+([.][0-9]+)?/, "#", text); return text }
+    NR == FNR { kept[FNR] = $0; lines = FNR; next }
+    {
+        count = numbers_of($0, here)
+        apart = words_of($0) != words_of(kept[FNR])
+        numbers_of(kept[FNR], there)
+        for (i = 1; i <= count && !apart; i++)
+            apart = here[i] - there[i] > most || there[i] - here[i] > most
+        if (apart) { print "# line " FNR ": " kept[FNR] "\n# is now: " $0; bad = 1; exit }
+    }
+    END { exit bad || FNR != lines }' "$1" "$2"
 }
 
-# A title, a description of a sentence at least, numbers that are numbers, and XML that can be read.
-sound() { # NAME
-    local file=docs/figures/$1.svg
-    grep -q '<title id="title">[^<]\{12,\}</title>' "$file" &&
-        grep -q '<desc id="description">[^<]\{80,\}</desc>' "$file" &&
-        ! grep -q -i '"[^"]*\<\(nan\|-nan\|inf\)\>[^"]*"' "$file" &&
-        [ "$(identify -format %k "$file")" -gt 8 ]
+drawn() { # NAME
+    "$BUILD/docs/figures/$1" >"$scratch/$1.svg" && alike "docs/figures/$1.svg" "$scratch/$1.svg"
+}
+
+# Every element is closed in its turn, every value stands in quotes, and '&' only begins an entity.
+well_formed() { # FILE
+    awk '
+    function wrong(why) { print "# line " FNR ": " why; bad = 1; exit }
+    {
+        rest = $0
+        if (rest ~ /&/ && rest !~ /^([^&]|&(#[0-9]+|[a-z]+);)*$/) wrong("a bare &")
+        while (match(rest, /<[^>]*>/)) {
+            if (substr(rest, 1, RSTART - 1) ~ /[<>]/) wrong("a stray bracket")
+            tag = substr(rest, RSTART + 1, RLENGTH - 2)
+            rest = substr(rest, RSTART + RLENGTH)
+            name = tag
+            sub(/^\//, "", name)
+            sub(/[ \/].*/, "", name)
+            if (tag ~ /^\//) {
+                if (depth == 0 || open[depth--] != name) wrong("</" name "> closes nothing")
+                continue
+            }
+            if (tag !~ /^[a-z]+( [a-zA-Z][a-zA-Z0-9-]*=("[^"<]*"|\047[^\047<]*\047))* *\/?$/) wrong("no element: <" tag ">")
+            if (tag !~ /\/$/) open[++depth] = name
+        }
+        if (rest ~ /[<>]/) wrong("a stray bracket")
+    }
+    END { if (!bad && (FNR == 0 || depth != 0)) { print "# " open[depth] " is not closed"; bad = 1 }; exit bad }' "$1"
+}
+
+# A title, a description of a sentence at least, numbers that are numbers, XML that can be read, and
+# in it a drawing.
+sound() { # FILE
+    grep -q '<title id="title">[^<]\{12,\}</title>' "$1" &&
+        grep -q '<desc id="description">[^<]\{80,\}</desc>' "$1" &&
+        ! grep -q -i '"[^"]*\<\(nan\|-nan\|inf\)\>[^"]*"' "$1" && well_formed "$1" &&
+        [ "$(grep -o '<\(line\|circle\|path\|polygon\|polyline\|rect\)' "$1" | wc -l)" -gt 8 ] &&
+        [ "$(grep -o '\(stroke\|fill\)="#[0-9a-f]*"' "$1" | sort -u | wc -l)" -ge 4 ]
 }
 
 shown() { # NAME
@@ -30,10 +82,28 @@ for source in docs/figures/*.c; do
     [ "$name" = svg ] && continue
     count=$((count + 1))
     check "$name.svg is what its program draws: make figures" drawn "$name"
-    check "$name.svg is sound, with its words" sound "$name"
+    check "$name.svg is sound, with its words" sound "docs/figures/$name.svg"
     check "$name.svg stands in a page" shown "$name"
 done
 check "there are figures" [ $count -ge 13 ]
+unsound() { # SED
+    sed "$1" docs/figures/normal_error.svg >"$scratch/broken.svg"
+    ! sound "$scratch/broken.svg" >/dev/null
+}
+check "a figure whose text is not closed is refused" unsound '5,$s/<.text>//'
+check "a figure with a value without its quotes is refused" unsound '4s/width="\([0-9]*\)"/width=\1/'
+check "a figure with a bare & is refused" unsound 's/&#8722;/\&/'
+check "a figure with a number that is none is refused" unsound 's/x1="[0-9.]*"/x1="nan"/'
+check "a figure without lines is refused" unsound '/<line/d; /<p/d'
+moved() { # SED
+    sed "$1" docs/figures/normal_error.svg >"$scratch/moved.svg"
+    alike docs/figures/normal_error.svg "$scratch/moved.svg" >/dev/null
+}
+unlike() { ! moved "$1"; }
+check "a hundredth of a pixel is the same drawing" moved 's/x1="171.43"/x1="171.44"/'
+check "two hundredths are another" unlike 's/x1="171.43"/x1="171.45"/'
+check "a line more is another drawing" unlike 's/<line.*/&\n&/'
+check "another colour is another drawing" unlike 's/#2f6fc0/#2f6fc9/'
 alone() {
     local file
     for file in docs/figures/*.svg; do

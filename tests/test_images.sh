@@ -8,6 +8,9 @@ cd "$(dirname "$0")/.." || exit 1
 . tests/support.sh
 
 failures=build/test-failures
+# A picture that measures the rounding of the machine on which it is drawn: two right ones need not be
+# alike. That it is drawn is held here, its numbers in test_measure.c.
+measured=01_normal_colouring-normal-error
 
 # One picture through one backend, against its reference: prints a result, which the parent numbers.
 judge() { # NAME BACKEND
@@ -22,7 +25,7 @@ judge() { # NAME BACKEND
     fi
     numbers=$(build/tests/compare "$reference" "$actual" "$scratch/$1.$2.difference.png" 2>&1)
     status=$?
-    if [ "$status" = 0 ]; then
+    if [ "$status" = 0 ] || { [ "$status" = 1 ] && [ "$1" = $measured ]; }; then
         echo "ok $1, $2: $numbers"
         return
     fi

@@ -4,6 +4,7 @@
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 #include <cmocka.h>
 
@@ -31,6 +32,81 @@ static void test_normal_error_has_two_sides(void **unused)
     // Where the formula's own error decides, it is the one that Taylor's series gives.
     assert_near(measure_normal(0.1).central, measure_normal(0.1).central_truncation, 0.02);
     assert_near(measure_normal(0.1).forward, measure_normal(0.1).forward_truncation, 0.02);
+}
+
+// ---- The two curves that the GPU draws of itself ----
+
+enum { CURVE_POINTS = 512, CURVES = 2 }; // central and forward differences
+
+// Of the unit normal n: the differences that the formulas give in double precision, without
+// rounding.
+static void differences_at(struct d3 n, double step, double difference[CURVES][3])
+{
+    for (int axis = 0; axis < 3; axis++) {
+        struct d3 e = d3(step * (axis == 0), step * (axis == 1), step * (axis == 2));
+        double after = d3_length(d3_add(n, e)) - 1.0, before = d3_length(d3_sub(n, e)) - 1.0;
+        difference[0][axis] = after - before;
+        difference[1][axis] = after;
+    }
+}
+
+// What the experiment measures, at its own points: the root of the mean square of the formulas' own
+// errors, degrees.
+static void truncation(double h, double error[CURVES])
+{
+    double squares[CURVES] = {0.0, 0.0};
+    for (int i = 0; i < CURVE_POINTS; i++) {
+        double z = 1.0 - (2.0 * i + 1.0) / CURVE_POINTS, turn = 2.39996323 * i;
+        double r = sqrt(1.0 - z * z), difference[CURVES][3];
+        struct d3 n = d3(r * cos(turn), r * sin(turn), z);
+        differences_at(n, h * (1.0 + 0.1 * fmod(0.618034 * i, 1.0)), difference);
+        for (int k = 0; k < CURVES; k++) {
+            const double *d = difference[k];
+            struct d3 apart = d3_sub(d3_unit(d3(d[0], d[1], d[2])), n);
+            squares[k] += d3_dot(apart, apart);
+        }
+    }
+    for (int k = 0; k < CURVES; k++)
+        error[k] = sqrt(squares[k] / CURVE_POINTS) * 180.0 / MIRROR_PI;
+}
+
+// The angle, degrees, at which a curve stands in a column of 640x360 pixels: the middle of what is
+// yellow (central) or blue (forward) there.
+static double drawn_angle(const float *pixel, int column, int curve)
+{
+    double sum = 0.0, weight = 0.0;
+    for (int y = 0; y < 360; y++) {
+        const float *colour = pixel + 4 * (y * 640 + column);
+        double yellow = (double)colour[0] - (double)colour[2];
+        double shown = curve == 0 ? yellow : -yellow - 0.1; // the ground and its lines are bluish
+        sum += shown > 0.0 ? shown * (y + 0.5) : 0.0;
+        weight += shown > 0.0 ? shown : 0.0;
+    }
+    return pow(10.0, 6.0 * sum / weight / 360.0 - 4.0);
+}
+
+// The truncation is known. The rounding is a constant over h, for it is mostly that of a coordinate
+// near 10, to a multiple of 2^-20; a driver's square root adds its own, so it is held within one
+// half.
+static void test_drawn_normal_error_is_truncation_and_rounding(void **unused)
+{
+    (void)unused;
+    const double rounding[CURVES] = {5.7e-6, 6.7e-6}; // degrees times h
+    assert_true(gpu_load("chapters/experiments/01_normal_error.frag"));
+    struct renderer_inputs inputs = gpu_inputs(640, 360, 1);
+    float *pixel = gpu_numbers(&inputs);
+    assert_non_null(pixel);
+    for (int column = 0; column < 640; column += 8) {
+        double h = pow(10.0, 5.0 * (column + 0.5) / 640.0 - 5.0), error[CURVES];
+        truncation(h, error);
+        for (int k = 0; k < CURVES; k++) {
+            double drawn = drawn_angle(pixel, column, k);
+            if (!(drawn >= 0.99 * hypot(error[k], rounding[k] / h / 1.5) &&
+                  drawn <= 1.01 * hypot(error[k], rounding[k] / h * 1.5)))
+                fail_msg("curve %d at h = %g: %g, with a truncation of %g", k, h, drawn, error[k]);
+        }
+    }
+    free(pixel);
 }
 
 static void test_steps_to_a_plane_follow_the_formula(void **unused)
@@ -86,6 +162,7 @@ int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_normal_error_has_two_sides),
+        cmocka_unit_test(test_drawn_normal_error_is_truncation_and_rounding),
         cmocka_unit_test(test_steps_to_a_plane_follow_the_formula),
         cmocka_unit_test(test_steps_past_a_ball_follow_the_formula),
         cmocka_unit_test(test_rate_is_one_minus_the_cosine),

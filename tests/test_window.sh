@@ -31,10 +31,10 @@ check 'H is pressed' folds
 check 'H hides the overlay: the window shows the screenshot' within 3 on_screen
 unfolds() { key h && within 3 off_screen && within 3 screen_is folded; }
 off_screen() { ! on_screen; }
-screen_is() { [ "$(import -window "$window" png:- | compare -metric AE "$scratch/$1.png" - null: 2>&1)" -lt 400 ]; }
+screen_is() { [ "$(screen_apart "$1")" -lt 400 ]; }
 check 'H again shows it: title, figures and parameters' unfolds
 helps() { key k && within 3 helped && key k && within 3 screen_is folded; }
-helped() { [ "$(import -window "$window" png:- | compare -metric AE "$scratch/folded.png" - null: 2>&1)" -gt 4000 ]; }
+helped() { [ "$(screen_apart folded)" -gt 4000 ]; }
 check 'K shows all keys and ranges, and again fewer' helps
 key h
 
