@@ -35,7 +35,8 @@ roots=$(mktemp -d "${TMPDIR:-/tmp}/fresh.XXXXXX") || exit 1
 
 end() {
     [ -z "$inside" ] || { kill -9 "$inside" && wait "$inside"; } 2>/dev/null
-    rm -rf --one-file-system "$roots" "$archives"/*.part
+    # What was killed may write its last while this looks.
+    rm -rf --one-file-system "$roots" "$archives"/*.part || { sleep 1 && rm -rf --one-file-system "$roots"; }
 }
 trap end EXIT
 trap 'exit 130' INT

@@ -170,6 +170,13 @@ available() {
     done
 }
 
+# The same for a command that begins with a refresh: apt finds out then, and a name in '?exact-name()' that
+# it does not know is no error.
+useful() {
+    [ "$manager" = apt-get ] || { available; return; }
+    for name in $extra; do printf " '?exact-name(%s)'" "$name"; done
+}
+
 refresh_command() {
     case $manager in
     apt-get) echo 'apt-get -q update' ;;
@@ -210,8 +217,7 @@ quietly() {
 carry_out() { # AS: sudo or nothing
     mkdir -p build && : >build/setup.log || exit 1
     quietly "$1 $(refresh_command)"
-    # Only after the refresh does a fresh machine know what there is.
-    quietly "$1 $(install_command) $packages$(available)"
+    quietly "$1 $(install_command) $packages$(useful)"
 }
 
 look "$@"
@@ -244,7 +250,7 @@ else
     # Who must ask somebody asks once: the command also brings what `make test` needs.
     [ "$(id -u)" = 0 ] || look "$@" test
     printf 'setup: this machine lacks: %s. Install with, as one who may:\n  %s\n' "$lacks" \
-        "$(one_command "$packages$(available)")" >&2
+        "$(one_command "$packages$(useful)")" >&2
     exit 1
 fi
 
