@@ -88,3 +88,54 @@ float glow(vec3 direction, vec3 sun, float g)
     float x = (1.0 - g) * (1.0 - g) / (1.0 + g * g - 2.0 * g * dot(direction, sun));
     return x * sqrt(x);
 }
+
+// How much of the day is left: 1 while the sun is more than 3.4 degrees high, 0 once it is 14.5 degrees
+// below the horizon. By eye: it stands for the shadow of the Earth that rises.
+//   sinHeight  of the sun
+float daylight(float sinHeight)
+{
+    return smoothstep(-0.25, 0.06, sinHeight);
+}
+
+// The light of the sky in a direction, from the sun alone: what the air scatters, and the halo of the
+// dust. 1 is about the brightness of a sky at noon.
+//   direction  length 1; below the horizon as at it
+//   sun        direction of the sun, length 1
+//   depth      optical depth of the air overhead, per channel, > 0
+//   formula    gain day^2 (0.6 + 0.4 c^2) scatteredLight + day transmittance glow, c the cosine of the
+//              angle to the sun; the gain, a colour by eye, stands for light scattered more than once
+vec3 sunlitSky(vec3 direction, vec3 sun, vec3 depth)
+{
+    float view = airMass(direction.y), sunMass = airMass(sun.y), day = daylight(sun.y);
+    float c = dot(direction, sun);
+    vec3 gain = vec3(1.4, 1.75, 3.1) * day * day * (0.6 + 0.4 * c * c);
+    vec3 halo = day * transmittance(depth, sunMass) * glow(direction, sun, 0.8);
+    return gain * scatteredLight(depth, view, sunMass) + halo;
+}
+
+// What the sky has of its own by night, by eye: brighter over the horizon.
+//   direction, sun  as of sunlitSky
+vec3 nightSky(vec3 direction, vec3 sun)
+{
+    float low = airMass(direction.y) / 38.0;
+    return (1.0 - daylight(sun.y)) * mix(vec3(0.002, 0.004, 0.011), vec3(0.016, 0.014, 0.016), low);
+}
+
+// The light of all the sky together, on a matt surface: that of sunlitSky at an air mass of 4, toned by
+// eye, and a little that stays by night.
+//   sun, depth  as of sunlitSky
+vec3 skyAmbient(vec3 sun, vec3 depth)
+{
+    float day = daylight(sun.y);
+    vec3 light = scatteredLight(depth, 4.0, airMass(sun.y));
+    return vec3(0.45, 0.52, 0.72) * day * day * light + vec3(0.003, 0.004, 0.008);
+}
+
+// The light of the sun on a surface across its rays, or by night that of the moon, which is always full
+// and stands opposite.
+//   sun, depth  as of sunlitSky
+vec3 sunOrMoonLight(vec3 sun, vec3 depth)
+{
+    vec3 moonlight = vec3(0.02, 0.03, 0.05) * smoothstep(0.0, 0.15, -sun.y);
+    return 2.6 * transmittance(depth, airMass(sun.y)) * smoothstep(0.0, 0.04, sun.y) + moonlight;
+}

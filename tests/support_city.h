@@ -31,6 +31,10 @@ extern const struct mirror_scene city_scene;
 // Where the sun stands at an hour of the chapter's day.
 struct d3 city_sun(double hour);
 
+// The light of the sky in a direction of length 1, not below the horizon, without the sun's disc;
+// with the chapter's haze, 0.05.
+struct d3 city_sky(struct d3 direction, struct d3 sun);
+
 // What a pixel shows at an hour, the parameters as the shader sets them. Lamps and trees are named,
 // not coloured.
 struct mirror_sample city_sample(const struct mirror_eye *eye, double hour);

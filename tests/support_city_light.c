@@ -54,7 +54,7 @@ static double glow(double c, double g)
     return pow((1.0 - g) * (1.0 - g) / (1.0 + g * g - 2.0 * g * c), 1.5);
 }
 
-static struct d3 sky_of(struct d3 direction, struct d3 sun)
+struct d3 city_sky(struct d3 direction, struct d3 sun)
 {
     double view = mass_of(direction.y), c = d3_dot(direction, sun), day = day_of(sun);
     struct d3 gain = d3_times(day * day * (0.6 + 0.4 * c * c), d3(1.4, 1.75, 3.1));
@@ -199,7 +199,7 @@ struct mirror_sample city_sample(const struct mirror_eye *eye, double hour)
 {
     struct mirror_ray ray = mirror_screen_ray(&eye->camera, MIRROR_FOCAL_LENGTH, eye->x, eye->y);
     struct d3 sun = city_sun(hour), direction = ray.direction, o = ray.origin;
-    struct d3 sky = sky_of(d3(direction.x, fmax(direction.y, 0.0), direction.z), sun);
+    struct d3 sky = city_sky(d3(direction.x, fmax(direction.y, 0.0), direction.z), sun);
     double end = direction.y > 0.0 ? (9.3 - o.y) / direction.y : -o.y / direction.y;
     struct mirror_march march = mirror_reach(&city_scene, ray, 0.0, fmin(end, FAR));
     struct mirror_sample sample = {.what = "sky",

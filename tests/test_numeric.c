@@ -310,6 +310,37 @@ static void test_interval_union_is_the_smallest(void **unused)
     free(values);
 }
 
+// The share of a pixel that stripes cover, by counting: 2,000 points across it.
+static double counted_stripes(double x, double filled, double width)
+{
+    int inside = 0;
+    for (int i = 0; i < 2000; i++) {
+        double at = x + width * ((i + 0.5) / 2000.0 - 0.5);
+        inside += fabs(at - floor(at) - 0.5) < 0.5 * filled;
+    }
+    return inside / 2000.0;
+}
+
+// Half of the pattern is stripe: pixels up to 0.5 wide see one edge at most. The 0.001 that is
+// added to a width moves a share by at most 0.0005 / width.
+static void test_coverage_is_a_share(void **unused)
+{
+    (void)unused;
+    float *values = values_of(7, 16);
+    double worst = 0.0;
+    for (int i = 0; i < 1024 * 16; i++) {
+        const float *v = values + 4 * i;
+        double x = (double)v[0], width = (double)v[1];
+        double edge = mirror_clamp(x / (width + 0.001) + 0.5);
+        assert_true(fabs((double)v[3] - edge) < 1e-3);
+        if (i >= 1024)
+            worst = fmax(worst, width * fabs((double)v[2] - counted_stripes(x, 0.5, width)));
+    }
+    free(values);
+    print_message("# stripes: the covered length of a pixel is off by at most %.5f\n", worst);
+    assert_true(worst < 0.001);
+}
+
 // ---- The ramp of the steps view ----
 
 // Eight pieces, each straight in the screen's numbers, can't be even everywhere: between two of the
@@ -397,6 +428,7 @@ int main(void)
         cmocka_unit_test(test_lambert_and_fall_off_agree_with_double),
         cmocka_unit_test(test_schlick_is_near_fresnel),
         cmocka_unit_test(test_interval_union_is_the_smallest),
+        cmocka_unit_test(test_coverage_is_a_share),
         cmocka_unit_test(test_ramp_rises_evenly_for_every_eye),
         cmocka_unit_test(test_rays_leave_the_camera_as_its_basis_says),
     };

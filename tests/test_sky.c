@@ -225,6 +225,30 @@ static void test_glow_and_disc(void **unused)
     free(values);
 }
 
+// The whole sky at hours of the day, the twilight and the night, against the mirror of the picture:
+// its scattered light is exact but where the two air masses agree.
+static void test_sky_agrees_with_double(void **unused)
+{
+    (void)unused;
+    static const float hours[] = {0.0f, 6.5f, 12.0f, 17.8f, 18.5f, 20.0f};
+    double worst = 0.0;
+    for (size_t k = 0; k < sizeof hours / sizeof hours[0]; k++) {
+        float *values = sky(4, 8, hours[k], 0.05f);
+        for (int i = 0; i < 1024 * 8; i++) {
+            double turn = 0.0245 * (i / 32), height = i % 32 / 31.0,
+                   low = sqrt(1.0 - height * height);
+            struct d3 truth =
+                city_sky(d3(low * cos(turn), height, low * sin(turn)), city_sun((double)hours[k]));
+            struct d3 error = d3_sub(d3_of(values + 4 * i), truth);
+            worst = fmax(worst, fabs(error.x) / truth.x);
+            worst = fmax(worst, fmax(fabs(error.y) / truth.y, fabs(error.z) / truth.z));
+        }
+        free(values);
+    }
+    print_message("# sky: worst relative error %.4f\n", worst);
+    assert_true(worst < 0.006);
+}
+
 // ---- The city ----
 
 enum { WIDE = 1024, HIGH = 256 };
@@ -305,6 +329,7 @@ int main(void)
         cmocka_unit_test(test_sun_runs_as_the_sphere_says),
         cmocka_unit_test(test_sun_of_the_picture),
         cmocka_unit_test(test_glow_and_disc),
+        cmocka_unit_test(test_sky_agrees_with_double),
         cmocka_unit_test(test_city_is_never_farther_than_it_says),
         cmocka_unit_test(test_trees_are_1_lipschitz),
         cmocka_unit_test(test_sky_is_a_light_at_every_hour),

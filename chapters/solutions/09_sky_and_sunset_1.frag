@@ -11,5 +11,5 @@ vec3 rayColour(Ray ray)
 {
     vec3 sun = sunDirection(hour(), latitude, declination);
     vec3 upwards = vec3(ray.direction.x, max(ray.direction.y, 0.0), ray.direction.z);
-    return cityColour(ray, sun, skyColour(upwards, sun));
+    return cityColour(ray, sun, skyLight(upwards, sun));
 }

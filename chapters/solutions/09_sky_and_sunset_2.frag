@@ -9,5 +9,5 @@ vec3 rayColour(Ray ray)
 {
     vec3 sun = sunDirection(hour(), LATITUDE, DECLINATION);
     vec3 reddened = vec3(0.5, 0.7, 1.0) * transmittance(RAYLEIGH, airMass(sun.y) - 1.0);
-    return cityColour(ray, sun, daylight(sun) * reddened);
+    return cityColour(ray, sun, daylight(sun.y) * reddened);
 }

@@ -40,10 +40,9 @@ vec3 rayColour(Ray ray)
 {
     vec3 sun = sunDirection(hour(), LATITUDE, DECLINATION);
     vec3 upwards = vec3(ray.direction.x, max(ray.direction.y, 0.0), ray.direction.z);
-    vec3 sky = skyColour(upwards, sun), city = cityColour(ray, sun, sky);
+    vec3 sky = skyLight(upwards, sun), city = cityColour(ray, sun, sky);
     vec3 stars = starLight(ray.direction) * transmittance(airDepth(), airMass(ray.direction.y));
-    stars *= 1.0 - daylight(sun);
-    float eye = 0.95 / sqrt(skyLight(sun).y + 0.02); // of cityColour
+    stars *= 1.0 - daylight(sun.y);
     bool seen = stars.y > 0.0 && trace.end != END_HIT;
-    return seen ? encodeSRGB(compressed(eye * (sky + stars))) : city;
+    return seen ? exposed(sky + stars, sun) : city;
 }

@@ -30,5 +30,6 @@ vec3 rayColour(Ray ray)
     }
     vec3 direction = normalize(vec3(share.x, abs(share.y), share.z + 0.0001));
     vec3 sun = sunDirection(24.0 * float(pixel.y) / 256.0, LATITUDE, DECLINATION);
-    return vec3(isLight(skyColour(direction, sun)), isLight(skyLight(sun)), isLight(sunLight(sun)));
+    return vec3(isLight(skyLight(direction, sun)), isLight(skyAmbient(sun, airDepth())),
+                isLight(sunOrMoonLight(sun, airDepth())));
 }

@@ -13,6 +13,7 @@ out vec4 FragColor;
 #include "scene.glsl"
 #include "bounds.glsl"
 #include "camera.glsl"
+#include "coverage.glsl"
 #include "fresnel.glsl"
 #include "lighting.glsl"
 #include "views.glsl"
@@ -45,9 +46,13 @@ void main()
     } else if (Time < 6.0) {
         float facing = number / 1023.0;
         FragColor = vec4(facing, schlickShare(facing, 0.02), schlickShare(facing, 0.04), 0.0);
-    } else {
+    } else if (Time < 7.0) {
         // The ends of two intervals are four digits of the number, base 5.
         vec4 ends = mod(floor(number / vec4(1.0, 5.0, 25.0, 125.0)), 5.0);
         FragColor = vec4(intervalUnion(ends.xy, ends.zw), 0.0, 0.0);
+    } else {
+        // A row has its width, 0 to 0.5; its places run through three periods.
+        float x = mod(number, 1024.0) / 341.0 - 1.0, width = floor(gl_FragCoord.y) / 30.0;
+        FragColor = vec4(x, width, stripes(x, 0.5, width), coverage(x, width));
     }
 }

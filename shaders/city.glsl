@@ -1,0 +1,100 @@
+// city.glsl - a city without end: towers that differ from block to block, lamps and trees along streets.
+//
+// Blocks are the cells of repetition.glsl along x and z, scene units of about 8 metres; y = 0 is the
+// ground, which is no part of the distance. docs/09_sky_and_sunset.md proves the bounds.
+#include "primitives.glsl"
+#include "repetition.glsl"
+
+const float PERIOD = 6.0;     // from the middle of a block to the next
+const float GAP = 1.35;       // half a street: no tower comes nearer to its block's wall
+const float TALLEST = 9.3;    // no tower is higher
+const vec3  BAY = vec3(0.36, 0.4, 0.36); // a window and its share of the wall; a floor is 0.4 high
+const vec3  LAMP = vec3(0.26, 1.08, 0.0); // of a lamp's bulb, from the foot of its post
+
+// A point in its block, and the block's own random number.
+struct Block {
+    vec3  local;  // from the middle of the block, on the ground
+    float random; // in [0, 1)
+};
+
+// The block that holds p.
+Block blockAt(vec3 p)
+{
+    vec2 cell = vec2(cellOf(p.x, PERIOD), cellOf(p.z, PERIOD));
+    return Block(p - PERIOD * vec3(cell.x, 0.0, cell.y), cellRandom(ivec3(cell, 9)));
+}
+
+// A tower is a shaft on a base, boxes without bottoms, whole numbers of windows wide and high. How far a
+// point lies outside their faces, per axis; negative inside.
+//   the largest of the three  exact before a face, a lower bound before an edge; of the depth, exact
+vec3 outsideShaft(Block block)
+{
+    vec3 r = fract(block.random * vec3(1.0, 256.0, 65536.0));
+    vec3 corner = vec3(2.5, 4.0, 2.5) + floor(vec3(2.0 * r.y, 19.0 * r.x * r.x, 2.0 * r.z));
+    return vec3(abs(block.local.x), block.local.y - 0.08, abs(block.local.z)) - corner * BAY;
+}
+
+vec3 outsideBase(Block block)
+{
+    float floors = floor(1.0 + 4.0 * fract(block.random * 65536.0));
+    return vec3(abs(block.local.x), block.local.y - 0.08, abs(block.local.z)) - vec3(4.5, floors, 4.5) * BAY;
+}
+
+// From the foot of the lamp on the pavement: the two pavements of a street that runs along z, folded
+// into one.
+//   local  of a Block
+vec3 pavement(vec3 local)
+{
+    return vec3(abs(local.x) - 2.1, local.yz);
+}
+
+// A lamp: a post, an arm over the street, a bulb. Exact outside.
+//   q  from pavement
+float lampDistance(vec3 q)
+{
+    float post = length(vec3(q.x, max(q.y - 1.1, 0.0), q.z)) - 0.018;
+    float arm = length(vec3(q.x - clamp(q.x, 0.0, LAMP.x), q.y - 1.1, q.z)) - 0.012;
+    return min(min(post, arm), sdSphere(q - LAMP, 0.045));
+}
+
+// From the nearest point of a crown's axis: two trees stand to either side of a lamp, folded into one.
+//   q  from pavement
+vec3 treeAxis(vec3 q)
+{
+    return vec3(q.x, q.y - clamp(q.y, 0.5, 1.0), abs(q.z) - 1.5);
+}
+
+// A tree: a trunk, and a crown that tapers upwards. A lower bound.
+//   q  from pavement
+float treeDistance(vec3 q)
+{
+    vec3 c = treeAxis(q);
+    float crown = 0.98 * (length(c) - 0.3 + 0.2 * (q.y - c.y)); // the taper's slope is 0.2
+    return min(crown, max(length(c.xz) - 0.03, q.y - 0.6));
+}
+
+// How far the city is from p. A lower bound: of towers that block's own is asked, and no step is longer
+// than the way to the block's wall and half a street more.
+//   formula  min(own tower, wall + GAP, lamps, trees)
+float cityDistance(vec3 p)
+{
+    Block block = blockAt(p);
+    vec3 q = pavement(block.local);
+    vec3 shaft = outsideShaft(block), base = outsideBase(block);
+    float tower = min(max(shaft.x, max(shaft.y, shaft.z)), max(base.x, max(base.y, base.z)));
+    float wall = 0.5 * PERIOD - max(abs(block.local.x), abs(block.local.z));
+    return min(min(tower, wall + GAP), min(lampDistance(q), treeDistance(q)));
+}
+
+// Where a surface of the city faces, length 1, by its shape: a face of a box, or away from the axis of a
+// crown or a post.
+//   block        of a point on the surface
+//   tower, lamp  to which it belongs; neither: to a tree
+vec3 cityNormal(Block block, bool tower, bool lamp)
+{
+    vec3 base = outsideBase(block), q = pavement(block.local);
+    vec3 outside = base.y < 0.01 ? base : outsideShaft(block);
+    vec3 face = step(max(outside.x, max(outside.y, outside.z)), outside);
+    vec3 axis = lamp ? vec3(q.x, 0.0, q.z) : treeAxis(q);
+    return normalize((tower ? face : axis) * sign(block.local));
+}
