@@ -436,7 +436,7 @@ check 'a link to nowhere' unreadable "$scratch/broken.frag" ': cannot be read: '
 # A sum of so many terms uses up the stack of some drivers' compilers; others draw it.
 endures() {
     printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(p.x%s); }\n' "$(printf '%40000s' '' | sed 's/ /+p.x/g')" >"$scratch/sum.frag"
-    (ulimit -s 2048; draw sum; [ $? = 1 ] && [[ $said =~ sum.frag:\ the\ graphics\ driver\ crashed\ over\ it ]] && [ "$(grep -c '' <<<"$said")" = 1 ]) || draw sum
+    (ulimit -s 4096; draw sum; [ $? = 1 ] && [[ $said =~ sum.frag:\ the\ graphics\ driver\ crashed\ over\ it ]] && [ "$(grep -c '' <<<"$said")" = 1 ]) || draw sum
 }
 check 'a sum of 40000 terms' endures
 

@@ -8,6 +8,7 @@
 #include <stb/stb_easy_font.h>
 
 #include "report.h"
+#include "shader/shader.h"
 
 // What stb_easy_font writes for one corner of a quad.
 struct corner {
@@ -50,42 +51,15 @@ static const char fragment_text[] =
     "    fragment = vec4(colour.rgb, colour.a * covered.x * covered.y);\n"
     "}\n";
 
-static GLuint compile(const struct gl *gl, GLenum kind, const char *text)
-{
-    GLuint shader = gl->CreateShader(kind);
-    GLint compiled = 0;
-    gl->ShaderSource(shader, 1, &text, NULL);
-    gl->CompileShader(shader);
-    gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled)
-        return shader;
-    char log[1024] = "";
-    gl->GetShaderInfoLog(shader, sizeof log, NULL, log);
-    report("overlay: the driver does not compile its shader: %s", log);
-    gl->DeleteShader(shader);
-    return 0;
-}
-
 static GLuint link_program(const struct gl *gl)
 {
-    GLuint vertex = compile(gl, GL_VERTEX_SHADER, vertex_text);
-    GLuint fragment = vertex != 0 ? compile(gl, GL_FRAGMENT_SHADER, fragment_text) : 0;
-    GLuint program = 0;
-    GLint linked = 0;
-    if (fragment != 0) {
-        program = gl->CreateProgram();
-        gl->AttachShader(program, vertex);
-        gl->AttachShader(program, fragment);
-        gl->LinkProgram(program);
-        gl->GetProgramiv(program, GL_LINK_STATUS, &linked);
-    }
-    gl->DeleteShader(vertex);
-    gl->DeleteShader(fragment);
-    if (program != 0 && !linked) {
-        report("overlay: the driver does not link its shader: try another --backend");
-        gl->DeleteProgram(program);
-        program = 0;
-    }
+    enum shader_step step;
+    char *log;
+    GLuint program = shader_link_texts(gl, vertex_text, fragment_text, &step, &log);
+    if (program == 0)
+        report("overlay: the driver does not take its shader: try another --backend: %.800s",
+               log != NULL ? log : "");
+    free(log);
     return program;
 }
 

@@ -76,49 +76,69 @@ static void report_failure(const struct shader_source *source, enum shader_view 
     free(errors);
 }
 
-static GLuint compile(const struct gl *gl, GLenum stage, const struct shader_source *source,
-                      enum shader_view view)
+// ---- Two stages ----
+
+typedef void (*get_log)(GLuint object, GLsizei size, GLsizei *length, GLchar *log);
+
+// What the driver wrote; NULL where it wrote nothing.
+static char *read_log(get_log get, GLuint object, GLint size)
 {
-    char *text = shader_text(source, view);
-    if (text == NULL)
-        return 0;
+    char *log = size > 0 ? calloc((size_t)size + 1, 1) : NULL;
+    if (log != NULL)
+        get(object, size, NULL, log);
+    return log;
+}
+
+static GLuint compile(const struct gl *gl, GLenum stage, const char *text, char **log)
+{
     GLint compiled = GL_FALSE, size = 0;
     GLuint shader = gl->CreateShader(stage);
-    gl->ShaderSource(shader, 1, (const GLchar *const *)&text, NULL);
+    gl->ShaderSource(shader, 1, &text, NULL);
     gl->CompileShader(shader);
     gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    free(text);
     if (shader != 0 && compiled == GL_TRUE)
         return shader;
     gl->GetShaderiv(shader, GL_INFO_LOG_LENGTH, &size);
-    char *log = size > 0 ? calloc((size_t)size + 1, 1) : NULL;
-    if (log != NULL)
-        gl->GetShaderInfoLog(shader, size, NULL, log);
-    report_failure(source, view, "compile", log);
-    free(log);
+    *log = read_log(gl->GetShaderInfoLog, shader, size);
     gl->DeleteShader(shader);
     return 0;
 }
 
-static GLuint link_stages(const struct gl *gl, GLuint vertex, GLuint fragment,
-                          const struct shader_source *source, enum shader_view view)
+static GLuint link_stages(const struct gl *gl, const GLuint stage[2], char **log)
 {
     GLint linked = GL_FALSE, size = 0;
     GLuint program = gl->CreateProgram();
-    gl->AttachShader(program, vertex);
-    gl->AttachShader(program, fragment);
+    gl->AttachShader(program, stage[0]);
+    gl->AttachShader(program, stage[1]);
     gl->LinkProgram(program);
     gl->GetProgramiv(program, GL_LINK_STATUS, &linked);
     if (program != 0 && linked == GL_TRUE)
         return program;
     gl->GetProgramiv(program, GL_INFO_LOG_LENGTH, &size);
-    char *log = size > 0 ? calloc((size_t)size + 1, 1) : NULL;
-    if (log != NULL)
-        gl->GetProgramInfoLog(program, size, NULL, log);
-    report_failure(source, view, "link", log);
-    free(log);
+    *log = read_log(gl->GetProgramInfoLog, program, size);
     gl->DeleteProgram(program);
     return 0;
+}
+
+GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fragment,
+                         enum shader_step *step, char **log)
+{
+    GLuint program = 0, stage[2] = {0, 0};
+    *log = NULL;
+    *step = SHADER_COMPILE_VERTEX;
+    stage[0] = compile(gl, GL_VERTEX_SHADER, vertex, log);
+    if (stage[0] != 0) {
+        *step = SHADER_COMPILE_FRAGMENT;
+        stage[1] = compile(gl, GL_FRAGMENT_SHADER, fragment, log);
+    }
+    if (stage[1] != 0) {
+        *step = SHADER_LINK;
+        program = link_stages(gl, stage, log);
+    }
+    // A shader that is attached lives on until its program goes; 0 is ignored.
+    gl->DeleteShader(stage[0]);
+    gl->DeleteShader(stage[1]);
+    return program;
 }
 
 // ---- A program ----
@@ -126,21 +146,23 @@ static GLuint link_stages(const struct gl *gl, GLuint vertex, GLuint fragment,
 GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
                    const struct shader_source *fragment, enum shader_view view)
 {
-    GLuint program = 0, fragment_stage = 0;
-    // A compiler that calls itself for each term of a sum runs out of stack on a long one.
-    guard_begin("%.800s: the graphics driver crashed over it: split its longest statement",
-                fragment->files[0]);
-    GLuint vertex_stage = compile(gl, GL_VERTEX_SHADER, vertex, view);
-    if (vertex_stage != 0)
-        fragment_stage = compile(gl, GL_FRAGMENT_SHADER, fragment, view);
-    if (fragment_stage != 0)
-        program = link_stages(gl, vertex_stage, fragment_stage, fragment, view);
-    guard_end();
-    // A shader that is attached lives on until its program goes.
-    if (vertex_stage != 0)
-        gl->DeleteShader(vertex_stage);
-    if (fragment_stage != 0)
-        gl->DeleteShader(fragment_stage);
+    char *first = shader_text(vertex, view), *log = NULL;
+    char *second = first != NULL ? shader_text(fragment, view) : NULL;
+    enum shader_step step;
+    GLuint program = 0;
+    if (second != NULL) {
+        // A compiler that calls itself for each term of a sum runs out of stack on a long one.
+        guard_begin("%.800s: the graphics driver crashed over it: split its longest statement",
+                    fragment->files[0]);
+        program = shader_link_texts(gl, first, second, &step, &log);
+        guard_end();
+        if (program == 0)
+            report_failure(step == SHADER_COMPILE_VERTEX ? vertex : fragment, view,
+                           step == SHADER_LINK ? "link" : "compile", log);
+    }
+    free(first);
+    free(second);
+    free(log);
     if (program != 0 && !form_accepts(fragment)) {
         gl->DeleteProgram(program);
         program = 0;

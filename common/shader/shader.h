@@ -80,6 +80,16 @@ bool shader_has_view(const struct shader_source *source, enum shader_view view);
 GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
                    const struct shader_source *fragment, enum shader_view view);
 
+// The steps to a program.
+enum shader_step { SHADER_COMPILE_VERTEX, SHADER_COMPILE_FRAGMENT, SHADER_LINK };
+
+// Compile and link two texts as they are.
+//   step  receives the last step that was begun
+//   log   receives what the driver wrote of one that failed, which the caller frees; or NULL
+// Returns the program, owned by the caller, or 0, not reported.
+GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fragment,
+                         enum shader_step *step, char **log);
+
 // Rewrite a driver's log in the author's own files and lines, for the text that shader_text made
 // for this source and view. Understands Mesa "0:12(3): ", NVIDIA "0(12) : " and "ERROR: 0:12: ". A
 // line that names a function which links to nothing gets the file and line of the call.
