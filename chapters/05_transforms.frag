@@ -120,6 +120,7 @@ float sceneDistance(vec3 p)
     return stepScale * min(seaDistance(p), thingsDistance(p));
 }
 
+// Where a ray is in a cube around a thing.
 vec2 cubeInterval(Ray ray, vec3 middle, float reach)
 {
     return boxInterval(ray, middle - reach, middle + reach);

@@ -42,11 +42,13 @@ float hour()
     return timeOfDay + hoursPerSecond * iTime;
 }
 
+// Optical depth of air and dust overhead.
 vec3 airDepth()
 {
     return RAYLEIGH + haze;
 }
 
+// Sunlight that the air sends on, or the report's colour for it, and what the night has of its own.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
     vec3 day = sunlitSky(direction, sun, airDepth());

@@ -90,6 +90,7 @@ float cityDistance(vec3 p)
 // crown or a post.
 //   block        of a point on the surface
 //   tower, lamp  to which it belongs; neither: to a tree
+// Of a post the part along z is never negative: on the half that faces -z it is the mirror image.
 vec3 cityNormal(Block block, bool tower, bool lamp)
 {
     vec3 base = outsideBase(block), q = pavement(block.local);

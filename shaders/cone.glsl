@@ -1,5 +1,7 @@
 // cone.glsl - sphere tracing with a cone in place of a line: what is smaller than a pixel counts as
 // reached.
+//
+// Two loops beside that of march: one for all takes the chapters that use it up to 5 % longer.
 #include "camera.glsl"
 #include "march.glsl"
 
