@@ -188,7 +188,7 @@ static struct shader_source source_of(char *text)
     for (const char *c = text; *c != '\0'; c++)
         source.line_count += *c == '\n';
     source.lines = calloc((size_t)source.line_count + 1, sizeof *source.lines);
-    promise(source.lines != NULL, "there is memory");
+    promise(source.lines != NULL && glsl_read(&source.code, text), "there is memory");
     for (int i = 0; i < source.line_count; i++)
         source.lines[i].line = i + 1;
     return source;
@@ -251,6 +251,7 @@ void fuzz_parameter(const uint8_t *bytes, size_t size)
         fclose(nowhere);
         parameters_free(&parameters);
     }
+    glsl_free(&source.code);
     free(source.lines);
     free(text);
     free(assignment);

@@ -134,13 +134,15 @@ static void test_values_begin_at_zero(void **state)
     assert_driver_gets("float a, b = 1.0, c; // float d;\n",
                        "float a=float(0), b = 1.0, c=float(0); // float d;\n");
     assert_driver_gets("vec3 f(vec3 p, float r);\nstruct S { float d; vec3 c; };\nS s;\n",
-                       "vec3 f(vec3 p, float r);\nstruct S { float d; vec3 c; };\nS s;\n");
+                       "vec3 f(vec3 p, float r);\nstruct S { float d; vec3 c; };\nS "
+                       "s=S(float(0),vec3(0));\n");
     assert_driver_gets(
         "void f() { for (float i, d = g(1, 2), s; i < 3.0; i++) { highp mat2 m; } }\n",
         "void f() { for (float i=float(0), d = g(1, 2), s=float(0); i < 3.0; i++) { "
         "highp mat2 m=mat2(0); } }\n");
     assert_driver_gets("const float a = 1.0; float h[3]; float[2] v; int\ni\n;\n",
-                       "const float a = 1.0; float h[3]; float[2] v; int\ni=int(0)\n;\n");
+                       "const float a = 1.0; float h[3]=float[3](float(0),float(0),float(0)); "
+                       "float[2] v; int\ni=int(0)\n;\n");
     assert_driver_gets(
         "#define A float x;\nuniform float u;\nprecision highp float;\nin float Time;\n",
         "#define A float x;\nuniform float u;\nprecision highp float;\nin float Time;\n");

@@ -28,13 +28,17 @@ static struct shader_source source_of(const char *text, enum shader_form form)
     static char *files[] = {name};
     static struct shader_line lines[LINES];
     static char copy[8192];
+    static struct glsl code;
     snprintf(copy, sizeof copy, "%s", text);
+    glsl_free(&code);
+    assert_true(glsl_read(&code, copy));
     int count = line_count(copy);
     assert_true(count <= LINES);
     for (int i = 0; i < count; i++)
         lines[i] = (struct shader_line){0, i + 1};
     return (struct shader_source){.form = form,
                                   .text = copy,
+                                  .code = code,
                                   .lines = lines,
                                   .line_count = count,
                                   .files = files,

@@ -271,9 +271,6 @@ static void test_calls_that_link_to_nothing(void **state)
                   "draws no picture, for it has no main", "mainImage");
     assert_blamed(library_ok, "#version 330 core\nfloat f(float x) { return x; }\n",
                   "draws no picture, for it has no main", "mainImage");
-    assert_blamed(library_ok, "vec4 mainImage(in vec2 p)\n{\n    return p.xyxy;\n}\n",
-                  "main.frag:1: mainImage has other parameters",
-                  "void mainImage(out vec4 fragColor, in vec2 fragCoord)");
 }
 
 static int open_context(void **state)

@@ -17,8 +17,8 @@ struct export
     struct camera_basis basis;
     const struct camera *camera;
     float focal_length;
-    char *code; // the source without comments
-    char *text; // what is written so far
+    const struct glsl *code; // of the source
+    char *text;              // what is written so far
     size_t size, capacity;
     bool failed; // for want of memory
 };
@@ -84,16 +84,18 @@ static bool is_left_out(const char *file)
     return false;
 }
 
+static bool is_named(const struct export *e, const struct glsl_token *t, const char *const names[])
+{
+    return t->kind == GLSL_WORD && glsl_is_any(e->code, t, names);
+}
+
 // How often the lines that stay mention a word.
 static int mentions(const struct export *e, const char *name)
 {
-    int count = 0, line = 0;
-    const char *counted = e->code, *word = glsl_find_word(e->code, name);
-    for (; word != NULL; word = glsl_find_word(word + 1, name)) {
-        for (; counted < word; counted++)
-            line += *counted == '\n';
-        count += !is_left_out(e->source->files[e->source->lines[line].file]);
-    }
+    int count = 0;
+    for (const struct glsl_token *t = e->code->item; t->kind != GLSL_END; t++)
+        count += glsl_is(e->code, t, name) &&
+                 !is_left_out(e->source->files[e->source->lines[t->line].file]);
     return count;
 }
 
@@ -107,14 +109,12 @@ static void put_value(struct export *e, const struct parameter *parameter)
         put_vector(e, parameter->value, parameter->components);
 }
 
-// Write the constant that stands for a uniform of the course; nothing where Shadertoy has it.
-//   line, code  the line as it is, and without comments
-//   uniform     the word in code
-// Returns false for a line that is no such uniform.
-static bool put_uniform(struct export *e, const char *line, const char *code, const char *uniform)
+// Write the constant that stands for a uniform of the course, and the rest of its line; nothing
+// where Shadertoy has it. Returns false for what is no such uniform.
+static bool put_uniform(struct export *e, const struct glsl_token *uniform)
 {
-    static const char *const given[] = {"iResolution", "iTime",  "iTimeDelta",
-                                        "iFrame",      "iMouse", "iDate"};
+    static const char *const given[] = {"iResolution", "iTime", "iTimeDelta", "iFrame",
+                                        "iMouse",      "iDate", NULL};
     const struct {
         const char *name;
         const float *value;
@@ -122,13 +122,13 @@ static bool put_uniform(struct export *e, const char *line, const char *code, co
                   {"iCameraRight", e->basis.right},
                   {"iCameraUp", e->basis.up},
                   {"iCameraForward", e->basis.forward}};
-    char type[32], name[64];
-    int length = (int)strcspn(code, ";");
-    if (sscanf(uniform, "uniform %31[a-zA-Z0-9_] %63[a-zA-Z0-9_]", type, name) != 2)
-        return false;
-    for (size_t i = 0; i < sizeof given / sizeof *given; i++)
-        if (strcmp(name, given[i]) == 0)
-            return true;
+    const struct glsl_token *type = uniform + 1, *end = type;
+    while (end->kind != GLSL_END && end->sign != ';')
+        end++;
+    if (type->kind != GLSL_WORD || type[1].kind != GLSL_WORD || is_named(e, type + 1, given))
+        return type->kind == GLSL_WORD && type[1].kind == GLSL_WORD;
+    char name[64];
+    snprintf(name, sizeof name, "%.*s", GLSL_TEXT(e->code, type + 1));
     // Its declaration is one mention. Shadertoy draws the picture in one part.
     bool offset = strcmp(name, "iPixelOffset") == 0;
     if (offset && mentions(e, name) == 1)
@@ -140,30 +140,17 @@ static bool put_uniform(struct export *e, const char *line, const char *code, co
             vector = camera[i].value;
     if (parameter == NULL && vector == NULL && !offset)
         return false;
-    put(e, "const%.*s = ", length - (int)(uniform - code) - 7, uniform + 7);
+    int begin = uniform->begin + uniform->length;
+    const char *text = e->code->text, *rest = text + end->begin;
+    put(e, "const%.*s = ", end->begin - begin, text + begin);
     if (offset)
         put(e, "vec2(0.0)");
     else if (vector != NULL)
         put_vec3(e, vector);
     else
         put_value(e, parameter);
-    put(e, "%s\n", line + length);
+    put(e, "%.*s\n", (int)strcspn(rest, "\n"), rest);
     return true;
-}
-
-static void put_course_line(struct export *e, const char *line, size_t length, const char *code)
-{
-    char *text = strndup(line, length), *bare = strndup(code, length);
-    if (text == NULL || bare == NULL) {
-        e->failed = true;
-    } else {
-        const char *uniform = glsl_find_word(bare, "uniform");
-        bool include = strncmp(text, "// #include", 11) == 0;
-        if (!include && (uniform == NULL || !put_uniform(e, text, bare, uniform)))
-            put(e, "%s\n", text);
-    }
-    free(text);
-    free(bare);
 }
 
 // The name without its folder, which is that of this machine.
@@ -178,18 +165,21 @@ static void put_files(struct export *e)
 {
     const struct shader_source *source = e->source;
     const char *line = source->text;
+    const struct glsl_token *t = e->code->item;
     int file = -1;
-    for (int i = 0; i < source->line_count; i++) {
-        size_t length = strcspn(line, "\n");
+    for (int i = 0; i < source->line_count; i++, line += strcspn(line, "\n") + 1) {
         int from = source->lines[i].file;
         const char *name = source->files[from];
-        if (!is_left_out(name)) {
-            if (from != file)
-                put(e, "\n// ---- %s ----\n\n", from == 0 ? base_of(name) : name);
-            file = from;
-            put_course_line(e, line, length, e->code + (line - source->text));
-        }
-        line += length + 1;
+        const struct glsl_token *uniform = NULL;
+        for (; t->kind != GLSL_END && t->line == i; t++)
+            uniform = uniform == NULL && glsl_is(e->code, t, "uniform") ? t : uniform;
+        if (is_left_out(name))
+            continue;
+        if (from != file)
+            put(e, "\n// ---- %s ----\n\n", from == 0 ? base_of(name) : name);
+        file = from;
+        if (strncmp(line, "// #include", 11) != 0 && (uniform == NULL || !put_uniform(e, uniform)))
+            put(e, "%.*s\n", (int)strcspn(line, "\n"), line);
     }
 }
 
@@ -211,131 +201,83 @@ static void put_course(struct export *e)
 
 // ---- A whole file ----
 
-// Shadertoy has a main, and calls mainImage: those of the file get other names.
+// Shadertoy has a main, and calls mainImage: those of the file get other names. Qualifiers go where
+// a global begins; those of parameters stay.
 static const struct {
     const char *word, *instead;
-} renamed[] = {{"main", "shaderMain"},
-               {"mainImage", "shaderImage"},
-               {"gl_FragColor", "shaderColour"},
-               {"in", ""},
-               {"out", ""},
-               {"varying", ""},
-               {"smooth", ""},
-               {"flat", ""},
-               {"noperspective", ""},
-               {"centroid", ""}};
+    bool global;
+} renamed[] = {{"main", "shaderMain", false},
+               {"mainImage", "shaderImage", false},
+               {"gl_FragColor", "shaderColour", false},
+               {"in", "", true},
+               {"out", "", true},
+               {"varying", "", true},
+               {"smooth", "", true},
+               {"flat", "", true},
+               {"noperspective", "", true},
+               {"centroid", "", true}};
 
-// Write one word of a whole file, or what stands for it. Qualifiers go where a global begins; those
-// of parameters stay.
-static void put_word(struct export *e, const char *word, size_t length, bool global)
+// What stands for a word of a whole file; NULL for the word itself.
+static const char *instead_of(const struct export *e, const struct glsl_token *t)
 {
-    for (size_t i = 0; i < sizeof renamed / sizeof *renamed; i++)
-        if (strlen(renamed[i].word) == length && strncmp(word, renamed[i].word, length) == 0 &&
-            (i < 3 || global)) {
-            put(e, "%s", renamed[i].instead);
-            return;
-        }
-    put(e, "%.*s", (int)length, word);
+    for (size_t i = 0; t->kind == GLSL_WORD && i < sizeof renamed / sizeof *renamed; i++)
+        if (glsl_is(e->code, t, renamed[i].word) && (!renamed[i].global || t->depth == 0))
+            return renamed[i].instead;
+    return NULL;
 }
 
-static void blank_both(char *text, char *code, size_t from, size_t length)
+// The last token of what begins here and is left out, what Shadertoy says itself or does not take:
+// #version, the precision of numbers, layouts, its own uniforms, and the word before a uniform that
+// has a value. NULL for what stays.
+static const struct glsl_token *end_of_omission(const struct export *e, const struct glsl_token *t)
 {
-    memset(text + from, ' ', length);
-    memset(code + from, ' ', length);
-}
-
-// True for a uniform that Shadertoy declares itself.
-static bool is_given(const char *uniform)
-{
-    const char *name;
-    for (size_t i = 0; form_toy_input(i, &name) != NULL; i++) {
-        const char *found = glsl_find_word(uniform, name);
-        if (found != NULL && found < uniform + strcspn(uniform, ";"))
-            return true;
+    const struct glsl *code = e->code;
+    const struct glsl_token *end = t;
+    bool layout = glsl_is(code, t, "layout"), uniform = glsl_is(code, t, "uniform");
+    bool value = false, given = false;
+    if (t->kind == GLSL_HASH && glsl_is(code, t + 1, "version")) {
+        while (end[1].directive && end[1].kind < GLSL_COMMENT)
+            end++;
+        return end;
     }
-    return false;
-}
-
-// Blank what Shadertoy says itself or does not take: #version, the precision of numbers, the
-// layouts of inputs and outputs, its own uniforms, and the word before a uniform that has a value.
-static void blank_rest(char *text, char *code)
-{
-    char *version = strchr(code, '#');
-    if (version != NULL && strncmp(version + 1 + strspn(version + 1, " \t"), "version", 7) == 0)
-        blank_both(text, code, (size_t)(version - code), strcspn(version, "\n"));
-    const char *word = code;
-    while ((word = glsl_find_word(word, "precision")) != NULL)
-        blank_both(text, code, (size_t)(word - code),
-                   strcspn(word, ";") + (strchr(word, ';') != NULL));
-    for (word = code; (word = glsl_find_word(word, "layout")) != NULL;)
-        blank_both(text, code, (size_t)(word - code),
-                   strcspn(word, ")") + (strchr(word, ')') != NULL));
-    for (word = code; (word = glsl_find_word(word, "uniform")) != NULL; word++) {
-        size_t length = strcspn(word, ";");
-        if (is_given(word))
-            blank_both(text, code, (size_t)(word - code), length + (word[length] == ';'));
-        else if (memchr(word, '=', length) != NULL)
-            blank_both(text, code, (size_t)(word - code), strlen("uniform"));
+    if (!layout && !uniform && !glsl_is(code, t, "precision"))
+        return NULL;
+    while (end[1].kind != GLSL_END && end->sign != (layout ? ')' : ';')) {
+        end++;
+        value |= end->sign == '=';
+        const char *name;
+        for (size_t i = 0; uniform && form_toy_input(i, &name) != NULL; i++)
+            given |= glsl_is(code, end, name);
     }
+    return !uniform || given ? end : value ? t : NULL;
 }
 
 // The text with its inputs and output as variables, comments as they are.
-static void put_whole_text(struct export *e, const char *text)
+static void put_whole_text(struct export *e)
 {
-    int depth = 0;
-    for (size_t i = strspn(text, " \n"); text[i] != '\0';) {
-        size_t length = 0;
-        if (e->code[i] == text[i])
-            while (glsl_is_word(e->code[i + length]))
-                length++;
-        if (length > 0) {
-            put_word(e, text + i, length, depth == 0);
-            i += length;
+    const char *text = e->code->text;
+    int from = (int)strspn(text, " \n");
+    for (const struct glsl_token *t = e->code->item; t->kind != GLSL_END; t++) {
+        const struct glsl_token *end = end_of_omission(e, t);
+        const char *instead = end != NULL ? "" : instead_of(e, t);
+        if (instead == NULL)
             continue;
-        }
-        char c = e->code[i];
-        depth += (c == '{' || c == '(') - (c == '}' || c == ')');
-        put(e, "%c", text[i++]);
+        put(e, "%.*s%s", t->begin - from, text + from, instead);
+        t = end != NULL ? end : t;
+        from = t->begin + t->length;
     }
-}
-
-// The name of the output, of which the form has been judged: the first global "out", or the one at
-// location 0.
-static bool find_output(const char *code, char name[64])
-{
-    int depth = 0;
-    bool found = false;
-    for (const char *c = code; *c != '\0'; c++) {
-        bool begins = c == code || !glsl_is_word(c[-1]);
-        depth += (*c == '{' || *c == '(') - (*c == '}' || *c == ')');
-        if (depth != 0 || !begins || strncmp(c, "out", 3) != 0 || glsl_is_word(c[3]))
-            continue;
-        const char *statement = c;
-        while (statement > code && strchr(";}", statement[-1]) == NULL)
-            statement--;
-        const char *location = strstr(statement, "location");
-        int number = 0, used = 0;
-        bool placed = location != NULL && location < c &&
-                      sscanf(location, "location = %d", &number) == 1 && number == 0;
-        char type[32];
-        const char *word = c + 3;
-        while (sscanf(word, " %31[a-zA-Z0-9_]%n", type, &used) == 1 && glsl_at_precision(type))
-            word += used;
-        if (!found || placed)
-            found = sscanf(word, " %*31[a-zA-Z0-9_] %63[a-zA-Z0-9_]", name) == 1;
-    }
-    return found;
+    put(e, "%s", text + from);
 }
 
 static void put_input(struct export *e, const char *name, const char *value)
 {
-    if (glsl_find_word(e->code, name) != NULL && !form_declares(e->code, name))
+    if (glsl_mentions(e->code, name) > 0 && !form_declares(e->code, name))
         put(e, "    %s = %s;\n", name, value);
 }
 
 static void put_input_vector(struct export *e, const char *name, const float v[3])
 {
-    if (glsl_find_word(e->code, name) == NULL)
+    if (glsl_mentions(e->code, name) == 0)
         return;
     put(e, "    %s = ", name);
     put_vec3(e, v);
@@ -344,23 +286,11 @@ static void put_input_vector(struct export *e, const char *name, const float v[3
 
 static bool put_whole(struct export *e)
 {
-    char output[64] = "shaderColour";
-    char *text = strdup(e->source->text), *statements = strdup(e->code);
-    bool found = statements != NULL;
-    if (found) {
-        glsl_blank_directives(statements);
-        found = find_output(statements, output);
-    }
-    if (!found && glsl_find_word(e->code, "gl_FragColor") != NULL) {
-        found = true;
+    const struct glsl_token *output = form_output(e->code);
+    bool old = output == NULL && glsl_mentions(e->code, "gl_FragColor") > 0;
+    if (old)
         put(e, "vec4 shaderColour;\n");
-    }
-    free(statements);
-    if (text == NULL)
-        return false;
-    blank_rest(text, e->code);
-    put_whole_text(e, text);
-    free(text);
+    put_whole_text(e);
     put(e, "\n// ---- What Shadertoy calls ----\n\n"
            "void mainImage(out vec4 toyColour, in vec2 toyPixel)\n{\n");
     put_input(e, "FragCoord", "(2.0 * toyPixel - iResolution.xy) / iResolution.y");
@@ -369,7 +299,7 @@ static bool put_whole(struct export *e)
     put_input_vector(e, "Ey", e->basis.up);
     put_input_vector(e, "Ez", e->basis.forward);
     put_input_vector(e, "CamPos", e->camera->position);
-    if (glsl_find_word(e->code, "fovValue") != NULL) {
+    if (glsl_mentions(e->code, "fovValue") > 0) {
         put(e, "    fovValue = ");
         put_float(e, (double)e->focal_length);
         put(e, ";\n");
@@ -378,11 +308,15 @@ static bool put_whole(struct export *e)
     static const char *const zeros[] = {"OrthoView", "CustomToggle", "CustomInt"};
     for (int i = 0; i < 3; i++)
         put_input(e, zeros[i], "0.0");
-    put(e, "    shaderMain();\n    toyColour = vec4(%s.rgb, 1.0);\n}\n", output);
-    if (!found)
+    if (output != NULL)
+        put(e, "    shaderMain();\n    toyColour = vec4(%.*s.rgb, 1.0);\n}\n",
+            GLSL_TEXT(e->code, output));
+    else
+        put(e, "    shaderMain();\n    toyColour = vec4(shaderColour.rgb, 1.0);\n}\n");
+    if (output == NULL && !old)
         report("%s: no output that Shadertoy could show: declare out vec4 FragColor;",
                e->source->files[0]);
-    return found;
+    return output != NULL || old;
 }
 
 char *export_shadertoy(const struct shader_source *source, const struct parameters *parameters,
@@ -393,17 +327,14 @@ char *export_shadertoy(const struct shader_source *source, const struct paramete
                        .basis = camera_basis_of(camera),
                        .camera = camera,
                        .focal_length = focal_length,
-                       .code = strdup(source->text)};
-    bool done = e.code != NULL;
-    if (done)
-        glsl_blank_comments(e.code, false);
-    if (done && source->form == SHADER_SHADERTOY)
+                       .code = &source->code};
+    bool done = true;
+    if (source->form == SHADER_SHADERTOY)
         put(&e, "%s", source->text);
-    else if (done && source->form == SHADER_COURSE)
+    else if (source->form == SHADER_COURSE)
         put_course(&e);
-    else if (done)
+    else
         done = put_whole(&e);
-    free(e.code);
     if (e.failed || e.text == NULL)
         report("%s: not enough memory", source->files[0]);
     if (done && !e.failed)

@@ -5,18 +5,14 @@
 #include <string.h>
 
 #include "shader/form_inputs.h"
+#include "shader/form_limits.h"
 #include "shader/form_zero.h"
-#include "shader/glsl.h"
 #include "report.h"
 
-#define COUNT(array) (sizeof(array) / sizeof *(array))
-
-#define ARRAY_LIMIT 65536 // elements
-
 // What Shadertoy gives besides and the harness does not.
-static const char *const toy_refused[] = {"iChannel0",  "iChannel1",    "iChannel2",
-                                          "iChannel3",  "iChannelTime", "iChannelResolution",
-                                          "iSampleRate"};
+static const char *const toy_refused[] = {
+    "iChannel0",    "iChannel1",          "iChannel2",   "iChannel3",
+    "iChannelTime", "iChannelResolution", "iSampleRate", NULL};
 
 static bool no_memory(const struct shader_source *source)
 {
@@ -24,143 +20,134 @@ static bool no_memory(const struct shader_source *source)
     return false;
 }
 
-// The text without comments and without what the preprocessor leaves out; the caller frees it.
-// NULL, reported.
-static char *code_of(const struct shader_source *source)
+static bool read_code(struct shader_source *source)
 {
-    char *code = strdup(source->text);
-    if (code == NULL) {
-        no_memory(source);
-    } else {
-        glsl_blank_comments(code, false);
-        glsl_blank_inactive(code);
-    }
-    return code;
+    glsl_free(&source->code);
+    return glsl_read(&source->code, source->text) || no_memory(source);
 }
 
 // ---- Which form ----
 
+// The # of the #version, with which a text begins; or NULL.
+static const struct glsl_token *version_of(const struct glsl *code)
+{
+    const struct glsl_token *t = code->item;
+    while (t->kind >= GLSL_COMMENT)
+        t++;
+    return t->kind == GLSL_HASH && glsl_is(code, t + 1, "version") ? t : NULL;
+}
+
+// Blank a directive.
+static void blank_directive(struct shader_source *source, const struct glsl_token *hash)
+{
+    form_blank(source, hash->begin, hash->begin + (int)strcspn(source->text + hash->begin, "\n"));
+}
+
 // Blank the #version, which the driver must not see, or the word compatibility in it.
 //   only_es  leave one of desktop GLSL
 // Returns false when it stays.
-static bool blank_version(struct shader_source *source, const char *code, bool only_es)
+static bool blank_version(struct shader_source *source, bool only_es)
 {
-    const char *hash = strchr(code, '#');
-    char number[16] = "", profile[16] = "";
-    if (hash == NULL || sscanf(hash, "# version %15[0-9] %15[a-z]", number, profile) < 1)
+    const struct glsl *code = &source->code;
+    const struct glsl_token *hash = version_of(code);
+    if (hash == NULL || hash[2].kind != GLSL_NUMBER)
         return false;
-    char *version = source->text + (hash - code);
-    if (only_es && strcmp(profile, "compatibility") == 0)
-        memset(strstr(version, profile), ' ', strlen(profile));
-    if (only_es && strcmp(profile, "es") != 0 && strcmp(number, "100") != 0)
+    if (only_es && glsl_is(code, hash + 3, "compatibility"))
+        form_blank(source, hash[3].begin, hash[3].begin + hash[3].length);
+    if (only_es && !glsl_is(code, hash + 3, "es") && !glsl_is(code, hash + 2, "100"))
         return false;
-    memset(version, ' ', strcspn(version, "\n"));
-    return true;
-}
-
-// Refuse what no driver answers well: a text of comments, and arrays at which some run for minutes
-// and out of memory.
-static bool check_sense(const struct shader_source *source, const char *code)
-{
-    if (*glsl_skip_blanks(code) == '\0') {
-        report("%s: holds nothing but comments: a shader is code", source->files[0]);
-        return false;
-    }
-    for (const char *c = strchr(code, '['); c != NULL; c = strchr(c + 1, '[')) {
-        const char *number = glsl_skip_blanks(c + 1);
-        size_t digits = strspn(number, "0123456789");
-        if (*glsl_skip_blanks(number + digits) != ']' || strtod(number, NULL) <= ARRAY_LIMIT)
-            continue;
-        const struct shader_line *from = form_line_at(source, code, c);
-        report("%s:%d: an array of %.*s elements: a graphics processor has no room for it: %d at "
-               "most",
-               source->files[from->file], from->line, digits < 20 ? (int)digits : 20, number,
-               ARRAY_LIMIT);
-        return false;
-    }
+    blank_directive(source, hash);
     return true;
 }
 
 // True when the file itself defines main and includes nothing: one that includes the course's
 // library has its form. The vertex shader of the course has a main too, and stays as it is.
-static bool has_own_main(const struct shader_source *source, const char *code)
+static bool has_own_main(const struct shader_source *source)
 {
-    return source->file_count == 1 && glsl_find_definition(code, "main") != NULL &&
-           glsl_find_word(code, "gl_Position") == NULL;
+    return source->file_count == 1 && glsl_find_definition(&source->code, "main") != NULL &&
+           glsl_mentions(&source->code, "gl_Position") == 0;
 }
 
 // Shadertoy's form gets a main in front, behind which no #extension may stand.
-static void blank_extensions(struct shader_source *source, const char *code)
+static void blank_extensions(struct shader_source *source)
 {
-    for (const char *line = code; *line != '\0'; line += strcspn(line, "\n") + 1) {
-        const char *hash = line + strspn(line, " \t\v\f");
-        const char *word = *hash == '#' ? hash + 1 + strspn(hash + 1, " \t\v\f") : "";
-        if (glsl_at_word(word, "extension"))
-            memset(source->text + (hash - code), ' ', strcspn(hash, "\n"));
-    }
+    for (const struct glsl_token *t = source->code.item; t->kind != GLSL_END; t++)
+        if (t->kind == GLSL_HASH && glsl_is(&source->code, t + 1, "extension"))
+            blank_directive(source, t);
 }
 
 // A course file that --print-shader wrote begins with what form_prelude put there. That is blanked:
 // the file is of the course's form again.
-static bool blank_printed(struct shader_source *source, char *code)
+static bool blank_printed(struct shader_source *source)
 {
     static const char first[] = "#version 330 core\n#define VIEW ";
-    if (strncmp(code, first, strlen(first)) != 0 || glsl_find_definition(code, "rayColour") == NULL)
+    if (strncmp(source->text, first, strlen(first)) != 0 ||
+        glsl_find_definition(&source->code, "rayColour") == NULL)
         return false;
-    size_t line = strcspn(code, "\n"), end = line + 1 + strcspn(code + line + 1, "\n");
-    for (size_t i = 0; i < end; i++)
-        if (i != line) // the line ends stay
-            source->text[i] = code[i] = ' ';
+    form_blank(source, 0, (int)(strlen(first) + strcspn(source->text + strlen(first), "\n")));
+    return true;
+}
+
+// A course file gets its #version: one of its own would make it a whole file with a second main.
+static bool check_version(const struct shader_source *source)
+{
+    const struct glsl_token *version = version_of(&source->code);
+    for (int i = 1; i < source->file_count && version != NULL; i++)
+        if (strcmp(source->files[i], "shaders/main.glsl") == 0)
+            return shader_refuse(source, version->line,
+                                 "take #version out: a file that includes main.glsl gets its own");
     return true;
 }
 
 bool form_find(struct shader_source *source, bool version)
 {
-    char *code = code_of(source);
-    if (code == NULL)
+    if (!read_code(source))
         return false;
-    bool printed = version && blank_printed(source, code);
+    const struct glsl *code = &source->code;
+    bool printed = version && blank_printed(source);
     version = version && !printed;
-    bool toy =
-        glsl_find_word(code, "mainImage") != NULL && glsl_find_definition(code, "main") == NULL;
-    bool whole = version || (!printed && has_own_main(source, code));
-    bool blanked = version && blank_version(source, code, !toy);
+    bool toy = glsl_mentions(code, "mainImage") > 0 && glsl_find_definition(code, "main") == NULL;
+    bool whole = version || (!printed && has_own_main(source));
+    bool blanked = version && blank_version(source, !toy);
     source->form = toy ? SHADER_SHADERTOY : whole ? SHADER_WHOLE : SHADER_COURSE;
     source->versioned = version && !blanked;
     if (toy)
-        blank_extensions(source, code);
-    bool done = check_sense(source, code) &&
-                (source->form == SHADER_COURSE || form_check_inputs(source, code));
-    free(code);
-    return done;
+        blank_extensions(source);
+    return form_check_limits(source) && (!version || check_version(source)) &&
+           (source->form == SHADER_COURSE || form_check_inputs(source)) &&
+           (!toy || form_check_image(source)) &&
+           (strcmp(code->text, source->text) == 0 || read_code(source));
 }
 
 // ---- What the driver gets ----
 
-// What stands in the parentheses of mainImage where it is declared, to its end; of the one with two
-// parameters where there are others. NULL where only a macro of the text declares it.
-static const char *parameters_of(const char *code)
+// The first word in the brackets of mainImage where it is declared; of the one with two parameters
+// where there are others. NULL where only a macro of the text declares it in other words.
+//   comma  receives the sign behind the first parameter
+static const struct glsl_token *parameters_of(const struct glsl *code,
+                                              const struct glsl_token **comma)
 {
-    const char *other = NULL;
-    for (const char *c = code; (c = glsl_find_word(c, "mainImage")) != NULL;) {
-        c = glsl_skip_blanks(c + strlen("mainImage"));
-        const char *first = *c == '(' ? glsl_skip_blanks(c + 1) : "";
-        if (!glsl_at_word(first, "out") && !glsl_at_word(first, "inout"))
+    const struct glsl_token *other = NULL;
+    for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++) {
+        const struct glsl_token *first =
+            t->live && glsl_is(code, t, "mainImage") ? form_colour(t) : NULL;
+        if (first == NULL || (!glsl_is(code, first, "out") && !glsl_is(code, first, "inout")))
             continue;
-        const char *comma = first + strcspn(first, ",)");
-        if (*comma == ',' && comma[1 + strcspn(comma + 1, ",)")] == ')')
-            return first;
-        other = other == NULL ? first : other;
+        const struct glsl_token *end[2] = {first, NULL};
+        for (int i = 0; i < 2; i++) {
+            end[i] = i == 0 ? first : end[0] + (end[0]->kind != GLSL_END);
+            while (end[i]->kind != GLSL_END && end[i]->sign != ',' && end[i]->sign != ')')
+                end[i]++;
+        }
+        bool two = end[0]->sign == ',' && end[1]->sign == ')';
+        if (two || other == NULL) {
+            other = first;
+            *comma = end[0];
+        }
+        if (two)
+            break;
     }
     return other;
-}
-
-// How mainImage takes its pixel: the words before the parameter.
-static const char *pixel_way(const char *parameters)
-{
-    const char *c = parameters != NULL ? parameters + strcspn(parameters, ",)") : "";
-    c = glsl_skip_blanks(c + (*c == ','));
-    return glsl_at_word(c, "inout") ? "inout" : glsl_at_word(c, "const") ? "const in" : "in";
 }
 
 static char *toy_prelude(const struct shader_source *source)
@@ -182,22 +169,24 @@ static char *toy_prelude(const struct shader_source *source)
         "    mainImage(colour, pixel);\n"
         "    harnessColour = vec4(clamp(colour.rgb, 0.0, 1.0), 1.0);\n"
         "}\n";
-    char *code = code_of(source), *prelude = code != NULL ? malloc(SIZE) : NULL;
-    if (code != NULL && prelude == NULL)
+    const struct glsl *code = &source->code;
+    char *prelude = malloc(SIZE);
+    if (prelude == NULL) {
         no_memory(source);
-    if (prelude != NULL) {
-        int size = snprintf(prelude, SIZE, "%s", begin);
-        const char *name, *declaration;
-        for (size_t i = 0; (declaration = form_toy_input(i, &name)) != NULL; i++)
-            if (!form_declares(code, name))
-                size +=
-                    snprintf(prelude + size, (size_t)(SIZE - size), "uniform %s;\n", declaration);
-        // An out becomes an inout: form_zero.
-        const char *parameters = parameters_of(code);
-        snprintf(prelude + size, (size_t)(SIZE - size), end, parameters != NULL ? "inout" : "out",
-                 pixel_way(parameters));
+        return NULL;
     }
-    free(code);
+    int size = snprintf(prelude, SIZE, "%s", begin);
+    const char *name, *declaration, *way = "in";
+    for (size_t i = 0; (declaration = form_toy_input(i, &name)) != NULL; i++)
+        if (!form_declares(code, name))
+            size += snprintf(prelude + size, (size_t)(SIZE - size), "uniform %s;\n", declaration);
+    const struct glsl_token *comma = NULL, *parameters = parameters_of(code, &comma);
+    if (parameters != NULL && comma->sign == ',')
+        way = glsl_is(code, comma + 1, "inout")   ? "inout"
+              : glsl_is(code, comma + 1, "const") ? "const in"
+                                                  : "in";
+    // An out becomes an inout: form_zero.
+    snprintf(prelude + size, (size_t)(SIZE - size), end, parameters != NULL ? "inout" : "out", way);
     return prelude;
 }
 
@@ -216,91 +205,36 @@ char *form_prelude(const struct shader_source *source, enum shader_view view)
     return prelude;
 }
 
-// The words that the driver gets in other words.
-static const struct {
-    enum shader_form form;
-    const char *word, *instead;
-} replaced[] = {{SHADER_SHADERTOY, "gl_FragCoord", "harnessFragCoord"},
-                {SHADER_WHOLE, "smooth", ""},
-                {SHADER_WHOLE, "flat", ""},
-                {SHADER_WHOLE, "noperspective", ""},
-                {SHADER_WHOLE, "centroid", ""}};
-
-// Copy a text with every whole word replaced. Returns NULL without memory; frees the text.
-static char *replace_word(char *text, const char *word, const char *instead)
-{
-    size_t count = 0;
-    for (const char *c = text; (c = strstr(c, word)) != NULL; c++)
-        count++;
-    char *body = malloc(strlen(text) + count * strlen(instead) + 1), *to = body;
-    const char *from = text;
-    if (body != NULL) {
-        for (const char *c; (c = glsl_find_word(from, word)) != NULL; from = c + strlen(word))
-            to += sprintf(to, "%.*s%s", (int)(c - from), from, instead);
-        memcpy(to, from, strlen(from) + 1);
-    }
-    free(text);
-    return body;
-}
-
 char *form_body(const struct shader_source *source)
 {
-    char *code = source->form != SHADER_COURSE ? code_of(source) : NULL;
-    char *body = code != NULL                    ? form_zero(source->text, code)
-                 : source->form == SHADER_COURSE ? strdup(source->text)
-                                                 : NULL;
-    free(code);
-    for (size_t i = 0; i < COUNT(replaced) && body != NULL; i++)
-        if (replaced[i].form == source->form && strstr(body, replaced[i].word) != NULL)
-            body = replace_word(body, replaced[i].word, replaced[i].instead);
+    char *body = source->form == SHADER_COURSE ? strdup(source->text) : form_zero(source);
     if (body == NULL)
         no_memory(source);
     return body;
 }
 
-// Blame a text in which the linker finds no main, or another mainImage than is called.
-static bool refuses_main(const struct shader_source *source, const char *code)
+bool form_refuses(const struct shader_source *source, const char *log, bool linking)
 {
-    const char *main = glsl_find_word(code, "main"), *image = glsl_find_word(code, "mainImage");
-    if (source->form == SHADER_SHADERTOY) {
-        const struct shader_line *from = form_line_at(source, code, image);
-        report("%s:%d: mainImage has other parameters than those it is called with: write void "
-               "mainImage(out vec4 fragColor, in vec2 fragCoord)",
-               source->files[from->file], from->line);
-    } else if (main == NULL) {
+    const struct glsl *code = &source->code;
+    bool toy = source->form == SHADER_SHADERTOY;
+    for (int i = 0; toy && toy_refused[i] != NULL; i++) {
+        const struct glsl_token *token =
+            strstr(log, toy_refused[i]) != NULL ? glsl_find(code, toy_refused[i]) : NULL;
+        if (token != NULL)
+            return !form_refuse_name(source, token);
+    }
+    // A file without a main, or one that blames mainImage; the names of drivers' own differ.
+    if (linking && toy && strstr(log, "mainImage") != NULL)
+        return !form_refuse_image(source, glsl_find(code, "mainImage"));
+    bool lacks = linking && !toy && glsl_mentions(code, "main") == 0;
+    if (lacks)
         report("%s: draws no picture, for it has no main: write void main(), or mainImage as "
                "Shadertoy has it, or begin with #include \"main.glsl\" as the chapters do",
                source->files[0]);
-    }
-    return source->form == SHADER_SHADERTOY || main == NULL;
-}
-
-bool form_refuses(const struct shader_source *source, const char *log, bool linking)
-{
-    char *code = code_of(source);
-    bool refused = false;
-    for (size_t i = 0; i < COUNT(toy_refused) && code != NULL && !refused; i++) {
-        const char *place =
-            source->form == SHADER_SHADERTOY && glsl_find_word(log, toy_refused[i]) != NULL
-                ? glsl_find_word(code, toy_refused[i])
-                : NULL;
-        if (place != NULL)
-            form_refuse_name(source, code, place, toy_refused[i]);
-        refused = place != NULL;
-    }
-    // A file without a main, or one that blames mainImage; the names of drivers' own differ.
-    if (!refused && code != NULL && linking &&
-        (source->form != SHADER_SHADERTOY || glsl_find_word(log, "mainImage") != NULL))
-        refused = refuses_main(source, code);
-    free(code);
-    return refused;
+    return lacks;
 }
 
 bool form_accepts(const struct shader_source *source)
 {
-    char *code = source->form != SHADER_COURSE ? code_of(source) : NULL;
-    bool accepted =
-        source->form == SHADER_COURSE || (code != NULL && form_check_linked(source, code));
-    free(code);
-    return accepted;
+    return source->form == SHADER_COURSE || form_check_linked(source);
 }

@@ -7,14 +7,14 @@
 #include "shader/shader.h"
 
 // Tell the form of an expanded text and make it ready.
-//   source   its text, lines and files are there; form and versioned are set here. A #version that
-//            must not reach the driver is blanked: one of GLSL ES, one in Shadertoy's form
+//   source   its text, lines and files are there; code, form and versioned are set here. A #version
+//            that must not reach the driver is blanked: one of GLSL ES, one in Shadertoy's form
 //   version  the text has a #version
 // What the preprocessor leaves out does not count. Shadertoy's form mentions mainImage and defines
 // no main; a whole file has a #version otherwise, or defines main and includes nothing; everything
 // else is the course's form, also what --print-shader wrote of one. Returns false, reported with
-// file and line: nothing but comments, an array of more than 65536 elements, what form_check_inputs
-// refuses.
+// file and line: a #version above what includes main.glsl; what form_check_limits,
+// form_check_inputs or form_check_image refuse.
 bool form_find(struct shader_source *source, bool version);
 
 // What stands before the text for the driver, its lines ended.

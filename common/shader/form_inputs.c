@@ -4,10 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "shader/glsl.h"
 #include "report.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
+
+enum { NAME_LIMIT = 64 }; // letters of a name that is judged
 
 struct input {
     const char *type, *name, *declaration;
@@ -30,10 +31,18 @@ static const struct input whole_inputs[] = {INPUT(vec2, FragCoord),  INPUT(float
                                             INPUT(float, OrthoView), INPUT(float, CustomToggle),
                                             INPUT(float, CustomInt)};
 
-// What the course's library reads is set in every form.
-static const char *const course_inputs[] = {"iCameraPosition", "iCameraRight", "iCameraUp",
-                                            "iCameraForward",  "focalLength",  "iPixelOffset",
-                                            "iPixelJitter",    "iOrthoView"};
+// What the course's library reads is set in every form; the two others of the report stay 0.
+static const char *const set_inputs[] = {"iCameraPosition",
+                                         "iCameraRight",
+                                         "iCameraUp",
+                                         "iCameraForward",
+                                         "focalLength",
+                                         "iPixelOffset",
+                                         "iPixelJitter",
+                                         "iOrthoView",
+                                         "CustomToggle",
+                                         "CustomInt",
+                                         NULL};
 
 const char *form_toy_input(size_t number, const char **name)
 {
@@ -43,383 +52,368 @@ const char *form_toy_input(size_t number, const char **name)
     return toy_inputs[number].declaration;
 }
 
-bool form_declares(const char *code, const char *name)
+bool form_declares(const struct glsl *code, const char *word)
 {
-    const char *word = glsl_find_word(code, "uniform");
-    while (word != NULL) {
-        const char *end = word + strcspn(word, ";");
-        while (word < end && !glsl_at_word(word, name)) {
-            size_t length = glsl_word_length(word);
-            word += length > 0 ? length : 1;
-        }
-        if (word < end)
+    const struct glsl_name *name = glsl_name(code, word);
+    bool uniform = false;
+    for (const struct glsl_token *t = code->item; t->kind != GLSL_END && name != NULL; t++) {
+        uniform = t->live && t->sign != ';' && (uniform || glsl_is(code, t, "uniform"));
+        if (uniform && t->kind == GLSL_WORD && &code->name[t->name] == name)
             return true;
-        word = glsl_find_word(word, "uniform");
     }
     return false;
 }
 
-const struct shader_line *form_line_at(const struct shader_source *source, const char *code,
-                                       const char *place)
+bool form_refuse_name(const struct shader_source *source, const struct glsl_token *token)
 {
-    int line = 0;
-    for (const char *c = code; c < place; c++)
-        line += *c == '\n';
-    return &source->lines[line < source->line_count ? line : source->line_count - 1];
+    return shader_refuse(source, token->line,
+                         "%.*s is not offered: a shader gets no textures, buffers or sounds here: "
+                         "compute the values in the shader",
+                         GLSL_TEXT(&source->code, token));
 }
 
-void form_refuse_name(const struct shader_source *source, const char *code, const char *place,
-                      const char *name)
+void form_blank(struct shader_source *source, int begin, int end)
 {
-    const struct shader_line *from = form_line_at(source, code, place);
-    report("%s:%d: %s is not offered: a shader gets no textures, buffers or sounds here: compute "
-           "the values in the shader",
-           source->files[from->file], from->line, name);
+    for (char *c = source->text + begin; c < source->text + end; c++)
+        if (*c != '\n')
+            *c = ' ';
+}
+
+static const struct glsl_token *skip_comments(const struct glsl_token *t)
+{
+    while (t->kind >= GLSL_COMMENT)
+        t++;
+    return t;
+}
+
+const struct glsl_token *form_colour(const struct glsl_token *image)
+{
+    const struct glsl_token *bracket = skip_comments(image + 1);
+    return bracket->sign == '(' ? skip_comments(bracket + 1) : NULL;
 }
 
 // ---- The declarations outside of functions ----
 
-enum kind { NONE, IN, OUT, UNIFORM };
-static const char *const kind_names[] = {"", "in", "out", "uniform"};
+enum kind { NONE, IN, OUT, UNIFORM, BLOCK };
+static const char *const kind_names[] = {"", "in", "out", "uniform", "block"};
 
-// One name that a text declares.
-struct declared {
-    enum kind kind;
-    char type[64], name[64];
-    const char *begin, *end; // in the code: from the first qualifier to behind the kind
-    const char *layout;      // its word in the code, or NULL
-    const char *after;       // behind the name
-};
-
-// A walk over the names that a text declares.
+// A walk over the names that the statements declare.
 struct walk {
-    const char *c;
-    int depth;   // of braces and parentheses
-    bool begins; // a statement, or only qualifiers stand before c
-    struct declared at;
+    const struct glsl *code;
+    const struct glsl_token *next; // what comes behind the name, or begins a statement
+    enum kind kind;
+    const struct glsl_token *begin;  // the first qualifier
+    const struct glsl_token *layout; // among the qualifiers; NULL for none
+    const struct glsl_token *type, *name;
 };
 
-static enum kind kind_at(const char *c)
+// Pass over a value and the sizes of an array, to the comma or the end of the declaration.
+static const struct glsl_token *skip_value(const struct glsl *code, const struct glsl_token *t)
 {
-    if (glsl_at_word(c, "varying"))
-        return IN;
-    for (enum kind kind = IN; kind <= UNIFORM; kind++)
-        if (glsl_at_word(c, kind_names[kind]))
-            return kind;
-    return NONE;
+    while (t->kind != GLSL_END && (t->sign == '\0' || strchr(",;)}", t->sign) == NULL))
+        t = glsl_next(code, t);
+    return t;
 }
 
-static bool is_qualifier(const char *c)
+static enum kind kind_of(const struct glsl *code, const struct glsl_token *t)
 {
-    static const char *const words[] = {"flat", "smooth", "noperspective", "centroid", "layout"};
-    for (size_t i = 0; i < COUNT(words); i++)
-        if (glsl_at_word(c, words[i]))
-            return true;
-    return false;
+    return glsl_is(code, t, "in") || glsl_is(code, t, "varying")       ? IN
+           : glsl_is(code, t, "out")                                   ? OUT
+           : glsl_is(code, t, "uniform") || glsl_is(code, t, "buffer") ? UNIFORM
+                                                                       : NONE;
 }
 
-// Read a word of less than 64 letters. Returns what follows it; NULL where there is none.
-static const char *read_word(const char *c, char word[64])
+// Read the beginning of a statement. Returns false when it declares nothing of the kinds.
+static bool read_first(struct walk *walk)
 {
-    c = glsl_skip_blanks(c);
-    size_t length = glsl_word_length(c);
-    if (length == 0 || length >= 64)
-        return NULL;
-    snprintf(word, 64, "%.*s", (int)length, c);
-    return c + length;
-}
-
-// Type and first name of the declaration whose kind ends at c.
-static bool read_first(struct declared *at, const char *c)
-{
-    at->end = c;
-    do
-        c = read_word(c, at->type);
-    while (c != NULL && glsl_at_precision(at->type));
-    at->after = c != NULL ? read_word(c, at->name) : NULL;
-    return at->after != NULL;
+    static const char *const qualifiers[] = {"flat", "smooth", "noperspective", "centroid", NULL};
+    const struct glsl *code = walk->code;
+    const struct glsl_token *t = walk->next;
+    walk->begin = t;
+    walk->layout = NULL;
+    for (;; t++)
+        if (glsl_is(code, t, "layout") && t[1].sign == '(') {
+            walk->layout = t;
+            t = glsl_partner(code, t + 1);
+        } else if (!glsl_is_any(code, t, qualifiers)) {
+            break;
+        }
+    enum kind kind = kind_of(code, t);
+    if (kind == NONE)
+        return false;
+    for (t++; glsl_is_precision(code, t);)
+        t++;
+    if (t->kind != GLSL_WORD || t->length >= NAME_LIMIT)
+        return false;
+    walk->type = t++;
+    if (kind == UNIFORM && t->sign == '{')
+        kind = BLOCK;
+    walk->name = kind == BLOCK ? walk->type : t->sign == '[' ? glsl_next(code, t) : t;
+    if (walk->name->kind != GLSL_WORD || walk->name->length >= NAME_LIMIT)
+        return false;
+    walk->kind = kind;
+    walk->next = walk->name + 1;
+    return true;
 }
 
 // Another name of the same declaration.
-static bool read_next(struct declared *at)
+static bool read_next(struct walk *walk)
 {
-    const char *c = at->after != NULL ? glsl_skip_blanks(at->after) : "";
-    const char *after = *c == ',' ? read_word(c + 1, at->name) : NULL;
-    at->after = after != NULL ? after : at->after;
-    return after != NULL;
+    const struct glsl_token *t = skip_value(walk->code, walk->next);
+    if (walk->kind == NONE || walk->kind == BLOCK || t->sign != ',' || t[1].kind != GLSL_WORD ||
+        t[1].length >= NAME_LIMIT)
+        return false;
+    walk->name = t + 1;
+    walk->next = t + 2;
+    return true;
 }
 
 // Go to the next name that is declared; false at the end.
 static bool next_declared(struct walk *walk)
 {
-    struct declared *at = &walk->at;
-    if (at->kind != NONE && read_next(at))
+    const struct glsl *code = walk->code;
+    if (walk->next == NULL)
+        walk->next = code->statement;
+    else if (read_next(walk))
         return true;
-    at->kind = NONE;
-    while (*walk->c != '\0') {
-        const char *c = walk->c;
-        size_t length = glsl_word_length(c);
-        bool fresh = walk->depth == 0 && walk->begins;
-        enum kind kind = length > 0 && fresh ? kind_at(c) : NONE;
-        bool qualifier = length > 0 && fresh && is_qualifier(c);
-        if (length > 0 && fresh && (qualifier || kind != NONE) && at->begin == NULL)
-            at->begin = c;
-        if (qualifier && glsl_at_word(c, "layout")) {
-            at->layout = c;
-            length = strcspn(c, ")") + (strchr(c, ')') != NULL);
-        }
-        walk->c += length > 0 ? length : 1;
-        walk->begins = (walk->begins && (qualifier || length == 0)) ||
-                       (walk->depth == 0 && *c == ';') || (walk->depth == 1 && *c == '}');
-        walk->depth += (*c == '{' || *c == '(') - (*c == '}' || *c == ')');
-        if (kind != NONE && read_first(at, walk->c)) {
-            at->kind = kind;
+    walk->kind = NONE;
+    while (walk->next->kind != GLSL_END) {
+        if (walk->next->depth == 0 && read_first(walk))
             return true;
-        }
-        if (!walk->begins || *c == ';' || *c == '}')
-            at->begin = at->layout = NULL;
+        const struct glsl_token *t = walk->next;
+        while (t->kind != GLSL_END && (t->sign == '\0' || strchr(";{}", t->sign) == NULL))
+            t = glsl_next(code, t);
+        walk->next = glsl_next(code, t);
     }
     return false;
 }
 
-// A copy of the code without directives, to walk over; the caller frees it. NULL, reported.
-static char *statements_of(const struct shader_source *source, const char *code)
-{
-    char *statements = strdup(code);
-    if (statements == NULL)
-        report("%s: not enough memory", source->files[0]);
-    else
-        glsl_blank_directives(statements);
-    return statements;
-}
-
 // ---- Judgement ----
 
-static const struct input *find_input(const struct declared *at)
+static const struct input *find_input(const struct walk *at)
 {
     const struct input *inputs = at->kind == UNIFORM ? toy_inputs : whole_inputs;
     size_t count = at->kind == UNIFORM ? COUNT(toy_inputs) : COUNT(whole_inputs);
     for (size_t i = 0; i < count; i++)
-        if (strcmp(at->name, inputs[i].name) == 0)
+        if (glsl_is(at->code, at->name, inputs[i].name))
             return &inputs[i];
     return NULL;
 }
 
-static bool is_read(const struct declared *at)
+static bool is_read(const struct walk *at)
 {
-    return glsl_find_word(at->after, at->name) != NULL;
+    return at->code->name[at->name->name].last > at->name - at->code->statement;
 }
 
-// As is_read(), also in a macro, which may stand before.
-//   code, statements  the same places, with directives and without
-static bool is_mentioned(const char *code, const char *statements, const struct declared *at)
+// As is_read(), also in a macro.
+static bool is_mentioned(const struct glsl *code, const struct glsl_token *name)
 {
-    const char *declared = code + (at->after - statements) - strlen(at->name);
-    return glsl_find_word(code, at->name) < declared ||
-           glsl_find_word(declared + 1, at->name) != NULL;
+    return code->name[name->name].count > 1;
 }
 
-// Where a name is declared, for a message: the file, and in line the number.
-static const char *where(const struct shader_source *source, const char *code,
-                         const struct declared *at, int *line)
+// The word location in a layout; NULL where there is none.
+static const struct glsl_token *location_in(const struct walk *at)
 {
-    const struct shader_line *from = form_line_at(source, code, at->after);
-    *line = from->line;
-    return source->files[from->file];
-}
-
-static void blank_text(struct shader_source *source, const char *code, const char *from,
-                       const char *to)
-{
-    for (char *c = source->text + (from - code); c < source->text + (to - code); c++)
-        if (*c != '\n')
-            *c = ' ';
+    const struct glsl_token *end =
+        at->layout != NULL ? glsl_partner(at->code, at->layout + 1) : NULL;
+    for (const struct glsl_token *t = at->layout; end != NULL && t < end; t++)
+        if (glsl_is(at->code, t, "location"))
+            return t;
+    return NULL;
 }
 
 // Blank a layout that gives a location, where drivers look for the same in the vertex shader.
-static void blank_location(struct shader_source *source, const char *code,
-                           const struct declared *at)
+static void blank_location(struct shader_source *source, const struct walk *at)
 {
-    const char *end = at->layout != NULL ? strchr(at->layout, ')') : NULL;
-    const char *location = end != NULL ? glsl_find_word(at->layout, "location") : NULL;
-    if (location != NULL && location < end)
-        blank_text(source, code, at->layout, end + 1);
+    if (location_in(at) != NULL)
+        form_blank(source, at->layout->begin, glsl_partner(at->code, at->layout + 1)->begin + 1);
 }
 
 // CustomToggle and CustomInt as whole numbers: a uniform that nobody sets is 0, as they are. There
 // is room for the word where "flat in" stands.
-static bool make_uniform(struct shader_source *source, const char *code, const struct declared *at)
+static bool make_uniform(struct shader_source *source, const struct walk *at)
 {
-    static const char word[] = "uniform";
-    bool custom = strcmp(at->name, "CustomToggle") == 0 || strcmp(at->name, "CustomInt") == 0;
-    char *text = source->text + (at->begin - code);
-    if (!custom || (strcmp(at->type, "int") != 0 && strcmp(at->type, "uint") != 0) ||
-        at->end - at->begin < (int)strlen(word) || memchr(text, '\n', strlen(word)) != NULL)
+    static const char word[] = "uniform", *const names[] = {"CustomToggle", "CustomInt", NULL},
+                      *const types[] = {"int", "uint", NULL};
+    char *text = source->text + at->begin->begin;
+    if (!glsl_is_any(at->code, at->name, names) || !glsl_is_any(at->code, at->type, types) ||
+        at->type->begin - at->begin->begin <= (int)strlen(word) ||
+        memchr(text, '\n', strlen(word)) != NULL)
         return false;
-    blank_text(source, code, at->begin, at->end);
+    form_blank(source, at->begin->begin, at->type->begin);
     memcpy(text, word, sizeof word - 1);
     return true;
 }
 
 // Judge an input or a uniform: its type, and for the report's whether there is such a one.
-static bool check_input(struct shader_source *source, const char *code, const struct declared *at)
+static bool check_input(struct shader_source *source, const struct walk *at)
 {
+    const struct glsl *code = at->code;
     const struct input *input = find_input(at);
-    const char *kind = kind_names[at->kind], *type = at->type, *name = at->name;
-    int line;
+    const char *kind = kind_names[at->kind];
     if (at->kind == IN)
-        blank_location(source, code, at);
-    if (input != NULL && strcmp(type, input->type) != 0) {
-        if (make_uniform(source, code, at))
-            return true;
-        const char *file = where(source, code, at, &line);
-        report("%s:%d: %s %s %s: %s is a %s here: write %s %s %s;", file, line, kind, type, name,
-               name, input->type, kind, input->type, name);
-        return false;
-    }
-    if (at->kind == UNIFORM &&
-        (strstr(type, "sampler") != NULL || strncmp(name, "iChannel", strlen("iChannel")) == 0) &&
-        is_read(at)) {
-        form_refuse_name(source, code, at->after, name);
-        return false;
-    }
-    if (input != NULL || at->kind == UNIFORM || strncmp(name, "gl_", 3) == 0 || !is_read(at))
+        blank_location(source, at);
+    if (at->kind == BLOCK || at->type->macro || at->name->macro)
         return true;
-    const char *file = where(source, code, at, &line);
-    report("%s:%d: in %s %s: there is no such input: there are FragCoord, Time, Ex, Ey, Ez, "
-           "CamPos, fovValue, FacteurLargeur, OrthoView, CustomToggle and CustomInt",
-           file, line, type, name);
-    return false;
+    if (input != NULL && !glsl_is(code, at->type, input->type))
+        return make_uniform(source, at) ||
+               shader_refuse(source, at->name->line, "%s %.*s %s: %s is a %s here: write %s %s %s;",
+                             kind, GLSL_TEXT(code, at->type), input->name, input->name, input->type,
+                             kind, input->type, input->name);
+    const char *type = code->text + at->type->begin, *name = code->text + at->name->begin;
+    char sampler[NAME_LIMIT];
+    snprintf(sampler, sizeof sampler, "%.*s", at->type->length, type);
+    if (at->kind == UNIFORM && is_read(at) &&
+        (strstr(sampler, "sampler") != NULL || strncmp(name, "iChannel", strlen("iChannel")) == 0))
+        return form_refuse_name(source, at->name);
+    return input != NULL || at->kind == UNIFORM || strncmp(name, "gl_", 3) == 0 || !is_read(at) ||
+           shader_refuse(source, at->name->line,
+                         "in %.*s %.*s: there is no such input: there are FragCoord, Time, Ex, Ey, "
+                         "Ez, CamPos, fovValue, FacteurLargeur, OrthoView, CustomToggle and "
+                         "CustomInt",
+                         GLSL_TEXT(code, at->type), GLSL_TEXT(code, at->name));
 }
 
 // What a whole file writes.
 struct outputs {
     int count;
-    struct declared shown;  // the one at location 0, or the first one
-    struct declared second; // the first of the others
-    bool placed;            // one is at location 0
+    struct walk shown;  // the one at location 0, or the first one
+    struct walk second; // the first of the others
+    bool placed;        // one is at location 0
 };
 
-// Where an #if stands around it, only the driver knows whether it is one.
-static void add_output(struct outputs *outputs, const struct declared *at, const char *code,
-                       const char *statements)
+static bool is_at_zero(const struct walk *at)
 {
-    bool counts = outputs->count < 2 || at->layout != NULL; // from the third on only a location
-    if (!counts || !glsl_is_certain(code, (size_t)(at->after - statements)))
+    const struct glsl_token *location = location_in(at);
+    return location != NULL && location[1].sign == '=' && glsl_is(at->code, location + 2, "0");
+}
+
+// Where an #if stands around it, only the driver knows whether it is one.
+static void add_output(struct outputs *outputs, const struct walk *at)
+{
+    if (at->kind != OUT || !at->name->certain)
         return;
-    const char *location = at->layout != NULL ? glsl_find_word(at->layout, "location") : NULL;
-    int number = -1;
-    if (location != NULL && location < at->begin + strcspn(at->begin, ";"))
-        sscanf(location, "location = %d", &number);
-    bool first = number == 0 || outputs->count == 0;
+    bool zero = is_at_zero(at);
+    bool first = zero || outputs->count == 0;
     if (outputs->count++ > 0 && (first || outputs->count == 2))
         outputs->second = first ? outputs->shown : *at;
     if (first)
         outputs->shown = *at;
-    outputs->placed |= number == 0;
+    outputs->placed |= zero;
 }
 
-static bool check_outputs(struct shader_source *source, const char *code,
-                          const struct outputs *outputs)
+static struct outputs find_outputs(const struct glsl *code)
 {
-    const struct declared *shown = &outputs->shown;
-    int line;
-    if (outputs->count == 0)
-        return true;
-    const char *file = where(source, code, shown, &line);
-    if (outputs->count > 1 && !outputs->placed) {
-        file = where(source, code, &outputs->second, &line);
-        report("%s:%d: out %s %s: a second output: write layout(location = 0) before the one that "
-               "is the picture",
-               file, line, outputs->second.type, outputs->second.name);
-        return false;
-    }
-    if (strcmp(shown->type, "vec4") != 0 && strcmp(shown->type, "vec3") != 0) {
-        report("%s:%d: out %s %s: a picture is made of colours: write out vec4 %s;", file, line,
-               shown->type, shown->name, shown->name);
-        return false;
-    }
-    if (outputs->count == 1)
-        blank_location(source, code, shown);
+    struct walk walk = {.code = code};
+    struct outputs outputs = {0};
+    while (next_declared(&walk))
+        add_output(&outputs, &walk);
+    return outputs;
+}
+
+const struct glsl_token *form_output(const struct glsl *code)
+{
+    struct walk walk = {.code = code};
+    const struct glsl_token *output = NULL;
+    while (next_declared(&walk))
+        if (walk.kind == OUT && (output == NULL || is_at_zero(&walk)))
+            output = walk.name;
+    return output;
+}
+
+static bool check_outputs(struct shader_source *source)
+{
+    static const char *const colours[] = {"vec4", "vec3", NULL};
+    const struct glsl *code = &source->code;
+    struct outputs outputs = find_outputs(code);
+    const struct walk *shown = &outputs.shown, *second = &outputs.second;
+    if (outputs.count > 1 && !outputs.placed)
+        return shader_refuse(source, second->name->line,
+                             "out %.*s %.*s: a second output: write layout(location = 0) before "
+                             "the one that is the picture",
+                             GLSL_TEXT(code, second->type), GLSL_TEXT(code, second->name));
+    if (outputs.count > 0 && !shown->type->macro && !glsl_is_any(code, shown->type, colours))
+        return shader_refuse(source, shown->name->line,
+                             "out %.*s %.*s: a picture is made of colours: write out vec4 %.*s;",
+                             GLSL_TEXT(code, shown->type), GLSL_TEXT(code, shown->name),
+                             GLSL_TEXT(code, shown->name));
+    if (outputs.count == 1)
+        blank_location(source, shown);
     return true;
 }
 
-bool form_check_inputs(struct shader_source *source, const char *code)
+bool form_check_inputs(struct shader_source *source)
 {
-    char *statements = statements_of(source, code);
-    struct walk walk = {.c = statements, .begins = true};
-    struct outputs outputs = {0};
-    bool done = statements != NULL;
-    while (done && next_declared(&walk)) {
-        if (walk.at.kind == OUT)
-            add_output(&outputs, &walk.at, code, statements);
-        else
-            done = check_input(source, statements, &walk.at);
-    }
-    if (done && source->form == SHADER_WHOLE)
-        done = check_outputs(source, statements, &outputs);
-    free(statements);
-    return done;
+    struct walk walk = {.code = &source->code};
+    while (next_declared(&walk))
+        if (walk.kind != OUT && !check_input(source, &walk))
+            return false;
+    return source->form != SHADER_WHOLE || check_outputs(source);
 }
 
 // ---- What a driver takes and an author does not expect ----
 
-// True when the code may write a colour that it does not declare in plain words.
-static bool writes_otherwise(const char *code)
+// True when the code may write a colour, also one that it does not declare in plain words.
+static bool writes(const struct glsl *code)
 {
-    int depth = 0;
-    for (const char *c = code; *c != '\0'; c += glsl_word_length(c) > 0 ? glsl_word_length(c) : 1) {
-        depth += (*c == '(') - (*c == ')');
-        if (depth == 0 && glsl_at_word(c, "out"))
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END;) {
+        if (glsl_is(code, t, "out"))
             return true;
+        t = t->sign == '(' ? glsl_next(code, t) : t + 1;
     }
-    return glsl_find_word(code, "gl_FragColor") != NULL ||
-           glsl_find_word(code, "gl_FragData") != NULL;
+    for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++)
+        if (t->directive && t->live && glsl_is(code, t, "out"))
+            return true;
+    return glsl_mentions(code, "gl_FragColor") > 0 || glsl_mentions(code, "gl_FragData") > 0;
 }
 
-static bool is_set(const struct declared *at)
+// True when something of a block is mentioned outside of it: what it holds, or its name where it
+// has one.
+static bool block_is_read(const struct walk *at)
 {
-    bool set = *glsl_skip_blanks(at->after) == '=' || find_input(at) != NULL ||
-               strcmp(at->name, "CustomToggle") == 0 || strcmp(at->name, "CustomInt") == 0;
-    for (size_t i = 0; i < COUNT(course_inputs); i++)
-        set = set || strcmp(at->name, course_inputs[i]) == 0;
-    return set;
+    const struct glsl_token *t = at->next, *end = glsl_partner(at->code, t);
+    if (end[1].kind == GLSL_WORD)
+        return is_mentioned(at->code, end + 1);
+    for (; t < end; t++)
+        if (t->kind == GLSL_WORD && t[1].kind != GLSL_WORD && is_mentioned(at->code, t))
+            return true;
+    return false;
 }
 
-static void warn_of_uniform(const struct shader_source *source, const char *statements,
-                            const struct declared *at)
+static void warn_of_uniform(const struct shader_source *source, const struct walk *at)
 {
-    int line;
-    const char *file = where(source, statements, at, &line);
-    report("%s:%d: warning: uniform %s %s is 0, for nothing sets it here: give it a value where it "
-           "is declared; the time is iTime, the size iResolution",
-           file, line, at->type, at->name);
+    const struct glsl *code = at->code;
+    if (at->kind == BLOCK && block_is_read(at))
+        shader_refuse(source, at->name->line,
+                      "warning: what the block %.*s holds is 0, for nothing sets it here: declare "
+                      "variables with a value instead",
+                      GLSL_TEXT(code, at->name));
+    if (at->kind == UNIFORM && at->next->sign != '=' && find_input(at) == NULL &&
+        !glsl_is_any(code, at->name, set_inputs) && is_mentioned(code, at->name))
+        shader_refuse(source, at->name->line,
+                      "warning: uniform %.*s %.*s is 0, for nothing sets it here: give it a value "
+                      "where it is declared; the time is iTime, the size iResolution",
+                      GLSL_TEXT(code, at->type), GLSL_TEXT(code, at->name));
 }
 
-bool form_check_linked(const struct shader_source *source, const char *code)
+bool form_check_linked(const struct shader_source *source)
 {
-    char *statements = statements_of(source, code);
-    struct walk walk = {.c = statements, .begins = true};
-    bool done = statements != NULL, writes = writes_otherwise(code);
-    struct outputs outputs = {0};
-    while (done && next_declared(&walk)) {
-        const struct declared *at = &walk.at;
-        if (at->kind == UNIFORM && !is_set(at) && is_mentioned(code, statements, at))
-            warn_of_uniform(source, statements, at);
-        else if (at->kind == OUT && source->form == SHADER_WHOLE)
-            add_output(&outputs, at, code, statements);
-    }
-    const struct declared *shown = &outputs.shown;
-    if (outputs.count > 0 && !is_mentioned(code, statements, shown)) {
-        int line;
-        const char *file = where(source, statements, shown, &line);
-        report("%s:%d: out %s %s: never gets a value: write %s = vec4(...); in main", file, line,
-               shown->type, shown->name, shown->name);
-        done = false;
-    }
-    if (done && !writes && source->form == SHADER_WHOLE)
-        report("%s: writes no colour: declare out vec4 FragColor; and give it a value in main",
-               source->files[0]);
-    free(statements);
-    return done && (writes || source->form != SHADER_WHOLE);
+    const struct glsl *code = &source->code;
+    struct walk walk = {.code = code};
+    while (next_declared(&walk))
+        warn_of_uniform(source, &walk);
+    if (source->form != SHADER_WHOLE)
+        return true;
+    struct outputs outputs = find_outputs(code);
+    const struct walk *shown = &outputs.shown;
+    if (outputs.count > 0 && !is_mentioned(code, shown->name))
+        return shader_refuse(source, shown->name->line,
+                             "out %.*s %.*s: never gets a value: write %.*s = vec4(...); in main",
+                             GLSL_TEXT(code, shown->type), GLSL_TEXT(code, shown->name),
+                             GLSL_TEXT(code, shown->name));
+    if (writes(code))
+        return true;
+    report("%s: writes no colour: declare out vec4 FragColor; and give it a value in main",
+           source->files[0]);
+    return false;
 }

@@ -1,241 +1,309 @@
 #include "shader/form_zero.h"
 
-#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "shader/glsl.h"
+#include "shader/form_inputs.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
-// What is put in, and where.
-struct insertion {
-    size_t at;
-    size_t number; // of those at one place, in this order
-    char text[80];
+enum { VALUE_SIZE = 4096 }; // letters of a value that is put in, its end included
+
+// What is put in, and where; what stands there may be left out.
+struct edit {
+    int begin, length; // of what is left out
+    int number;        // of those at one place, in this order
+    char *text;
 };
 
-struct insertions {
-    const char *code, *statements; // the same places, with directives and without
-    struct insertion *item;
-    size_t count, capacity;
+struct edits {
+    const struct glsl *code;
+    struct edit *item;
+    int count;
+    char *
+        *zero; // of a name: the value of the structure that it names, "" for none, NULL for no name
+    bool arrays; // can have a value
     size_t size; // letters of all texts
     bool failed; // for want of memory
 };
 
-static void insert(struct insertions *all, size_t at, const char *before, const char *word,
-                   int length, const char *after)
+static void edit(struct edits *all, int begin, int length, const char *text)
 {
-    if (all->count == all->capacity) {
-        size_t capacity = 2 * all->capacity + 64;
-        struct insertion *grown = realloc(all->item, capacity * sizeof *grown);
-        all->failed |= grown == NULL;
-        if (grown == NULL)
-            return;
-        all->item = grown;
-        all->capacity = capacity;
+    struct edit *item = glsl_grown(all->item, all->count, sizeof *item);
+    char *copy = strdup(text);
+    all->item = item != NULL ? item : all->item;
+    if (item == NULL || copy == NULL) {
+        all->failed = true;
+        free(copy);
+        return;
     }
-    struct insertion *item = &all->item[all->count++];
-    item->at = at;
-    item->number = all->count;
-    snprintf(item->text, sizeof item->text, "%s%.*s%s", before, length, word, after);
-    all->size += strlen(item->text);
+    item[all->count] = (struct edit){begin, length, all->count, copy};
+    all->count++;
+    all->size += strlen(text);
 }
 
-static int word_length(const char *c)
-{
-    return (int)glsl_word_length(c);
-}
-
-static bool is_one_of(const char *c, int length, const char *const words[], size_t count)
-{
-    for (size_t i = 0; i < count; i++)
-        if ((int)strlen(words[i]) == length && strncmp(c, words[i], (size_t)length) == 0)
-            return true;
-    return false;
-}
+// ---- Zeros ----
 
 // A type that can be made of one number.
-static bool is_type(const char *c, int length)
+static bool is_type(const struct glsl *code, const struct glsl_token *t)
 {
     static const char *const words[] = {
         "float", "int",   "uint",  "bool",  "vec2",  "vec3",  "vec4", "ivec2", "ivec3", "ivec4",
-        "uvec2", "uvec3", "uvec4", "bvec2", "bvec3", "bvec4", "mat2", "mat3",  "mat4"};
-    return is_one_of(c, length, words, COUNT(words));
+        "uvec2", "uvec3", "uvec4", "bvec2", "bvec3", "bvec4", "mat2", "mat3",  "mat4",  NULL};
+    return glsl_is_any(code, t, words);
 }
 
-// Words that begin a declaration which stays as it is, to its semicolon.
-static bool is_other(const char *c, int length)
+static bool is_word(const struct glsl_token *t)
 {
-    static const char *const words[] = {"struct",        "uniform",  "in",       "out",  "varying",
-                                        "attribute",     "layout",   "const",    "flat", "smooth",
-                                        "noperspective", "centroid", "precision"};
-    return is_one_of(c, length, words, COUNT(words));
+    return t->kind == GLSL_WORD && !t->macro;
 }
 
-// The end of an expression or a declaration: its semicolon, or a comma outside of brackets.
-static const char *skip_to_end(const char *c, bool commas)
+// The value of a structure; NULL for another word, "" where none can be written.
+static const char *zero_of_name(const struct edits *all, const struct glsl_token *type)
 {
-    int depth = 0;
-    for (; *c != '\0'; c++) {
-        if (depth <= 0 && (*c == ';' || (*c == ',' && commas)))
-            return c;
-        depth += (strchr("([{", *c) != NULL) - (strchr(")]}", *c) != NULL);
-        if (depth < 0)
-            return c;
+    return type->kind == GLSL_WORD ? all->zero[type->name] : NULL;
+}
+
+// The number between brackets, 1 to 255; 0 for what is none.
+static int size_of(const struct glsl *code, const struct glsl_token *bracket)
+{
+    bool plain = bracket[1].kind == GLSL_NUMBER && bracket[2].sign == ']' && bracket[1].length < 4;
+    int size = plain ? atoi(code->text + bracket[1].begin) : 0;
+    return size < 256 && (size == 0 || code->text[bracket[1].begin] != '0') ? size : 0;
+}
+
+// Write the zero of a type, "float(0)" or the structure's; of an array
+// "float[2](float(0),float(0))".
+//   size  the bracket behind the name, or what else stands there
+static bool zero_of(const struct edits *all, const struct glsl_token *type,
+                    const struct glsl_token *size, char text[VALUE_SIZE])
+{
+    const struct glsl *code = all->code;
+    char one[VALUE_SIZE];
+    if (is_type(code, type))
+        snprintf(one, sizeof one, "%.*s(0)", GLSL_TEXT(code, type));
+    else
+        snprintf(one, sizeof one, "%s",
+                 is_word(type) && zero_of_name(all, type) != NULL ? zero_of_name(all, type) : "");
+    strcpy(text, one);
+    if (one[0] == '\0' || size->sign != '[')
+        return one[0] != '\0';
+    int count = size_of(code, size), used = 0;
+    if (!all->arrays || count == 0 || size[3].sign == '[' ||
+        count * ((int)strlen(one) + 1) + type->length > VALUE_SIZE / 2)
+        return false;
+    used = snprintf(text, VALUE_SIZE, "%.*s[%d](", GLSL_TEXT(code, type), count);
+    for (int i = 0; i < count; i++)
+        used += snprintf(text + used, (size_t)(VALUE_SIZE - used), "%s%c", one,
+                         i + 1 < count ? ',' : ')');
+    return true;
+}
+
+// The names of a type, from t on. Returns where the declaration ends; what is none is left alone,
+// and a name behind which an #if may put more.
+static const struct glsl_token *zero_names(struct edits *all, const struct glsl_token *type,
+                                           const struct glsl_token *t)
+{
+    const struct glsl *code = all->code;
+    while (is_word(t)) {
+        const struct glsl_token *size = t + 1, *after = size;
+        char text[VALUE_SIZE + 1] = "=";
+        while (after->sign == '[')
+            after = glsl_next(code, after);
+        bool ends = (after->sign == ',' || after->sign == ';') && !after->parted && !size->parted;
+        if (ends && zero_of(all, type, size, text + 1))
+            edit(all, after[-1].begin + after[-1].length, 0, text);
+        bool value = after->sign == '=';
+        while (value && after->kind != GLSL_END &&
+               (after->sign == '\0' || strchr(",;)}", after->sign) == NULL))
+            after = glsl_next(code, after);
+        if (after->sign != ',')
+            return after;
+        t = after + 1;
     }
-    return c;
+    return t;
 }
 
-// The names behind a type. Returns where the declaration ends; what is none is left alone, and a
-// name behind which an #if may put more.
-static const char *zero_names(struct insertions *all, const char *type, int length)
+// Learn the value of a structure, from its name on: types, names and sizes, or it has none.
+static void learn(struct edits *all, const struct glsl_token *name)
 {
-    const char *c = glsl_skip_blanks(type + length);
-    while (word_length(c) > 0) {
-        const char *after = c + word_length(c);
-        c = glsl_skip_blanks(after);
-        size_t at = (size_t)(after - all->statements);
-        bool alone = memchr(all->code + at, '#', (size_t)(c - after)) == NULL;
-        if ((*c == ',' || *c == ';') && alone)
-            insert(all, at, "=", type, length, "(0)");
-        else if (*c == '=' || *c == '[')
-            c = skip_to_end(c, true);
-        if (*c != ',')
-            return c;
-        c = glsl_skip_blanks(c + 1);
+    const struct glsl *code = all->code;
+    const struct glsl_token *end = glsl_partner(code, name + 1), *type = NULL;
+    char zero[2 * VALUE_SIZE], part[VALUE_SIZE];
+    int used = snprintf(zero, VALUE_SIZE, "%.*s", GLSL_TEXT(code, name));
+    bool done = name->certain && used < VALUE_SIZE / 2 && zero_of_name(all, name) == NULL;
+    for (const struct glsl_token *t = name + 2, *after; done && t < end; t = after + 1) {
+        while (type == NULL && glsl_is_precision(code, t))
+            t++;
+        type = type != NULL ? type : t++;
+        after = t[1].sign == '[' ? glsl_next(code, t + 1) : t + 1;
+        done = is_word(t) && !t->parted && !after->parted && zero_of(all, type, t + 1, part) &&
+               used + (int)strlen(part) < VALUE_SIZE - 2 &&
+               (after->sign == ',' || after->sign == ';');
+        if (done)
+            used += sprintf(zero + used, "%c%s", strchr(zero, '(') == NULL ? '(' : ',', part);
+        type = after->sign == ',' ? type : NULL;
     }
-    return c;
+    strcpy(zero + used, ")");
+    free(all->zero[name->name]);
+    all->zero[name->name] = strdup(done && used > name->length ? zero : "");
+    all->failed |= all->zero[name->name] == NULL;
 }
 
-// True where two words stand before a brace: a structure, the first word a macro for struct.
-static bool is_structure(const char *code, const char *brace)
+// True for braces that hold declarations of members: behind "struct S" in other words too, as
+// macros have it, or, outside of functions, before a semicolon or a name and one.
+static bool holds_members(const struct glsl *code, const struct glsl_token *t)
 {
-    const char *c = brace;
-    for (int words = 0; words < 2 && *brace == '{'; words++) {
-        while (c > code && strchr(" \t\n\v\f", c[-1]) != NULL)
-            c--;
-        if (c == code || !glsl_is_word(c[-1]))
-            return false;
-        while (c > code && glsl_is_word(c[-1]))
-            c--;
-    }
-    return *brace == '{';
+    const struct glsl_token *end = t->sign == '{' ? glsl_partner(code, t) + 1 : t;
+    if (t->sign != '{')
+        return false;
+    if (t[-1].kind == GLSL_WORD && t[-2].kind == GLSL_WORD)
+        return true;
+    end += end->kind == GLSL_WORD;
+    return t->depth == 0 && end->sign != '\0' && strchr(";,[=", end->sign) != NULL;
 }
 
 // Look at the beginning of each statement.
-static void zero_variables(struct insertions *all)
+static void zero_variables(struct edits *all)
 {
+    // What begins a declaration that stays as it is, to its semicolon.
+    static const char *const others[] = {
+        "struct",    "uniform", "in",     "out",    "varying",       "attribute",
+        "layout",    "const",   "flat",   "smooth", "noperspective", "centroid",
+        "precision", "buffer",  "shared", NULL};
+    const struct glsl *code = all->code;
     bool begins = true;
-    for (const char *c = all->statements; *c != '\0';) {
-        int length = word_length(c);
-        if (is_structure(all->statements, c)) {
-            c = skip_to_end(c, false);
-        } else if (length == 0) {
-            begins = (begins && strchr(" \t\n\v\f", *c) != NULL) || strchr(";{}", *c) != NULL;
-            c++;
-        } else if (strncmp(c, "for", 3) == 0 && length == 3 && *glsl_skip_blanks(c + 3) == '(') {
-            c = glsl_skip_blanks(c + 3) + 1;
-            begins = true;
-        } else if (begins && is_other(c, length)) {
-            c = skip_to_end(c, false);
-        } else if (begins && is_type(c, length)) {
-            c = zero_names(all, c, length);
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END && !all->failed;) {
+        bool loop = glsl_is(code, t, "for") && t[1].sign == '(';
+        if (begins && glsl_is(code, t, "struct") && is_word(t + 1) && t[2].sign == '{') {
+            learn(all, t + 1);
+            t = zero_names(all, t + 1, glsl_next(code, t + 2));
+        } else if (holds_members(code, t)) {
+            t = glsl_next(code, t);
+        } else if (begins && glsl_is_any(code, t, others)) {
+            while (t->kind != GLSL_END && t->sign != ';' && t->sign != ')' && t->sign != '}')
+                t = glsl_next(code, t);
+        } else if (begins && (is_type(code, t) || zero_of_name(all, t) != NULL)) {
+            t = zero_names(all, t, t + 1);
             begins = false;
         } else {
-            begins = begins && glsl_at_precision(c);
-            c += length;
+            begins = loop || (t->sign != '\0' && strchr(";{}", t->sign) != NULL) ||
+                     (begins && glsl_is_precision(code, t));
+            t += 1 + loop;
         }
     }
 }
 
-// "mainImage(out": the colour is an inout.
-static void open_colour(struct insertions *all)
-{
-    for (const char *c = all->code; (c = glsl_find_word(c, "mainImage")) != NULL;) {
-        c = glsl_skip_blanks(c + strlen("mainImage"));
-        const char *word = *c == '(' ? glsl_skip_blanks(c + 1) : "";
-        if (word_length(word) == 3 && strncmp(word, "out", 3) == 0)
-            insert(all, (size_t)(word - all->code), "in", "", 0, "");
-    }
-}
+// ---- Outputs, and words ----
 
-// The place behind the brace with which main begins, or NULL where the word stands elsewhere too: a
-// macro, a second main.
-static const char *only_main(const char *code)
+// The brace with which main begins, or NULL where the word stands elsewhere too: a macro, a second
+// main.
+static const struct glsl_token *only_main(const struct glsl *code)
 {
-    const char *main = glsl_find_definition(code, "main");
-    if (main == NULL || glsl_find_word(code, "main") != main ||
-        glsl_find_word(main + strlen("main"), "main") != NULL)
-        return NULL;
-    return strchr(main, '{') + 1;
+    const struct glsl_token *main = glsl_find_definition(code, "main");
+    return main != NULL && glsl_mentions(code, "main") == 1 ? glsl_next(code, main + 1) : NULL;
 }
 
 // The outputs of a whole file begin at 0 too: where main begins, for they cannot have a value
 // before. One that is declared behind it, or perhaps left out, stays as it is.
-static void zero_outputs(struct insertions *all)
+static void zero_outputs(struct edits *all)
 {
-    const char *main = only_main(all->code);
-    const char *end = main != NULL ? all->statements + (main - all->code) : all->statements;
-    int depth = 0;
-    for (const char *c = all->statements; c < end;) {
-        int length = word_length(c);
-        depth += (*c == '(') - (*c == ')');
-        if (depth == 0 && length == 3 && strncmp(c, "out", 3) == 0 &&
-            glsl_is_certain(all->code, (size_t)(c - all->statements))) {
-            const char *type = glsl_skip_blanks(c + 3);
-            while (glsl_at_precision(type))
-                type = glsl_skip_blanks(type + word_length(type));
-            const char *name = glsl_skip_blanks(type + word_length(type));
-            const char *after = glsl_skip_blanks(name + word_length(name));
-            size_t at = (size_t)(end - all->statements);
-            bool fits = word_length(name) < 64;
-            if (fits && is_type(type, word_length(type)) && (*after == ';' || *after == ',')) {
-                insert(all, at, "", name, word_length(name), "=");
-                insert(all, at, "", type, word_length(type), "(0);");
-            }
+    const struct glsl *code = all->code;
+    const struct glsl_token *main = only_main(code);
+    for (const struct glsl_token *t = code->statement; main != NULL && t < main; t++) {
+        if (t->depth > 0 || !t->certain || !glsl_is(code, t, "out"))
+            continue;
+        do
+            t++;
+        while (glsl_is_precision(code, t));
+        char text[VALUE_SIZE];
+        if (is_type(code, t) && is_word(t + 1) && t[1].length < VALUE_SIZE / 2 &&
+            (t[2].sign == ';' || t[2].sign == ',')) {
+            snprintf(text, sizeof text, "%.*s=%.*s(0);", GLSL_TEXT(code, t + 1),
+                     GLSL_TEXT(code, t));
+            edit(all, main->begin + 1, 0, text);
         }
-        c += length > 0 ? length : 1;
+    }
+}
+
+// The words that the driver gets in other words.
+static const struct {
+    enum shader_form form;
+    const char *word, *instead;
+} replaced[] = {{SHADER_SHADERTOY, "gl_FragCoord", "harnessFragCoord"},
+                {SHADER_WHOLE, "smooth", ""},
+                {SHADER_WHOLE, "flat", ""},
+                {SHADER_WHOLE, "noperspective", ""},
+                {SHADER_WHOLE, "centroid", ""}};
+
+static void replace_words(struct edits *all, enum shader_form form)
+{
+    const struct glsl *code = all->code;
+    for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++) {
+        if (t->kind != GLSL_WORD)
+            continue;
+        for (size_t i = 0; i < COUNT(replaced); i++)
+            if (replaced[i].form == form && glsl_is(code, t, replaced[i].word))
+                edit(all, t->begin, t->length, replaced[i].instead);
+        const struct glsl_token *word = t;
+        if (t->live && glsl_is(code, t, "mainImage") && (word = form_colour(t)) != NULL &&
+            glsl_is(code, word, "out"))
+            edit(all, word->begin, 0, "in");
     }
 }
 
 static int by_place(const void *a, const void *b)
 {
-    const struct insertion *first = a, *second = b;
-    if (first->at == second->at)
-        return (first->number > second->number) - (first->number < second->number);
-    return first->at > second->at ? 1 : -1;
+    const struct edit *first = a, *second = b;
+    int places = (first->begin > second->begin) - (first->begin < second->begin);
+    return places != 0 ? places : first->number - second->number;
 }
 
-static char *apply(const struct insertions *all, const char *text)
+static char *apply(const struct edits *all)
 {
+    const char *text = all->code->text;
     char *result = malloc(strlen(text) + all->size + 1), *to = result;
-    size_t from = 0;
-    for (size_t i = 0; i < all->count && result != NULL; i++) {
-        const struct insertion *item = &all->item[i];
-        to += sprintf(to, "%.*s%s", (int)(item->at - from), text + from, item->text);
-        from = item->at;
+    int from = 0;
+    for (int i = 0; i < all->count && result != NULL; i++) {
+        const struct edit *item = &all->item[i];
+        to += sprintf(to, "%.*s%s", item->begin - from, text + from, item->text);
+        from = item->begin + item->length;
     }
     if (result != NULL)
         strcpy(to, text + from);
     return result;
 }
 
-char *form_zero(const char *text, const char *code)
+// GLSL 1.10 has no values of arrays.
+static bool has_array_values(const struct shader_source *source)
 {
-    char *statements = strdup(code), *result = NULL;
-    struct insertions all = {.code = code, .statements = statements};
-    if (statements != NULL) {
-        glsl_blank_directives(statements);
+    const struct glsl_token *t = source->code.item;
+    while (t->kind >= GLSL_COMMENT)
+        t++;
+    return !source->versioned || t->kind != GLSL_HASH || !glsl_is(&source->code, t + 2, "110");
+}
+
+char *form_zero(const struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    struct edits all = {.code = code,
+                        .arrays = has_array_values(source),
+                        .zero = calloc((size_t)code->name_count + 1, sizeof *all.zero)};
+    char *result = NULL;
+    if (all.zero != NULL) {
         zero_variables(&all);
-        open_colour(&all);
         zero_outputs(&all);
+        replace_words(&all, source->form);
         if (all.count > 0)
-            qsort(all.item, all.count, sizeof *all.item, by_place);
-        result = all.failed ? NULL : apply(&all, text);
+            qsort(all.item, (size_t)all.count, sizeof *all.item, by_place);
+        result = all.failed ? NULL : apply(&all);
     }
-    free(statements);
+    for (int i = 0; i < code->name_count && all.zero != NULL; i++)
+        free(all.zero[i]);
+    for (int i = 0; i < all.count; i++)
+        free(all.item[i].text);
+    free(all.zero);
     free(all.item);
     return result;
 }

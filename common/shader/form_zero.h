@@ -2,17 +2,22 @@
 #ifndef FORM_ZERO_H
 #define FORM_ZERO_H
 
-// Copy a text and let every variable that is declared without a value begin at 0, as a browser has
-// it: "float d, t = 1.0;" becomes "float d=float(0), t = 1.0;". Arrays and structures stay as they
-// are, and so does what an #if divides. An output gets its 0 where main begins, before its
-// branches; not one that is declared behind main or inside an #if, nor where a macro or another
-// function has the name main too. The colour of mainImage, an out, becomes an inout, which begins
-// with what is handed to it. What GLSL defines stays as it was: only what it leaves undefined
-// becomes 0.
-//   text  with comments
-//   code  the same without comments, and without what the preprocessor leaves out
+#include "shader/shader.h"
+
+// The source's text in which every variable that is declared without a value begins at 0, as a
+// browser has it: "float d, t = 1.0;" becomes "float d=float(0), t = 1.0;". Arrays and structures
+// get their 0 too, where their parts can be counted and are at most a hundred or so. What an #if
+// divides stays as it is, and what a macro may say: its type, its name, its size. An output gets
+// its 0 where main begins, before its branches; not one that is declared behind main or inside an
+// #if, nor where a macro or another function has the name main too. The colour of mainImage, an
+// out, becomes an inout, which begins with what is handed to it. What GLSL defines stays as it was:
+// only what it leaves undefined becomes 0.
+//
+// And some words in other words: in Shadertoy's form gl_FragCoord, which the renderer moves; in a
+// whole file smooth, flat, noperspective and centroid, which drivers want to find in the vertex
+// shader too.
 // Lines keep their numbers. Returns memory that the caller frees, or NULL without memory, not
 // reported.
-char *form_zero(const char *text, const char *code);
+char *form_zero(const struct shader_source *source);
 
 #endif

@@ -1,267 +1,477 @@
 #include "shader/glsl.h"
 
+#include <stdlib.h>
 #include <string.h>
 
-// The end of the line comment that begins at c: its newline, or the end of the text.
-static char *line_comment_end(char *c)
-{
-    for (; *c != '\0'; c++) {
-        if (*c == '\n')
-            return c;
-        if (c[0] == '\\' && c[1] == '\n')
-            c++;
-    }
-    return c;
-}
-
-static void blank(char *begin, const char *end)
-{
-    for (char *c = begin; c < end; c++)
-        if (*c != '\n')
-            *c = ' ';
-}
-
-char *glsl_blank_comments(char *text, bool keep_line_comments)
-{
-    char *open = NULL;
-    for (char *c = text; *c != '\0';) {
-        char *end = c + 1;
-        if (c[0] == '/' && c[1] == '/') {
-            end = line_comment_end(c);
-            if (!keep_line_comments)
-                blank(c, end);
-        } else if (c[0] == '/' && c[1] == '*') {
-            char *close = strstr(c + 2, "*/");
-            open = close == NULL ? c : NULL;
-            end = close == NULL ? c + strlen(c) : close + 2;
-            blank(c, end);
-        }
-        c = end;
-    }
-    return open;
-}
+enum { ENDS = 4 }; // tokens of the kind GLSL_END behind a row
 
 bool glsl_is_word(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
 }
 
-// As glsl_find_word, looking from a place inside the code.
-static const char *find_word_from(const char *code, const char *from, const char *word)
+void *glsl_grown(void *row, int count, size_t size)
 {
-    size_t length = strlen(word);
-    for (const char *c = strstr(from, word); c != NULL; c = strstr(c + 1, word))
-        if ((c == code || !glsl_is_word(c[-1])) && !glsl_is_word(c[length]))
-            return c;
-    return NULL;
+    return (count & (count - 1)) != 0 ? row : realloc(row, (2 * (size_t)count + 1) * size);
 }
 
-const char *glsl_find_word(const char *code, const char *word)
+// ---- Tokens ----
+
+// The length of the line comment that begins at c.
+static int line_comment(const char *c)
 {
-    return find_word_from(code, code, word);
+    int length = 2;
+    while (c[length] != '\0' && c[length] != '\n')
+        length += c[length] == '\\' && c[length + 1] == '\n' ? 2 : 1;
+    return length;
 }
 
-const char *glsl_skip_blanks(const char *c)
+static int block_comment(struct glsl *code, const char *c)
 {
-    return c + strspn(c, " \t\n\v\f");
+    const char *close = strstr(c + 2, "*/");
+    if (close == NULL)
+        code->open = (int)(c - code->text);
+    return close == NULL ? (int)strlen(c) : (int)(close + 2 - c);
 }
 
-size_t glsl_word_length(const char *c)
+static bool is_digit(char c)
 {
-    size_t length = 0;
-    while (glsl_is_word(c[length]))
+    return c >= '0' && c <= '9';
+}
+
+static int number(const char *c)
+{
+    bool hexadecimal = c[0] == '0' && (c[1] == 'x' || c[1] == 'X');
+    int length = 1;
+    while (glsl_is_word(c[length]) || c[length] == '.' ||
+           (!hexadecimal && (c[length] == '+' || c[length] == '-') &&
+            (c[length - 1] == 'e' || c[length - 1] == 'E')))
         length++;
     return length;
 }
 
-bool glsl_at_word(const char *c, const char *word)
+static struct glsl_token token_at(struct glsl *code, const char *c, bool begins_line)
 {
-    size_t length = strlen(word);
-    return strncmp(c, word, length) == 0 && !glsl_is_word(c[length]);
+    struct glsl_token token = {.kind = GLSL_SIGN, .begin = (int)(c - code->text), .length = 1};
+    if (c[0] == '/' && c[1] == '/') {
+        token.kind = GLSL_COMMENT;
+        token.length = line_comment(c);
+    } else if (c[0] == '/' && c[1] == '*') {
+        token.kind = GLSL_COMMENTED;
+        token.length = block_comment(code, c);
+    } else if (is_digit(*c) || (*c == '.' && is_digit(c[1]))) {
+        token.kind = GLSL_NUMBER;
+        token.length = number(c);
+    } else if (glsl_is_word(*c)) {
+        token.kind = GLSL_WORD;
+        while (glsl_is_word(c[token.length]))
+            token.length++;
+    } else if (*c == '#' && begins_line) {
+        token.kind = GLSL_HASH;
+    } else {
+        token.sign = *c;
+    }
+    return token;
 }
 
-bool glsl_at_precision(const char *c)
+static bool read_tokens(struct glsl *code)
 {
-    return glsl_at_word(c, "lowp") || glsl_at_word(c, "mediump") || glsl_at_word(c, "highp");
+    int line = 0;
+    bool begins = true, directive = false;
+    for (const char *c = code->text; *c != '\0';) {
+        if (strchr(" \t\v\f\n", *c) != NULL || (c[0] == '\\' && c[1] == '\n')) {
+            begins |= *c == '\n';
+            directive &= *c != '\n';
+            line += *c == '\n' || *c == '\\';
+            c += *c == '\\' ? 2 : 1;
+            continue;
+        }
+        struct glsl_token *item = glsl_grown(code->item, code->count, sizeof *item);
+        if (item == NULL)
+            return false;
+        code->item = item;
+        item += code->count++;
+        *item = token_at(code, c, begins);
+        directive |= item->kind == GLSL_HASH;
+        begins &= item->kind >= GLSL_COMMENT;
+        item->directive = directive;
+        item->line = line;
+        for (const char *end = c + item->length; c < end; c++)
+            line += *c == '\n';
+    }
+    return true;
+}
+
+// ---- Names ----
+
+// Where a word stands in the table of names, or would.
+static int *slot_of(const struct glsl *code, const char *word, int length)
+{
+    unsigned hash = 2166136261u;
+    for (int i = 0; i < length; i++)
+        hash = (hash ^ (unsigned char)word[i]) * 16777619u;
+    unsigned at = hash & (unsigned)(code->table_size - 1);
+    for (; code->table[at] >= 0; at = (at + 1) & (unsigned)(code->table_size - 1)) {
+        const struct glsl_name *name = &code->name[code->table[at]];
+        if (name->length == length && memcmp(code->text + name->begin, word, (size_t)length) == 0)
+            break;
+    }
+    return &code->table[at];
+}
+
+static bool read_names(struct glsl *code)
+{
+    int words = 0;
+    for (int i = 0; i < code->count; i++)
+        words += code->item[i].kind == GLSL_WORD;
+    for (code->table_size = 2; code->table_size < 2 * words;)
+        code->table_size *= 2;
+    code->table = malloc((size_t)code->table_size * sizeof *code->table);
+    if (code->table == NULL)
+        return false;
+    memset(code->table, 0xFF, (size_t)code->table_size * sizeof *code->table); // -1 each
+    for (int i = 0; i < code->count; i++) {
+        struct glsl_token *token = &code->item[i];
+        if (token->kind != GLSL_WORD)
+            continue;
+        int *slot = slot_of(code, code->text + token->begin, token->length);
+        if (*slot < 0) {
+            struct glsl_name *name = glsl_grown(code->name, code->name_count, sizeof *name);
+            if (name == NULL)
+                return false;
+            code->name = name;
+            *slot = code->name_count++;
+            name[*slot] =
+                (struct glsl_name){token->begin, token->length, 0, -1, -1, -1, GLSL_NEVER};
+        }
+        token->name = *slot;
+    }
+    return true;
+}
+
+struct glsl_name *glsl_name(const struct glsl *code, const char *word)
+{
+    int at = *slot_of(code, word, (int)strlen(word));
+    return at >= 0 ? &code->name[at] : NULL;
+}
+
+int glsl_mentions(const struct glsl *code, const char *word)
+{
+    const struct glsl_name *name = glsl_name(code, word);
+    return name != NULL ? name->count : 0;
 }
 
 // ---- What the preprocessor leaves out ----
 
-// What is known of a condition before the driver has seen it.
-enum truth { NEVER, ALWAYS, PERHAPS };
+// One #if under way.
+struct conditional {
+    enum glsl_truth branch; // the part at hand is taken
+    enum glsl_truth others; // and what is left for the parts to come
+    bool live, certain;     // what stands around it
+    int depth, begin;       // of brackets where the #if stands, and where the part at hand begins
+};
 
-// Skip a word and the blanks behind it; NULL when c begins otherwise.
-static const char *after_word(const char *c, const char *word)
+// A walk over the text that tells what counts.
+struct walk {
+    struct glsl *code;
+    struct conditional *open; // the #ifs around the place
+    int count;
+    int *bracket; // the open brackets among the statements
+    int depth;
+    bool live, certain, parted;
+};
+
+static enum glsl_truth negate(enum glsl_truth truth)
 {
-    if (c == NULL || !glsl_at_word(c, word))
-        return NULL;
-    c += strlen(word);
-    return c + strspn(c, " \t\v\f");
+    return truth == GLSL_PERHAPS ? GLSL_PERHAPS : truth == GLSL_ALWAYS ? GLSL_NEVER : GLSL_ALWAYS;
 }
 
-// The directive that a line holds, or NULL.
-static const char *directive_of(const char *line)
+static enum glsl_truth is_defined(const struct glsl *code, const struct glsl_token *token)
 {
-    line += strspn(line, " \t\v\f");
-    return *line == '#' ? line + 1 + strspn(line + 1, " \t\v\f") : NULL;
+    const char *word = code->text + token->begin;
+    if (token->kind != GLSL_WORD || !token->directive || glsl_is(code, token, "VIEW") ||
+        glsl_is(code, token, "HW_PERFORMANCE"))
+        return GLSL_PERHAPS;
+    if (glsl_is(code, token, "GL_ES"))
+        return GLSL_NEVER;
+    bool drivers = strncmp(word, "GL_", 3) == 0 || strncmp(word, "__", 2) == 0;
+    return drivers ? GLSL_PERHAPS : code->name[token->name].defined;
 }
 
-// Whether the name at c is defined there.
-static enum truth is_defined(const char *code, const char *c)
+// What stands behind #if: 0, 1, defined NAME or !defined(NAME), and nothing more; else
+// GLSL_PERHAPS.
+static enum glsl_truth truth_of(const struct glsl *code, const struct glsl_token *c)
 {
-    char name[64];
-    size_t length = glsl_word_length(c);
-    if (length == 0 || length >= sizeof name)
-        return PERHAPS;
-    memcpy(name, c, length);
-    name[length] = '\0';
-    if (strcmp(name, "GL_ES") == 0)
-        return NEVER;
-    if (strncmp(name, "GL_", 3) == 0 || strncmp(name, "__", 2) == 0 || strcmp(name, "VIEW") == 0 ||
-        strcmp(name, "HW_PERFORMANCE") == 0)
-        return PERHAPS;
-    enum truth truth = NEVER;
-    for (const char *found = glsl_find_word(code, name); found != NULL && found < c;
-         found = find_word_from(code, found + 1, name)) {
-        const char *line = found;
-        while (line > code && line[-1] != '\n')
-            line--;
-        const char *directive = directive_of(line);
-        if (after_word(directive, "define") == found)
-            truth = truth == NEVER ? ALWAYS : truth;
-        else if (after_word(directive, "undef") == found)
-            truth = PERHAPS;
+    const struct glsl_token *hash = c - 2;
+    bool no = c->sign == '!';
+    enum glsl_truth truth = GLSL_PERHAPS;
+    c += no;
+    if (glsl_is(code, c, "defined")) {
+        bool bracket = c[1].sign == '(';
+        truth = is_defined(code, c + 1 + bracket);
+        c += 2 + 2 * bracket;
+    } else if (!no && (glsl_is(code, c, "0") || glsl_is(code, c, "1"))) {
+        truth = code->text[c->begin] == '0' ? GLSL_NEVER : GLSL_ALWAYS;
+        c++;
     }
-    return truth;
-}
-
-static enum truth negate(enum truth truth)
-{
-    return truth == PERHAPS ? PERHAPS : truth == ALWAYS ? NEVER : ALWAYS;
-}
-
-// What stands behind #if: 0, 1, defined NAME or !defined(NAME), and nothing more; else PERHAPS.
-static enum truth truth_of(const char *code, const char *c)
-{
-    bool no = *c == '!';
-    const char *name = after_word(c + no, "defined");
-    const char *end = name != NULL ? name + (*name == '(') : c;
-    enum truth truth = name != NULL ? is_defined(code, end) : *c == '0' ? NEVER : ALWAYS;
-    bool number = name == NULL && (*c == '0' || *c == '1');
-    while (glsl_is_word(*end))
-        end++;
-    end += strspn(end, ") \t\v\f");
-    if ((name == NULL && !number) || *end != '\n')
-        return PERHAPS;
-    return no ? negate(truth) : truth;
+    while (c->kind >= GLSL_COMMENT && c->directive)
+        c++;
+    bool ends = c->kind == GLSL_END || c->kind == GLSL_HASH || !c->directive;
+    return !ends || c <= hash + 2 ? GLSL_PERHAPS : no ? negate(truth) : truth;
 }
 
 // The condition of #if, #ifdef or #ifndef; false for another directive.
-static bool find_condition(const char *code, const char *directive, enum truth *truth)
+static bool find_condition(const struct glsl *code, const struct glsl_token *word,
+                           enum glsl_truth *truth)
 {
-    const char *rest;
-    if ((rest = after_word(directive, "ifdef")) != NULL)
-        *truth = is_defined(code, rest);
-    else if ((rest = after_word(directive, "ifndef")) != NULL)
-        *truth = negate(is_defined(code, rest));
-    else if ((rest = after_word(directive, "if")) != NULL)
-        *truth = truth_of(code, rest);
-    return rest != NULL;
+    if (glsl_is(code, word, "ifdef"))
+        *truth = is_defined(code, word + 1);
+    else if (glsl_is(code, word, "ifndef"))
+        *truth = negate(is_defined(code, word + 1));
+    else if (glsl_is(code, word, "if"))
+        *truth = truth_of(code, word + 1);
+    else
+        return false;
+    return true;
 }
 
-// One #if under way.
-struct conditional {
-    bool live;         // what stands around it is not left out
-    enum truth branch; // the part at hand is taken
-    enum truth others; // and what is left for the parts to come
-};
-
-void glsl_blank_inactive(char *code)
+// The next part of the last #if. A part that is left out moves no brackets; of parts that may all
+// be taken each begins where the #if does.
+static void begin_part(struct walk *walk, enum glsl_truth branch, enum glsl_truth others)
 {
-    enum { DEPTH = 64 };
-    struct conditional open[DEPTH] = {{true, ALWAYS, NEVER}}, *at = open;
-    for (char *line = code; *line != '\0';) {
-        size_t length = strcspn(line, "\n");
-        const char *directive = directive_of(line);
-        bool now = at->live && at->branch != NEVER, inside = at > open;
-        enum truth truth;
-        if (find_condition(code, directive, &truth)) {
-            if (++at == open + DEPTH)
-                return;
-            *at = (struct conditional){now, truth, negate(truth)};
-        } else if (inside && after_word(directive, "else") != NULL) {
-            at->branch = at->others;
-        } else if (inside && after_word(directive, "elif") != NULL) {
-            at->branch = at->others = at->others == NEVER ? NEVER : PERHAPS;
-        } else if (inside && after_word(directive, "endif") != NULL) {
-            at--;
-        } else if (!now) {
-            blank(line, line + length);
+    struct conditional *last = &walk->open[walk->count - 1];
+    bool live = last->live && branch != GLSL_NEVER;
+    walk->depth = !walk->live ? last->begin : live ? last->depth : walk->depth;
+    last->branch = branch;
+    last->others = others;
+    last->begin = walk->depth;
+    walk->live = live;
+    walk->certain = live && last->certain && branch == GLSL_ALWAYS;
+}
+
+static bool begin_if(struct walk *walk, enum glsl_truth truth)
+{
+    struct conditional *open = glsl_grown(walk->open, walk->count, sizeof *open);
+    if (open == NULL)
+        return false;
+    walk->open = open;
+    open[walk->count++] = (struct conditional){
+        .live = walk->live, .certain = walk->certain, .depth = walk->depth, .begin = walk->depth};
+    begin_part(walk, truth, negate(truth));
+    return true;
+}
+
+static void define(struct walk *walk, const struct glsl_token *hash)
+{
+    struct glsl_name *name = &walk->code->name[hash[2].name];
+    bool defines = glsl_is(walk->code, hash + 1, "define");
+    if (defines && name->definition < 0)
+        name->definition = (int)(hash - walk->code->item);
+    if (!defines || name->defined == GLSL_NEVER)
+        name->defined = defines && walk->certain ? GLSL_ALWAYS : GLSL_PERHAPS;
+}
+
+// Obey a directive. Returns false without memory.
+static bool obey(struct walk *walk, const struct glsl_token *hash)
+{
+    const struct glsl *code = walk->code;
+    const struct glsl_token *word = hash + 1;
+    struct conditional *last = walk->count > 0 ? &walk->open[walk->count - 1] : NULL;
+    enum glsl_truth truth;
+    if (word->kind != GLSL_WORD || !word->directive)
+        return true;
+    if (find_condition(code, word, &truth))
+        return begin_if(walk, truth);
+    if (last != NULL && glsl_is(code, word, "else")) {
+        begin_part(walk, last->others, GLSL_NEVER);
+    } else if (last != NULL && glsl_is(code, word, "elif")) {
+        truth = last->others == GLSL_NEVER ? GLSL_NEVER : GLSL_PERHAPS;
+        begin_part(walk, truth, truth);
+    } else if (last != NULL && glsl_is(code, word, "endif")) {
+        walk->depth = walk->live ? walk->depth : last->begin;
+        walk->live = last->live;
+        walk->certain = last->certain;
+        walk->count--;
+    } else if (walk->live && word[1].kind == GLSL_WORD && word[1].directive &&
+               (glsl_is(code, word, "define") || glsl_is(code, word, "undef"))) {
+        define(walk, hash);
+    }
+    return true;
+}
+
+// Count a bracket, whose depth is that of what stands around it. One without a partner has itself.
+//   at  its place among the statements
+static void count_bracket(struct walk *walk, struct glsl_token *token, int at)
+{
+    struct glsl_token *statement = walk->code->statement;
+    bool opens = strchr("([{", token->sign) != NULL, closes = strchr(")]}", token->sign) != NULL;
+    bool stray = closes && walk->depth == 0;
+    token->depth = walk->depth -= closes && !stray;
+    token->partner = at;
+    if (token->live && opens)
+        walk->bracket[walk->depth] = at;
+    if (token->live && closes && !stray) {
+        token->partner = walk->bracket[walk->depth];
+        statement[token->partner].partner = at;
+    }
+    walk->depth += opens;
+}
+
+// Say of each token whether it counts, and put those of the statements into a row of their own.
+static bool judge(struct walk *walk)
+{
+    struct glsl *code = walk->code;
+    for (int i = 0; i < code->count; i++) {
+        struct glsl_token *token = &code->item[i];
+        int at = code->statement_count;
+        if (token->kind == GLSL_HASH && !obey(walk, token))
+            return false;
+        token->live = walk->live;
+        token->certain = walk->certain;
+        token->depth = walk->depth;
+        walk->parted |= token->directive;
+        if (token->kind == GLSL_WORD)
+            code->name[token->name].count += token->live;
+        if (token->directive || token->kind >= GLSL_COMMENT)
+            continue;
+        if (token->sign != '\0') // all signs: a strchr of '\0' finds the end
+            count_bracket(walk, token, at);
+        if (!token->live)
+            continue;
+        token->parted = walk->parted;
+        walk->parted = false;
+        code->statement[code->statement_count++] = *token;
+    }
+    return true;
+}
+
+// What only the whole text tells.
+static void finish(struct glsl *code)
+{
+    for (int i = 0; i < code->statement_count; i++) {
+        struct glsl_token *token = &code->statement[i];
+        if (token->kind == GLSL_WORD) {
+            struct glsl_name *name = &code->name[token->name];
+            token->macro = name->definition >= 0;
+            name->first = name->first < 0 ? i : name->first;
+            name->last = i;
+        } else if (token->sign != '\0' && strchr("([{", token->sign) != NULL &&
+                   token->partner == i) {
+            token->partner = code->statement_count;
         }
-        line += length + (line[length] == '\n');
     }
 }
 
-bool glsl_is_certain(const char *code, size_t at)
+// Add the ends to the rows.
+static bool make_rows(struct glsl *code)
 {
-    int open = 0;
-    for (const char *line = code; line < code + at; line += strcspn(line, "\n") + 1) {
-        const char *directive = directive_of(line);
-        bool opens = directive != NULL && strncmp(directive, "if", 2) == 0;
-        open += opens - (after_word(directive, "endif") != NULL);
-    }
-    return open <= 0;
+    size_t size = (size_t)code->count + ENDS + 1;
+    struct glsl_token *item = realloc(code->item, size * sizeof *item);
+    code->item = item != NULL ? item : code->item;
+    code->statement = calloc(size, sizeof *code->statement);
+    if (item == NULL || code->statement == NULL)
+        return false;
+    memset(item + code->count, 0, ENDS * sizeof *item);
+    code->statement++; // the end before the first one
+    return true;
 }
 
-void glsl_blank_directives(char *code)
+bool glsl_read(struct glsl *code, const char *text)
 {
-    bool joined = false;
-    for (char *line = code; *line != '\0';) {
-        size_t length = strcspn(line, "\n");
-        bool directive = joined || line[strspn(line, " \t\v\f")] == '#';
-        joined = directive && length > 0 && line[length - 1] == '\\';
-        if (directive)
-            blank(line, line + length);
-        line += length + (line[length] == '\n');
-    }
+    *code = (struct glsl){.text = strdup(text), .open = -1};
+    if (code->text == NULL || !read_tokens(code) || !read_names(code) || !make_rows(code))
+        return false;
+    struct walk walk = {.code = code, .live = true, .certain = true};
+    walk.bracket = calloc((size_t)code->count + 1, sizeof *walk.bracket);
+    bool done = walk.bracket != NULL && judge(&walk);
+    free(walk.bracket);
+    free(walk.open);
+    if (done)
+        finish(code);
+    return done;
+}
+
+void glsl_free(struct glsl *code)
+{
+    free(code->text);
+    free(code->item);
+    free(code->statement != NULL ? code->statement - 1 : NULL);
+    free(code->name);
+    free(code->table);
+    *code = (struct glsl){0};
 }
 
 // ---- Words and functions ----
 
-const char *glsl_find_definition(const char *code, const char *name)
+bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char *word)
 {
-    for (const char *c = glsl_find_word(code, name); c != NULL;
-         c = find_word_from(code, c + 1, name)) {
-        const char *next = glsl_skip_blanks(c + strlen(name));
-        const char *close = *next == '(' ? strchr(next, ')') : NULL;
-        if (close != NULL && *glsl_skip_blanks(close + 1) == '{')
-            return c;
+    return !token->macro && strlen(word) == (size_t)token->length &&
+           memcmp(code->text + token->begin, word, (size_t)token->length) == 0;
+}
+
+bool glsl_is_any(const struct glsl *code, const struct glsl_token *token, const char *const words[])
+{
+    while (*words != NULL && !glsl_is(code, token, *words))
+        words++;
+    return *words != NULL;
+}
+
+bool glsl_is_precision(const struct glsl *code, const struct glsl_token *token)
+{
+    static const char *const words[] = {"lowp", "mediump", "highp", NULL};
+    return glsl_is_any(code, token, words);
+}
+
+const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl_token *bracket)
+{
+    return &code->statement[bracket->partner];
+}
+
+const struct glsl_token *glsl_next(const struct glsl *code, const struct glsl_token *token)
+{
+    if (token->sign != '\0' && strchr("([{", token->sign) != NULL)
+        token = glsl_partner(code, token);
+    return token->kind == GLSL_END ? token : token + 1;
+}
+
+const struct glsl_token *glsl_find(const struct glsl *code, const char *word)
+{
+    const struct glsl_name *name = glsl_name(code, word);
+    for (int i = 0; i < code->count && name != NULL && name->count > 0; i++) {
+        const struct glsl_token *token = &code->item[i];
+        if (token->kind == GLSL_WORD && token->live && &code->name[token->name] == name)
+            return token;
     }
     return NULL;
 }
 
-// A type before the name makes it a declaration; after these words stands an expression.
-static bool after_type(const char *code, const char *name)
+// The first word of the statements from a place on that is this name; NULL for none.
+static const struct glsl_token *next_mention(const struct glsl *code, int from,
+                                             const struct glsl_name *name)
 {
-    static const char *const statements[] = {"return", "else", "do"};
-    const char *end = name;
-    while (end > code && strchr(" \t\n\v\f", end[-1]) != NULL)
-        end--;
-    const char *begin = end;
-    while (begin > code && glsl_is_word(begin[-1]))
-        begin--;
-    size_t length = (size_t)(end - begin);
-    for (size_t i = 0; i < sizeof statements / sizeof *statements; i++)
-        if (strlen(statements[i]) == length && strncmp(begin, statements[i], length) == 0)
-            return false;
-    return length > 0;
+    for (int i = from; name != NULL && i <= name->last; i++)
+        if (code->statement[i].kind == GLSL_WORD && &code->name[code->statement[i].name] == name)
+            return &code->statement[i];
+    return NULL;
 }
 
-const char *glsl_find_call(const char *code, const char *name)
+const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *word)
 {
-    for (const char *c = glsl_find_word(code, name); c != NULL;
-         c = find_word_from(code, c + 1, name))
-        if (*glsl_skip_blanks(c + strlen(name)) == '(' && !after_type(code, c))
-            return c;
-    return NULL;
+    const struct glsl_name *name = glsl_name(code, word);
+    const struct glsl_token *at = next_mention(code, 0, name);
+    while (at != NULL && (at[1].sign != '(' || glsl_next(code, at + 1)->sign != '{'))
+        at = next_mention(code, (int)(at - code->statement) + 1, name);
+    return at;
+}
+
+// A type before the name makes it a declaration; after these words stands an expression.
+const struct glsl_token *glsl_find_call(const struct glsl *code, const char *word)
+{
+    static const char *const statements[] = {"return", "else", "do", NULL};
+    const struct glsl_name *name = glsl_name(code, word);
+    const struct glsl_token *at = next_mention(code, 0, name);
+    while (at != NULL && (at[1].sign != '(' ||
+                          (at[-1].kind == GLSL_WORD && !glsl_is_any(code, at - 1, statements))))
+        at = next_mention(code, (int)(at - code->statement) + 1, name);
+    return at;
 }

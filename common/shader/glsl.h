@@ -1,54 +1,115 @@
-// glsl.h - the little of GLSL's grammar that the harness reads itself: comments and functions.
+// glsl.h - a GLSL text as a row of tokens, read once: everything in common/shader that looks into a
+// shader walks over these.
+//
+// Two rows: one of everything, in the order of the text, and one of the statements alone: without
+// comments, directives, and what the preprocessor surely leaves out (between #if 0, #ifdef,
+// #ifndef, or #if with defined, and #else, #elif or #endif). Where only the driver knows a
+// condition (an expression, a name of GL_ or __), everything counts. Both rows end in tokens of the
+// kind GLSL_END, and the statements begin after one, so that a walk may look a few tokens ahead and
+// one back.
 #ifndef GLSL_H
 #define GLSL_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-// Overwrite comments with blanks; line ends stay, so that lines and columns keep their numbers.
-// A line comment whose last character is a backslash goes on in the next line, as drivers have it.
-//   keep_line_comments  leave the comments that begin with // as they are
-// Returns NULL, or the place of the first block comment that is never closed.
-char *glsl_blank_comments(char *text, bool keep_line_comments);
+enum glsl_kind {
+    GLSL_END,
+    GLSL_WORD,
+    GLSL_NUMBER,
+    GLSL_SIGN,     // one character that is nothing else
+    GLSL_HASH,     // # where it begins a directive
+    GLSL_COMMENT,  // to the end of its line, which a backslash moves on
+    GLSL_COMMENTED // between /* and */
+};
 
-// Overwrite with blanks what the preprocessor surely leaves out: between #if 0, #ifdef, #ifndef, or
-// #if with defined, and #else, #elif or #endif. Where only the driver knows (an expression, a name
-// of GL_ or __), everything stays. The directives themselves stay too.
-//   code  a text without comments
-void glsl_blank_inactive(char *code);
+struct glsl_token {
+    unsigned char kind; // enum glsl_kind
+    char sign;          // of a GLSL_SIGN, else '\0'
+    bool directive : 1; // stands in a directive
+    bool live : 1;      // is not left out
+    bool certain : 1;   // and stands in no #if that only the driver can decide
+    bool parted : 1;    // of a statement: a directive stands before it
+    bool macro : 1;     // of a statement: a word that the text defines as a macro
+    int begin, length;  // in the text, bytes
+    int line;           // from 0
+    int depth;          // of brackets of every kind around it
+    union {
+        int name;    // of a word: among the names
+        int partner; // of a bracket among the statements: the one that closes or opens it, or the
+                     // end
+    };
+};
 
-// True when no #if stands around a place: what is there is compiled, whatever the driver knows.
-//   code  a text without comments
-//   at    the place, letters from its beginning
-bool glsl_is_certain(const char *code, size_t at);
+// What is known of a condition before the driver has seen it.
+enum glsl_truth { GLSL_NEVER, GLSL_ALWAYS, GLSL_PERHAPS };
 
-// Overwrite with blanks the preprocessor's lines, and those that a backslash joins to them.
-//   code  a text without comments
-void glsl_blank_directives(char *code);
+// A word, wherever it stands.
+struct glsl_name {
+    int begin, length;       // where it stands first
+    int count;               // how often it is mentioned, what is left out aside
+    int first, last;         // its first and last mention among the statements; -1 for none
+    int definition;          // the GLSL_HASH of its first #define that counts; -1 for none
+    enum glsl_truth defined; // at the end of the text
+};
+
+// What printf needs for "%.*s", the token's text.
+#define GLSL_TEXT(code, token) (token)->length, (code)->text + (token)->begin
+
+struct glsl {
+    char *text; // a copy
+    struct glsl_token *item, *statement;
+    int count, statement_count; // without the ends
+    struct glsl_name *name;
+    int name_count;
+    int *table; // of names, by hash
+    int table_size;
+    int open; // where a comment begins that is never closed; -1 for none
+};
+
+// Read a text. Time and memory grow with its length.
+// Returns false, not reported, without memory. Free with glsl_free in either case.
+bool glsl_read(struct glsl *code, const char *text);
+
+// Free the tokens; code may be all zeros.
+void glsl_free(struct glsl *code);
 
 // True for a letter, a digit or an underscore of the basic alphabet, whatever the locale.
 bool glsl_is_word(char c);
 
-// What follows blanks and ends of lines.
-const char *glsl_skip_blanks(const char *c);
+// True when the token is this word, and no macro of the text.
+bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char *word);
 
-// The letters of the word that stands at c; 0 where none does.
-size_t glsl_word_length(const char *c);
+// As glsl_is, for the words of a list that ends in NULL.
+bool glsl_is_any(const struct glsl *code, const struct glsl_token *token,
+                 const char *const words[]);
 
-// True when this whole word stands at c, which is no place inside another.
-bool glsl_at_word(const char *c, const char *word);
+// True for lowp, mediump and highp.
+bool glsl_is_precision(const struct glsl *code, const struct glsl_token *token);
 
-// True when lowp, mediump or highp stands at c, which is no place inside a word.
-bool glsl_at_precision(const char *c);
+// The other bracket of a pair among the statements; the end for one that is never closed.
+const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl_token *bracket);
 
-// The first place where word stands as a whole identifier, or NULL.
-//   code  a text without comments
-const char *glsl_find_word(const char *code, const char *word);
+// What follows a token of the statements, or, where this opens a bracket, the bracket's end.
+const struct glsl_token *glsl_next(const struct glsl *code, const struct glsl_token *token);
+
+// The name of a word, or NULL where the text has no such word.
+struct glsl_name *glsl_name(const struct glsl *code, const char *word);
+
+// How often the text mentions a word, what is left out aside.
+int glsl_mentions(const struct glsl *code, const char *word);
+
+// The first live mention of a word in the whole text, or NULL.
+const struct glsl_token *glsl_find(const struct glsl *code, const char *word);
 
 // The name in the definition of a function, or NULL; a prototype defines nothing.
-const char *glsl_find_definition(const char *code, const char *name);
+const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *name);
 
-// The first call of a function of this name, or NULL; prototypes and definitions are no calls.
-const char *glsl_find_call(const char *code, const char *name);
+// The first call of a function, or NULL; prototypes and definitions are no calls.
+const struct glsl_token *glsl_find_call(const struct glsl *code, const char *name);
+
+// Make room in a row for one more than count: it is doubled whenever count is a power of two.
+// Returns the row, or NULL without memory, when the old one stays.
+void *glsl_grown(void *row, int count, size_t size);
 
 #endif

@@ -16,7 +16,6 @@
 struct explanation {
     const struct shader_source *source;
     int prelude; // lines that shader_text puts first
-    char *code;  // the expanded text without comments
     char *text;  // what is explained so far
     size_t size, capacity;
     int shown;       // expanded line that was shown last, 0 for none
@@ -115,15 +114,6 @@ static struct message read_message(const char *log)
     return message;
 }
 
-// The expanded line that holds a place in the code.
-static int line_of(const char *code, const char *place)
-{
-    int line = 1;
-    for (const char *c = code; c < place; c++)
-        line += *c == '\n';
-    return line;
-}
-
 // A link error names a function and no line: `foo', "float foo(vec3);" or foo( . Find the first
 // call of a name that stands so; of one in quotes, which may be an input, else the first mention.
 // Returns the expanded line, or 0.
@@ -138,11 +128,11 @@ static int line_of_call(const struct explanation *e, const char *log)
                       strchr("'\"", c[length]) != NULL;
         if (length > 0 && length < sizeof name && (quoted || *skip_blanks(c + length) == '(')) {
             snprintf(name, sizeof name, "%.*s", (int)length, c);
-            const char *call = glsl_find_call(e->code, name);
+            const struct glsl_token *call = glsl_find_call(&e->source->code, name);
             if (call == NULL && quoted)
-                call = glsl_find_word(e->code, name);
+                call = glsl_find(&e->source->code, name);
             if (call != NULL)
-                return line_of(e->code, call);
+                return call->line + 1;
         }
         c += length > 0 ? length : 1;
     }
@@ -178,19 +168,18 @@ static bool append_source(struct explanation *e, int line)
 //   sign  receives a phrase, or stays as it is
 static void foreign_sign(const struct explanation *e, int line, char sign[128])
 {
-    const char *code = e->code;
-    for (int i = 1; i < line; i++)
-        code = strchr(code, '\n') + 1;
-    while (*code != '\n' && (unsigned char)*code < 0x80)
-        code++;
+    const struct glsl_token *t = e->source->code.item;
+    while (t->kind != GLSL_END && (t->line < line - 1 || (unsigned char)t->sign < 0x80))
+        t++;
+    const char *code = e->source->code.text + t->begin;
+    if (t->kind == GLSL_END || t->line != line - 1)
+        return;
     int length = 1;
     while (length < 4 && ((unsigned char)code[length] & 0xC0) == 0x80)
         length++;
     bool space = strncmp(code, "\xC2\xA0", 2) == 0;
-    if (*code != '\n' && *code != '\0')
-        snprintf(sign, 128, "only plain letters and signs, here is %s%.*s%s: ",
-                 space ? "a space that cannot break" : "'", space ? 0 : length, code,
-                 space ? "" : "'");
+    snprintf(sign, 128, "only plain letters and signs, here is %s%.*s%s: ",
+             space ? "a space that cannot break" : "'", space ? 0 : length, code, space ? "" : "'");
 }
 
 static bool explain_line(struct explanation *e, const char *log)
@@ -262,17 +251,13 @@ static bool append_rest(struct explanation *e)
 
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log)
 {
-    struct explanation e = {.source = source, .code = strdup(source->text)};
+    struct explanation e = {.source = source};
     char *prelude = form_prelude(source, view);
     for (const char *c = prelude; c != NULL && *c != '\0'; c++)
         e.prelude += *c == '\n';
-    bool done = prelude != NULL && e.code != NULL && append_text(&e, "");
+    bool done = prelude != NULL && append_text(&e, "") && explain_lines(&e, log, true) &&
+                explain_lines(&e, log, false) && append_rest(&e);
     free(prelude);
-    if (done) {
-        glsl_blank_comments(e.code, false);
-        done = explain_lines(&e, log, true) && explain_lines(&e, log, false) && append_rest(&e);
-    }
-    free(e.code);
     if (done)
         return e.text;
     free(e.text);

@@ -208,21 +208,6 @@ static bool read_words(struct reading *reading)
 
 // ---- The declaration ----
 
-// Read one word; false when there is none or it does not fit.
-static bool take_word(const char **c, char *word, size_t size)
-{
-    size_t length = 0;
-    *c += strspn(*c, BLANKS);
-    while (glsl_is_word((*c)[length]))
-        length++;
-    if (length == 0 || length >= size)
-        return false;
-    memcpy(word, *c, length);
-    word[length] = '\0';
-    *c += length;
-    return true;
-}
-
 static bool read_type(struct reading *reading, const char *type)
 {
     static const struct {
@@ -242,34 +227,36 @@ static bool read_type(struct reading *reading, const char *type)
                   type);
 }
 
-// Read "uniform TYPE NAME;", the line without comments.
-static bool read_declaration(struct reading *reading, const char *code)
+// Read "uniform TYPE NAME;" up to the comment, or the end of the line.
+static bool read_declaration(struct reading *reading, const struct glsl *code,
+                             const struct glsl_token *uniform, const struct glsl_token *comment)
 {
-    char type[sizeof reading->parameter.name] = "", *name = reading->parameter.name;
-    bool good = take_word(&code, type, sizeof type) && // uniform
-                take_word(&code, type, sizeof type);
-    if (good &&
-        (strcmp(type, "highp") == 0 || strcmp(type, "mediump") == 0 || strcmp(type, "lowp") == 0))
-        good = take_word(&code, type, sizeof type);
-    if (!good || !take_word(&code, name, sizeof reading->parameter.name)) {
+    const struct glsl_token *word[4] = {0}; // type, name, semicolon, and what is too much
+    int count = 0;
+    for (const struct glsl_token *t = uniform + 1; t < comment && count < 4; t++)
+        if (t->kind < GLSL_COMMENT && !(count == 0 && glsl_is_precision(code, t)))
+            word[count++] = t;
+    bool good = count > 1 && word[0]->sign == '\0' && word[1]->sign == '\0' &&
+                word[0]->length < (int)sizeof reading->parameter.name &&
+                word[1]->length < (int)sizeof reading->parameter.name;
+    if (!good) {
         report("%s:%d: not a parameter's declaration: write as in \"" EXAMPLE
                "\", with a name of at most %d letters",
                reading->file, reading->line, (int)sizeof reading->parameter.name - 1);
         return false;
     }
-    code += strspn(code, BLANKS);
-    if (*code != ';' || code[1 + strspn(code + 1, BLANKS)] != '\0')
+    char type[sizeof reading->parameter.name];
+    snprintf(type, sizeof type, "%.*s", GLSL_TEXT(code, word[0]));
+    snprintf(reading->parameter.name, sizeof type, "%.*s", GLSL_TEXT(code, word[1]));
+    if (count != 3 || word[2]->sign != ';')
         return refuse(reading, "must be declared alone on its line, with nothing between its name "
                                "and the semicolon: write as in \"" EXAMPLE "\"");
     return read_type(reading, type);
 }
 
-static bool read_parameter(struct reading *reading, const char *code, const char *comment)
+static bool read_annotation(struct reading *reading)
 {
     struct parameter *p = &reading->parameter;
-    reading->c = comment;
-    if (!read_declaration(reading, code))
-        return false;
     bool number = p->type != PARAMETER_BOOL;
     if (number ? !read_values(reading) || !read_range(reading) || !read_step(reading)
                : !read_bool_value(reading))
@@ -293,46 +280,59 @@ static bool add(struct parameters *parameters, const struct reading *reading)
     return true;
 }
 
-// Read the parameters of a text.
-//   code   the text without comments
-//   notes  the text without block comments; both are cut into lines here
-static bool read_lines(struct parameters *parameters, const struct shader_source *source,
-                       char *code, char *notes)
+// What a comment says, on its first line: a space that cannot break is a blank, as a French
+// keyboard types it, and a control character a question mark. The caller frees it; NULL without
+// memory.
+static char *words_of(const struct glsl *code, const struct glsl_token *comment)
 {
-    for (int i = 0; i < source->line_count; i++) {
-        size_t length = strcspn(code, "\n");
-        code[length] = notes[length] = '\0';
-        const char *word = code + strspn(code, BLANKS);
-        const char *comment = strstr(notes, "//");
-        if (strncmp(word, "uniform", 7) == 0 && !glsl_is_word(word[7]) && comment != NULL &&
-            begins_with_value(comment + 2)) {
-            struct reading reading = {.file = source->files[source->lines[i].file],
-                                      .line = source->lines[i].line};
-            if (!read_parameter(&reading, code, comment + 2) || !add(parameters, &reading))
-                return false;
-        }
-        code += length + 1;
-        notes += length + 1;
-    }
-    return true;
+    static const char *const spaces[] = {"\xC2\xA0", "\xE2\x80\xAF"};
+    const char *begin = code->text + comment->begin + 2;
+    char *words = strndup(begin, strcspn(begin, "\n"));
+    for (int i = 0; i < 2 && words != NULL; i++)
+        for (char *c = words; (c = strstr(c, spaces[i])) != NULL;)
+            memset(c, ' ', strlen(spaces[i]));
+    for (char *c = words; c != NULL && *c != '\0'; c++)
+        if (((unsigned char)*c < ' ' && strchr(BLANKS, *c) == NULL) || *c == 0x7F)
+            *c = '?';
+    return words;
+}
+
+// Read the parameter that a uniform declares, unless its comment begins otherwise.
+static bool read_uniform(struct parameters *parameters, const struct shader_source *source,
+                         const struct glsl_token *uniform)
+{
+    const struct glsl *code = &source->code;
+    const struct shader_line *from = &source->lines[uniform->line];
+    const struct glsl_token *comment = uniform;
+    while (comment->kind != GLSL_END && comment->kind != GLSL_COMMENT &&
+           comment->line == uniform->line)
+        comment++;
+    if (comment->kind != GLSL_COMMENT || comment->line != uniform->line)
+        return true;
+    struct reading reading = {.file = source->files[from->file], .line = from->line};
+    char *words = words_of(code, comment);
+    if (words == NULL)
+        return refuse(&reading, "not enough memory");
+    reading.c = words;
+    bool done =
+        !begins_with_value(words) || (read_declaration(&reading, code, uniform, comment) &&
+                                      read_annotation(&reading) && add(parameters, &reading));
+    free(words);
+    return done;
 }
 
 bool parameters_read(struct parameters *parameters, const struct shader_source *source)
 {
+    const struct glsl *code = &source->code;
+    int line = -1; // of the last word
     *parameters = (struct parameters){0};
-    if (source->form != SHADER_COURSE)
-        return true;
-    char *code = strdup(source->text), *notes = strdup(source->text);
-    bool done = code != NULL && notes != NULL;
-    if (done) {
-        glsl_blank_comments(code, false);
-        glsl_blank_comments(notes, true);
-        done = read_lines(parameters, source, code, notes);
-    } else
-        report("%s: not enough memory", source->files[0]);
-    free(code);
-    free(notes);
-    if (!done)
-        parameters_free(parameters);
-    return done;
+    for (const struct glsl_token *t = code->item;
+         source->form == SHADER_COURSE && t->kind != GLSL_END; t++) {
+        if (t->line > line && glsl_is(code, t, "uniform") && !read_uniform(parameters, source, t)) {
+            parameters_free(parameters);
+            return false;
+        }
+        line = t->kind < GLSL_COMMENT ? t->line : line;
+    }
+    return true;
 }

@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "context/gl.h"
+#include "shader/glsl.h"
 
 // What main() shows; the value of VIEW in shaders/main.glsl.
 enum shader_view {
@@ -39,6 +40,7 @@ struct shader_source {
     enum shader_form form;
     bool versioned;            // the text itself says its #version to the driver
     char *text;                // '\n' ends each line; '\0' terminated
+    struct glsl code;          // the text in tokens
     struct shader_line *lines; // of each line of text
     int line_count;
     char **files; // files[0] is the one given; the names to print in messages
@@ -60,6 +62,11 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
 
 // Free a source; one of zeros is allowed.
 void shader_free(struct shader_source *source);
+
+// Report what is wrong in a line of the expanded text, from 0, under its author's file and line;
+// always false.
+bool shader_refuse(const struct shader_source *source, int line, const char *format, ...)
+    __attribute__((format(printf, 3, 4)));
 
 // The text that is compiled: what form.h puts before the expanded text, and what it makes of this.
 // Returns memory that the caller frees, or NULL, reported.

@@ -2,12 +2,12 @@
 
 #include <errno.h>
 #include <limits.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "shader/form.h"
-#include "shader/glsl.h"
 #include "report.h"
 #include "shader/text_file.h"
 
@@ -217,52 +217,28 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
     return file >= 0 && expand_file(e, file, where);
 }
 
-// What follows a directive's name in a line without comments, or NULL for another line.
-static const char *after_directive(const char *code, const char *name)
+// The name in an include that stands alone on its line: no comment crosses the line's ends, so that
+// it means there what it means in place. False when it is malformed.
+//   hash  where the directive begins, among the tokens
+//   line  the line in the text, and its end
+static bool quoted_name(const struct glsl *code, const struct glsl_token *hash, const char *line,
+                        const char *end, char name[PATH_MAX])
 {
-    const char *word = code + strspn(code, " \t\v\f");
-    if (*word != '#')
-        return NULL;
-    word += 1 + strspn(word + 1, " \t\v\f");
-    size_t length = strlen(name);
-    return strncmp(word, name, length) == 0 && !glsl_is_word(word[length]) ? word + length : NULL;
-}
-
-// True when no comment crosses the line's ends, so that the line alone means what it means in
-// place.
-static bool stands_alone(const char *line, size_t length, const char *code)
-{
-    char *alone = strndup(line, length);
-    bool same = alone != NULL && line[length - 1] != '\\' &&
-                glsl_blank_comments(alone, false) == NULL && strncmp(alone, code, length) == 0;
-    free(alone);
-    return same;
-}
-
-// The name between the quotes of an include; false when it is malformed.
-//   rest  what follows the word, up to the line's end
-static bool quoted_name(const char *rest, char name[PATH_MAX])
-{
-    const char *open = rest + strspn(rest, " \t\v\f");
+    const char *open = code->text + hash[1].begin + hash[1].length;
+    open += strspn(open, " \t\v\f");
     size_t length = *open == '"' ? strcspn(open + 1, "\"\n") : 0;
-    if (length == 0 || length >= PATH_MAX || open[length + 1] != '"')
+    const char *close = open + length + 1;
+    if (length == 0 || length >= PATH_MAX || *close != '"' || end[-1] == '\\' ||
+        (hash > code->item && hash[-1].begin + hash[-1].length > line - code->text &&
+         hash[-1].line < hash->line))
         return false;
-    const char *end = open + length + 2;
-    memcpy(name, open + 1, length);
-    name[length] = '\0';
-    return end[strspn(end, " \t\v\f")] == '\n';
-}
-
-static bool expand_include(struct expansion *e, struct shader_line from, const char *line,
-                           size_t length, const char *code, const char *rest)
-{
-    char name[PATH_MAX];
-    if (!quoted_name(rest, name) || !stands_alone(line, length, code)) {
-        report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line",
-               e->source->files[from.file], from.line);
-        return false;
+    for (const struct glsl_token *t = hash + 2; t->directive && t->kind != GLSL_HASH; t++) {
+        const char *begin = code->text + t->begin;
+        if (begin > close && (t->kind < GLSL_COMMENT || begin + t->length > end))
+            return false;
     }
-    return add_line(e, from, "// ", line, length) && include(e, from, name);
+    snprintf(name, PATH_MAX, "%.*s", (int)length, open + 1);
+    return true;
 }
 
 // A #version makes the first file a whole one; anywhere else the driver would refuse it, far from
@@ -279,61 +255,78 @@ static bool check_version(struct expansion *e, struct shader_line from, bool fir
     return from.file == 0 && first;
 }
 
-// Expand a text whose comments are blanked in code.
-static bool expand_text(struct expansion *e, int file, const char *text, const char *code)
+// Expand a line of a file; hash is the directive that it begins, or NULL.
+static bool expand_line(struct expansion *e, struct shader_line from, const struct glsl *code,
+                        const struct glsl_token *hash, const char *line, size_t length)
+{
+    char name[PATH_MAX];
+    bool includes = hash != NULL && glsl_is(code, hash + 1, "include");
+    // An author's own #line would blame another line.
+    bool comments = includes || (hash != NULL && glsl_is(code, hash + 1, "line"));
+    if (includes && !quoted_name(code, hash, line, line + length, name)) {
+        report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line",
+               e->source->files[from.file], from.line);
+        return false;
+    }
+    return add_line(e, from, comments ? "// " : "", line, length) &&
+           (!includes || include(e, from, name));
+}
+
+static bool expand_text(struct expansion *e, int file, const struct glsl *code)
 {
     struct shader_line from = {file, 0};
+    const struct glsl_token *t = code->item;
     bool first = true;
-    for (const char *line = text; *line != '\0';) {
+    for (const char *line = code->text; *line != '\0';) {
         size_t length = strcspn(line, "\n");
-        const char *line_code = code + (line - text);
-        const char *rest = after_directive(line_code, "include");
+        while (t->kind >= GLSL_COMMENT && t->line <= from.line)
+            t++;
+        const struct glsl_token *hash = t->kind == GLSL_HASH && t->line == from.line ? t : NULL;
         from.line++;
-        if (after_directive(line_code, "version") != NULL && !check_version(e, from, first))
+        if ((hash != NULL && glsl_is(code, hash + 1, "version") &&
+             !check_version(e, from, first)) ||
+            !expand_line(e, from, code, hash, line, length))
             return false;
-        // An author's own #line would blame another line.
-        bool counts = after_directive(line_code, "line") != NULL;
-        if (rest != NULL ? !expand_include(e, from, line, length, line_code, rest)
-                         : !add_line(e, from, counts ? "// " : "", line, length))
-            return false;
-        first = first && strspn(line_code, " \t\v\f") == length;
+        for (; t->kind != GLSL_END && t->line < from.line; t++)
+            first &= t->kind >= GLSL_COMMENT;
         line += length + 1;
     }
     return true;
-}
-
-static int line_of(const char *text, const char *place)
-{
-    int line = 1;
-    for (const char *c = text; c < place; c++)
-        line += *c == '\n';
-    return line;
 }
 
 static bool expand_file(struct expansion *e, int file, const char *where)
 {
     char why[TEXT_FILE_WHY];
     char *text = text_file_read(e->source->paths[file], why);
-    char *code = text != NULL ? strdup(text) : NULL;
+    struct glsl code = {0};
     bool done = false;
     if (text == NULL)
         report("%s: %s", where, why);
-    else if (code == NULL)
+    else if (!glsl_read(&code, text))
         no_memory(where);
+    else if (code.open >= 0)
+        report("%s:%d: this comment is never closed: write */ at its end", e->source->files[file],
+               code.item[code.count - 1].line + 1);
     else {
-        const char *open = glsl_blank_comments(code, false);
-        if (open != NULL)
-            report("%s:%d: this comment is never closed: write */ at its end",
-                   e->source->files[file], line_of(code, open));
-        else {
-            e->open[e->depth++] = file;
-            done = expand_text(e, file, text, code);
-            e->depth--;
-        }
+        e->open[e->depth++] = file;
+        done = expand_text(e, file, &code);
+        e->depth--;
     }
-    free(code);
+    glsl_free(&code);
     free(text);
     return done;
+}
+
+bool shader_refuse(const struct shader_source *source, int line, const char *format, ...)
+{
+    const struct shader_line *from = &source->lines[line];
+    char why[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(why, sizeof why, format, arguments);
+    va_end(arguments);
+    report("%s:%d: %s", source->files[from->file], from->line, why);
+    return false;
 }
 
 bool shader_read(struct shader_source *source, const char *path, const char *root)
@@ -368,5 +361,6 @@ void shader_free(struct shader_source *source)
     free(source->paths);
     free(source->lines);
     free(source->text);
+    glsl_free(&source->code);
     *source = (struct shader_source){0};
 }
