@@ -27,6 +27,26 @@ struct slice {
     float *values;
 };
 
+// What the picture must show, told once more: a hit and 0.35 of the way to it beyond; of a ray that
+// passes, as far as its nearest place and half of that, and twice the distance there, or all of it
+// where the eye is nearest. A tenth of that lies behind the eye, the ray runs through the middle,
+// and the place where the scene was nearest stays where it is in every zoom.
+static struct slice_frame frame_expected(const struct probe *probe, double zoom)
+{
+    const struct probe_step *step = probe->step;
+    int nearest = 0, last = probe->steps - 1;
+    for (int k = 1; k <= last; k++)
+        nearest = step[k].distance < step[nearest].distance ? k : nearest;
+    double t = (double)step[nearest].t, end = 1.35 * (double)step[last].t;
+    if (probe->end == PROBE_PASSED && nearest > 0)
+        end = fmin((double)step[last].t, 1.5 * t + 2.0 * (double)step[nearest].distance);
+    else if (probe->end == PROBE_PASSED)
+        end = 1.05 * (double)step[last].t;
+    double left = t + (-0.1 * end - t) / zoom, unit = 1.1 * end / zoom / WIDTH;
+    return (struct slice_frame){
+        .left = (float)left, .unit = (float)unit, .bottom = (float)(-0.5 * HEIGHT * unit)};
+}
+
 static struct slice *slice_of(const struct camera *camera, int x, int y, float zoom)
 {
     struct slice *slice = calloc(1, sizeof *slice);
@@ -41,7 +61,7 @@ static struct slice *slice_of(const struct camera *camera, int x, int y, float z
     slice->values = gpu_numbers(&slice->inputs);
     assert_non_null(slice->values);
     assert_true(renderer_probe(&gpu.renderer, &slice->inputs, x, y, &slice->probe));
-    slice->frame = slice_frame_of(&slice->probe, WIDTH, HEIGHT, zoom);
+    slice->frame = frame_expected(&slice->probe, (double)zoom);
     assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
     return slice;
 }

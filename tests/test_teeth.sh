@@ -10,28 +10,10 @@ cd "$(dirname "$0")/.." || exit 1
 f2_tolerance=0.05
 b8_tolerance=0.15
 
-# field LINE N: the Nth field, without the blanks around it.
-field() {
-    printf '%s\n' "$1" | awk -F ' +[|] +' -v n="$2" '{ print $n }'
-}
-
 # The options of a picture of tests/images.txt.
 options_of() { # NAME
     awk -v name="$1" '!/^ *#/ && NF > 1 && ($2 == "-" ? $1 : $1 "-" $2) == name {
         $2 = ""; print; exit }' tests/images.txt
-}
-
-# A copy of the shaders with the mistake in it; prints why there is none. The copy is one of links: a file
-# is taken out of it before it is written.
-edit_copy() { # COPY FILES EDIT
-    local file
-    mkdir "$1" && { cp -Rl "$scratch/right/." "$1" 2>/dev/null || cp -R "$scratch/right/." "$1"; } || return
-    for file in $2; do
-        rm "$1/$file"
-        if ! sed "$3" "$file" >"$1/$file" || cmp -s "$file" "$1/$file"; then
-            echo "'$3' changes nothing in $file"
-        fi
-    done
 }
 
 # The picture with the mistake against its reference.
@@ -84,18 +66,12 @@ plant() { # LINE COPY: prints a result
 }
 
 here=$PWD
-if [ "${1-}" = --plant ]; then # called by xargs below
-    set -f
-    scratch=$2
-    plant "$(sed -n "$3p" "$2/mistakes")" "$2/$3.copy" >"$2/$3.result"
-    rm -rf "$2/$3.copy"
-    exit 0
-fi
+. tests/support_teeth.sh
 
 open_scratch
 mkdir -p "$scratch/right/tests" && cp -R chapters shaders "$scratch/right" && cp -R tests/shaders "$scratch/right/tests"
 awk '!/^ *#/ && NF > 1 { print ($2 == "-" ? $1 : $1 "-" $2) }' tests/images.txt >"$scratch/pictures"
-sed 's/[[:space:]]*$//' tests/mistakes.txt | grep -v '^\(#\|$\)' >"$scratch/all"
+mistakes_of tests/mistakes.txt >"$scratch/all"
 
 # The line of '*' stands for each picture that has no mistake of its own, but for those of solutions: test_check.sh
 # shows that the chapter's unsolved shader does not pass for them. In a run of all suites that is left to CI.
@@ -113,8 +89,6 @@ grep -v '| *[*] *|' "$scratch/all" | cat - "$scratch/each" | while read -r line;
         [ "$wanted" = "$name" ] && printf '%s\n' "$line"
     done
 done >"$scratch/mistakes"
-count=$(grep -c . "$scratch/mistakes")
-
 # Alone, this suite also looks whether a test fails on the right shaders: then it cannot tell them from
 # wrong ones. In a run of all suites that is seen anyway.
 if [ -z "${ALL_SUITES-}" ]; then
@@ -125,13 +99,5 @@ if [ -z "${ALL_SUITES-}" ]; then
     done <"$scratch/tests"
 fi
 
-export LP_NUM_THREADS=1
-seq "$count" | xargs -P 2 -n 1 "$0" --plant "$scratch"
-for number in $(seq "$count"); do
-    read -r line <"$scratch/$number.result" || line="not ok mistake $number: no result"
-    case $line in
-    ok*) ok "${line#ok }" ;;
-    *) not_ok "${line#not ok }" ;;
-    esac
-done
+plant_all
 plan

@@ -1,0 +1,54 @@
+# shellcheck shell=bash
+# support_teeth.sh - planted mistakes, for the suites that ask whether the tests would notice. Sourced
+# behind support.sh, by a script that plants mistake number N when it is called as --plant SCRATCH N.
+
+# field LINE N: the Nth field, without the blanks around it.
+field() {
+    printf '%s\n' "$1" | awk -F ' +[|] +' -v n="$2" '{ print $n }'
+}
+
+# The lines of a list, without comments.
+mistakes_of() { # FILE
+    sed 's/[[:space:]]*$//' "$1" | grep -v '^\(#\|$\)'
+}
+
+# A copy of $scratch/right with the mistake in it; prints why there is none. The copy is one of links: a
+# file is taken out of it before it is written.
+edit_copy() { # COPY FILES EDIT
+    local file
+    mkdir "$1" && { cp -Rl "$scratch/right/." "$1" 2>/dev/null || cp -Rp "$scratch/right/." "$1"; } || return
+    for file in $2; do
+        if [ ! -e "$file" ]; then
+            echo "there is no $file"
+            continue
+        fi
+        rm "$1/$file"
+        if ! sed "$3" "$file" >"$1/$file" || cmp -s "$file" "$1/$file"; then
+            echo "'$3' changes nothing in $file"
+        fi
+    done
+}
+
+# Plant each line of $scratch/mistakes, two at a time, and print a TAP line for each: plant LINE COPY says
+# 'ok WHAT ...' or 'not ok WHAT: WHY'.
+plant_all() {
+    local count number line
+    count=$(grep -c . "$scratch/mistakes")
+    seq "$count" | LP_NUM_THREADS=1 xargs -P 2 -n 1 "$0" --plant "$scratch"
+    for number in $(seq "$count"); do
+        read -r line <"$scratch/$number.result" || line="not ok mistake $number: no result"
+        case $line in
+        ok*) ok "${line#ok }" ;;
+        *) not_ok "${line#not ok }" ;;
+        esac
+    done
+}
+
+# What xargs calls.
+if [ "${1-}" = --plant ]; then
+    set -f
+    scratch=$2
+    plant "$(sed -n "$3p" "$2/mistakes")" "$2/$3.copy" >"$2/$3.result"
+    rm -rf "$2/$3.copy"
+    exit 0
+fi
