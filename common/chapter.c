@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #ifdef __APPLE__
@@ -23,7 +24,7 @@
 #include "sequence.h"
 #include "window/window.h"
 
-enum { DONE = 0, NOT_DONE = 1, WRONG_COMMAND_LINE = 2 };
+enum { DONE = 0, NOT_DONE = 1, WRONG_COMMAND_LINE = 2, NO_WINDOW = 3 };
 
 // What one run of a chapter works with.
 struct run {
@@ -31,6 +32,9 @@ struct run {
     struct options options;
     char root[PATH_MAX];   // the project's folder
     char shader[PATH_MAX]; // the shader to run
+    // What was read of it, until the renderer takes it over.
+    struct shader_source source;
+    struct parameters parameters;
 };
 
 // The path of this program's own file; programs find the project from there, so that they run from
@@ -91,68 +95,32 @@ static const char *title_of(const struct run *run)
     return slash != NULL ? slash + 1 : run->options.shader;
 }
 
+// Read the shader and its parameters, with the values of the command line. Returns the exit status.
+static int read_shader(struct run *run)
+{
+    if (!shader_read(&run->source, run->shader, run->root) ||
+        !parameters_read(&run->parameters, &run->source))
+        return NOT_DONE;
+    for (int i = 0; i < run->options.setting_count; i++)
+        if (!parameters_assign(&run->parameters, run->options.settings[i]))
+            return WRONG_COMMAND_LINE;
+    return DONE;
+}
+
 static int print_shader(const struct run *run)
 {
-    struct shader_source source;
-    if (!shader_read(&source, run->shader, run->root))
-        return NOT_DONE;
-    char *text = shader_has_view(&source, run->options.view)
-                     ? shader_text(&source, run->options.view)
-                     : NULL;
-    shader_free(&source);
+    const struct options *options = &run->options;
+    char *text = NULL;
+    if (options->shadertoy)
+        text = export_shadertoy(&run->source, &run->parameters, &options->camera,
+                                RENDERER_FOCAL_LENGTH);
+    else if (shader_has_view(&run->source, options->view))
+        text = shader_text(&run->source, options->view);
     if (text == NULL)
         return NOT_DONE;
     fputs(text, stdout);
     free(text);
     return DONE;
-}
-
-// Give the parameters the values of the command line. Returns the exit status.
-static int assign_settings(const struct options *options, struct parameters *parameters)
-{
-    for (int i = 0; i < options->setting_count; i++)
-        if (!parameters_assign(parameters, options->settings[i]))
-            return WRONG_COMMAND_LINE;
-    return DONE;
-}
-
-// Read the shader and its parameters, with the values of the command line.
-// Returns the exit status; the caller frees both in any case.
-static int read_with_settings(const struct run *run, struct shader_source *source,
-                              struct parameters *parameters)
-{
-    if (!shader_read(source, run->shader, run->root) || !parameters_read(parameters, source))
-        return NOT_DONE;
-    return assign_settings(&run->options, parameters);
-}
-
-static int list_parameters(const struct run *run)
-{
-    struct shader_source source = {0};
-    struct parameters parameters = {0};
-    int status = read_with_settings(run, &source, &parameters);
-    if (status == DONE)
-        parameters_print(&parameters, stdout);
-    parameters_free(&parameters);
-    shader_free(&source);
-    return status;
-}
-
-static int print_shadertoy(const struct run *run)
-{
-    struct shader_source source = {0};
-    struct parameters parameters = {0};
-    int status = read_with_settings(run, &source, &parameters);
-    if (status == DONE) {
-        char *text =
-            export_shadertoy(&source, &parameters, &run->options.camera, RENDERER_FOCAL_LENGTH);
-        status = text != NULL ? DONE : NOT_DONE;
-        fputs(text != NULL ? text : "", stdout);
-        free(text);
-    }
-    parameters_free(&parameters);
-    shader_free(&source);
-    return status;
 }
 
 static int print_version(const struct run *run)
@@ -237,14 +205,34 @@ static bool write_frames(const struct run *run, struct renderer *renderer)
     return done;
 }
 
-// True when every file of --output can be written, before the work of rendering. Reported.
-static bool check_targets(const struct options *options)
+// True when a file is none of those that this run has read: a picture in its place would destroy a
+// person's work. Reported.
+static bool check_unread(const struct run *run, const char *path)
 {
+    struct stat target, read;
+    char vertex[PATH_MAX + 32];
+    snprintf(vertex, sizeof vertex, "%s/shaders/screen.vert", run->root);
+    for (int i = -1; i < run->source.file_count && stat(path, &target) == 0; i++)
+        if (stat(i < 0 ? vertex : run->source.paths[i], &read) == 0 &&
+            read.st_dev == target.st_dev && read.st_ino == target.st_ino) {
+            report("--output '%s': is %s, which this run reads: choose another name", path,
+                   i < 0 ? vertex : run->source.files[i]);
+            return false;
+        }
+    return true;
+}
+
+// True when every file of --output can be written, before the work of rendering. Reported.
+static bool check_targets(const struct run *run)
+{
+    const struct options *options = &run->options;
     char path[PATH_MAX];
     if (options->output == NULL || options->frames == 0)
-        return options->output == NULL || image_check_target(options->output);
+        return options->output == NULL ||
+               (image_check_target(options->output) && check_unread(run, options->output));
     for (int i = 0; i < options->frames; i++)
-        if (!sequence_path(options->output, i, path, sizeof path) || !image_check_target(path))
+        if (!sequence_path(options->output, i, path, sizeof path) || !image_check_target(path) ||
+            !check_unread(run, path))
             return false;
     return true;
 }
@@ -273,20 +261,15 @@ static bool work_still(const struct run *run, struct renderer *renderer)
     return done;
 }
 
-static int run_benchmark(const struct run *run, const struct context *context,
-                         struct renderer *renderer)
+static int run_benchmark(struct run *run, const struct context *context, struct renderer *renderer)
 {
     const struct options *options = &run->options;
     struct benchmark benchmark = {.shader = options->shader != NULL ? options->shader
                                                                     : run->chapter->stem,
                                   .frames = options->benchmark,
                                   .inputs = still_inputs(options)};
-    if (!benchmark_load(&benchmark, renderer, run->shader))
-        return NOT_DONE;
-    int status = assign_settings(options, &renderer->parameters);
-    if (status != DONE)
-        return status;
-    if (!benchmark_run(&benchmark, context, renderer))
+    if (!benchmark_load(&benchmark, renderer, &run->source, &run->parameters) ||
+        !benchmark_run(&benchmark, context, renderer))
         return NOT_DONE;
     benchmark_print(&benchmark, options->json, stdout);
     return DONE;
@@ -303,20 +286,20 @@ static bool open_loop(const struct run *run, struct context *context, struct ren
                                        .samples = options->samples,
                                        .overlay_scale = options->overlay,
                                        .overlay_kept = options->has_overlay};
+    if (options->shader != NULL)
+        printf("%s: every save is shown at once\n", options->shader);
+    fflush(stdout);
     return window_run(context, renderer, &start);
 }
 
 // With a context and a renderer: load the shader, then carry out what was asked.
-static int work(const struct run *run, struct context *context, struct renderer *renderer)
+static int work(struct run *run, struct context *context, struct renderer *renderer)
 {
     renderer->view = run->options.view;
     if (run->options.benchmark > 0)
         return run_benchmark(run, context, renderer);
-    if (!renderer_load(renderer, run->shader))
+    if (!renderer_load(renderer, &run->source, &run->parameters))
         return NOT_DONE;
-    int status = assign_settings(&run->options, &renderer->parameters);
-    if (status != DONE)
-        return status;
     bool done =
         context->window != NULL ? open_loop(run, context, renderer) : work_still(run, renderer);
     return done ? DONE : NOT_DONE;
@@ -327,15 +310,14 @@ static int open_and_work(struct run *run)
     struct context context = {0};
     struct renderer renderer = {0};
     const struct options *options = &run->options;
-    bool still = options->output != NULL || options->has_probe || options->benchmark > 0;
     if (options->benchmark > 0)
         guard_forget_caches();
-    if (!check_targets(options))
+    if (!check_targets(run))
         return NOT_DONE;
-    bool opened = still ? context_open_offscreen(&context, options->backend)
-                        : context_open_window(&context, options->backend, title_of(run),
-                                              options->width, options->height);
-    int status = NOT_DONE;
+    bool opened = options->window ? context_open_window(&context, options->backend, title_of(run),
+                                                        options->width, options->height)
+                                  : context_open_offscreen(&context, options->backend);
+    int status = options->window && !opened ? NO_WINDOW : NOT_DONE;
     if (opened && renderer_open(&renderer, &context.gl, run->root))
         status = work(run, &context, &renderer);
     renderer_close(&renderer);
@@ -353,11 +335,15 @@ static int act(struct run *run, const char *program)
         return print_version(run);
     if (!find_root(run) || !find_shader(run))
         return NOT_DONE;
+    int status = read_shader(run);
+    if (status != DONE)
+        return status;
     switch (run->options.action) {
     case OPTIONS_PRINT_SHADER:
-        return run->options.shadertoy ? print_shadertoy(run) : print_shader(run);
+        return print_shader(run);
     case OPTIONS_LIST:
-        return list_parameters(run);
+        parameters_print(&run->parameters, stdout);
+        return DONE;
     default:
         return open_and_work(run);
     }
@@ -373,6 +359,8 @@ int chapter_run(const struct chapter *chapter, int argc, char **argv)
     if (!run.options.has_camera)
         run.options.camera = chapter->camera;
     int status = act(&run, argv[0]);
+    shader_free(&run.source);
+    parameters_free(&run.parameters);
     options_free(&run.options);
     if (fflush(stdout) != 0 || ferror(stdout)) {
         report("standard output: cannot be written: is the disk full?");

@@ -21,8 +21,8 @@ struct chapter {
 };
 
 // Carry out the command line: options -> context -> shader -> renderer -> image or window.
-// Returns the exit status: 0 done; 1 it could not be done, reported; 2 the command line is wrong,
-// reported.
+// Returns the exit status: 0 done; 1 it could not be done; 2 the command line is wrong; 3 no window
+// can be opened here. All but the first are reported.
 int chapter_run(const struct chapter *chapter, int argc, char **argv);
 
 #endif

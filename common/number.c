@@ -72,6 +72,17 @@ bool number_read_int(const char *text, int minimum, int maximum, int *value)
     return true;
 }
 
+bool number_with_point(const char *text, char right[NUMBER_SIZE])
+{
+    double value;
+    const char *comma = strchr(text, ',');
+    if (comma == NULL || strlen(text) >= NUMBER_SIZE)
+        return false;
+    strcpy(right, text);
+    right[comma - text] = '.';
+    return number_read(right, &value);
+}
+
 // "1e-06" is how C writes what people write as 1e-6.
 static void shorten_exponent(char *text)
 {

@@ -17,9 +17,15 @@ bool number_read(const char *text, double *value);
 // As number_read, for a whole number from minimum to maximum; "3.0" is not whole, "+3" is.
 bool number_read_int(const char *text, int minimum, int maximum, int *value);
 
+#define NUMBER_SIZE 32
+
+// For a number with a comma in place of its point, "0,5", the right way to write it, "0.5".
+// Returns false for any other text.
+bool number_with_point(const char *text, char right[NUMBER_SIZE]);
+
 // The shortest text that a shader reads as the same float; a whole number below 1e10 stands in
 // full.
-//   size  at least 32
+//   size  at least NUMBER_SIZE
 void number_text(double value, char *text, size_t size);
 
 #endif

@@ -1,73 +1,36 @@
 #include "options.h"
 
-#include <getopt.h>
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
-#include "picture/benchmark.h"
 #include "number.h"
+#include "picture/benchmark.h"
 #include "picture/overlay.h"
 #include "report.h"
 #include "sequence.h"
 
 #define FPS_MINIMUM 0.001
 #define FPS_MAXIMUM 1000.0
-
-#define LIMIT 1e9 // of times and places: beyond it a float of the shader has lost every fraction
-
-// Codes of the options that have no letter.
-enum {
-    CODE_PROBE = 256,
-    CODE_ROOT,
-    CODE_PRINT_SHADER,
-    CODE_LIST,
-    CODE_OVERLAY,
-    CODE_FRAMES,
-    CODE_FPS,
-    CODE_BENCHMARK
-};
-
-static const struct option long_options[] = {
-    {"output", required_argument, NULL, 'o'},
-    {"size", required_argument, NULL, 's'},
-    {"time", required_argument, NULL, 't'},
-    {"set", required_argument, NULL, 'p'},
-    {"camera", required_argument, NULL, 'c'},
-    {"samples", required_argument, NULL, 'a'},
-    {"view", required_argument, NULL, 'v'},
-    {"probe", required_argument, NULL, CODE_PROBE},
-    {"backend", required_argument, NULL, 'b'},
-    {"shader", required_argument, NULL, 'f'},
-    {"root", required_argument, NULL, CODE_ROOT},
-    {"print-shader", optional_argument, NULL, CODE_PRINT_SHADER},
-    {"list", no_argument, NULL, CODE_LIST},
-    {"overlay", optional_argument, NULL, CODE_OVERLAY},
-    {"frames", required_argument, NULL, CODE_FRAMES},
-    {"fps", required_argument, NULL, CODE_FPS},
-    {"benchmark", required_argument, NULL, CODE_BENCHMARK},
-    {"help", no_argument, NULL, 'h'},
-    {"version", no_argument, NULL, 'V'},
-    {NULL, 0, NULL, 0},
-};
-
-// The ':' in front has getopt tell a missing value from an unknown option.
-static const char letters[] = ":o:s:t:p:c:a:v:b:f:hV";
-
-static const struct option *option_of(int code)
-{
-    for (const struct option *option = long_options; option->name != NULL; option++)
-        if (option->val == code)
-            return option;
-    return NULL;
-}
+#define FPS_DEFAULT 25.0
+#define LIMIT       1e9 // of times and places: beyond it a float of the shader has lost every fraction
 
 // ---- Values ----
 
-// Each takes the text after its option and reports what is wrong with it.
-static bool refuse(const char *option, const char *text, const char *expected)
+// Report what an option's value must be.
+__attribute__((format(printf, 3, 4))) static bool refuse(const char *option, const char *text,
+                                                         const char *format, ...)
 {
-    report("--%s '%s': %s", option, text, expected);
+    char expected[256], right[NUMBER_SIZE];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(expected, sizeof expected, format, arguments);
+    va_end(arguments);
+    bool comma = number_with_point(text, right);
+    report("--%s '%s': %s%s%s", option, text, expected, comma ? ": write " : "",
+           comma ? right : "");
     return false;
 }
 
@@ -87,17 +50,25 @@ static bool read_pair(const char *text, char separator, int pair[2])
     return true;
 }
 
+// A setter takes the text after its option, NULL where that is left out, and reports what is wrong
+// with it.
+static bool set_output(struct options *options, const char *text)
+{
+    size_t length = strlen(text);
+    options->output = text;
+    return (length > 4 && strcasecmp(text + length - 4, ".png") == 0) ||
+           refuse("output", text, "must name a file that ends in .png: no other kind is written");
+}
+
 static bool set_size(struct options *options, const char *text)
 {
     int size[2];
     if (!read_pair(text, 'x', size))
         return refuse("size", text, "must be WIDTHxHEIGHT in pixels, as in 640x360");
     for (int i = 0; i < 2; i++)
-        if (size[i] < 1 || size[i] > OPTIONS_SIZE_LIMIT) {
-            report("--size '%s': width and height must be from 1 to %d pixels", text,
-                   OPTIONS_SIZE_LIMIT);
-            return false;
-        }
+        if (size[i] < 1 || size[i] > OPTIONS_SIZE_LIMIT)
+            return refuse("size", text, "width and height must be from 1 to %d pixels",
+                          OPTIONS_SIZE_LIMIT);
     options->width = size[0];
     options->height = size[1];
     return true;
@@ -105,21 +76,16 @@ static bool set_size(struct options *options, const char *text)
 
 static bool set_time(struct options *options, const char *text)
 {
-    double time;
-    if (!number_read(text, &time))
+    if (!number_read(text, &options->time))
         return refuse("time", text, "must be a number of seconds, as in 1.5");
-    if (fabs(time) > LIMIT)
-        return refuse("time", text, "must be from -1e9 to 1e9 seconds");
-    options->time = time;
-    return true;
+    return fabs(options->time) <= LIMIT || refuse("time", text, "must be from -1e9 to 1e9 seconds");
 }
 
 static bool add_setting(struct options *options, const char *text)
 {
-    if (text[0] == '=' || strchr(text, '=') == NULL)
-        return refuse("set", text, "must be NAME=VALUE; --list shows the names");
     options->settings[options->setting_count++] = text;
-    return true;
+    return (text[0] != '=' && strchr(text, '=') != NULL) ||
+           refuse("set", text, "must be NAME=VALUE; --list shows the names");
 }
 
 static bool set_camera(struct options *options, const char *text)
@@ -135,45 +101,36 @@ static bool set_camera(struct options *options, const char *text)
             return refuse("camera", text, "each number must be from -1e9 to 1e9");
         c += length + 1;
     }
-    if (fabs(value[4]) > (double)CAMERA_TILT_LIMIT) {
-        report("--camera '%s': the tilt must be from %g to %g degrees", text,
-               (double)-CAMERA_TILT_LIMIT, (double)CAMERA_TILT_LIMIT);
-        return false;
-    }
     options->camera =
         (struct camera){.position = {(float)value[0], (float)value[1], (float)value[2]},
                         .pan = (float)value[3],
                         .tilt = (float)value[4]};
     options->has_camera = true;
-    return true;
+    return fabs(value[4]) <= (double)CAMERA_TILT_LIMIT ||
+           refuse("camera", text, "the tilt must be from %g to %g degrees",
+                  (double)-CAMERA_TILT_LIMIT, (double)CAMERA_TILT_LIMIT);
 }
 
 static bool set_samples(struct options *options, const char *text)
 {
-    if (number_read_int(text, 1, OPTIONS_SAMPLES_LIMIT, &options->samples))
-        return true;
-    report("--samples '%s': must be a whole number from 1 to %d: N x N samples a pixel", text,
-           OPTIONS_SAMPLES_LIMIT);
-    return false;
+    return number_read_int(text, 1, OPTIONS_SAMPLES_LIMIT, &options->samples) ||
+           refuse("samples", text, "must be a whole number from 1 to %d: N x N samples a pixel",
+                  OPTIONS_SAMPLES_LIMIT);
 }
 
 static bool set_frames(struct options *options, const char *text)
 {
-    if (number_read_int(text, 1, SEQUENCE_FRAMES_LIMIT, &options->frames))
-        return true;
-    report("--frames '%s': must be a whole number of pictures from 1 to %d", text,
-           SEQUENCE_FRAMES_LIMIT);
-    return false;
+    return number_read_int(text, 1, SEQUENCE_FRAMES_LIMIT, &options->frames) ||
+           refuse("frames", text, "must be a whole number of pictures from 1 to %d",
+                  SEQUENCE_FRAMES_LIMIT);
 }
 
 static bool set_fps(struct options *options, const char *text)
 {
-    if (number_read(text, &options->fps) && options->fps >= FPS_MINIMUM &&
-        options->fps <= FPS_MAXIMUM)
-        return true;
-    report("--fps '%s': must be a number of pictures a second from %g to %g", text, FPS_MINIMUM,
-           FPS_MAXIMUM);
-    return false;
+    return (number_read(text, &options->fps) && options->fps >= FPS_MINIMUM &&
+            options->fps <= FPS_MAXIMUM) ||
+           refuse("fps", text, "must be a number of pictures a second from %g to %g", FPS_MINIMUM,
+                  FPS_MAXIMUM);
 }
 
 // A number of frames, or the word json; both may be given, one after the other.
@@ -183,34 +140,40 @@ static bool set_benchmark(struct options *options, const char *text)
     options->json = options->json || json;
     if (json && options->benchmark == 0)
         options->benchmark = BENCHMARK_FRAMES_DEFAULT;
-    if (json || number_read_int(text, 1, BENCHMARK_FRAMES_LIMIT, &options->benchmark))
-        return true;
-    report("--benchmark '%s': must be a whole number of frames from 1 to %d, or json", text,
-           BENCHMARK_FRAMES_LIMIT);
-    return false;
+    return json || number_read_int(text, 1, BENCHMARK_FRAMES_LIMIT, &options->benchmark) ||
+           refuse("benchmark", text, "must be a whole number of frames from 1 to %d, or json",
+                  BENCHMARK_FRAMES_LIMIT);
 }
 
 static bool set_view(struct options *options, const char *text)
 {
     char names[128] = "";
-    if (shader_view_from_name(text, &options->view))
-        return true;
     for (int i = 0; i < SHADER_VIEW_COUNT; i++)
         snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i > 0 ? ", " : "",
                  shader_view_name((enum shader_view)i));
-    report("--view '%s': no such view: there are %s", text, names);
-    return false;
+    return shader_view_from_name(text, &options->view) ||
+           refuse("view", text, "no such view: there are %s", names);
 }
 
 static bool set_probe(struct options *options, const char *text)
 {
-    int pixel[2];
-    if (!read_pair(text, ',', pixel))
-        return refuse("probe", text, "must be X,Y in pixels, as in 320,180");
+    int pixel[2] = {0};
+    options->has_probe = read_pair(text, ',', pixel);
     options->probe_x = pixel[0];
     options->probe_y = pixel[1];
-    options->has_probe = true;
-    return true;
+    return options->has_probe || refuse("probe", text, "must be X,Y in pixels, as in 320,180");
+}
+
+// The scale may be left out.
+static bool set_overlay(struct options *options, const char *text)
+{
+    options->has_overlay = true;
+    options->overlay = 0.0;
+    return text == NULL ||
+           (number_read(text, &options->overlay) && options->overlay >= OVERLAY_SCALE_MINIMUM &&
+            options->overlay <= OVERLAY_SCALE_MAXIMUM) ||
+           refuse("overlay", text, "the scale must be a number from %g to %g",
+                  OVERLAY_SCALE_MINIMUM, OVERLAY_SCALE_MAXIMUM);
 }
 
 static bool set_backend(struct options *options, const char *text)
@@ -219,148 +182,180 @@ static bool set_backend(struct options *options, const char *text)
            refuse("backend", text, "no such backend: there are glfw, egl, osmesa");
 }
 
-static bool set_path(const char *option, const char **path, const char *text)
+static bool set_shader(struct options *options, const char *text)
 {
-    *path = text;
-    return text[0] != '\0' || refuse(option, text, "must name a file or folder");
+    options->shader = text;
+    return text[0] != '\0' || refuse("shader", text, "must name a file");
 }
 
-// --help wins over other actions, so that it can be added to any command line.
-static bool set_action(struct options *options, enum options_action action)
+static bool set_root(struct options *options, const char *text)
 {
-    if (options->action != OPTIONS_HELP)
-        options->action = action;
-    return true;
+    options->root = text;
+    return text[0] != '\0' || refuse("root", text, "must name a folder");
 }
 
-//   form  NULL where none is given
-static bool set_print_shader(struct options *options, const char *form)
+static bool set_print_shader(struct options *options, const char *text)
 {
-    options->shadertoy = form != NULL;
-    if (form == NULL || strcmp(form, "shadertoy") == 0)
-        return set_action(options, OPTIONS_PRINT_SHADER);
-    return refuse("print-shader", form, "must be shadertoy, or be left out");
+    options->shadertoy = text != NULL;
+    return text == NULL || strcmp(text, "shadertoy") == 0 ||
+           refuse("print-shader", text, "must be shadertoy, or be left out");
 }
+
+// ---- The options ----
+
+// A letter of '\0' is none. The value is written as help has it: after a blank it is needed, in
+// brackets it may be left out. An empty default is not printed.
+static const struct row {
+    char letter;
+    const char *name, *value;
+    bool (*set)(struct options *options, const char *text);
+    enum options_action action;
+    const char *meaning, *initial;
+} rows[] = {
+    {'o', "output", " FILE.png", set_output, OPTIONS_RUN,
+     "render one picture without a window, write it, exit", ""},
+    {'s', "size", " WxH", set_size, OPTIONS_RUN, "size of the picture in pixels, 1 to 16384 each",
+     "960x540 in a window, 640x360 to a file"},
+    {'t', "time", " SECONDS", set_time, OPTIONS_RUN, "time of the picture", "0"},
+    {'p', "set", " NAME=VALUE", add_setting, OPTIONS_RUN,
+     "set a parameter of the shader; may be repeated", ""},
+    {'c', "camera", " X,Y,Z,PAN,TILT", set_camera, OPTIONS_RUN,
+     "where the eye is, in scene units, and looks, in degrees", "the chapter's own"},
+    {'a', "samples", " N", set_samples, OPTIONS_RUN, "N x N samples a pixel, 1 to 8", "1"},
+    {'v', "view", " NAME", set_view, OPTIONS_RUN, "picture, normals, depth, steps or slice",
+     "picture"},
+    {0, "probe", " X,Y", set_probe, OPTIONS_RUN,
+     "print the march of a pixel's ray, the slice's; 0,0 is bottom left", ""},
+    {0, "overlay", "[=SCALE]", set_overlay, OPTIONS_RUN,
+     "scale of the overlay, 0.5 to 8; draws it into a file too", "by the picture's height"},
+    {'b', "backend", " NAME", set_backend, OPTIONS_RUN, "glfw, egl or osmesa",
+     "glfw for a window; egl, osmesa, glfw for a file"},
+    {'f', "shader", " FILE", set_shader, OPTIONS_RUN,
+     "run this fragment shader instead of the chapter's", ""},
+    {0, "root", " DIR", set_root, OPTIONS_RUN, "the project's folder",
+     "found from the program's place"},
+    {0, "frames", " N", set_frames, OPTIONS_RUN,
+     "N pictures from --time on, as in -o frame-%04d.png", ""},
+    {0, "fps", " F", set_fps, OPTIONS_RUN, "pictures a second of --frames", "25"},
+    {0, "print-shader", "[=shadertoy]", set_print_shader, OPTIONS_PRINT_SHADER,
+     "print the shader as one file; one for Shadertoy", ""},
+    {0, "benchmark", " N|json", set_benchmark, OPTIONS_RUN,
+     "measure compilation, N frames, evaluations of the scene; as JSON", "20 frames with json"},
+    {0, "list", "", NULL, OPTIONS_LIST, "print the parameters: name, value, range, unit, meaning",
+     ""},
+    {'h', "help", "", NULL, OPTIONS_HELP, "print this text", ""},
+    {'V', "version", "", NULL, OPTIONS_VERSION, "print backend, OpenGL version and renderer", ""},
+};
+
+enum { ROWS = sizeof rows / sizeof *rows };
 
 // ---- The command line ----
 
-//   text  the option's value, "" where it takes none
-// The scale may be left out: it is NULL then.
-static bool set_overlay(struct options *options, const char *scale)
+static bool refuse_unknown(const char *word, size_t length)
 {
-    double value = 0.0;
-    options->has_overlay = true;
-    options->overlay = 0.0;
-    if (scale == NULL)
-        return true;
-    if (!number_read(scale, &value) || value < OVERLAY_SCALE_MINIMUM ||
-        value > OVERLAY_SCALE_MAXIMUM) {
-        report("--overlay '%s': the scale must be a number from %g to %g", scale,
-               OVERLAY_SCALE_MINIMUM, OVERLAY_SCALE_MAXIMUM);
-        return false;
+    report("unknown option '%.*s': --help lists the options", (int)length, word);
+    return false;
+}
+
+// Carry out an option.
+//   text  what stands in the option's own word, or NULL
+//   next  the words that follow, NULL at their end
+static bool apply(struct options *options, const struct row *row, const char *text, char ***next)
+{
+    bool needs = row->value[0] == ' ' && text == NULL;
+    if (needs && **next == NULL)
+        report("--%s: a value is missing: --help shows its form", row->name);
+    else if (row->value[0] == '\0' && text != NULL)
+        report("--%s: takes no value", row->name);
+    else {
+        // --help wins over other actions, so that it can be added to any command line.
+        if (row->action != OPTIONS_RUN && options->action != OPTIONS_HELP)
+            options->action = row->action;
+        return row->set == NULL || row->set(options, needs ? *(*next)++ : text);
     }
-    options->overlay = value;
+    return false;
+}
+
+// --name, --name=value
+static bool read_name(struct options *options, const char *word, char ***next)
+{
+    size_t length = strcspn(word, "=");
+    for (const struct row *row = rows; row < rows + ROWS; row++)
+        if (strlen(row->name) == length - 2 && strncmp(row->name, word + 2, length - 2) == 0)
+            return apply(options, row, word[length] == '=' ? word + length + 1 : NULL, next);
+    return refuse_unknown(word, length);
+}
+
+// -a, -avalue, -abc
+static bool read_letters(struct options *options, const char *letter, char ***next)
+{
+    for (; *letter != '\0'; letter++) {
+        const struct row *row = rows;
+        while (row < rows + ROWS && row->letter != *letter)
+            row++;
+        if (row == rows + ROWS)
+            return refuse_unknown((char[]){'-', *letter, '\0'}, 2);
+        if (row->value[0] != '\0')
+            return apply(options, row, letter[1] != '\0' ? letter + 1 : NULL, next);
+        if (!apply(options, row, NULL, next))
+            return false;
+    }
     return true;
 }
 
-static bool apply(struct options *options, int code, const char *text)
+static bool read_words(struct options *options, char **next)
 {
-    switch (code) {
-    case 'o':
-        return set_path("output", &options->output, text);
-    case 's':
-        return set_size(options, text);
-    case 't':
-        return set_time(options, text);
-    case 'p':
-        return add_setting(options, text);
-    case 'c':
-        return set_camera(options, text);
-    case 'a':
-        return set_samples(options, text);
-    case 'v':
-        return set_view(options, text);
-    case CODE_PROBE:
-        return set_probe(options, text);
-    case 'b':
-        return set_backend(options, text);
-    case 'f':
-        return set_path("shader", &options->shader, text);
-    case CODE_ROOT:
-        return set_path("root", &options->root, text);
-    case CODE_FRAMES:
-        return set_frames(options, text);
-    case CODE_FPS:
-        return set_fps(options, text);
-    case CODE_BENCHMARK:
-        return set_benchmark(options, text);
-    case CODE_LIST:
-        return set_action(options, OPTIONS_LIST);
-    case 'h':
-        return set_action(options, OPTIONS_HELP);
-    default:
-        return set_action(options, OPTIONS_VERSION);
-    }
-}
-
-static bool refuse_unknown(const char *word)
-{
-    report("unknown option '%.*s': --help lists the options", (int)strcspn(word, "="), word);
-    return false;
-}
-
-// getopt takes "--out" for "--output", which would change its meaning when an option is added.
-//   word  the argument that holds the option
-static bool is_in_full(const char *word, int code)
-{
-    const struct option *option = option_of(code);
-    size_t length = strcspn(word, "=");
-    return word[0] != '-' || word[1] != '-' || option == NULL ||
-           (length == strlen(option->name) + 2 && strncmp(word + 2, option->name, length - 2) == 0);
-}
-
-// Report what getopt could not read.
-//   code  ':' for a missing value, '?' otherwise
-//   word  the argument that it read last
-static bool refuse_option(int code, const char *word)
-{
-    const struct option *option = option_of(optopt);
-    if (code == ':' && option != NULL && !is_in_full(word, optopt))
-        return refuse_unknown(word);
-    if (code == ':' && option != NULL)
-        report("--%s: a value is missing: --help shows its form", option->name);
-    else if (optopt == 0 || option == NULL || !is_in_full(word, optopt)) {
-        char letter[] = {'-', (char)optopt, '\0'};
-        return refuse_unknown(optopt == 0 || optopt > 255 ? word : letter);
-    } else
-        report("--%s: takes no value", option->name);
-    return false;
-}
-
-static bool read_options(struct options *options, int argc, char **argv)
-{
-    opterr = 0;
-    optind = 0; // begin anew, in every C library
-    for (;;) {
-        int code = getopt_long(argc, argv, letters, long_options, NULL);
-        if (code == -1)
-            break;
-        const char *word = optind > 0 && optind <= argc ? argv[optind - 1] : "";
-        if (code == '?' || code == ':')
-            return refuse_option(code, word);
-        if (optarg != NULL && optarg == word)
-            word = argv[optind - 2];
-        if (!is_in_full(word, code))
-            return refuse_unknown(word);
-        bool taken = code == CODE_PRINT_SHADER ? set_print_shader(options, optarg)
-                     : code == CODE_OVERLAY    ? set_overlay(options, optarg)
-                                               : apply(options, code, optarg != NULL ? optarg : "");
-        if (!taken)
+    while (*next != NULL) {
+        const char *word = *next++;
+        bool named = strncmp(word, "--", 2) == 0, last = named && word[2] == '\0';
+        if (last && *next == NULL)
+            return true;
+        if (word[0] != '-' || word[1] == '\0' || last) {
+            report("unexpected argument '%s': --help lists the options", last ? *next : word);
+            return false;
+        }
+        if (named ? !read_name(options, word, &next) : !read_letters(options, word + 1, &next))
             return false;
     }
-    if (optind < argc)
-        report("unexpected argument '%s': --help lists the options", argv[optind]);
-    return optind >= argc;
+    return true;
+}
+
+// What one option asks of the others.
+static bool complete(struct options *options)
+{
+    bool row = options->frames > 0, paced = options->fps > 0.0;
+    options->fps = paced ? options->fps : FPS_DEFAULT;
+    options->window = options->output == NULL && !options->has_probe && options->benchmark == 0;
+    if (options->width == 0) {
+        options->width = options->window ? 960 : 640;
+        options->height = options->window ? 540 : 360;
+    }
+    if (options->benchmark > 0 && (options->output != NULL || options->has_probe))
+        report("--benchmark: writes no picture and probes no ray: leave --%s out",
+               options->output != NULL ? "output" : "probe");
+    else if (!row && paced)
+        report("--fps: goes with --frames N: how many pictures?");
+    else if (row && options->output == NULL)
+        report("--frames: goes with --output, as in -o frame-%%04d.png");
+    else if (row && !sequence_is_name(options->output))
+        report("--output '%s': with --frames the name must hold one %%d for the number, as in "
+               "frame-%%04d.png",
+               options->output);
+    else if (row && options->has_probe && options->view != SHADER_SLICE)
+        report("--probe: the march of one picture: leave --frames out");
+    else if (row && fabs(options->time) + options->frames / options->fps > LIMIT)
+        report("--frames: the last time must be from -1e9 to 1e9 seconds");
+    else if (options->shadertoy && options->view != SHADER_PICTURE)
+        report("--print-shader=shadertoy: only the picture runs there: leave --view %s out",
+               shader_view_name(options->view));
+    else if (options->has_probe && (options->probe_x < 0 || options->probe_x >= options->width ||
+                                    options->probe_y < 0 || options->probe_y >= options->height))
+        report("--probe '%d,%d': outside the picture of %dx%d: X is from 0 to %d, Y from 0 to %d",
+               options->probe_x, options->probe_y, options->width, options->height,
+               options->width - 1, options->height - 1);
+    else
+        return true;
+    return false;
 }
 
 bool options_parse(struct options *options, int argc, char **argv)
@@ -369,7 +364,7 @@ bool options_parse(struct options *options, int argc, char **argv)
     options->settings = malloc(((size_t)argc + 1) * sizeof *options->settings);
     if (options->settings == NULL)
         report("command line: not enough memory");
-    else if (read_options(options, argc, argv) && options_complete(options))
+    else if (read_words(options, argv + (argc > 0)) && complete(options))
         return true;
     options_free(options);
     return false;
@@ -379,4 +374,39 @@ void options_free(struct options *options)
 {
     free(options->settings);
     *options = (struct options){0};
+}
+
+// ---- Help ----
+
+static const char ending[] =
+    "In the window:\n"
+    "  W A S D            move, by the keys' places on an American keyboard\n"
+    "  Space, C           up, down (or Left Ctrl); Left Shift moves faster\n"
+    "  drag               look; M captures and frees the mouse\n"
+    "  click              choose a pixel's ray and show its march; again hides it\n"
+    "  wheel              focal length; in the slice its zoom\n"
+    "  Tab                perspective or orthographic, where the shader has both\n"
+    "  1 2 3 4 5          views: picture, normals, depth, steps, slice\n"
+    "  up, down           choose a parameter\n"
+    "  left, right        change it, with Shift ten steps; Home resets it\n"
+    "  Escape, R          pause and resume; restart the time, with Shift the camera too\n"
+    "  H, K               hide and show the overlay; all keys and ranges in it\n"
+    "  P, F11             write a screenshot; full screen\n"
+    "  Backspace          end\n\n"
+    "Exit status: 0 done; 1 it could not be done; 2 the command line is wrong;\n"
+    "3 no window can be opened here.\n";
+
+void options_print_help(FILE *file, const char *program, const char *title, const char *shows)
+{
+    const int width = 30; // of the longest option
+    fprintf(file, "Usage: %s [OPTION]...\n\n%s\n%s\n\n", program, title, shows);
+    fprintf(file, "Without --output, --probe or --benchmark a window opens.\n\n");
+    for (const struct row *row = rows; row < rows + ROWS; row++) {
+        char letter[] = {'-', row->letter, ',', '\0'};
+        fprintf(file, "  %3s --%s%-*s  %s\n", row->letter != '\0' ? letter : "", row->name,
+                width - 6 - (int)strlen(row->name), row->value, row->meaning);
+        if (row->initial[0] != '\0')
+            fprintf(file, "  %*s  default: %s\n", width, "", row->initial);
+    }
+    fprintf(file, "\n%s", ending);
 }

@@ -23,8 +23,9 @@ enum options_action {
 // What the command line asks for. Strings point into argv.
 struct options {
     enum options_action action;
+    bool window;           // the run needs one: it writes no picture, no march, no measurement
     bool shadertoy;        // --print-shader=shadertoy
-    const char *output;    // PNG to write, or NULL
+    const char *output;    // PNG to write, its name ends so, or NULL
     int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT; defaults set by options_parse
     double time;           // seconds
     int frames;            // pictures to write, output holds one %d then; 0: one picture
@@ -52,10 +53,6 @@ struct options {
 // here: syntax, ranges, the probe inside the picture, no operand left over. Not here: the names and
 // ranges of parameters, which only the shader knows.
 bool options_parse(struct options *options, int argc, char **argv);
-
-// The last step of options_parse: defaults that depend on other options, and options that do not go
-// together. Returns false, reported.
-bool options_complete(struct options *options);
 
 // Free what options_parse allocated.
 void options_free(struct options *options);

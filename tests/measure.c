@@ -184,7 +184,7 @@ static double cold_seconds(struct contender *contender, const char *root)
     if (context_open_offscreen(&context, CONTEXT_ANY) &&
         renderer_open(&contender->renderer, &context.gl, root)) {
         double start = cpu_seconds();
-        if (renderer_load(&contender->renderer, contender->path) &&
+        if (gpu_load_file(&contender->renderer, contender->path) &&
             frame_seconds(contender, &context.gl) >= 0.0)
             seconds = cpu_seconds() - start;
     }
@@ -198,7 +198,7 @@ static bool measure_warm(struct contender pair[2])
 {
     for (int k = 0; k < 2; k++)
         if (!renderer_open(&pair[k].renderer, &gpu.context.gl, gpu.root) ||
-            !renderer_load(&pair[k].renderer, pair[k].path))
+            !gpu_load_file(&pair[k].renderer, pair[k].path))
             return false;
     for (int i = -5; i < FRAMES; i++)
         for (int k = 0; k < 2; k++) {

@@ -45,11 +45,23 @@ int gpu_teardown(void **state)
     return scratch_teardown(state);
 }
 
+bool gpu_load_file(struct renderer *renderer, const char *path)
+{
+    struct shader_source source = {0};
+    struct parameters parameters = {0};
+    bool loaded = shader_read(&source, path, renderer->root) &&
+                  parameters_read(&parameters, &source) &&
+                  renderer_load(renderer, &source, &parameters);
+    shader_free(&source);
+    parameters_free(&parameters);
+    return loaded;
+}
+
 bool gpu_load(const char *shader)
 {
     char path[8192];
     snprintf(path, sizeof path, "%s/%s", gpu.root, shader);
-    if (!renderer_load(&gpu.renderer, path))
+    if (!gpu_load_file(&gpu.renderer, path))
         return false;
     // A reload keeps the values of the shader before; a test starts from the shader's own.
     for (int i = 0; i < gpu.renderer.parameters.count; i++)
@@ -59,7 +71,7 @@ bool gpu_load(const char *shader)
 
 bool gpu_load_text(const char *text)
 {
-    return renderer_load(&gpu.renderer, scratch_write("shader.frag", text));
+    return gpu_load_file(&gpu.renderer, scratch_write("shader.frag", text));
 }
 
 struct renderer_inputs gpu_inputs(int width, int height, int samples)

@@ -25,6 +25,9 @@ void gpu_close(void);
 int gpu_setup(void **state);
 int gpu_teardown(void **state);
 
+// Read a file and load it into a renderer. False, reported.
+bool gpu_load_file(struct renderer *renderer, const char *path);
+
 // Load a shader, a path below the project's folder, with its parameters as the shader says. False,
 // reported.
 bool gpu_load(const char *shader);

@@ -113,6 +113,7 @@ refuse 'an unknown parameter of --print-shader=shadertoy' 2 'lampHeigth' \
     "$chapter" --print-shader=shadertoy -p lampHeigth=2
 refuse 'an operand too many' 2 'extra' "$chapter" "${to[@]}" extra
 refuse 'a missing value' 2 'missing' "$chapter" --output
+refuse 'an output that is no PNG' 2 'ends in .png' "$chapter" "${small[@]}" -o "$out/new.txt"
 refuse 'an empty name' 2 '--output' "$chapter" "${small[@]}" -o ''
 refuse '--list with a value' 2 '--list' "$chapter" --list=all
 
@@ -124,6 +125,8 @@ refuse 'one component out of its range' 2 '0.*4' "$lighting" "${to[@]}" -p lampC
 for value in nan inf -nan abc '' 1e999 '2 3' 2,3; do
     refuse "lampHeight=$value" 2 'lampHeight' "$chapter" "${to[@]}" -p "lampHeight=$value"
 done
+refuse 'a comma in a number' 2 'write 2.5$' "$chapter" "${to[@]}" -p lampHeight=2,5
+refuse 'a parameter that is wrong, without a display' 2 'lampHeigth' "$chapter" -p lampHeigth=2
 refuse 'too few components' 2 'lampColour' "$lighting" "${to[@]}" -p lampColour=1,1
 refuse 'a truth that is none' 2 'sun' "$chapter" "${to[@]}" -p sun=perhaps
 refuse 'a whole number that is none' 2 'maxSteps' "$chapter" "${to[@]}" -p maxSteps=1.5
@@ -229,50 +232,76 @@ refuse 'a program far from its shaders' 1 '--root' "$scratch/alone/03_shadows" "
 mkdir -p "$scratch/empty root/shaders"
 : >"$scratch/empty root/shaders/screen.vert"
 refuse 'a project with an empty vertex shader' 1 'screen.vert.*empty' \
-    "$chapter" "${to[@]}" --root "$scratch/empty root" -f "$good"
+    "$chapter" "${to[@]}" --root "$scratch/empty root" -f "$whole"
 
 # ---- Where the picture goes ----
 
-target_kind() { find "$out" -name target -exec ls -ld {} + | cut -c 1; }
+target_kind() { find "$out" -name target.png -exec ls -ld {} + | cut -c 1; }
 
 # A target of a kind of its own in the output folder, taken away afterwards.
 with_target() { # NAME PATTERN
     local name=$1 kind
     kind=$(target_kind)
-    expected_listing='./old.png ./target '
-    keep=1 refuse "$name" 1 "$2" "$chapter" "${small[@]}" -o "$out/target"
+    expected_listing='./old.png ./target.png '
+    keep=1 refuse "$name" 1 "$2" "$chapter" "${small[@]}" -o "$out/target.png"
     check "$name: it still stands" [ "$(target_kind)" = "$kind" ]
     expected_listing='./old.png '
     fill
 }
-mkdir "$out/target"
+mkdir "$out/target.png"
 with_target 'an output that is a folder' 'folder'
-mkfifo "$out/target"
+mkfifo "$out/target.png"
 with_target 'an output that is a pipe' 'pipe'
-if mknod "$out/target" c 1 3 2>/dev/null; then
+if mknod "$out/target.png" c 1 3 2>/dev/null; then
     with_target 'an output that is a device' 'device'
 else
     skip 'an output that is a device' 'this user cannot make one'
 fi
 mkfifo "$out/pipe"
-ln -s pipe "$out/link"
-expected_listing='./link ./old.png ./pipe '
-refuse 'an output that is a link to a pipe' 1 'pipe' "$chapter" "${small[@]}" -o "$out/link"
+ln -s pipe "$out/link.png"
+expected_listing='./link.png ./old.png ./pipe '
+refuse 'an output that is a link to a pipe' 1 'pipe' "$chapter" "${small[@]}" -o "$out/link.png"
 fill
-ln -s loop "$out/loop"
-expected_listing='./loop ./old.png '
-refuse 'an output that is a link to itself' 1 'loop' "$chapter" "${small[@]}" -o "$out/loop"
+ln -s loop.png "$out/loop.png"
+expected_listing='./loop.png ./old.png '
+refuse 'an output that is a link to itself' 1 'loop' "$chapter" "${small[@]}" -o "$out/loop.png"
 expected_listing='./old.png '
 fill
 refuse 'an output in a missing folder' 1 'nowhere' "$chapter" "${small[@]}" -o "$out/nowhere/new.png"
 refuse 'the output is looked at before any work' 1 'folder.*nowhere' \
-    "$chapter" "${small[@]}" -o "$out/nowhere/new.png" -f "$shaders/missing.frag"
+    "$chapter" "${small[@]}" -o "$out/nowhere/new.png" -f "$shaders/j.frag"
 refuse 'an output below a file' 1 'old.png' "$chapter" "${small[@]}" -o "$out/old.png/new.png"
-refuse 'an output that ends in /' 1 'new' "$chapter" "${small[@]}" -o "$out/new/"
+refuse 'an output that ends in /' 2 'ends in .png' "$chapter" "${small[@]}" -o "$out/new/"
 refuse 'a name longer than any' 1 'too long' "$chapter" "${small[@]}" \
     -o "$out/$(printf '%0300d' 0).png"
 refuse 'a line end in a name stays in one line' 1 'new?line' "$chapter" "${small[@]}" \
     -o "$out"/$'new\nline/a.png'
+
+# A picture never takes the place of what the run reads: itself, by a link, a hard link, an include, in a row.
+printf '#include "part.png"\n' >"$out/read.png"
+cat "$good" >"$out/part.png"
+ln -s read.png "$out/link.png"
+ln "$out/part.png" "$out/hard.png"
+ln "$out/part.png" "$out/row-1.png"
+expected_listing='./hard.png ./link.png ./old.png ./part.png ./read.png ./row-1.png '
+kept() { cmp -s "$out/part.png" "$good" && [ -L "$out/link.png" ] && grep -q part "$out/read.png"; }
+for name in read part link hard row-%d; do
+    frames=()
+    [ "$name" = row-%d ] && frames=(--frames 3)
+    keep=1 refuse "an output that is read: $name" 1 "which this run reads" \
+        "$chapter" "${small[@]}" "${frames[@]}" -f "$out/read.png" -o "$out/$name.png"
+    check "an output that is read: $name: it still stands" kept
+done
+expected_listing='./old.png '
+fill
+cp -R "$root/shaders" "$scratch/library"
+mkdir "$scratch/course" && mv "$scratch/library" "$scratch/course/shaders"
+ln -s "$scratch/course/shaders/screen.vert" "$out/vertex.png"
+expected_listing='./old.png ./vertex.png '
+refuse 'an output that is the vertex shader' 1 'screen.vert, which this run reads' \
+    "$chapter" "${small[@]}" --root "$scratch/course" -f "$good" -o "$out/vertex.png"
+expected_listing='./old.png '
+fill
 
 # A write that fails in the midst, as on a full disk: no file may grow beyond 1 KiB.
 full_disk() {
@@ -356,10 +385,10 @@ else
     fill
 fi
 
-refuse 'a window without a display' 1 'display' "$chapter"
+refuse 'a window without a display' 3 'display' "$chapter"
 refuse 'glfw without a display' 1 'glfw' "$chapter" "${to[@]}" -b glfw
-refuse 'a window through egl' 1 'egl' "$chapter" -b egl
-refuse 'a window through osmesa' 1 'osmesa' "$chapter" -b osmesa
+refuse 'a window through egl' 3 'egl' "$chapter" -b egl
+refuse 'a window through osmesa' 3 'osmesa' "$chapter" -b osmesa
 mkdir "$scratch/none"
 no_egl=(env "__EGL_VENDOR_LIBRARY_DIRS=$scratch/none")
 too_old=(env MESA_GL_VERSION_OVERRIDE=3.2)
@@ -388,7 +417,7 @@ grep -q -e '-DHAVE_OSMESA' "$BUILD/flags" || tried='egl.*glfw' # what make did n
 refuse 'no backend at all' 1 "$tried" "${too_old[@]}" "$chapter" "${to[@]}"
 if open_display; then
     refuse 'glfw: a driver that refuses 3.3' 1 '3\.3.*glfw' "${too_old[@]}" "$chapter" "${to[@]}" -b glfw
-    refuse 'a window: a driver that refuses 3.3' 1 '3\.3' "${too_old[@]}" "$chapter"
+    refuse 'a window: a driver that refuses 3.3' 3 '3\.3' "${too_old[@]}" "$chapter"
     succeed 'glfw renders into a file' "$chapter" "${to[@]}" -b glfw
     fill
     close_display

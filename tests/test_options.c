@@ -45,6 +45,14 @@ static struct options parsed(const char *line)
     return options;
 }
 
+static bool parsed_window(const char *line)
+{
+    struct options options = parsed(line);
+    bool window = options.window;
+    options_free(&options);
+    return window;
+}
+
 static void assert_refused(const char *line, const char *why)
 {
     struct options options;
@@ -101,8 +109,11 @@ static void test_defaults(void **state)
     options_free(&o);
     options_free(&o);
     static const char *const still[] = {"-o a.png", "--probe 639,359"};
+    assert_true(parsed_window(""));
+    assert_false(parsed_window("--benchmark 2"));
     for (int i = 0; i < 2; i++) {
         o = parsed(still[i]);
+        assert_false(o.window);
         assert_int_equal(o.width, 640);
         assert_int_equal(o.height, 360);
         options_free(&o);
@@ -211,6 +222,9 @@ static void test_numbers(void **state)
         assert_refused(line, "number of seconds");
     }
     assert_refused("-t 1e10", "1e9");
+    assert_refused("-t 0,5", "must be a number of seconds, as in 1.5: write 0.5");
+    assert_refused("--frames 2 -o %d.png --fps 12,5", ": write 12.5");
+    assert_refused("--overlay=1,5", ": write 1.5");
     static const char *const samples[] = {"0",   "9",  "-1", "2.5",
                                           "two", "''", "2x", "99999999999999999999"};
     for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {
@@ -262,7 +276,15 @@ static void test_names(void **state)
     assert_refused("-b vulkan", "there are glfw, egl, osmesa");
     assert_refused("-p a", "NAME=VALUE");
     assert_refused("-p =1", "NAME=VALUE");
-    assert_refused("-o ''", "--output");
+    static const char *const outputs[] = {"''", "a.txt", "a.frag", "a", ".png", "-", "a.png.jpg"};
+    for (size_t i = 0; i < sizeof outputs / sizeof *outputs; i++) {
+        char line[64];
+        snprintf(line, sizeof line, "-o %s", outputs[i]);
+        assert_refused(line, "must name a file that ends in .png");
+    }
+    struct options o = parsed("-o A.PNG");
+    assert_string_equal(o.output, "A.PNG");
+    options_free(&o);
     assert_refused("-f ''", "--shader");
     assert_refused("--root ''", "--root");
 }
@@ -275,21 +297,21 @@ static void test_frames(void **state)
     assert_true(o.fps == 0.5);
     assert_int_equal(o.width, 640);
     options_free(&o);
-    o = parsed("--frames 1 -o %d");
+    o = parsed("--frames 1 -o %d.png");
     assert_true(o.fps == 25.0);
     options_free(&o);
     o = parsed("-o %d.png"); // a name like any other
     assert_int_equal(o.frames, 0);
     options_free(&o);
-    assert_refused("--frames 0 -o %d", "--frames '0': must be a whole number of pictures");
-    assert_refused("--frames 100001 -o %d", "from 1 to 100000");
-    assert_refused("--frames 2 --fps 0 -o %d", "--fps '0'");
-    assert_refused("--frames 2 --fps 1000.1 -o %d", "from 0.001 to 1000");
+    assert_refused("--frames 0 -o %d.png", "--frames '0': must be a whole number of pictures");
+    assert_refused("--frames 100001 -o %d.png", "from 1 to 100000");
+    assert_refused("--frames 2 --fps 0 -o %d.png", "--fps '0'");
+    assert_refused("--frames 2 --fps 1000.1 -o %d.png", "from 0.001 to 1000");
     assert_refused("--frames 2", "goes with --output");
-    assert_refused("--fps 2 -o %d", "goes with --frames");
+    assert_refused("--fps 2 -o %d.png", "goes with --frames");
     assert_refused("--frames 2 -o a.png", "must hold one %d");
-    assert_refused("--frames 2 --probe 1,1 -o %d", "leave --frames out");
-    o = parsed("--frames 2 --probe 1,1 -v slice -o %d");
+    assert_refused("--frames 2 --probe 1,1 -o %d.png", "leave --frames out");
+    o = parsed("--frames 2 --probe 1,1 -v slice -o %d.png");
     options_free(&o);
 }
 
@@ -347,8 +369,8 @@ static void test_values_missing_or_too_many(void **state)
     assert_refused("--list foo -V", "unexpected argument 'foo'");
     assert_refused("-- -o", "unexpected argument '-o'");
     assert_refused("--print-shader shadertoy", "unexpected argument 'shadertoy'");
-    struct options o = parsed("-o --size");
-    assert_string_equal(o.output, "--size");
+    struct options o = parsed("-f --size");
+    assert_string_equal(o.shader, "--size");
     options_free(&o);
 }
 

@@ -456,6 +456,20 @@ check 'make play FILE opens a file' opens
 missing() { ! play nowhere.frag && grep -q 'nowhere.frag: no such file' "$scratch/err" && [ ! -e "$scratch/project/nowhere.frag" ]; }
 check 'make play FILE says that a file is missing' missing
 
+# Where no window can be opened the scripts render files instead, and say so; what needs no window needs none.
+runs() { (cd "$scratch/project" && .make/run.sh "$@" >"$scratch/out" 2>"$scratch/err"); }
+gallery() { # NAME
+    [ "$(cat "$scratch/out")" = "$(printf 'No window can be opened here: rendering into files instead.\n  build/gallery/%s.png' "$1")" ] &&
+        [ "$(grep -c '' "$scratch/err")" = 1 ] && [ -s "$root/$BUILD/gallery/$1.png" ]
+}
+check 'make play on a display that is gone renders a file' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' play '' \"\${size[@]}\" && gallery play"
+check 'make run on a display that is gone renders a file' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
+check 'make run on a compositor that is gone renders a file' \
+    eval "DISPLAY='' WAYLAND_DISPLAY=nowhere CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
+check 'make run without a display measures' eval "DISPLAY='' WAYLAND_DISPLAY='' runs --benchmark 1 \"\${size[@]}\" && grep -q '^shader  *00_' \"\$scratch/out\""
+refuses() { runs -p nothing=1; [ $? = 2 ] && [ ! -s "$scratch/out" ] && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
+check 'make run refuses a parameter that there is not' refuses
+
 # ---- The course's own, printed ----
 
 # What --print-shader writes is the chapter again: the same picture, its parameters, every view.

@@ -358,7 +358,7 @@ static void what_came_before_leaves_no_trace(void **unused)
     struct renderer_inputs smooth = gpu_inputs(40, 30, 2);
     free(draw(&smooth, smooth.height));
     capture_begin();
-    bool loaded = renderer_load(&gpu.renderer, "/nowhere/shader.frag");
+    bool loaded = gpu_load_file(&gpu.renderer, "/nowhere/shader.frag");
     capture_end();
     assert_false(loaded);
 

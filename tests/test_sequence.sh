@@ -83,7 +83,7 @@ refused() { # NAME STATUS PATTERN OPTION...
     fi
 }
 for name in frame.png '%s.png' '%x.png' '%d-%d.png' '%4d.png' '%00d.png' '%0d.png' '%010d.png' '%ld.png' '%%d.png' \
-    '%d%%.png' '%n.png' 'a%' '%-4d.png' '%d.%s'; do
+    '%d%%.png' '%n.png' 'a%.png' '%-4d.png' '%d.%s.png'; do
     refused "the name '$name'" 2 'must hold one %d' --frames 2 -o "$out/$name"
 done
 for frames in 0 -1 1.5 x '' 100001 99999999999999999999; do

@@ -25,13 +25,16 @@ static bool is_set(const char *variable)
 
 static bool initialise(char *why, size_t why_size)
 {
+#ifndef __APPLE__
+    // Not asked then: what GLFW tries first, libwayland, may print a line of its own.
+    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) {
+        snprintf(why, why_size, "no display: DISPLAY and WAYLAND_DISPLAY are not set");
+        return false;
+    }
+#endif
     if (glfwInit())
         return true;
     last_error(why, why_size, "glfwInit");
-#ifndef __APPLE__
-    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))
-        snprintf(why, why_size, "no display: DISPLAY and WAYLAND_DISPLAY are not set");
-#endif
     return false;
 }
 

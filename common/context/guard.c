@@ -13,9 +13,9 @@
 
 #include "report.h"
 
-#define STACK_NEEDED (4 * 1024 * 1024) // bytes; 64 files that include each other take about half
-#define CACHE_NEEDED 4e6               // bytes; the first file of Mesa's takes 1.3 million
-#define THREADS_MOST 32                // that llvmpipe starts, one for each processor
+#define STACK_NEEDED (1024 * 1024) // bytes
+#define CACHE_NEEDED 4e6           // bytes; the first file of Mesa's takes 1.3 million
+#define THREADS_MOST 32            // that llvmpipe starts, one for each processor
 
 static struct {
     char said[1024];

@@ -70,10 +70,11 @@ static bool open_timer(struct timer *timer, const struct context *context)
 
 // ---- Frames ----
 
-bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer, const char *path)
+bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer,
+                    struct shader_source *source, struct parameters *parameters)
 {
     struct benchmark_span begin = now();
-    if (!renderer_load(renderer, path))
+    if (!renderer_load(renderer, source, parameters))
         return false;
     renderer->gl->Finish();
     benchmark->compile = since(&begin);

@@ -55,9 +55,9 @@ struct benchmark_spread {
 //   values  count >= 1 of them; they are sorted
 struct benchmark_spread benchmark_spread_of(double *values, int count);
 
-// Load the shader into an open renderer and time that: read, compile, link.
-// Returns false, reported.
-bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer, const char *path);
+// renderer_load, timed.
+bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer,
+                    struct shader_source *source, struct parameters *parameters);
 
 // Draw the first frame, the warm-up, and the frames that count; then count evaluations on the GPU.
 //   benchmark  shader, frames (from 1 on) and inputs are set, benchmark_load was called

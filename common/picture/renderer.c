@@ -72,25 +72,23 @@ static bool link_view(struct renderer *renderer, const struct shader_source *sou
     return view != SHADER_SLICE || link_view(renderer, source, SHADER_PROBE, program);
 }
 
-bool renderer_load(struct renderer *renderer, const char *path)
+bool renderer_load(struct renderer *renderer, struct shader_source *source,
+                   struct parameters *parameters)
 {
-    struct shader_source source = {0};
-    struct parameters parameters = {0};
     GLuint program[SHADER_PROGRAM_COUNT] = {0};
-    if (!shader_read(&source, path, renderer->root) || !parameters_read(&parameters, &source) ||
-        !link_view(renderer, &source, renderer->view, program)) {
+    if (!link_view(renderer, source, renderer->view, program)) {
         if (program[renderer->view] != 0)
             renderer->gl->DeleteProgram(program[renderer->view]);
-        shader_free(&source);
-        parameters_free(&parameters);
         return false;
     }
-    parameters_keep(&parameters, &renderer->parameters);
+    parameters_keep(parameters, &renderer->parameters);
     forget_programs(renderer);
     shader_free(&renderer->fragment);
     parameters_free(&renderer->parameters);
-    renderer->fragment = source;
-    renderer->parameters = parameters;
+    renderer->fragment = *source;
+    renderer->parameters = *parameters;
+    *source = (struct shader_source){0};
+    *parameters = (struct parameters){0};
     memcpy(renderer->program, program, sizeof program);
     return true;
 }

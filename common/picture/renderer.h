@@ -61,10 +61,13 @@ struct renderer {
 bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root);
 void renderer_close(struct renderer *renderer);
 
-// Read, expand, compile and link a shader file, and read its parameters. Parameters that it shares
-// with the shader before keep their values, as parameters_keep says.
-// Returns false, reported; then the renderer is as it was and still draws the last good shader.
-bool renderer_load(struct renderer *renderer, const char *path);
+// Compile and link a shader. Parameters that it shares with the shader before keep their values, as
+// parameters_keep says.
+//   source, parameters  of the shader; taken over and left empty
+// Returns false, reported; then both stay the caller's, and the renderer still draws the last good
+// shader.
+bool renderer_load(struct renderer *renderer, struct shader_source *source,
+                   struct parameters *parameters);
 
 // Choose what is shown; compiles the view when it is new. Returns false, reported, and keeps the
 // old view when the shader has no such view.

@@ -25,12 +25,15 @@ static void reload(struct window *window)
 {
     struct renderer *renderer = window->renderer;
     struct shader_source source = {0};
+    struct parameters parameters = {0};
     bool loaded = false;
     if (shader_read(&source, window->start->shader, renderer->root)) {
         watch_files(window, &source);
-        loaded = renderer_load(renderer, window->start->shader);
-        shader_free(&source);
+        loaded =
+            parameters_read(&parameters, &source) && renderer_load(renderer, &source, &parameters);
     }
+    shader_free(&source);
+    parameters_free(&parameters);
     window->broken = !loaded;
     snprintf(window->error, sizeof window->error, "%s", loaded ? "" : report_last());
     window->why[0] = '\0';
