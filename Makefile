@@ -51,6 +51,8 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
 LANGUAGE = -std=c11 -D_XOPEN_SOURCE=700 -Icommon
 COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
 
+.DEFAULT_GOAL = all
+
 # ---- What is built ----
 
 # The sanitizers: `make SANITIZE=1 programs tests` builds the same into build/sanitize/. Mesa unloads
@@ -82,10 +84,6 @@ SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
 PROGRAMS := $(STEMS:%=$(BUILD)/%)
 FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard tests/test_*.c)))
-
-all: ## build every chapter's program into build/ (the default)
-	@.make/setup.sh --check run
-	+@$(AGAIN) programs
 
 programs: $(PROGRAMS)
 tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%)
@@ -121,27 +119,53 @@ $(BUILD)/flags: always
 
 -include $(shell find $(BUILD)/common $(BUILD)/chapters $(BUILD)/tests $(BUILD)/docs -name '*.d' 2>/dev/null)
 
-# ---- What a person asks for ----
+# ---- To learn by ----
 
-run: ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2'; without a display, render all
+# What most of the commands below begin with.
+ready:
 	@.make/setup.sh run
+	+@$(AGAIN) programs build/tests/compare
+
+all: ## build every chapter's program into build/ (the default)
+	@.make/setup.sh --check run
 	+@$(AGAIN) programs
+
+run: ready ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2'; without a display, render all
 	@.make/run.sh $(OPTIONS)
 
-play: ## open your own shader in a window: make play FILE=my.frag; without FILE chapters/play.frag, made for you
-	@.make/setup.sh run
-	+@$(AGAIN) programs
+play: ready ## open your own shader in a window: make play FILE=my.frag; without FILE chapters/play.frag, made for you
 	@.make/play.sh $(OPTIONS)
 
-film: ## make an MP4 and a GIF of a chapter by ffmpeg: make film CHAPTER=00 FRAMES=100 FPS=25
-	@.make/setup.sh run
-	+@$(AGAIN) programs
+check: ready ## is a solution right? make check EXERCISE=03_2 FILE=my.frag; FILES='handed_in/*.frag' for a table
+	@.make/check.sh
+
+diff: ## show what changed since the chapter before: make diff CHAPTER=03
+	@.make/diff.sh
+
+film: ready ## make an MP4 and a GIF of a chapter by ffmpeg: make film CHAPTER=00 FRAMES=100 FPS=25
 	@.make/film.sh $(OPTIONS)
 
-benchmark: ## measure every chapter against the reference scene; WRITE=1 keeps the table in docs/benchmark.md
-	@.make/setup.sh run
-	+@$(AGAIN) programs
+gallery: ready ## render every picture of tests/images.txt into build/gallery/
+	@tests/references.sh gallery
+
+benchmark: ready ## measure every chapter against the reference scene; WRITE=1 keeps the table in docs/benchmark.md
 	@.make/benchmark.sh
+
+book: ## set all pages as one PDF, build/book.pdf (pandoc and XeLaTeX, a package set of its own)
+	@.make/setup.sh book
+	@.make/book.sh
+
+setup: ## install what run, test and lint need
+	@.make/setup.sh --all run test lint
+
+clean: ## remove build/
+	rm -rf build
+
+help: ## this list
+	@awk -F ':.*## ' '/^# ---- To / { print (n++ ? "\n" : "") substr($$1, 8, length($$1) - 12) } \
+	    /^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
+
+# ---- To work on the course ----
 
 test: ## run every test; make test SUITE=camera runs one
 	@tests/run.sh --find $(SUITE)
@@ -154,47 +178,13 @@ test-fresh: ## type `make run` and `make test` on bare Debian machines made for 
 	@.make/setup.sh fresh
 	@.make/fresh.sh
 
+test-gpu: ready ## compare the references with this machine's own GPU; reports, does not judge
+	@tests/references.sh gpu
+
 fuzz: ## feed made-up bytes to the readers of shaders, parameters and command lines; DURATION=60 seconds each
 	@.make/setup.sh run fuzz
 	+@$(AGAIN) FUZZER=1 fuzzer
 	@.make/fuzz.sh
-
-check: ## is a solution right? make check EXERCISE=03_2 FILE=my.frag; FILES='handed_in/*.frag' for a table
-	@.make/setup.sh run
-	+@$(AGAIN) programs build/tests/compare
-	@.make/check.sh
-
-test-gpu: ## compare the references with this machine's own GPU; reports, does not judge
-	@.make/setup.sh run
-	+@$(AGAIN) programs build/tests/compare
-	@tests/references.sh gpu
-
-gallery: ## render every picture of tests/images.txt into build/gallery/
-	@.make/setup.sh run
-	+@$(AGAIN) programs
-	@tests/references.sh gallery
-
-references: ## render the reference pictures again; those within tolerance stay (FORCE=1 rewrites all)
-	@.make/setup.sh run
-	+@$(AGAIN) programs build/tests/compare
-	@tests/references.sh update
-
-book: ## set all pages as one PDF, build/book.pdf (pandoc and XeLaTeX, a package set of its own)
-	@.make/setup.sh book
-	@.make/book.sh
-
-figures: ## draw the diagrams of docs/figures/ again
-	@.make/setup.sh test
-	+@$(AGAIN) figure_programs
-	@for name in $(FIGURES); do build/docs/figures/$$name > docs/figures/$$name.svg || exit 1; done
-
-figure_programs: $(FIGURES:%=$(BUILD)/docs/figures/%)
-
-chapter: ## begin a chapter with the next number: make chapter NAME=soft_shadows
-	@.make/chapter.sh
-
-diff: ## show what changed since the chapter before: make diff CHAPTER=03
-	@.make/diff.sh
 
 lint: ## hold C, GLSL and scripts against every checker; warnings are errors
 	@.make/setup.sh lint
@@ -205,24 +195,25 @@ format: ## lay out the C sources by .clang-format
 	@.make/setup.sh lint
 	@clang-format -i $$(find common chapters tests docs -name '*.[ch]')
 
-docs: ## rewrite the listings and tables in docs/ from the sources that they show
-	@.make/setup.sh run
-	+@$(AGAIN) programs
+chapter: ## begin a chapter with the next number: make chapter NAME=soft_shadows
+	@.make/chapter.sh
+
+docs: ready ## rewrite the listings and tables in docs/ from the sources that they show
 	@.make/listings.sh
 
-setup: ## install what run, test and lint need
-	@.make/setup.sh --all run test lint
+figures: ## draw the diagrams of docs/figures/ again
+	@.make/setup.sh test
+	+@$(AGAIN) figure_programs
+	@for name in $(FIGURES); do build/docs/figures/$$name > docs/figures/$$name.svg || exit 1; done
 
-clean: ## remove build/
-	rm -rf build
+figure_programs: $(FIGURES:%=$(BUILD)/docs/figures/%)
 
-help: ## this list
-	@awk -F ':.*## ' '/^[a-z-]+:.*## / { printf "make %-12s %s\n", $$1, $$2 }' Makefile
+references: ready ## render the reference pictures again; those within tolerance stay (FORCE=1 rewrites all)
+	@tests/references.sh update
 
 always:
-.PHONY: all programs tests fuzzer run play film benchmark test fuzz check test-gpu gallery references book figures test-fresh \
-        figure_programs chapter diff lint format docs setup clean \
-        help always
+.PHONY: all programs tests fuzzer ready run play check diff film gallery benchmark book setup clean help test \
+        test-fresh test-gpu fuzz lint format chapter docs figures figure_programs references always
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .SECONDARY:
