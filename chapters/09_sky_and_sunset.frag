@@ -156,8 +156,8 @@ Material materialAt(Place place, vec3 sun)
 
 // ---- What light arrives, and what goes to the eye ----
 
-// 1 where the sun or the moon is in sight, else 0. A ray that grazes too long has met something. Less
-// than 0.02 faces the light: a wall along which the light rakes.
+// 1 where the sun or the moon is in sight, else 0. A ray that grazes too long has met something. Walls
+// that the light rakes, at a cosine below 0.02, are not asked: they catch next to none, and cost most.
 float lightSeen(Place place, vec3 toLight)
 {
     bool faces = place.met && dot(place.normal, toLight) > 0.02;

@@ -15,7 +15,7 @@ Ray shadowRay(vec3 p, vec3 normal, vec3 toLight, float offset)
 
 // How far a shadow ray is to look: not at all where the surface turns its back on the light, for there
 // Lambert's law has already said 0.
-//   normal, toLight  length 1 each
+//   normal, toLight  of any length: the sign of their product counts
 //   far      scene units, >= 0: to the lamp, or to where nothing stands any more
 //   returns  far where <normal, toLight> > 0, else 0, for which lightReaching and coneReaching march
 //            nothing

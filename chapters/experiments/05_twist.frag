@@ -9,7 +9,7 @@
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdBox
 #include "lighting.glsl"   // lambert, encodeSRGB
-#include "shadow.glsl"     // shadowRay, lightReaching
+#include "shadow.glsl"     // shadowRay, shadowReach, lightReaching
 #include "bounds.glsl"     // boxInterval
 #include "transform.glsl"  // opTwist, twistStretch, sdTorus
 
@@ -45,7 +45,7 @@ vec3 rayColour(Ray ray)
     vec3 normal = hit.found ? normalAt(p, 0.001) : vec3(0.0, 1.0, 0.0);
     Ray toSun = shadowRay(p, normal, normalize(TO_SUN), 0.01);
     vec2 way = boxInterval(toSun, LOW, HIGH);
-    float seen = lightReaching(toSun, dot(normal, TO_SUN) > 0.0 && way.x < way.y ? way.y : 0.0, 0.001, 256);
+    float seen = lightReaching(toSun, shadowReach(normal, TO_SUN, way.x < way.y ? way.y : 0.0), 0.001, 256);
     vec3 sun = vec3(1.7, 1.25, 0.85) * seen * lambert(normal, normalize(TO_SUN));
     vec3 light = sun + vec3(0.10, 0.14, 0.19) * (0.6 + 0.4 * normal.y);
     vec3 sky = mix(vec3(0.030, 0.075, 0.11), vec3(0.003, 0.007, 0.018), smoothstep(-0.2, 0.6, ray.direction.y));
