@@ -54,6 +54,7 @@ has_command() { command -v "$1"; }
 has_library() { pkg-config --exists "$1"; }
 has_header() { printf '#include <%s>\n' "$1" | cc -E - ; }
 has_font() { fc-list ":family=$1" | grep -q . ; }
+has_french() { [ -e /usr/share/i18n/locales/fr_FR ] || locale -a | grep -qi '^fr_FR[.]utf'; }
 has_sanitizers() {
     [ "$(uname)" = Darwin ] || [ -e "$(cc -print-file-name=libasan.so)" ]
 }
@@ -88,6 +89,7 @@ need_test() {
     need 'cmocka' 'libcmocka-dev|libcmocka-devel|cmocka|cmocka' has_library cmocka
     need 'git' 'git|git|git|git' has_command git
     need 'the sanitizers' '-|libasan libubsan|-|-' has_sanitizers
+    need 'a French locale' 'locales|glibc-locale-source|glibc|-' has_french
     need 'a virtual display' 'xvfb|xorg-x11-server-Xvfb|xorg-server-xvfb|-' has_command Xvfb
     need 'real key and mouse events' 'xdotool|xdotool|xdotool|-' has_command xdotool
     need 'a window manager' 'openbox|openbox|openbox|-' has_command openbox

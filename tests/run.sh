@@ -16,6 +16,7 @@ export PROJECT_ROOT TEST_RESULTS=$results
 export MESA_SHADER_CACHE_DIR=$PROJECT_ROOT/build/shader-cache
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
 export CMOCKA_MESSAGE_OUTPUT=TAP
+export LOCPATH=$PROJECT_ROOT/build/locale # a French one
 # gcc's sanitizer takes some driver's thread-local block for one of its own layout, and its leak checker
 # then dies of a wild pointer: it is told to leave those blocks alone.
 export ASAN_OPTIONS=intercept_tls_get_addr=0
