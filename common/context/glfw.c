@@ -31,6 +31,10 @@ static bool initialise(char *why, size_t why_size)
         snprintf(why, why_size, "no display: DISPLAY and WAYLAND_DISPLAY are not set");
         return false;
     }
+#ifdef GLFW_PLATFORM // from 3.4 on it tries Wayland first, also where only DISPLAY is set
+    if (!is_set("WAYLAND_DISPLAY"))
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
 #endif
     if (glfwInit())
         return true;
