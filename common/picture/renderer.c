@@ -375,16 +375,33 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
     return done;
 }
 
+// The overlay goes over a copy: the window carries on with the picture alone.
+static bool copy_under_overlay(struct renderer *renderer)
+{
+    const struct gl *gl = renderer->gl;
+    int width = renderer->sharp.width, height = renderer->sharp.height;
+    if (!bind_target(renderer, &renderer->picture, width, height))
+        return false;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->sharp.framebuffer);
+    gl->BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    overlay_draw(renderer->overlay, 0);
+    return true;
+}
+
 bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
 {
-    const struct renderer_target *sharp = &renderer->sharp;
-    float *values = malloc(4 * sizeof *values * (size_t)sharp->width * (size_t)sharp->height);
-    bool done = values != NULL && image_create(image, sharp->width, sharp->height);
+    bool over = renderer->overlay != NULL;
+    const struct renderer_target *target = over ? &renderer->picture : &renderer->sharp;
+    int width = renderer->sharp.width, height = renderer->sharp.height;
+    if (over && !copy_under_overlay(renderer))
+        return false;
+    float *values = malloc(4 * sizeof *values * (size_t)width * (size_t)height);
+    bool done = values != NULL && image_create(image, width, height);
     if (values == NULL)
-        report("picture %dx%d: not enough memory", sharp->width, sharp->height);
+        report("picture %dx%d: not enough memory", width, height);
     if (done) {
-        renderer_read(renderer, sharp, values);
-        image_store(image, values, 0, sharp->height);
+        renderer_read(renderer, target, values);
+        image_store(image, values, 0, height);
     }
     free(values);
     return done;

@@ -130,15 +130,9 @@ static void save(const struct window *window, struct image *image, bool made)
     image_free(image);
 }
 
-// An overlay that is to be in the picture is drawn with it, all at once.
-static bool can_wait(const struct window *window)
-{
-    return window->divisor > 1 && window->renderer->overlay == NULL;
-}
-
 bool window_shoots(const struct window *window)
 {
-    return window->shooting && (!can_wait(window) || window->sharp == window->whole.height);
+    return window->shooting && (window->divisor == 1 || window->sharp == window->whole.height);
 }
 
 void window_shoot(struct window *window)
@@ -146,8 +140,8 @@ void window_shoot(struct window *window)
     struct image image = {0};
     window->shooting = false;
     save(window, &image,
-         can_wait(window) ? renderer_sharp_picture(window->renderer, &image)
-                          : renderer_picture(window->renderer, &window->inputs, &image));
+         window->divisor > 1 ? renderer_sharp_picture(window->renderer, &image)
+                             : renderer_picture(window->renderer, &window->inputs, &image));
     // The screenshot was drawn where the picture on the screen was; a sharpened one is elsewhere.
     window->stale |= window->sharp < window->whole.height;
 }
