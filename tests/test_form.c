@@ -67,6 +67,8 @@ static void test_forms(void **state)
     assert_form("#version 330 core\nvoid mainImage(out vec4 c, in vec2 p) {} " MAIN, SHADER_WHOLE);
     assert_form("// #version 330\n" MAIN, SHADER_WHOLE);
     assert_form("void mainImage(out vec4 c, in vec2 p);\n", SHADER_SHADERTOY);
+    assert_form("void my_main() {}\nvoid mainImage(out vec4 c, in vec2 p) {}\n", SHADER_SHADERTOY);
+    assert_form("void main();\nvoid mainImage(out vec4 c, in vec2 p) {}\n", SHADER_SHADERTOY);
     assert_form("// void mainImage(out vec4 c, in vec2 p) {}\nfloat x;\n", SHADER_COURSE);
     assert_form("void mainImage(out vec4 c, in vec2 p) {}\n" MAIN, SHADER_WHOLE);
     assert_form("void mainImages(out vec4 c) {}\nvoid notmainImage() {}\n", SHADER_COURSE);
@@ -112,6 +114,21 @@ static void test_forms_behind_conditions(void **state)
         snprintf(text, sizeof text, "%s" MAIN "%s%s", cases[i].before, cases[i].after, toy);
         assert_form(text, cases[i].form);
     }
+}
+
+// Shadertoy's pixel is that of the picture, whatever part is drawn, and its colour begins at 0.
+static void test_shadertoy_s_words(void **state)
+{
+    (void)state;
+    struct shader_source source;
+    const char *said;
+    assert_true(
+        read_text(&source, "void mainImage(out vec4 c, in vec2 p) { c = gl_FragCoord; }\n", &said));
+    char *compiled = shader_text(&source, SHADER_PICTURE);
+    assert_non_null(
+        strstr(compiled, "\nvoid mainImage(inout vec4 c, in vec2 p) { c = harnessFragCoord; }\n"));
+    free(compiled);
+    shader_free(&source);
 }
 
 // The text for the driver, of a whole file.
@@ -208,6 +225,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         UNIT(test_forms),
         UNIT(test_forms_behind_conditions),
+        UNIT(test_shadertoy_s_words),
         UNIT(test_values_begin_at_zero),
         UNIT(test_texts_without_sense),
         UNIT(test_outputs),

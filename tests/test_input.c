@@ -247,6 +247,35 @@ static void a_held_key_moves(void **unused)
     assert_true(travelled() < 1e-5);
 }
 
+// Right, up and forward, as the eye sees them; up is the world's.
+static void each_key_has_its_way(void **unused)
+{
+    (void)unused;
+    static const struct {
+        int key, way[3];
+    } keys[] = {{GLFW_KEY_W, {0, 0, 1}},
+                {GLFW_KEY_S, {0, 0, -1}},
+                {GLFW_KEY_D, {1, 0, 0}},
+                {GLFW_KEY_A, {-1, 0, 0}},
+                {GLFW_KEY_SPACE, {0, 1, 0}},
+                {GLFW_KEY_C, {0, -1, 0}},
+                {GLFW_KEY_LEFT_CONTROL, {0, -1, 0}}};
+    struct camera_basis eye = camera_basis_of(&start.camera);
+    for (size_t i = 0; i < sizeof keys / sizeof *keys; i++) {
+        const int *way = keys[i].way;
+        set_up(NULL);
+        press(keys[i].key, 0);
+        hands.now = 0.05;
+        assert_true(fabs(travelled() - 0.1) < 1e-5);
+        for (int axis = 0; axis < 3; axis++) {
+            float expected = 0.1f * ((float)way[0] * eye.right[axis] + (float)way[1] * (axis == 1) +
+                                     (float)way[2] * eye.forward[axis]);
+            float went = tested.inputs.camera.position[axis] - start.camera.position[axis];
+            assert_true(fabsf(went - expected) < 1e-5f);
+        }
+    }
+}
+
 static void keys_against_each_other_stand_still(void **unused)
 {
     (void)unused;
@@ -330,6 +359,7 @@ int main(void)
         cmocka_unit_test_setup(what_comes_first_is_done_first, set_up),
         cmocka_unit_test_setup(the_wheel_zooms, set_up),
         cmocka_unit_test_setup(a_held_key_moves, set_up),
+        cmocka_unit_test_setup(each_key_has_its_way, set_up),
         cmocka_unit_test_setup(keys_against_each_other_stand_still, set_up),
         cmocka_unit_test_setup(a_machine_that_stalls_throws_nothing_away, set_up),
         cmocka_unit_test_setup(a_focus_lets_go, set_up),
