@@ -3,8 +3,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <limits.h>
-#include <math.h>
-#include <setjmp.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,17 +14,7 @@
 
 #include "report.h"
 
-enum { SIDE_LIMIT = 16384, CHANNELS = 3, WHY_SIZE = 160, LINK_LIMIT = 40 };
-
-static size_t row_size(const struct image *image)
-{
-    return CHANNELS * (size_t)image->width;
-}
-
-static unsigned char *row_of(const struct image *image, int y)
-{
-    return image->pixel + (size_t)y * row_size(image);
-}
+enum { SIDE_LIMIT = 16384, CHANNELS = 3, LINK_LIMIT = 40 };
 
 bool image_create(struct image *image, int width, int height)
 {
@@ -61,11 +49,11 @@ void image_store(struct image *image, const float *values, int bottom, int rows)
 {
     for (int row = 0; row < rows; row++) {
         size_t y = (size_t)(image->height - 1 - (bottom + row));
-        unsigned char *pixel = image->pixel + 3 * (size_t)image->width * y;
+        unsigned char *pixel = image->pixel + CHANNELS * (size_t)image->width * y;
         const float *value = values + 4 * (size_t)image->width * (size_t)row;
         for (int x = 0; x < image->width; x++)
-            for (int channel = 0; channel < 3; channel++)
-                pixel[3 * x + channel] = byte_of(value[4 * x + channel]);
+            for (int channel = 0; channel < CHANNELS; channel++)
+                pixel[CHANNELS * x + channel] = byte_of(value[4 * x + channel]);
     }
 }
 
@@ -240,60 +228,26 @@ static int replace_undisturbed(const char *target, const char *folder, const cha
     return error;
 }
 
-// libpng's errors jump to whoever called setjmp; the text waits in a buffer of WHY_SIZE.
-static void on_png_error(png_structp png, png_const_charp text)
-{
-    snprintf(png_get_error_ptr(png), WHY_SIZE, "%s", text);
-    png_longjmp(png, 1);
-}
-
-static void on_png_warning(png_structp png, png_const_charp text)
-{
-    (void)png, (void)text;
-}
-
-// May leave by longjmp.
-static void write_png(png_structp png, png_infop info, const struct image *image)
-{
-    png_set_compression_level(png, 1);
-    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_SUB);
-    png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, 8,
-                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
-                 PNG_FILTER_TYPE_DEFAULT);
-    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
-    png_write_info(png, info);
-    for (int y = 0; y < image->height; y++)
-        png_write_row(png, row_of(image, y));
-    png_write_end(png, NULL);
-}
-
-static bool encode(const struct image *image, FILE *stream, char why[WHY_SIZE])
-{
-    png_structp png =
-        png_create_write_struct(PNG_LIBPNG_VER_STRING, why, on_png_error, on_png_warning);
-    png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
-    if (info == NULL || setjmp(png_jmpbuf(png)) != 0) {
-        png_destroy_write_struct(&png, &info);
-        return false;
-    }
-    png_init_io(png, stream);
-    write_png(png, info, image);
-    png_destroy_write_struct(&png, &info);
-    return true;
-}
-
 bool image_write_png(const struct image *image, const char *path)
 {
-    char target[PATH_MAX], folder[PATH_MAX], why[WHY_SIZE] = "not enough memory";
+    char target[PATH_MAX], folder[PATH_MAX];
     if (!find_target(path, target, folder))
         return false;
+    // The fast one: a fifth of the time for a file that is a third larger.
+    png_image png = {.version = PNG_IMAGE_VERSION,
+                     .width = (png_uint_32)image->width,
+                     .height = (png_uint_32)image->height,
+                     .format = PNG_FORMAT_RGB,
+                     .flags = PNG_IMAGE_FLAG_FAST,
+                     .message = "not enough memory"};
     char *data = NULL;
     size_t size = 0;
     FILE *stream = open_memstream(&data, &size);
-    bool encoded = stream != NULL && encode(image, stream, why);
+    bool encoded =
+        stream != NULL && png_image_write_to_stdio(&png, stream, 0, image->pixel, 0, NULL) != 0;
     if (stream != NULL && fclose(stream) != 0)
         encoded = false;
     int error = encoded ? replace_undisturbed(target, folder, data, size) : 0;
     free(data);
-    return (encoded && error == 0) || refuse(path, encoded ? strerror(error) : why);
+    return (encoded && error == 0) || refuse(path, encoded ? strerror(error) : png.message);
 }
