@@ -55,6 +55,7 @@ has_library() { pkg-config --exists "$1"; }
 has_header() { printf '#include <%s>\n' "$1" | cc -E - ; }
 has_font() { fc-list ":family=$1" | grep -q . ; }
 has_french() { [ -e /usr/share/i18n/locales/fr_FR ] || locale -a | grep -qi '^fr_FR[.]utf'; }
+has_frames() { ls /usr/lib*/libdecor/plugins-1/* || ls /usr/lib/*/libdecor/plugins-1/*; }
 has_sanitizers() {
     [ "$(uname)" = Darwin ] || [ -e "$(cc -print-file-name=libasan.so)" ]
 }
@@ -82,6 +83,9 @@ need_run() {
     # Gone from Mesa 25.1 on: the programs do without it.
     has_library osmesa >/dev/null 2>&1 ||
         extra=$(names_here 'libosmesa6-dev|mesa-libOSMesa-devel|-|-')
+    # GNOME on Wayland leaves title bar and frame to the program; GLFW has libdecor draw them.
+    [ -z "${WAYLAND_DISPLAY-}" ] || has_frames >/dev/null 2>&1 ||
+        extra=$extra$(names_here 'libdecor-0-plugin-1-gtk|libdecor|libdecor|-')
 }
 
 need_test() {
@@ -224,7 +228,7 @@ carry_out() { # AS: sudo or nothing
 
 look "$@"
 if [ -n "$all" ] && [ -z "$packages" ] && [ -n "$(available)" ]; then
-    purposes='OSMesa, a second way to render without a window'
+    purposes='what is useful and not needed'
     packages=$(available)
 fi
 [ -z "$purposes" ] && exit 0
