@@ -107,17 +107,6 @@ static void test_subtraction_is_exact_inside_and_a_bound_outside(void **unused)
     check_bound(SUBTRACTION, true);
 }
 
-// The counter-examples of the page, by hand.
-static void test_counter_examples(void **unused)
-{
-    (void)unused;
-    double rim = sqrt(0.3125);
-    assert_true(fabs(surface_distance(d3(0.0, 0.0, 0.0), UNION) - rim) < 1e-12);
-    assert_true(fabs(surface_distance(d3(0.0, 2.0, 0.0), INTERSECTION) - (2.0 - rim)) < 1e-12);
-    assert_true(fabs(hypot(0.5, 2.0) - 0.75 - 1.31155281) < 1e-8); // what max says there
-    assert_true(fabs(surface_distance(d3(1.0, 0.0, 0.0), SUBTRACTION) - hypot(1.0, rim)) < 1e-12);
-}
-
 static void test_all_are_1_lipschitz(void **unused)
 {
     (void)unused;
@@ -192,7 +181,6 @@ int main(void)
         cmocka_unit_test(test_union_is_exact_outside_and_a_bound_inside),
         cmocka_unit_test(test_intersection_is_exact_inside_and_a_bound_outside),
         cmocka_unit_test(test_subtraction_is_exact_inside_and_a_bound_outside),
-        cmocka_unit_test(test_counter_examples),
         cmocka_unit_test(test_all_are_1_lipschitz),
         cmocka_unit_test(test_smooth_union_lies_between_min_and_min_less_a_sixth),
         cmocka_unit_test(test_share_is_the_slope_in_b),

@@ -140,28 +140,6 @@ static void test_distances_are_exact_or_a_bound(void **unused)
     }
 }
 
-static void test_brute_force_knows_the_counter_examples(void **unused)
-{
-    (void)unused;
-    // At the centre of two balls with centres 0.5 aside the union says 0.25; the surface is a
-    // circle of radius sqrt(0.75^2 - 0.5^2) = 0.559 away.
-    struct sizes balls = {TWO_BALLS, {0.5f, 0.0f, 0.0f, 0.75f}};
-    struct d3 centre = {0.0, 0.0, 0.0};
-    assert_true(fabs(mirror(&balls, centre) + 0.25) < 1e-12);
-    assert_true(fabs(brute(&balls, centre) + sqrt(0.3125)) < 1e-12);
-    // Near the inner corner of a frame two coordinates must leave the beams at once: sqrt(2)
-    // farther.
-    struct sizes frame = {FRAME, {0.75f, 0.5f, 1.25f, 0.125f}};
-    struct d3 corner = {0.5 + 0.0625, 0.25 + 0.0625, 1.0 + 0.0625};
-    assert_true(fabs(mirror(&frame, corner) + 0.0625) < 1e-12);
-    assert_true(fabs(brute(&frame, corner) + 0.0625 * sqrt(2.0)) < 1e-12);
-    // Points whose distance a child can tell.
-    struct d3 half = {1.0, 2.0, 3.0};
-    assert_true(fabs(brute_box(d3(4.0, 6.0, 0.0), half) - 5.0) < 1e-12);
-    assert_true(fabs(brute_box(d3(0.5, 0.0, 0.0), half) + 0.5) < 1e-12);
-    assert_true(fabs(brute_box_frame(d3(0.0, 0.0, 0.0), half, 0.25) - hypot(0.5, 1.5)) < 1e-12);
-}
-
 static void test_distances_are_1_lipschitz(void **unused)
 {
     (void)unused;
@@ -419,7 +397,6 @@ static void test_rays_leave_the_camera_as_its_basis_says(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_brute_force_knows_the_counter_examples),
         cmocka_unit_test(test_distances_agree_with_double),
         cmocka_unit_test(test_distances_are_exact_or_a_bound),
         cmocka_unit_test(test_distances_are_1_lipschitz),

@@ -216,78 +216,6 @@ static void test_copies_that_vary_need_the_wall(void **unused)
     assert_true(four.over > 1.0 && three.over > 1.0);
 }
 
-// On the wall between two towers of 0.5, 12 up; one of 12 stands two cells from the first.
-static void test_low_towers_hide_a_high_one(void **unused)
-{
-    (void)unused;
-    const struct d3 low = {0.8, 0.25, 0.8}, high = {0.8, 6.0, 0.8}, p = {1.0, 12.0, 0.0};
-    double asked = brute_box(d3_sub(p, d3(0.0, 0.25, 0.0)), low);
-    asked = fmin(asked, brute_box(d3_sub(p, d3(2.0, 0.25, 0.0)), low));
-    double truth = brute_box(d3_sub(p, d3(-2.0, 6.0, 0.0)), high);
-    assert_true(fabs(truth - 2.2) < 1e-12 && fabs(asked - truth - 9.3) < 0.005);
-}
-
-// ---- The march ----
-
-// The towers' distance as the library forms it, in double.
-static double block(struct d3 p, bool capped)
-{
-    int x = (int)floor(p.x / 2.0 + 0.5), z = (int)floor(p.z / 2.0 + 0.5);
-    double lx = p.x - 2.0 * x, lz = p.z - 2.0 * z,
-           nearest = capped ? 1.0 + fmin(fabs(lx), fabs(lz)) : 1e9;
-    int sx = lx < 0.0 ? -1 : 1, sz = lz < 0.0 ? -1 : 1;
-    for (int i = 0; i < 4; i++) {
-        int dx = i % 2 == 0 ? 0 : sx, dz = i / 2 == 0 ? 0 : sz;
-        nearest = fmin(nearest, tower(d3(lx - 2.0 * dx, p.y, lz - 2.0 * dz), x + dx, z + dz));
-    }
-    return nearest;
-}
-
-static double march(struct d3 origin, struct d3 direction, bool capped)
-{
-    double t = 0.0;
-    for (int step = 0; step < 2000 && t < 24.0; step++) {
-        double distance = block(d3_add(origin, d3_times(t, direction)), capped);
-        if (distance < 1e-4)
-            return t;
-        t += distance;
-    }
-    return 24.0;
-}
-
-// Rays from over the towers. The truth: the same march by the brute force over all towers.
-static double march_brute(struct d3 origin, struct d3 direction)
-{
-    const struct field field = {TOWERS, {2.0f, 2.0f, 0.0f, 0.0f}};
-    double t = 0.0;
-    for (int step = 0; step < 2000 && t < 24.0; step++) {
-        double distance = brute(&field, d3_add(origin, d3_times(t, direction)));
-        if (distance < 1e-4)
-            return t;
-        t += distance;
-    }
-    return 24.0;
-}
-
-static void test_the_capped_march_misses_nothing(void **unused)
-{
-    (void)unused;
-    int hits = 0, capped_missed = 0, free_missed = 0;
-    for (int i = 0; i < 1500; i++) {
-        struct d3 origin = d3(40.0 * cell_hash(i, 1, 0) - 20.0, 12.5 + 2.0 * cell_hash(i, 4, 0),
-                              40.0 * cell_hash(i, 2, 0) - 20.0);
-        double turn = 2.0 * MIRROR_PI * cell_hash(i, 3, 0), fall = 0.2 + 0.6 * cell_hash(i, 5, 0);
-        struct d3 direction = d3_unit(d3(cos(turn), -fall, sin(turn)));
-        double truth = march_brute(origin, direction);
-        hits += truth < 24.0;
-        capped_missed += fabs(march(origin, direction, true) - truth) > 0.01;
-        free_missed += fabs(march(origin, direction, false) - truth) > 0.01;
-    }
-    print_message("# of 1500 rays %d hit a tower; capped %d go wrong, without the cap %d\n", hits,
-                  capped_missed, free_missed);
-    assert_true(hits > 700 && capped_missed == 0 && free_missed > 20);
-}
-
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -296,8 +224,6 @@ int main(void)
         cmocka_unit_test(test_the_own_copy_alone_over_estimates),
         cmocka_unit_test(test_the_nearer_neighbour_mends_identical_copies),
         cmocka_unit_test(test_copies_that_vary_need_the_wall),
-        cmocka_unit_test(test_low_towers_hide_a_high_one),
-        cmocka_unit_test(test_the_capped_march_misses_nothing),
     };
     return cmocka_run_group_tests_name("repetition", tests, gpu_setup, gpu_teardown);
 }

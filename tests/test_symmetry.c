@@ -94,19 +94,6 @@ static double rounding(struct d3 p, int levels)
     return (6.0 + 3.0 * levels) * MIRROR_FLOAT_ROUNDING * (d3_length(p) + 4.0 * SIZE);
 }
 
-static void test_brute_force_knows_simple_cases(void **unused)
-{
-    (void)unused;
-    struct d3 o = d3(0.0, 0.0, 0.0);
-    assert_true(fabs(brute_tetrahedron(o, o, 1.0) + 1.0 / sqrt(3.0)) < 1e-12);
-    assert_true(fabs(brute_tetrahedron(d3(2.0, 2.0, 2.0), o, 1.0) - sqrt(3.0)) < 1e-12);
-    assert_true(fabs(brute_tetrahedron(d3(0.0, 0.0, 5.0), o, 1.0) - 4.0) < 1e-12); // an edge
-    assert_true(fabs(brute_tetrahedron(d3(-1.0, -1.0, -1.0), o, 1.0) - 2.0 / sqrt(3.0)) < 1e-12);
-    // The middle of the pyramid of one level lies in an octahedral hole: its faces, those of the
-    // four copies that look inwards, are as far as the faces of the whole.
-    assert_true(fabs(brute_union(o, o, 1.0, 1) - 1.0 / sqrt(3.0)) < 1e-12);
-}
-
 // ---- Distances ----
 
 struct tally {
@@ -341,7 +328,6 @@ static void test_another_length_stretches(void **unused)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(test_brute_force_knows_simple_cases),
         cmocka_unit_test(test_tetrahedra_against_four_triangles),
         cmocka_unit_test(test_pyramids_against_the_union),
         cmocka_unit_test(test_pyramids_vanish_on_the_surface),
