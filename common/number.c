@@ -72,15 +72,16 @@ bool number_read_int(const char *text, int minimum, int maximum, int *value)
     return true;
 }
 
-bool number_with_point(const char *text, char right[NUMBER_SIZE])
+const char *number_hint(const char *text)
 {
+    static char hint[NUMBER_SIZE + 8];
     double value;
-    const char *comma = strchr(text, ',');
-    if (comma == NULL || strlen(text) >= NUMBER_SIZE)
-        return false;
-    strcpy(right, text);
-    right[comma - text] = '.';
-    return number_read(right, &value);
+    char *comma;
+    int length = snprintf(hint, sizeof hint, ": write %s", text);
+    if (length >= (int)sizeof hint || (comma = strchr(hint, ',')) == NULL)
+        return "";
+    *comma = '.';
+    return number_read(hint + 8, &value) ? hint : "";
 }
 
 // "1e-06" is how C writes what people write as 1e-6.

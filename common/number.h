@@ -19,9 +19,9 @@ bool number_read_int(const char *text, int minimum, int maximum, int *value);
 
 #define NUMBER_SIZE 32
 
-// For a number with a comma in place of its point, "0,5", the right way to write it, "0.5".
-// Returns false for any other text.
-bool number_with_point(const char *text, char right[NUMBER_SIZE]);
+// What to add to a refusal: ": write 0.5" for "0,5", which has a comma in place of the point; ""
+// for any other text. Valid until the next call.
+const char *number_hint(const char *text);
 
 // The shortest text that a shader reads as the same float; a whole number below 1e10 stands in
 // full.

@@ -12,8 +12,6 @@
 #include "report.h"
 #include "sequence.h"
 
-#define FPS_MINIMUM 0.001
-#define FPS_MAXIMUM 1000.0
 #define FPS_DEFAULT 25.0
 #define LIMIT       1e9 // of times and places: beyond it a float of the shader has lost every fraction
 
@@ -23,19 +21,16 @@
 __attribute__((format(printf, 3, 4))) static bool refuse(const char *option, const char *text,
                                                          const char *format, ...)
 {
-    char expected[256], right[NUMBER_SIZE];
+    char expected[256];
     va_list arguments;
     va_start(arguments, format);
     vsnprintf(expected, sizeof expected, format, arguments);
     va_end(arguments);
-    bool comma = number_with_point(text, right);
-    report("--%s '%s': %s%s%s", option, text, expected, comma ? ": write " : "",
-           comma ? right : "");
+    report("--%s '%s': %s", option, text, expected);
     return false;
 }
 
-// Read two whole numbers with a separator between; false when the form is wrong.
-// A number that no int can hold is read as the largest or smallest one.
+// Read two whole numbers with a separator between, those beyond every range as +-1e9.
 static bool read_pair(const char *text, char separator, int pair[2])
 {
     for (int i = 0; i < 2; i++) {
@@ -77,7 +72,7 @@ static bool set_size(struct options *options, const char *text)
 static bool set_time(struct options *options, const char *text)
 {
     if (!number_read(text, &options->time))
-        return refuse("time", text, "must be a number of seconds, as in 1.5");
+        return refuse("time", text, "must be a number of seconds, as in 1.5%s", number_hint(text));
     return fabs(options->time) <= LIMIT || refuse("time", text, "must be from -1e9 to 1e9 seconds");
 }
 
@@ -127,10 +122,9 @@ static bool set_frames(struct options *options, const char *text)
 
 static bool set_fps(struct options *options, const char *text)
 {
-    return (number_read(text, &options->fps) && options->fps >= FPS_MINIMUM &&
-            options->fps <= FPS_MAXIMUM) ||
-           refuse("fps", text, "must be a number of pictures a second from %g to %g", FPS_MINIMUM,
-                  FPS_MAXIMUM);
+    return (number_read(text, &options->fps) && options->fps >= 0.001 && options->fps <= 1000.0) ||
+           refuse("fps", text, "must be a number of pictures a second from 0.001 to 1000%s",
+                  number_hint(text));
 }
 
 // A number of frames, or the word json; both may be given, one after the other.
@@ -164,7 +158,6 @@ static bool set_probe(struct options *options, const char *text)
     return options->has_probe || refuse("probe", text, "must be X,Y in pixels, as in 320,180");
 }
 
-// The scale may be left out.
 static bool set_overlay(struct options *options, const char *text)
 {
     options->has_overlay = true;
@@ -172,8 +165,8 @@ static bool set_overlay(struct options *options, const char *text)
     return text == NULL ||
            (number_read(text, &options->overlay) && options->overlay >= OVERLAY_SCALE_MINIMUM &&
             options->overlay <= OVERLAY_SCALE_MAXIMUM) ||
-           refuse("overlay", text, "the scale must be a number from %g to %g",
-                  OVERLAY_SCALE_MINIMUM, OVERLAY_SCALE_MAXIMUM);
+           refuse("overlay", text, "the scale must be a number from %g to %g%s",
+                  OVERLAY_SCALE_MINIMUM, OVERLAY_SCALE_MAXIMUM, number_hint(text));
 }
 
 static bool set_backend(struct options *options, const char *text)
@@ -201,55 +194,50 @@ static bool set_print_shader(struct options *options, const char *text)
            refuse("print-shader", text, "must be shadertoy, or be left out");
 }
 
-// ---- The options ----
-
-// A letter of '\0' is none. The value is written as help has it: after a blank it is needed, in
-// brackets it may be left out. An empty default is not printed.
+// Letter and value stand as help writes them: a value after a blank is needed, one in brackets may
+// be left out. An empty default is not printed.
 static const struct row {
-    char letter;
-    const char *name, *value;
+    const char *letter, *name, *value;
     bool (*set)(struct options *options, const char *text);
     enum options_action action;
     const char *meaning, *initial;
 } rows[] = {
-    {'o', "output", " FILE.png", set_output, OPTIONS_RUN,
+    {"-o,", "output", " FILE.png", set_output, OPTIONS_RUN,
      "render one picture without a window, write it, exit", ""},
-    {'s', "size", " WxH", set_size, OPTIONS_RUN, "size of the picture in pixels, 1 to 16384 each",
+    {"-s,", "size", " WxH", set_size, OPTIONS_RUN, "size of the picture in pixels, 1 to 16384 each",
      "960x540 in a window, 640x360 to a file"},
-    {'t', "time", " SECONDS", set_time, OPTIONS_RUN, "time of the picture", "0"},
-    {'p', "set", " NAME=VALUE", add_setting, OPTIONS_RUN,
+    {"-t,", "time", " SECONDS", set_time, OPTIONS_RUN, "time of the picture", "0"},
+    {"-p,", "set", " NAME=VALUE", add_setting, OPTIONS_RUN,
      "set a parameter of the shader; may be repeated", ""},
-    {'c', "camera", " X,Y,Z,PAN,TILT", set_camera, OPTIONS_RUN,
+    {"-c,", "camera", " X,Y,Z,PAN,TILT", set_camera, OPTIONS_RUN,
      "where the eye is, in scene units, and looks, in degrees", "the chapter's own"},
-    {'a', "samples", " N", set_samples, OPTIONS_RUN, "N x N samples a pixel, 1 to 8", "1"},
-    {'v', "view", " NAME", set_view, OPTIONS_RUN, "picture, normals, depth, steps or slice",
+    {"-a,", "samples", " N", set_samples, OPTIONS_RUN, "N x N samples a pixel, 1 to 8", "1"},
+    {"-v,", "view", " NAME", set_view, OPTIONS_RUN, "picture, normals, depth, steps or slice",
      "picture"},
-    {0, "probe", " X,Y", set_probe, OPTIONS_RUN,
+    {"", "probe", " X,Y", set_probe, OPTIONS_RUN,
      "print the march of a pixel's ray, the slice's; 0,0 is bottom left", ""},
-    {0, "overlay", "[=SCALE]", set_overlay, OPTIONS_RUN,
+    {"", "overlay", "[=SCALE]", set_overlay, OPTIONS_RUN,
      "scale of the overlay, 0.5 to 8; draws it into a file too", "by the picture's height"},
-    {'b', "backend", " NAME", set_backend, OPTIONS_RUN, "glfw, egl or osmesa",
+    {"-b,", "backend", " NAME", set_backend, OPTIONS_RUN, "glfw, egl or osmesa",
      "glfw for a window; egl, osmesa, glfw for a file"},
-    {'f', "shader", " FILE", set_shader, OPTIONS_RUN,
+    {"-f,", "shader", " FILE", set_shader, OPTIONS_RUN,
      "run this fragment shader instead of the chapter's", ""},
-    {0, "root", " DIR", set_root, OPTIONS_RUN, "the project's folder",
+    {"", "root", " DIR", set_root, OPTIONS_RUN, "the project's folder",
      "found from the program's place"},
-    {0, "frames", " N", set_frames, OPTIONS_RUN,
+    {"", "frames", " N", set_frames, OPTIONS_RUN,
      "N pictures from --time on, as in -o frame-%04d.png", ""},
-    {0, "fps", " F", set_fps, OPTIONS_RUN, "pictures a second of --frames", "25"},
-    {0, "print-shader", "[=shadertoy]", set_print_shader, OPTIONS_PRINT_SHADER,
+    {"", "fps", " F", set_fps, OPTIONS_RUN, "pictures a second of --frames", "25"},
+    {"", "print-shader", "[=shadertoy]", set_print_shader, OPTIONS_PRINT_SHADER,
      "print the shader as one file; one for Shadertoy", ""},
-    {0, "benchmark", " N|json", set_benchmark, OPTIONS_RUN,
+    {"", "benchmark", " N|json", set_benchmark, OPTIONS_RUN,
      "measure compilation, N frames, evaluations of the scene; as JSON", "20 frames with json"},
-    {0, "list", "", NULL, OPTIONS_LIST, "print the parameters: name, value, range, unit, meaning",
+    {"", "list", "", NULL, OPTIONS_LIST, "print the parameters: name, value, range, unit, meaning",
      ""},
-    {'h', "help", "", NULL, OPTIONS_HELP, "print this text", ""},
-    {'V', "version", "", NULL, OPTIONS_VERSION, "print backend, OpenGL version and renderer", ""},
+    {"-h,", "help", "", NULL, OPTIONS_HELP, "print this text", ""},
+    {"-V,", "version", "", NULL, OPTIONS_VERSION, "print backend, OpenGL version and renderer", ""},
 };
 
 enum { ROWS = sizeof rows / sizeof *rows };
-
-// ---- The command line ----
 
 static bool refuse_unknown(const char *word, size_t length)
 {
@@ -291,7 +279,7 @@ static bool read_letters(struct options *options, const char *letter, char ***ne
 {
     for (; *letter != '\0'; letter++) {
         const struct row *row = rows;
-        while (row < rows + ROWS && row->letter != *letter)
+        while (row < rows + ROWS && (row->letter[0] == '\0' || row->letter[1] != *letter))
             row++;
         if (row == rows + ROWS)
             return refuse_unknown((char[]){'-', *letter, '\0'}, 2);
@@ -402,8 +390,7 @@ void options_print_help(FILE *file, const char *program, const char *title, cons
     fprintf(file, "Usage: %s [OPTION]...\n\n%s\n%s\n\n", program, title, shows);
     fprintf(file, "Without --output, --probe or --benchmark a window opens.\n\n");
     for (const struct row *row = rows; row < rows + ROWS; row++) {
-        char letter[] = {'-', row->letter, ',', '\0'};
-        fprintf(file, "  %3s --%s%-*s  %s\n", row->letter != '\0' ? letter : "", row->name,
+        fprintf(file, "  %3s --%s%-*s  %s\n", row->letter, row->name,
                 width - 6 - (int)strlen(row->name), row->value, row->meaning);
         if (row->initial[0] != '\0')
             fprintf(file, "  %*s  default: %s\n", width, "", row->initial);

@@ -225,6 +225,13 @@ static void test_numbers(void **state)
     assert_refused("-t 0,5", "must be a number of seconds, as in 1.5: write 0.5");
     assert_refused("--frames 2 -o %d.png --fps 12,5", ": write 12.5");
     assert_refused("--overlay=1,5", ": write 1.5");
+    static const char *const others[] = {"-a 1,5", "-c 0,5", "-t 1,5,2", "-t 1,x"};
+    for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+        struct options o;
+        capture_begin();
+        assert_false(parse(&o, others[i]));
+        assert_null(strstr(capture_end(), "write"));
+    }
     static const char *const samples[] = {"0",   "9",  "-1", "2.5",
                                           "two", "''", "2x", "99999999999999999999"};
     for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) {

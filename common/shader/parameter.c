@@ -123,10 +123,8 @@ bool parameters_assign(const struct parameters *parameters, const char *assignme
     const char *text = assignment + length + 1;
     if (parameter->type == PARAMETER_BOOL ? !read_bool(text, value)
                                           : !read_numbers(parameter, text, value)) {
-        char right[NUMBER_SIZE];
-        bool comma = parameter->type == PARAMETER_FLOAT && number_with_point(text, right);
-        report("--set %s: the value must be %s%s%s", assignment, expected(parameter),
-               comma ? ": write " : "", comma ? right : "");
+        report("--set %s: the value must be %s%s", assignment, expected(parameter),
+               parameter->type == PARAMETER_FLOAT ? number_hint(text) : "");
         return false;
     }
     parameter_range_text(parameter, range, TEXT_SIZE);
