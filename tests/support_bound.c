@@ -1,7 +1,13 @@
 #include "support_bound.h"
 
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
+
+#include <cmocka.h>
 
 #include "support_city.h"
 #include "support_pyramid.h"
@@ -122,4 +128,33 @@ bool bound_measure(const struct bound_case *of, int every, struct bound_sums sum
             done = look_at(of, &inputs, i, values + (size_t)4 * (size_t)i, sums);
     free(values);
     return renderer_set_view(&gpu.renderer, SHADER_PICTURE) && done;
+}
+
+// ---- One ray ----
+
+static void set(const char *name, double value)
+{
+    char setting[64];
+    snprintf(setting, sizeof setting, "%s=%.9g", name, value);
+    assert_true(parameters_assign(&gpu.renderer.parameters, setting));
+}
+
+void bound_ask(double slope, double gap, double far, double threshold, int answer[2])
+{
+    struct renderer_inputs inputs = {.width = 4, .height = 4, .samples = 1};
+    assert_true(gpu_load("tests/shaders/cover.frag"));
+    set("slope", slope);
+    set("gap", gap);
+    set("far", far);
+    set("threshold", threshold);
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_COUNT));
+    float *values = gpu_numbers(&inputs);
+    assert_non_null(values);
+    for (int i = 0; i < 16; i++)
+        for (int k = 1; k < 3; k++)
+            assert_true(values[4 * i + k] == values[k]);
+    answer[0] = (int)values[1];
+    answer[1] = (int)values[2];
+    free(values);
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
 }

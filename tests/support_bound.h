@@ -34,4 +34,9 @@ struct bound_sums {
 // Returns false, reported, when it cannot be drawn.
 bool bound_measure(const struct bound_case *of, int every, struct bound_sums sums[2]);
 
+// March one ray on the GPU, in tests/shaders/cover.frag, by its parameters there.
+//   answer  takes the steps of the march, and the fewest that could do, by shaders/cover.glsl
+// Fails the test where it cannot be drawn.
+void bound_ask(double slope, double gap, double far, double threshold, int answer[2]);
+
 #endif

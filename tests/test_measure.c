@@ -8,6 +8,7 @@
 
 #include <cmocka.h>
 
+#include "support_bound.h"
 #include "support_measure.h"
 
 static void assert_near(double got, double expected, double share)
@@ -112,8 +113,12 @@ static void test_drawn_normal_error_is_truncation_and_rounding(void **unused)
 static void test_steps_to_a_plane_follow_the_formula(void **unused)
 {
     (void)unused;
-    for (double angle = 0.7; angle <= 90.0; angle += 1.3)
-        assert_int_equal(measure_plane_moves(angle, 0.001), measure_plane_formula(angle, 0.001));
+    for (double angle = 0.7; angle <= 90.0; angle += 1.3) {
+        int answer[2], moves = measure_plane_formula(angle, 0.001);
+        assert_int_equal(measure_plane_moves(angle, 0.001), moves);
+        bound_ask(sin(angle * MIRROR_PI / 180.0), 0.0, 100.0, 0.001, answer);
+        assert_in_range(answer[0], moves, moves + 2); // of the library: one more, but for rounding
+    }
     assert_int_equal(measure_plane_moves(90.0, 0.001), 1);
     assert_near(measure_plane_limit(60, 0.01), 4.3, 0.01);
     // One evaluation more than the moves: just over the limit it suffices, just under it does not.
@@ -127,18 +132,56 @@ static void test_steps_to_a_plane_follow_the_formula(void **unused)
 static void test_steps_past_a_ball_follow_the_formula(void **unused)
 {
     (void)unused;
+    int answer[2];
     assert_int_equal(measure_ball_moves(1e-2, 1e-3), 45);
+    bound_ask(0.0, 1e-2, 6.0, 1e-3, answer);
+    assert_int_equal(answer[0], 45);
+    bound_ask(0.0, 1e-3, 6.0, 1e-4, answer);
+    assert_in_range(answer[0], 140, 142);
     assert_int_equal(measure_ball_moves(1e-3, 1e-4), 141);
     assert_int_equal(measure_ball_moves(1e-4, 1e-5), 445);
     for (double threshold = 1e-3; threshold > 1e-6; threshold /= 10.0)
         assert_near(measure_ball_moves(0.0, threshold), sqrt(2.0 / threshold), 0.1);
 }
 
+// A ball of radius 1, that a ray hits under an angle; for the march of the library.
+static const char ball[] = "#include \"main.glsl\"\n"
+                           "#include \"march.glsl\"\n"
+                           "#include \"primitives.glsl\"\n"
+                           "uniform float aside; // 0 in [0, 1]: how far beside the middle\n"
+                           "Ray pixelRay(vec2 screen)\n"
+                           "{\n"
+                           "    return Ray(vec3(-3.0, aside, 0.0), vec3(1.0, 0.0, 0.0));\n"
+                           "}\n"
+                           "float sceneDistance(vec3 p) { return sdSphere(p, 1.0); }\n"
+                           "vec3 rayColour(Ray ray)\n"
+                           "{\n"
+                           "    return vec3(march(ray, 0.0, 9.0, 0.00001, 1000).t);\n"
+                           "}\n";
+
+static double rate_of_library(double cosine)
+{
+    static struct probe probe; // too large for the stack
+    struct renderer_inputs inputs = {.width = 4, .height = 4, .samples = 1};
+    char setting[64];
+    double hit = 3.0 - cosine, rate = 0.0;
+    snprintf(setting, sizeof setting, "aside=%.9g", sqrt(1.0 - cosine * cosine));
+    assert_true(parameters_assign(&gpu.renderer.parameters, setting));
+    assert_true(renderer_probe(&gpu.renderer, &inputs, 1, 1, &probe));
+    // Nearer than this a float's rounding of t would show.
+    for (int k = 0; k + 1 < probe.steps && hit - (double)probe.step[k].t > 3e-4; k++)
+        rate = (hit - (double)probe.step[k + 1].t) / (hit - (double)probe.step[k].t);
+    return rate;
+}
+
 static void test_rate_is_one_minus_the_cosine(void **unused)
 {
     (void)unused;
-    for (double cosine = 0.05; cosine < 0.96; cosine += 0.05)
+    assert_true(gpu_load_text(ball));
+    for (double cosine = 0.05; cosine < 0.96; cosine += 0.05) {
         assert_true(fabs(measure_rate(cosine) - (1.0 - cosine)) < 1e-4);
+        assert_true(fabs(rate_of_library(cosine) - (1.0 - cosine)) < 0.01);
+    }
 }
 
 // Counting pixels gives the radius to about 0.1.
