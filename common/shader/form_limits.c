@@ -169,7 +169,7 @@ static bool refuse_array(const struct limits *limits, const struct glsl_token *b
     const struct glsl_token *number = bracket + 1;
     char text[32];
     snprintf(text, sizeof text, "%.15g", size);
-    if (number->kind == GLSL_NUMBER && number[1].sign == ']' && number[2].sign != '[')
+    if (number->kind == GLSL_NUMBER && number->length > 15)
         snprintf(text, sizeof text, "%.*s", number->length < 20 ? number->length : 20,
                  limits->code->text + number->begin);
     return shader_refuse(limits->source, bracket->line,

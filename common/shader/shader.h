@@ -60,6 +60,13 @@ struct shader_source {
 // closed; an input that a whole file cannot have. Free with shader_free.
 bool shader_read(struct shader_source *source, const char *path, const char *root);
 
+// As shader_read, telling of each file before it is read, so that what is watched is what was read.
+//   see  is called with the resolved path; for an include that is missing, with each place where it
+//        was looked for
+//   to   is handed on to see
+bool shader_read_seen(struct shader_source *source, const char *path, const char *root,
+                      void (*see)(void *to, const char *path), void *to);
+
 // Free a source; one of zeros is allowed.
 void shader_free(struct shader_source *source);
 

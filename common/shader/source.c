@@ -25,6 +25,8 @@ struct expansion {
     int open[DEPTH_LIMIT]; // the files from the first to the one being read
     int depth;
     bool whole;
+    void (*see)(void *to, const char *path);
+    void *to;
 };
 
 static bool no_memory(const char *where)
@@ -74,6 +76,7 @@ static char *resolve(const struct expansion *e, int from, const char *name, char
     for (int i = 0; i < 3; i++) {
         snprintf(path, sizeof path, "%s%s/%s", places[i][0], places[i][1], name);
         char *resolved = realpath(path, NULL);
+        e->see(e->to, resolved != NULL ? resolved : path);
         if (resolved != NULL && (inside(resolved, e->root) || inside(resolved, e->own)))
             return resolved;
         if (resolved == NULL && (errno == ENOENT || errno == ENOTDIR))
@@ -329,9 +332,21 @@ bool shader_refuse(const struct shader_source *source, int line, const char *for
     return false;
 }
 
+static void see_nothing(void *to, const char *path)
+{
+    (void)to;
+    (void)path;
+}
+
 bool shader_read(struct shader_source *source, const char *path, const char *root)
 {
-    struct expansion e = {.source = source};
+    return shader_read_seen(source, path, root, see_nothing, NULL);
+}
+
+bool shader_read_seen(struct shader_source *source, const char *path, const char *root,
+                      void (*see)(void *to, const char *path), void *to)
+{
+    struct expansion e = {.source = source, .see = see, .to = to};
     *source = (struct shader_source){0};
     char *resolved_root = realpath(root, NULL);
     char *resolved = resolved_root != NULL ? realpath(path, NULL) : NULL;
@@ -343,6 +358,7 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
         free(resolved);
         return false;
     }
+    see(to, resolved);
     folder_of(resolved, e.own);
     int file = add_file(&e, path, resolved);
     if (file == 0 && expand_file(&e, file, path) && form_find(source, e.whole))

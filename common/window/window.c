@@ -19,6 +19,11 @@ static void watch_files(struct window *window, const struct shader_source *sourc
         watch_add(&window->watch, source->paths[i]);
 }
 
+static void see(void *window, const char *path)
+{
+    watch_add(&((struct window *)window)->watch, path);
+}
+
 // Load the shader again. One that is broken leaves the last good picture; then its files, and those
 // of the last good one, are all watched for the repair.
 static void reload(struct window *window)
@@ -26,12 +31,9 @@ static void reload(struct window *window)
     struct renderer *renderer = window->renderer;
     struct shader_source source = {0};
     struct parameters parameters = {0};
-    bool loaded = false;
-    if (shader_read(&source, window->start->shader, renderer->root)) {
-        watch_files(window, &source);
-        loaded =
-            parameters_read(&parameters, &source) && renderer_load(renderer, &source, &parameters);
-    }
+    bool loaded = shader_read_seen(&source, window->start->shader, renderer->root, see, window) &&
+                  parameters_read(&parameters, &source) &&
+                  renderer_load(renderer, &source, &parameters);
     shader_free(&source);
     parameters_free(&parameters);
     window->broken = !loaded;
