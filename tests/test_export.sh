@@ -102,5 +102,12 @@ check 'a file without an output is refused' none
 printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); } // toy\n' >"$scratch/given.frag"
 stays() { "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/given.frag" | cmp -s - "$scratch/given.frag"; }
 check "Shadertoy's form stays as it is" stays
+named() {
+    local name=$scratch/$'two\nlines.frag'
+    cp chapters/01_normal_colouring.frag "$name"
+    "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$name" >"$scratch/toy.frag" && head -n 1 "$scratch/toy.frag" | grep -q '^// two?lines.frag for' &&
+        ! grep -q '^lines' "$scratch/toy.frag"
+}
+check 'a line end in the name of a shader stays in its comment' named
 echo "# the worst picture: F2 $worst"
 plan

@@ -167,6 +167,30 @@ static void test_values_begin_at_zero(void **state)
                        "out vec4 c;\nvoid main() {c=vec4(0); if (x) c = vec4(1.0); }\n");
 }
 
+// Where a macro may say something else, a declaration stays as it is.
+static void test_what_cannot_be_judged_is_left_alone(void **state)
+{
+    (void)state;
+    static const char *const texts[] = {
+        "#define float highp float\nfloat x;\nvoid f() { float y; }\n",
+        "#define x y[2]\nfloat x;\n",
+        "#define BLOCK(n) uniform n\nBLOCK(Data) { vec4 v; float k; };\n",
+        "#define BLOCK uniform Data\nBLOCK { vec4 v; float k; } data;\n",
+        "uniform Data { vec4 v; float k; };\n",
+        "struct S { float[2] a; };\nS s;\n",
+        "#ifdef GL_X\nstruct S { float a; };\n#else\nstruct S { vec2 a; };\n#endif\nS s;\n",
+        "float a[300];\n#define N 2\nfloat b[N], c[2][2];\n",
+        "#define in varying\nin int Time;\n",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
+        assert_driver_gets(texts[i], texts[i]);
+    assert_driver_gets("struct A { vec2 p; }; struct B { A a[2]; int n, m; } b, c[2]; float d;\n",
+                       "struct A { vec2 p; }; struct B { A a[2]; int n, m; } "
+                       "b=B(A[2](A(vec2(0)),A(vec2(0))),int(0),int(0)), "
+                       "c[2]=B[2](B(A[2](A(vec2(0)),A(vec2(0))),int(0),int(0)),"
+                       "B(A[2](A(vec2(0)),A(vec2(0))),int(0),int(0))); float d=float(0);\n");
+}
+
 static void test_outputs(void **state)
 {
     (void)state;
@@ -193,6 +217,19 @@ static void test_texts_without_sense(void **state)
                    "main.frag:2: an array of 65537 elements");
     assert_refused("\nfloat a[99999999999999999999999];\n",
                    "main.frag:3: an array of 99999999999999999999 elements");
+    assert_refused("const int N = 100000000; float a[N*N];\n", "main.frag:2: an array of 1e+16 el");
+    assert_refused("#define N (300 * 2)\n#define M N\nfloat a[(N)][-1 + M];\n",
+                   "main.frag:4: an array of 359400 elements");
+    assert_refused("struct S { float a[300], b; };\nS s[300];\n",
+                   "main.frag:3: an array of 90300 elements");
+    assert_refused("#define A B B\n#define B C C\n#define C C1 C1 C1 C1 C1 C1 C1 C1 C1 C1\n"
+                   "#define C1 C2 C2 C2 C2 C2 C2 C2 C2 C2 C2\n#define C2 D(D(D(D(x))))\n"
+                   "#define D(x) x x x x x x x x x x\nfloat a = A;\n",
+                   "main.frag:8: with the macro A the text grows by more than a million words");
+    assert_form(
+        "#version 330 core\n#define A B\n#define B A\n#define F(x) F(x x)\n"
+        "const int N = 70000; void f() { const int N = 2; float a[N] = float[](F(A), 1); }\n" MAIN,
+        SHADER_WHOLE);
     struct shader_source source;
     const char *said;
     assert_false(read_text(&source, "// nothing\n/* but\n */\n", &said));
@@ -219,6 +256,40 @@ static void test_inputs_and_textures(void **state)
     assert_form("#version 330 core\nuniform sampler2D tex; float k; " WRITES, SHADER_WHOLE);
 }
 
+static void test_forms_of_main_image(void **state)
+{
+    (void)state;
+    static const char *const good[] = {
+        "void mainImage(inout highp vec4 c, const in mediump vec2 p) {}\n",
+        "void mainImage(out vec4, vec2);\n",
+        "void mainImage(out vec4 c) {}\nvoid mainImage(out vec4 c, inout vec2 p) {}\n",
+        "#define PARAMETERS out vec4 c, vec2 p\nvoid mainImage(PARAMETERS) {}\n",
+        "#define vec5 vec4\nvoid mainImage(out vec5 c, vec2 p) {}\n",
+        "#define HEAD void mainImage(out vec4 c, vec2 p)\nHEAD { }\nfloat mainImage(float x);\n",
+        "#if GL_X\nvoid mainImage(out vec3 c) {}\n#endif\n",
+    };
+    static const char *const bad[] = {
+        "vec4 mainImage(in vec2 p) { return p.xyxy; }\n",
+        "void mainImage(out vec3 c, in vec2 p) {}\n",
+        "void mainImage(vec4 c, in vec2 p) {}\n",
+        "void mainImage(out vec4 c, out vec2 p) {}\n",
+        "void mainImage(out vec4 c, vec2 p, float t) {}\n",
+    };
+    for (size_t i = 0; i < sizeof good / sizeof *good; i++)
+        assert_form(good[i], SHADER_SHADERTOY);
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+        assert_refused(bad[i], "main.frag:2: mainImage has other parameters than those it is "
+                               "called with: write void mainImage(out vec4 fragColor, in vec2");
+}
+
+static void test_version_above_a_chapter(void **state)
+{
+    (void)state;
+    scratch_write("root/shaders/main.glsl", "void main()\n{\n}\n");
+    scratch_write("root/chapters/01_scene.frag", "#include \"main.glsl\"\n");
+    assert_refused("#include \"01_scene.frag\"\n", "main.frag:1: take #version out");
+}
+
 int main(void)
 {
 #define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, scratch_teardown)
@@ -228,7 +299,10 @@ int main(void)
         UNIT(test_shadertoy_s_words),
         UNIT(test_values_begin_at_zero),
         UNIT(test_texts_without_sense),
+        UNIT(test_what_cannot_be_judged_is_left_alone),
         UNIT(test_outputs),
+        UNIT(test_forms_of_main_image),
+        UNIT(test_version_above_a_chapter),
         UNIT(test_inputs_and_textures),
     };
     return cmocka_run_group_tests_name("form", tests, NULL, NULL);

@@ -155,6 +155,31 @@ static void test_types_and_default_steps(void **state)
     parameters_free(&read);
 }
 
+// A French keyboard types a space that cannot break; a terminal would obey an escape.
+static void test_blanks_and_controls(void **state)
+{
+    (void)state;
+    struct parameters read = read_text("uniform float a; //\xC2\xA0"
+                                       "1 in\xE2\x80\xAF[0,\xC2\xA0"
+                                       "2] step\xC2\xA0"
+                                       "0.5\xC2\xA0:\xC2\xA0the\x1B[2J width\xC2\x9B\n");
+    assert_int_equal(read.count, 1);
+    assert_number(read.item->step, 0.5);
+    assert_string_equal(read.item->meaning, "the?[2J width??");
+    parameters_free(&read);
+}
+
+static void test_decimal_commas(void **state)
+{
+    (void)state;
+    assert_refused("uniform float a; // 0,5 in [0, 1]: a", "the value has a comma: write 0.5");
+    assert_refused("uniform float a; // 0.5 in [0, 1,5]: a", "the maximum has a comma: write 1.5");
+    assert_refused("uniform float a; // 0.5 in [0, 1] step 0,1: a",
+                   "the step has a comma: write 0.1");
+    assert_refused("uniform float a; // 1 in [1, 2] step *1,5: a",
+                   "the factor has a comma: write 1.5");
+}
+
 static void test_other_comments_declare_nothing(void **state)
 {
     (void)state;
@@ -317,7 +342,8 @@ static void test_refused_assignments(void **state)
         {"", "NAME=VALUE"},
         {"height=", "one number"},
         {"height=1x", "one number"},
-        {"height=1,2", "one number"},
+        {"height=1,2", "one number: write 1.2"},
+        {"height=-0,5", "one number: write -0.5"},
         {"height=1 2", "one number"},
         {"height=inf", "one number"},
         {"height=nan", "one number"},
@@ -519,6 +545,8 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_all_parts),
         cmocka_unit_test(test_types_and_default_steps),
+        cmocka_unit_test(test_blanks_and_controls),
+        cmocka_unit_test(test_decimal_commas),
         cmocka_unit_test(test_other_comments_declare_nothing),
         cmocka_unit_test(test_only_the_course_form_has_parameters),
         cmocka_unit_test(test_malformed_values),

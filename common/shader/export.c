@@ -153,11 +153,14 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
     return true;
 }
 
-// The name without its folder, which is that of this machine.
-static const char *base_of(const char *path)
+// Begin a comment with the shader's name without its folder, which is that of this machine. A name
+// may hold a line's end.
+static void put_name(struct export *e, const char *before)
 {
-    const char *slash = strrchr(path, '/');
-    return slash != NULL ? slash + 1 : path;
+    const char *path = e->source->files[0], *slash = strrchr(path, '/');
+    put(e, "%s", before);
+    for (const char *c = slash != NULL ? slash + 1 : path; *c != '\0'; c++)
+        put(e, "%c", (unsigned char)*c < ' ' || *c == 0x7F || *c == '\\' ? '?' : *c);
 }
 
 // The lines that stay, each file under its name.
@@ -175,8 +178,12 @@ static void put_files(struct export *e)
             uniform = uniform == NULL && glsl_is(e->code, t, "uniform") ? t : uniform;
         if (is_left_out(name))
             continue;
+        if (from != file && from == 0)
+            put_name(e, "\n// ---- ");
+        else if (from != file)
+            put(e, "\n// ---- %s", name);
         if (from != file)
-            put(e, "\n// ---- %s ----\n\n", from == 0 ? base_of(name) : name);
+            put(e, " ----\n\n");
         file = from;
         if (strncmp(line, "// #include", 11) != 0 && (uniform == NULL || !put_uniform(e, uniform)))
             put(e, "%.*s\n", (int)strcspn(line, "\n"), line);
@@ -185,8 +192,8 @@ static void put_files(struct export *e)
 
 static void put_course(struct export *e)
 {
-    put(e, "// %s for shadertoy.com, in one file: camera and parameters are constants here.\n",
-        base_of(e->source->files[0]));
+    put_name(e, "// ");
+    put(e, " for shadertoy.com, in one file: camera and parameters are constants here.\n");
     if (mentions(e, "VIEW") > 0)
         put(e, "#define VIEW 0\n");
     put_files(e);

@@ -121,31 +121,29 @@ bool form_find(struct shader_source *source, bool version)
 
 // ---- What the driver gets ----
 
+// The comma behind a parameter in the row of everything, or the bracket behind the last one.
+static const struct glsl_token *behind(const struct glsl_token *parameter)
+{
+    while (parameter->kind != GLSL_END && !glsl_is_sign(parameter, ",)"))
+        parameter++;
+    return parameter;
+}
+
 // The first word in the brackets of mainImage where it is declared; of the one with two parameters
 // where there are others. NULL where only a macro of the text declares it in other words.
-//   comma  receives the sign behind the first parameter
-static const struct glsl_token *parameters_of(const struct glsl *code,
-                                              const struct glsl_token **comma)
+static const struct glsl_token *parameters_of(const struct glsl *code)
 {
+    static const char *const colours[] = {"out", "inout", NULL};
     const struct glsl_token *other = NULL;
     for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++) {
         const struct glsl_token *first =
             t->live && glsl_is(code, t, "mainImage") ? form_colour(t) : NULL;
-        if (first == NULL || (!glsl_is(code, first, "out") && !glsl_is(code, first, "inout")))
+        if (first == NULL || !glsl_is_any(code, first, colours))
             continue;
-        const struct glsl_token *end[2] = {first, NULL};
-        for (int i = 0; i < 2; i++) {
-            end[i] = i == 0 ? first : end[0] + (end[0]->kind != GLSL_END);
-            while (end[i]->kind != GLSL_END && end[i]->sign != ',' && end[i]->sign != ')')
-                end[i]++;
-        }
-        bool two = end[0]->sign == ',' && end[1]->sign == ')';
-        if (two || other == NULL) {
-            other = first;
-            *comma = end[0];
-        }
-        if (two)
-            break;
+        const struct glsl_token *comma = behind(first);
+        if (comma->sign == ',' && behind(comma + 1)->sign == ')')
+            return first;
+        other = other == NULL ? first : other;
     }
     return other;
 }
@@ -180,11 +178,12 @@ static char *toy_prelude(const struct shader_source *source)
     for (size_t i = 0; (declaration = form_toy_input(i, &name)) != NULL; i++)
         if (!form_declares(code, name))
             size += snprintf(prelude + size, (size_t)(SIZE - size), "uniform %s;\n", declaration);
-    const struct glsl_token *comma = NULL, *parameters = parameters_of(code, &comma);
-    if (parameters != NULL && comma->sign == ',')
-        way = glsl_is(code, comma + 1, "inout")   ? "inout"
-              : glsl_is(code, comma + 1, "const") ? "const in"
-                                                  : "in";
+    const struct glsl_token *parameters = parameters_of(code);
+    const struct glsl_token *pixel = parameters != NULL ? behind(parameters) + 1 : code->item;
+    if (parameters != NULL && glsl_is(code, pixel, "inout"))
+        way = "inout";
+    else if (parameters != NULL && glsl_is(code, pixel, "const"))
+        way = "const in";
     // An out becomes an inout: form_zero.
     snprintf(prelude + size, (size_t)(SIZE - size), end, parameters != NULL ? "inout" : "out", way);
     return prelude;

@@ -107,14 +107,6 @@ struct walk {
     const struct glsl_token *type, *name;
 };
 
-// Pass over a value and the sizes of an array, to the comma or the end of the declaration.
-static const struct glsl_token *skip_value(const struct glsl *code, const struct glsl_token *t)
-{
-    while (t->kind != GLSL_END && (t->sign == '\0' || strchr(",;)}", t->sign) == NULL))
-        t = glsl_next(code, t);
-    return t;
-}
-
 static enum kind kind_of(const struct glsl *code, const struct glsl_token *t)
 {
     return glsl_is(code, t, "in") || glsl_is(code, t, "varying")       ? IN
@@ -159,7 +151,7 @@ static bool read_first(struct walk *walk)
 // Another name of the same declaration.
 static bool read_next(struct walk *walk)
 {
-    const struct glsl_token *t = skip_value(walk->code, walk->next);
+    const struct glsl_token *t = glsl_skip(walk->code, walk->next, ",;)}");
     if (walk->kind == NONE || walk->kind == BLOCK || t->sign != ',' || t[1].kind != GLSL_WORD ||
         t[1].length >= NAME_LIMIT)
         return false;
@@ -180,10 +172,7 @@ static bool next_declared(struct walk *walk)
     while (walk->next->kind != GLSL_END) {
         if (walk->next->depth == 0 && read_first(walk))
             return true;
-        const struct glsl_token *t = walk->next;
-        while (t->kind != GLSL_END && (t->sign == '\0' || strchr(";{}", t->sign) == NULL))
-            t = glsl_next(code, t);
-        walk->next = glsl_next(code, t);
+        walk->next = glsl_next(code, glsl_skip(code, walk->next, ";{}"));
     }
     return false;
 }

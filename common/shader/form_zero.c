@@ -8,6 +8,8 @@
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
+#define SIZE_LIMIT (256 * 1024) // letters that are put in, before arrays stay as they are
+
 enum { VALUE_SIZE = 4096 }; // letters of a value that is put in, its end included
 
 // What is put in, and where; what stands there may be left out.
@@ -80,17 +82,17 @@ static bool zero_of(const struct edits *all, const struct glsl_token *type,
                     const struct glsl_token *size, char text[VALUE_SIZE])
 {
     const struct glsl *code = all->code;
-    char one[VALUE_SIZE];
+    const char *structure = is_word(type) ? zero_of_name(all, type) : NULL;
+    char one[VALUE_SIZE] = "";
     if (is_type(code, type))
         snprintf(one, sizeof one, "%.*s(0)", GLSL_TEXT(code, type));
-    else
-        snprintf(one, sizeof one, "%s",
-                 is_word(type) && zero_of_name(all, type) != NULL ? zero_of_name(all, type) : "");
+    else if (structure != NULL && all->size < SIZE_LIMIT)
+        strcpy(one, structure);
     strcpy(text, one);
     if (one[0] == '\0' || size->sign != '[')
         return one[0] != '\0';
     int count = size_of(code, size), used = 0;
-    if (!all->arrays || count == 0 || size[3].sign == '[' ||
+    if (!all->arrays || all->size > SIZE_LIMIT || count == 0 || size[3].sign == '[' ||
         count * ((int)strlen(one) + 1) + type->length > VALUE_SIZE / 2)
         return false;
     used = snprintf(text, VALUE_SIZE, "%.*s[%d](", GLSL_TEXT(code, type), count);
@@ -111,13 +113,11 @@ static const struct glsl_token *zero_names(struct edits *all, const struct glsl_
         char text[VALUE_SIZE + 1] = "=";
         while (after->sign == '[')
             after = glsl_next(code, after);
-        bool ends = (after->sign == ',' || after->sign == ';') && !after->parted && !size->parted;
+        bool ends = glsl_is_sign(after, ",;") && !after->parted && !size->parted;
         if (ends && zero_of(all, type, size, text + 1))
             edit(all, after[-1].begin + after[-1].length, 0, text);
-        bool value = after->sign == '=';
-        while (value && after->kind != GLSL_END &&
-               (after->sign == '\0' || strchr(",;)}", after->sign) == NULL))
-            after = glsl_next(code, after);
+        if (after->sign == '=')
+            after = glsl_skip(code, after, ",;)}");
         if (after->sign != ',')
             return after;
         t = after + 1;
@@ -139,8 +139,7 @@ static void learn(struct edits *all, const struct glsl_token *name)
         type = type != NULL ? type : t++;
         after = t[1].sign == '[' ? glsl_next(code, t + 1) : t + 1;
         done = is_word(t) && !t->parted && !after->parted && zero_of(all, type, t + 1, part) &&
-               used + (int)strlen(part) < VALUE_SIZE - 2 &&
-               (after->sign == ',' || after->sign == ';');
+               used + (int)strlen(part) < VALUE_SIZE - 2 && glsl_is_sign(after, ",;");
         if (done)
             used += sprintf(zero + used, "%c%s", strchr(zero, '(') == NULL ? '(' : ',', part);
         type = after->sign == ',' ? type : NULL;
@@ -161,7 +160,7 @@ static bool holds_members(const struct glsl *code, const struct glsl_token *t)
     if (t[-1].kind == GLSL_WORD && t[-2].kind == GLSL_WORD)
         return true;
     end += end->kind == GLSL_WORD;
-    return t->depth == 0 && end->sign != '\0' && strchr(";,[=", end->sign) != NULL;
+    return t->depth == 0 && glsl_is_sign(end, ";,[=");
 }
 
 // Look at the beginning of each statement.
@@ -182,14 +181,12 @@ static void zero_variables(struct edits *all)
         } else if (holds_members(code, t)) {
             t = glsl_next(code, t);
         } else if (begins && glsl_is_any(code, t, others)) {
-            while (t->kind != GLSL_END && t->sign != ';' && t->sign != ')' && t->sign != '}')
-                t = glsl_next(code, t);
+            t = glsl_skip(code, t, ";)}");
         } else if (begins && (is_type(code, t) || zero_of_name(all, t) != NULL)) {
             t = zero_names(all, t, t + 1);
             begins = false;
         } else {
-            begins = loop || (t->sign != '\0' && strchr(";{}", t->sign) != NULL) ||
-                     (begins && glsl_is_precision(code, t));
+            begins = loop || glsl_is_sign(t, ";{}") || (begins && glsl_is_precision(code, t));
             t += 1 + loop;
         }
     }
@@ -219,7 +216,7 @@ static void zero_outputs(struct edits *all)
         while (glsl_is_precision(code, t));
         char text[VALUE_SIZE];
         if (is_type(code, t) && is_word(t + 1) && t[1].length < VALUE_SIZE / 2 &&
-            (t[2].sign == ';' || t[2].sign == ',')) {
+            glsl_is_sign(t + 2, ",;")) {
             snprintf(text, sizeof text, "%.*s=%.*s(0);", GLSL_TEXT(code, t + 1),
                      GLSL_TEXT(code, t));
             edit(all, main->begin + 1, 0, text);

@@ -15,6 +15,11 @@ void *glsl_grown(void *row, int count, size_t size)
     return (count & (count - 1)) != 0 ? row : realloc(row, (2 * (size_t)count + 1) * size);
 }
 
+bool glsl_is_sign(const struct glsl_token *token, const char *signs)
+{
+    return token->sign != '\0' && strchr(signs, token->sign) != NULL;
+}
+
 // ---- Tokens ----
 
 // The length of the line comment that begins at c.
@@ -304,7 +309,7 @@ static bool obey(struct walk *walk, const struct glsl_token *hash)
 static void count_bracket(struct walk *walk, struct glsl_token *token, int at)
 {
     struct glsl_token *statement = walk->code->statement;
-    bool opens = strchr("([{", token->sign) != NULL, closes = strchr(")]}", token->sign) != NULL;
+    bool opens = glsl_is_sign(token, "([{"), closes = glsl_is_sign(token, ")]}");
     bool stray = closes && walk->depth == 0;
     token->depth = walk->depth -= closes && !stray;
     token->partner = at;
@@ -334,7 +339,7 @@ static bool judge(struct walk *walk)
             code->name[token->name].count += token->live;
         if (token->directive || token->kind >= GLSL_COMMENT)
             continue;
-        if (token->sign != '\0') // all signs: a strchr of '\0' finds the end
+        if (glsl_is_sign(token, "([{)]}"))
             count_bracket(walk, token, at);
         if (!token->live)
             continue;
@@ -355,8 +360,7 @@ static void finish(struct glsl *code)
             token->macro = name->definition >= 0;
             name->first = name->first < 0 ? i : name->first;
             name->last = i;
-        } else if (token->sign != '\0' && strchr("([{", token->sign) != NULL &&
-                   token->partner == i) {
+        } else if (glsl_is_sign(token, "([{") && token->partner == i) {
             token->partner = code->statement_count;
         }
     }
@@ -429,9 +433,17 @@ const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl
 
 const struct glsl_token *glsl_next(const struct glsl *code, const struct glsl_token *token)
 {
-    if (token->sign != '\0' && strchr("([{", token->sign) != NULL)
+    if (glsl_is_sign(token, "([{"))
         token = glsl_partner(code, token);
     return token->kind == GLSL_END ? token : token + 1;
+}
+
+const struct glsl_token *glsl_skip(const struct glsl *code, const struct glsl_token *token,
+                                   const char *signs)
+{
+    while (token->kind != GLSL_END && !glsl_is_sign(token, signs))
+        token = glsl_next(code, token);
+    return token;
 }
 
 const struct glsl_token *glsl_find(const struct glsl *code, const char *word)

@@ -77,6 +77,9 @@ void glsl_free(struct glsl *code);
 // True for a letter, a digit or an underscore of the basic alphabet, whatever the locale.
 bool glsl_is_word(char c);
 
+// True when the token is one of these signs.
+bool glsl_is_sign(const struct glsl_token *token, const char *signs);
+
 // True when the token is this word, and no macro of the text.
 bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char *word);
 
@@ -92,6 +95,11 @@ const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl
 
 // What follows a token of the statements, or, where this opens a bracket, the bracket's end.
 const struct glsl_token *glsl_next(const struct glsl *code, const struct glsl_token *token);
+
+// The first of these signs among the statements from a token on, outside of brackets that open
+// there; or the end.
+const struct glsl_token *glsl_skip(const struct glsl *code, const struct glsl_token *token,
+                                   const char *signs);
 
 // The name of a word, or NULL where the text has no such word.
 struct glsl_name *glsl_name(const struct glsl *code, const char *word);

@@ -62,12 +62,17 @@ static bool accept_word(struct reading *reading, const char *word)
     return true;
 }
 
-static bool read_any_number(struct reading *reading, const char *what, double *value)
+//   single  no comma may follow but one that begins a word
+static bool read_any_number(struct reading *reading, const char *what, bool single, double *value)
 {
     skip_blanks(reading);
     size_t length = number_begin(reading->c, value);
     if (length == 0)
         return refuse(reading, "%s must be a number, not '%.20s'", what, reading->c);
+    const char *comma = reading->c + length;
+    if (single && comma[0] == ',' && comma[1] >= '0' && comma[1] <= '9')
+        return refuse(reading, "%s has a comma: write %.*s.%.*s", what, (int)length, reading->c,
+                      (int)strspn(comma + 1, "0123456789"), comma + 1);
     reading->c += length;
     if (!isfinite((float)*value))
         return refuse(reading, "%s is too large for a float", what);
@@ -75,9 +80,9 @@ static bool read_any_number(struct reading *reading, const char *what, double *v
 }
 
 // Read a number that the parameter's type can hold.
-static bool read_number(struct reading *reading, const char *what, double *value)
+static bool read_number(struct reading *reading, const char *what, bool single, double *value)
 {
-    if (!read_any_number(reading, what, value))
+    if (!read_any_number(reading, what, single, value))
         return false;
     if (reading->parameter.type == PARAMETER_INT &&
         (*value != floor(*value) || fabs(*value) > INT_MAX))
@@ -123,7 +128,7 @@ static bool read_values(struct reading *reading)
     int count = 0;
     do {
         double value;
-        if (!read_number(reading, "the value", &value))
+        if (!read_number(reading, "the value", p->components == 1, &value))
             return false;
         if (count < 4)
             p->value[count] = value;
@@ -144,11 +149,11 @@ static bool read_range(struct reading *reading)
     if (!accept_word(reading, "in") || !accept(reading, '['))
         return refuse(reading, "no range after the value: write as in \"" EXAMPLE
                                "\", or begin the comment with another word");
-    if (!read_number(reading, "the minimum", &p->minimum))
+    if (!read_number(reading, "the minimum", false, &p->minimum))
         return false;
     if (!accept(reading, ','))
         return refuse(reading, "the range needs a comma: write [minimum, maximum]");
-    if (!read_number(reading, "the maximum", &p->maximum))
+    if (!read_number(reading, "the maximum", true, &p->maximum))
         return false;
     if (!accept(reading, ']'))
         return refuse(reading, "the range is not closed: write [minimum, maximum]");
@@ -167,8 +172,8 @@ static bool read_step(struct reading *reading)
     if (!accept_word(reading, "step"))
         return true;
     p->multiplies = accept(reading, '*');
-    if (p->multiplies ? !read_any_number(reading, "the factor", &p->step)
-                      : !read_number(reading, "the step", &p->step))
+    if (p->multiplies ? !read_any_number(reading, "the factor", true, &p->step)
+                      : !read_number(reading, "the step", true, &p->step))
         return false;
     if (p->multiplies && (p->step <= 1.0 || p->minimum <= 0.0))
         return refuse(reading, "a step that multiplies must be above 1, in a range above 0");
@@ -291,9 +296,11 @@ static char *words_of(const struct glsl *code, const struct glsl_token *comment)
     for (int i = 0; i < 2 && words != NULL; i++)
         for (char *c = words; (c = strstr(c, spaces[i])) != NULL;)
             memset(c, ' ', strlen(spaces[i]));
-    for (char *c = words; c != NULL && *c != '\0'; c++)
-        if (((unsigned char)*c < ' ' && strchr(BLANKS, *c) == NULL) || *c == 0x7F)
-            *c = '?';
+    for (char *c = words; c != NULL && *c != '\0'; c++) {
+        bool wide = *c == '\xC2' && (unsigned char)c[1] >= 0x80 && (unsigned char)c[1] < 0xA0;
+        if (wide || ((unsigned char)*c < ' ' && strchr(BLANKS, *c) == NULL) || *c == 0x7F)
+            memset(c, '?', wide ? 2 : 1);
+    }
     return words;
 }
 
