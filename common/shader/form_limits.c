@@ -1,5 +1,6 @@
 #include "shader/form_limits.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,6 +16,7 @@ enum { PARAMETERS = 8 }; // of a macro that are told apart
 // How many words a macro becomes: some, and for each parameter as many as are handed in, so often.
 struct cost {
     double words, times[PARAMETERS];
+    bool takes; // parameters
 };
 
 // What is known of a name.
@@ -22,7 +24,7 @@ struct fact {
     double value;    // of a constant or a macro, where known
     double elements; // of a structure, all arrays counted
     int declared;    // how often it stands behind a type, or in a #define
-    bool known, under_way, counted;
+    bool known, under_way;
     struct cost *cost; // of a macro; owned
 };
 
@@ -92,7 +94,7 @@ static bool read_operand(struct reader *reader, double *value)
     } else if (t->sign == '(' || glsl_is(code, t, "int") || glsl_is(code, t, "uint")) {
         reader->t += t->sign != '(' && !ends(reader) && reader->t->sign == '(';
         done = read_sum(reader, value) && !ends(reader) && reader->t->sign == ')';
-        reader->t++;
+        reader->t += done;
     } else if (fact != NULL && fact->declared == 1 && !fact->under_way) {
         const struct glsl_name *name = &code->name[t->name];
         struct reader macro = {0};
@@ -118,7 +120,7 @@ static bool read_product(struct reader *reader, double *value)
         char sign = reader->t++->sign;
         if (!read_operand(reader, &next) || (sign == '/' && next == 0.0))
             return false;
-        *value = sign == '*' ? *value * next : (double)(long long)(*value / next);
+        *value = sign == '*' ? *value * next : trunc(*value / next);
     }
     return true;
 }
@@ -160,7 +162,7 @@ static void note_constants(struct limits *limits, const struct glsl_token *t)
             return;
         struct fact *fact = &limits->fact[t[1].name];
         fact->known = read_sum(&reader, &fact->value);
-        t = reader.t;
+        t = glsl_skip(limits->code, t + 3, ",;");
     } while (t->sign == ',');
 }
 
@@ -234,6 +236,7 @@ static const struct cost *macro_cost(struct limits *limits, int name, int depth)
     struct reader reader = open_macro(limits, name, depth);
     fact->under_way = true;
     struct cost cost = cost_of(&reader, false);
+    cost.takes = reader.first != NULL;
     fact->under_way = false;
     fact->cost = malloc(sizeof cost);
     limits->failed |= fact->cost == NULL;
@@ -259,19 +262,19 @@ static void add_word(struct reader *reader, struct cost *to)
     }
     bool macro = limits->code->name[word->name].definition >= 0;
     const struct cost *cost = macro ? macro_cost(limits, word->name, reader->depth) : &one;
-    add(to, 1.0, &(struct cost){.words = cost != NULL ? cost->words : 1.0});
-    if (cost == NULL || ends(reader) || reader->t->sign != '(' || reader->depth >= DEPTH_LIMIT)
+    to->words += cost != NULL ? cost->words : 1.0;
+    if (cost == NULL || !cost->takes || ends(reader) || reader->t->sign != '(' ||
+        reader->depth >= DEPTH_LIMIT)
         return;
     reader->depth++;
-    for (int i = 0; macro && cost->times[i] >= 0.0;) {
+    int i = 0;
+    do {
         reader->t++;
         struct cost argument = cost_of(reader, true);
         add(to, cost->times[i], &argument);
         i += i < PARAMETERS - 1;
-        if (ends(reader) || reader->t->sign != ',')
-            break;
-    }
-    reader->t += macro && !ends(reader);
+    } while (!ends(reader) && reader->t->sign == ',');
+    reader->t += !ends(reader);
     reader->depth--;
 }
 
@@ -303,11 +306,16 @@ static bool check_macros(struct limits *limits)
         if (code->item[i].kind == GLSL_HASH && code->item[i].live &&
             glsl_is(code, &code->item[i + 1], "define") && code->item[i + 2].kind == GLSL_WORD)
             macro_cost(limits, code->item[i + 2].name, 0);
-    struct reader reader = {.limits = limits, .t = code->statement};
-    while (!ends(&reader) && !limits->failed) {
+    // The row of everything, but definitions and what asks only whether there is one.
+    static const char *const expanded[] = {"if", "elif", NULL};
+    struct reader reader = {.limits = limits, .t = code->item};
+    for (bool counts = true; reader.t->kind != GLSL_END && !limits->failed;) {
         const struct glsl_token *t = reader.t;
         struct cost cost = {0};
-        if (t->macro)
+        if (t->kind == GLSL_HASH || !t->directive)
+            counts = t->live && (!t->directive || glsl_is_any(code, t + 1, expanded));
+        reader.directive = t->directive;
+        if (counts && t->kind == GLSL_WORD && code->name[t->name].definition >= 0)
             add_word(&reader, &cost);
         else
             reader.t++;
