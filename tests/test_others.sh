@@ -498,7 +498,7 @@ gallery() { # NAME
 check 'make play on a display that is gone renders a file' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' play '' \"\${size[@]}\" && gallery play"
 check 'make run on a display that is gone renders a file' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
 check 'make run on a compositor that is gone renders a file' \
-    eval "DISPLAY='' WAYLAND_DISPLAY=nowhere CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
+    eval "DISPLAY='' WAYLAND_DISPLAY=nowhere XDG_RUNTIME_DIR=\$scratch CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
 check 'make run without a display measures' eval "DISPLAY='' WAYLAND_DISPLAY='' runs --benchmark 1 \"\${size[@]}\" && grep -q '^shader  *00_' \"\$scratch/out\""
 refuses() { runs -p nothing=1; [ $? = 2 ] && [ ! -s "$scratch/out" ] && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
 check 'make run refuses a parameter that there is not' refuses
