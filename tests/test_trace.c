@@ -29,7 +29,7 @@ static void a_picture_leaves_no_trace_in_a_probe(void **unused)
     struct renderer_inputs others[] = {gpu_inputs(700, 530, 2), gpu_inputs(2, 1, 1)};
     struct probe *first = probe_of(&inputs, 320, 100);
     assert_int_equal(first->end, PROBE_HIT);
-    assert_in_range(first->steps, 3, 200);
+    assert_true(first->steps >= 3 && first->steps <= 200);
     for (int i = 0; i < 2; i++) {
         assert_true(renderer_draw(&gpu.renderer, &others[i], 0, others[i].height));
         struct probe *again = probe_of(&inputs, 320, 100);
