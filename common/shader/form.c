@@ -99,6 +99,59 @@ static bool check_version(const struct shader_source *source)
     return true;
 }
 
+static bool refuse_image(const struct shader_source *source, const struct glsl_token *image)
+{
+    return shader_refuse(source, image->line,
+                         "mainImage has other parameters than those it is called with: write void "
+                         "mainImage(out vec4 fragColor, in vec2 fragCoord)");
+}
+
+// Pass over a parameter of a type; a colour is an out or an inout, a pixel no out.
+static bool accept_parameter(const struct glsl *code, const struct glsl_token **t, const char *type,
+                             bool colour)
+{
+    bool out = false, inout = false;
+    for (;; ++*t) {
+        static const char *const others[] = {"const", "in", "lowp", "mediump", "highp", NULL};
+        if (glsl_is(code, *t, "out"))
+            out = true;
+        else if (glsl_is(code, *t, "inout"))
+            inout = true;
+        else if (!glsl_is_any(code, *t, others))
+            break;
+    }
+    if (!glsl_is(code, *t, type))
+        return false;
+    *t += 1 + ((*t)[1].kind == GLSL_WORD);
+    return colour ? out || inout : !out;
+}
+
+// Judge how mainImage is declared, in Shadertoy's form: drivers may link a call to nothing. One
+// that a macro or an #if may change is taken.
+static bool check_image(const struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    const struct glsl_token *wrong = NULL;
+    const struct glsl_name *name = glsl_name(code, "mainImage");
+    int seen = 0;
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
+        if (t->kind != GLSL_WORD || &code->name[t->name] != name)
+            continue;
+        seen++;
+        if (t->depth > 0 || t[1].sign != '(')
+            continue;
+        bool judged = t->certain && !t->macro;
+        const struct glsl_token *end = glsl_partner(code, t + 1), *c = t + 2;
+        for (const struct glsl_token *word = c; word < end; word++)
+            judged &= !word->macro;
+        if (!judged || (accept_parameter(code, &c, "vec4", true) && c->sign == ',' &&
+                        (c++, accept_parameter(code, &c, "vec2", false)) && c == end))
+            return true;
+        wrong = wrong == NULL ? t : wrong;
+    }
+    return wrong == NULL || seen < name->count || refuse_image(source, wrong);
+}
+
 bool form_find(struct shader_source *source, bool version)
 {
     if (!read_code(source))
@@ -115,7 +168,7 @@ bool form_find(struct shader_source *source, bool version)
         blank_extensions(source);
     return form_check_limits(source) && (!version || check_version(source)) &&
            (source->form == SHADER_COURSE || form_check_inputs(source)) &&
-           (!toy || form_check_image(source)) &&
+           (!toy || check_image(source)) &&
            (strcmp(code->text, source->text) == 0 || read_code(source));
 }
 
@@ -224,7 +277,7 @@ bool form_refuses(const struct shader_source *source, const char *log, bool link
     }
     // A file without a main, or one that blames mainImage; the names of drivers' own differ.
     if (linking && toy && strstr(log, "mainImage") != NULL)
-        return !form_refuse_image(source, glsl_find(code, "mainImage"));
+        return !refuse_image(source, glsl_find(code, "mainImage"));
     bool lacks = linking && !toy && glsl_mentions(code, "main") == 0;
     if (lacks)
         report("%s: draws no picture, for it has no main: write void main(), or mainImage as "

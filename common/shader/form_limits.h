@@ -11,12 +11,4 @@
 // comments.
 bool form_check_limits(const struct shader_source *source);
 
-// Judge how mainImage is declared, in Shadertoy's form: drivers may link a call to nothing. Returns
-// false, reported, when no declaration has the two parameters of Shadertoy's; one that a macro or
-// an #if may change is taken.
-bool form_check_image(const struct shader_source *source);
-
-// Say that mainImage has other parameters; always false.
-bool form_refuse_image(const struct shader_source *source, const struct glsl_token *image);
-
 #endif
