@@ -30,7 +30,7 @@ edit_copy() { # COPY FILES EDIT
 }
 
 # Plant each line of $scratch/mistakes, two at a time, and print a TAP line for each: plant LINE COPY says
-# 'ok WHAT ...' or 'not ok WHAT: WHY'.
+# 'ok WHAT ...', 'not ok WHAT: WHY' or 'skip WHAT'.
 plant_all() {
     local count number line
     count=$(grep -c . "$scratch/mistakes")
@@ -39,6 +39,7 @@ plant_all() {
         read -r line <"$scratch/$number.result" || line="not ok mistake $number: no result"
         case $line in
         ok*) ok "${line#ok }" ;;
+        skip*) skip "${line#skip }" 'this machine has not what it is built with' ;;
         *) not_ok "${line#not ok }" ;;
         esac
     done

@@ -36,6 +36,9 @@ plant() { # LINE COPY: prints a result
     file=$(field "$line" 3)
     if [ "$file" = - ]; then
         edit_copy "$copy" '' ''
+    elif [ -e "$file" ] && [ ! -e "build/${file%.c}.o" ]; then
+        echo "skip $what"
+        return
     else
         why=$(edit_copy "$copy" "$file" "${line#*"$file"*| }")
     fi
