@@ -131,6 +131,30 @@ static void test_shadertoy_s_words(void **state)
     shader_free(&source);
 }
 
+// What only OpenGL ES knows does not reach the driver.
+static void test_versions(void **state)
+{
+    (void)state;
+    static const struct {
+        const char *text, *word;
+    } cases[] = {{"#version 300 es\nprecision highp float;\n" MAIN, "300 es"},
+                 {"#version 100\nvoid main() { gl_FragColor = vec4(1.0); }\n", "100\n"},
+                 {"#version 330 compatibility\n" MAIN, "compatibility"},
+                 {"#extension GL_OES_standard_derivatives : enable\n"
+                  "void mainImage(out vec4 c, in vec2 p) {}\n",
+                  "GL_OES"}};
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        struct shader_source source;
+        const char *said;
+        assert_true(read_text(&source, cases[i].text, &said));
+        char *compiled = shader_text(&source, SHADER_PICTURE);
+        if (strstr(compiled, cases[i].word) != NULL)
+            fail_msg("'%s' in %s", cases[i].word, compiled);
+        free(compiled);
+        shader_free(&source);
+    }
+}
+
 // The text for the driver, of a whole file.
 static void assert_driver_gets(const char *text, const char *expected)
 {
@@ -296,6 +320,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         UNIT(test_forms),
         UNIT(test_forms_behind_conditions),
+        UNIT(test_versions),
         UNIT(test_shadertoy_s_words),
         UNIT(test_values_begin_at_zero),
         UNIT(test_texts_without_sense),
