@@ -144,7 +144,7 @@ static bool add_overlay(const struct run *run, struct renderer *renderer,
     double scale = run->options.overlay;
     struct panel panel = {.title = title_of(run),
                           .renderer = renderer,
-                          .whole = true,
+                          .ranges = true,
                           .pixel = {inputs->pixel[0], inputs->pixel[1]},
                           .probe = probe};
     if (!overlay_open(overlay, renderer->gl))

@@ -99,7 +99,7 @@ static void the_table_is_whole_where_it_has_room(void **unused)
     struct panel panel = {.renderer = &renderer, .title = "", .chosen = "wide", .pixel = {-1, -1}};
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("[0, 9] feet") && !says("[0, 8]"));
-    panel.whole = true;
+    panel.ranges = true;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("[0, 8]") && says("metres") && says("[0, 7]"));
     float width = overlay.rectangle[0].right + 8.0f; // with the margin at its right

@@ -76,11 +76,11 @@ static void fill_cells(const struct parameter *parameter, char cell[COLUMNS][CEL
 
 // What the chapter's panel shows, and how wide. There are two forms: the small one lists names and
 // values, and the range and the unit of the chosen parameter alone, so that the picture stays in
-// sight; the whole one has a table with all four columns.
+// sight; the large one has a table with all four columns.
 struct chapter_panel {
     float column[COLUMNS]; // widths
     float width;
-    bool whole;
+    bool ranges;
     int first, rows; // of the parameters, those that there is room for
     bool cut;        // not all
     float lines;
@@ -124,14 +124,14 @@ static void write_parameter(struct pen *pen, const struct parameter *parameter, 
     static const struct overlay_colour *const colours[COLUMNS] = {&PLAIN, &BRIGHT, &DIM, &DIM};
     char cell[COLUMNS][CELL];
     fill_cells(parameter, cell);
-    bool detailed = chosen && !form->whole;
+    bool detailed = chosen && !form->ranges;
     if (chosen) {
         overlay_box(pen->overlay, pen->left - 3.0f, pen->top - 2.0f, form->width + 6.0f,
                     detailed ? 2.0f * LINE : LINE, BAND);
         overlay_text(pen->overlay, pen->left, pen->top, ">", BRIGHT);
     }
     float left = pen->left + GAP;
-    for (int k = 0; k < (form->whole ? COLUMNS : 2); k++) {
+    for (int k = 0; k < (form->ranges ? COLUMNS : 2); k++) {
         overlay_text(pen->overlay, left, pen->top, cell[k], chosen ? BRIGHT : *colours[k]);
         left += form->column[k] + (form->column[k] > 0.0f ? GAP : 0.0f);
     }
@@ -191,20 +191,20 @@ static void lay_chapter(const struct panel *panel, float limit, float bottom,
     if (chosen != NULL)
         detail_text(chosen, form->detail, sizeof form->detail);
     float table = measure_table(parameters, COLUMNS, form->column);
-    form->whole = chosen == NULL || (panel->whole && table <= limit);
-    if (!form->whole)
+    form->ranges = chosen == NULL || (panel->ranges && table <= limit);
+    if (!form->ranges)
         table = measure_table(parameters, 2, form->column);
     // In steps, so that a panel does not tremble with its numbers.
     float texts = larger(overlay_width(form->status), overlay_width(form->last));
     texts = 20.0f * ceilf(larger(overlay_width(panel->title), texts) / 20.0f);
     form->width = larger(texts, table);
-    form->lines = 2.0f + (parameters->count > 0 ? 0.5f : 0.0f) + (form->whole ? 0.0f : 1.0f) +
+    form->lines = 2.0f + (parameters->count > 0 ? 0.5f : 0.0f) + (form->ranges ? 0.0f : 1.0f) +
                   (form->last[0] != '\0' ? 1.5f : 0.0f);
     int room = (int)((bottom - MARGIN - 2.0f * PADDING + 2.0f) / LINE - form->lines);
     form->cut = parameters->count > room;
     if (form->cut)
         form->rows = room > 1 ? room - 1 : 0;
-    if (form->rows == 0 && !form->whole)
+    if (form->rows == 0 && !form->ranges)
         form->lines -= 1.0f;
     form->lines += (float)form->rows + (form->cut ? 1.0f : 0.0f);
     form->first = first_shown(panel, form->rows);

@@ -20,10 +20,10 @@ struct panel {
     const struct renderer *renderer; // its view and parameters
     const char *chosen;              // name of the parameter that the arrows change
     double rate, milliseconds;       // frames a second, of one frame
-    int divisor; // the picture is drawn at 1/divisor of each side; 0 and 1: whole
+    int divisor; // the picture is drawn at 1/divisor of each side; 0 and 1: full
     int sharp;   // percent of it that is sharp all the same
     bool paused;
-    bool whole;       // range and unit of all parameters, where the picture has room for them
+    bool ranges;       // range and unit of all parameters, where the picture has room for them
     bool folded;      // leave out all but the ray's march, in the slice that too, and the error
     const char *hint; // what to press; NULL or "": none
     const struct panel_key *keys;

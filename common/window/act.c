@@ -68,9 +68,9 @@ static void toggle_orthographic(struct window *window)
     const double *value = orthographic_of(window, end);
     if (value == NULL)
         return;
-    double from = window->passing ? window->towards : *value;
-    window->towards = from > 0.5 * (end[0] + end[1]) ? end[0] : end[1];
-    window->passing = true;
+    double from = window->passage.on ? window->passage.towards : *value;
+    window->passage.towards = from > 0.5 * (end[0] + end[1]) ? end[0] : end[1];
+    window->passage.on = true;
 }
 
 // A switch has no values between its ends.
@@ -82,17 +82,17 @@ static bool is_switch(const struct parameter *parameter)
 bool window_pass(struct window *window, double seconds)
 {
     double end[2];
-    double *value = window->passing ? orthographic_of(window, end) : NULL;
-    window->passing = value != NULL;
+    double *value = window->passage.on ? orthographic_of(window, end) : NULL;
+    window->passage.on = value != NULL;
     if (value == NULL)
         return false;
-    double left = window->towards - *value;
+    double left = window->passage.towards - *value;
     double step = seconds / PASSAGE * (end[1] - end[0]);
     bool arrived = fabs(left) <= step ||
                    is_switch(parameters_find(&window->renderer->parameters, "orthographic"));
-    *value = arrived ? window->towards : *value + copysign(step, left);
-    window->passing = !arrived;
-    window->retitle_at = 0.0;
+    *value = arrived ? window->passage.towards : *value + copysign(step, left);
+    window->passage.on = !arrived;
+    window->title.due = 0.0;
     return true;
 }
 
@@ -132,7 +132,8 @@ static void save(const struct window *window, struct image *image, bool made)
 
 bool window_shoots(const struct window *window)
 {
-    return window->shooting && (window->divisor == 1 || window->sharp == window->whole.height);
+    return window->shooting && (window->pace.divisor == 1 ||
+                                window->sharpening.rows == window->sharpening.inputs.height);
 }
 
 void window_shoot(struct window *window)
@@ -140,10 +141,10 @@ void window_shoot(struct window *window)
     struct image image = {0};
     window->shooting = false;
     save(window, &image,
-         window->divisor > 1 ? renderer_sharp_picture(window->renderer, &image)
-                             : renderer_picture(window->renderer, &window->inputs, &image));
+         window->pace.divisor > 1 ? renderer_sharp_picture(window->renderer, &image)
+                                  : renderer_picture(window->renderer, &window->inputs, &image));
     // The screenshot was drawn where the picture on the screen was; a sharpened one is elsewhere.
-    window->stale |= window->sharp < window->whole.height;
+    window->stale |= window->sharpening.rows < window->sharpening.inputs.height;
 }
 
 // A view that the shader has not is refused where the eyes are: in the overlay.
@@ -151,7 +152,7 @@ static void show_view(struct window *window, enum shader_view view)
 {
     bool shown = renderer_set_view(window->renderer, view);
     if (!shown || !window->broken)
-        snprintf(window->error, sizeof window->error, "%s", shown ? "" : report_last());
+        snprintf(window->panel.error, sizeof window->panel.error, "%s", shown ? "" : report_last());
 }
 
 static GLFWmonitor *monitor_below(GLFWwindow *handle)
@@ -174,9 +175,10 @@ static GLFWmonitor *monitor_below(GLFWwindow *handle)
 static void toggle_full_screen(struct window *window)
 {
     GLFWwindow *handle = window->handle;
-    int *place = window->place;
+    int *rectangle = window->rectangle;
     if (glfwGetWindowMonitor(handle) != NULL) {
-        glfwSetWindowMonitor(handle, NULL, place[0], place[1], place[2], place[3], GLFW_DONT_CARE);
+        glfwSetWindowMonitor(handle, NULL, rectangle[0], rectangle[1], rectangle[2], rectangle[3],
+                             GLFW_DONT_CARE);
         return;
     }
     GLFWmonitor *monitor = monitor_below(handle);
@@ -185,8 +187,8 @@ static void toggle_full_screen(struct window *window)
         report("full screen: the window system names no monitor");
         return;
     }
-    glfwGetWindowPos(handle, &place[0], &place[1]);
-    glfwGetWindowSize(handle, &place[2], &place[3]);
+    glfwGetWindowPos(handle, &rectangle[0], &rectangle[1]);
+    glfwGetWindowSize(handle, &rectangle[2], &rectangle[3]);
     glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
@@ -238,21 +240,21 @@ static void press(struct window *window, struct window_event event)
         choose(window, event.amount);
         break;
     case WINDOW_CHANGE:
-        window->passing = false;
+        window->passage.on = false;
         if (parameter != NULL)
             parameter_change(parameter, event.amount);
         window->moved = true;
         break;
     case WINDOW_RESET:
-        window->passing = false;
+        window->passage.on = false;
         if (parameter != NULL)
             parameter_reset(parameter);
         break;
     case WINDOW_FOLD:
-        window->folded = !window->folded;
+        window->panel.folded = !window->panel.folded;
         break;
     case WINDOW_HELP:
-        window->helps = !window->helps;
+        window->panel.helps = !window->panel.helps;
         break;
     case WINDOW_VIEW:
         show_view(window, (enum shader_view)event.amount);
@@ -274,9 +276,9 @@ static void look_at_ray(struct window *window, const double place[2])
     bool same = at[0] == pixel[0] && at[1] == pixel[1];
     for (int i = 0; i < 2; i++)
         pixel[i] = same ? -1 : at[i];
-    window->why[0] = '\0';
-    window->tell = !same;
-    window->follow = true;
+    window->ray.why[0] = '\0';
+    window->ray.tell = !same;
+    window->ray.follow = true;
     window->stale |= window->renderer->view == SHADER_SLICE;
 }
 
@@ -301,7 +303,7 @@ static void act(struct window *window, const struct window_event *event)
         press(window, *event);
     window->moved |= event->action >= WINDOW_ZOOM;
     if (event->action < WINDOW_LOOK)
-        window->retitle_at = 0.0;
+        window->title.due = 0.0;
 }
 
 // One after the other: what Shift and R bring back, a drag that follows in the same turn moves on.

@@ -20,20 +20,20 @@
 
 void window_retitle(struct window *window)
 {
-    char text[sizeof window->shown], value[128] = "", rate[32] = "";
+    char text[sizeof window->title.shown], value[128] = "", rate[32] = "";
     const struct parameter *parameter = window_chosen(window);
     if (parameter != NULL)
         parameter_value_text(parameter, value, sizeof value);
-    if (window->rate > 0.0)
-        snprintf(rate, sizeof rate, " - %.0f fps", window->rate);
+    if (window->pace.rate > 0.0)
+        snprintf(rate, sizeof rate, " - %.0f fps", window->pace.rate);
     snprintf(text, sizeof text, "%.60s%s%s - %s%s%.63s%s%.60s%s", window->start->title,
              window->broken ? " - error: see terminal" : "", rate,
              shader_view_name(window->renderer->view), parameter != NULL ? " - " : "",
              parameter != NULL ? parameter->name : "", parameter != NULL ? " = " : "", value,
              window->paused ? " (paused)" : "");
-    if (strcmp(text, window->shown) != 0)
+    if (strcmp(text, window->title.shown) != 0)
         glfwSetWindowTitle(window->handle, text);
-    memcpy(window->shown, text, sizeof text);
+    memcpy(window->title.shown, text, sizeof text);
 }
 
 // The linker keeps only what is used.
@@ -68,9 +68,9 @@ static void label_of(const struct window *window, int key, char label[8])
 
 static void add_key(struct window *window, const char *does, const char *label)
 {
-    if (window->key_count == WINDOW_KEYS)
+    if (window->panel.key_count == WINDOW_KEYS)
         return;
-    struct panel_key *key = &window->keys[window->key_count++];
+    struct panel_key *key = &window->panel.keys[window->panel.key_count++];
     snprintf(key->label, sizeof key->label, "%s", label);
     key->does = does;
 }
@@ -90,7 +90,7 @@ static void name_keys(struct window *window)
     char l[5][8], text[64];
     for (int i = 0; i < 5; i++)
         label_of(window, moves[i], l[i]);
-    window->key_count = 0;
+    window->panel.key_count = 0;
     snprintf(text, sizeof text, "%s %s %s %s", l[0], l[1], l[2], l[3]);
     add_key(window, "move", text);
     snprintf(text, sizeof text, "Space %s", l[4]);
@@ -117,8 +117,8 @@ static void name_keys(struct window *window)
     add_key(window, "end", "Backspace");
     label_of(window, GLFW_KEY_K, l[0]);
     label_of(window, GLFW_KEY_H, l[1]);
-    snprintf(window->hint, sizeof window->hint, "%s: %s    %s: hide", l[0],
-             window->helps ? "fewer" : "keys, ranges", l[1]);
+    snprintf(window->panel.hint, sizeof window->panel.hint, "%s: %s    %s: hide", l[0],
+             window->panel.helps ? "fewer" : "keys, ranges", l[1]);
 }
 
 // ---- Overlay ----
@@ -130,19 +130,19 @@ static void follow_ray(struct window *window)
     int *pixel = window->inputs.pixel;
     if (pixel[0] >= inputs->width || pixel[1] >= inputs->height || pixel[1] < 0)
         pixel[0] = pixel[1] = -1;
-    if (pixel[0] < 0 || window->why[0] != '\0')
+    if (pixel[0] < 0 || window->ray.why[0] != '\0')
         return;
     if (window->renderer->fragment.form != SHADER_COURSE) {
-        snprintf(window->why, sizeof window->why,
+        snprintf(window->ray.why, sizeof window->ray.why,
                  "no march: a file with a main of its own keeps no trace of its rays");
-    } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->probe)) {
-        snprintf(window->why, sizeof window->why, "%s", report_last());
-    } else if (window->tell) {
+    } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->ray.probe)) {
+        snprintf(window->ray.why, sizeof window->ray.why, "%s", report_last());
+    } else if (window->ray.tell) {
         printf("ray of pixel %d,%d\n", pixel[0], pixel[1]);
-        probe_print(window->probe, stdout);
+        probe_print(window->ray.probe, stdout);
         fflush(stdout);
     }
-    window->tell = false;
+    window->ray.tell = false;
 }
 
 static void gather(struct window *window)
@@ -155,25 +155,27 @@ static void gather(struct window *window)
         .title = window->start->title,
         .renderer = window->renderer,
         .chosen = chosen != NULL ? chosen->name : NULL,
-        .rate = window->figures[0],
-        .milliseconds = window->figures[1],
-        .divisor = window->divisor,
-        .sharp = window->whole.height > 0 ? 100 * window->sharp / window->whole.height : 0,
+        .rate = window->panel.figures[0],
+        .milliseconds = window->panel.figures[1],
+        .divisor = window->pace.divisor,
+        .sharp = window->sharpening.inputs.height > 0
+                     ? 100 * window->sharpening.rows / window->sharpening.inputs.height
+                     : 0,
         .paused = window->paused,
-        .folded = window->folded,
-        .whole = window->helps,
-        .hint = window->hint,
-        .keys = window->keys,
-        .key_count = window->helps ? window->key_count : 0,
+        .folded = window->panel.folded,
+        .ranges = window->panel.helps,
+        .hint = window->panel.hint,
+        .keys = window->panel.keys,
+        .key_count = window->panel.helps ? window->panel.key_count : 0,
         .pixel = {inputs->pixel[0], inputs->pixel[1]},
-        .probe = window->why[0] == '\0' ? window->probe : NULL,
-        .why = window->why,
-        .error = window->error,
+        .probe = window->ray.why[0] == '\0' ? window->ray.probe : NULL,
+        .why = window->ray.why,
+        .error = window->panel.error,
         .broken = window->broken,
     };
-    panel_gather(&panel, &window->overlay, inputs->width, inputs->height,
+    panel_gather(&panel, &window->panel.overlay, inputs->width, inputs->height,
                  scale > 0.0 ? (float)scale : overlay_scale_of(inputs->height));
-    window->renderer->overlay = window->start->overlay_kept ? &window->overlay : NULL;
+    window->renderer->overlay = window->start->overlay_kept ? &window->panel.overlay : NULL;
 }
 
 // ---- A frame ----
@@ -181,8 +183,8 @@ static void gather(struct window *window)
 // The finest resolution whose frame is quick enough.
 static int divisor_for(const struct window *window)
 {
-    int divisor = window->divisor > 1 ? window->divisor : 1;
-    double cost = window->cost * window->inputs.width * window->inputs.height;
+    int divisor = window->pace.divisor > 1 ? window->pace.divisor : 1;
+    double cost = window->pace.cost * window->inputs.width * window->inputs.height;
     while (divisor < DIVISOR_LIMIT && cost / (divisor * divisor) > SLOW_SECONDS)
         divisor++;
     while (divisor > 1 && cost / ((divisor - 1) * (divisor - 1)) < FINER_SECONDS)
@@ -203,8 +205,8 @@ static bool draw_at(struct window *window, int divisor)
     if (!renderer_draw(window->renderer, &inputs, 0, inputs.height))
         return false;
     window->renderer->gl->Finish();
-    window->seconds = glfwGetTime() - begin;
-    window->cost = window->seconds / ((double)inputs.width * inputs.height);
+    window->pace.seconds = glfwGetTime() - begin;
+    window->pace.cost = window->pace.seconds / ((double)inputs.width * inputs.height);
     return true;
 }
 
@@ -215,16 +217,16 @@ static bool try_program(struct window *window)
 {
     const struct renderer *renderer = window->renderer;
     GLuint program = renderer->program[renderer->view];
-    if (program == window->tried)
+    if (program == window->pace.tried)
         return true;
-    window->tried = program;
+    window->pace.tried = program;
     if (renderer->view == SHADER_SLICE) {
-        window->cost = 0.0;
+        window->pace.cost = 0.0;
         return true;
     }
     if (!draw_at(window, DIVISOR_LIMIT) || !draw_at(window, DIVISOR_LIMIT))
         return false;
-    window->cost *= 0.5;
+    window->pace.cost *= 0.5;
     return true;
 }
 
@@ -232,44 +234,49 @@ static bool try_program(struct window *window)
 static bool draw_picture(struct window *window, double now)
 {
     if (window->moved)
-        window->rest_at = now + REST_SECONDS;
+        window->sharpening.rest_at = now + REST_SECONDS;
     if (!try_program(window))
         return false;
-    window->divisor = divisor_for(window);
-    if (!draw_at(window, window->divisor))
+    window->pace.divisor = divisor_for(window);
+    if (!draw_at(window, window->pace.divisor))
         return false;
-    window->whole = window->inputs;
-    window->sharp = 0;
-    window->sharp_seconds = 0.0;
-    window->band = (int)fmin(BAND_SECONDS / (window->cost * window->whole.width + 1e-9), 64.0) + 1;
+    window->sharpening.inputs = window->inputs;
+    window->sharpening.rows = 0;
+    window->sharpening.seconds = 0.0;
+    window->sharpening.band =
+        (int)fmin(BAND_SECONDS / (window->pace.cost * window->sharpening.inputs.width + 1e-9),
+                  64.0) +
+        1;
     window->inputs.frame++;
     return true;
 }
 
 bool window_sharpens(const struct window *window, double now)
 {
-    return window->divisor > 1 && window->sharp < window->whole.height && now >= window->rest_at;
+    return window->pace.divisor > 1 && window->sharpening.rows < window->sharpening.inputs.height &&
+           now >= window->sharpening.rest_at;
 }
 
 // Draw a few more rows of the sharp picture, from the top down: so many that what the hands do is
 // never left waiting.
 static bool sharpen(struct window *window)
 {
-    const struct renderer_inputs *whole = &window->whole;
-    int left = whole->height - window->sharp;
-    int rows = window->band < left ? window->band : left;
+    const struct renderer_inputs *inputs = &window->sharpening.inputs;
+    int left = inputs->height - window->sharpening.rows;
+    int rows = window->sharpening.band < left ? window->sharpening.band : left;
     double begin = glfwGetTime();
-    if (!renderer_sharpen(window->renderer, whole, left - rows, rows))
+    if (!renderer_sharpen(window->renderer, inputs, left - rows, rows))
         return false;
     window->renderer->gl->Finish();
     double seconds = glfwGetTime() - begin;
-    window->sharp += rows;
-    window->sharp_seconds += seconds;
-    window->band = (int)fmin(rows * fmin(BAND_SECONDS / (seconds + 1e-9), 2.0), 4096.0) + 1;
-    if (window->sharp < whole->height)
+    window->sharpening.rows += rows;
+    window->sharpening.seconds += seconds;
+    window->sharpening.band =
+        (int)fmin(rows * fmin(BAND_SECONDS / (seconds + 1e-9), 2.0), 4096.0) + 1;
+    if (window->sharpening.rows < inputs->height)
         return true;
-    window->seconds = window->sharp_seconds;
-    window->cost = window->seconds / ((double)whole->width * whole->height);
+    window->pace.seconds = window->sharpening.seconds;
+    window->pace.cost = window->pace.seconds / ((double)inputs->width * inputs->height);
     return true;
 }
 
@@ -277,9 +284,9 @@ static bool sharpen(struct window *window)
 static void present(const struct window *window)
 {
     struct renderer *renderer = window->renderer;
-    int height = window->whole.height, sharp = window->sharp;
+    int height = window->sharpening.inputs.height, sharp = window->sharpening.rows;
     if (sharp < height)
-        renderer_present(renderer, window->whole.width, height);
+        renderer_present(renderer, window->sharpening.inputs.width, height);
     if (sharp > 0)
         renderer_present_sharp(renderer, height - sharp, sharp);
 }
@@ -287,15 +294,16 @@ static void present(const struct window *window)
 // The rate of frames that follow each other; while nothing changes none is drawn.
 static void count(struct window *window, double now)
 {
-    double seconds = window->drew ? now - window->frame : 0.0;
+    double seconds = window->pace.drew ? now - window->pace.frame : 0.0;
     if (seconds > 0.0)
-        window->rate += (window->rate > 0.0 ? 0.1 : 1.0) * (1.0 / seconds - window->rate);
-    window->frame = now;
-    if (now < window->figures_at)
+        window->pace.rate +=
+            (window->pace.rate > 0.0 ? 0.1 : 1.0) * (1.0 / seconds - window->pace.rate);
+    window->pace.frame = now;
+    if (now < window->panel.figures_at)
         return;
-    window->figures_at = now + FIGURES_SECONDS;
-    window->figures[0] = window->rate;
-    window->figures[1] = 1000.0 * window->seconds;
+    window->panel.figures_at = now + FIGURES_SECONDS;
+    window->panel.figures[0] = window->pace.rate;
+    window->panel.figures[1] = 1000.0 * window->pace.seconds;
 }
 
 bool window_draw(struct window *window, double now)
@@ -303,18 +311,18 @@ bool window_draw(struct window *window, double now)
     struct renderer_inputs *inputs = &window->inputs;
     const struct gl *gl = window->renderer->gl;
     bool draws = window->stale;
-    inputs->time_delta = inputs->frame > 0 && !window->paused ? now - window->frame : 0.0;
+    inputs->time_delta = inputs->frame > 0 && !window->paused ? now - window->pace.frame : 0.0;
     window_tell_date(window);
     if (draws && !draw_picture(window, now))
         return false;
     if (!draws && window_sharpens(window, now) && !sharpen(window))
         return false;
-    if (draws || window->follow)
+    if (draws || window->ray.follow)
         follow_ray(window);
     gather(window);
     present(window);
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
-    overlay_draw(&window->overlay, 0);
+    overlay_draw(&window->panel.overlay, 0);
     GLenum error = gl->GetError();
     if (error != GL_NO_ERROR) {
         report("window %dx%d: OpenGL error 0x%04x while drawing: try a smaller --size",
@@ -322,7 +330,7 @@ bool window_draw(struct window *window, double now)
         return false;
     }
     glfwSwapBuffers(window->handle);
-    window->stale = window->follow = window->dirty = false;
+    window->stale = window->ray.follow = window->dirty = false;
     count(window, now);
     return true;
 }

@@ -22,45 +22,58 @@ struct window {
     struct watch watch;
     struct renderer_inputs inputs; // of the frame on the screen
     char parameter[64];            // the one that the arrows change
-    bool paused, broken;
-    bool has_keyboard;  // the window had the focus: before that there may be no keyboard at all
-    bool dirty;         // the screen is to be shown again
-    bool stale;         // the picture is to be drawn again
-    bool drew;          // the last turn of the loop drew a frame
-    bool passing;       // Tab was pressed: orthographic is on its way
-    double towards;     // to this value
-    double turn, frame; // when the last turn began, when the last frame began
-    double rate;        // frames a second, 0 before it is known
-    double seconds;     // that drawing the last picture took
-    double look_at, retitle_at;
-    int place[4]; // x, y, width, height before full screen
-    char shown[256];
-    // The overlay.
-    struct overlay overlay;
-    bool folded;       // H was pressed
-    bool helps;        // K was pressed: all keys, all of the parameters
-    double figures[2]; // frames a second and milliseconds that it shows
-    double figures_at; // when they may change
-    char error[4096];  // of the last reload, or why a view is refused; "" when all is well
-    struct panel_key keys[WINDOW_KEYS];
-    int key_count;
-    char hint[64]; // which key shows more
+    int rectangle[4];              // x, y, width, height before full screen
+    bool has_keyboard; // the window had the focus: before that there may be no keyboard at all
+    bool broken;       // the shader's last text: the picture is of the one before
+    bool paused;
+    bool moved;    // what makes the picture changed in this turn
+    bool stale;    // the picture is to be drawn again
+    bool dirty;    // the screen is to be shown again
+    bool shooting; // a screenshot waits for the sharp picture; time waits too
+    struct {
+        bool on;        // Tab was pressed: orthographic is on its way
+        double towards; // to this value
+    } passage;
+    struct {
+        char shown[256];
+        double due; // when it may change
+    } title;
+    struct {
+        double turn, frame; // when the last turn of the loop began, when the last frame began
+        double look_at;     // when the shader's files are due
+        bool drew;          // the last turn drew a frame
+        double rate;        // frames a second, 0 before it is known
+        double seconds;     // that drawing the last picture took
+        double cost;        // seconds that a pixel takes, estimated
+        GLuint tried;       // the program of which that is known
+        int divisor;        // of the picture's sides, where it takes too long; 1 is sharp
+    } pace;
+    // At rest a picture that was drawn at a lower resolution is sharpened.
+    struct {
+        double rest_at;                // from then on nothing moves
+        struct renderer_inputs inputs; // of the last picture, at its full size
+        int rows;                      // of it, from the top, that are sharp by now
+        int band;                      // rows to sharpen next
+        double seconds;                // that the rows took
+    } sharpening;
+    struct {
+        struct overlay overlay;
+        bool folded;       // H was pressed
+        bool helps;        // K was pressed: all keys, all of the parameters
+        double figures[2]; // frames a second and milliseconds that it shows
+        double figures_at; // when they may change
+        char error[4096];  // of the last reload, or why a view is refused; "" when all is well
+        struct panel_key keys[WINDOW_KEYS];
+        int key_count;
+        char hint[64]; // which key shows more
+    } panel;
     // The ray that is looked at.
-    struct probe *probe; // owned
-    bool follow;         // march it again
-    bool tell;           // print its table once it is there
-    char why[512];       // there is none because of this; "" when there is one
-    // A picture that takes long is drawn at a lower resolution, and sharpened once it rests.
-    bool moved;                   // what makes the picture changed in this turn
-    bool shooting;                // a screenshot waits for the sharp picture; time waits too
-    double rest_at;               // from then on nothing moves
-    int divisor;                  // of the picture's sides; 1 is sharp
-    double cost;                  // seconds that a pixel takes, estimated
-    GLuint tried;                 // the program of which that is known
-    struct renderer_inputs whole; // of the last picture, at its whole size
-    int sharp;                    // rows of it, from the top, that are sharp by now
-    int band;                     // rows to sharpen next
-    double sharp_seconds;         // that sharp took
+    struct {
+        struct probe *probe; // owned
+        bool follow;         // march it again
+        bool tell;           // print its table once it is there
+        char why[512];       // there is none because of this; "" when there is one
+    } ray;
 };
 
 // The parameter that the arrows change: the one last chosen, as long as the shader has it.

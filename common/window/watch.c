@@ -6,7 +6,7 @@
 
 #include "report.h"
 
-enum { LOOKS_WHEN_WHOLE = 1, LOOKS_WHEN_MISSING = 5 };
+enum { LOOKS_WHEN_COMPLETE = 1, LOOKS_WHEN_MISSING = 5 };
 
 #ifdef __APPLE__
 #define MODIFIED(status) ((status).st_mtimespec)
@@ -55,10 +55,10 @@ bool watch_add(struct watch *watch, const char *path)
 
 bool watch_look(struct watch *watch)
 {
-    bool news = false, whole = true;
+    bool news = false, complete = true;
     for (int i = 0; i < watch->count; i++) {
         news |= refresh(&watch->file[i]);
-        whole &= watch->file[i].size > 0;
+        complete &= watch->file[i].size > 0;
     }
     if (news) {
         watch->pending = true;
@@ -66,7 +66,7 @@ bool watch_look(struct watch *watch)
         return false;
     }
     watch->quiet++;
-    if (!watch->pending || watch->quiet < (whole ? LOOKS_WHEN_WHOLE : LOOKS_WHEN_MISSING))
+    if (!watch->pending || watch->quiet < (complete ? LOOKS_WHEN_COMPLETE : LOOKS_WHEN_MISSING))
         return false;
     watch->pending = false;
     return true;

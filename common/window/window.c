@@ -1,5 +1,6 @@
 #include "window/window.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -9,6 +10,7 @@
 // A little less than 1/60 s, so that the display's own beat sets the pace where there is one.
 #define FRAME_SECONDS 0.0163
 #define LOOK_SECONDS  0.1  // between two looks at the shader's files
+#define PASSAGE_STEP  0.1  // seconds: on a slow machine too there is something between the ends
 #define TITLE_SECONDS 0.25 // between two changes of the title bar
 
 // ---- Reload ----
@@ -37,11 +39,11 @@ static void reload(struct window *window)
     shader_free(&source);
     parameters_free(&parameters);
     window->broken = !loaded;
-    snprintf(window->error, sizeof window->error, "%s", loaded ? "" : report_last());
-    window->why[0] = '\0';
+    snprintf(window->panel.error, sizeof window->panel.error, "%s", loaded ? "" : report_last());
+    window->ray.why[0] = '\0';
     window->dirty = true;
     window->stale |= loaded;
-    window->retitle_at = 0.0;
+    window->title.due = 0.0;
     if (loaded) {
         const struct shader_source *good = &renderer->fragment;
         watch_keep(&window->watch, window->start->shader, good->paths, good->file_count);
@@ -73,8 +75,8 @@ static bool take_size(struct window *window)
 // Wait until the next frame is due, or, while the picture stands still, until something happens.
 static void wait_for_turn(const struct window *window)
 {
-    double due = window->frame + FRAME_SECONDS;
-    if (window->drew || window_input_moves(&window->input))
+    double due = window->pace.frame + FRAME_SECONDS;
+    if (window->pace.drew || window_input_moves(&window->input))
         glfwPollEvents();
     else
         glfwWaitEventsTimeout(LOOK_SECONDS);
@@ -93,26 +95,26 @@ static bool turn(struct window *window)
     if (!window->has_keyboard && glfwGetWindowAttrib(window->handle, GLFW_FOCUSED) != 0)
         window->has_keyboard = window->dirty = true;
     if (!window->paused && !window->shooting) {
-        window->inputs.time += now - window->turn;
+        window->inputs.time += now - window->pace.turn;
         window->moved |= window_uses_time(window);
     }
-    window->moved |= window_pass(window, now - window->turn);
-    window->turn = now;
+    window->moved |= window_pass(window, fmin(now - window->pace.turn, PASSAGE_STEP));
+    window->pace.turn = now;
     window_obey(window);
     window->stale |= window->moved;
-    if (now >= window->look_at) {
-        window->look_at = now + LOOK_SECONDS;
+    if (now >= window->pace.look_at) {
+        window->pace.look_at = now + LOOK_SECONDS;
         if (watch_look(&window->watch))
             reload(window);
     }
     bool drawing = visible && (window->dirty || window->stale || window_sharpens(window, now));
     if (drawing && !window_draw(window, now))
         return false;
-    window->drew = drawing;
+    window->pace.drew = drawing;
     if (visible && !window->stale && window_shoots(window))
         window_shoot(window);
-    if (now >= window->retitle_at) {
-        window->retitle_at = now + TITLE_SECONDS;
+    if (now >= window->title.due) {
+        window->title.due = now + TITLE_SECONDS;
         window_retitle(window);
     }
     return true;
@@ -128,7 +130,7 @@ static bool run(struct window *window)
     watch_files(window, &renderer->fragment);
     while (renderer->gl->GetError() != GL_NO_ERROR)
         continue; // of what came before the first frame
-    window->turn = glfwGetTime();
+    window->pace.turn = glfwGetTime();
     bool done = true;
     while (done && !glfwWindowShouldClose(window->handle)) {
         wait_for_turn(window);
@@ -150,18 +152,18 @@ bool window_run(struct context *context, struct renderer *renderer,
                    .samples = start->samples,
                    .pixel = {-1, -1},
                    .zoom = 1.0f},
-        .probe = malloc(sizeof(struct probe)),
+        .ray = {.probe = malloc(sizeof(struct probe))},
         .stale = true,
     };
-    if (window.probe == NULL)
+    if (window.ray.probe == NULL)
         report("window: not enough memory");
-    if (window.probe == NULL || !overlay_open(&window.overlay, renderer->gl)) {
-        free(window.probe);
+    if (window.ray.probe == NULL || !overlay_open(&window.panel.overlay, renderer->gl)) {
+        free(window.ray.probe);
         return false;
     }
     bool done = run(&window);
     renderer->overlay = NULL;
-    overlay_close(&window.overlay);
-    free(window.probe);
+    overlay_close(&window.panel.overlay);
+    free(window.ray.probe);
     return done;
 }
