@@ -94,7 +94,11 @@ apart() { build/tests/compare "$scratch/$1.png" "$scratch/$2.png" | awk '/^F2/ {
 off() { look screen && apart screen "$1"; }
 shown() { [ "$(off "$1")" = 0 ]; }
 hidden() { ! shown "$1"; }
-nearly_shown() { [ "$(off "$1")" -lt 6000 ]; } # but for the figures of the overlay
+# crop FROM WxH+X+Y TO: a part of a kept picture.
+crop() { convert "$scratch/$1.png" -crop "$2" +repage "$scratch/$3.png"; }
+part_shown() { # NAME WxH+X+Y [PIXELS]: the window shows that part of a kept picture, but for so many in a million
+    look screen && crop screen "$2" is && crop "$1" "$2" was && [ "$(apart is was)" -le "${3:-0}" ]
+}
 far_off() { [ "$(off "$1")" -gt "$2" ]; }
 
 # Hold a key until the picture is another. A busy machine may see press and release at once: then the key

@@ -32,19 +32,23 @@ coarse_above() { look screen && coarse screen 60 60; }
 fine_screen() { look screen && ! coarse screen 60 60 && ! coarse screen 180 60; }
 half_sharp() { look screen && ! coarse screen 60 60 && coarse screen 180 60; }
 check 'a heavy picture at rest becomes sharp' eventually fine_screen
+# To and fro, so that there is always something to be seen.
+swing() { while [ -e "$scratch/swings" ]; do xdotool keydown d sleep 0.2 keyup d keydown a sleep 0.2 keyup a; done; }
 moving() {
     local done=0
-    xdotool keydown d
+    : >"$scratch/swings"
+    swing &
+    local hand=$!
     for _ in 1 2 3; do
-        eventually coarse_above && look before && eventually far_off before 1000 && coarse screen 60 60 || done=1
+        eventually coarse_above && look before && eventually far_off before 1000 && eventually coarse_above || done=1
     done
-    xdotool keyup d
+    rm "$scratch/swings"
+    wait $hand
     key shift+r
     return $done
 }
 check 'while something moves it is coarser, and moves on' moving
 check 'at rest it sharpens from the top down' eventually half_sharp
-crop() { convert "$scratch/$1.png" -crop "$2" +repage "$scratch/$3.png"; }
 panel_over() { look screen && crop screen 130x20+8+8 after && [ "$(apart before after)" -gt 100000 ]; }
 answers() { # H answers, and interrupts nothing
     crop screen 130x20+8+8 before && key h && eventually panel_over && key h && ! coarse screen 60 60
@@ -138,7 +142,7 @@ check 'the title counts frames' eventually counted
 pauses() { key Escape && shows '(paused)' && shoot_as a && sleep 0.3 && shoot_as b && same a b; }
 check 'Escape pauses it' pauses
 refuses() {
-    look before && key 4 && eventually far_off before 15000 && shows ' - picture' && key 1 && eventually nearly_shown before
+    look before && key 4 && eventually far_off before 15000 && shows ' - picture' && key 1 && eventually part_shown before 320x60+0+140
 }
 check 'a view that a whole file has not is refused in the overlay, until the next key of a view' refuses
 # Ticks of the processor in which the program worked, in hundredths of a second.
