@@ -53,17 +53,19 @@ isolated() {
     return "$status"
 }
 
-# within ROOT USER SCRIPT: run it there, as a login of USER would. The first process of a namespace
-# collects the orphans of all others, so it stays a shell.
+# within ROOT USER SCRIPT: run it there, as a login of USER would. The root takes the place of this
+# machine's, whose files and mounts are then gone from the namespace. Its first process collects the orphans
+# of all others, so it stays a shell.
 within() {
     # shellcheck disable=SC2016 # for the shell inside
-    isolated timeout -k 5 "$limit" sh -c '
-        mount -t proc proc "$1/proc" && mount -t tmpfs -o mode=1777 tmpfs "$1/dev/shm" &&
-            mount -t devpts -o newinstance,ptmxmode=666 devpts "$1/dev/pts" || exit 1
-        home=$(sed -n "s|^$2:.*:\(.*\):.*|\1|p" "$1/etc/passwd")
-        chroot --userspec="$2:$2" "$1" /usr/bin/env -i HOME="$home" USER="$2" LOGNAME="$2" SHELL=/bin/sh \
+    isolated sh -c '
+        mount --bind "$1" "$1" && mount -t proc proc "$1/proc" && mount -t tmpfs -o mode=1777 tmpfs "$1/dev/shm" &&
+            mount -t devpts -o newinstance,ptmxmode=666 devpts "$1/dev/pts" &&
+            cd "$1" && pivot_root . . && umount -l . && cd / || exit 1
+        home=$(sed -n "s|^$2:.*:\(.*\):.*|\1|p" /etc/passwd)
+        timeout -k 5 "$4" chroot --userspec="$2:$2" / /usr/bin/env -i HOME="$home" USER="$2" LOGNAME="$2" SHELL=/bin/sh \
             PATH=/usr/local/sbin:/usr/local/bin:/usr/sbin:/usr/bin:/sbin:/bin sh -c "cd; $3"
-        exit $?' within "$1" "$2" "$3"
+        exit $?' within "$1" "$2" "$3" "$limit"
 }
 
 # ---- Bare roots ----
