@@ -216,6 +216,33 @@ static void test_missing_include(void **state)
     assert_refused("#include \"broken.glsl\"\n", "shaders/broken.glsl:2: #include \"gone.glsl\": ");
 }
 
+static void note(void *to, const char *path)
+{
+    char *all = to;
+    size_t size = strlen(all);
+    snprintf(all + size, 4096 - size, "%s\n", path);
+}
+
+// What a window must watch: each file before it is read, and the places of one that is missing.
+static void test_every_file_is_seen(void **state)
+{
+    (void)state;
+    struct shader_source source;
+    char seen[4096] = "";
+    scratch_write("root/shaders/broken.glsl", "#include \"leaf.glsl\"\n#include \"gone.glsl\"\n");
+    const char *path = scratch_write("root/chapters/main.frag", "#include \"broken.glsl\"\n");
+    capture_begin();
+    assert_false(shader_read_seen(&source, path, scratch_path("root"), note, seen));
+    capture_end();
+    static const char *const files[] = {"root/chapters/main.frag", "root/shaders/broken.glsl",
+                                        "root/shaders/leaf.glsl", "root/shaders/gone.glsl",
+                                        "root/chapters/gone.glsl"};
+    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
+        if (strstr(seen, scratch_path(files[i])) == NULL)
+            fail_msg("%s is missing in: %s", files[i], seen);
+    assert_null(source.text);
+}
+
 static void test_cycles(void **state)
 {
     (void)state;
@@ -459,6 +486,7 @@ int main(void)
         UNIT(test_comments_include_nothing),
         UNIT(test_nesting),
         UNIT(test_missing_include),
+        UNIT(test_every_file_is_seen),
         UNIT(test_cycles),
         UNIT(test_climbing_out),
         UNIT(test_malformed_includes),
