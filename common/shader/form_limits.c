@@ -117,7 +117,8 @@ static bool read_product(struct reader *reader, double *value)
     if (!read_operand(reader, value))
         return false;
     while (!ends(reader) && (reader->t->sign == '*' || reader->t->sign == '/')) {
-        char sign = reader->t++->sign;
+        char sign = reader->t->sign;
+        reader->t++;
         if (!read_operand(reader, &next) || (sign == '/' && next == 0.0))
             return false;
         *value = sign == '*' ? *value * next : trunc(*value / next);
@@ -131,7 +132,8 @@ static bool read_sum(struct reader *reader, double *value)
     if (!read_product(reader, value))
         return false;
     while (!ends(reader) && (reader->t->sign == '+' || reader->t->sign == '-')) {
-        char sign = reader->t++->sign;
+        char sign = reader->t->sign;
+        reader->t++;
         if (!read_product(reader, &next))
             return false;
         *value += sign == '+' ? next : -next;

@@ -243,9 +243,9 @@ static void replace_words(struct edits *all, enum shader_form form)
         for (size_t i = 0; i < COUNT(replaced); i++)
             if (replaced[i].form == form && glsl_is(code, t, replaced[i].word))
                 edit(all, t->begin, t->length, replaced[i].instead);
-        const struct glsl_token *word = t;
-        if (t->live && glsl_is(code, t, "mainImage") && (word = form_colour(t)) != NULL &&
-            glsl_is(code, word, "out"))
+        const struct glsl_token *word =
+            t->live && glsl_is(code, t, "mainImage") ? form_colour(t) : NULL;
+        if (word != NULL && glsl_is(code, word, "out"))
             edit(all, word->begin, 0, "in");
     }
 }

@@ -111,10 +111,10 @@ int glsl_mentions(const struct glsl *code, const char *word);
 const struct glsl_token *glsl_find(const struct glsl *code, const char *word);
 
 // The name in the definition of a function, or NULL; a prototype defines nothing.
-const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *name);
+const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *word);
 
 // The first call of a function, or NULL; prototypes and definitions are no calls.
-const struct glsl_token *glsl_find_call(const struct glsl *code, const char *name);
+const struct glsl_token *glsl_find_call(const struct glsl *code, const char *word);
 
 // Make room in a row for one more than count: it is doubled whenever count is a power of two.
 // Returns the row, or NULL without memory, when the old one stays.
