@@ -131,7 +131,10 @@ if ! open_display; then
     plan
     exit
 fi
-openbox >/dev/null 2>&1 &
+# Without buttons and keys of its own: it would hold a press back until it has looked at it, and a key that
+# is pressed after it would be seen first.
+echo '<openbox_config xmlns="http://openbox.org/3.4/rc"><keyboard/><mouse/></openbox_config>' >"$scratch/openbox.xml"
+openbox --config-file "$scratch/openbox.xml" >/dev/null 2>&1 &
 managed() { wmctrl -m >/dev/null 2>&1; }
 eventually managed || echo '# openbox did not start'
 

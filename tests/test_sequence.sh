@@ -121,7 +121,7 @@ heed=(env --default-signal=INT)
 interrupted() { # SIGNAL
     clear_out
     ${heed[@]+"${heed[@]}"} "$program" -s 320x180 --frames 5000 -o "$out/%05d.png" &
-    local child=$! tries=200 status
+    local child=$! tries=2400 status
     while [ ! -e "$out/00003.png" ] && [ $tries -gt 0 ]; do sleep 0.05; tries=$((tries - 1)); done
     kill -"$1" $child
     wait $child 2>/dev/null
