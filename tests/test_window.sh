@@ -26,11 +26,11 @@ check 'the title shows the parameter that the arrows change' shows ' - picture -
 check 'P writes a screenshot' shoot_as first
 render expected
 check 'the screenshot is what -o writes with the same options' matches expected first
-# The panel stands at the left, the keys at the bottom; figures tremble, and the width with them.
-beside() { part_shown first 100x200+220+0; }
-folds() { eventually beside && look unfolded && key h && eventually shown first; }
+# The panel stands at the top, and its width changes with the figures; the keys stand at the bottom.
+below() { part_shown first 320x45+0+155; }
+folds() { eventually below && look unfolded && key h && eventually shown first; }
 check 'H hides the overlay: the window shows the screenshot' folds
-unfolded() { beside && part_shown unfolded 120x90+8+8 30000; }
+unfolded() { below && part_shown unfolded 120x90+8+8 30000; }
 unfolds() { key h && eventually hidden first && eventually unfolded; }
 check 'H again shows it: title, figures and parameters' unfolds
 helps() { key k && eventually far_off unfolded 60000 && key k && eventually unfolded; }
