@@ -241,19 +241,6 @@ static void test_texts_without_sense(void **state)
                    "main.frag:2: an array of 65537 elements");
     assert_refused("\nfloat a[99999999999999999999999];\n",
                    "main.frag:3: an array of 99999999999999999999 elements");
-    assert_refused("const int N = 100000000; float a[N*N];\n", "main.frag:2: an array of 1e+16 el");
-    assert_refused("#define N (300 * 2)\n#define M N\nfloat a[(N)][-1 + M];\n",
-                   "main.frag:4: an array of 359400 elements");
-    assert_refused("struct S { float a[300], b; };\nS s[300];\n",
-                   "main.frag:3: an array of 90300 elements");
-    assert_refused("#define A B B\n#define B C C\n#define C C1 C1 C1 C1 C1 C1 C1 C1 C1 C1\n"
-                   "#define C1 C2 C2 C2 C2 C2 C2 C2 C2 C2 C2\n#define C2 D(D(D(D(x))))\n"
-                   "#define D(x) x x x x x x x x x x\nfloat a = A;\n",
-                   "main.frag:8: with the macro A the text grows by more than a million words");
-    assert_form(
-        "#version 330 core\n#define A B\n#define B A\n#define F(x) F(x x)\n"
-        "const int N = 70000; void f() { const int N = 2; float a[N] = float[](F(A), 1); }\n" MAIN,
-        SHADER_WHOLE);
     struct shader_source source;
     const char *said;
     assert_false(read_text(&source, "// nothing\n/* but\n */\n", &said));

@@ -15,6 +15,7 @@
 
 #define STACK_NEEDED (1024 * 1024) // bytes
 #define CACHE_NEEDED 4e6           // bytes; the first file of Mesa's takes 1.3 million
+#define MEMORY_MOST  4e9           // bytes that a driver may take for one program
 #define THREADS_MOST 32            // that llvmpipe starts, one for each processor
 
 static struct {
@@ -22,6 +23,7 @@ static struct {
     char stack[64 * 1024]; // for the signal, as the other one may be used up
     struct sigaction before;
     stack_t stack_before;
+    struct rlimit memory_before;
 } crash;
 
 bool guard_stack(void)
@@ -121,6 +123,24 @@ void guard_process(void)
     guard_threads();
 }
 
+// What the process has, and so much more. A driver that gets none crashes, and that has its line; a
+// machine that runs out of it stands still.
+static void limit_memory(void)
+{
+    struct rlimit limit = {RLIM_INFINITY, RLIM_INFINITY};
+    double pages = 0.0;
+    FILE *file = fopen("/proc/self/statm", "r");
+    bool known = file != NULL && fscanf(file, "%lf", &pages) == 1;
+    if (file != NULL)
+        fclose(file);
+    getrlimit(RLIMIT_AS, &limit);
+    crash.memory_before = limit;
+    double most = pages * (double)sysconf(_SC_PAGESIZE) + MEMORY_MOST;
+    if (known && most < (double)limit.rlim_cur)
+        limit.rlim_cur = (rlim_t)most;
+    setrlimit(RLIMIT_AS, &limit);
+}
+
 void guard_begin(const char *format, ...)
 {
     struct sigaction action = {.sa_handler = on_crash, .sa_flags = SA_ONSTACK};
@@ -132,10 +152,12 @@ void guard_begin(const char *format, ...)
     strcat(crash.said, "\n");
     sigaltstack(&own, &crash.stack_before);
     sigaction(SIGSEGV, &action, &crash.before);
+    limit_memory();
 }
 
 void guard_end(void)
 {
+    setrlimit(RLIMIT_AS, &crash.memory_before);
     sigaction(SIGSEGV, &crash.before, NULL);
     sigaltstack(&crash.stack_before, NULL);
 }

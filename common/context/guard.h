@@ -14,7 +14,8 @@ void guard_process(void);
 // Before a driver is opened: have it compile every shader anew.
 void guard_forget_caches(void);
 
-// Until guard_end, a driver that crashes ends the program with status 1 and one line.
+// Until guard_end, a driver that crashes, or that takes 4 GB more than the process has, ends the
+// program with status 1 and one line.
 //   format  what could not be done and what to do, printf's, without a final newline
 void guard_begin(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void guard_end(void);

@@ -152,7 +152,8 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
     GLuint program = 0;
     if (second != NULL) {
         // A compiler that calls itself for each term of a sum runs out of stack on a long one.
-        guard_begin("%.800s: the graphics driver crashed over it: split its longest statement",
+        guard_begin("%.800s: the graphics driver crashed over it, or wants more than 4 GB for it: "
+                    "split its longest statement, shorten its arrays and macros",
                     fragment->files[0]);
         program = shader_link_texts(gl, first, second, &step, &log);
         guard_end();

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "shader/form_inputs.h"
-#include "shader/form_limits.h"
+#include "shader/form_judge.h"
 #include "shader/form_zero.h"
 #include "report.h"
 
@@ -166,7 +166,7 @@ bool form_find(struct shader_source *source, bool version)
     source->versioned = version && !blanked;
     if (toy)
         blank_extensions(source);
-    return form_check_limits(source) && (!version || check_version(source)) &&
+    return form_check_sense(source) && (!version || check_version(source)) &&
            (source->form == SHADER_COURSE || form_check_inputs(source)) &&
            (!toy || check_image(source)) &&
            (strcmp(code->text, source->text) == 0 || read_code(source));

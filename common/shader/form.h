@@ -13,7 +13,7 @@
 // What the preprocessor leaves out does not count. Shadertoy's form mentions mainImage and defines
 // no main; a whole file has a #version otherwise, or defines main and includes nothing; everything
 // else is the course's form, also what --print-shader wrote of one. Returns false, reported with
-// file and line: a #version above what includes main.glsl; what form_check_limits,
+// file and line: a #version above what includes main.glsl; what form_check_sense,
 // form_check_inputs or form_check_image refuse.
 bool form_find(struct shader_source *source, bool version);
 
