@@ -7,7 +7,7 @@
 
 #include "camera.h"
 #include "context/context.h"
-#include "shader/shader.h"
+#include "shader/form.h"
 
 #define OPTIONS_SIZE_LIMIT    16384 // pixels, each way
 #define OPTIONS_SAMPLES_LIMIT 8     // samples along each side of a pixel

@@ -11,7 +11,7 @@
 #include "../common/options.h"
 #include "../common/shader/parameter.h"
 #include "../common/sequence.h"
-#include "../common/shader/shader.h"
+#include "../common/shader/compile.h"
 #include "support_scratch.h"
 
 const struct fuzz_target fuzz_targets[FUZZ_TARGETS] = {

@@ -11,7 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../common/shader/shader.h"
+#include "../common/shader/compile.h"
 #include "support_scratch.h"
 
 static int set_up(void **state)

@@ -14,8 +14,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "../common/shader/compile.h"
 #include "../common/shader/export.h"
-#include "../common/shader/shader.h"
 #include "support_scratch.h"
 
 // ---- A project of its own for each test ----

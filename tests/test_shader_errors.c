@@ -13,7 +13,7 @@
 #include <string.h>
 
 #include "../common/context/context.h"
-#include "../common/shader/shader.h"
+#include "../common/shader/compile.h"
 #include "support_scratch.h"
 
 static struct {

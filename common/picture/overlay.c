@@ -8,7 +8,7 @@
 #include <stb/stb_easy_font.h>
 
 #include "report.h"
-#include "shader/shader.h"
+#include "shader/compile.h"
 
 // What stb_easy_font writes for one corner of a quad.
 struct corner {

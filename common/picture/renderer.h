@@ -10,7 +10,7 @@
 #include "picture/overlay.h"
 #include "picture/probe.h"
 #include "shader/parameter.h"
-#include "shader/shader.h"
+#include "shader/compile.h"
 
 #define RENDERER_FOCAL_LENGTH 1.0f // for shaders that declare no focalLength of their own
 

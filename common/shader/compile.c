@@ -1,41 +1,11 @@
-#include "shader/shader.h"
+#include "shader/compile.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "context/guard.h"
-#include "shader/form.h"
 #include "report.h"
-
-static const char *const view_names[SHADER_VIEW_COUNT] = {"picture", "normals", "depth", "steps",
-                                                          "slice"};
-
-const char *shader_view_name(enum shader_view view)
-{
-    return view < SHADER_VIEW_COUNT ? view_names[view] : view == SHADER_PROBE ? "probe" : "count";
-}
-
-bool shader_view_from_name(const char *name, enum shader_view *view)
-{
-    for (int i = 0; i < SHADER_VIEW_COUNT; i++)
-        if (strcmp(name, view_names[i]) == 0) {
-            *view = (enum shader_view)i;
-            return true;
-        }
-    return false;
-}
-
-bool shader_has_view(const struct shader_source *source, enum shader_view view)
-{
-    if (view == SHADER_PICTURE || source->form == SHADER_COURSE)
-        return true;
-    report("%s: cannot show %s%s: it has a main of its own, which records nothing of its rays: "
-           "the chapters from 01 on have all views",
-           source->files[0], view == SHADER_PROBE ? "a probe" : "the view ",
-           view == SHADER_PROBE ? "" : shader_view_name(view));
-    return false;
-}
 
 char *shader_text(const struct shader_source *source, enum shader_view view)
 {

@@ -4,7 +4,7 @@
 
 #include "camera.h"
 #include "shader/parameter.h"
-#include "shader/shader.h"
+#include "shader/source.h"
 
 // Write a shader in Shadertoy's form.
 //   parameters    of the source; each becomes a constant of its value

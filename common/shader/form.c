@@ -5,9 +5,10 @@
 #include <string.h>
 
 #include "shader/form_inputs.h"
-#include "shader/form_judge.h"
 #include "shader/form_zero.h"
 #include "report.h"
+
+#define ARRAY_LIMIT 65536 // elements
 
 // What Shadertoy gives besides and the harness does not.
 static const char *const toy_refused[] = {
@@ -99,6 +100,32 @@ static bool check_version(const struct shader_source *source)
     return true;
 }
 
+// Refuse a text of nothing but comments, and an array whose number of elements, where it stands
+// there, holds some drivers up for minutes. What hides behind constants and macros ends at the
+// memory that guard_begin leaves to a driver.
+static bool check_sense(const struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    bool any = false;
+    for (const struct glsl_token *t = code->item; t->kind != GLSL_END && !any; t++)
+        any = t->live && t->kind < GLSL_COMMENT;
+    if (!any) {
+        report("%s: holds nothing but comments: a shader is code", source->files[0]);
+        return false;
+    }
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
+        const struct glsl_token *number = t + 1;
+        if (t->sign == '[' && number->kind == GLSL_NUMBER && number[1].sign == ']' &&
+            strtod(code->text + number->begin, NULL) > ARRAY_LIMIT)
+            return shader_refuse(source, t->line,
+                                 "an array of %.*s elements: a graphics processor has no room for "
+                                 "it: %d at most",
+                                 number->length < 20 ? number->length : 20,
+                                 code->text + number->begin, ARRAY_LIMIT);
+    }
+    return true;
+}
+
 static bool refuse_image(const struct shader_source *source, const struct glsl_token *image)
 {
     return shader_refuse(source, image->line,
@@ -152,8 +179,10 @@ static bool check_image(const struct shader_source *source)
     return wrong == NULL || seen < name->count || refuse_image(source, wrong);
 }
 
-bool form_find(struct shader_source *source, bool version)
+// Tell the form of an expanded text.
+static bool find_form(struct shader_source *source)
 {
+    bool version = source->versioned;
     if (!read_code(source))
         return false;
     const struct glsl *code = &source->code;
@@ -166,10 +195,55 @@ bool form_find(struct shader_source *source, bool version)
     source->versioned = version && !blanked;
     if (toy)
         blank_extensions(source);
-    return form_check_sense(source) && (!version || check_version(source)) &&
+    return check_sense(source) && (!version || check_version(source)) &&
            (source->form == SHADER_COURSE || form_check_inputs(source)) &&
            (!toy || check_image(source)) &&
            (strcmp(code->text, source->text) == 0 || read_code(source));
+}
+
+bool shader_read(struct shader_source *source, const char *path, const char *root)
+{
+    return shader_read_seen(source, path, root, NULL, NULL);
+}
+
+bool shader_read_seen(struct shader_source *source, const char *path, const char *root,
+                      void (*see)(void *to, const char *path), void *to)
+{
+    if (shader_expand(source, path, root, see, to) && find_form(source))
+        return true;
+    shader_free(source);
+    return false;
+}
+
+// ---- Views ----
+
+static const char *const view_names[SHADER_VIEW_COUNT] = {"picture", "normals", "depth", "steps",
+                                                          "slice"};
+
+const char *shader_view_name(enum shader_view view)
+{
+    return view < SHADER_VIEW_COUNT ? view_names[view] : view == SHADER_PROBE ? "probe" : "count";
+}
+
+bool shader_view_from_name(const char *name, enum shader_view *view)
+{
+    for (int i = 0; i < SHADER_VIEW_COUNT; i++)
+        if (strcmp(name, view_names[i]) == 0) {
+            *view = (enum shader_view)i;
+            return true;
+        }
+    return false;
+}
+
+bool shader_has_view(const struct shader_source *source, enum shader_view view)
+{
+    if (view == SHADER_PICTURE || source->form == SHADER_COURSE)
+        return true;
+    report("%s: cannot show %s%s: it has a main of its own, which records nothing of its rays: "
+           "the chapters from 01 on have all views",
+           source->files[0], view == SHADER_PROBE ? "a probe" : "the view ",
+           view == SHADER_PROBE ? "" : shader_view_name(view));
+    return false;
 }
 
 // ---- What the driver gets ----

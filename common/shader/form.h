@@ -1,21 +1,47 @@
-// form.h - the three kinds of shader file: which one a text is, and what must stand before it.
+// form.h - the three kinds of shader file: which one a text is, what must stand before it, and what
+// it can show.
 #ifndef FORM_H
 #define FORM_H
 
 #include <stdbool.h>
 
-#include "shader/shader.h"
+#include "shader/source.h"
 
-// Tell the form of an expanded text and make it ready.
-//   source   its text, lines and files are there; code, form and versioned are set here. A #version
-//            that must not reach the driver is blanked: one of GLSL ES, one in Shadertoy's form
-//   version  the text has a #version
+// What main() shows; the value of VIEW in shaders/main.glsl.
+enum shader_view {
+    SHADER_PICTURE, // the colour of rayColour
+    SHADER_NORMALS, // the first normal of the pixel's ray
+    SHADER_DEPTH,   // where its first march ended
+    SHADER_STEPS,   // the steps of all its marches
+    SHADER_SLICE,   // the march of one ray, seen from the side
+    SHADER_VIEW_COUNT,
+    SHADER_PROBE = SHADER_VIEW_COUNT, // the steps of one ray, as numbers; not a view to choose
+    SHADER_COUNT,                     // evaluations of the scene for each pixel; not a view either
+    SHADER_PROGRAM_COUNT
+};
+
+// Read a shader, tell its form and make it ready.
+//   path, root  as shader_expand
 // What the preprocessor leaves out does not count. Shadertoy's form mentions mainImage and defines
 // no main; a whole file has a #version otherwise, or defines main and includes nothing; everything
-// else is the course's form, also what --print-shader wrote of one. Returns false, reported with
-// file and line: a #version above what includes main.glsl; what form_check_sense,
-// form_check_inputs or form_check_image refuse.
-bool form_find(struct shader_source *source, bool version);
+// else is the course's form, also what --print-shader wrote of one. A #version that must not reach
+// the driver is blanked: one of GLSL ES, one in Shadertoy's form.
+// Returns false, reported with file and line: what shader_expand, form_check_sense,
+// form_check_inputs or form_check_image refuse; a #version above what includes main.glsl. Free with
+// shader_free.
+bool shader_read(struct shader_source *source, const char *path, const char *root);
+
+// As shader_read, telling of each file as shader_expand does.
+bool shader_read_seen(struct shader_source *source, const char *path, const char *root,
+                      void (*see)(void *to, const char *path), void *to);
+
+// The name of a view ("steps"), and the view of a name (false for an unknown one, not reported).
+const char *shader_view_name(enum shader_view view);
+bool shader_view_from_name(const char *name, enum shader_view *view);
+
+// True when the view can be shown; else reported with the reason: a whole file or one in
+// Shadertoy's form has a main of its own, which fills in no trace.
+bool shader_has_view(const struct shader_source *source, enum shader_view view);
 
 // What stands before the text for the driver, its lines ended.
 //   course      #version and VIEW

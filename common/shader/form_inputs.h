@@ -6,7 +6,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "shader/shader.h"
+#include "shader/source.h"
 
 // Judge what a whole file, or one in Shadertoy's form, declares outside of functions. The source's
 // text is changed where that makes it run and changes no line, and its code stays: a location of an

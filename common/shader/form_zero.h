@@ -2,7 +2,7 @@
 #ifndef FORM_ZERO_H
 #define FORM_ZERO_H
 
-#include "shader/shader.h"
+#include "shader/source.h"
 
 // The source's text in which every variable that is declared without a value begins at 0, as a
 // browser has it: "float d, t = 1.0;" becomes "float d=float(0), t = 1.0;". Arrays and structures

@@ -1,10 +1,9 @@
-#include "shader/shader.h"
+#include "shader/compile.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "shader/form.h"
 #include "shader/glsl.h"
 #include "report.h"
 

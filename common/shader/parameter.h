@@ -22,7 +22,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "shader/shader.h"
+#include "shader/source.h"
 
 enum parameter_type { PARAMETER_FLOAT, PARAMETER_INT, PARAMETER_BOOL };
 

@@ -1,4 +1,4 @@
-#include "shader/shader.h"
+#include "shader/source.h"
 
 #include <errno.h>
 #include <limits.h>
@@ -7,7 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "shader/form.h"
 #include "report.h"
 #include "shader/text_file.h"
 
@@ -24,7 +23,6 @@ struct expansion {
     int line_capacity;
     int open[DEPTH_LIMIT]; // the files from the first to the one being read
     int depth;
-    bool whole;
     void (*see)(void *to, const char *path);
     void *to;
 };
@@ -61,6 +59,12 @@ static void folder_of(const char *path, char folder[PATH_MAX])
     snprintf(folder, PATH_MAX, "%.*s", length == 0 ? 1 : (int)length, path);
 }
 
+static void tell(const struct expansion *e, const char *path)
+{
+    if (e->see != NULL)
+        e->see(e->to, path);
+}
+
 // Resolve the name in an include: beside the including file, then in shaders/, then in chapters/.
 static char *resolve(const struct expansion *e, int from, const char *name, char why[TEXT_FILE_WHY])
 {
@@ -76,7 +80,7 @@ static char *resolve(const struct expansion *e, int from, const char *name, char
     for (int i = 0; i < 3; i++) {
         snprintf(path, sizeof path, "%s%s/%s", places[i][0], places[i][1], name);
         char *resolved = realpath(path, NULL);
-        e->see(e->to, resolved != NULL ? resolved : path);
+        tell(e, resolved != NULL ? resolved : path);
         if (resolved != NULL && (inside(resolved, e->root) || inside(resolved, e->own)))
             return resolved;
         if (resolved == NULL && (errno == ENOENT || errno == ENOTDIR))
@@ -254,7 +258,7 @@ static bool check_version(struct expansion *e, struct shader_line from, bool fir
     else if (!first)
         report("%s:%d: #version must come first: move it to the top", file, from.line);
     else
-        e->whole = true;
+        e->source->versioned = true;
     return from.file == 0 && first;
 }
 
@@ -332,19 +336,8 @@ bool shader_refuse(const struct shader_source *source, int line, const char *for
     return false;
 }
 
-static void see_nothing(void *to, const char *path)
-{
-    (void)to;
-    (void)path;
-}
-
-bool shader_read(struct shader_source *source, const char *path, const char *root)
-{
-    return shader_read_seen(source, path, root, see_nothing, NULL);
-}
-
-bool shader_read_seen(struct shader_source *source, const char *path, const char *root,
-                      void (*see)(void *to, const char *path), void *to)
+bool shader_expand(struct shader_source *source, const char *path, const char *root,
+                   void (*see)(void *to, const char *path), void *to)
 {
     struct expansion e = {.source = source, .see = see, .to = to};
     *source = (struct shader_source){0};
@@ -358,10 +351,10 @@ bool shader_read_seen(struct shader_source *source, const char *path, const char
         free(resolved);
         return false;
     }
-    see(to, resolved);
+    tell(&e, resolved);
     folder_of(resolved, e.own);
     int file = add_file(&e, path, resolved);
-    if (file == 0 && expand_file(&e, file, path) && form_find(source, e.whole))
+    if (file == 0 && expand_file(&e, file, path))
         return true;
     shader_free(source);
     return false;

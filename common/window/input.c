@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "shader/shader.h"
+#include "shader/form.h"
 
 #define LONGEST_STEP 0.1 // seconds: a machine that stalls must not throw the camera away
 #define FASTER       4.0 // times the speed while Left Shift is held

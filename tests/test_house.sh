@@ -1,0 +1,90 @@
+#!/bin/bash
+# test_house.sh - the arrows of docs/architecture.md: what the rooms of common/ may know of each other.
+#
+# Two independent looks: at the includes of the sources, and at the symbols that the objects ask of each
+# other.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/support.sh
+open_scratch
+# shellcheck disable=SC2154 # open_scratch sets scratch
+
+# From the ground up. A room knows itself and those below it.
+rooms='ground context shader picture window top'
+
+# room_of, in awk: of a path in common/. What lies flat is the ground, but for what stands on everything.
+room_of='
+function room_of(path) {
+    sub(/^common\//, "", path)
+    if (path ~ /\//)
+        return substr(path, 1, index(path, "/") - 1)
+    return path ~ /^(chapter|options)(\.|$)/ ? "top" : "ground"
+}'
+
+# The arrows "FROM TO" of standard input that lead to a higher room, or to none.
+upwards() {
+    awk -v rooms="$rooms" "$room_of"'
+        BEGIN { n = split(rooms, name, " "); for (i = 1; i <= n; i++) rank[name[i]] = i }
+        !(room_of($1) in rank) || !(room_of($2) in rank) || rank[room_of($2)] > rank[room_of($1)]'
+}
+
+# check_empty NAME FILE: a file of what should not be.
+check_empty() {
+    check "$1" [ ! -s "$2" ] || sed 's/^/# /' "$2"
+}
+
+# ---- By includes ----
+
+find common -name '*.[ch]' | sort >"$scratch/files"
+# shellcheck disable=SC2016 # awk's own
+xargs awk '/^#include "/ { split($0, part, "\""); print FILENAME, "common/" part[2] }' \
+    <"$scratch/files" >"$scratch/includes"
+check 'the sources of common/ include each other' [ "$(wc -l <"$scratch/includes")" -gt 50 ]
+while read -r from to; do
+    [ -e "$to" ] || echo "$from includes $to"
+done <"$scratch/includes" >"$scratch/lost"
+check_empty 'in common/ each include names a file from common/ on' "$scratch/lost"
+upwards <"$scratch/includes" >"$scratch/up"
+check_empty 'no include leads upwards' "$scratch/up"
+
+# A module is a header and the sources that include it first: two modules never need each other.
+awk '
+    !($1 in module) { module[$1] = $1 ~ /\.h$/ ? $1 : $2 }
+    { from[NR] = $1; to[NR] = $2 }
+    END {
+        for (i = 1; i <= NR; i++) {
+            a = module[from[i]]
+            if (a != to[i])
+                print a, to[i]
+        }
+    }' "$scratch/includes" | sort -u >"$scratch/modules"
+tsort "$scratch/modules" >/dev/null 2>"$scratch/circle"
+check_empty 'no circle of modules' "$scratch/circle"
+
+# ---- By symbols ----
+
+# What an object needs and another defines. nm -P: name, kind, ...; macOS puts a _ before each name.
+# An object without a source is one of an earlier day, or of what this machine has no library for.
+grep '\.c$' "$scratch/files" | while read -r file; do
+    [ ! -e "$BUILD/${file%.c}.o" ] || nm -P -g "$BUILD/${file%.c}.o" | awk -v module="${file%.c}" '{ print $2, $1, module }'
+done | awk '
+    $1 == "U" { asks[++n] = $2 " " $3 }
+    $1 != "U" { home[$2] = $3 }
+    END {
+        for (i = 1; i <= n; i++) {
+            split(asks[i], ask, " ")
+            if (ask[1] in home && home[ask[1]] != ask[2])
+                print ask[2], home[ask[1]]
+        }
+    }' | sort -u >"$scratch/calls"
+check 'the objects of common/ ask for each other' [ "$(wc -l <"$scratch/calls")" -gt 50 ]
+upwards <"$scratch/calls" >"$scratch/up"
+check_empty 'no call leads upwards' "$scratch/up"
+tsort "$scratch/calls" >/dev/null 2>"$scratch/circle"
+check_empty 'no circle of calls' "$scratch/circle"
+
+# ---- Size ----
+
+find common -maxdepth 1 -type f >"$scratch/flat"
+check 'at most 14 files lie flat in common/' [ "$(wc -l <"$scratch/flat")" -le 14 ]
+plan
