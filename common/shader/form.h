@@ -26,8 +26,9 @@ enum shader_view {
 // no main; a whole file has a #version otherwise, or defines main and includes nothing; everything
 // else is the course's form, also what --print-shader wrote of one. A #version that must not reach
 // the driver is blanked: one of GLSL ES, one in Shadertoy's form.
-// Returns false, reported with file and line: what shader_expand, form_check_sense,
-// form_check_inputs or form_check_image refuse; a #version above what includes main.glsl. Free with
+// Returns false, reported with file and line: what shader_expand or form_check_inputs refuse;
+// nothing but comments; an array of more than 65536 elements, where the number stands in it;
+// another mainImage than Shadertoy's; a #version above what includes main.glsl. Free with
 // shader_free.
 bool shader_read(struct shader_source *source, const char *path, const char *root);
 

@@ -3,19 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "shader/glsl_scan.h"
-
 enum { ENDS = 4 }; // tokens of the kind GLSL_END behind a row
-
-bool glsl_is_word(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-void *glsl_grown(void *row, int count, size_t size)
-{
-    return (count & (count - 1)) != 0 ? row : realloc(row, (2 * (size_t)count + 1) * size);
-}
 
 bool glsl_is_sign(const struct glsl_token *token, const char *signs)
 {

@@ -3,6 +3,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+bool glsl_is_word(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+void *glsl_grown(void *row, int count, size_t size)
+{
+    return (count & (count - 1)) != 0 ? row : realloc(row, (2 * (size_t)count + 1) * size);
+}
+
 // ---- Tokens ----
 
 // The length of the line comment that begins at c.
