@@ -23,7 +23,7 @@ struct panel {
     int divisor; // the picture is drawn at 1/divisor of each side; 0 and 1: full
     int sharp;   // percent of it that is sharp all the same
     bool paused;
-    bool ranges;       // range and unit of all parameters, where the picture has room for them
+    bool ranges;      // range and unit of all parameters, where the picture has room for them
     bool folded;      // leave out all but the ray's march, in the slice that too, and the error
     const char *hint; // what to press; NULL or "": none
     const struct panel_key *keys;
