@@ -443,12 +443,15 @@ refuse '--list with standard output closed' 1 'standard output' to_closed --list
 
 # ---- Interrupted ----
 
-# Background jobs of a script ignore SIGINT; under job control they do not.
+# Background jobs of a script ignore SIGINT; under job control they do not, unless this script has been told to
+# ignore it: timeout hears it then too, and hands it on.
+hearing=()
+command -v timeout >/dev/null && hearing=(timeout 300)
 interrupted() { # SECONDS ARGUMENT...
     local seconds=$1 job
     shift
     set -m
-    "$chapter" "$@" >/dev/null 2>&1 &
+    ${hearing[@]+"${hearing[@]}"} "$chapter" "$@" >/dev/null 2>&1 &
     job=$!
     set +m
     sleep "$seconds"
@@ -480,7 +483,7 @@ NOISE
 interrupted_writing() {
     local job names
     set -m
-    "$chapter" -s 2000x2000 -f "$shaders/noise.frag" -o "$out/old.png" >/dev/null 2>&1 &
+    ${hearing[@]+"${hearing[@]}"} "$chapter" -s 2000x2000 -f "$shaders/noise.frag" -o "$out/old.png" >/dev/null 2>&1 &
     job=$!
     set +m
     hit=
