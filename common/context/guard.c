@@ -111,8 +111,7 @@ static void on_missing_page(int number)
 {
     (void)number;
     end("the graphics driver lost its memory: is the disk full that holds its cache of shaders? "
-        "set "
-        "MESA_SHADER_CACHE_DISABLE=true\n");
+        "set MESA_SHADER_CACHE_DISABLE=true\n");
 }
 
 void guard_process(void)

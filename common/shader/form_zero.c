@@ -23,8 +23,8 @@ struct edits {
     const struct glsl *code;
     struct edit *item;
     int count;
-    char *
-        *zero; // of a name: the value of the structure that it names, "" for none, NULL for no name
+    // Of a name: the value of the structure that it names, "" for none, NULL for no name.
+    char **zero;
     bool arrays; // can have a value
     size_t size; // letters of all texts
     bool failed; // for want of memory
