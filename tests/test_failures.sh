@@ -252,11 +252,9 @@ mkdir "$out/target.png"
 with_target 'an output that is a folder' 'folder'
 mkfifo "$out/target.png"
 with_target 'an output that is a pipe' 'pipe'
-if mknod "$out/target.png" c 1 3 2>/dev/null; then
-    with_target 'an output that is a device' 'device'
-else
-    skip 'an output that is a device' 'this user cannot make one'
-fi
+# Who may not make a device may not harm the one that a link leads to.
+mknod "$out/target.png" c 1 3 2>/dev/null || ln -s /dev/null "$out/target.png"
+with_target 'an output that is a device' 'device'
 mkfifo "$out/pipe"
 ln -s pipe "$out/link.png"
 expected_listing='./link.png ./old.png ./pipe '
