@@ -58,9 +58,8 @@ static bool find_root(struct run *run)
         snprintf(probe, sizeof probe, "%s/shaders/screen.vert", run->options.root);
         if (realpath(run->options.root, run->root) != NULL && access(probe, R_OK) == 0)
             return true;
-        report("--root %s: no shaders/screen.vert in it: give the project's folder",
-               run->options.root);
-        return false;
+        return report("--root %s: no shaders/screen.vert in it: give the project's folder",
+                      run->options.root);
     }
     char *slash = NULL;
     if (program_path(run->root))
@@ -70,8 +69,7 @@ static bool find_root(struct run *run)
             if (access(probe, R_OK) == 0)
                 return true;
         }
-    report("shaders/screen.vert: not found above this program's folder: give --root DIR");
-    return false;
+    return report("shaders/screen.vert: not found above this program's folder: give --root DIR");
 }
 
 static bool find_shader(struct run *run)
@@ -82,8 +80,7 @@ static bool find_shader(struct run *run)
                                 run->chapter->stem);
     if (length < (int)sizeof run->shader)
         return true;
-    report("%.40s...: the path of the shader is too long", run->shader);
-    return false;
+    return report("%.40s...: the path of the shader is too long", run->shader);
 }
 
 // The chapter's title, or the name of the file that runs in place of its shader.
@@ -214,11 +211,9 @@ static bool check_unread(const struct run *run, const char *path)
     snprintf(vertex, sizeof vertex, "%s/shaders/screen.vert", run->root);
     for (int i = -1; i < run->source.file_count && stat(path, &target) == 0; i++)
         if (stat(i < 0 ? vertex : run->source.paths[i], &read) == 0 &&
-            read.st_dev == target.st_dev && read.st_ino == target.st_ino) {
-            report("--output '%s': is %s, which this run reads: choose another name", path,
-                   i < 0 ? vertex : run->source.files[i]);
-            return false;
-        }
+            read.st_dev == target.st_dev && read.st_ino == target.st_ino)
+            return report("--output '%s': is %s, which this run reads: choose another name", path,
+                          i < 0 ? vertex : run->source.files[i]);
     return true;
 }
 

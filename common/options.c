@@ -26,8 +26,7 @@ __attribute__((format(printf, 3, 4))) static bool refuse(const char *option, con
     va_start(arguments, format);
     vsnprintf(expected, sizeof expected, format, arguments);
     va_end(arguments);
-    report("--%s '%s': %s", option, text, expected);
-    return false;
+    return report("--%s '%s': %s", option, text, expected);
 }
 
 // Read two whole numbers with a separator between, those beyond every range as +-1e9.
@@ -241,8 +240,7 @@ enum { ROWS = sizeof rows / sizeof *rows };
 
 static bool refuse_unknown(const char *word, size_t length)
 {
-    report("unknown option '%.*s': --help lists the options", (int)length, word);
-    return false;
+    return report("unknown option '%.*s': --help lists the options", (int)length, word);
 }
 
 // Carry out an option.
@@ -298,10 +296,9 @@ static bool read_words(struct options *options, char **next)
         bool named = strncmp(word, "--", 2) == 0, last = named && word[2] == '\0';
         if (last && *next == NULL)
             return true;
-        if (word[0] != '-' || word[1] == '\0' || last) {
-            report("unexpected argument '%s': --help lists the options", last ? *next : word);
-            return false;
-        }
+        if (word[0] != '-' || word[1] == '\0' || last)
+            return report("unexpected argument '%s': --help lists the options",
+                          last ? *next : word);
         if (named ? !read_name(options, word, &next) : !read_letters(options, word + 1, &next))
             return false;
     }

@@ -58,7 +58,7 @@ static void print_clean(const char *text, const char *allowed)
     fwrite(clean, 1, length, stderr);
 }
 
-void report(const char *format, ...)
+bool report(const char *format, ...)
 {
     char text[LINE_SIZE];
     va_list arguments;
@@ -68,6 +68,7 @@ void report(const char *format, ...)
     if (length >= (int)sizeof text)
         strcpy(text + sizeof text - 4, "...");
     print_clean(length < 0 ? format : text, "");
+    return false;
 }
 
 void report_lines(const char *text)

@@ -2,11 +2,14 @@
 #ifndef REPORT_H
 #define REPORT_H
 
+#include <stdbool.h>
+
 // Print one line on standard error: what could not be done, where, why, and what to do.
 //   format   printf format without a final newline, e.g. "%s: cannot be read: %s"
 // Control characters in the text are printed as '?', so that a hostile file name cannot break the
-// line. A function that returns false has called this before it returns.
-void report(const char *format, ...) __attribute__((format(printf, 1, 2)));
+// line. A function that returns false has called this before it returns, so this is always false:
+// "return report(...);".
+bool report(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 // As report(), for a text that may hold several lines: a shader's errors with their source.
 void report_lines(const char *text);

@@ -35,8 +35,7 @@ bool sequence_path(const char *name, int number, char *path, size_t size)
     int length = snprintf(path, size, "%.*s%0*d%s", (int)(sign - name), name, width, number, end);
     if (length >= 0 && (size_t)length < size)
         return true;
-    report("%.40s...: the name is too long", name);
-    return false;
+    return report("%.40s...: the name is too long", name);
 }
 
 void sequence_progress(int done, int count)

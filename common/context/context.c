@@ -142,11 +142,10 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
                          int width, int height)
 {
     *context = (struct context){0};
-    if (wanted != CONTEXT_ANY && wanted != CONTEXT_GLFW) {
-        report("%s: cannot show a window: choose --backend glfw, or a file with --output FILE.png",
-               names[wanted]);
-        return false;
-    }
+    if (wanted != CONTEXT_ANY && wanted != CONTEXT_GLFW)
+        return report(
+            "%s: cannot show a window: choose --backend glfw, or a file with --output FILE.png",
+            names[wanted]);
     const struct context_driver *const *driver = drivers;
     while (*driver != NULL && (*driver)->open_window == NULL)
         driver++;
@@ -163,11 +162,10 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
         context->window = state;
         return load(context);
     }
-    report(
+    return report(
         "window with OpenGL %d.%d: cannot be opened: %s: try another display or driver, or render "
         "without a window with --output FILE.png",
         NEEDED_MAJOR, NEEDED_MINOR, why);
-    return false;
 }
 
 void context_close(struct context *context)

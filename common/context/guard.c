@@ -31,9 +31,9 @@ bool guard_stack(void)
     struct rlimit limit;
     if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= STACK_NEEDED)
         return true;
-    report("the stack may take %lu KiB only, and %d are needed: allow more with ulimit -s 8192",
-           (unsigned long)limit.rlim_cur / 1024, STACK_NEEDED / 1024);
-    return false;
+    return report(
+        "the stack may take %lu KiB only, and %d are needed: allow more with ulimit -s 8192",
+        (unsigned long)limit.rlim_cur / 1024, STACK_NEEDED / 1024);
 }
 
 // ---- Threads ----

@@ -19,15 +19,11 @@ enum { SIDE_LIMIT = 16384, CHANNELS = 3, LINK_LIMIT = 40 };
 bool image_create(struct image *image, int width, int height)
 {
     *image = (struct image){0};
-    if (width < 1 || width > SIDE_LIMIT || height < 1 || height > SIDE_LIMIT) {
-        report("picture %dx%d: each side must be 1 to %d pixels", width, height, SIDE_LIMIT);
-        return false;
-    }
+    if (width < 1 || width > SIDE_LIMIT || height < 1 || height > SIDE_LIMIT)
+        return report("picture %dx%d: each side must be 1 to %d pixels", width, height, SIDE_LIMIT);
     unsigned char *pixel = calloc((size_t)width * (size_t)height, CHANNELS);
-    if (pixel == NULL) {
-        report("picture %dx%d: not enough memory: choose a smaller one", width, height);
-        return false;
-    }
+    if (pixel == NULL)
+        return report("picture %dx%d: not enough memory: choose a smaller one", width, height);
     *image = (struct image){.width = width, .height = height, .pixel = pixel};
     return true;
 }
@@ -116,18 +112,16 @@ static const char *kind_of(mode_t mode)
 
 static bool refuse(const char *path, const char *why)
 {
-    report("%s: cannot be written: %s", path, why);
-    return false;
+    return report("%s: cannot be written: %s", path, why);
 }
 
 // True when an existing file may be replaced. A rename asks the folder's permission alone, but who
 // write-protects a file expects it to stay.
 static bool may_replace(const char *path, mode_t mode)
 {
-    if (!S_ISREG(mode)) {
-        report("%s: cannot be written: it is %s: give the name of a file", path, kind_of(mode));
-        return false;
-    }
+    if (!S_ISREG(mode))
+        return report("%s: cannot be written: it is %s: give the name of a file", path,
+                      kind_of(mode));
     return access(path, W_OK) == 0 || refuse(path, strerror(errno));
 }
 
@@ -137,8 +131,8 @@ static bool folder_writable(const char *path, const char *folder)
     snprintf(inside, sizeof inside, "%s/.", folder);
     if (access(inside, W_OK | X_OK) == 0)
         return true;
-    report("%s: cannot be written: folder %s: %s: choose another", path, folder, strerror(errno));
-    return false;
+    return report("%s: cannot be written: folder %s: %s: choose another", path, folder,
+                  strerror(errno));
 }
 
 // The file that is meant by a path, and its folder. Returns false, reported, when a picture could

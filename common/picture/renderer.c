@@ -118,10 +118,10 @@ static bool bind_target(struct renderer *renderer, struct renderer_target *targe
     if (gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
         gl->GetError() != GL_NO_ERROR) {
         target->width = 0;
-        report("float target %dx%d: the driver cannot make it: try a smaller --size or another "
-               "--backend",
-               width, height);
-        return false;
+        return report(
+            "float target %dx%d: the driver cannot make it: try a smaller --size or another "
+            "--backend",
+            width, height);
     }
     target->width = width;
     target->height = height;

@@ -17,8 +17,7 @@ static const char *const toy_refused[] = {
 
 static bool no_memory(const struct shader_source *source)
 {
-    report("%s: not enough memory", source->files[0]);
-    return false;
+    return report("%s: not enough memory", source->files[0]);
 }
 
 static bool read_code(struct shader_source *source)
@@ -109,10 +108,8 @@ static bool check_sense(const struct shader_source *source)
     bool any = false;
     for (const struct glsl_token *t = code->item; t->kind != GLSL_END && !any; t++)
         any = t->live && t->kind < GLSL_COMMENT;
-    if (!any) {
-        report("%s: holds nothing but comments: a shader is code", source->files[0]);
-        return false;
-    }
+    if (!any)
+        return report("%s: holds nothing but comments: a shader is code", source->files[0]);
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
         const struct glsl_token *number = t + 1;
         if (t->sign == '[' && number->kind == GLSL_NUMBER && number[1].sign == ']' &&
@@ -239,11 +236,11 @@ bool shader_has_view(const struct shader_source *source, enum shader_view view)
 {
     if (view == SHADER_PICTURE || source->form == SHADER_COURSE)
         return true;
-    report("%s: cannot show %s%s: it has a main of its own, which records nothing of its rays: "
-           "the chapters from 01 on have all views",
-           source->files[0], view == SHADER_PROBE ? "a probe" : "the view ",
-           view == SHADER_PROBE ? "" : shader_view_name(view));
-    return false;
+    return report(
+        "%s: cannot show %s%s: it has a main of its own, which records nothing of its rays: "
+        "the chapters from 01 on have all views",
+        source->files[0], view == SHADER_PROBE ? "a probe" : "the view ",
+        view == SHADER_PROBE ? "" : shader_view_name(view));
 }
 
 // ---- What the driver gets ----

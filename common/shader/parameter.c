@@ -109,10 +109,8 @@ bool parameters_assign(const struct parameters *parameters, const char *assignme
     char name[sizeof parameters->item->name] = "", range[TEXT_SIZE];
     double value[4] = {0};
     size_t length = strcspn(assignment, "=");
-    if (assignment[length] == '\0' || length == 0) {
-        report("--set %s: not of the form NAME=VALUE", assignment);
-        return false;
-    }
+    if (assignment[length] == '\0' || length == 0)
+        return report("--set %s: not of the form NAME=VALUE", assignment);
     if (length < sizeof name)
         memcpy(name, assignment, length);
     struct parameter *parameter = parameters_find(parameters, name);
@@ -122,18 +120,14 @@ bool parameters_assign(const struct parameters *parameters, const char *assignme
     }
     const char *text = assignment + length + 1;
     if (parameter->type == PARAMETER_BOOL ? !read_bool(text, value)
-                                          : !read_numbers(parameter, text, value)) {
-        report("--set %s: the value must be %s%s", assignment, expected(parameter),
-               parameter->type == PARAMETER_FLOAT ? number_hint(text) : "");
-        return false;
-    }
+                                          : !read_numbers(parameter, text, value))
+        return report("--set %s: the value must be %s%s", assignment, expected(parameter),
+                      parameter->type == PARAMETER_FLOAT ? number_hint(text) : "");
     parameter_range_text(parameter, range, TEXT_SIZE);
     for (int i = 0; i < parameter->components; i++)
-        if (value[i] < parameter->minimum || value[i] > parameter->maximum) {
-            report("--set %s: out of range: %s takes %s%s%s", assignment, name, range,
-                   parameter->unit[0] != '\0' ? " " : "", parameter->unit);
-            return false;
-        }
+        if (value[i] < parameter->minimum || value[i] > parameter->maximum)
+            return report("--set %s: out of range: %s takes %s%s%s", assignment, name, range,
+                          parameter->unit[0] != '\0' ? " " : "", parameter->unit);
     memcpy(parameter->value, value, sizeof value);
     return true;
 }

@@ -30,8 +30,8 @@ __attribute__((format(printf, 2, 3))) static bool refuse(const struct reading *r
     va_start(arguments, format);
     vsnprintf(why, sizeof why, format, arguments);
     va_end(arguments);
-    report("%s:%d: parameter %s: %s", reading->file, reading->line, reading->parameter.name, why);
-    return false;
+    return report("%s:%d: parameter %s: %s", reading->file, reading->line, reading->parameter.name,
+                  why);
 }
 
 static void skip_blanks(struct reading *reading)
@@ -244,12 +244,10 @@ static bool read_declaration(struct reading *reading, const struct glsl *code,
     bool good = count > 1 && word[0]->sign == '\0' && word[1]->sign == '\0' &&
                 word[0]->length < (int)sizeof reading->parameter.name &&
                 word[1]->length < (int)sizeof reading->parameter.name;
-    if (!good) {
-        report("%s:%d: not a parameter's declaration: write as in \"" EXAMPLE
-               "\", with a name of at most %d letters",
-               reading->file, reading->line, (int)sizeof reading->parameter.name - 1);
-        return false;
-    }
+    if (!good)
+        return report("%s:%d: not a parameter's declaration: write as in \"" EXAMPLE
+                      "\", with a name of at most %d letters",
+                      reading->file, reading->line, (int)sizeof reading->parameter.name - 1);
     char type[sizeof reading->parameter.name];
     snprintf(type, sizeof type, "%.*s", GLSL_TEXT(code, word[0]));
     snprintf(reading->parameter.name, sizeof type, "%.*s", GLSL_TEXT(code, word[1]));

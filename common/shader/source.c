@@ -29,8 +29,7 @@ struct expansion {
 
 static bool no_memory(const char *where)
 {
-    report("%s: not enough memory", where);
-    return false;
+    return report("%s: not enough memory", where);
 }
 
 // ---- Names ----
@@ -163,11 +162,9 @@ static bool add_line(struct expansion *e, struct shader_line from, const char *p
 {
     struct shader_source *source = e->source;
     size_t more = strlen(prefix) + length + 1;
-    if (e->text_size + more > TEXT_LIMIT) {
-        report("%s:%d: the text passes 8 MiB with its includes: include less",
-               source->files[from.file], from.line);
-        return false;
-    }
+    if (e->text_size + more > TEXT_LIMIT)
+        return report("%s:%d: the text passes 8 MiB with its includes: include less",
+                      source->files[from.file], from.line);
     if (!reserve(e, more, source->files[from.file]))
         return false;
     snprintf(source->text + e->text_size, more + 1, "%s%.*s\n", prefix, (int)length, line);
@@ -189,9 +186,8 @@ static bool report_cycle(const struct expansion *e, int file, const char *where)
     for (int i = first; i < e->depth && size < sizeof chain; i++)
         size += (size_t)snprintf(chain + size, sizeof chain - size, "%s -> ",
                                  e->source->files[e->open[i]]);
-    report("%s: the file includes itself: %s%s: take one of these includes out", where, chain,
-           e->source->files[file]);
-    return false;
+    return report("%s: the file includes itself: %s%s: take one of these includes out", where,
+                  chain, e->source->files[file]);
 }
 
 // Put the file of an include in place, unless it is there already.
@@ -202,10 +198,8 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
     snprintf(where, sizeof where, "%s:%d: #include \"%s\"", source->files[from.file], from.line,
              name);
     char *resolved = resolve(e, from.file, name, why);
-    if (resolved == NULL) {
-        report("%s: %s", where, why);
-        return false;
-    }
+    if (resolved == NULL)
+        return report("%s: %s", where, why);
     for (int i = 0; i < source->file_count; i++) {
         if (strcmp(source->paths[i], resolved) != 0)
             continue;
@@ -217,8 +211,7 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
     }
     if (e->depth == DEPTH_LIMIT) {
         free(resolved);
-        report("%s: more than %d files within each other", where, DEPTH_LIMIT);
-        return false;
+        return report("%s: more than %d files within each other", where, DEPTH_LIMIT);
     }
     int file = add_file(e, name, resolved);
     return file >= 0 && expand_file(e, file, where);
@@ -270,11 +263,9 @@ static bool expand_line(struct expansion *e, struct shader_line from, const stru
     bool includes = hash != NULL && glsl_is(code, hash + 1, "include");
     // An author's own #line would blame another line.
     bool comments = includes || (hash != NULL && glsl_is(code, hash + 1, "line"));
-    if (includes && !quoted_name(code, hash, line, line + length, name)) {
-        report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line",
-               e->source->files[from.file], from.line);
-        return false;
-    }
+    if (includes && !quoted_name(code, hash, line, line + length, name))
+        return report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line",
+                      e->source->files[from.file], from.line);
     return add_line(e, from, comments ? "// " : "", line, length) &&
            (!includes || include(e, from, name));
 }
@@ -332,8 +323,7 @@ bool shader_refuse(const struct shader_source *source, int line, const char *for
     va_start(arguments, format);
     vsnprintf(why, sizeof why, format, arguments);
     va_end(arguments);
-    report("%s:%d: %s", source->files[from->file], from->line, why);
-    return false;
+    return report("%s:%d: %s", source->files[from->file], from->line, why);
 }
 
 bool shader_expand(struct shader_source *source, const char *path, const char *root,

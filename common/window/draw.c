@@ -324,11 +324,9 @@ bool window_draw(struct window *window, double now)
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     overlay_draw(&window->panel.overlay, 0);
     GLenum error = gl->GetError();
-    if (error != GL_NO_ERROR) {
-        report("window %dx%d: OpenGL error 0x%04x while drawing: try a smaller --size",
-               inputs->width, inputs->height, error);
-        return false;
-    }
+    if (error != GL_NO_ERROR)
+        return report("window %dx%d: OpenGL error 0x%04x while drawing: try a smaller --size",
+                      inputs->width, inputs->height, error);
     glfwSwapBuffers(window->handle);
     window->stale = window->ray.follow = window->dirty = false;
     count(window, now);

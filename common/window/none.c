@@ -7,6 +7,6 @@ bool window_run(struct context *context, struct renderer *renderer,
                 const struct window_start *start)
 {
     (void)context, (void)renderer;
-    report("%s: built without GLFW, which opens windows: run make setup, then make", start->title);
-    return false;
+    return report("%s: built without GLFW, which opens windows: run make setup, then make",
+                  start->title);
 }

@@ -43,8 +43,7 @@ bool watch_add(struct watch *watch, const char *path)
         watch->file = file;
     if (file == NULL || copy == NULL) {
         free(copy);
-        report("%s: not enough memory to watch it for changes", path);
-        return false;
+        return report("%s: not enough memory to watch it for changes", path);
     }
     strcpy(copy, path);
     file[watch->count] = (struct watch_file){.path = copy};
