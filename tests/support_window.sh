@@ -10,7 +10,7 @@ program='' window='' shots=0 picture='' stem=''
 
 # eventually COMMAND...: wait until the command succeeds. Only what never comes is given up.
 eventually() {
-    local tries=400
+    local tries=1200
     while ! "$@"; do
         tries=$((tries - 1))
         [ "$tries" -gt 0 ] || return 1
@@ -85,8 +85,8 @@ close_window() {
     wait "$program" 2>/dev/null
 }
 
-# look NAME: what the window shows, kept under a name.
-look() { import -window "$window" "$scratch/$1.png"; }
+# look NAME: what the window shows, kept under a name. Without a window import would wait for a click.
+look() { [ -n "$window" ] && import -window "$window" "$scratch/$1.png"; }
 
 # How many of a million pixels differ, by more than a driver's rounding, between two kept pictures;
 # between what the window shows and a kept one.
