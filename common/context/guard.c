@@ -24,6 +24,7 @@ static struct {
     struct sigaction before;
     stack_t stack_before;
     struct rlimit memory_before;
+    bool limited;
 } crash;
 
 bool guard_stack(void)
@@ -122,22 +123,21 @@ void guard_process(void)
     guard_threads();
 }
 
-// What the process has, and so much more. A driver that gets none crashes, and that has its line; a
-// machine that runs out of it stands still.
-static void limit_memory(void)
+void guard_memory(void)
 {
-    struct rlimit limit = {RLIM_INFINITY, RLIM_INFINITY};
+    struct rlimit limit;
     double pages = 0.0;
     FILE *file = fopen("/proc/self/statm", "r");
     bool known = file != NULL && fscanf(file, "%lf", &pages) == 1;
     if (file != NULL)
         fclose(file);
-    getrlimit(RLIMIT_AS, &limit);
+    if (!known || getrlimit(RLIMIT_AS, &limit) != 0)
+        return;
     crash.memory_before = limit;
     double most = pages * (double)sysconf(_SC_PAGESIZE) + MEMORY_MOST;
-    if (known && most < (double)limit.rlim_cur)
+    if (most < (double)limit.rlim_cur)
         limit.rlim_cur = (rlim_t)most;
-    setrlimit(RLIMIT_AS, &limit);
+    crash.limited = setrlimit(RLIMIT_AS, &limit) == 0;
 }
 
 void guard_begin(const char *format, ...)
@@ -151,12 +151,13 @@ void guard_begin(const char *format, ...)
     strcat(crash.said, "\n");
     sigaltstack(&own, &crash.stack_before);
     sigaction(SIGSEGV, &action, &crash.before);
-    limit_memory();
 }
 
 void guard_end(void)
 {
-    setrlimit(RLIMIT_AS, &crash.memory_before);
+    if (crash.limited)
+        setrlimit(RLIMIT_AS, &crash.memory_before);
+    crash.limited = false;
     sigaction(SIGSEGV, &crash.before, NULL);
     sigaltstack(&crash.stack_before, NULL);
 }

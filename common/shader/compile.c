@@ -125,6 +125,9 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
         guard_begin("%.800s: the graphics driver crashed over it, or wants more than 4 GB for it: "
                     "split its longest statement, shorten its arrays and macros",
                     fragment->files[0]);
+        const char *version = (const char *)gl->GetString(GL_VERSION);
+        if (version != NULL && strstr(version, "Mesa") != NULL)
+            guard_memory();
         program = shader_link_texts(gl, first, second, &step, &log);
         guard_end();
         if (program == 0)
