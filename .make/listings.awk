@@ -71,12 +71,33 @@ function table(stem,    command, line, text, n, name, at, i)
     return text
 }
 
+# ---- The time ----
+
+# The minutes of so many words, rounded up to a multiple of five.
+function minutes(words, a_minute)
+{
+    return 5 * int((words / a_minute + 4.999) / 5)
+}
+
+# How long the page takes to read: 200 words of the story a minute, or 100 words of a proof.
+function time(    command, line, word)
+{
+    command = "awk -f .make/words.awk \"" page "\""
+    command | getline line
+    close(command)
+    split(line, word, " ")
+    return "**Time.** The story takes about " minutes(word[1], 200) " minutes to read" \
+        (word[2] ? ", the proofs " minutes(word[2], 100) " more" : "") ".\n"
+}
+
 # ---- The page ----
 
 # What a marker asks for; "" after an error.
 function block(line,    word, n)
 {
     n = split(line, word, " ")
+    if (line == "<!-- time -->")
+        return time()
     if (word[2] == "parameters:" && n == 4 && word[4] == "-->")
         return table(word[3])
     if (word[2] == "code:" && word[n] == "-->" && (n == 5 || (n == 6 && word[5] == "with-comment")))
@@ -101,9 +122,9 @@ BEGIN { state = "text" }
 
 # The first line below a marker: the block begins, or there is none yet.
 state == "marker" {
-    table_wanted = marker ~ /^<!-- parameters:/
-    if (table_wanted ? /^\|/ : /^```/) {
-        state = table_wanted ? "table" : "listing"
+    begins = marker ~ /^<!-- code:/ ? "^```" : marker ~ /^<!-- time/ ? "^\\*\\*Time\\.\\*\\*" : "^\\|"
+    if ($0 ~ begins) {
+        state = begins == "^```" ? "listing" : "rows"
         old = $0 "\n"
         next
     }
@@ -117,8 +138,8 @@ state == "listing" {
     next
 }
 
-state == "table" {
-    if (/^\|/) {
+state == "rows" {
+    if ($0 ~ begins) {
         old = old $0 "\n"
         next
     }
@@ -130,7 +151,7 @@ state == "text" && /^```/ { fenced = !fenced }
 
 { print }
 
-state == "text" && !fenced && /^<!-- *(code|parameters):/ {
+state == "text" && !fenced && /^<!-- *(code:|parameters:|time)/ {
     marker = $0
     at = FNR
     old = ""

@@ -1,5 +1,5 @@
 #!/bin/sh
-# listings.sh - rewrite the listings and the tables of parameters in the pages from their sources.
+# listings.sh - rewrite what the pages take from elsewhere: listings, tables of parameters, reading times.
 #
 #   .make/listings.sh [--check] [PAGE...]     default: README.md and docs/*.md
 #
@@ -9,6 +9,7 @@
 #   <!-- code: shaders/march.glsl march with-comment -->  with the comment block above it
 #   <!-- code: chapters/first_steps/1_screen.frag * -->   the whole file
 #   <!-- parameters: 01_normal_colouring -->              what build/01_normal_colouring --list prints
+#   <!-- time -->                                         how long the page takes to read, by words.awk
 #
 # What is shown must be used: a page speaks of each of its listings, naming it in backticks; no block of
 # code is a copy by hand of a source; and every function and struct of the library that the course

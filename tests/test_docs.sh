@@ -140,22 +140,85 @@ unnamed_parameters() { # STEM
     done
 }
 
-# Each exercise has a grade, a hint and a solution; there are at least three.
+# Each exercise has a grade, a folded hint and a folded solution, and the line that checks it where a solution
+# runs; there are at least three.
 bad_exercises() { # PAGE
-    awk '
-        function judge() {
-            if (exercise && (!hint || !solution))
+    local name
+    name=$(basename "$1" .md)
+    awk -v number="${name%%_*}" -v solutions="$(echo chapters/solutions/"$name"_*.frag)" '
+        function judge(    k) {
+            if (!exercise)
+                return
+            k = exercise; gsub(/[^0-9]/, "", k)
+            if (!hint || !solution)
                 print "exercise " exercise " has no " (hint ? "solution" : "hint")
+            if (index(solutions, "_" k ".frag") && !checked)
+                print "exercise " exercise " has no line make check EXERCISE=" number "_" k
         }
         /^## / { judge(); exercise = 0; here = /^## Exercises/ }
+        here && $0 ~ "^make check EXERCISE=" number "_" (exercise + 0) " " { checked = 1 }
         here && /^\*\*[0-9]+\./ {
-            judge(); count++; exercise = $1; hint = solution = 0
+            judge(); count++; exercise = substr($1, 3); hint = solution = checked = 0
             if ($0 !~ /^\*\*[0-9]+\. [(](easy|medium|hard)[)] [^*]*[.?!]\*\*/)
                 print "exercise " exercise " does not begin **K. (easy|medium|hard) Title.**"
         }
-        here && /^\*Hint/ { hint = 1 }
-        here && /Solution|<summary>Answer/ { solution = 1 }
+        here && /<summary>Hint</ { hint = 1 }
+        here && /<summary>Solution</ { solution = 1 }
         END { judge(); if (count < 3) print "there are " count + 0 " exercises" }' "$1"
+}
+
+# What is folded is an answer, a hint or a solution, and its tags stand alone between empty lines; a
+# prediction and an experiment are followed by their answer.
+bad_folds() { # PAGE
+    awk '
+        function judge() { if (asked) print asked ": has no folded answer"; asked = "" }
+        /^ *```/ { fenced = !fenced }
+        fenced { last = $0; next }
+        /<\/?(details|summary)/ {
+            if (/^<details><summary>(Answer|Hint|Solution)<\/summary>$/ && !open) {
+                open = FNR
+                if (/Answer/) asked = ""
+            } else if (/^<\/details>$/ && open && last == "") open = 0
+            else print "line " FNR ": no fold as they are on all pages: " $0
+            last = $0
+            next
+        }
+        open == FNR - 1 && open && $0 != "" { print "line " FNR ": no empty line below the summary" }
+        open { last = $0; next }
+        /^#/ { judge(); experiments = /^## Experiments/ }
+        /^\*Predict\.\*/ || (experiments && /^\*\*[0-9]+\./) { judge(); asked = "line " FNR }
+        { last = $0 }
+        END { judge(); if (open) print "line " open ": a fold has no end" }' "$1"
+}
+
+# The parts of a page, in their order, and a story that an evening has room for.
+bad_form() { # PAGE
+    local wanted=''
+    grep -q '^### In short$' "$1" || echo "has no part In short"
+    grep -q '^<!-- time -->$' "$1" || echo "has no reading time"
+    wanted='From formula to code,What changed,Parameters,Experiments,Exercises,Proofs,What the report does,Pitfalls,Sources,'
+    [[ $1 != */00_* ]] || wanted='Experiments,Exercises,'
+    awk -v wanted="$wanted" '
+        /^ *```/ { fenced = !fenced }
+        !fenced && /^## / {
+            title = substr($0, 4)
+            if (next_part == "") next_part = substr(wanted, 1, index(wanted, ",") - 1)
+            if (index(title, next_part) == 1 && next_part != "") {
+                wanted = substr(wanted, length(next_part) + 2); next_part = ""
+            }
+        }
+        END { if (wanted != "") print "lacks, or has out of order: " wanted }' "$1"
+    awk -f .make/words.awk "$1" | awk '$1 > 4000 { print "its story has " $1 " words; 4000 is the most" }'
+}
+
+# Lengths and products in another notation than that of all pages.
+bad_notation() { # PAGE
+    grep -nE '\\(langle|rangle|lVert|rVert|Vert|\|)' "$1" | sed "s|^|$1:|" | head -n 3
+}
+
+# Options in short, which mean nothing to who meets them first.
+bad_options() { # PAGE
+    code_of "$1" | grep -E '(^|[ /])build/[0-9][^|>]* -[a-z]( |$)|^-[a-z] ' | head -n 3
 }
 
 # French words in a page's brackets that the glossary lacks.
@@ -287,6 +350,9 @@ check_pages() {
         judge "$page: formulas are such as GitHub renders" "$(bad_formulas "$page")"
         judge "$page: commands are accepted by their programs" "$(bad_commands "$page")"
         judge "$page: probes end as the page shows" "$(bad_outputs "$page")"
+        grep -q '^<!-- time -->$' "$page" || continue
+        judge "$page: lengths and products are written as everywhere" "$(bad_notation "$page")"
+        judge "$page: options are spelt out" "$(bad_options "$page")"
     done
     for stem in "${chapters[@]}"; do
         if [ ! -e "docs/$stem.md" ]; then
@@ -294,10 +360,14 @@ check_pages() {
             continue
         fi
         judge "docs/$stem.md: has its five lines in French" "$(bad_summary "docs/$stem.md")"
-        judge "docs/$stem.md: its exercises have hints and solutions" "$(bad_exercises "docs/$stem.md")"
         judge "docs/$stem.md: its French terms are in the glossary" "$(untranslated "docs/$stem.md")"
         judge "docs/$stem.md: names every parameter" "$(unnamed_parameters "$stem")"
         judge "docs/$stem.md: names every shader that goes with it" "$(unnamed_shaders "$stem")"
+        grep -q '^<!-- time -->$' "docs/$stem.md" || continue
+        judge "docs/$stem.md: its exercises have checks, hints and solutions" "$(bad_exercises "docs/$stem.md")"
+        judge "docs/$stem.md: its folds are those of all pages, and each question has its answer" \
+            "$(bad_folds "docs/$stem.md")"
+        judge "docs/$stem.md: has the parts of a page, and a story of at most 4000 words" "$(bad_form "docs/$stem.md")"
     done
 }
 
@@ -310,6 +380,12 @@ refuses() {
     check "a page is refused for $1" test -n "$("$3" "$scratch/docs/page.md")"
 }
 
+accepts() {
+    mkdir -p "$scratch/docs"
+    printf '%b' "$2" >"$scratch/docs/page.md"
+    check "a page is accepted for $1" test -z "$("$3" "$scratch/docs/page.md")"
+}
+
 check_checks() {
     local probe='build/01_normal_colouring --probe 320,180'
     refuses 'a link to nothing' 'see [this](gone.md)\n' bad_links
@@ -317,10 +393,22 @@ check_checks() {
     refuses 'a picture that no test renders' '![a](../tests/references/gone.png)\n' bad_pictures
     refuses 'a picture without words' '![](../tests/references/03_shadows.png)\n' bad_pictures
     refuses 'a figure without a program' '![a](figures/gone.svg)\n' bad_pictures
-    refuses 'an exercise without a solution' "## Exercises\n\n**1. (easy)**\n\n*Hint.* a\n" bad_exercises
-    refuses 'an exercise without a grade' \
-        "## Exercises\n\n**1. A title.** b\n\n*Hint.* a\n\nSolution\n\n**2. (easy) A.** b\n\n*Hint.* a\n\nSolution\n\n**3. (easy) A.** b\n\n*Hint.* a\n\nSolution\n" \
-        bad_exercises
+    local task='**1. (easy) A.** b\n\n' ask='*Predict.* Why?\n\n' folds
+    folds=$(printf '<details><summary>%s</summary>\\n\\na\\n\\n</details>\\n\\n' Hint Solution)
+    local exercises="## Exercises\n\n$task$folds${task/1/2}$folds${task/1/3}$folds"
+    accepts 'exercises with hints and solutions' "$exercises" bad_exercises
+    refuses 'an exercise without a solution' "${exercises/Solution/Hint}" bad_exercises
+    refuses 'an exercise without a grade' "${exercises/(easy) /}" bad_exercises
+    accepts 'a question with its answer' "$ask${folds/Hint/Answer}" bad_folds
+    refuses 'a question without an answer' "$ask$folds" bad_folds
+    refuses 'an experiment without an answer' "## Experiments\n\n**1. A.** b\n" bad_folds
+    refuses 'a fold without end' "${folds%</details>*}" bad_folds
+    refuses 'a fold of another kind' "${folds/Hint/Clue}" bad_folds
+    refuses 'a fold without its empty line' "${folds/<\/summary>\\n/<\/summary>}" bad_folds
+    refuses 'a story without end' "# a\n$(seq 4002 | tr '\n' ' ')\n## Parameters\n" bad_form
+    refuses 'parts out of order' "$(sed 's/^## Proofs/## Lemmas/' docs/01_normal_colouring.md)" bad_form
+    refuses 'angle brackets for a product' '$\\langle a, b \\rangle$\n' bad_notation
+    refuses 'an option in short' "\`build/${chapters[0]} -t 2\`\n" bad_options
     refuses 'a French term that the glossary lacks' 'the ray (*rayon*), the **word** (*mot, rayon*)\n' untranslated
     refuses 'a term twice' "$(sed '/^| acne /p' docs/glossary.md)" bad_glossary
     refuses 'a term without a French name' "$(sed 's/ [*]cellule[*] / /' docs/glossary.md)" bad_glossary
