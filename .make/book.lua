@@ -1,5 +1,6 @@
 -- book.lua - turns a page of docs/ into a chapter of the book: links between pages become links inside
--- the book, a picture alone in a paragraph becomes a numbered figure, comments go.
+-- the book, a picture alone in a paragraph becomes a numbered figure, what is folded moves to the
+-- chapter's end, comments go.
 -- Metadata: page, the file's name such as 03_shadows.md.
 
 local page = 'page'
@@ -166,8 +167,70 @@ local function block(element)
     end
 end
 
+-- ---- What is folded ----
+
+-- What a fold belongs to: an exercise or an experiment by its number, else its section by its title.
+local function owner(title, number)
+    local kind = number and ({Experiments = 'Experiment', Exercises = 'Exercise'})[title]
+    return kind and kind .. ' ' .. number or title
+end
+
+local function latex(text)
+    return pandoc.RawInline('latex', text)
+end
+
+-- The blocks of a page with a reference in the place of each fold, and the folds at the end: first the
+-- hints, so that none stands beside a solution.
+local function unfolded(blocks)
+    local kept, folds, order = {}, {Answer = {}, Hint = {}, Solution = {}}, {'Hint', 'Answer', 'Solution'}
+    local title, number, into, count, reference = '', nil, nil, 0, nil
+    for _, element in ipairs(blocks) do
+        local html = element.t == 'RawBlock' and element.text or ''
+        local kind = html:match('^<details><summary>(%a+)</summary>')
+        if kind and folds[kind] then
+            count = count + 1
+            local label = anchor(page, 'fold-' .. count)
+            reference = reference or pandoc.Para({})
+            if #reference.content == 0 then
+                table.insert(kept, reference)
+            else
+                table.insert(reference.content, pandoc.Space())
+            end
+            table.insert(reference.content, pandoc.Emph({pandoc.Str(kind .. ':')}))
+            table.insert(reference.content, latex(' page~\\pageref{' .. label .. '}.'))
+            into = folds[kind]
+            table.insert(into, pandoc.Para({latex('\\phantomsection\\label{' .. label .. '}'),
+                pandoc.Strong(pandoc.Str(owner(title, number) .. '.'))}))
+        elseif html:match('^</details>') then
+            into = nil
+        elseif into then
+            table.insert(into, element)
+        else
+            reference = nil
+            if element.t == 'Header' and element.level <= 2 then
+                title, number = pandoc.utils.stringify(element.content), nil
+            elseif element.t == 'Para' and element.content[1].t == 'Strong' then
+                number = pandoc.utils.stringify(element.content[1]):match('^(%d+)%.') or number
+            end
+            table.insert(kept, element)
+        end
+    end
+    if count > 0 then
+        table.insert(kept, pandoc.Header(2, {pandoc.Str('Hints, answers and solutions')}, pandoc.Attr('folds')))
+    end
+    for _, kind in ipairs(order) do
+        if #folds[kind] > 0 then
+            table.insert(kept, pandoc.Header(3, {pandoc.Str(kind .. 's')}, pandoc.Attr('folds-' .. kind)))
+        end
+        for _, element in ipairs(folds[kind]) do
+            table.insert(kept, element)
+        end
+    end
+    return kept
+end
+
 function Pandoc(document)
-    local blocks = pandoc.walk_block(pandoc.Div(document.blocks), {
+    local blocks = pandoc.walk_block(pandoc.Div(unfolded(document.blocks)), {
         Header = header, Link = link, Para = paragraph, Image = picture, RawBlock = raw, RawInline = raw, Str = str, Table = table_widths,
         Code = code, CodeBlock = block, Math = formula,
     }).content
