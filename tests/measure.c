@@ -61,6 +61,21 @@ static int print_rate(void)
     return 0;
 }
 
+static int print_foot(void)
+{
+    printf("# normal at the foot of the hit against where the ray meets a ball: worst, degrees\n");
+    printf("radius,threshold,measured,arccos(r / (r + threshold)),sqrt(2 threshold / r)\n");
+    static const double cases[][2] = {
+        {1.0, 5e-4}, {0.52, 5e-4}, {0.27, 5e-4}, {0.16, 5e-4}, {1.0, 1e-2}, {1.0, 1e-5}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        double radius = cases[i][0], threshold = cases[i][1], degrees = 180.0 / MIRROR_PI;
+        printf("%g,%g,%.2f,%.2f,%.2f\n", radius, threshold, measure_foot(radius, threshold),
+               acos(radius / (radius + threshold)) * degrees,
+               sqrt(2.0 * threshold / radius) * degrees);
+    }
+    return 0;
+}
+
 static int print_threshold(void)
 {
     static const double thresholds[] = {0.0001, 0.001, 0.01, 0.05, 0.1, 0.2};
@@ -261,6 +276,7 @@ static int usage(FILE *file)
           "  plane      steps to a plane against the angle\n"
           "  sphere     steps past a ball\n"
           "  rate       how fast a march nears a hit\n"
+          "  foot       normal at the foot of a hit against where the ray meets the surface\n"
           "  threshold  what a threshold adds to an outline\n"
           "  acne       share of lit pixels in their own shadow against the offset\n"
           "  bound      evaluations of a march against the fewest that could do\n"
@@ -303,6 +319,8 @@ int main(int argc, char **argv)
         return print_sphere();
     if (strcmp(argv[1], "rate") == 0)
         return print_rate();
+    if (strcmp(argv[1], "foot") == 0)
+        return print_foot();
     if (strcmp(argv[1], "threshold") == 0 || strcmp(argv[1], "acne") == 0 ||
         strcmp(argv[1], "bound") == 0 || strcmp(argv[1], "speed") == 0)
         return print_with_gpu(argv[1], argc, argv);

@@ -99,6 +99,22 @@ double measure_rate(double cosine)
     return ratio;
 }
 
+double measure_foot(double radius, double threshold)
+{
+    const int rays = 20000;
+    double worst = 0.0;
+    for (int i = 0; i < rays; i++) {
+        // Half of them close to the silhouette.
+        double inside = i % 2 == 0 ? (i + 0.5) / rays : threshold * (i + 0.5) / rays;
+        double aside = radius * (1.0 - inside), x = -5.0, distance;
+        while ((distance = hypot(x, aside) - radius) >= threshold)
+            x += distance;
+        double meets = -sqrt(radius * radius - aside * aside);
+        worst = fmax(worst, fabs(atan2(aside, -x) - atan2(aside, -meets)));
+    }
+    return worst * 180.0 / MIRROR_PI;
+}
+
 // ---- What the threshold adds
 // -----------------------------------------------------------------------
 

@@ -36,6 +36,10 @@ int measure_ball_moves(double delta, double threshold);
 //   cosine  |<N, D>| at the hit, in (0, 1)
 double measure_rate(double cosine);
 
+// The worst angle, in degrees, between the normal of a ball at the foot of the point where a march
+// ends and its normal where the ray meets it, over rays from a distance of 5 that meet it.
+double measure_foot(double radius, double threshold);
+
 // The radius of a ball's outline, in pixels, as the GPU draws it: 640x360, radius 1 seen from a
 // distance of 5. Negative, reported, when it cannot be drawn.
 double measure_outline(double threshold);

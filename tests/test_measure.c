@@ -185,6 +185,21 @@ static void test_rate_is_one_minus_the_cosine(void **unused)
     }
 }
 
+// The normal that a hit gives is that of its foot: at the silhouette not that of the place which the
+// ray meets.
+static void test_normal_at_the_foot_is_near(void **unused)
+{
+    (void)unused;
+    for (double radius = 0.1; radius < 2.0; radius *= 1.7)
+        for (double threshold = 1e-5; threshold < 0.05; threshold *= 7.0) {
+            double bound = acos(radius / (radius + threshold)) * 180.0 / MIRROR_PI;
+            double worst = measure_foot(radius, threshold);
+            assert_true(worst <= bound && worst > 0.7 * bound);
+        }
+    assert_near(measure_foot(1.0, 5e-4), 1.79, 0.02);
+    assert_near(measure_foot(0.27, 5e-4), 3.39, 0.02);
+}
+
 // Counting pixels gives the radius to about 0.1.
 static void test_threshold_fattens_the_outline(void **unused)
 {
@@ -210,6 +225,7 @@ int main(void)
         cmocka_unit_test(test_steps_to_a_plane_follow_the_formula),
         cmocka_unit_test(test_steps_past_a_ball_follow_the_formula),
         cmocka_unit_test(test_rate_is_one_minus_the_cosine),
+        cmocka_unit_test(test_normal_at_the_foot_is_near),
         cmocka_unit_test(test_threshold_fattens_the_outline),
         cmocka_unit_test(test_offset_ends_the_acne),
     };
