@@ -50,6 +50,7 @@ march() { # SHADER X,Y OPTIONS
     options=$(sed -E 's/(-v|--view|--probe) +[^ ]+//g' <<<"$3")
     render "$options" "$1" --probe "$2" 2>/dev/null | awk -F '[,:;]' '
         /^[0-9]/ { t = $2 }
+        /^# no march is/ { exit }
         /^# / { sub(/^# /, "", $1); print t + 0, $1; exit }'
 }
 

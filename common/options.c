@@ -214,7 +214,7 @@ static const struct row {
     {"-v,", "view", " NAME", set_view, OPTIONS_RUN, "picture, normals, depth, steps or slice",
      "picture"},
     {"", "probe", " X,Y", set_probe, OPTIONS_RUN,
-     "print the march of a pixel's ray, the slice's; 0,0 is bottom left", ""},
+     "print the march and colour of a pixel; 0,0 is bottom left; of the slice's ray", ""},
     {"", "overlay", "[=SCALE]", set_overlay, OPTIONS_RUN,
      "scale of the overlay, 0.5 to 8; draws it into a file too", "by the picture's height"},
     {"-b,", "backend", " NAME", set_backend, OPTIONS_RUN, "glfw, egl or osmesa",

@@ -200,7 +200,6 @@ refuse "a view of Shadertoy's form" 1 'toy.frag: .*view depth' "$chapter" "${to[
 whole=$root/chapters/00_first_scene.frag
 refuse 'a view of a whole file' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"
 refuse 'the slice of a whole file' 1 'view slice' "$chapter" "${to[@]}" -v slice -f "$whole"
-refuse '--probe of a whole file' 1 '00_first_scene.frag' "$chapter" "${small[@]}" --probe 1,1 -f "$whole"
 
 # ---- A shader's errors: the author's own file and line ----
 

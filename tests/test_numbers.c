@@ -143,13 +143,29 @@ static void a_probe_has_a_row_for_each_step(void **unused)
                                        .steps = 2,
                                        .all_steps = 71,
                                        .evaluations = 346,
-                                       .end = PROBE_GAVE_UP};
+                                       .end = PROBE_GAVE_UP,
+                                       .recorded = true,
+                                       .colour = {7, 0, 255}};
+    static struct probe other; // too large for the stack
+    other = probe;
     FILE *file = tmpfile();
     assert_non_null(file);
     probe_print(&probe, file);
-    assert_string_equal(printed(file), "step,t,distance,x,y,z\n0,0,1.5,1,2,3\n1,1.5,-0.25,4,5,6\n"
-                                       "# miss: the steps ran out; steps: 2, with shadow rays 71; "
-                                       "evaluations of the scene: 346\n");
+    assert_string_equal(printed(file),
+                        "step,t,distance,x,y,z\n0,0,1.5,1,2,3\n1,1.5,-0.25,4,5,6\n"
+                        "# miss: the steps ran out; steps: 2; steps of shadow "
+                        "rays: 69; evaluations of the scene: 346; colour: 7, 0, 255\n");
+    other.steps = 0;
+    other.all_steps = 0;
+    assert_non_null(file = tmpfile());
+    probe_print(&other, file);
+    assert_string_equal(printed(file),
+                        "step,t,distance,x,y,z\n# miss: the steps ran out; steps: 0; "
+                        "evaluations of the scene: 346; colour: 7, 0, 255\n");
+    other.recorded = false;
+    assert_non_null(file = tmpfile());
+    probe_print(&other, file);
+    assert_string_equal(printed(file), "# no march is recorded; colour: 7, 0, 255\n");
 }
 
 static const char *benchmark_text(bool json)

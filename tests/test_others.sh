@@ -164,7 +164,8 @@ wrong 'wrong.frag: writes no colour: declare out vec4 FragColor; and' 'no output
 wrong 'wrong.frag:16: error: .*FragColour' 'an output of another name' "$basic" 'FragColour = vec4(FragCoord, 0, 1);'
 as scene renamed 'a macro that stands for the colour' < <(report_scene "$(printf '#define COULEUR FragColor\n%s' "$basic")" "${still/FragColor/COULEUR}")
 refused views 'views.frag: cannot show the view steps: it has a main of its own' "the report's form: no views" -v steps <"$scratch/scene.frag"
-refused probe 'probe.frag: cannot show a probe: it has a main of its own' "the report's form: no probe" --probe 5,5 <"$scratch/scene.frag"
+colour() { "$program" -f "$scratch/$1.frag" "${size[@]}" --probe 5,5 | grep -qx '# no march is recorded; colour: [0-9]*, [0-9]*, [0-9]*'; }
+check "the report's form: a probe tells the colour" colour scene
 
 # ---- Shadertoy's form ----
 
@@ -252,7 +253,7 @@ toy_wrong 'toy_wrong.frag:1: error' 'an error in its first line' 'float x = vec2
 head='float mainImage(out vec4 c, in vec2 p)' toy_wrong 'toy_wrong.frag:14: error' 'a mainImage that returns something' '' "$toy_body return 1.0;"
 refused toy_open 'toy_open.frag:[0-9]*: error' "Shadertoy's form: a brace that is not closed" < <(sed '$d' "$scratch/toy.frag")
 refused toy_views 'toy_views.frag: cannot show the view normals: it has a main of its own' "Shadertoy's form: no views" -v normals <"$scratch/toy.frag"
-refused toy_probe 'cannot show a probe' "Shadertoy's form: no probe" --probe 5,5 <"$scratch/toy.frag"
+check "Shadertoy's form: a probe tells the colour" colour toy
 
 # ---- Valid shaders that are hard to read: each must be white, as the specification has it ----
 

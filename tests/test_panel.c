@@ -23,7 +23,9 @@ static const struct probe probe = {.step = {{.t = 0.0f, .distance = 1.5f}, {1.5f
                                    .steps = 2,
                                    .all_steps = 71,
                                    .evaluations = 346,
-                                   .end = PROBE_PASSED};
+                                   .end = PROBE_PASSED,
+                                   .recorded = true,
+                                   .colour = {7, 0, 255}};
 
 static int close_overlay(void **unused)
 {
@@ -66,8 +68,9 @@ static void a_ray_s_march_is_told(void **unused)
     assert_true(says("ray of pixel 31, 47"));
     assert_true(says("1.50000") && says("0.250000"));
     assert_true(says("miss: passed the far limit"));
-    assert_true(says("steps 2, of all marches 71"));
+    assert_true(says("steps 2, of shadow rays 69"));
     assert_true(says("evaluations of the scene 346"));
+    assert_true(says("colour 7, 0, 255"));
 }
 
 static void the_status_is_told(void **unused)

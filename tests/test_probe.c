@@ -281,6 +281,55 @@ static void test_steps_view_shows_what_the_probe_counts(void **unused)
     image_free(&image);
 }
 
+// ---- The colour
+// -----------------------------------------------------------------------------------
+
+// At some pixels the probe's colour is the picture's, to the bit, whatever bands and samples that
+// is made of; in the slice view the one that the picture has.
+static void check_colours(const struct renderer_inputs *inputs, enum shader_view view)
+{
+    struct image image = {0};
+    assert_true(renderer_set_view(&gpu.renderer, view));
+    assert_true(renderer_picture(&gpu.renderer, inputs, &image));
+    if (view == SHADER_PICTURE && gpu.renderer.fragment.form == SHADER_COURSE)
+        assert_true(renderer_set_view(&gpu.renderer, SHADER_SLICE));
+    for (int i = 0; i < 40; i++) {
+        int x = i * 7919 % image.width, y = i * 6271 % image.height;
+        assert_true(renderer_probe(&gpu.renderer, inputs, x, y, &probe));
+        assert_int_equal(probe.recorded, gpu.renderer.fragment.form == SHADER_COURSE);
+        assert_memory_equal(probe.colour,
+                            image.pixel + 3 * ((image.height - 1 - y) * image.width + x), 3);
+    }
+    image_free(&image);
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+}
+
+static void test_colour_is_the_picture_s(void **unused)
+{
+    (void)unused;
+    static const char *const stems[] = {"03_shadows", "06_sierpinski_symmetry",
+                                        "08_orthographic_view", "09_sky_and_sunset",
+                                        "00_first_scene"};
+    struct renderer_inputs inputs;
+    for (int i = 0; i < 5; i++) {
+        load_chapter(stems[i], &inputs);
+        inputs.width = 150 + i;
+        inputs.height = 85;
+        inputs.samples = 1 + i % 3;
+        inputs.time = i;
+        check_colours(&inputs, SHADER_PICTURE);
+        if (gpu.renderer.fragment.form == SHADER_COURSE)
+            check_colours(&inputs, i == 3 ? SHADER_STEPS : SHADER_NORMALS);
+    }
+    inputs = (struct renderer_inputs){.width = 16384, .height = 300, .samples = 1}; // two bands
+    assert_true(gpu_load("chapters/first_steps/1_screen.frag"));
+    check_colours(&inputs, SHADER_PICTURE);
+    assert_true(gpu_load_text("void mainImage(out vec4 c, vec2 p)\n"
+                              "{ c = vec4(fract(sin(p.x * 12.9 + p.y * 78.2) * 43758.5)); }\n"));
+    inputs = gpu_inputs(61, 47, 3);
+    check_colours(&inputs, SHADER_PICTURE);
+}
+
 // ---- Through the program
 // -------------------------------------------------------------------------
 
@@ -328,13 +377,16 @@ static void test_program_prints_the_table(void **unused)
     assert_null(strtok(NULL, "\n"));
 }
 
-static void test_program_refuses_a_whole_file(void **unused)
+static void test_program_tells_the_colour_of_a_whole_file(void **unused)
 {
     (void)unused;
     char text[4096];
-    assert_int_equal(run("00_first_scene --probe 320,180", text, sizeof text), 1);
-    const char *end = strchr(text, '\n');
-    assert_true(end != NULL && end > text && end[1] == '\0');
+    assert_int_equal(run("00_first_scene --probe 320,180", text, sizeof text), 0);
+    int colour[3], length = 0;
+    assert_int_equal(sscanf(text, "# no march is recorded; colour: %d, %d, %d\n%n", &colour[0],
+                            &colour[1], &colour[2], &length),
+                     3);
+    assert_int_equal(length, strlen(text));
 }
 
 int main(void)
@@ -344,8 +396,9 @@ int main(void)
         cmocka_unit_test(test_probe_of_chapter_02),
         cmocka_unit_test(test_probe_of_chapter_03),
         cmocka_unit_test(test_steps_view_shows_what_the_probe_counts),
+        cmocka_unit_test(test_colour_is_the_picture_s),
         cmocka_unit_test(test_program_prints_the_table),
-        cmocka_unit_test(test_program_refuses_a_whole_file),
+        cmocka_unit_test(test_program_tells_the_colour_of_a_whole_file),
     };
     return cmocka_run_group_tests_name("probe", tests, gpu_setup, gpu_teardown);
 }

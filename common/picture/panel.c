@@ -368,9 +368,14 @@ static void write_outcome(struct pen *pen, const struct probe *probe)
 {
     char text[80];
     write_line(pen, probe_outcome(probe), BRIGHT);
-    snprintf(text, sizeof text, "steps %d, of all marches %d", probe->steps, probe->all_steps);
+    int others = probe->all_steps - probe->steps;
+    snprintf(text, sizeof text, others > 0 ? "steps %d, of shadow rays %d" : "steps %d",
+             probe->steps, others);
     write_line(pen, text, PLAIN);
     snprintf(text, sizeof text, "evaluations of the scene %d", probe->evaluations);
+    write_line(pen, text, PLAIN);
+    snprintf(text, sizeof text, "colour %d, %d, %d", probe->colour[0], probe->colour[1],
+             probe->colour[2]);
     write_line(pen, text, PLAIN);
 }
 
@@ -382,8 +387,8 @@ static float march_left(const struct overlay *overlay)
 static void write_march(const struct panel *panel, struct overlay *overlay, float bottom)
 {
     const struct probe *probe = panel->probe;
-    // Heading, titles, three lines of the outcome, two rules.
-    int most = (int)((bottom - MARGIN - 2.0f * PADDING) / LINE) - 6;
+    // Heading, titles, four lines of the outcome, two rules.
+    int most = (int)((bottom - MARGIN - 2.0f * PADDING) / LINE) - 7;
     int rows = probe_rows(probe) < most ? probe_rows(probe) : most;
     if (rows < 1 && probe_rows(probe) > 0)
         return; // the keys take all the room
@@ -393,7 +398,7 @@ static void write_march(const struct panel *panel, struct overlay *overlay, floa
              rows < probe_rows(probe) ? "last steps of pixel" : "ray of pixel", panel->pixel[0],
              panel->pixel[1]);
     struct pen pen = open_panel(overlay, march_left(overlay), MARGIN, INSPECTOR_WIDTH,
-                                LINE * ((float)rows + 6.0f) - 2.0f);
+                                LINE * ((float)rows + 7.0f) - 2.0f);
     write_line(&pen, heading, BRIGHT);
     rule(&pen, INSPECTOR_WIDTH);
     write_steps(&pen, probe, rows);

@@ -9,6 +9,7 @@ void probe_unpack(struct probe *probe, const float *values)
     probe->end = (enum probe_end)(int)row[0][0][3];
     probe->all_steps = (int)row[2][0][0];
     probe->evaluations = (int)row[2][0][1];
+    probe->recorded = true;
     memcpy(probe->interval, &row[2][0][2], sizeof probe->interval);
     for (int k = 0; k < PROBE_STEPS; k++) {
         probe->step[k].t = row[0][k][0];
@@ -29,7 +30,7 @@ const char *probe_outcome(const struct probe *probe)
     return ends[probe->end];
 }
 
-void probe_print(const struct probe *probe, FILE *file)
+static void print_march(const struct probe *probe, FILE *file)
 {
     fprintf(file, "step,t,distance,x,y,z\n");
     for (int i = 0; i < probe_rows(probe); i++) {
@@ -37,6 +38,17 @@ void probe_print(const struct probe *probe, FILE *file)
         fprintf(file, "%d,%.9g,%.9g,%.9g,%.9g,%.9g\n", i, (double)step->t, (double)step->distance,
                 (double)step->position[0], (double)step->position[1], (double)step->position[2]);
     }
-    fprintf(file, "# %s; steps: %d, with shadow rays %d; evaluations of the scene: %d\n",
-            probe_outcome(probe), probe->steps, probe->all_steps, probe->evaluations);
+    fprintf(file, "# %s; steps: %d; ", probe_outcome(probe), probe->steps);
+    if (probe->all_steps > probe->steps)
+        fprintf(file, "steps of shadow rays: %d; ", probe->all_steps - probe->steps);
+    fprintf(file, "evaluations of the scene: %d; ", probe->evaluations);
+}
+
+void probe_print(const struct probe *probe, FILE *file)
+{
+    if (probe->recorded)
+        print_march(probe, file);
+    else
+        fprintf(file, "# no march is recorded; ");
+    fprintf(file, "colour: %d, %d, %d\n", probe->colour[0], probe->colour[1], probe->colour[2]);
 }

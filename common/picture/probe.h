@@ -2,6 +2,7 @@
 #ifndef PROBE_H
 #define PROBE_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #define PROBE_STEPS 2048 // that one probe can hold
@@ -24,9 +25,11 @@ struct probe {
     int evaluations;    // of the scene's distance, the normal's included
     enum probe_end end; // why the first march stopped
     float interval[2];  // where it was asked to look, scene units along the ray; 0, 0: not said
+    bool recorded;      // false: a file with a main of its own, of which the colour alone is known
+    unsigned char colour[3]; // of the pixel in the picture
 };
 
-// Take over what shaders/main.glsl draws for a probe: in column k
+// Take over what shaders/main.glsl draws for a probe, all but the colour: in column k
 //   row 0  t, distance, steps of the first march, why it ended
 //   row 1  position x, y, z, -
 //   row 2  steps of all marches, evaluations, where the first march was asked to look
@@ -40,8 +43,8 @@ int probe_rows(const struct probe *probe);
 // Why the first march stopped: "hit", ...
 const char *probe_outcome(const struct probe *probe);
 
-// The table: what the march of one ray knew at each step, then a line that says why it ended and
-// what the pixel cost.
+// The table: what the march of one ray knew at each step, then a line that says why it ended, what
+// the pixel cost and what colour it has.
 void probe_print(const struct probe *probe, FILE *file);
 
 #endif

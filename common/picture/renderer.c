@@ -23,8 +23,9 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
     if (!shader_read(&renderer->vertex, path, root))
         return false;
     gl->GenVertexArrays(1, &renderer->vertex_array);
-    struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table};
-    for (int i = 0; i < 3; i++) {
+    struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table,
+                                         &renderer->single};
+    for (int i = 0; i < 4; i++) {
         gl->GenFramebuffers(1, &targets[i]->framebuffer);
         gl->GenTextures(1, &targets[i]->texture);
     }
@@ -45,8 +46,9 @@ void renderer_close(struct renderer *renderer)
     if (renderer->gl == NULL)
         return;
     forget_programs(renderer);
-    struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table};
-    for (int i = 0; i < 3; i++) {
+    struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table,
+                                         &renderer->single};
+    for (int i = 0; i < 4; i++) {
         renderer->gl->DeleteTextures(1, &targets[i]->texture);
         renderer->gl->DeleteFramebuffers(1, &targets[i]->framebuffer);
     }
@@ -213,6 +215,30 @@ static void draw_samples(const struct renderer *renderer, int samples, int botto
     }
 }
 
+// March the ray of a pixel, which leaves its steps in the table.
+static bool march_pixel(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
+                        int y, struct probe *probe)
+{
+    const struct gl *gl = renderer->gl;
+    if (!link_view(renderer, &renderer->fragment, SHADER_PROBE, renderer->program) ||
+        !bind_target(renderer, &renderer->table, PROBE_STEPS, PROBE_ROWS))
+        return false;
+    use_program(renderer, inputs, SHADER_PROBE);
+    gl->Uniform2f(location(renderer, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
+    gl->Viewport(0, 0, PROBE_STEPS, PROBE_ROWS);
+    const float none[2] = {0.0f, 0.0f};
+    draw_pass(renderer, none, none);
+    float *values = malloc(4 * sizeof *values * PROBE_STEPS * PROBE_ROWS);
+    if (values == NULL) {
+        report("probe %d,%d: not enough memory", x, y);
+        return false;
+    }
+    renderer_read(renderer, &renderer->table, values);
+    probe_unpack(probe, values);
+    free(values);
+    return true;
+}
+
 // The march that a slice shows.
 struct march {
     int pixel[2];
@@ -230,7 +256,7 @@ static bool march_for_slice(struct renderer *renderer, const struct renderer_inp
         march->pixel[i] = inputs->pixel[i] < 0 ? size[i] / 2 : inputs->pixel[i];
     struct probe *probe = malloc(sizeof *probe);
     bool done =
-        probe != NULL && renderer_probe(renderer, inputs, march->pixel[0], march->pixel[1], probe);
+        probe != NULL && march_pixel(renderer, inputs, march->pixel[0], march->pixel[1], probe);
     if (probe == NULL)
         report("slice of %d,%d: not enough memory", march->pixel[0], march->pixel[1]);
     if (done) {
@@ -265,6 +291,7 @@ struct part {
     struct renderer_target *target;
     int bottom, height; // the rows of the picture that the target holds
     int from, to;       // the rows of the target to draw
+    int left, right;    // and its columns
 };
 
 static bool draw_part(struct renderer *renderer, const struct renderer_inputs *inputs,
@@ -291,8 +318,9 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
     }
     gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     for (int y = part->from; y < part->to; y += TILE)
-        for (int x = 0; x < inputs->width; x += TILE) {
-            gl->Scissor(x, y, TILE, part->to - y < TILE ? part->to - y : TILE);
+        for (int x = part->left; x < part->right; x += TILE) {
+            gl->Scissor(x, y, part->right - x < TILE ? part->right - x : TILE,
+                        part->to - y < TILE ? part->to - y : TILE);
             gl->Clear(GL_COLOR_BUFFER_BIT); // a shader may discard its pixel
             draw_samples(renderer, inputs->samples, part->bottom);
             gl->Flush();
@@ -305,14 +333,14 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows)
 {
-    struct part part = {&renderer->picture, bottom, rows, 0, rows};
+    struct part part = {&renderer->picture, bottom, rows, 0, rows, 0, inputs->width};
     return draw_part(renderer, inputs, &part);
 }
 
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
                       int rows)
 {
-    struct part part = {&renderer->sharp, 0, inputs->height, from, from + rows};
+    struct part part = {&renderer->sharp, 0, inputs->height, from, from + rows, 0, inputs->width};
     return draw_part(renderer, inputs, &part);
 }
 
@@ -344,12 +372,16 @@ void renderer_read(const struct renderer *renderer, const struct renderer_target
     gl->ReadPixels(0, 0, target->width, target->height, GL_RGBA, GL_FLOAT, values);
 }
 
+static int rows_of_band(const struct renderer_inputs *inputs)
+{
+    int band = BAND_PIXELS / inputs->width;
+    return band < inputs->height ? band : inputs->height;
+}
+
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
                       struct image *image)
 {
-    int band = BAND_PIXELS / inputs->width;
-    if (band > inputs->height)
-        band = inputs->height;
+    int band = rows_of_band(inputs);
     float *values = malloc(4 * sizeof *values * (size_t)inputs->width * (size_t)band);
     if (values == NULL || !image_create(image, inputs->width, inputs->height)) {
         if (values == NULL)
@@ -414,25 +446,34 @@ void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[
     pixel[1] = inputs->height - 1 - (int)floor(place[1] * inputs->height / window[1]);
 }
 
+// Draw a pixel where its band of the picture has it, so that it gets the same bits.
+static bool colour_pixel(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
+                         int y, unsigned char colour[3])
+{
+    int band = rows_of_band(inputs), row = y % band;
+    struct part part = {&renderer->single, y - row, band, row, row + 1, x, x + 1};
+    struct image pixel = {1, 1, colour};
+    float value[4];
+    enum shader_view view = renderer->view;
+    if (view == SHADER_SLICE &&
+        !link_view(renderer, &renderer->fragment, SHADER_PICTURE, renderer->program))
+        return false;
+    if (view == SHADER_SLICE)
+        renderer->view = SHADER_PICTURE;
+    bool done = draw_part(renderer, inputs, &part);
+    renderer->view = view;
+    if (done) {
+        renderer->gl->ReadPixels(x, row, 1, 1, GL_RGBA, GL_FLOAT, value);
+        image_store(&pixel, value, 0, 1);
+    }
+    return done;
+}
+
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe)
 {
-    const struct gl *gl = renderer->gl;
-    if (!link_view(renderer, &renderer->fragment, SHADER_PROBE, renderer->program) ||
-        !bind_target(renderer, &renderer->table, PROBE_STEPS, PROBE_ROWS))
-        return false;
-    use_program(renderer, inputs, SHADER_PROBE);
-    gl->Uniform2f(location(renderer, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
-    gl->Viewport(0, 0, PROBE_STEPS, PROBE_ROWS);
-    const float none[2] = {0.0f, 0.0f};
-    draw_pass(renderer, none, none);
-    float *values = malloc(4 * sizeof *values * PROBE_STEPS * PROBE_ROWS);
-    if (values == NULL) {
-        report("probe %d,%d: not enough memory", x, y);
-        return false;
-    }
-    renderer_read(renderer, &renderer->table, values);
-    probe_unpack(probe, values);
-    free(values);
-    return true;
+    memset(probe, 0, sizeof *probe);
+    return (renderer->fragment.form != SHADER_COURSE ||
+            march_pixel(renderer, inputs, x, y, probe)) &&
+           colour_pixel(renderer, inputs, x, y, probe->colour);
 }

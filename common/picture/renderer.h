@@ -52,6 +52,7 @@ struct renderer {
     struct renderer_target picture;
     struct renderer_target sharp;  // a window's picture that is drawn in several frames
     struct renderer_target table;  // of a probe, one column a step: the slice view reads it
+    struct renderer_target single; // of a probe: one pixel of the picture is drawn
     const struct overlay *overlay; // drawn over every written picture, not owned; NULL: none
 };
 
@@ -115,8 +116,10 @@ bool renderer_sharp_picture(struct renderer *renderer, struct image *image);
 void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[2],
                        const int window[2], int pixel[2]);
 
-// March the ray of pixel (x, y), 0,0 bottom left, and bring back every step.
-// Returns false, reported: the shader has no trace, the driver failed.
+// March the ray of pixel (x, y), 0,0 bottom left, and bring back every step, and the colour that
+// the picture has there: in the view that is shown, but for the slice, in which the pixel is
+// nowhere. Of a file with a main of its own the colour alone. Returns false, reported: the driver
+// failed.
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
 

@@ -237,10 +237,9 @@ bool shader_has_view(const struct shader_source *source, enum shader_view view)
     if (view == SHADER_PICTURE || source->form == SHADER_COURSE)
         return true;
     return report(
-        "%s: cannot show %s%s: it has a main of its own, which records nothing of its rays: "
+        "%s: cannot show the view %s: it has a main of its own, which records nothing of its rays: "
         "the chapters from 01 on have all views",
-        source->files[0], view == SHADER_PROBE ? "a probe" : "the view ",
-        view == SHADER_PROBE ? "" : shader_view_name(view));
+        source->files[0], shader_view_name(view));
 }
 
 // ---- What the driver gets ----

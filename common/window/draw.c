@@ -49,9 +49,10 @@ static bool program_uses_time(const struct window *window, GLuint program)
 bool window_uses_time(const struct window *window)
 {
     const struct renderer *renderer = window->renderer;
-    bool marches = window->inputs.pixel[0] >= 0 || renderer->view == SHADER_SLICE;
+    bool slice = renderer->view == SHADER_SLICE, chosen = window->inputs.pixel[0] >= 0;
     return program_uses_time(window, renderer->program[renderer->view]) ||
-           (marches && program_uses_time(window, renderer->program[SHADER_PROBE]));
+           ((chosen || slice) && program_uses_time(window, renderer->program[SHADER_PROBE])) ||
+           (chosen && slice && program_uses_time(window, renderer->program[SHADER_PICTURE]));
 }
 
 // ---- Keys ----
