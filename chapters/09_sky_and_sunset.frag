@@ -102,12 +102,37 @@ Place placeAlong(Ray ray)
 
 // ---- What it is made of, found once, at the hit ----
 
+// A window's glass, as a share of the wall that it has for itself, across and up: a shop's, and one of the
+// floors above. And the share of each that is lit in the evening.
+const vec2  SHOP = vec2(0.86, 0.7);
+const vec2  WINDOW = vec2(0.6, 0.56);
+const float SHOPS_LIT = 0.8;
+const float WINDOWS_LIT = 0.42;
+
 struct Material {
     vec3  colour; // the share of each colour that comes back in all directions
     float pane;   // the share of the pixel that is a window, which mirrors
     float gloss;  // the share that is asphalt, which glints
     vec3  glow;   // light of its own
 };
+
+// How far the street lamps are on: from a little before sunset until a little after sunrise.
+float lampsOn(vec3 sun)
+{
+    return 1.0 - smoothstep(-0.02, 0.12, sun.y);
+}
+
+// How far people light their windows: from dusk on, until they sleep, when the sun is deep down.
+float windowsOn(vec3 sun)
+{
+    return (1.0 - smoothstep(-0.08, 0.2, sun.y)) * smoothstep(-0.85, -0.4, sun.y);
+}
+
+// From the nearest lamp's bulb, across the street folded into one.
+vec3 fromBulb(Place place)
+{
+    return pavement(place.block.local) - LAMP;
+}
 
 // The share of windows in a pixel of a wall (x), and how brightly they are lit (y).
 //   at      the place on the wall, in windows and floors
@@ -117,11 +142,11 @@ vec2 windowsAt(Place place, vec2 at, float random, vec3 sun)
     vec2 width = vec2(place.width / place.facing, place.width) / BAY.xy;
     float blur = blurred(max(width.x, width.y));
     bool shop = at.y < 1.0, there = place.tower && !place.ground && abs(place.normal.y) < 0.5;
-    vec2 filled = shop ? vec2(0.86, 0.7) : vec2(0.6, 0.56);
-    float pane = stripes(at.x, filled.x, width.x) * stripes(at.y, filled.y, width.y);
-    float share = (shop ? 0.8 : 0.42) * (1.0 - smoothstep(-0.08, 0.2, sun.y)) * smoothstep(-0.85, -0.4, sun.y);
+    vec2 glass = shop ? SHOP : WINDOW;
+    float pane = stripes(at.x, glass.x, width.x) * stripes(at.y, glass.y, width.y);
+    float share = (shop ? SHOPS_LIT : WINDOWS_LIT) * windowsOn(sun);
     float lit = random < share ? 0.25 + 0.75 * fract(64.0 * random) : 0.0;
-    return vec2(there ? mix(pane, filled.x * filled.y, blur) : 0.0, mix(lit, 0.6 * share, blur));
+    return vec2(there ? mix(pane, glass.x * glass.y, blur) : 0.0, mix(lit, 0.6 * share, blur));
 }
 
 // The ground: a roadway with a dashed line between pavements.
@@ -135,7 +160,7 @@ vec3 groundColour(Place place, float asphalt)
     return mix(vec3(0.27, 0.25, 0.23), vec3(0.06, 0.062, 0.07) + 0.5 * dash, asphalt);
 }
 
-// A random number of its own has each window of each side of each tower, and each leaf.
+// Each window of each side of each tower has a random number of its own, and so has each leaf.
 Material materialAt(Place place, vec3 sun)
 {
     vec3 local = place.block.local, normal = place.normal;
@@ -151,7 +176,9 @@ Material materialAt(Place place, vec3 sun)
     float leaf = mix(0.45 + 1.1 * random, 1.0, min(32.0 * place.width, 1.0));
     vec3 other = place.lamp ? vec3(0.04) : vec3(0.045, 0.085, 0.025) * leaf;
     vec3 colour = place.ground ? groundColour(place, asphalt) : place.tower ? tower : other;
-    return Material(colour, windows.x, place.ground ? asphalt : 0.0, 0.25 * LAMPLIGHT * windows.x * windows.y);
+    bool bulb = place.lamp && length(fromBulb(place)) < 0.06;
+    float glow = 0.25 * windows.x * windows.y + (bulb ? 1.3 * lampsOn(sun) : 0.0);
+    return Material(colour, windows.x, place.ground ? asphalt : 0.0, glow * LAMPLIGHT);
 }
 
 // ---- What light arrives, and what goes to the eye ----
@@ -162,35 +189,39 @@ float lightSeen(Place place, vec3 toLight)
 {
     bool faces = place.met && dot(place.normal, toLight) > 0.02;
     float far = faces ? min(SHADOW_FAR, (TALLEST - place.p.y) / toLight.y) : 0.0;
-    Ray up = shadowRay(place.p, place.normal, toLight, 0.03 + place.width);
-    return march(up, 0.0, far, 0.01, 64).t < far ? 0.0 : 1.0;
+    Ray ray = shadowRay(place.p, place.normal, toLight, 0.03 + place.width);
+    return march(ray, 0.0, far, 0.01, 64).t < far ? 0.0 : 1.0;
 }
 
-// What a place sends to the eye.
-//   sky  the sky behind it: a wall that one looks along mirrors nearly the same
+// What a matt surface receives: the beam of sun or moon, the light of all the sky with a little of the
+// beam that streets throw about, and the nearest lamp's.
+//   direct  what of the beam comes here: the beam, or black in the shade
+vec3 receivedLight(Place place, vec3 sun, vec3 beam, vec3 direct)
+{
+    vec3 around = skyAmbient(sun, airDepth()) + 0.1 * beam, toBulb = -fromBulb(place);
+    float catches = lampsOn(sun) * lambert(place.normal, normalize(toBulb)) / (0.1 + dot(toBulb, toBulb));
+    vec3 open = direct * lambert(place.normal, lightDirection(sun)) + (0.6 + 0.4 * place.normal.y) * around;
+    return open + 0.08 * catches * LAMPLIGHT;
+}
+
+// What panes mirror of the sky, and asphalt of the sun: the more, the flatter one looks. Panes that are
+// not quite flat mirror sooner than Schlick's fifth power has it: the fourth, by eye.
+//   sky  the sky behind the place: a wall along which one looks mirrors nearly the same
+vec3 mirroredLight(Place place, Material material, vec3 direction, vec3 sun, vec3 direct, vec3 sky)
+{
+    float grazing = 1.0 - place.facing, square = grazing * grazing;
+    vec3 panes = material.pane * (abs(place.normal.x) > 0.5 ? sky : 0.7 * skyAmbient(sun, airDepth()));
+    vec3 glint = 0.5 * glow(reflect(direction, place.normal), lightDirection(sun), 0.75) * direct;
+    return (0.04 + 0.96 * square * square) * (panes + material.gloss * glint);
+}
+
+// What a place sends to the eye: matt, mirrored, and its own.
 vec3 placeLight(Place place, vec3 direction, vec3 sun, vec3 sky)
 {
     Material material = materialAt(place, sun);
-    vec3 normal = place.normal, toLight = lightDirection(sun);
-    vec3 lamp = LAMP - pavement(place.block.local);
-
-    // Matt: of the light in sight, of all the sky, of the lamp.
-    vec3 ambient = skyAmbient(sun, airDepth()), beam = sunOrMoonLight(sun, airDepth());
-    vec3 direct = lightSeen(place, toLight) * beam;
-    float dusk = 1.0 - smoothstep(-0.02, 0.12, sun.y);
-    float catches = dusk * lambert(normal, normalize(lamp)) / (0.1 + dot(lamp, lamp));
-    vec3 received = direct * lambert(normal, toLight) + (ambient + 0.1 * beam) * (0.6 + 0.4 * normal.y);
-    vec3 light = material.colour * (received + 0.08 * LAMPLIGHT * catches);
-
-    // Mirrored, the more so the flatter one looks: in panes, which are not quite flat and mirror sooner
-    // than Fresnel's law has it, and on asphalt.
-    float grazing = 1.0 - place.facing;
-    float share = 0.04 + 0.96 * grazing * grazing * grazing * grazing;
-    vec3 mirrored = material.pane * (abs(normal.x) > 0.5 ? sky : 0.7 * ambient);
-    vec3 glint = 0.5 * material.gloss * direct * glow(reflect(direction, normal), toLight, 0.75);
-    light += share * (mirrored + glint) + material.glow;
-    bool bulb = place.lamp && dot(lamp, lamp) < 0.0036;
-    return light + (bulb ? 1.3 * dusk * LAMPLIGHT : vec3(0.0));
+    vec3 beam = sunOrMoonLight(sun, airDepth()), direct = lightSeen(place, lightDirection(sun)) * beam;
+    vec3 mirrored = mirroredLight(place, material, direction, sun, direct, sky);
+    return material.colour * receivedLight(place, sun, beam, direct) + mirrored + material.glow;
 }
 
 // ---- The picture ----
@@ -199,8 +230,8 @@ vec3 placeLight(Place place, vec3 direction, vec3 sun, vec3 sky)
 // is brought below 1 as film does it: the more there is, the less more counts.
 vec3 exposed(vec3 light, vec3 sun)
 {
-    float eye = 0.95 / sqrt(skyAmbient(sun, airDepth()).y + 0.02);
-    vec3 x = max(eye * light, 0.0);
+    float exposure = 0.95 / sqrt(skyAmbient(sun, airDepth()).y + 0.02);
+    vec3 x = max(exposure * light, 0.0);
     return encodeSRGB(1.0 - 1.0 / (1.0 + x + x * x));
 }
 

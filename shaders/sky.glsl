@@ -3,10 +3,10 @@
 // The air is a shell of even density round the Earth. Heights are given by their sine, for that is
 // the y of a direction of length 1.
 
-// Optical depth of the air overhead for red, green and blue: what it scatters of 680, 550 and 440 nm,
-// in proportion to the wavelength to the power -4.
+// Optical depth of the air overhead for red, green and blue: what it scatters of 680, 550 and 440 nm.
 // Source: J. E. Hansen, L. D. Travis, 'Light scattering in planetary atmospheres', Space Science
-// Reviews 16 (1974), section 2.1, at sea level, rounded.
+// Reviews 16 (1974), section 2.1, at sea level: 0.041, 0.097, 0.243, rounded. The wavelength to the power
+// -4 alone, from 0.1 for green, would give 0.043, 0.1, 0.244.
 const vec3 RAYLEIGH = vec3(0.04, 0.1, 0.25);
 
 // Radius of the Earth in thicknesses of the shell: with it the air mass at the horizon is
@@ -16,12 +16,12 @@ const float EARTH = 721.5;
 // How much air a ray passes, as a multiple of the air overhead.
 //   sinHeight  sine of the height above the horizon, in [-1, 1]; below the horizon as at it
 //   returns    1 at the zenith, 38 at the horizon; about 1 / sinHeight where that is large
-//   formula    (2 E + 1) / (sqrt((E s)^2 + 2 E + 1) + E s), E = EARTH, s = max(sinHeight, 0)
+//   formula    (2 E + 1) / (sqrt((E y)^2 + 2 E + 1) + E y), E = EARTH, y = max(sinHeight, 0)
 float airMass(float sinHeight)
 {
-    float s = EARTH * max(sinHeight, 0.0);
+    float climb = EARTH * max(sinHeight, 0.0);
     float horizon = 2.0 * EARTH + 1.0;
-    return horizon / (sqrt(s * s + horizon) + s);
+    return horizon / (sqrt(climb * climb + horizon) + climb);
 }
 
 // The share of the light that comes through the air, per channel.
@@ -57,12 +57,12 @@ vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
 //   declination  of the sun, degrees, in [-23.44, 23.44]: 0 at the equinoxes
 //   formula      with H = 15 (hour - 12) degrees, p the latitude, d the declination:
 //                (cos p sin d - sin p cos d cos H, sin p sin d + cos p cos d cos H, -cos d sin H);
-//                cos H and sin H by the sine h of H / 2: 1 - 2 h^2 and 2 h sqrt(1 - h^2), exact but
+//                cos H and sin H by the sine k of H / 2: 1 - 2 k^2 and 2 k sqrt(1 - k^2), exact but
 //                within a minute of midnight, where rounding moves the sun by up to 0.0005
 vec3 sunDirection(float hour, float latitude, float declination)
 {
-    float h = sin(radians(7.5 * (mod(hour, 24.0) - 12.0))); // of H / 2, whose cosine is not negative
-    vec2 turn = vec2(1.0 - 2.0 * h * h, 2.0 * h * sqrt(max(1.0 - h * h, 0.0)));
+    float k = sin(radians(7.5 * (mod(hour, 24.0) - 12.0))); // of H / 2, whose cosine is not negative
+    vec2 turn = vec2(1.0 - 2.0 * k * k, 2.0 * k * sqrt(max(1.0 - k * k, 0.0)));
     vec2 place = vec2(cos(radians(latitude)), sin(radians(latitude)));
     vec2 season = vec2(cos(radians(declination)), sin(radians(declination)));
     return vec3(place.x * season.y - place.y * season.x * turn.x,
