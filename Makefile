@@ -82,14 +82,21 @@ COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES)))
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
 PROGRAMS := $(STEMS:%=$(BUILD)/%)
+# Two whole programs that need one library each and nothing of common/.
+FIRST_STEPS := $(if $(filter glfw,$(BACKENDS)),window) $(if $(filter egl,$(BACKENDS)),picture)
+FIRST_STEPS := $(FIRST_STEPS:%=$(BUILD)/first_steps/%)
 FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard tests/test_*.c)))
 
-programs: $(PROGRAMS)
+programs: $(PROGRAMS) $(FIRST_STEPS)
 tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%)
 fuzzer: $(BUILD)/tests/fuzz
 
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
+
+$(FIRST_STEPS): $(BUILD)/first_steps/%: $(BUILD)/chapters/first_steps/%.o $(EXTRA)
+	@mkdir -p $(@D)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 $(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
