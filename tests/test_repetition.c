@@ -216,6 +216,89 @@ static void test_copies_that_vary_need_the_wall(void **unused)
     assert_true(four.over > 1.0 && three.over > 1.0);
 }
 
+// ---- Is the capped distance continuous? ----
+
+// The distance to the tower of a cell, or a weaker bound: `share` of it.
+static double tower_in(struct d3 p, double period, int x, int z, double share)
+{
+    return share * tower(d3_sub(p, d3(period * x, 0.0, period * z)), x, z);
+}
+
+// The own tower, which reaches 0.8 from the middle of its cell of 2, and cellOthers.
+static double own_and_others(struct d3 p, double share)
+{
+    int x = (int)floor(p.x / 2.0 + 0.5), z = (int)floor(p.z / 2.0 + 0.5);
+    double cap = 2.0 - fmax(fabs(p.x - 2.0 * x), fabs(p.z - 2.0 * z)) - 0.8;
+    return fmin(tower_in(p, 2.0, x, z, share), cap);
+}
+
+// The four towers of the block, which fill their cells of 1.6, and cellWall.
+static double block_and_wall(struct d3 p, double share)
+{
+    int x = (int)floor(p.x / 1.6 + 0.5), z = (int)floor(p.z / 1.6 + 0.5);
+    int side_x = p.x < 1.6 * x ? -1 : 1, side_z = p.z < 1.6 * z ? -1 : 1;
+    double nearest = 0.8 + fmin(fabs(p.x - 1.6 * x), fabs(p.z - 1.6 * z));
+    for (int i = 0; i < 4; i++)
+        nearest =
+            fmin(nearest, tower_in(p, 1.6, x + (i % 2) * side_x, z + (i / 2) * side_z, share));
+    return nearest;
+}
+
+static double chance(void)
+{
+    static uint32_t state = 12345u;
+    state = state * 1664525u + 1013904223u;
+    return (double)(state >> 8) / 16777216.0;
+}
+
+// The largest change of a distance per unit of way: between places near the walls and the middles
+// of cells, where other copies are asked, and places beside them.
+static double steepest(double (*distance)(struct d3 p, double share), double period, double share)
+{
+    double slope = 0.0;
+    for (int i = 0; i < 300000; i++) {
+        struct d3 p = d3(9.0 * chance() - 4.5, 14.0 * chance(), 9.0 * chance() - 4.5);
+        if (i % 3 > 0)
+            p.x = 0.5 * period * floor(6.0 * chance() - 3.0) + 1e-3 * (chance() - 0.5);
+        if (i % 3 > 1)
+            p.z = 0.5 * period * floor(6.0 * chance() - 3.0) + 1e-3 * (chance() - 0.5);
+        double way = pow(10.0, -4.0 * chance());
+        struct d3 q =
+            d3_add(p, d3(way * (chance() - 0.5), way * (chance() - 0.5), way * (chance() - 0.5)));
+        double apart = d3_length(d3_sub(p, q));
+        if (apart > 1e-6)
+            slope = fmax(slope, fabs(distance(p, share) - distance(q, share)) / apart);
+    }
+    return slope;
+}
+
+// What the GPU computes is the formula whose slope is looked at.
+static void check_formula(const struct field *field, double (*distance)(struct d3 p, double share))
+{
+    float *values = ask(field);
+    for (int i = 0; i < ITEMS; i++)
+        assert_true(fabs((double)values[4 * i + 3] - distance(d3_of(values + 4 * i), 1.0)) <
+                    rounding);
+    free(values);
+}
+
+// Where copies are asked by their distances, those that a step over a wall drops and those that it
+// adds are at or above the cap: nothing jumps. Half of each distance is a bound too, and jumps.
+static void test_the_cap_glues_the_cells(void **unused)
+{
+    (void)unused;
+    check_formula(&(struct field){LONELY, {2.0f, 2.0f, 0.0f, 0.0f}}, own_and_others);
+    check_formula(&(struct field){TOWERS_CAPPED, {1.6f, 2.0f, 0.0f, 0.0f}}, block_and_wall);
+    double own = steepest(own_and_others, 2.0, 1.0), block = steepest(block_and_wall, 1.6, 1.0);
+    double weak = fmin(steepest(own_and_others, 2.0, 0.5), steepest(block_and_wall, 1.6, 0.5));
+    print_message(
+        "# largest slope: own copy and cap %.6f, block and wall %.6f; half the distances, "
+        "with their jumps, at least %.0f\n",
+        own, block, weak);
+    assert_true(own > 0.99 && own < 1.0 + 1e-8 && block > 0.99 && block < 1.0 + 1e-8);
+    assert_true(weak > 10.0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -224,6 +307,7 @@ int main(void)
         cmocka_unit_test(test_the_own_copy_alone_over_estimates),
         cmocka_unit_test(test_the_nearer_neighbour_mends_identical_copies),
         cmocka_unit_test(test_copies_that_vary_need_the_wall),
+        cmocka_unit_test(test_the_cap_glues_the_cells),
     };
     return cmocka_run_group_tests_name("repetition", tests, gpu_setup, gpu_teardown);
 }
