@@ -16,6 +16,7 @@
 #include "context/guard.h"
 #include "shader/export.h"
 #include "picture/image.h"
+#include "memory.h"
 #include "options.h"
 #include "picture/panel.h"
 #include "picture/probe.h"
@@ -242,11 +243,8 @@ static bool work_still(const struct run *run, struct renderer *renderer)
     if (options->frames > 0)
         return write_frames(run, renderer);
     if (options->has_probe) {
-        probe = malloc(sizeof *probe);
-        if (probe == NULL)
-            report("--probe: not enough memory");
-        done = probe != NULL &&
-               renderer_probe(renderer, &inputs, options->probe_x, options->probe_y, probe);
+        probe = memory_zeros(1, sizeof *probe);
+        done = renderer_probe(renderer, &inputs, options->probe_x, options->probe_y, probe);
         if (done)
             probe_print(probe, stdout);
     }

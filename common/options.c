@@ -6,6 +6,7 @@
 #include <string.h>
 #include <strings.h>
 
+#include "memory.h"
 #include "number.h"
 #include "picture/benchmark.h"
 #include "picture/overlay.h"
@@ -346,10 +347,8 @@ static bool complete(struct options *options)
 bool options_parse(struct options *options, int argc, char **argv)
 {
     *options = (struct options){.samples = 1};
-    options->settings = malloc(((size_t)argc + 1) * sizeof *options->settings);
-    if (options->settings == NULL)
-        report("command line: not enough memory");
-    else if (read_words(options, argv + (argc > 0)) && complete(options))
+    options->settings = memory_zeros((size_t)argc, sizeof *options->settings);
+    if (read_words(options, argv + (argc > 0)) && complete(options))
         return true;
     options_free(options);
     return false;

@@ -188,7 +188,8 @@ static struct shader_source source_of(char *text)
     for (const char *c = text; *c != '\0'; c++)
         source.line_count += *c == '\n';
     source.lines = calloc((size_t)source.line_count + 1, sizeof *source.lines);
-    promise(source.lines != NULL && glsl_read(&source.code, text), "there is memory");
+    promise(source.lines != NULL, "there is memory");
+    glsl_read(&source.code, text);
     for (int i = 0; i < source.line_count; i++)
         source.lines[i].line = i + 1;
     return source;

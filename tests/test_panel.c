@@ -35,11 +35,11 @@ static int close_overlay(void **unused)
 }
 
 // Do the boxes of a text stand at a place of the list, all moved by the same way?
-static bool stands_at(const struct overlay_rectangle *text, size_t count,
+static bool stands_at(const struct overlay_rectangle *text, int count,
                       const struct overlay_rectangle *place)
 {
     float right = place->left - text->left, down = place->top - text->top;
-    for (size_t i = 0; i < count; i++)
+    for (int i = 0; i < count; i++)
         if (fabsf(place[i].left - text[i].left - right) > 0.01f ||
             fabsf(place[i].right - text[i].right - right) > 0.01f ||
             fabsf(place[i].top - text[i].top - down) > 0.01f ||
@@ -54,7 +54,7 @@ static bool says(const char *text)
     bool found = false;
     overlay_text(&words, 0.0f, 0.0f, text, (struct overlay_colour){{0}});
     assert_true(words.count > 0);
-    for (size_t i = 0; i + words.count <= overlay.count && !found; i++)
+    for (int i = 0; i + words.count <= overlay.count && !found; i++)
         found = stands_at(words.rectangle, words.count, &overlay.rectangle[i]);
     overlay_close(&words);
     return found;
@@ -192,7 +192,7 @@ static void a_panel_fits_any_picture(void **unused)
             panel_gather(&panel, &overlay, sizes[i][0], sizes[i][1], scale);
             const struct overlay_rectangle *back = &overlay.rectangle[0];
             assert_true(back->bottom - back->top <= 0.5f * height + 3.0f * OVERLAY_LINE);
-            for (size_t k = 0; k < overlay.count && width >= 320.0f && height >= 180.0f; k++)
+            for (int k = 0; k < overlay.count && width >= 320.0f && height >= 180.0f; k++)
                 assert_true(overlay.rectangle[k].left >= 0.0f && overlay.rectangle[k].top >= 0.0f &&
                             overlay.rectangle[k].right <= width &&
                             overlay.rectangle[k].bottom <= height);

@@ -38,8 +38,8 @@ static int set_up(void **unused)
     scratch_make();
     for (int i = 0; i < 2; i++) {
         strcpy(path[i], scratch_write(i == 0 ? "one.frag" : "two.glsl", "text"));
-        if (!watch_add(&watch, path[i]) || !watch_add(&watch, path[i]))
-            return -1;
+        watch_add(&watch, path[i]);
+        watch_add(&watch, path[i]);
     }
     return watch.count == 2 ? 0 : -1;
 }

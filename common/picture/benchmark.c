@@ -5,6 +5,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "memory.h"
 #include "report.h"
 
 // OpenGL ES 3.0 has no timer: these are asked for where they are used, not in the table of gl.h.
@@ -117,11 +118,10 @@ static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
                         const struct timer *timer)
 {
     int count = benchmark->frames;
-    size_t size = (size_t)count * sizeof(double);
-    double *seconds[BENCHMARK_CLOCKS] = {malloc(size), malloc(size), malloc(size)};
-    bool room = seconds[0] != NULL && seconds[1] != NULL && seconds[2] != NULL, done = room;
-    if (!room)
-        report("--benchmark: not enough memory");
+    double *seconds[BENCHMARK_CLOCKS];
+    bool done = true;
+    for (int clock = 0; clock < BENCHMARK_CLOCKS; clock++)
+        seconds[clock] = memory_zeros((size_t)count, sizeof *seconds[clock]);
     for (int i = -BENCHMARK_WARM_UP; i < count && done; i++) {
         struct benchmark_span span;
         done = draw_frame(benchmark, renderer, timer, &span);

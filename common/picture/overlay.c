@@ -7,6 +7,7 @@
 
 #include <stb/stb_easy_font.h>
 
+#include "memory.h"
 #include "report.h"
 #include "shader/compile.h"
 
@@ -110,15 +111,7 @@ void overlay_begin(struct overlay *overlay, int width, int height, float scale)
 
 static void add(struct overlay *overlay, struct overlay_rectangle rectangle)
 {
-    if (overlay->count == overlay->room) {
-        size_t room = overlay->room > 0 ? 2 * overlay->room : 1024;
-        struct overlay_rectangle *more =
-            realloc(overlay->rectangle, room * sizeof *overlay->rectangle);
-        if (more == NULL)
-            return;
-        overlay->rectangle = more;
-        overlay->room = room;
-    }
+    overlay->rectangle = memory_row(overlay->rectangle, overlay->count, sizeof *overlay->rectangle);
     overlay->rectangle[overlay->count++] = rectangle;
 }
 
@@ -171,11 +164,11 @@ void overlay_draw(const struct overlay *overlay, int bottom)
     gl->Uniform1f(gl->GetUniformLocation(program, "bottom"), (float)bottom);
     gl->BindVertexArray(overlay->vertex_array);
     gl->BindBuffer(GL_ARRAY_BUFFER, overlay->buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(overlay->count * sizeof *overlay->rectangle),
+    gl->BufferData(GL_ARRAY_BUFFER, overlay->count * (GLsizeiptr)sizeof *overlay->rectangle,
                    overlay->rectangle, GL_STREAM_DRAW);
     gl->Viewport(0, -bottom, overlay->width, overlay->height);
     gl->Enable(GL_BLEND);
     gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, (GLsizei)overlay->count);
+    gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, overlay->count);
     gl->Disable(GL_BLEND);
 }

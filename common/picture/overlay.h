@@ -33,7 +33,7 @@ struct overlay {
     float scale;                         // pixels in a unit
     int width, height;                   // of the picture, pixels
     struct overlay_rectangle *rectangle; // owned: this frame's boxes, a letter being several
-    size_t count, room;
+    int count;
 };
 
 // Compile the small program that draws boxes.
@@ -53,7 +53,7 @@ float overlay_scale_of(int height);
 void overlay_begin(struct overlay *overlay, int width, int height, float scale);
 
 // Add a box, or one line of text whose top left is at a place. ASCII is drawn; another character
-// becomes '?'. What memory has no room for is left out.
+// becomes '?'.
 void overlay_box(struct overlay *overlay, float left, float top, float width, float height,
                  struct overlay_colour colour);
 void overlay_text(struct overlay *overlay, float left, float top, const char *text,

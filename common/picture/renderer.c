@@ -6,6 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "report.h"
 #include "picture/slice.h"
 
@@ -228,11 +229,7 @@ static bool march_pixel(struct renderer *renderer, const struct renderer_inputs 
     gl->Viewport(0, 0, PROBE_STEPS, PROBE_ROWS);
     const float none[2] = {0.0f, 0.0f};
     draw_pass(renderer, none, none);
-    float *values = malloc(4 * sizeof *values * PROBE_STEPS * PROBE_ROWS);
-    if (values == NULL) {
-        report("probe %d,%d: not enough memory", x, y);
-        return false;
-    }
+    float *values = memory_zeros(PROBE_STEPS * PROBE_ROWS, 4 * sizeof *values);
     renderer_read(renderer, &renderer->table, values);
     probe_unpack(probe, values);
     free(values);
@@ -254,11 +251,8 @@ static bool march_for_slice(struct renderer *renderer, const struct renderer_inp
     const int size[2] = {inputs->width, inputs->height};
     for (int i = 0; i < 2; i++)
         march->pixel[i] = inputs->pixel[i] < 0 ? size[i] / 2 : inputs->pixel[i];
-    struct probe *probe = malloc(sizeof *probe);
-    bool done =
-        probe != NULL && march_pixel(renderer, inputs, march->pixel[0], march->pixel[1], probe);
-    if (probe == NULL)
-        report("slice of %d,%d: not enough memory", march->pixel[0], march->pixel[1]);
+    struct probe *probe = memory_zeros(1, sizeof *probe);
+    bool done = march_pixel(renderer, inputs, march->pixel[0], march->pixel[1], probe);
     if (done) {
         march->steps = probe_rows(probe);
         march->hit = probe->end == PROBE_HIT;

@@ -1,22 +1,16 @@
 #include "shader/compile.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "context/guard.h"
+#include "memory.h"
 #include "report.h"
 
 char *shader_text(const struct shader_source *source, enum shader_view view)
 {
-    char *prelude = form_prelude(source, view);
-    char *body = prelude != NULL ? form_body(source) : NULL;
-    size_t size = body != NULL ? strlen(prelude) + strlen(body) + 1 : 0;
-    char *text = body != NULL ? malloc(size) : NULL;
-    if (text != NULL)
-        snprintf(text, size, "%s%s", prelude, body);
-    else if (body != NULL)
-        report("%s: not enough memory", source->files[0]);
+    char *prelude = form_prelude(source, view), *body = form_body(source);
+    char *text = memory_text("%s%s", prelude, body);
     free(prelude);
     free(body);
     return text;
@@ -31,17 +25,12 @@ static void report_failure(const struct shader_source *source, enum shader_view 
     if (log != NULL && form_refuses(source, log, strcmp(step, "link") == 0))
         return;
     char *errors = shader_explain(source, view, log != NULL ? log : "");
-    if (errors == NULL)
-        return;
-    size_t size = strlen(source->files[0]) + strlen(errors) + 64;
-    char *text = malloc(size);
-    if (text == NULL || errors[0] == '\0')
+    char *text = memory_text("%s: does not %s:\n%s", source->files[0], step, errors);
+    if (errors[0] != '\0')
+        report_lines(text);
+    else
         report("%s: does not %s: the driver does not say why: try another --backend",
                source->files[0], step);
-    else {
-        snprintf(text, size, "%s: does not %s:\n%s", source->files[0], step, errors);
-        report_lines(text);
-    }
     free(text);
     free(errors);
 }
@@ -53,7 +42,7 @@ typedef void (*get_log)(GLuint object, GLsizei size, GLsizei *length, GLchar *lo
 // What the driver wrote; NULL where it wrote nothing.
 static char *read_log(get_log get, GLuint object, GLint size)
 {
-    char *log = size > 0 ? calloc((size_t)size + 1, 1) : NULL;
+    char *log = size > 0 ? memory_zeros((size_t)size + 1, 1) : NULL;
     if (log != NULL)
         get(object, size, NULL, log);
     return log;
@@ -116,24 +105,20 @@ GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fr
 GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
                    const struct shader_source *fragment, enum shader_view view)
 {
-    char *first = shader_text(vertex, view), *log = NULL;
-    char *second = first != NULL ? shader_text(fragment, view) : NULL;
+    char *first = shader_text(vertex, view), *second = shader_text(fragment, view), *log;
     enum shader_step step;
-    GLuint program = 0;
-    if (second != NULL) {
-        // A compiler that calls itself for each term of a sum runs out of stack on a long one.
-        guard_begin("%.800s: the graphics driver crashed over it, or wants more than 4 GB for it: "
-                    "split its longest statement, shorten its arrays and macros",
-                    fragment->files[0]);
-        const char *version = (const char *)gl->GetString(GL_VERSION);
-        if (version != NULL && strstr(version, "Mesa") != NULL)
-            guard_memory();
-        program = shader_link_texts(gl, first, second, &step, &log);
-        guard_end();
-        if (program == 0)
-            report_failure(step == SHADER_COMPILE_VERTEX ? vertex : fragment, view,
-                           step == SHADER_LINK ? "link" : "compile", log);
-    }
+    // A compiler that calls itself for each term of a sum runs out of stack on a long one.
+    guard_begin("%.800s: the graphics driver crashed over it, or wants more than 4 GB for it: "
+                "split its longest statement, shorten its arrays and macros",
+                fragment->files[0]);
+    const char *version = (const char *)gl->GetString(GL_VERSION);
+    if (version != NULL && strstr(version, "Mesa") != NULL)
+        guard_memory();
+    GLuint program = shader_link_texts(gl, first, second, &step, &log);
+    guard_end();
+    if (program == 0)
+        report_failure(step == SHADER_COMPILE_VERTEX ? vertex : fragment, view,
+                       step == SHADER_LINK ? "link" : "compile", log);
     free(first);
     free(second);
     free(log);

@@ -8,7 +8,7 @@
 #include "shader/source.h"
 
 // The text that is compiled: what form.h puts before the expanded text, and what it makes of this.
-// Returns memory that the caller frees, or NULL, reported.
+// Returns memory that the caller frees.
 char *shader_text(const struct shader_source *source, enum shader_view view);
 
 // Compile and link.
@@ -34,7 +34,7 @@ GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fr
 // Each line becomes "FILE:LINE: error: message" with the source line beneath, shown once where
 // several stand together and cut after 160 letters. Warnings are left out of a log that holds
 // errors; a line that belongs to no line of the source is kept as it is; of more than 20 lines the
-// rest is counted. Returns memory that the caller frees, or NULL, reported.
+// rest is counted. Returns memory that the caller frees.
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log);
 
 #endif

@@ -1,12 +1,12 @@
 #include "shader/export.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "shader/form_inputs.h"
 #include "shader/glsl.h"
+#include "memory.h"
 #include "report.h"
 
 // One export under way.
@@ -18,28 +18,8 @@ struct export
     const struct camera *camera;
     float focal_length;
     const struct glsl *code; // of the source
-    char *text;              // what is written so far
-    size_t size, capacity;
-    bool failed; // for want of memory
+    FILE *text;              // what is written so far
 };
-
-__attribute__((format(printf, 2, 3))) static void put(struct export *e, const char *format, ...)
-{
-    va_list arguments;
-    va_start(arguments, format);
-    int length = vsnprintf(NULL, 0, format, arguments);
-    va_end(arguments);
-    va_start(arguments, format);
-    if (e->size + (size_t)length + 1 > e->capacity) {
-        e->capacity = 2 * e->capacity + (size_t)length + 4096;
-        char *grown = realloc(e->text, e->capacity);
-        e->failed = e->failed || grown == NULL;
-        e->text = grown != NULL ? grown : e->text;
-    }
-    if (!e->failed)
-        e->size += (size_t)vsnprintf(e->text + e->size, (size_t)length + 1, format, arguments);
-    va_end(arguments);
-}
 
 // A number as GLSL ES has it: with a point or an exponent, the shortest that is the same float.
 static void put_float(struct export *e, double value)
@@ -49,19 +29,19 @@ static void put_float(struct export *e, double value)
     do
         snprintf(text, sizeof text, "%.*g", digits, (double)(float)value);
     while (strtof(text, NULL) != (float)value && digits++ < 9);
-    put(e, "%s%s", text, strpbrk(text, ".e") == NULL ? ".0" : "");
+    fprintf(e->text, "%s%s", text, strpbrk(text, ".e") == NULL ? ".0" : "");
 }
 
 static void put_vector(struct export *e, const double *value, int components)
 {
     if (components > 1)
-        put(e, "vec%d(", components);
+        fprintf(e->text, "vec%d(", components);
     for (int i = 0; i < components; i++) {
-        put(e, "%s", i > 0 ? ", " : "");
+        fprintf(e->text, "%s", i > 0 ? ", " : "");
         put_float(e, value[i]);
     }
     if (components > 1)
-        put(e, ")");
+        fprintf(e->text, ")");
 }
 
 static void put_vec3(struct export *e, const float v[3])
@@ -102,9 +82,9 @@ static int mentions(const struct export *e, const char *name)
 static void put_value(struct export *e, const struct parameter *parameter)
 {
     if (parameter->type == PARAMETER_BOOL)
-        put(e, "%s", parameter->value[0] > 0.5 ? "true" : "false");
+        fprintf(e->text, "%s", parameter->value[0] > 0.5 ? "true" : "false");
     else if (parameter->type == PARAMETER_INT)
-        put(e, "%d", (int)parameter->value[0]);
+        fprintf(e->text, "%d", (int)parameter->value[0]);
     else
         put_vector(e, parameter->value, parameter->components);
 }
@@ -142,14 +122,14 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
         return false;
     int begin = uniform->begin + uniform->length;
     const char *text = e->code->text, *rest = text + end->begin;
-    put(e, "const%.*s = ", end->begin - begin, text + begin);
+    fprintf(e->text, "const%.*s = ", end->begin - begin, text + begin);
     if (offset)
-        put(e, "vec2(0.0)");
+        fprintf(e->text, "vec2(0.0)");
     else if (vector != NULL)
         put_vec3(e, vector);
     else
         put_value(e, parameter);
-    put(e, "%.*s\n", (int)strcspn(rest, "\n"), rest);
+    fprintf(e->text, "%.*s\n", (int)strcspn(rest, "\n"), rest);
     return true;
 }
 
@@ -158,9 +138,9 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
 static void put_name(struct export *e, const char *before)
 {
     const char *path = e->source->files[0], *slash = strrchr(path, '/');
-    put(e, "%s", before);
+    fprintf(e->text, "%s", before);
     for (const char *c = slash != NULL ? slash + 1 : path; *c != '\0'; c++)
-        put(e, "%c", (unsigned char)*c < ' ' || *c == 0x7F || *c == '\\' ? '?' : *c);
+        fprintf(e->text, "%c", (unsigned char)*c < ' ' || *c == 0x7F || *c == '\\' ? '?' : *c);
 }
 
 // The lines that stay, each file under its name.
@@ -181,29 +161,30 @@ static void put_files(struct export *e)
         if (from != file && from == 0)
             put_name(e, "\n// ---- ");
         else if (from != file)
-            put(e, "\n// ---- %s", name);
+            fprintf(e->text, "\n// ---- %s", name);
         if (from != file)
-            put(e, " ----\n\n");
+            fprintf(e->text, " ----\n\n");
         file = from;
         if (strncmp(line, "// #include", 11) != 0 && (uniform == NULL || !put_uniform(e, uniform)))
-            put(e, "%.*s\n", (int)strcspn(line, "\n"), line);
+            fprintf(e->text, "%.*s\n", (int)strcspn(line, "\n"), line);
     }
 }
 
 static void put_course(struct export *e)
 {
     put_name(e, "// ");
-    put(e, " for shadertoy.com, in one file: camera and parameters are constants here.\n");
+    fprintf(e->text,
+            " for shadertoy.com, in one file: camera and parameters are constants here.\n");
     if (mentions(e, "VIEW") > 0)
-        put(e, "#define VIEW 0\n");
+        fprintf(e->text, "#define VIEW 0\n");
     put_files(e);
-    put(e, "\n// ---- What Shadertoy calls ----\n\n"
-           "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"
-           "{\n"
-           "    traceReset(-1);\n"
-           "    vec3 colour = rayColour(pixelRay(screenPosition(fragCoord)));\n"
-           "    fragColor = vec4(clamp(colour, 0.0, 1.0), 1.0);\n"
-           "}\n");
+    fprintf(e->text, "\n// ---- What Shadertoy calls ----\n\n"
+                     "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"
+                     "{\n"
+                     "    traceReset(-1);\n"
+                     "    vec3 colour = rayColour(pixelRay(screenPosition(fragCoord)));\n"
+                     "    fragColor = vec4(clamp(colour, 0.0, 1.0), 1.0);\n"
+                     "}\n");
 }
 
 // ---- A whole file ----
@@ -269,26 +250,26 @@ static void put_whole_text(struct export *e)
         const char *instead = end != NULL ? "" : instead_of(e, t);
         if (instead == NULL)
             continue;
-        put(e, "%.*s%s", t->begin - from, text + from, instead);
+        fprintf(e->text, "%.*s%s", t->begin - from, text + from, instead);
         t = end != NULL ? end : t;
         from = t->begin + t->length;
     }
-    put(e, "%s", text + from);
+    fprintf(e->text, "%s", text + from);
 }
 
 static void put_input(struct export *e, const char *name, const char *value)
 {
     if (glsl_mentions(e->code, name) > 0 && !form_declares(e->code, name))
-        put(e, "    %s = %s;\n", name, value);
+        fprintf(e->text, "    %s = %s;\n", name, value);
 }
 
 static void put_input_vector(struct export *e, const char *name, const float v[3])
 {
     if (glsl_mentions(e->code, name) == 0)
         return;
-    put(e, "    %s = ", name);
+    fprintf(e->text, "    %s = ", name);
     put_vec3(e, v);
-    put(e, ";\n");
+    fprintf(e->text, ";\n");
 }
 
 static bool put_whole(struct export *e)
@@ -296,10 +277,10 @@ static bool put_whole(struct export *e)
     const struct glsl_token *output = form_output(e->code);
     bool old = output == NULL && glsl_mentions(e->code, "gl_FragColor") > 0;
     if (old)
-        put(e, "vec4 shaderColour;\n");
+        fprintf(e->text, "vec4 shaderColour;\n");
     put_whole_text(e);
-    put(e, "\n// ---- What Shadertoy calls ----\n\n"
-           "void mainImage(out vec4 toyColour, in vec2 toyPixel)\n{\n");
+    fprintf(e->text, "\n// ---- What Shadertoy calls ----\n\n"
+                     "void mainImage(out vec4 toyColour, in vec2 toyPixel)\n{\n");
     put_input(e, "FragCoord", "(2.0 * toyPixel - iResolution.xy) / iResolution.y");
     put_input(e, "Time", "iTime");
     put_input_vector(e, "Ex", e->basis.right);
@@ -307,19 +288,19 @@ static bool put_whole(struct export *e)
     put_input_vector(e, "Ez", e->basis.forward);
     put_input_vector(e, "CamPos", e->camera->position);
     if (glsl_mentions(e->code, "fovValue") > 0) {
-        put(e, "    fovValue = ");
+        fprintf(e->text, "    fovValue = ");
         put_float(e, (double)e->focal_length);
-        put(e, ";\n");
+        fprintf(e->text, ";\n");
     }
     put_input(e, "FacteurLargeur", "iResolution.x / iResolution.y");
     static const char *const zeros[] = {"OrthoView", "CustomToggle", "CustomInt"};
     for (int i = 0; i < 3; i++)
         put_input(e, zeros[i], "0.0");
     if (output != NULL)
-        put(e, "    shaderMain();\n    toyColour = vec4(%.*s.rgb, 1.0);\n}\n",
-            GLSL_TEXT(e->code, output));
+        fprintf(e->text, "    shaderMain();\n    toyColour = vec4(%.*s.rgb, 1.0);\n}\n",
+                GLSL_TEXT(e->code, output));
     else
-        put(e, "    shaderMain();\n    toyColour = vec4(shaderColour.rgb, 1.0);\n}\n");
+        fprintf(e->text, "    shaderMain();\n    toyColour = vec4(shaderColour.rgb, 1.0);\n}\n");
     if (output == NULL && !old)
         report("%s: no output that Shadertoy could show: declare out vec4 FragColor;",
                e->source->files[0]);
@@ -335,17 +316,18 @@ char *export_shadertoy(const struct shader_source *source, const struct paramete
                        .camera = camera,
                        .focal_length = focal_length,
                        .code = &source->code};
+    char *text;
     bool done = true;
+    e.text = memory_open(&text);
     if (source->form == SHADER_SHADERTOY)
-        put(&e, "%s", source->text);
+        fputs(source->text, e.text);
     else if (source->form == SHADER_COURSE)
         put_course(&e);
     else
         done = put_whole(&e);
-    if (e.failed || e.text == NULL)
-        report("%s: not enough memory", source->files[0]);
-    if (done && !e.failed)
-        return e.text;
-    free(e.text);
+    memory_close(e.text);
+    if (done)
+        return text;
+    free(text);
     return NULL;
 }

@@ -6,6 +6,7 @@
 
 #include "shader/form_inputs.h"
 #include "shader/form_zero.h"
+#include "memory.h"
 #include "report.h"
 
 #define ARRAY_LIMIT 65536 // elements
@@ -14,17 +15,6 @@
 static const char *const toy_refused[] = {
     "iChannel0",    "iChannel1",          "iChannel2",   "iChannel3",
     "iChannelTime", "iChannelResolution", "iSampleRate", NULL};
-
-static bool no_memory(const struct shader_source *source)
-{
-    return report("%s: not enough memory", source->files[0]);
-}
-
-static bool read_code(struct shader_source *source)
-{
-    glsl_free(&source->code);
-    return glsl_read(&source->code, source->text) || no_memory(source);
-}
 
 // ---- Which form ----
 
@@ -180,8 +170,7 @@ static bool check_image(const struct shader_source *source)
 static bool find_form(struct shader_source *source)
 {
     bool version = source->versioned;
-    if (!read_code(source))
-        return false;
+    glsl_read(&source->code, source->text);
     const struct glsl *code = &source->code;
     bool printed = version && blank_printed(source);
     version = version && !printed;
@@ -192,10 +181,13 @@ static bool find_form(struct shader_source *source)
     source->versioned = version && !blanked;
     if (toy)
         blank_extensions(source);
-    return check_sense(source) && (!version || check_version(source)) &&
-           (source->form == SHADER_COURSE || form_check_inputs(source)) &&
-           (!toy || check_image(source)) &&
-           (strcmp(code->text, source->text) == 0 || read_code(source));
+    if (!check_sense(source) || (version && !check_version(source)) ||
+        (source->form != SHADER_COURSE && !form_check_inputs(source)) ||
+        (toy && !check_image(source)))
+        return false;
+    glsl_free(&source->code);
+    glsl_read(&source->code, source->text); // without what was blanked
+    return true;
 }
 
 bool shader_read(struct shader_source *source, const char *path, const char *root)
@@ -273,7 +265,6 @@ static const struct glsl_token *parameters_of(const struct glsl *code)
 
 static char *toy_prelude(const struct shader_source *source)
 {
-    enum { SIZE = 2048 };
     static const char begin[] = "#version 330 core\n"
                                 "#extension GL_ARB_shading_language_packing : enable\n"
                                 "#define HW_PERFORMANCE 1\n";
@@ -291,16 +282,13 @@ static char *toy_prelude(const struct shader_source *source)
         "    harnessColour = vec4(clamp(colour.rgb, 0.0, 1.0), 1.0);\n"
         "}\n";
     const struct glsl *code = &source->code;
-    char *prelude = malloc(SIZE);
-    if (prelude == NULL) {
-        no_memory(source);
-        return NULL;
-    }
-    int size = snprintf(prelude, SIZE, "%s", begin);
+    char *prelude;
+    FILE *stream = memory_open(&prelude);
+    fputs(begin, stream);
     const char *name, *declaration, *way = "in";
     for (size_t i = 0; (declaration = form_toy_input(i, &name)) != NULL; i++)
         if (!form_declares(code, name))
-            size += snprintf(prelude + size, (size_t)(SIZE - size), "uniform %s;\n", declaration);
+            fprintf(stream, "uniform %s;\n", declaration);
     const struct glsl_token *parameters = parameters_of(code);
     const struct glsl_token *pixel = parameters != NULL ? behind(parameters) + 1 : code->item;
     if (parameters != NULL && glsl_is(code, pixel, "inout"))
@@ -308,7 +296,8 @@ static char *toy_prelude(const struct shader_source *source)
     else if (parameters != NULL && glsl_is(code, pixel, "const"))
         way = "const in";
     // An out becomes an inout: form_zero.
-    snprintf(prelude + size, (size_t)(SIZE - size), end, parameters != NULL ? "inout" : "out", way);
+    fprintf(stream, end, parameters != NULL ? "inout" : "out", way);
+    memory_close(stream);
     return prelude;
 }
 
@@ -316,23 +305,14 @@ char *form_prelude(const struct shader_source *source, enum shader_view view)
 {
     if (source->form == SHADER_SHADERTOY)
         return toy_prelude(source);
-    char text[64] = "";
     if (source->form == SHADER_COURSE)
-        snprintf(text, sizeof text, "#version 330 core\n#define VIEW %d\n", (int)view);
-    else if (!source->versioned)
-        snprintf(text, sizeof text, "#version 330 core\n");
-    char *prelude = strdup(text);
-    if (prelude == NULL)
-        no_memory(source);
-    return prelude;
+        return memory_text("#version 330 core\n#define VIEW %d\n", (int)view);
+    return memory_text("%s", source->versioned ? "" : "#version 330 core\n");
 }
 
 char *form_body(const struct shader_source *source)
 {
-    char *body = source->form == SHADER_COURSE ? strdup(source->text) : form_zero(source);
-    if (body == NULL)
-        no_memory(source);
-    return body;
+    return source->form == SHADER_COURSE ? memory_text("%s", source->text) : form_zero(source);
 }
 
 bool form_refuses(const struct shader_source *source, const char *log, bool linking)

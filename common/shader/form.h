@@ -51,7 +51,7 @@ bool shader_has_view(const struct shader_source *source, enum shader_view view);
 //               of the text reaches it. Every name there begins with "harness", so that none
 //               collides
 //   whole       nothing, or #version 330 core in place of one of GLSL ES
-// Returns memory that the caller frees, or NULL, reported.
+// Returns memory that the caller frees.
 char *form_prelude(const struct shader_source *source, enum shader_view view);
 
 // The text after the prelude: the source's own, line by line. In the course's form nothing changes.
@@ -59,7 +59,7 @@ char *form_prelude(const struct shader_source *source, enum shader_view view);
 // gl_FragCoord is renamed, for the renderer draws in parts and samples, and the shader must see one
 // picture. A whole file loses the words smooth, flat, noperspective and centroid, which drivers
 // want to find in the vertex shader too, and which change nothing on a triangle that covers the
-// screen. Returns memory that the caller frees, or NULL, reported.
+// screen. Returns memory that the caller frees.
 char *form_body(const struct shader_source *source);
 
 // Say why a shader cannot run that asks for what Shadertoy has and this harness has not (textures,

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "shader/form_inputs.h"
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))
@@ -27,20 +28,12 @@ struct edits {
     char **zero;
     bool arrays; // can have a value
     size_t size; // letters of all texts
-    bool failed; // for want of memory
 };
 
 static void edit(struct edits *all, int begin, int length, const char *text)
 {
-    struct edit *item = glsl_grown(all->item, all->count, sizeof *item);
-    char *copy = strdup(text);
-    all->item = item != NULL ? item : all->item;
-    if (item == NULL || copy == NULL) {
-        all->failed = true;
-        free(copy);
-        return;
-    }
-    item[all->count] = (struct edit){begin, length, all->count, copy};
+    all->item = memory_row(all->item, all->count, sizeof *all->item);
+    all->item[all->count] = (struct edit){begin, length, all->count, memory_text("%s", text)};
     all->count++;
     all->size += strlen(text);
 }
@@ -146,8 +139,7 @@ static void learn(struct edits *all, const struct glsl_token *name)
     }
     strcpy(zero + used, ")");
     free(all->zero[name->name]);
-    all->zero[name->name] = strdup(done && used > name->length ? zero : "");
-    all->failed |= all->zero[name->name] == NULL;
+    all->zero[name->name] = memory_text("%s", done && used > name->length ? zero : "");
 }
 
 // True for braces that hold declarations of members: behind "struct S" in other words too, as
@@ -173,7 +165,7 @@ static void zero_variables(struct edits *all)
         "precision", "buffer",  "shared", NULL};
     const struct glsl *code = all->code;
     bool begins = true;
-    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END && !all->failed;) {
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END;) {
         bool loop = glsl_is(code, t, "for") && t[1].sign == '(';
         if (begins && glsl_is(code, t, "struct") && is_word(t + 1) && t[2].sign == '{') {
             learn(all, t + 1);
@@ -260,15 +252,16 @@ static int by_place(const void *a, const void *b)
 static char *apply(const struct edits *all)
 {
     const char *text = all->code->text;
-    char *result = malloc(strlen(text) + all->size + 1), *to = result;
+    char *result;
+    FILE *stream = memory_open(&result);
     int from = 0;
-    for (int i = 0; i < all->count && result != NULL; i++) {
+    for (int i = 0; i < all->count; i++) {
         const struct edit *item = &all->item[i];
-        to += sprintf(to, "%.*s%s", item->begin - from, text + from, item->text);
+        fprintf(stream, "%.*s%s", item->begin - from, text + from, item->text);
         from = item->begin + item->length;
     }
-    if (result != NULL)
-        strcpy(to, text + from);
+    fputs(text + from, stream);
+    memory_close(stream);
     return result;
 }
 
@@ -286,17 +279,14 @@ char *form_zero(const struct shader_source *source)
     const struct glsl *code = &source->code;
     struct edits all = {.code = code,
                         .arrays = has_array_values(source),
-                        .zero = calloc((size_t)code->name_count + 1, sizeof *all.zero)};
-    char *result = NULL;
-    if (all.zero != NULL) {
-        zero_variables(&all);
-        zero_outputs(&all);
-        replace_words(&all, source->form);
-        if (all.count > 0)
-            qsort(all.item, (size_t)all.count, sizeof *all.item, by_place);
-        result = all.failed ? NULL : apply(&all);
-    }
-    for (int i = 0; i < code->name_count && all.zero != NULL; i++)
+                        .zero = memory_zeros((size_t)code->name_count, sizeof *all.zero)};
+    zero_variables(&all);
+    zero_outputs(&all);
+    replace_words(&all, source->form);
+    if (all.count > 0)
+        qsort(all.item, (size_t)all.count, sizeof *all.item, by_place);
+    char *result = apply(&all);
+    for (int i = 0; i < code->name_count; i++)
         free(all.zero[i]);
     for (int i = 0; i < all.count; i++)
         free(all.item[i].text);

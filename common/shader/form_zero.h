@@ -16,8 +16,7 @@
 // And some words in other words: in Shadertoy's form gl_FragCoord, which the renderer moves; in a
 // whole file smooth, flat, noperspective and centroid, which drivers want to find in the vertex
 // shader too.
-// Lines keep their numbers. Returns memory that the caller frees, or NULL without memory, not
-// reported.
+// Lines keep their numbers. Returns memory that the caller frees.
 char *form_zero(const struct shader_source *source);
 
 #endif

@@ -3,6 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
+
 enum { ENDS = 4 }; // tokens of the kind GLSL_END behind a row
 
 bool glsl_is_sign(const struct glsl_token *token, const char *signs)
@@ -104,16 +106,12 @@ static void begin_part(struct walk *walk, enum glsl_truth branch, enum glsl_trut
     walk->certain = live && last->certain && branch == GLSL_ALWAYS;
 }
 
-static bool begin_if(struct walk *walk, enum glsl_truth truth)
+static void begin_if(struct walk *walk, enum glsl_truth truth)
 {
-    struct conditional *open = glsl_grown(walk->open, walk->count, sizeof *open);
-    if (open == NULL)
-        return false;
-    walk->open = open;
-    open[walk->count++] = (struct conditional){
+    walk->open = memory_row(walk->open, walk->count, sizeof *walk->open);
+    walk->open[walk->count++] = (struct conditional){
         .live = walk->live, .certain = walk->certain, .depth = walk->depth, .begin = walk->depth};
     begin_part(walk, truth, negate(truth));
-    return true;
 }
 
 static void define(struct walk *walk, const struct glsl_token *hash)
@@ -126,18 +124,18 @@ static void define(struct walk *walk, const struct glsl_token *hash)
         name->defined = defines && walk->certain ? GLSL_ALWAYS : GLSL_PERHAPS;
 }
 
-// Obey a directive. Returns false without memory.
-static bool obey(struct walk *walk, const struct glsl_token *hash)
+// Obey a directive.
+static void obey(struct walk *walk, const struct glsl_token *hash)
 {
     const struct glsl *code = walk->code;
     const struct glsl_token *word = hash + 1;
     struct conditional *last = walk->count > 0 ? &walk->open[walk->count - 1] : NULL;
     enum glsl_truth truth;
     if (word->kind != GLSL_WORD || !word->directive)
-        return true;
-    if (find_condition(code, word, &truth))
-        return begin_if(walk, truth);
-    if (last != NULL && glsl_is(code, word, "else")) {
+        return;
+    if (find_condition(code, word, &truth)) {
+        begin_if(walk, truth);
+    } else if (last != NULL && glsl_is(code, word, "else")) {
         begin_part(walk, last->others, GLSL_NEVER);
     } else if (last != NULL && glsl_is(code, word, "elif")) {
         truth = last->others == GLSL_NEVER ? GLSL_NEVER : GLSL_PERHAPS;
@@ -151,7 +149,6 @@ static bool obey(struct walk *walk, const struct glsl_token *hash)
                (glsl_is(code, word, "define") || glsl_is(code, word, "undef"))) {
         define(walk, hash);
     }
-    return true;
 }
 
 // Count a bracket, whose depth is that of what stands around it. One without a partner has itself.
@@ -173,14 +170,14 @@ static void count_bracket(struct walk *walk, struct glsl_token *token, int at)
 }
 
 // Say of each token whether it counts, and put those of the statements into a row of their own.
-static bool judge(struct walk *walk)
+static void judge(struct walk *walk)
 {
     struct glsl *code = walk->code;
     for (int i = 0; i < code->count; i++) {
         struct glsl_token *token = &code->item[i];
         int at = code->statement_count;
-        if (token->kind == GLSL_HASH && !obey(walk, token))
-            return false;
+        if (token->kind == GLSL_HASH)
+            obey(walk, token);
         token->live = walk->live;
         token->certain = walk->certain;
         token->depth = walk->depth;
@@ -197,7 +194,6 @@ static bool judge(struct walk *walk)
         walk->parted = false;
         code->statement[code->statement_count++] = *token;
     }
-    return true;
 }
 
 // What only the whole text tells.
@@ -217,32 +213,27 @@ static void finish(struct glsl *code)
 }
 
 // Add the ends to the rows.
-static bool make_rows(struct glsl *code)
+static void make_rows(struct glsl *code)
 {
-    size_t size = (size_t)code->count + ENDS + 1;
-    struct glsl_token *item = realloc(code->item, size * sizeof *item);
-    code->item = item != NULL ? item : code->item;
-    code->statement = calloc(size, sizeof *code->statement);
-    if (item == NULL || code->statement == NULL)
-        return false;
-    memset(item + code->count, 0, ENDS * sizeof *item);
+    for (int i = 0; i < ENDS; i++) {
+        code->item = memory_row(code->item, code->count + i, sizeof *code->item);
+        code->item[code->count + i] = (struct glsl_token){0};
+    }
+    code->statement = memory_zeros((size_t)code->count + ENDS + 1, sizeof *code->statement);
     code->statement++; // the end before the first one
-    return true;
 }
 
-bool glsl_read(struct glsl *code, const char *text)
+void glsl_read(struct glsl *code, const char *text)
 {
-    *code = (struct glsl){.text = strdup(text), .open = -1};
-    if (code->text == NULL || !glsl_scan(code) || !make_rows(code))
-        return false;
+    *code = (struct glsl){.text = memory_text("%s", text), .open = -1};
+    glsl_scan(code);
+    make_rows(code);
     struct walk walk = {.code = code, .live = true, .certain = true};
-    walk.bracket = calloc((size_t)code->count + 1, sizeof *walk.bracket);
-    bool done = walk.bracket != NULL && judge(&walk);
+    walk.bracket = memory_zeros((size_t)code->count, sizeof *walk.bracket);
+    judge(&walk);
     free(walk.bracket);
     free(walk.open);
-    if (done)
-        finish(code);
-    return done;
+    finish(code);
 }
 
 void glsl_free(struct glsl *code)

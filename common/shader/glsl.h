@@ -14,9 +14,8 @@
 
 #include "shader/glsl_scan.h"
 
-// Read a text. Time and memory grow with its length.
-// Returns false, not reported, without memory. Free with glsl_free in either case.
-bool glsl_read(struct glsl *code, const char *text);
+// Read a text. Time and memory grow with its length. Free with glsl_free.
+void glsl_read(struct glsl *code, const char *text);
 
 // Free the tokens; code may be all zeros.
 void glsl_free(struct glsl *code);

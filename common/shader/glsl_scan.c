@@ -1,16 +1,12 @@
 #include "shader/glsl_scan.h"
 
-#include <stdlib.h>
 #include <string.h>
+
+#include "memory.h"
 
 bool glsl_is_word(char c)
 {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-void *glsl_grown(void *row, int count, size_t size)
-{
-    return (count & (count - 1)) != 0 ? row : realloc(row, (2 * (size_t)count + 1) * size);
 }
 
 // ---- Tokens ----
@@ -72,7 +68,7 @@ static struct glsl_token token_at(struct glsl *code, const char *c, bool begins_
     return token;
 }
 
-static bool read_tokens(struct glsl *code)
+static void read_tokens(struct glsl *code)
 {
     int line = 0;
     bool begins = true, directive = false;
@@ -84,11 +80,8 @@ static bool read_tokens(struct glsl *code)
             c += *c == '\\' ? 2 : 1;
             continue;
         }
-        struct glsl_token *item = glsl_grown(code->item, code->count, sizeof *item);
-        if (item == NULL)
-            return false;
-        code->item = item;
-        item += code->count++;
+        code->item = memory_row(code->item, code->count, sizeof *code->item);
+        struct glsl_token *item = &code->item[code->count++];
         *item = token_at(code, c, begins);
         directive |= item->kind == GLSL_HASH;
         begins &= item->kind >= GLSL_COMMENT;
@@ -97,7 +90,6 @@ static bool read_tokens(struct glsl *code)
         for (const char *end = c + item->length; c < end; c++)
             line += *c == '\n';
     }
-    return true;
 }
 
 // ---- Names ----
@@ -117,16 +109,14 @@ static int *slot_of(const struct glsl *code, const char *word, int length)
     return &code->table[at];
 }
 
-static bool read_names(struct glsl *code)
+static void read_names(struct glsl *code)
 {
     int words = 0;
     for (int i = 0; i < code->count; i++)
         words += code->item[i].kind == GLSL_WORD;
     for (code->table_size = 2; code->table_size < 2 * words;)
         code->table_size *= 2;
-    code->table = malloc((size_t)code->table_size * sizeof *code->table);
-    if (code->table == NULL)
-        return false;
+    code->table = memory_zeros((size_t)code->table_size, sizeof *code->table);
     memset(code->table, 0xFF, (size_t)code->table_size * sizeof *code->table); // -1 each
     for (int i = 0; i < code->count; i++) {
         struct glsl_token *token = &code->item[i];
@@ -134,17 +124,13 @@ static bool read_names(struct glsl *code)
             continue;
         int *slot = slot_of(code, code->text + token->begin, token->length);
         if (*slot < 0) {
-            struct glsl_name *name = glsl_grown(code->name, code->name_count, sizeof *name);
-            if (name == NULL)
-                return false;
-            code->name = name;
+            code->name = memory_row(code->name, code->name_count, sizeof *code->name);
             *slot = code->name_count++;
-            name[*slot] =
+            code->name[*slot] =
                 (struct glsl_name){token->begin, token->length, 0, -1, -1, -1, GLSL_NEVER};
         }
         token->name = *slot;
     }
-    return true;
 }
 
 struct glsl_name *glsl_name(const struct glsl *code, const char *word)
@@ -153,7 +139,8 @@ struct glsl_name *glsl_name(const struct glsl *code, const char *word)
     return at >= 0 ? &code->name[at] : NULL;
 }
 
-bool glsl_scan(struct glsl *code)
+void glsl_scan(struct glsl *code)
 {
-    return read_tokens(code) && read_names(code);
+    read_tokens(code);
+    read_names(code);
 }

@@ -3,7 +3,6 @@
 #define GLSL_SCAN_H
 
 #include <stdbool.h>
-#include <stddef.h>
 
 enum glsl_kind {
     GLSL_END,
@@ -65,13 +64,8 @@ bool glsl_is_word(char c);
 // True when the token is one of these signs.
 bool glsl_is_sign(const struct glsl_token *token, const char *signs);
 
-// Make room in a row for one more than count: it is doubled whenever count is a power of two.
-// Returns the row, or NULL without memory, when the old one stays.
-void *glsl_grown(void *row, int count, size_t size);
-
 // Find the tokens and the names of a text; what counts is not told yet.
 //   code  its text is there, and open is -1
-// Returns false without memory, not reported.
-bool glsl_scan(struct glsl *code);
+void glsl_scan(struct glsl *code);
 
 #endif

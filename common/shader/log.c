@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "shader/glsl.h"
-#include "report.h"
+#include "memory.h"
 
 #define NAME_SIZE   128 // of a function in a link error
 #define LINE_LIMIT  160 // letters of a source line that is shown
@@ -14,9 +14,8 @@
 // One explanation under way.
 struct explanation {
     const struct shader_source *source;
-    int prelude; // lines that shader_text puts first
-    char *text;  // what is explained so far
-    size_t size, capacity;
+    int prelude;     // lines that shader_text puts first
+    FILE *text;      // what is explained so far
     int shown;       // expanded line that was shown last, 0 for none
     int errors;      // lines of the log that were explained, and those left out
     bool has_errors; // the log holds an error, so that its warnings only hide it
@@ -28,27 +27,6 @@ struct message {
     const char *kind; // "error" or "warning"
     const char *text; // what follows
 };
-
-static bool append(struct explanation *e, const char *text, size_t length)
-{
-    if (e->size + length + 1 > e->capacity) {
-        size_t capacity = 2 * e->capacity + length + 256;
-        char *grown = realloc(e->text, capacity);
-        if (grown == NULL)
-            return false;
-        e->text = grown;
-        e->capacity = capacity;
-    }
-    memcpy(e->text + e->size, text, length);
-    e->size += length;
-    e->text[e->size] = '\0';
-    return true;
-}
-
-static bool append_text(struct explanation *e, const char *text)
-{
-    return append(e, text, strlen(text));
-}
 
 static const char *skip_blanks(const char *c)
 {
@@ -150,16 +128,15 @@ static int expanded_line(const struct explanation *e, const struct message *mess
 }
 
 // The line as its author wrote it, without what the log line adds.
-static bool append_source(struct explanation *e, int line)
+static void append_source(const struct explanation *e, int line)
 {
     const char *text = e->source->text;
     for (int i = 1; i < line; i++)
         text = strchr(text, '\n') + 1;
     text = skip_blanks(text);
-    size_t length = strcspn(text, "\n");
+    int length = (int)strcspn(text, "\n");
     bool cut = length > LINE_LIMIT;
-    return append_text(e, "    ") && append(e, text, cut ? LINE_LIMIT : length) &&
-           append_text(e, cut ? "...\n" : "\n");
+    fprintf(e->text, "    %.*s%s\n", cut ? LINE_LIMIT : length, text, cut ? "..." : "");
 }
 
 // Name a sign that is no part of GLSL, which drivers answer with whatever comes after it: an accent
@@ -181,30 +158,29 @@ static void foreign_sign(const struct explanation *e, int line, char sign[128])
              space ? "a space that cannot break" : "'", space ? 0 : length, code, space ? "" : "'");
 }
 
-static bool explain_line(struct explanation *e, const char *log)
+static void explain_line(struct explanation *e, const char *log)
 {
     struct message message = read_message(log);
     int line = expanded_line(e, &message);
     if (message.line != 0 && e->has_errors && strcmp(message.kind, "warning") == 0)
-        return true;
+        return;
     if (message.line == 0 && (line = line_of_call(e, log)) != 0 && message.text == log)
         split_kind(skip(log, "ERROR: ") != NULL ? log + strlen("ERROR: ") : log, &message);
     if (line == 0) {
         e->shown = 0;
-        return append_text(e, log) && append_text(e, "\n");
+        fprintf(e->text, "%s\n", log);
+        return;
     }
     const struct shader_line *from = &e->source->lines[line - 1];
-    char place[32];
-    snprintf(place, sizeof place, ":%d: ", from->line);
     bool again = line == e->shown;
     char sign[128] = "";
     if (!again)
         foreign_sign(e, line, sign);
     e->shown = line;
-    return append_text(e, e->source->files[from->file]) && append_text(e, place) &&
-           append_text(e, message.kind) && append_text(e, ": ") && append_text(e, sign) &&
-           append_text(e, message.text) && append_text(e, "\n") &&
-           (again || append_source(e, line));
+    fprintf(e->text, "%s:%d: %s: %s%s\n", e->source->files[from->file], from->line, message.kind,
+            sign, message.text);
+    if (!again)
+        append_source(e, line);
 }
 
 // True when the same line stands earlier in the log.
@@ -217,7 +193,7 @@ static bool is_repeated(const char *log, const char *line, size_t length)
 }
 
 // Explain each line of the log, or only see whether one of them is an error.
-static bool explain_lines(struct explanation *e, const char *log, bool only_look)
+static void explain_lines(struct explanation *e, const char *log, bool only_look)
 {
     for (const char *c = log; *c != '\0';) {
         size_t length = strcspn(c, "\n");
@@ -225,41 +201,29 @@ static bool explain_lines(struct explanation *e, const char *log, bool only_look
         while (trimmed > 0 && strchr(" \t\r", c[trimmed - 1]) != NULL)
             trimmed--;
         if (trimmed > 0 && !is_repeated(log, c, trimmed)) {
-            char *line = strndup(c, trimmed);
-            if (line == NULL)
-                return false;
+            char *line = memory_text("%.*s", (int)trimmed, c);
             struct message message = read_message(line);
             e->has_errors |= message.line != 0 && strcmp(message.kind, "error") == 0;
-            bool done = only_look || ++e->errors > ERROR_LIMIT || explain_line(e, line);
+            if (!only_look && ++e->errors <= ERROR_LIMIT)
+                explain_line(e, line);
             free(line);
-            if (!done)
-                return false;
         }
         c += length + (c[length] == '\n');
     }
-    return true;
-}
-
-// Say how many lines were left out.
-static bool append_rest(struct explanation *e)
-{
-    char rest[64];
-    snprintf(rest, sizeof rest, "and %d more\n", e->errors - ERROR_LIMIT);
-    return e->errors <= ERROR_LIMIT || append_text(e, rest);
 }
 
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log)
 {
-    struct explanation e = {.source = source};
+    char *text;
+    struct explanation e = {.source = source, .text = memory_open(&text)};
     char *prelude = form_prelude(source, view);
-    for (const char *c = prelude; c != NULL && *c != '\0'; c++)
+    for (const char *c = prelude; *c != '\0'; c++)
         e.prelude += *c == '\n';
-    bool done = prelude != NULL && append_text(&e, "") && explain_lines(&e, log, true) &&
-                explain_lines(&e, log, false) && append_rest(&e);
     free(prelude);
-    if (done)
-        return e.text;
-    free(e.text);
-    report("%s: not enough memory to explain the driver's errors", source->files[0]);
-    return NULL;
+    explain_lines(&e, log, true);
+    explain_lines(&e, log, false);
+    if (e.errors > ERROR_LIMIT)
+        fprintf(e.text, "and %d more\n", e.errors - ERROR_LIMIT);
+    memory_close(e.text);
+    return text;
 }

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "number.h"
 #include "report.h"
 
@@ -92,16 +93,17 @@ static bool read_numbers(const struct parameter *parameter, const char *text, do
 // Report a name that no parameter has, with the names there are.
 static void report_unknown(const struct parameters *parameters, const char *assignment)
 {
-    char names[1024] = "";
-    size_t used = 0;
-    for (int i = 0; i < parameters->count && used < sizeof names; i++)
-        used += (size_t)snprintf(names + used, sizeof names - used, "%s%s", i > 0 ? ", " : "",
-                                 parameters->item[i].name);
+    char *names;
+    FILE *stream = memory_open(&names);
+    for (int i = 0; i < parameters->count; i++)
+        fprintf(stream, "%s%s", i > 0 ? ", " : "", parameters->item[i].name);
+    memory_close(stream);
     if (parameters->count == 0)
         report("--set %s: this shader has no parameters", assignment);
     else
         report("--set %s: no parameter has this name: there %s %s", assignment,
                parameters->count == 1 ? "is" : "are", names);
+    free(names);
 }
 
 bool parameters_assign(const struct parameters *parameters, const char *assignment)

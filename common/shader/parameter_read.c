@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "shader/glsl.h"
+#include "memory.h"
 #include "number.h"
 #include "report.h"
 
@@ -274,27 +275,22 @@ static bool add(struct parameters *parameters, const struct reading *reading)
 {
     if (parameters_find(parameters, reading->parameter.name) != NULL)
         return refuse(reading, "is declared twice: take one declaration out");
-    size_t count = (size_t)parameters->count + 1;
-    struct parameter *item = realloc(parameters->item, count * sizeof *item);
-    if (item == NULL)
-        return refuse(reading, "not enough memory");
-    parameters->item = item;
+    parameters->item = memory_row(parameters->item, parameters->count, sizeof *parameters->item);
     parameters->item[parameters->count++] = reading->parameter;
     return true;
 }
 
 // What a comment says, on its first line: a space that cannot break is a blank, as a French
-// keyboard types it, and a control character a question mark. The caller frees it; NULL without
-// memory.
+// keyboard types it, and a control character a question mark. The caller frees it.
 static char *words_of(const struct glsl *code, const struct glsl_token *comment)
 {
     static const char *const spaces[] = {"\xC2\xA0", "\xE2\x80\xAF"};
     const char *begin = code->text + comment->begin + 2;
-    char *words = strndup(begin, strcspn(begin, "\n"));
-    for (int i = 0; i < 2 && words != NULL; i++)
+    char *words = memory_text("%.*s", (int)strcspn(begin, "\n"), begin);
+    for (int i = 0; i < 2; i++)
         for (char *c = words; (c = strstr(c, spaces[i])) != NULL;)
             memset(c, ' ', strlen(spaces[i]));
-    for (char *c = words; c != NULL && *c != '\0'; c++) {
+    for (char *c = words; *c != '\0'; c++) {
         bool wide = *c == '\xC2' && (unsigned char)c[1] >= 0x80 && (unsigned char)c[1] < 0xA0;
         if (wide || ((unsigned char)*c < ' ' && strchr(BLANKS, *c) == NULL) || *c == 0x7F)
             memset(c, '?', wide ? 2 : 1);
@@ -316,8 +312,6 @@ static bool read_uniform(struct parameters *parameters, const struct shader_sour
         return true;
     struct reading reading = {.file = source->files[from->file], .line = from->line};
     char *words = words_of(code, comment);
-    if (words == NULL)
-        return refuse(&reading, "not enough memory");
     reading.c = words;
     bool done =
         !begins_with_value(words) || (read_declaration(&reading, code, uniform, comment) &&

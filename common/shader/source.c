@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
 #include "report.h"
 #include "shader/text_file.h"
 
@@ -17,20 +18,15 @@
 // One expansion under way.
 struct expansion {
     struct shader_source *source;
-    char root[PATH_MAX]; // resolved
-    char own[PATH_MAX];  // folder of the first file, resolved
-    size_t text_size, text_capacity;
-    int line_capacity;
+    char root[PATH_MAX];   // resolved
+    char own[PATH_MAX];    // folder of the first file, resolved
+    FILE *text;            // of the source
+    size_t size;           // of it so far
     int open[DEPTH_LIMIT]; // the files from the first to the one being read
     int depth;
     void (*see)(void *to, const char *path);
     void *to;
 };
-
-static bool no_memory(const char *where)
-{
-    return report("%s: not enough memory", where);
-}
 
 // ---- Names ----
 
@@ -49,13 +45,11 @@ static const char *within(const char *path, const char *folder)
     return path + (*path == '/');
 }
 
+// The folder of a resolved path.
 static void folder_of(const char *path, char folder[PATH_MAX])
 {
-    const char *slash = strrchr(path, '/');
-    size_t length = slash == NULL ? 0 : (size_t)(slash - path);
-    if (slash == NULL)
-        path = ".";
-    snprintf(folder, PATH_MAX, "%.*s", length == 0 ? 1 : (int)length, path);
+    int length = (int)(strrchr(path, '/') - path);
+    snprintf(folder, PATH_MAX, "%.*s", length > 0 ? length : 1, path);
 }
 
 static void tell(const struct expansion *e, const char *path)
@@ -99,61 +93,28 @@ static char *resolve(const struct expansion *e, int from, const char *name, char
 // The name of a file in messages: from the project's folder on, else as the first file was given.
 static char *name_of(const struct expansion *e, const char *given, const char *resolved)
 {
-    char name[2 * PATH_MAX], folder[PATH_MAX];
-    folder_of(e->source->file_count == 0 ? given : e->source->files[0], folder);
     if (e->source->file_count == 0)
-        return strdup(given);
+        return memory_text("%s", given);
     if (inside(resolved, e->root))
-        return strdup(within(resolved, e->root));
-    bool bare = strcmp(folder, ".") == 0 && strchr(e->source->files[0], '/') == NULL;
-    snprintf(name, sizeof name, "%s%s%s", bare ? "" : folder, bare ? "" : "/",
-             within(resolved, e->own));
-    return strdup(name);
+        return memory_text("%s", within(resolved, e->root));
+    const char *first = e->source->files[0], *slash = strrchr(first, '/');
+    int folder = slash == NULL ? 0 : (int)(slash - first) + 1;
+    return memory_text("%.*s%s", folder, first, within(resolved, e->own));
 }
 
 // ---- The expanded text ----
 
-// Add a file to the table; takes resolved over. Returns its index, or -1, reported.
+// Add a file to the table; takes resolved over. Returns its index.
 static int add_file(struct expansion *e, const char *given, char *resolved)
 {
     struct shader_source *source = e->source;
-    size_t count = (size_t)source->file_count + 1;
+    int file = source->file_count;
     char *name = name_of(e, given, resolved);
-    char **files = realloc(source->files, count * sizeof *files);
-    source->files = files != NULL ? files : source->files;
-    char **paths = realloc(source->paths, count * sizeof *paths);
-    source->paths = paths != NULL ? paths : source->paths;
-    if (name == NULL || files == NULL || paths == NULL) {
-        free(name);
-        free(resolved);
-        no_memory(given);
-        return -1;
-    }
-    source->files[source->file_count] = name;
-    source->paths[source->file_count] = resolved;
+    source->files = memory_row(source->files, file, sizeof *source->files);
+    source->paths = memory_row(source->paths, file, sizeof *source->paths);
+    source->files[file] = name;
+    source->paths[file] = resolved;
     return source->file_count++;
-}
-
-static bool reserve(struct expansion *e, size_t more, const char *where)
-{
-    struct shader_source *source = e->source;
-    if (e->text_size + more + 1 > e->text_capacity) {
-        size_t capacity = 2 * e->text_capacity + more + 4096;
-        char *text = realloc(source->text, capacity);
-        if (text == NULL)
-            return no_memory(where);
-        source->text = text;
-        e->text_capacity = capacity;
-    }
-    if (source->line_count == e->line_capacity) {
-        int capacity = 2 * e->line_capacity + 256;
-        struct shader_line *lines = realloc(source->lines, (size_t)capacity * sizeof *lines);
-        if (lines == NULL)
-            return no_memory(where);
-        source->lines = lines;
-        e->line_capacity = capacity;
-    }
-    return true;
 }
 
 // Add one line of a file, its end included, after a prefix.
@@ -161,14 +122,12 @@ static bool add_line(struct expansion *e, struct shader_line from, const char *p
                      const char *line, size_t length)
 {
     struct shader_source *source = e->source;
-    size_t more = strlen(prefix) + length + 1;
-    if (e->text_size + more > TEXT_LIMIT)
+    e->size += strlen(prefix) + length + 1;
+    if (e->size > TEXT_LIMIT)
         return report("%s:%d: the text passes 8 MiB with its includes: include less",
                       source->files[from.file], from.line);
-    if (!reserve(e, more, source->files[from.file]))
-        return false;
-    snprintf(source->text + e->text_size, more + 1, "%s%.*s\n", prefix, (int)length, line);
-    e->text_size += more;
+    fprintf(e->text, "%s%.*s\n", prefix, (int)length, line);
+    source->lines = memory_row(source->lines, source->line_count, sizeof *source->lines);
     source->lines[source->line_count++] = from;
     return true;
 }
@@ -213,8 +172,7 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
         free(resolved);
         return report("%s: more than %d files within each other", where, DEPTH_LIMIT);
     }
-    int file = add_file(e, name, resolved);
-    return file >= 0 && expand_file(e, file, where);
+    return expand_file(e, add_file(e, name, resolved), where);
 }
 
 // The name in an include that stands alone on its line: no comment crosses the line's ends, so that
@@ -296,20 +254,18 @@ static bool expand_file(struct expansion *e, int file, const char *where)
 {
     char why[TEXT_FILE_WHY];
     char *text = text_file_read(e->source->paths[file], why);
-    struct glsl code = {0};
-    bool done = false;
     if (text == NULL)
-        report("%s: %s", where, why);
-    else if (!glsl_read(&code, text))
-        no_memory(where);
-    else if (code.open >= 0)
+        return report("%s: %s", where, why);
+    struct glsl code;
+    bool done = false;
+    glsl_read(&code, text);
+    e->open[e->depth++] = file;
+    if (code.open < 0)
+        done = expand_text(e, file, &code);
+    else
         report("%s:%d: this comment is never closed: write */ at its end", e->source->files[file],
                code.item[code.count - 1].line + 1);
-    else {
-        e->open[e->depth++] = file;
-        done = expand_text(e, file, &code);
-        e->depth--;
-    }
+    e->depth--;
     glsl_free(&code);
     free(text);
     return done;
@@ -331,23 +287,18 @@ bool shader_expand(struct shader_source *source, const char *path, const char *r
 {
     struct expansion e = {.source = source, .see = see, .to = to};
     *source = (struct shader_source){0};
-    char *resolved_root = realpath(root, NULL);
-    char *resolved = resolved_root != NULL ? realpath(path, NULL) : NULL;
-    bool fits = resolved != NULL && snprintf(e.root, sizeof e.root, "%s", resolved_root) < PATH_MAX;
-    if (!fits)
-        report("%s: cannot be read: %s", resolved_root == NULL ? root : path, strerror(errno));
-    free(resolved_root);
-    if (!fits) {
-        free(resolved);
-        return false;
-    }
+    bool rooted = realpath(root, e.root) != NULL;
+    char *resolved = rooted ? realpath(path, NULL) : NULL;
+    if (resolved == NULL)
+        return report("%s: cannot be read: %s", rooted ? path : root, strerror(errno));
     tell(&e, resolved);
     folder_of(resolved, e.own);
-    int file = add_file(&e, path, resolved);
-    if (file == 0 && expand_file(&e, file, path))
-        return true;
-    shader_free(source);
-    return false;
+    e.text = memory_open(&source->text);
+    bool done = expand_file(&e, add_file(&e, path, resolved), path);
+    memory_close(e.text);
+    if (!done)
+        shader_free(source);
+    return done;
 }
 
 void shader_free(struct shader_source *source)

@@ -4,7 +4,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
-#include "report.h"
+#include "memory.h"
 
 enum { LOOKS_WHEN_COMPLETE = 1, LOOKS_WHEN_MISSING = 5 };
 
@@ -31,25 +31,14 @@ static bool refresh(struct watch_file *file)
     return !same;
 }
 
-bool watch_add(struct watch *watch, const char *path)
+void watch_add(struct watch *watch, const char *path)
 {
     for (int i = 0; i < watch->count; i++)
         if (strcmp(watch->file[i].path, path) == 0)
-            return true;
-    struct watch_file *file =
-        realloc(watch->file, ((size_t)watch->count + 1) * sizeof *watch->file);
-    char *copy = malloc(strlen(path) + 1);
-    if (file != NULL)
-        watch->file = file;
-    if (file == NULL || copy == NULL) {
-        free(copy);
-        return report("%s: not enough memory to watch it for changes", path);
-    }
-    strcpy(copy, path);
-    file[watch->count] = (struct watch_file){.path = copy};
-    refresh(&file[watch->count]);
-    watch->count++;
-    return true;
+            return;
+    watch->file = memory_row(watch->file, watch->count, sizeof *watch->file);
+    watch->file[watch->count] = (struct watch_file){.path = memory_text("%s", path)};
+    refresh(&watch->file[watch->count++]);
 }
 
 bool watch_look(struct watch *watch)

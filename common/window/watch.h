@@ -23,8 +23,7 @@ struct watch {
 };
 
 // Add a file, unless it is there already, as it is now.
-// Returns false, reported, when memory is short.
-bool watch_add(struct watch *watch, const char *path);
+void watch_add(struct watch *watch, const char *path);
 
 // Look at every file once; to be called about ten times a second.
 // Returns true once for a change: at the first look that sees nothing new, so that a file is not

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "memory.h"
 #include "report.h"
 #include "window/state.h"
 
@@ -152,16 +153,10 @@ bool window_run(struct context *context, struct renderer *renderer,
                    .samples = start->samples,
                    .pixel = {-1, -1},
                    .zoom = 1.0f},
-        .ray = {.probe = malloc(sizeof(struct probe))},
+        .ray = {.probe = memory_zeros(1, sizeof(struct probe))},
         .stale = true,
     };
-    if (window.ray.probe == NULL)
-        report("window: not enough memory");
-    if (window.ray.probe == NULL || !overlay_open(&window.panel.overlay, renderer->gl)) {
-        free(window.ray.probe);
-        return false;
-    }
-    bool done = run(&window);
+    bool done = overlay_open(&window.panel.overlay, renderer->gl) && run(&window);
     renderer->overlay = NULL;
     overlay_close(&window.panel.overlay);
     free(window.ray.probe);

@@ -1,0 +1,57 @@
+#include "memory.h"
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include "report.h"
+
+static void need(bool there)
+{
+    if (there)
+        return;
+    report("not enough memory: close other programs, or allow more with ulimit -v");
+    exit(EXIT_FAILURE);
+}
+
+void *memory_zeros(size_t count, size_t size)
+{
+    void *zeros = calloc(count > 0 ? count : 1, size);
+    need(zeros != NULL);
+    return zeros;
+}
+
+void *memory_row(void *row, int count, size_t size)
+{
+    if ((count & (count - 1)) != 0)
+        return row;
+    row = realloc(row, (2 * (size_t)count + 1) * size);
+    need(row != NULL);
+    return row;
+}
+
+char *memory_text(const char *format, ...)
+{
+    char *text = NULL;
+    FILE *stream = memory_open(&text);
+    va_list arguments;
+    va_start(arguments, format);
+    vfprintf(stream, format, arguments);
+    va_end(arguments);
+    memory_close(stream);
+    return text;
+}
+
+FILE *memory_open(char **text)
+{
+    static size_t size; // which nobody asks for
+    FILE *stream = open_memstream(text, &size);
+    need(stream != NULL);
+    return stream;
+}
+
+void memory_close(FILE *stream)
+{
+    bool failed = ferror(stream) != 0;
+    need(fclose(stream) == 0 && !failed);
+}
