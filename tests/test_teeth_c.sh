@@ -26,7 +26,7 @@ rebuild_and_run() { # COPY FILE TEST
         "${compile[@]}" -w -O1 -MMD -MP -c -o "build/${2%.c}.o" "$2" >log 2>&1 || return 2
     fi
     make "build/tests/$3" >log 2>&1 || return 2
-    PROJECT_ROOT=$1 CMOCKA_MESSAGE_OUTPUT=TAP limited "build/tests/$3" >log 2>&1 </dev/null || return 1
+    PROJECT_ROOT=$1 BUILD=$root/build CMOCKA_MESSAGE_OUTPUT=TAP limited "build/tests/$3" >log 2>&1 </dev/null || return 1
 }
 
 plant() { # LINE COPY: prints a result
