@@ -10,6 +10,7 @@ EXERCISE =
 NAME =
 FILE =
 FILES =
+PICTURES =
 FORCE =
 FRAMES =
 FPS =
@@ -20,7 +21,7 @@ SANITIZE =
 FUZZER =
 # What awk, sort and gcc read and print does not depend on the reader's language.
 export LC_ALL = C
-export CHAPTER SUITE NAME EXERCISE FILE FILES FORCE FRAMES FPS ROUNDS WRITE DURATION
+export CHAPTER SUITE NAME EXERCISE FILE FILES PICTURES FORCE FRAMES FPS ROUNDS WRITE DURATION
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -152,6 +153,10 @@ play: ready ## open your own shader in a window: make play FILE=my.frag; without
 check: ready ## is a solution right? make check EXERCISE=03_2 FILE=my.frag; FILES='handed_in/*.frag' for a table
 	@.make/check.sh
 
+# Pictures that differ are an answer, no error of make's.
+compare: ready ## by how much do two pictures differ? make compare PICTURES='one.png two.png'
+	@.make/compare.sh || [ $$? = 1 ]
+
 diff: ## show what changed since the chapter before: make diff CHAPTER=03
 	@.make/diff.sh
 
@@ -225,7 +230,7 @@ references: ready ## render the reference pictures again; those within tolerance
 	@tests/references.sh update
 
 always:
-.PHONY: all programs tests fuzzer ready run play check diff film gallery benchmark book setup clean help test \
+.PHONY: all programs tests fuzzer ready run play check compare diff film gallery benchmark book setup clean help test \
         test-fresh test-gpu fuzz lint format chapter docs figures figure_programs references always
 .DELETE_ON_ERROR:
 .SUFFIXES:

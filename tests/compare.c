@@ -1,23 +1,51 @@
-// compare A.png B.png [DIFFERENCE.png] - are two pictures the same one?
+// compare [--words] A.png B.png [DIFFERENCE.png] - are two pictures the same one?
 //
 // Prints the two numbers that decide, the largest difference, how many pixels differ at all, and
-// the place that differs most, in pixels as --probe counts them. Exit status: 0 within tolerance, 1
-// outside, 2 when it could not compare.
+// the place that differs most, in pixels as --probe counts them; with --words a sentence for a
+// student. Exit status: 0 within tolerance, 1 outside, 2 when it could not compare.
 #include <stdio.h>
+#include <string.h>
 
 #include "support_compare.h"
 
 enum { SAME = 0, DIFFERENT = 1, NOT_COMPARED = 2 };
 
-static int compare(const struct image *a, const struct image *b, const char *picture)
+// Shares have two digits, or three from 1 % on.
+static void print_words(const struct image_difference *difference)
+{
+    double share = 100.0 * difference->f2;
+    int largest = difference->largest;
+    if (share >= 0.001)
+        printf("%.*g", share < 1.0 ? 2 : 3, share);
+    else if (share > 0.0)
+        printf("less than 0.001");
+    if (share > 0.0)
+        printf(" %% of the pixels differ by more than 2 of 255, at most by %d, most around %d,%d",
+               largest, difference->x, difference->y);
+    else if (!image_same(difference))
+        printf("no pixel differs by more than %d of 255, but a whole part does, most around %d,%d",
+               largest, difference->x, difference->y);
+    else if (largest > 0)
+        printf("the pictures are the same: no pixel differs by more than 2 of 255, at most by %d",
+               largest);
+    else
+        printf("the pictures are the same: no pixel differs");
+}
+
+static void print_numbers(const struct image_difference *difference)
+{
+    printf("F2 %.4f %% B8 %.3f largest %d", 100.0 * difference->f2, difference->b8,
+           difference->largest);
+    if (difference->differs > 0)
+        printf(" differ %zu most at %d,%d", difference->differs, difference->x, difference->y);
+}
+
+static int compare(const struct image *a, const struct image *b, bool words, const char *picture)
 {
     struct image_difference difference;
     if (!image_compare(a, b, &difference))
         return NOT_COMPARED;
-    printf("F2 %.4f %% B8 %.3f largest %d", 100.0 * difference.f2, difference.b8,
-           difference.largest);
-    if (difference.differs > 0)
-        printf(" differ %zu most at %d,%d", difference.differs, difference.x, difference.y);
+    (words ? print_words : print_numbers)(&difference);
     printf("\n");
     if (picture != NULL) {
         struct image shown = {0};
@@ -31,14 +59,17 @@ static int compare(const struct image *a, const struct image *b, const char *pic
 
 int main(int argc, char **argv)
 {
+    bool words = argc > 1 && strcmp(argv[1], "--words") == 0;
+    argv += words;
+    argc -= words;
     if (argc != 3 && argc != 4) {
-        fprintf(stderr, "usage: %s A.png B.png [DIFFERENCE.png]\n", argv[0]);
+        fprintf(stderr, "usage: compare [--words] A.png B.png [DIFFERENCE.png]\n");
         return NOT_COMPARED;
     }
     struct image a = {0}, b = {0};
     int status = NOT_COMPARED;
     if (image_read_png(&a, argv[1]) && image_read_png(&b, argv[2]))
-        status = compare(&a, &b, argc == 4 ? argv[3] : NULL);
+        status = compare(&a, &b, words, argc == 4 ? argv[3] : NULL);
     image_free(&a);
     image_free(&b);
     return status;

@@ -1,0 +1,25 @@
+#!/bin/bash
+# compare.sh - `make compare PICTURES='one.png two.png'`: by how much do two pictures differ? One line in
+# words; where they differ by more than a rounding the difference is left as a picture in build/compare.png.
+#
+# Environment: PICTURES. Exit status: 0 when they are the same within the tolerance, 1 when not, 2 when
+# they cannot be compared.
+set -u -f
+export LC_ALL=C
+difference=build/compare.png
+
+# shellcheck disable=SC2206 # a name has no spaces
+pictures=(${PICTURES-})
+if [ ${#pictures[@]} != 2 ]; then
+    echo "make: which two pictures? For example: make compare PICTURES='one.png two.png'" >&2
+    exit 2
+fi
+mkdir -p build
+said=$(build/tests/compare --words "${pictures[@]}" "$difference" 2>&1)
+status=$?
+case $status$said in
+2*) echo "make: $said" >&2 ;;
+*', most around '*) echo "$said: see $difference" ;;
+*) echo "$said" && rm -f "$difference" ;;
+esac
+exit "$status"
