@@ -323,7 +323,7 @@ try_command() { # COMMAND
 bad_outputs() { # PAGE
     local command shown
     awk '
-        /^ *```/ { fenced = !fenced; next }
+        /^ *```/ { fenced = !fenced; if (/```sh/) shown = asked = 0; next }
         fenced && /^ *build\/.* --probe / {
             sub(/^ */, "")
             if (shown) shown = asked = 0

@@ -214,6 +214,44 @@ static void test_encoding_agrees_with_double_and_rises(void **unused)
     assert_true(worst < 0.001 / 255.0 * 10.0);
 }
 
+// By how much the mean of encoded lights is brighter than the encoded mean.
+static double mean_excess(const double *light, int count)
+{
+    double mean = 0.0, encoded = 0.0;
+    for (int i = 0; i < count; i++) {
+        mean += light[i] / count;
+        encoded += mirror_encode(light[i]) / count;
+    }
+    return encoded - mirror_encode(mean);
+}
+
+// Chapter 02, proof 4: never by more than (1 - 1/n) of the step down between the two pieces of the
+// curve, and, by two lights on either side of that step, by nearly so much.
+static void test_mean_of_encoded_lights_is_brighter_by_a_hair_at_most(void **unused)
+{
+    (void)unused;
+    const double corner = 0.0031308;
+    const double step = 12.92 * corner - (1.055 * pow(corner, 1.0 / 2.4) - 0.055);
+    assert_true(step > 2.851e-8 && step < 2.853e-8);
+    const double pair[2] = {corner, corner + 1e-11};
+    assert_true(mean_excess(pair, 2) > 0.499 * step && mean_excess(pair, 2) < 1.43e-8);
+    srand(4);
+    double worst = 0.0;
+    for (int i = 0; i < 200000; i++) {
+        double light[8];
+        int count = 2 + rand() % 7;
+        for (int k = 0; k < count; k++) { // half of them near the corner, at every scale
+            double u = rand() / (double)RAND_MAX, sign = rand() % 2 ? 1.0 : -1.0;
+            light[k] = i % 2 ? u : corner + sign * pow(10.0, -3.0 - 12.0 * u);
+        }
+        double excess = mean_excess(light, count);
+        assert_true(excess <= (1.0 - 1.0 / count) * step + 1e-15);
+        worst = fmax(worst, excess);
+    }
+    print_message("# mean of encoded lights: brighter by %.3g at most\n", worst);
+    assert_true(worst > 0.5 * step);
+}
+
 static void test_lambert_and_fall_off_agree_with_double(void **unused)
 {
     (void)unused;
@@ -402,6 +440,7 @@ int main(void)
         cmocka_unit_test(test_distances_are_1_lipschitz),
         cmocka_unit_test(test_gradients_have_length_1_almost_everywhere),
         cmocka_unit_test(test_encoding_agrees_with_double_and_rises),
+        cmocka_unit_test(test_mean_of_encoded_lights_is_brighter_by_a_hair_at_most),
         cmocka_unit_test(test_lambert_and_fall_off_agree_with_double),
         cmocka_unit_test(test_schlick_is_near_fresnel),
         cmocka_unit_test(test_interval_union_is_the_smallest),
