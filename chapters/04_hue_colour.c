@@ -9,7 +9,7 @@ int main(int argc, char **argv)
         .stem = "04_hue_colour",
         .title = "04 Hue and combination",
         .shows = "A wheel of twelve hues, and in its middle a ball that rises out of a block.",
-        .camera = {.position = {1.52f, 3.75f, 5.68f}, .pan = -15.0f, .tilt = -32.5f},
+        .camera = {.position = {1.15f, 4.45f, 4.3f}, .pan = -15.0f, .tilt = -49.8f},
     };
     return chapter_run(&chapter, argc, argv);
 }

@@ -13,7 +13,7 @@
 
 uniform float hueShift;     // 0 in [0, 360] step 5, degrees: turns the hues around the wheel
 uniform float saturation;   // 0.97 in [0, 1] step 0.05: 0 grey, 1 the pure hue
-uniform float value;        // 0.9 in [0, 1] step 0.05: the largest channel of a colour
+uniform float value;        // 0.8 in [0, 1] step 0.05: the largest channel of a colour
 uniform int   operation;    // 3 in [0, 3]: of block and ball: 0 union, 1 intersection, 2 block less ball, 3 smooth union
 uniform float blend;        // 0.6 in [0.01, 1.5] step 0.05, scene units: width of the smooth union's blend
 uniform int   maxSteps;     // 128 in [1, 1024]: steps before a ray is given up
@@ -22,14 +22,19 @@ uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: s
 
 const vec3  LOW = vec3(-3.25, -0.27, -3.25);       // opposite corners of a box that holds the scene
 const vec3  HIGH = vec3(3.25, 1.6, 3.25);
+
+// The wheel, seen from above: x to the right, z to the viewer. A mirror's normal points to the side
+// that its fold keeps.
 const float RING = 2.5;                            // radius of the wheel, scene units
-const vec2  WALL = vec2(-0.5, 0.8660254);          // across the line at 30 degrees, where a die stands
-const vec2  NEXT = vec2(-0.8660254, 0.5);          // across the line at 60 degrees
+const vec2  MIRROR_60 = vec2(0.8660254, -0.5);     // normal of the mirror at 60 degrees
+const vec2  MIRROR_30 = vec2(0.5, -0.8660254);     // normal of the mirror at 30 degrees
+const vec2  ALONG_30 = vec2(0.8660254, 0.5);       // direction in which the die of 30 degrees stands
 
 const vec3  SUN = vec3(-0.72, 0.6, 0.3487);        // direction of the sun, length 1
 const vec3  SUN_LIGHT = vec3(1.25, 1.05, 0.82);    // its light, linear RGB
-const vec3  SKY_LIGHT = vec3(0.17, 0.215, 0.27);   // what an upward face receives from the sky
-const vec3  STAGE_COLOUR = vec3(0.17, 0.165, 0.17);
+const vec3  SKY_LIGHT = vec3(0.28, 0.335, 0.41);   // what an upward face receives from the sky
+const vec3  GLOW = vec3(-0.5196, 0.1, -0.8485);    // where the backdrop is brightest, length 1
+const vec3  STAGE_COLOUR = vec3(0.28, 0.27, 0.265);
 const float BLOCK_HUE = 255.0;                     // of the solids in the middle, degrees
 const float BALL_HUE = 12.0;
 
@@ -38,23 +43,30 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// The mirror image of q on the side of a line through the origin where <q, normal> <= 0.
+// Fold the plane at a mirror through the origin: a point behind it is replaced by its mirror image, a
+// point in front of it, where the product of q and normal is positive, stays.
 vec2 folded(vec2 q, vec2 normal)
 {
-    return q - 2.0 * max(dot(q, normal), 0.0) * normal;
+    return q - 2.0 * min(dot(q, normal), 0.0) * normal;
+}
+
+// A cube whose corners and edges a ball has cut off. q: the point, measured from the die's middle.
+float dieDistance(vec3 q)
+{
+    vec3 faces = abs(q) - 0.33;
+    float cube = opIntersection(faces.x, opIntersection(faces.y, faces.z));
+    return opIntersection(cube, sdSphere(q, 0.45));
 }
 
 // Six balls and between them six dice, by folding: mirrors every 30 degrees send every point to one
-// wedge, where a ball stands on the one wall and a die on the other.
+// wedge. On its one mirror stands a ball, on the other a die; each is asked in coordinates of its own,
+// outwards from the axis of the wheel, upwards, across.
 float wheelDistance(vec3 p)
 {
-    vec2 q = folded(folded(abs(p.xz), NEXT), WALL);
-    vec3 toBall = vec3(q.x - RING, p.y - 0.3, q.y);
-    vec3 toDie = vec3(dot(q, vec2(WALL.y, -WALL.x)) - RING, p.y - 0.28, dot(q, WALL));
-    vec3 faces = abs(toDie) - 0.33;
-    float cube = opIntersection(faces.x, opIntersection(faces.y, faces.z));
-    float die = opIntersection(cube, sdSphere(toDie, 0.45));
-    return opUnion(sdSphere(toBall, 0.4), die);
+    vec2 q = folded(folded(abs(p.xz), MIRROR_60), MIRROR_30);
+    vec3 fromBall = vec3(q.x - RING, p.y - 0.3, q.y);
+    vec3 fromDie = vec3(dot(q, ALONG_30) - RING, p.y - 0.28, dot(q, MIRROR_30));
+    return opUnion(sdSphere(fromBall, 0.4), dieDistance(fromDie));
 }
 
 // A round stage with a groove: a cylinder and a slab intersected, a ring subtracted.
@@ -93,33 +105,47 @@ float sceneDistance(vec3 p)
     return opUnion(opUnion(stageDistance(p), wheelDistance(p)), middleDistance(p));
 }
 
-// The share of the ball's colour: who alone makes the surface counts alone.
+// How much of the colour at p is the ball's: 0 none, 1 all. step(x, y) is 1 where x <= y, else 0.
 float ballShare(vec3 p)
 {
     float a = blockDistance(p), b = ballDistance(p);
-    return operation == 0 ? step(b, a) :
-           operation == 1 ? step(a, b) :
-           operation == 2 ? step(a, -b) : smoothUnionShare(a, b, blend);
+    if (operation == 0)
+        return step(b, a); // the lesser distance makes the surface
+    if (operation == 1)
+        return step(a, b); // the larger one
+    if (operation == 2)
+        return step(a, -b); // the larger of a and -b
+    return smoothUnionShare(a, b, blend);
+}
+
+vec3 middleColour(vec3 p)
+{
+    vec3 block = hsvToRGB(BLOCK_HUE, saturation, value);
+    vec3 ball = hsvToRGB(BALL_HUE, saturation, value);
+    return mix(block, ball, ballShare(p));
+}
+
+// The twelve hues, each from 15 degrees before its solid to 15 degrees behind.
+vec3 wheelColour(vec3 p)
+{
+    float angle = degrees(atan(p.z, p.x));
+    return hsvToRGB(30.0 * floor(angle / 30.0 + 0.5) + hueShift, saturation, value);
 }
 
 // The colour of the surface at p: found once, where the march has ended.
 vec3 colourAt(vec3 p)
 {
-    float wheel = wheelDistance(p), middle = middleDistance(p);
-    float angle = degrees(atan(p.z, p.x));
-    vec3 colour = hsvToRGB(30.0 * floor(angle / 30.0 + 0.5) + hueShift, saturation, value);
-    vec3 block = hsvToRGB(BLOCK_HUE, saturation, value);
-    vec3 ball = hsvToRGB(BALL_HUE, saturation, value);
-    colour = middle < wheel ? mix(block, ball, ballShare(p)) : colour;
-    return stageDistance(p) < min(wheel, middle) ? STAGE_COLOUR : colour;
+    float stage = stageDistance(p), wheel = wheelDistance(p), middle = middleDistance(p);
+    if (stage < min(wheel, middle))
+        return STAGE_COLOUR;
+    return wheel < middle ? wheelColour(p) : middleColour(p);
 }
 
-// What the ray sees that meets nothing: a dark room with a glow at the horizon, to the left.
+// What a ray sees that meets nothing: a dark room, brightest towards GLOW.
 vec3 skyLight(vec3 direction)
 {
-    float glow = 0.5 + 0.5 * dot(direction, vec3(-0.5196, 0.1, -0.8485));
-    glow *= glow * glow;
-    return mix(vec3(0.003, 0.006, 0.014), vec3(0.040, 0.092, 0.120), glow * glow);
+    float towards = max(0.5 + 0.5 * dot(direction, GLOW), 0.0);
+    return mix(vec3(0.006, 0.012, 0.026), vec3(0.060, 0.140, 0.180), pow(towards, 6.0));
 }
 
 // The light that arrives: the sun's where it is in sight, and the sky's, more from above.

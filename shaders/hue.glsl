@@ -8,7 +8,7 @@
 //            negative one: the circle closes at 360
 //   returns  linear red, green, blue in [0, 1]; between multiples of 60 two channels rest and one moves
 //            in a straight line
-//   formula  channel = clamp(|mod(hue / 60 + k, 6) - 3| - 1, 0, 1), k = 0, 4, 2 for red, green, blue
+//   formula  channel = clamp(|mod(hue / 60 + o, 6) - 3| - 1, 0, 1), o = 0, 4, 2 for red, green, blue
 // Source: A. R. Smith, 'Color gamut transform pairs', SIGGRAPH 1978; report, section 1.5.4, figure 5.
 vec3 hueToRGB(float hue)
 {

@@ -94,7 +94,7 @@ static const struct mirror_scene scene = {.function = scene_function};
 // The hue's definition, cut every 60 degrees, with the chapter's saturation and value.
 static struct d3 colour_of(double hue)
 {
-    const double saturation = 0.97, value = 0.9;
+    const double saturation = 0.97, value = 0.8;
     double channel[3] = {0.0, 0.0, 0.0};
     int piece = (int)(hue / 60.0);
     double up = hue / 60.0 - piece;
@@ -113,7 +113,7 @@ static struct d3 mixed(struct d3 a, struct d3 b, double share)
 static struct d3 material(struct d3 p, int nearest)
 {
     if (nearest == STAGE)
-        return d3(0.17, 0.165, 0.17);
+        return d3(0.28, 0.27, 0.265);
     if (nearest < 12)
         return colour_of(30.0 * nearest);
     double a = block(p), b = ball(p), h = most(blend - fabs(a - b), 0.0);
@@ -124,7 +124,7 @@ static struct d3 material(struct d3 p, int nearest)
 static struct d3 sky(struct d3 direction)
 {
     double glow = 0.5 + 0.5 * d3_dot(direction, d3(-0.5196, 0.1, -0.8485));
-    return mixed(d3(0.003, 0.006, 0.014), d3(0.040, 0.092, 0.120), pow(glow, 6.0));
+    return mixed(d3(0.006, 0.012, 0.026), d3(0.060, 0.140, 0.180), pow(glow, 6.0));
 }
 
 static bool hidden(struct d3 p, struct d3 normal)
@@ -167,7 +167,7 @@ static struct mirror_sample sample_of(const struct mirror_eye *eye)
         sample.what = name_of(nearest, share_at(p));
         sample.faces = facing > 0.0;
         sample.shadowed = sample.faces && hidden(p, normal);
-        light = d3_times(0.5 + 0.5 * normal.y, d3(0.17, 0.215, 0.27));
+        light = d3_times(0.5 + 0.5 * normal.y, d3(0.28, 0.335, 0.41));
         if (!sample.shadowed)
             light = d3_add(light, d3_times(facing, d3(1.25, 1.05, 0.82)));
         light = d3_product(material(p, nearest), light);
@@ -179,14 +179,14 @@ static struct mirror_sample sample_of(const struct mirror_eye *eye)
 // ---- Pixels ----
 
 static const struct pixel pixels[] = {
-    {STEM, 440, 110, "die+"},   {STEM, 430, 110, "die+"},   {STEM, 460, 170, "bead+"},
-    {STEM, 460, 160, "bead+"},  {STEM, 410, 40, "stage-"},  {STEM, 300, 30, "stage+"},
-    {STEM, 400, 70, "stage#"},  {STEM, 320, 70, "stage#"},  {STEM, 180, 160, "die-"},
-    {STEM, 290, 80, "die-"},    {STEM, 260, 80, "die+"},    {STEM, 340, 150, "block+"},
-    {STEM, 290, 160, "block+"}, {STEM, 340, 210, "blend-"}, {STEM, 290, 180, "blend+"},
-    {STEM, 310, 170, "blend+"}, {STEM, 360, 210, "blend#"}, {STEM, 390, 90, "bead-"},
-    {STEM, 210, 130, "bead-"},  {STEM, 360, 90, "bead+"},   {STEM, 340, 220, "ball-"},
-    {STEM, 310, 220, "ball+"},  {STEM, 600, 40, "sky-"},    {STEM, 60, 300, "sky-"},
+    {STEM, 450, 135, "die+"},   {STEM, 430, 120, "die+"},   {STEM, 478, 190, "bead+"},
+    {STEM, 488, 185, "bead+"},  {STEM, 366, 235, "blend#"}, {STEM, 300, 30, "stage+"},
+    {STEM, 500, 130, "stage#"}, {STEM, 330, 70, "stage#"},  {STEM, 170, 175, "die-"},
+    {STEM, 455, 233, "die-"},   {STEM, 268, 105, "die+"},   {STEM, 310, 175, "block+"},
+    {STEM, 258, 208, "block+"}, {STEM, 350, 228, "blend-"}, {STEM, 300, 230, "blend+"},
+    {STEM, 282, 226, "blend+"}, {STEM, 360, 220, "blend#"}, {STEM, 212, 138, "bead-"},
+    {STEM, 202, 247, "bead-"},  {STEM, 370, 90, "bead+"},   {STEM, 345, 250, "ball-"},
+    {STEM, 310, 270, "ball+"},  {STEM, 600, 40, "sky-"},    {STEM, 60, 300, "sky-"},
 };
 
 static void test_pixels(void **unused)

@@ -4,7 +4,7 @@
 // Stage, light and camera are the chapter's; sceneDistance and what depends on it are written anew.
 #include "main.glsl"
 #define sceneDistance wheelScene
-#define colourAt wheelColour
+#define colourAt wheelColourAt
 #define rayColour wheelRayColour
 #include "04_hue_colour.frag"
 #undef rayColour
@@ -30,9 +30,9 @@ float latticeDistance(vec3 p)
 {
     vec2 q = abs(p.xz);
     q = vec2(max(q.x, q.y), min(q.x, q.y));
-    q = folded(q, vec2(-0.5, 0.8660254));
-    q = folded(q, vec2(-0.2588190, 0.9659258));
-    q = folded(q, vec2(-0.1305262, 0.9914449));
+    q = folded(q, MIRROR_30);
+    q = folded(q, vec2(0.2588190, -0.9659258));
+    q = folded(q, vec2(0.1305262, -0.9914449));
     float lattice = 1e6;
     for (float ring = 1.0; ring <= RINGS; ring++)
         lattice = opUnion(lattice, ringDistance(vec3(q.x, p.y, q.y), ring));

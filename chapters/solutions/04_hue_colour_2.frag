@@ -19,8 +19,9 @@ float smoothSubtraction(float a, float b)
     return -opSmoothUnion(-a, b, blend);
 }
 
-// The chapter asks step(a, -b) for the share of b.
+// The chapter asks step(a, -b) for the ball's share of block less ball, and step for the sharp
+// shares of union and intersection, which stay.
 float softStep(float edge, float x)
 {
-    return smoothUnionShare(-edge, -x, blend);
+    return operation == 2 ? smoothUnionShare(-edge, -x, blend) : float(edge <= x);
 }
