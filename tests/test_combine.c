@@ -17,9 +17,9 @@ enum { UNION, INTERSECTION, SUBTRACTION, SMOOTH };
 enum { ROWS = 128, ITEMS = 256 * ROWS };
 
 // Half the distance of the centres, the width of the blend, the step of the differences, the
-// radius.
-static const float sizes[4] = {0.5f, 0.625f, 0.0078125f, 0.75f};
-static const double shift = 0.5, blend = 0.625, step = 0.0078125, radius = 0.75;
+// radius: the discs of the experiment 04_bounds.
+static const float sizes[4] = {0.7f, 0.625f, 0.0078125f, 1.0f};
+static const double shift = (double)0.7f, blend = 0.625, step = 0.0078125, radius = 1.0;
 
 // Rounding of a distance, of its cube, and of a point's own coordinates.
 static const double slack = 2e-6;
@@ -107,6 +107,17 @@ static void test_subtraction_is_exact_inside_and_a_bound_outside(void **unused)
     check_bound(SUBTRACTION, true);
 }
 
+// The two points that the page computes: above the lens, and in the middle of the union.
+static void test_the_points_of_the_page(void **unused)
+{
+    (void)unused;
+    struct d3 above = {0.0, 2.0, 0.0}, origin = {0.0, 0.0, 0.0};
+    assert_true(fabs(surface_distance(above, INTERSECTION) - 1.286) < 5e-4);
+    assert_true(fabs(hypot(shift, above.y) - radius - 1.119) < 5e-4);
+    assert_true(fabs(surface_distance(origin, UNION) - 0.714) < 5e-4);
+    assert_true(fabs(shift - radius - -0.3) < 5e-4);
+}
+
 static void test_all_are_1_lipschitz(void **unused)
 {
     (void)unused;
@@ -181,6 +192,7 @@ int main(void)
         cmocka_unit_test(test_union_is_exact_outside_and_a_bound_inside),
         cmocka_unit_test(test_intersection_is_exact_inside_and_a_bound_outside),
         cmocka_unit_test(test_subtraction_is_exact_inside_and_a_bound_outside),
+        cmocka_unit_test(test_the_points_of_the_page),
         cmocka_unit_test(test_all_are_1_lipschitz),
         cmocka_unit_test(test_smooth_union_lies_between_min_and_min_less_a_sixth),
         cmocka_unit_test(test_share_is_the_slope_in_b),
