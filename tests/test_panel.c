@@ -99,7 +99,8 @@ static void the_status_is_told(void **unused)
 static void the_table_is_whole_where_it_has_room(void **unused)
 {
     (void)unused;
-    struct panel panel = {.renderer = &renderer, .title = "", .chosen = "wide", .pixel = {-1, -1}};
+    struct panel panel = {
+        .renderer = &renderer, .title = "", .chosen = &parameters[1], .pixel = {-1, -1}};
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("[0, 9] feet") && !says("[0, 8]"));
     panel.ranges = true;
@@ -129,11 +130,11 @@ static void a_panel_scrolls_to_the_chosen_parameter(void **unused)
         item[i].components = 1;
     }
     for (int i = 0; i < MANY; i++) {
-        panel.chosen = item[i].name;
+        panel.chosen = &item[i];
         panel_gather(&panel, &overlay, 400, HEIGHT, 1.0f);
         char detail[64];
         snprintf(detail, sizeof detail, "[0, 0] unit%d", i);
-        assert_true(says(panel.chosen) && says(detail) && says("of 20"));
+        assert_true(says(panel.chosen->name) && says(detail) && says("of 20"));
         assert_true(overlay.rectangle[0].bottom < HEIGHT);
     }
 }

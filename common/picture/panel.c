@@ -87,11 +87,6 @@ struct chapter_panel {
     char status[160], detail[2 * CELL], last[160];
 };
 
-static bool is_chosen(const struct panel *panel, const struct parameter *parameter)
-{
-    return panel->chosen != NULL && strcmp(panel->chosen, parameter->name) == 0;
-}
-
 static void detail_text(const struct parameter *parameter, char *text, size_t size)
 {
     char cell[COLUMNS][CELL];
@@ -169,10 +164,8 @@ static void last_text(const struct panel *panel, char *text, size_t size)
 // stays in sight.
 static int first_shown(const struct panel *panel, int room)
 {
-    const struct parameters *parameters = &panel->renderer->parameters;
-    const struct parameter *chosen =
-        panel->chosen != NULL ? parameters_find(parameters, panel->chosen) : NULL;
-    int index = chosen != NULL ? (int)(chosen - parameters->item) : 0;
+    const struct parameter *first = panel->renderer->parameters.item;
+    int index = panel->chosen != NULL ? (int)(panel->chosen - first) : 0;
     return index < room ? 0 : index - room + 1;
 }
 
@@ -183,15 +176,13 @@ static void lay_chapter(const struct panel *panel, float limit, float bottom,
                         struct chapter_panel *form)
 {
     const struct parameters *parameters = &panel->renderer->parameters;
-    const struct parameter *chosen =
-        panel->chosen != NULL ? parameters_find(parameters, panel->chosen) : NULL;
     *form = (struct chapter_panel){.rows = parameters->count};
     status_text(panel, form->status, sizeof form->status);
     last_text(panel, form->last, sizeof form->last);
-    if (chosen != NULL)
-        detail_text(chosen, form->detail, sizeof form->detail);
+    if (panel->chosen != NULL)
+        detail_text(panel->chosen, form->detail, sizeof form->detail);
     float table = measure_table(parameters, COLUMNS, form->column);
-    form->ranges = chosen == NULL || (panel->ranges && table <= limit);
+    form->ranges = panel->chosen == NULL || (panel->ranges && table <= limit);
     if (!form->ranges)
         table = measure_table(parameters, 2, form->column);
     // In steps, so that a panel does not tremble with its numbers.
@@ -220,7 +211,7 @@ static void write_chapter(const struct panel *panel, struct overlay *overlay,
     if (parameters->count > 0)
         rule(&pen, form->width);
     for (int i = form->first; i < form->first + form->rows; i++)
-        write_parameter(&pen, &parameters->item[i], is_chosen(panel, &parameters->item[i]), form);
+        write_parameter(&pen, &parameters->item[i], &parameters->item[i] == panel->chosen, form);
     char part[64];
     snprintf(part, sizeof part, "%d to %d of %d", form->rows > 0 ? form->first + 1 : 0,
              form->first + form->rows, parameters->count);

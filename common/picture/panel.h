@@ -18,7 +18,7 @@ struct panel_key {
 struct panel {
     const char *title;               // of the chapter
     const struct renderer *renderer; // its view and parameters
-    const char *chosen;              // name of the parameter that the arrows change
+    const struct parameter *chosen;  // what the arrows change
     double rate, milliseconds;       // frames a second, of one frame
     int divisor; // the picture is drawn at 1/divisor of each side; 0 and 1: full
     int sharp;   // percent of it that is sharp all the same

@@ -149,13 +149,12 @@ static void follow_ray(struct window *window)
 static void gather(struct window *window)
 {
     const struct renderer_inputs *inputs = &window->inputs;
-    const struct parameter *chosen = window_chosen(window);
     double scale = window->start->overlay_scale;
     name_keys(window);
     struct panel panel = {
         .title = window->start->title,
         .renderer = window->renderer,
-        .chosen = chosen != NULL ? chosen->name : NULL,
+        .chosen = window_chosen(window),
         .rate = window->panel.figures[0],
         .milliseconds = window->panel.figures[1],
         .divisor = window->pace.divisor,
