@@ -2,6 +2,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <libgen.h>
 #include <limits.h>
 #include <signal.h>
 #include <stdio.h>
@@ -55,49 +56,25 @@ void image_store(struct image *image, const float *values, int bottom, int rows)
 
 // ---- Where a picture is written ----
 
-// The folder that holds a path's last name; size of folder as of path.
-static void folder_of(const char *path, char folder[PATH_MAX])
-{
-    const char *slash = strrchr(path, '/');
-    if (slash == NULL)
-        strcpy(folder, ".");
-    else
-        snprintf(folder, PATH_MAX, "%.*s", slash == path ? 1 : (int)(slash - path), path);
-}
-
-// Put what a symbolic link points to in the place of its own path. Returns 0 or an errno.
-static int follow_link(char path[PATH_MAX])
-{
-    char text[PATH_MAX], joined[PATH_MAX];
-    ssize_t length = readlink(path, text, sizeof text - 1);
-    if (length < 0)
-        return errno;
-    text[length] = '\0';
-    const char *slash = strrchr(path, '/');
-    int folder = text[0] == '/' || slash == NULL ? 0 : (int)(slash - path) + 1;
-    if (snprintf(joined, sizeof joined, "%.*s%s", folder, path, text) >= PATH_MAX)
-        return ENAMETOOLONG;
-    strcpy(path, joined);
-    return 0;
-}
-
-// Follow the links of a path's last name, a dangling one as well: a rename would replace the link.
-// Returns 0 or an errno.
+// Put what a path's last name links to in its place, also where that is missing: a rename would
+// replace the link. Returns 0 or an errno.
 static int follow_links(const char *path, char target[PATH_MAX])
 {
+    char text[PATH_MAX], joined[PATH_MAX];
+    ssize_t length;
     if (snprintf(target, PATH_MAX, "%s", path) >= PATH_MAX)
         return ENAMETOOLONG;
-    for (int i = 0; i < LINK_LIMIT; i++) {
-        struct stat status;
-        if (lstat(target, &status) != 0)
-            return errno == ENOENT ? 0 : errno;
-        if (!S_ISLNK(status.st_mode))
-            return 0;
-        int error = follow_link(target);
-        if (error != 0)
-            return error;
+    for (int i = 0; (length = readlink(target, text, sizeof text - 1)) >= 0; i++) {
+        text[length] = '\0';
+        const char *slash = strrchr(target, '/');
+        int folder = text[0] == '/' || slash == NULL ? 0 : (int)(slash - target) + 1;
+        if (i == LINK_LIMIT)
+            return ELOOP;
+        if (snprintf(joined, sizeof joined, "%.*s%s", folder, target, text) >= PATH_MAX)
+            return ENAMETOOLONG;
+        strcpy(target, joined);
     }
-    return ELOOP;
+    return errno == EINVAL || errno == ENOENT ? 0 : errno; // no link, or nothing at all
 }
 
 static const char *kind_of(mode_t mode)
@@ -151,7 +128,8 @@ static bool find_target(const char *path, char target[PATH_MAX], char folder[PAT
         return refuse(path, strerror(error));
     if (target[strlen(target) - 1] == '/')
         return refuse(path, "a name that ends in / is a folder's: give the name of a file");
-    folder_of(target, folder);
+    char copy[PATH_MAX];
+    snprintf(folder, PATH_MAX, "%s", dirname(strcpy(copy, target)));
     return folder_writable(path, folder);
 }
 
