@@ -1,14 +1,14 @@
 #include "context/context.h"
 
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "context/guard.h"
+#include "memory.h"
 #include "report.h"
 
-enum { NEEDED_MAJOR = 3, NEEDED_MINOR = 3, WHY_SIZE = 512 };
+enum { NEEDED_MAJOR = 3, NEEDED_MINOR = 3 };
 
 // The drivers that were built in, in the order in which CONTEXT_ANY tries them for a file: those
 // that need no display first.
@@ -37,30 +37,18 @@ bool context_backend_from_name(const char *name, enum context_backend *backend)
     return false;
 }
 
-// Append to a list in text, whose items are set apart by a separator.
-__attribute__((format(printf, 4, 5))) static void
-append(char *text, size_t size, const char *separator, const char *format, ...)
-{
-    size_t used = strlen(text);
-    if (used > 0)
-        used += (size_t)snprintf(text + used, size - used, "%s", separator);
-    if (used >= size)
-        return;
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(text + used, size - used, format, arguments);
-    va_end(arguments);
-}
-
 static void report_not_built_in(enum context_backend wanted)
 {
-    char built[64] = "";
+    char *built;
+    FILE *stream = memory_open(&built);
     for (int i = 0; drivers[i] != NULL; i++)
-        append(built, sizeof built, ", ", "%s", drivers[i]->name);
+        fprintf(stream, "%s%s", i > 0 ? ", " : "", drivers[i]->name);
+    memory_close(stream);
     report("%s: not built in, its library was not found by make; built in: %s: run make setup, "
            "then make",
            wanted == CONTEXT_ANY ? "OpenGL backend" : names[wanted],
            built[0] != '\0' ? built : "none");
+    free(built);
 }
 
 // What the current context says it is, or NULL.
@@ -72,23 +60,23 @@ static const char *version_of(const struct context_driver *driver)
 
 // Asked before the table is loaded, so that an old driver is told by its version, not by the first
 // function that it lacks.
-static bool version_suffices(const struct context_driver *driver, char *why, size_t why_size)
+static bool version_suffices(const struct context_driver *driver, char why[CONTEXT_WHY])
 {
     const char *version = version_of(driver);
     int major = 0, minor = 0;
     if (version != NULL && sscanf(version, "%d.%d", &major, &minor) == 2 &&
         (major > NEEDED_MAJOR || (major == NEEDED_MAJOR && minor >= NEEDED_MINOR)))
         return true;
-    snprintf(why, why_size, "the driver offers OpenGL %s", version != NULL ? version : "?");
+    snprintf(why, CONTEXT_WHY, "the driver offers OpenGL %s", version != NULL ? version : "?");
     return false;
 }
 
 // Take over a context that a driver made current, if it is new enough; else close it.
 static bool take(struct context *context, const struct context_driver *driver, void *state,
-                 char *why, size_t why_size)
+                 char why[CONTEXT_WHY])
 {
     *context = (struct context){.driver = driver, .state = state};
-    if (version_suffices(driver, why, why_size))
+    if (version_suffices(driver, why))
         return true;
     context_close(context);
     return false;
@@ -114,20 +102,22 @@ static void guard_driver(const char *backend)
 
 bool context_open_offscreen(struct context *context, enum context_backend wanted)
 {
-    char reasons[4 * WHY_SIZE] = "";
+    char reasons[4 * CONTEXT_WHY] = "";
+    size_t used = 0;
     *context = (struct context){0};
     for (int i = 0; drivers[i] != NULL; i++) {
         const struct context_driver *driver = drivers[i];
         if (wanted != CONTEXT_ANY && wanted != driver->backend)
             continue;
-        char why[WHY_SIZE] = "";
+        char why[CONTEXT_WHY] = "";
         guard_driver(driver->name);
-        void *state = driver->open_offscreen(why, sizeof why);
-        bool taken = state != NULL && take(context, driver, state, why, sizeof why);
+        void *state = driver->open_offscreen(why);
+        bool taken = state != NULL && take(context, driver, state, why);
         guard_end();
         if (taken)
             return load(context);
-        append(reasons, sizeof reasons, "; ", "%s: %s", driver->name, why);
+        used += (size_t)snprintf(reasons + used, sizeof reasons - used, "%s%s: %s",
+                                 used > 0 ? "; " : "", driver->name, why);
     }
     if (reasons[0] == '\0')
         report_not_built_in(wanted);
@@ -153,10 +143,10 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
         report_not_built_in(CONTEXT_GLFW);
         return false;
     }
-    char why[WHY_SIZE] = "";
+    char why[CONTEXT_WHY] = "";
     guard_driver((*driver)->name);
-    void *state = (*driver)->open_window(title, width, height, why, sizeof why);
-    bool taken = state != NULL && take(context, *driver, state, why, sizeof why);
+    void *state = (*driver)->open_window(title, width, height, why);
+    bool taken = state != NULL && take(context, *driver, state, why);
     guard_end();
     if (taken) {
         context->window = state;

@@ -3,9 +3,9 @@
 #ifndef CONTEXT_DRIVER_H
 #define CONTEXT_DRIVER_H
 
-#include <stddef.h>
-
 #include "context/gl.h"
+
+#define CONTEXT_WHY 512 // size of a phrase, bytes
 
 enum context_backend { CONTEXT_ANY, CONTEXT_GLFW, CONTEXT_EGL, CONTEXT_OSMESA };
 
@@ -14,11 +14,11 @@ struct context_driver {
     const char *name; // "glfw", "egl", "osmesa"
     // Make a 3.3 core context current, with nothing on the screen. Returns the backend's own state,
     // or NULL and one phrase in why (what was tried, what the library answered).
-    void *(*open_offscreen)(char *why, size_t why_size);
+    void *(*open_offscreen)(char why[CONTEXT_WHY]);
     // The same with a visible, resizable window, which is the state. NULL for a backend that has
     // none.
     //   width, height  in screen coordinates
-    void *(*open_window)(const char *title, int width, int height, char *why, size_t why_size);
+    void *(*open_window)(const char *title, int width, int height, char why[CONTEXT_WHY]);
     gl_function (*find)(const char *name);
     // Which of the backend's own platforms was taken ("surfaceless"); NULL where it has one only.
     const char *(*platform)(const void *state);

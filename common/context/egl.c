@@ -7,6 +7,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
+#include "memory.h"
+
 #define DEVICE_LIMIT 16
 
 struct egl_state {
@@ -14,13 +16,6 @@ struct egl_state {
     EGLContext context;
     EGLSurface surface; // EGL_NO_SURFACE where the driver needs none
     char platform[32];  // "surfaceless", "device 0", "default display"
-};
-
-// What the attempts need of each other: where to keep what was opened, and why it could not be.
-struct attempt {
-    struct egl_state *state;
-    char *why;
-    size_t why_size;
 };
 
 // True when a list of words set apart by spaces holds the whole word; a NULL list holds none.
@@ -83,9 +78,9 @@ static const char *make_current(struct egl_state *state)
     return NULL;
 }
 
-static bool try_display(const struct attempt *attempt, EGLDisplay display, const char *platform)
+static bool try_display(struct egl_state *state, char why[CONTEXT_WHY], EGLDisplay display,
+                        const char *platform)
 {
-    struct egl_state *state = attempt->state;
     *state = (struct egl_state){
         .display = display, .context = EGL_NO_CONTEXT, .surface = EGL_NO_SURFACE};
     snprintf(state->platform, sizeof state->platform, "%s", platform);
@@ -98,15 +93,16 @@ static bool try_display(const struct attempt *attempt, EGLDisplay display, const
         failed = make_current(state);
     if (failed == NULL)
         return true;
-    size_t used = strlen(attempt->why);
-    snprintf(attempt->why + used, attempt->why_size - used, "%s%s: %s (0x%04X)",
-             used > 0 ? ", " : "", platform, failed, (unsigned)eglGetError());
+    size_t used = strlen(why);
+    snprintf(why + used, CONTEXT_WHY - used, "%s%s: %s (0x%04X)", used > 0 ? ", " : "", platform,
+             failed, (unsigned)eglGetError());
     if (display != EGL_NO_DISPLAY)
         release(state);
     return false;
 }
 
-static bool try_devices(const struct attempt *attempt, PFNEGLGETPLATFORMDISPLAYEXTPROC get_display)
+static bool try_devices(struct egl_state *state, char why[CONTEXT_WHY],
+                        PFNEGLGETPLATFORMDISPLAYEXTPROC get_display)
 {
     PFNEGLQUERYDEVICESEXTPROC query =
         (PFNEGLQUERYDEVICESEXTPROC)eglGetProcAddress("eglQueryDevicesEXT");
@@ -117,39 +113,36 @@ static bool try_devices(const struct attempt *attempt, PFNEGLGETPLATFORMDISPLAYE
     for (EGLint i = 0; i < count; i++) {
         char platform[32];
         snprintf(platform, sizeof platform, "device %d", (int)i);
-        if (try_display(attempt, get_display(EGL_PLATFORM_DEVICE_EXT, devices[i], NULL), platform))
+        if (try_display(state, why, get_display(EGL_PLATFORM_DEVICE_EXT, devices[i], NULL),
+                        platform))
             return true;
     }
     return false;
 }
 
 // Platforms that need no display come first. Each says in why what it failed at.
-static bool try_platforms(const struct attempt *attempt)
+static bool try_platforms(struct egl_state *state, char why[CONTEXT_WHY])
 {
     const char *extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
     PFNEGLGETPLATFORMDISPLAYEXTPROC get_display =
         (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
     if (get_display != NULL && has_word(extensions, "EGL_MESA_platform_surfaceless") &&
-        try_display(attempt, get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL),
+        try_display(state, why,
+                    get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL),
                     "surfaceless"))
         return true;
     if (get_display != NULL && has_word(extensions, "EGL_EXT_platform_device") &&
-        try_devices(attempt, get_display))
+        try_devices(state, why, get_display))
         return true;
-    return try_display(attempt, eglGetDisplay(EGL_DEFAULT_DISPLAY), "default display");
+    return try_display(state, why, eglGetDisplay(EGL_DEFAULT_DISPLAY), "default display");
 }
 
-static void *open_offscreen(char *why, size_t why_size)
+static void *open_offscreen(char why[CONTEXT_WHY])
 {
-    struct egl_state *state = calloc(1, sizeof *state);
-    if (state == NULL) {
-        snprintf(why, why_size, "not enough memory");
-        return NULL;
-    }
+    struct egl_state *state = memory_zeros(1, sizeof *state);
     // Mesa would print lines of its own about each platform that it cannot serve.
     setenv("EGL_LOG_LEVEL", "fatal", 0);
-    const struct attempt attempt = {.state = state, .why = why, .why_size = why_size};
-    if (try_platforms(&attempt))
+    if (try_platforms(state, why))
         return state;
     free(state);
     return NULL;

@@ -9,11 +9,11 @@
 #define HIDDEN_SIZE 16 // pixels; what is drawn goes into targets of our own
 
 // GLFW's reason for its last failure. Its text lives until glfwTerminate only.
-static void last_error(char *why, size_t why_size, const char *step)
+static void last_error(char why[CONTEXT_WHY], const char *step)
 {
     const char *text = NULL;
     int code = glfwGetError(&text);
-    snprintf(why, why_size, "%s: %s (0x%08X)", step, text != NULL ? text : "no reason given",
+    snprintf(why, CONTEXT_WHY, "%s: %s (0x%08X)", step, text != NULL ? text : "no reason given",
              (unsigned)code);
 }
 
@@ -23,12 +23,12 @@ static bool is_set(const char *variable)
     return value != NULL && value[0] != '\0';
 }
 
-static bool initialise(char *why, size_t why_size)
+static bool initialise(char why[CONTEXT_WHY])
 {
 #ifndef __APPLE__
     // Not asked then: what GLFW tries first, libwayland, may print a line of its own.
     if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) {
-        snprintf(why, why_size, "no display: DISPLAY and WAYLAND_DISPLAY are not set");
+        snprintf(why, CONTEXT_WHY, "no display: DISPLAY and WAYLAND_DISPLAY are not set");
         return false;
     }
 #ifdef GLFW_PLATFORM // from 3.4 on it tries Wayland first, also where only DISPLAY is set
@@ -38,14 +38,14 @@ static bool initialise(char *why, size_t why_size)
 #endif
     if (glfwInit())
         return true;
-    last_error(why, why_size, "glfwInit");
+    last_error(why, "glfwInit");
     return false;
 }
 
-static GLFWwindow *open_window(bool visible, const char *title, int width, int height, char *why,
-                               size_t why_size)
+static GLFWwindow *open_window(bool visible, const char *title, int width, int height,
+                               char why[CONTEXT_WHY])
 {
-    if (!initialise(why, why_size))
+    if (!initialise(why))
         return NULL;
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
@@ -61,19 +61,19 @@ static GLFWwindow *open_window(bool visible, const char *title, int width, int h
         if (glfwGetCurrentContext() == window)
             return window;
     }
-    last_error(why, why_size, window == NULL ? "glfwCreateWindow" : "glfwMakeContextCurrent");
+    last_error(why, window == NULL ? "glfwCreateWindow" : "glfwMakeContextCurrent");
     glfwTerminate();
     return NULL;
 }
 
-static void *open_offscreen(char *why, size_t why_size)
+static void *open_offscreen(char why[CONTEXT_WHY])
 {
-    return open_window(false, "", HIDDEN_SIZE, HIDDEN_SIZE, why, why_size);
+    return open_window(false, "", HIDDEN_SIZE, HIDDEN_SIZE, why);
 }
 
-static void *open_visible(const char *title, int width, int height, char *why, size_t why_size)
+static void *open_visible(const char *title, int width, int height, char why[CONTEXT_WHY])
 {
-    GLFWwindow *window = open_window(true, title, width, height, why, why_size);
+    GLFWwindow *window = open_window(true, title, width, height, why);
     if (window != NULL)
         glfwSwapInterval(1);
     return window;

@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "memory.h"
+
 // GL/osmesa.h includes GL/gl.h, which clashes with GL/glcorearb.h; and the library is opened with
 // dlopen, so that a program still starts where it is missing. So what we need of it stands here.
 #define OSMESA_FORMAT                0x22
@@ -33,36 +35,35 @@ struct osmesa_state {
     unsigned char buffer[BUFFER_SIDE * BUFFER_SIDE * 4]; // Mesa keeps a pointer to it
 };
 
-static bool open_library(char *why, size_t why_size)
+static bool open_library(char why[CONTEXT_WHY])
 {
     static const char *const names[] = {"libOSMesa.so.8", "libOSMesa.so.6", "libOSMesa.so"};
     for (size_t i = 0; osmesa.library == NULL && i < sizeof names / sizeof *names; i++)
         osmesa.library = dlopen(names[i], RTLD_NOW | RTLD_LOCAL);
     if (osmesa.library == NULL) {
         const char *reason = dlerror();
-        snprintf(why, why_size, "libOSMesa cannot be loaded: %s", reason != NULL ? reason : "?");
+        snprintf(why, CONTEXT_WHY, "libOSMesa cannot be loaded: %s", reason != NULL ? reason : "?");
     }
     return osmesa.library != NULL;
 }
 
 // Look one function up. ISO C has no conversion from void * to a function's pointer; POSIX promises
 // that both look alike, hence the copy.
-static bool look_up(const char *name, void *function, char *why, size_t why_size)
+static bool look_up(const char *name, void *function, char why[CONTEXT_WHY])
 {
     void *symbol = dlsym(osmesa.library, name);
     memcpy(function, &symbol, sizeof symbol);
     if (symbol == NULL)
-        snprintf(why, why_size, "%s is missing in libOSMesa: it is too old", name);
+        snprintf(why, CONTEXT_WHY, "%s is missing in libOSMesa: it is too old", name);
     return symbol != NULL;
 }
 
-static bool load(char *why, size_t why_size)
+static bool load(char why[CONTEXT_WHY])
 {
-    return open_library(why, why_size) &&
-           look_up("OSMesaCreateContextAttribs", &osmesa.create, why, why_size) &&
-           look_up("OSMesaMakeCurrent", &osmesa.make_current, why, why_size) &&
-           look_up("OSMesaDestroyContext", &osmesa.destroy, why, why_size) &&
-           look_up("OSMesaGetProcAddress", &osmesa.find, why, why_size);
+    return open_library(why) && look_up("OSMesaCreateContextAttribs", &osmesa.create, why) &&
+           look_up("OSMesaMakeCurrent", &osmesa.make_current, why) &&
+           look_up("OSMesaDestroyContext", &osmesa.destroy, why) &&
+           look_up("OSMesaGetProcAddress", &osmesa.find, why);
 }
 
 static void close_context(void *state)
@@ -73,7 +74,7 @@ static void close_context(void *state)
     free(own);
 }
 
-static void *open_offscreen(char *why, size_t why_size)
+static void *open_offscreen(char why[CONTEXT_WHY])
 {
     static const int attributes[] = {OSMESA_FORMAT,
                                      GL_RGBA,
@@ -86,22 +87,18 @@ static void *open_offscreen(char *why, size_t why_size)
                                      OSMESA_CONTEXT_MINOR_VERSION,
                                      3,
                                      0};
-    if (!load(why, why_size))
+    if (!load(why))
         return NULL;
-    struct osmesa_state *state = calloc(1, sizeof *state);
-    if (state == NULL) {
-        snprintf(why, why_size, "not enough memory");
-        return NULL;
-    }
+    struct osmesa_state *state = memory_zeros(1, sizeof *state);
     state->handle = osmesa.create(attributes, NULL);
     if (state->handle == NULL) {
-        snprintf(why, why_size, "OSMesaCreateContextAttribs refuses OpenGL 3.3 core");
+        snprintf(why, CONTEXT_WHY, "OSMesaCreateContextAttribs refuses OpenGL 3.3 core");
         free(state);
         return NULL;
     }
     if (!osmesa.make_current(state->handle, state->buffer, GL_UNSIGNED_BYTE, BUFFER_SIDE,
                              BUFFER_SIDE)) {
-        snprintf(why, why_size, "OSMesaMakeCurrent failed");
+        snprintf(why, CONTEXT_WHY, "OSMesaMakeCurrent failed");
         close_context(state);
         return NULL;
     }
