@@ -54,11 +54,10 @@ const char *form_toy_input(size_t number, const char **name)
 
 bool form_declares(const struct glsl *code, const char *word)
 {
-    const struct glsl_name *name = glsl_name(code, word);
     bool uniform = false;
-    for (const struct glsl_token *t = code->item; t->kind != GLSL_END && name != NULL; t++) {
+    for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++) {
         uniform = t->live && t->sign != ';' && (uniform || glsl_is(code, t, "uniform"));
-        if (uniform && t->kind == GLSL_WORD && &code->name[t->name] == name)
+        if (uniform && glsl_is(code, t, word))
             return true;
     }
     return false;

@@ -204,7 +204,6 @@ static void finish(struct glsl *code)
         if (token->kind == GLSL_WORD) {
             struct glsl_name *name = &code->name[token->name];
             token->macro = name->definition >= 0;
-            name->first = name->first < 0 ? i : name->first;
             name->last = i;
         } else if (glsl_is_sign(token, "([{") && token->partner == i) {
             token->partner = code->statement_count;
@@ -289,13 +288,10 @@ const struct glsl_token *glsl_skip(const struct glsl *code, const struct glsl_to
 
 const struct glsl_token *glsl_find(const struct glsl *code, const char *word)
 {
-    const struct glsl_name *name = glsl_name(code, word);
-    for (int i = 0; i < code->count && name != NULL && name->count > 0; i++) {
-        const struct glsl_token *token = &code->item[i];
-        if (token->kind == GLSL_WORD && token->live && &code->name[token->name] == name)
-            return token;
-    }
-    return NULL;
+    const struct glsl_token *token = code->item;
+    while (token->kind != GLSL_END && !(token->live && glsl_is(code, token, word)))
+        token++;
+    return token->kind != GLSL_END ? token : NULL;
 }
 
 // The first word of the statements from a place on that is this name; NULL for none.

@@ -127,7 +127,7 @@ static void read_names(struct glsl *code)
             code->name = memory_row(code->name, code->name_count, sizeof *code->name);
             *slot = code->name_count++;
             code->name[*slot] =
-                (struct glsl_name){token->begin, token->length, 0, -1, -1, -1, GLSL_NEVER};
+                (struct glsl_name){token->begin, token->length, 0, -1, -1, GLSL_NEVER};
         }
         token->name = *slot;
     }

@@ -39,7 +39,7 @@ enum glsl_truth { GLSL_NEVER, GLSL_ALWAYS, GLSL_PERHAPS };
 struct glsl_name {
     int begin, length;       // where it stands first
     int count;               // how often it is mentioned, what is left out aside
-    int first, last;         // its first and last mention among the statements; -1 for none
+    int last;                // its last mention among the statements; -1 for none
     int definition;          // the GLSL_HASH of its first #define that counts; -1 for none
     enum glsl_truth defined; // at the end of the text
 };
