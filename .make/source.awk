@@ -71,7 +71,7 @@ function read_source(file,    line, n, code, first, text, depth, word)
         code = bare(line)
         if (line ~ /^#define / && split(line, word, /[ (]/) >= 2)
             define(file, word[2], n, n, "other")
-        if (line ~ /^#/)
+        if (line ~ /^#/ || (!first && code ~ /^[A-Z_]+\([A-Z_]+\)$/)) # the second: a macro alone
             continue
         if (!first && code ~ /^[A-Za-z_]/) {
             first = n

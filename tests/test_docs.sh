@@ -453,6 +453,7 @@ struct Pair {
 };
 
 float once(vec3 p);
+EVERY(EDGE)
 
 // What once is.
 float once(vec3 p)

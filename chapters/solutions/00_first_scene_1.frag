@@ -1,6 +1,6 @@
 #version 330 core
 // Solution of exercise 1 of chapter 00: a snowman. A scene is a min() of distances: three balls of
-// snow, two of coal, and the ground.
+// snow, two of coal, and the ground. 512 questions, for rays that pass along the snow and the plain.
 
 in vec2 FragCoord;  // the pixel's place: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds
@@ -13,15 +13,19 @@ float sdSphere(vec3 p, float radius)
     return length(p) - radius;
 }
 
+float eyesDistance(vec3 p)
+{
+    return min(sdSphere(p - vec3(0.07, 0.59, 0.18), 0.03),
+               sdSphere(p - vec3(-0.07, 0.59, 0.18), 0.03));
+}
+
 float sceneDistance(vec3 p)
 {
     float belly = sdSphere(p - vec3(0.0, -0.40, 0.0), 0.40);
     float chest = sdSphere(p - vec3(0.0, 0.14, 0.0), 0.28);
     float head = sdSphere(p - vec3(0.0, 0.54, 0.0), 0.20);
-    float eyes = min(sdSphere(p - vec3(0.07, 0.59, 0.18), 0.03),
-                     sdSphere(p - vec3(-0.07, 0.59, 0.18), 0.03));
     float ground = p.y + 0.8;
-    return min(min(min(belly, chest), min(head, eyes)), ground);
+    return min(min(min(belly, chest), min(head, eyesDistance(p))), ground);
 }
 
 // 2. The march: how far along the ray is the scene? Negative: nowhere.
@@ -29,7 +33,7 @@ float sceneDistance(vec3 p)
 float march(vec3 origin, vec3 direction)
 {
     float t = 0.0;
-    for (int i = 0; i < 128 && t < 20.0; i++) {
+    for (int i = 0; i < 512 && t < 20.0; i++) {
         float d = sceneDistance(origin + t * direction);
         if (d < 0.0005)
             return t;
@@ -55,9 +59,10 @@ vec3 rayColour(vec3 origin, vec3 direction)
     float t = march(origin, direction);
     if (t < 0.0)
         return vec3(0.5, 0.7, 1.0); // the sky
-    vec3 normal = normalAt(origin + t * direction);
+    vec3 p = origin + t * direction;
+    vec3 colour = eyesDistance(p) < 0.001 ? vec3(0.1) : vec3(0.95, 0.97, 1.0); // coal, snow
     vec3 toSun = normalize(vec3(1.0, 2.0, 3.0));
-    return vec3(1.0, 0.9, 0.5) * (0.15 + 0.85 * max(dot(normal, toSun), 0.0));
+    return colour * mix(vec3(0.15, 0.2, 0.3), vec3(1.0), max(dot(normalAt(p), toSun), 0.0));
 }
 
 // 5. The camera: where is the eye, and where does this pixel look?
