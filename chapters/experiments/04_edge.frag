@@ -1,0 +1,45 @@
+// Experiment of chapter 04: how a march comes to an edge. In the middle of the wheel stands a lens, the
+// intersection of two balls of radius 1.1, with the bound max(a, b). apart sets how sharp its rim is.
+//
+// The chapter's colourAt and rayColour are written anew, for the middle is another.
+#include "main.glsl"
+#define sceneDistance wheelScene
+#define colourAt wheelColourAt
+#define rayColour wheelRayColour
+#include "04_hue_colour.frag"
+#undef rayColour
+#undef colourAt
+#undef sceneDistance
+
+uniform float apart; // 0.8 in [0.1, 1] step 0.05, scene units: from the lens's middle to the centre of either ball
+
+float lensDistance(vec3 p)
+{
+    vec3 q = p - vec3(0.0, 0.76, 0.0), centre = vec3(apart, 0.0, 0.0);
+    return opIntersection(sdSphere(q + centre, 1.1), sdSphere(q - centre, 1.1));
+}
+
+float sceneDistance(vec3 p)
+{
+    return opUnion(opUnion(stageDistance(p), wheelDistance(p)), lensDistance(p));
+}
+
+vec3 colourAt(vec3 p)
+{
+    float stage = stageDistance(p), wheel = wheelDistance(p), lens = lensDistance(p);
+    if (lens < min(stage, wheel))
+        return hsvToRGB(BALL_HUE, saturation, value);
+    return stage < wheel ? STAGE_COLOUR : wheelColour(p);
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec2 interval = boxInterval(ray, LOW, HIGH);
+    Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
+    vec3 light = skyLight(ray.direction);
+    if (hit.found) {
+        vec3 p = ray.origin + hit.t * ray.direction;
+        light = colourAt(p) * receivedLight(p, normalAt(p, normalStep));
+    }
+    return encodeSRGB(light);
+}
