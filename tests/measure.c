@@ -65,8 +65,8 @@ static int print_foot(void)
 {
     printf("# normal at the foot of the hit against where the ray meets a ball: worst, degrees\n");
     printf("radius,threshold,measured,arccos(r / (r + threshold)),sqrt(2 threshold / r)\n");
-    static const double cases[][2] = {
-        {1.0, 5e-4}, {0.52, 5e-4}, {0.27, 5e-4}, {0.16, 5e-4}, {1.0, 1e-2}, {1.0, 1e-5}};
+    static const double cases[][2] = {{1.0, 5e-4},  {0.52, 5e-4}, {0.27, 5e-4},
+                                      {0.16, 5e-4}, {1.0, 1e-2},  {1.0, 1e-5}};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         double radius = cases[i][0], threshold = cases[i][1], degrees = 180.0 / MIRROR_PI;
         printf("%g,%g,%.2f,%.2f,%.2f\n", radius, threshold, measure_foot(radius, threshold),

@@ -185,8 +185,8 @@ static void test_rate_is_one_minus_the_cosine(void **unused)
     }
 }
 
-// The normal that a hit gives is that of its foot: at the silhouette not that of the place which the
-// ray meets.
+// The normal that a hit gives is that of its foot: at the silhouette not that of the place which
+// the ray meets.
 static void test_normal_at_the_foot_is_near(void **unused)
 {
     (void)unused;
