@@ -9,7 +9,7 @@ int main(int argc, char **argv)
         .stem = "06_sierpinski_symmetry",
         .title = "06 Symmetry",
         .shows = "Sierpinski's pyramid from folds, in the evening light.",
-        .camera = {.position = {-0.3f, 0.8f, 3.4f}, .pan = -2.0f, .tilt = 4.0f},
+        .camera = {.position = {-1.5f, 0.9f, 3.5f}, .pan = 22.0f, .tilt = 2.0f},
     };
     return chapter_run(&chapter, argc, argv);
 }

@@ -4,7 +4,7 @@
 
 enum { LEVELS = 7 };
 
-const struct d3 pyramid_slab = {0.0, -0.1, 0.0}, pyramid_slab_half = {3.4, 0.1, 2.6};
+const struct d3 pyramid_slab = {0.0, -0.1, 0.0}, pyramid_slab_half = {4.2, 0.1, 3.2};
 
 struct tetrahedron pyramid_whole(void)
 {

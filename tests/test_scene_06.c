@@ -106,23 +106,23 @@ static double hue_channel(double hue, double peak)
 
 static struct d3 stone_colour(double inner)
 {
-    double hue = 46.0 - 72.0 * inner;
+    double hue = 46.0 - 60.0 * inner;
     struct d3 pure = d3(hue_channel(hue, 0.0), hue_channel(hue, 120.0), hue_channel(hue, 240.0));
     return d3_times(0.85, mix(d3(1.0, 1.0, 1.0), pure, 0.5));
 }
 
 static struct d3 sun_direction(double time)
 {
-    double azimuth = (-170.0 + 8.0 * time) * MIRROR_PI / 180.0, up = 26.0 * MIRROR_PI / 180.0;
+    double azimuth = (160.0 + 8.0 * time) * MIRROR_PI / 180.0, up = 28.0 * MIRROR_PI / 180.0;
     return d3(cos(up) * cos(azimuth), sin(up), cos(up) * sin(azimuth));
 }
 
 static struct d3 sky_light(struct d3 direction, struct d3 to_sun)
 {
     double facing = 0.5 + 0.5 * d3_dot(direction, to_sun), y = direction.y;
-    struct d3 horizon = mix(d3(0.16, 0.15, 0.22), d3(0.95, 0.42, 0.15), facing * facing);
-    struct d3 sky = mix(horizon, d3(0.010, 0.032, 0.10), mirror_smoothstep(-0.1, 0.45, y));
-    return mix(d3(0.045, 0.06, 0.10), sky, mirror_smoothstep(-0.16, 0.04, y));
+    struct d3 band = mix(d3(0.09, 0.10, 0.20), d3(1.40, 0.58, 0.16), facing * facing);
+    struct d3 sky = mix(band, d3(0.008, 0.024, 0.085), mirror_smoothstep(0.0, 0.36, y));
+    return mix(d3(0.05, 0.065, 0.12), sky, mirror_smoothstep(-0.14, 0.06, y));
 }
 
 // The share of the sun that arrives.
@@ -139,24 +139,42 @@ static double sun_share(struct mirror_ray ray, double threshold)
     return fmax((smallest - 0.2) / 0.8, 0.0);
 }
 
-static struct d3 surface_light(struct d3 p, double size, double step, struct d3 to_sun,
+// The share of a pixel that the joints of one direction cover, along x or along z: the pixel covers
+// [at - reach, at + reach].
+static double joint_share(double at, double reach)
+{
+    const double tile = 0.5, half = 0.008;
+    double away = fabs(remainder(at, tile));
+    return fmax((fmin(away + reach, half) - fmax(away - reach, -half)) / (2.0 * reach), 0.0);
+}
+
+static struct d3 slab_colour(struct d3 p, struct d3 direction, double radius)
+{
+    double x = joint_share(p.x, radius * (1.0 + fabs(direction.x / direction.y)));
+    double z = joint_share(p.z, radius * (1.0 + fabs(direction.z / direction.y)));
+    return d3_times(1.0 - 0.5 * fmax(x, z), d3(0.12, 0.13, 0.16));
+}
+
+static struct d3 surface_light(struct mirror_ray ray, double t, struct d3 to_sun,
                                struct mirror_sample *sample)
 {
+    struct d3 p = mirror_at(ray, t);
+    double radius = hit_threshold + spread * t, step = normal_step + spread * t;
     double inner, open, height = mirror_box(d3_sub(p, pyramid_slab), pyramid_slab_half);
     struct d3 normal = wide_normal(p, step);
     fold_trail(p, &inner, &open);
     double facing = mirror_lambert(normal, to_sun), share = 1.0;
     if (facing > 0.0)
-        share =
-            sun_share((struct mirror_ray){d3_add(p, d3_times(2.0 * size, normal)), to_sun}, size);
+        share = sun_share((struct mirror_ray){d3_add(p, d3_times(2.0 * radius, normal)), to_sun},
+                          radius);
     struct d3 ambient =
         mix(d3(0.03, 0.03, 0.04), d3(0.12, 0.20, 0.38), (0.5 + 0.5 * normal.y) * open);
-    struct d3 light = d3_add(ambient, d3_times(share * facing, d3(2.3, 1.2, 0.5)));
-    bool stone = height >= size;
+    struct d3 light = d3_add(ambient, d3_times(share * facing, d3(1.22, 0.65, 0.20)));
+    bool stone = height >= radius;
     sample->what = stone ? "stone" : "slab";
     sample->faces = !stone && share > 0.5; // stone turns from pixel to pixel: no such place lasts
     sample->shadowed = !stone && share <= 0.5;
-    return d3_product(stone ? stone_colour(inner) : d3(0.40, 0.37, 0.36), light);
+    return d3_product(stone ? stone_colour(inner) : slab_colour(p, ray.direction, radius), light);
 }
 
 static struct mirror_sample sample_06(const struct mirror_eye *eye)
@@ -168,8 +186,7 @@ static struct mirror_sample sample_06(const struct mirror_eye *eye)
     double interval[2], t;
     scene_interval(ray, interval);
     if (march_cone(ray, interval, &t))
-        light = surface_light(mirror_at(ray, t), hit_threshold + spread * t,
-                              normal_step + spread * t, to_sun, &sample);
+        light = surface_light(ray, t, to_sun, &sample);
     sample.colour = d3(mirror_encode(light.x), mirror_encode(light.y), mirror_encode(light.z));
     return sample;
 }
@@ -177,19 +194,22 @@ static struct mirror_sample sample_06(const struct mirror_eye *eye)
 // ---- Pixels ----
 
 static const struct pixel pixels[] = {
-    {CHAPTER, 30, 171, "sky-"},    {CHAPTER, 567, 237, "sky-"},   {CHAPTER, 366, 300, "sky-"},
-    {CHAPTER, 24, 6, "slab+"},     {CHAPTER, 390, 18, "slab+"},   {CHAPTER, 111, 45, "slab+"},
-    {CHAPTER, 81, 81, "slab+"},    {CHAPTER, 318, 21, "slab#"},   {CHAPTER, 513, 33, "slab#"},
-    {CHAPTER, 501, 51, "slab#"},   {CHAPTER, 594, 69, "slab#"},   {CHAPTER, 570, 84, "slab+"},
-    {CHAPTER, 531, 63, "slab#"},   {CHAPTER, 324, 54, "stone-"},  {CHAPTER, 534, 57, "slab+"},
-    {CHAPTER, 396, 18, "slab+"},   {CHAPTER, 339, 72, "stone-"},  {CHAPTER, 333, 108, "stone-"},
-    {CHAPTER, 339, 99, "stone-"},  {CHAPTER, 336, 87, "stone-"},  {CHAPTER, 270, 102, "stone-"},
-    {CHAPTER, 357, 141, "stone-"}, {CHAPTER, 309, 45, "stone-"},  {CHAPTER, 261, 57, "stone-"},
-    {CHAPTER, 258, 66, "stone-"},  {CHAPTER, 300, 72, "stone-"},  {CHAPTER, 375, 87, "stone-"},
-    {CHAPTER, 294, 96, "stone-"},  {CHAPTER, 381, 99, "stone-"},  {CHAPTER, 357, 111, "stone-"},
-    {CHAPTER, 255, 144, "stone-"}, {CHAPTER, 234, 171, "stone-"}, {CHAPTER, 312, 195, "stone-"},
-    {CHAPTER, 252, 204, "stone-"}, {CHAPTER, 273, 225, "stone-"}, {CHAPTER, 288, 252, "stone-"},
-    {CHAPTER, 282, 270, "stone-"},
+    {CHAPTER, 624, 189, "sky-"},   {CHAPTER, 327, 210, "sky-"},   {CHAPTER, 222, 153, "sky-"},
+    {CHAPTER, 246, 318, "sky-"},   {CHAPTER, 438, 54, "slab+"},   {CHAPTER, 39, 69, "slab+"},
+    {CHAPTER, 33, 24, "slab+"},    {CHAPTER, 330, 15, "slab+"},   {CHAPTER, 378, 12, "slab+"},
+    {CHAPTER, 492, 6, "slab+"},    {CHAPTER, 573, 54, "slab+"},   {CHAPTER, 471, 81, "slab+"},
+    {CHAPTER, 396, 39, "slab+"},   {CHAPTER, 435, 111, "slab#"},  {CHAPTER, 387, 111, "slab#"},
+    {CHAPTER, 348, 60, "slab#"},   {CHAPTER, 363, 81, "slab#"},   {CHAPTER, 417, 99, "slab#"},
+    {CHAPTER, 414, 102, "slab#"},  {CHAPTER, 357, 87, "slab#"},   {CHAPTER, 120, 93, "stone-"},
+    {CHAPTER, 246, 210, "stone-"}, {CHAPTER, 303, 78, "stone-"},  {CHAPTER, 207, 228, "stone-"},
+    {CHAPTER, 264, 69, "stone-"},  {CHAPTER, 228, 90, "stone-"},  {CHAPTER, 288, 84, "stone-"},
+    {CHAPTER, 252, 300, "stone-"}, {CHAPTER, 297, 48, "stone-"},  {CHAPTER, 219, 228, "stone-"},
+    {CHAPTER, 303, 150, "stone-"}, {CHAPTER, 195, 219, "stone-"}, {CHAPTER, 207, 90, "stone-"},
+    {CHAPTER, 240, 216, "stone-"}, {CHAPTER, 315, 90, "stone-"},  {CHAPTER, 294, 81, "stone-"},
+    {CHAPTER, 243, 78, "stone-"},  {CHAPTER, 156, 96, "stone-"},  {CHAPTER, 201, 93, "stone-"},
+    {CHAPTER, 156, 150, "stone-"}, {CHAPTER, 273, 252, "stone-"}, {CHAPTER, 240, 201, "stone-"},
+    {CHAPTER, 258, 240, "stone-"}, {CHAPTER, 258, 237, "stone-"}, {CHAPTER, 264, 258, "stone-"},
+    {CHAPTER, 228, 102, "stone-"}, {CHAPTER, 231, 66, "stone-"},  {CHAPTER, 282, 234, "stone-"},
 };
 
 static void test_pixels_agree_with_double(void **unused)

@@ -1,5 +1,5 @@
-// folding.c - folding in the plane: the Sierpinski triangle of level n drawn by asking one triangle
-// at folded points, n = 0 to 3; 2 n reflections for 3^n copies.
+// folding.c - folding in the plane: the Sierpinski triangle of level m drawn by asking one triangle
+// at folded points, m = 0 to 3; 2 m reflections for 3^m copies.
 #include <math.h>
 #include <stdbool.h>
 
@@ -56,7 +56,7 @@ static void draw_level(int level, double left)
             svg_polygon(3, page,
                         (struct svg_pen){.fill = SVG_BLUE, .stroke = SVG_BLUE, .width = 0.6});
         }
-    svg_textf(left, 246.0, 'm', 16.0, SVG_INK, "<tspan font-style='italic'>n</tspan> = %d", level);
+    svg_textf(left, 246.0, 'm', 16.0, SVG_INK, "<tspan font-style='italic'>m</tspan> = %d", level);
     static const int copies[4] = {1, 3, 9, 27};
     svg_textf(left, 268.0, 'm', 14.0, SVG_INK, "%d folds, %d %s", 2 * level, copies[level],
               level == 0 ? "triangle" : "triangles");
