@@ -73,8 +73,8 @@ float treeDistance(vec3 q)
     return min(crown, max(length(c.xz) - 0.03, q.y - 0.6));
 }
 
-// How far the city is from p. A lower bound: of towers that block's own is asked, and no step is longer
-// than the way to the block's wall and half a street more.
+// How far the city is from p. A lower bound, and 1-Lipschitz: of towers that block's own is asked, and no
+// step is longer than the way to the block's wall and half a street more.
 //   formula  min(own tower, wall + GAP, lamps, trees)
 float cityDistance(vec3 p)
 {

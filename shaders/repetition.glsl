@@ -71,7 +71,8 @@ float cellNeighbourLimited(float x, float period, float first, float last)
 // cells is at least so far away.
 //   formula  period / 2 + |opRepeat(x)|, from period / 2 to period
 //   min over the block's copies and cellWall  a lower bound, for copies that vary from cell to cell
-//            and fit in their cells; for n axes 2^n copies and the smallest of n walls
+//            and fit in their cells; for n axes 2^n copies and the smallest of n walls; 1-Lipschitz
+//            where every copy's function is and is at least |x - period cell| - period / 2
 float cellWall(float x, float period)
 {
     return 0.5 * period + abs(opRepeat(x, period));
@@ -90,7 +91,8 @@ float cellWallLimited(float x, float period, float first, float last)
 //            than period / 2, or a march stands still at the walls
 //   formula  period - |opRepeat(x)| - reach, from period / 2 - reach to period - reach
 //   min of the own copy and cellOthers  a lower bound, for copies that vary from cell to cell; for n
-//            axes one copy and the smallest of n
+//            axes one copy and the smallest of n; 1-Lipschitz where every copy's function is and is at
+//            least |x - period cell| - reach
 float cellOthers(float x, float period, float reach)
 {
     return period - abs(opRepeat(x, period)) - reach;
