@@ -136,7 +136,7 @@ names_of() { # FILE...: the NAMEs of the test files that exist
 }
 
 # Tests of shaders say nothing more under the sanitizers, which see C alone.
-of_shaders() { grep -q 'tests/shaders/\|support_pixels.h' "tests/test_$1.c"; }
+of_shaders() { grep -q 'tests/shaders/\|support_\(pixels\|measure\|bound\)\.h' "tests/test_$1.c"; }
 
 # The long ones come first, so that none of them ends alone.
 scripts=$(
