@@ -54,7 +54,7 @@ counted() {
     run --benchmark=json -s 6x4 || return 1
     for x in 0 1 2 3 4 5; do
         for y in 0 1 2 3; do
-            "$program" -s 6x4 --probe $x,$y | sed -n 's/.*evaluations of the scene: //p'
+            "$program" -s 6x4 --probe $x,$y | sed -n 's/.*evaluations of the scene: \([0-9]*\).*/\1/p'
         done
     done | sort -n >"$scratch/probes"
     [ "$(wc -l <"$scratch/probes")" = 24 ] && holds "$(value evaluations_maximum) == $(tail -n 1 "$scratch/probes")" &&

@@ -8,7 +8,7 @@ open_scratch
 draw() { build/02_lighting -s 128x72 -o "$scratch/$1.png" "${@:2}" >/dev/null; }
 draw one && draw same && draw hair -p ambient=0.012,0.02,0.0353 && draw other -p falloff=false
 build/02_lighting -s 64x36 -o "$scratch/small.png"
-draw shifted -p ambient=0.0124,0.0204,0.0354
+draw shifted -p ambient=0.013,0.0215,0.037
 echo 'this is no picture at all' >"$scratch/text.png"
 
 # says STATUS WORDS NAME...: the pictures NAME.png compared.
