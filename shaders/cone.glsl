@@ -7,7 +7,7 @@
 
 // How fast a pixel's ray widens: half the side of a pixel, seen from the eye, per scene unit along
 // the view direction.
-//   formula  1 / (iResolution.y focalLength): the screen is 2 high, focalLength before the eye
+//   formula  1 / (iResolution.y focalLength): the screen is 2 high, focalLength in front of the eye
 float pixelSpread()
 {
     return 1.0 / (iResolution.y * focalLength);

@@ -1,8 +1,8 @@
 // symmetry.glsl - mirrors: space folded along planes, and the tetrahedra that folds make cheap.
 #include "scene.glsl"
 
-// Fold space along a plane: a point behind it is replaced by its mirror image, a point before it stays.
-// One-sided: what a scene holds behind the plane is lost, what it holds before it appears twice.
+// Fold space along a plane: a point behind it is replaced by its mirror image, a point in front stays.
+// One-sided: what a scene holds behind the plane is lost, what it holds in front appears twice.
 //   p        point, scene units
 //   normal   of the plane, length 1, pointing to the side that is kept
 //   offset   scene units; the plane is <p, normal> = -offset
@@ -19,7 +19,7 @@ vec3 opReflect(vec3 p, vec3 normal, float offset)
 
 // A regular tetrahedron with the corners (1, 1, 1), (1, -1, -1), (-1, 1, -1) and (-1, -1, 1) times
 // size: alternate corners of a cube. Inside exact; outside a lower bound: with d the distance it is
-// d before a face, at least d / sqrt(3) before an edge, at least d / 3 before a corner.
+// d in front of a face, at least d / sqrt(3) in front of an edge, at least d / 3 of a corner.
 //   p        point, scene units
 //   size     half the side of that cube, scene units, > 0; an edge is sqrt(8) size long
 //   formula  the largest of the signed distances to the planes of the four faces, each
@@ -33,7 +33,7 @@ float sdTetrahedronPlanes(vec3 p, float size)
 
 // The same tetrahedron. Exact everywhere.
 //   p, size  as of sdTetrahedronPlanes
-// Three folds bring p before the face x + y + z = -size. Of that face's edges the nearest is the one
+// Three folds bring p in front of the face x + y + z = -size. Of that face's edges the nearest is the one
 // on which the smallest coordinate is -size. Beyond the edge the distance is that to the edge, else
 // that to the face's plane. In the edge's own frame, p less the edge's middle is: middle, twice, away
 // from the axis of the two other coordinates; low + size; and along the edge, past its end, past.

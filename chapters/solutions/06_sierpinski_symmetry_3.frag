@@ -1,4 +1,4 @@
-// Solution of exercise 06.3: the exact distance in place of the planes'. Fewer steps, each dearer.
+// Solution of exercise 06.3: the exact distance in place of the planes'. Fewer steps, each of which costs more.
 //
 // The chapter's call of sdSierpinskiPlanes is turned into a call of sdSierpinski.
 #include "main.glsl"

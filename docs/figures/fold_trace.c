@@ -46,7 +46,8 @@ static void draw_copy(struct point corner, const char *fill, const char *stroke)
         page[k][0] = page_x(p[k]);
         page[k][1] = page_y(p[k]);
     }
-    svg_polygon(3, page, (struct svg_pen){.fill = fill, .stroke = stroke, .width = 1.0});
+    svg_polygon(3, (const double(*)[2])page,
+                (struct svg_pen){.fill = fill, .stroke = stroke, .width = 1.0});
 }
 
 // A mirror through the foot nearest to the origin, with its normal.

@@ -51,7 +51,8 @@ static void draw_plank(struct ground ground, double degrees, struct point place)
         page[k][0] = page_x(ground, corner);
         page[k][1] = page_y(ground, corner);
     }
-    svg_polygon(4, page, (struct svg_pen){.fill = SVG_SKY, .stroke = SVG_BLUE, .width = 1.4});
+    svg_polygon(4, (const double(*)[2])page,
+                (struct svg_pen){.fill = SVG_SKY, .stroke = SVG_BLUE, .width = 1.4});
 }
 
 static void draw_point(struct ground ground, struct point p, double dx, double dy, char anchor,
@@ -59,8 +60,8 @@ static void draw_point(struct ground ground, struct point p, double dx, double d
 {
     svg_circle(page_x(ground, p), page_y(ground, p), 4.5,
                (struct svg_pen){.fill = SVG_ORANGE, .stroke = SVG_INK});
-    svg_textf(page_x(ground, p) + dx, page_y(ground, p) + dy, anchor, 15.0, SVG_INK, "%s (%.0f, %.0f)",
-              name, p.x, p.y);
+    svg_textf(page_x(ground, p) + dx, page_y(ground, p) + dy, anchor, 15.0, SVG_INK,
+              "%s (%.0f, %.0f)", name, p.x, p.y);
 }
 
 int main(void)

@@ -52,7 +52,7 @@ static void fill(const struct svg_plot *plot, int count, const double (*place)[2
         page[k][0] = svg_plot_x(plot, place[k][0]);
         page[k][1] = svg_plot_y(plot, place[k][1]);
     }
-    svg_polygon(count, page, (struct svg_pen){.fill = colour});
+    svg_polygon(count, (const double(*)[2])page, (struct svg_pen){.fill = colour});
 }
 
 // Where the line from (u, v) along (du, dv) leaves the plot's upper or lower edge, or a side.
