@@ -372,30 +372,32 @@ static int rows_of_band(const struct renderer_inputs *inputs)
     return band < inputs->height ? band : inputs->height;
 }
 
+// Store the rows of a target in a picture, from one of its rows on.
+static bool store(const struct renderer *renderer, const struct renderer_target *target,
+                  struct image *image, int bottom)
+{
+    float *values = malloc(4 * sizeof *values * (size_t)target->width * (size_t)target->height);
+    if (values == NULL)
+        return report("picture %dx%d: not enough memory: try a smaller --size", image->width,
+                      image->height);
+    renderer_read(renderer, target, values);
+    image_store(image, values, bottom, target->height);
+    free(values);
+    return true;
+}
+
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
                       struct image *image)
 {
     int band = rows_of_band(inputs);
-    float *values = malloc(4 * sizeof *values * (size_t)inputs->width * (size_t)band);
-    if (values == NULL || !image_create(image, inputs->width, inputs->height)) {
-        if (values == NULL)
-            report("picture %dx%d: not enough memory: try a smaller --size", inputs->width,
-                   inputs->height);
-        free(values);
-        return false;
-    }
-    bool done = true;
+    bool done = image_create(image, inputs->width, inputs->height);
     for (int bottom = 0; bottom < inputs->height && done; bottom += band) {
         int rows = inputs->height - bottom < band ? inputs->height - bottom : band;
         done = renderer_draw(renderer, inputs, bottom, rows);
-        if (done) {
-            if (renderer->overlay != NULL)
-                overlay_draw(renderer->overlay, bottom);
-            renderer_read(renderer, &renderer->picture, values);
-            image_store(image, values, bottom, rows);
-        }
+        if (done && renderer->overlay != NULL)
+            overlay_draw(renderer->overlay, bottom);
+        done = done && store(renderer, &renderer->picture, image, bottom);
     }
-    free(values);
     if (!done)
         image_free(image);
     return done;
@@ -417,20 +419,9 @@ static bool copy_under_overlay(struct renderer *renderer)
 bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
 {
     bool over = renderer->overlay != NULL;
-    const struct renderer_target *target = over ? &renderer->picture : &renderer->sharp;
-    int width = renderer->sharp.width, height = renderer->sharp.height;
-    if (over && !copy_under_overlay(renderer))
-        return false;
-    float *values = malloc(4 * sizeof *values * (size_t)width * (size_t)height);
-    bool done = values != NULL && image_create(image, width, height);
-    if (values == NULL)
-        report("picture %dx%d: not enough memory", width, height);
-    if (done) {
-        renderer_read(renderer, target, values);
-        image_store(image, values, 0, height);
-    }
-    free(values);
-    return done;
+    return (!over || copy_under_overlay(renderer)) &&
+           image_create(image, renderer->sharp.width, renderer->sharp.height) &&
+           store(renderer, over ? &renderer->picture : &renderer->sharp, image, 0);
 }
 
 void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[2],
