@@ -54,12 +54,8 @@ bool shader_has_view(const struct shader_source *source, enum shader_view view);
 // Returns memory that the caller frees.
 char *form_prelude(const struct shader_source *source, enum shader_view view);
 
-// The text after the prelude: the source's own, line by line. In the course's form nothing changes.
-// Otherwise variables without a value begin at 0, as form_zero has it. In Shadertoy's form
-// gl_FragCoord is renamed, for the renderer draws in parts and samples, and the shader must see one
-// picture. A whole file loses the words smooth, flat, noperspective and centroid, which drivers
-// want to find in the vertex shader too, and which change nothing on a triangle that covers the
-// screen. Returns memory that the caller frees.
+// The text after the prelude, line by line: in the course's form the source's own, otherwise what
+// form_zero makes of it. Returns memory that the caller frees.
 char *form_body(const struct shader_source *source);
 
 // Say why a shader cannot run that asks for what Shadertoy has and this harness has not (textures,

@@ -13,9 +13,10 @@
 // out, becomes an inout, which begins with what is handed to it. What GLSL defines stays as it was:
 // only what it leaves undefined becomes 0.
 //
-// And some words in other words: in Shadertoy's form gl_FragCoord, which the renderer moves; in a
-// whole file smooth, flat, noperspective and centroid, which drivers want to find in the vertex
-// shader too.
+// And some words in other words: in Shadertoy's form gl_FragCoord, for the renderer draws in parts
+// and samples, and the shader must see one picture; a whole file loses smooth, flat, noperspective
+// and centroid, which drivers want to find in the vertex shader too, and which change nothing on a
+// triangle that covers the screen.
 // Lines keep their numbers. Returns memory that the caller frees.
 char *form_zero(const struct shader_source *source);
 

@@ -192,27 +192,10 @@ static void toggle_full_screen(struct window *window)
     glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
-// True when a key changes the picture; others change the overlay or the window alone.
-static bool changes_picture(enum window_action action)
-{
-    switch (action) {
-    case WINDOW_PAUSE: // time went on until now
-    case WINDOW_RESTART:
-    case WINDOW_BEGIN:
-    case WINDOW_ORTHOGRAPHIC:
-    case WINDOW_CHANGE:
-    case WINDOW_RESET:
-    case WINDOW_VIEW:
-        return true;
-    default:
-        return false;
-    }
-}
-
 static void press(struct window *window, struct window_event event)
 {
     struct parameter *parameter = window_chosen(window);
-    window->stale |= changes_picture(event.action);
+    window->stale |= event.action >= WINDOW_PAUSE;
     switch (event.action) {
     case WINDOW_END:
         glfwSetWindowShouldClose(window->handle, GLFW_TRUE);

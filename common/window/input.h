@@ -12,19 +12,20 @@
 
 enum window_action {
     WINDOW_END,
-    WINDOW_PAUSE,
-    WINDOW_RESTART, // the time
-    WINDOW_BEGIN,   // the time and the camera
     WINDOW_SCREENSHOT,
     WINDOW_FULL_SCREEN,
-    WINDOW_ORTHOGRAPHIC,
     WINDOW_CHOOSE, // amount: -1 the parameter before, 1 the next
+    WINDOW_FOLD,   // the overlay
+    WINDOW_HELP,   // all of it
+    WINDOW_RAY,    // way: where a click was, window coordinates from the top left
+    // What changes the picture:
+    WINDOW_PAUSE,   // as time went on until now
+    WINDOW_RESTART, // the time
+    WINDOW_BEGIN,   // the time and the camera
+    WINDOW_ORTHOGRAPHIC,
     WINDOW_CHANGE, // amount: key presses
     WINDOW_RESET,
-    WINDOW_FOLD, // the overlay
-    WINDOW_HELP, // all of it
     WINDOW_VIEW, // amount: enum shader_view
-    WINDOW_RAY,  // way: where a click was, window coordinates from the top left
     // What goes on: events of a kind that follow each other are one, their ways added up.
     WINDOW_ZOOM,  // way: notches of the wheel, away from the person positive
     WINDOW_LOOK,  // way: pixels that the pointer went right and down
