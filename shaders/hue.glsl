@@ -1,7 +1,7 @@
 // hue.glsl - colours by hue, saturation and value.
 //
-// The results are linear light, shares of red, green and blue, as the light of lighting.glsl. Who takes
-// them for numbers of a screen, as colour pickers do, has to decode them first.
+// The results are linear light, shares of red, green and blue, as the light of lighting.glsl. To read them
+// as numbers of a screen, as colour pickers do, decode them first.
 
 // The pure colour of a hue: its largest channel is 1, its least 0.
 //   hue      degrees; 0 red, 60 yellow, 120 green, 180 cyan, 240 blue, 300 magenta; any number, also a
