@@ -1,7 +1,7 @@
 #!/bin/bash
 # check.sh - `make check EXERCISE=03_2 FILE=my.frag`: is a reader's solution of an exercise right? It is
-# rendered like the solution in chapters/solutions, with the options of tests/images.txt; the pictures
-# and the marches of some rays are compared.
+# rendered like the solution in chapters/solutions, with the options of the exercise's pictures in
+# tests/images.txt and those of tests/checks.txt; the pictures and the marches of some rays are compared.
 #
 # Environment: EXERCISE; FILE, or FILES for a table, one line a file: a pattern, or several with spaces
 # between them. What differs is left as a picture in build/check/EXERCISE/, under the file's own path.
@@ -23,16 +23,22 @@ exercises() {
         tests/images.txt | sort -t _ -k 1,1 -k 2,2n
 }
 
-# The options of each picture of the exercise, a line each, without the solution's own file.
+# The options of each picture of the exercise, a line each, as the pages spell them, without the solution's
+# own file.
 pictures_of() { # STEM NUMBER
-    awk -v stem="$1" -v wanted="solution-$2" '
-        $1 == stem && ($2 == wanted || index($2, wanted "-") == 1) {
-            options = "-s 640x360"
-            for (i = 3; i <= NF; i++)
-                if ($i == "-f") i++
-                else options = options " " $i
+    awk -v stem="$1" -v number="$2" '
+        BEGIN {
+            n = split("-s --size -t --time -p --set -c --camera -a --samples -v --view", word)
+            for (i = 1; i < n; i += 2) long[word[i]] = word[i + 1]
+        }
+        { first = $1 == substr(stem, 1, 2) "_" number ? 2 : $1 == stem && $2 ~ "^solution-" number "(-|$)" ? 3 : 0 }
+        first {
+            options = / (-s|--size) / ? "" : "--size 640x360"
+            for (i = first; i <= NF; i++)
+                if ($i == "-f" || $i == "--shader") i++
+                else options = options " " ($i in long ? long[$i] : $i)
             print options
-        }' tests/images.txt
+        }' tests/images.txt tests/checks.txt
 }
 
 # The program with some options as one word, for at most so long: a loop of a shader may never end.
@@ -44,29 +50,35 @@ render() { # OPTIONS SHADER OPTION...
     ${guard[@]+"${guard[@]}"} "$program" $options -f "$shader" "$@"
 }
 
-# Where a march ended, 't end', from the table of --probe; the view's own options left out.
+# The march of a pixel's ray, and its colour in the picture: the last t and the last line of --probe, or that
+# line alone where a file with a main of its own records no march.
 march() { # SHADER X,Y OPTIONS
     local options
-    options=$(sed -E 's/(-v|--view|--probe) +[^ ]+//g' <<<"$3")
-    render "$options" "$1" --probe "$2" 2>/dev/null | awk -F '[,:;]' '
+    options=$(sed -E 's/(--view|--probe) +[^ ]+//g' <<<"$3")
+    render "$options" "$1" --probe "$2" 2>/dev/null | awk -F , '
         /^[0-9]/ { t = $2 }
-        /^# no march is/ { exit }
-        /^# / { sub(/^# /, "", $1); print t + 0, $1; exit }'
+        /^# / { sub(/^# /, t == "" && /no march is/ ? "" : t + 0 " "); print; exit }'
 }
 
-# The nine rays of the solution, a line each, 'X,Y t end'; nothing where a whole file records none.
+# The nine rays of the solution, a line each: X,Y and the march; nothing where a whole file records none.
 nine_rays() { # OPTIONS
-    local place end
-    for place in {192,320,448},{80,150,220}; do
+    local place end width height
+    read -r width height <<<"$(size_of "$1")"
+    for place in {3,5,7},{2,4,6}; do
+        place=$((${place%,*} * width / 10)),$((${place#*,} * height / 10))
         end=$(march "$solution" "$place" "$1")
-        [ -z "$end" ] || echo "$place $end"
+        [[ ! $end =~ ^[0-9] ]] || echo "$place $end"
     done
+}
+
+size_of() { # OPTIONS: width and height
+    sed -E 's/.*--size +([0-9]+)x([0-9]+).*/\1 \2/' <<<"$1"
 }
 
 # Do two marches end alike: both on the surface at one distance, or both not?
 same_march() { # A B
     awk -v a="$1" -v b="$2" 'BEGIN {
-        split(a, x, " "); split(b, y, " ")
+        split(a, x, "[ ;:]"); split(b, y, "[ ;:]")
         far = x[1] - y[1] > 0 ? x[1] - y[1] : y[1] - x[1]
         exit !(x[2] == y[2] && (x[2] != "hit" || far < 0.02 * (1 + y[1])))
     }'
@@ -78,34 +90,49 @@ different_rays() { # FILE OPTIONS RAYS
     local place mine right first='' count=0
     while read -r place right; do
         mine=$(march "$1" "$place" "$2")
-        [ -n "$mine" ] || { echo 'none is recorded: include main.glsl, as the chapter does'; return; }
+        [[ $mine =~ ^[0-9] ]] || { echo 'none is recorded: include main.glsl, as the chapter does'; return; }
         if ! same_march "$mine" "$right"; then
             count=$((count + 1))
-            first=${first:-"pixel $place: '${mine#* }' at t ${mine% *}, the solution '${right#* }' at t ${right% *}"}
+            first=${first:-"pixel $place: $(told "$mine"), the solution's $(told "$right")"}
         fi
     done <"$3"
     [ "$count" -lt 2 ] || echo "$first, and $((count - 1)) more of nine"
 }
 
-# Around which pixel, and what is known of the rays there.
-there() { # FILE OPTIONS X,Y
-    local mine right
-    mine=$(march "$1" "$3" "$2")
-    right=$(march "$solution" "$3" "$2")
-    printf ', most around %s' "$3"
-    if [ -n "$mine" ] && [ -n "$right" ] && ! same_march "$mine" "$right"; then
-        printf " ('%s' at t %s, the solution '%s' at t %s)" "${mine#* }" "${mine% *}" "${right#* }" "${right% *}"
-    fi
+# A march in words: 'hit at t 3.2'.
+told() { # MARCH
+    local end=${1#* }
+    echo "'${end%%;*}' at t ${1%% *}"
 }
 
-# The solution's picture, or the ends of its nine rays, for line N of the options; made when first asked for.
+# Where in the picture a pixel is.
+part_of() { # X,Y OPTIONS
+    local width height
+    read -r width height <<<"$(size_of "$2")"
+    awk -v x="${1%,*}" -v y="${1#*,}" -v w="$width" -v h="$height" 'BEGIN {
+        row = 3 * y < h ? "lower" : 3 * y < 2 * h ? "middle" : "upper"
+        column = 3 * x < w ? "left" : 3 * x < 2 * w ? "middle" : "right"
+        print row column == "middlemiddle" ? "in the middle" : "at the " row " " column
+    }'
+}
+
+# What is wrong in one picture, in lines.
+differs() { # FILE OPTIONS WORDS DIFFERENCE
+    local place=${3##* }
+    echo "$3, $(part_of "$place" "$2"): see $4"
+    echo "  look at yours: $program --shader $1${shown:+ $shown}"
+    echo "  your pixel $place: $(march "$1" "$place" "$2" | sed 's/^[0-9]/t &/; s/ \(hit\|miss\)/, \1/')"
+    echo "  the solution's: $(march "$solution" "$place" "$2" | sed 's/^[0-9]/t &/; s/ \(hit\|miss\)/, \1/')"
+}
+
+# The solution's picture for line N of the options, and its nine rays; made when first asked for.
 right_picture() { # N OPTIONS
     [ -e "$scratch/$1.png" ] ||
         render "$2" "$solution" -o "$scratch/$1.png" >/dev/null 2>"$scratch/errors" ||
         fail "$solution: $(head -n 1 "$scratch/errors")"
 }
-right_rays() { # N OPTIONS
-    [ -e "$scratch/$1.rays" ] || nine_rays "$2" >"$scratch/$1.rays"
+right_rays() { # OPTIONS
+    [ -e "$scratch/rays" ] || nine_rays "$1" >"$scratch/rays"
 }
 
 # Why a file gave no picture, from the status and what was said.
@@ -116,33 +143,35 @@ why_not() { # STATUS
     esac
 }
 
-# One file: prints its verdict.
+# One file: prints its verdict, in the first line what a table has room for.
 judge() { # FILE
-    local file=$1 options numbers status rays number=0 mine=$scratch/mine.png
+    local file=$1 options numbers status rays shown number=0 worst=0 mine=$scratch/mine.png
     local difference=${file%.frag}.difference.png
     difference=$folder/$(sed -E 's|^([.]{0,2}/)*||; s|/[.]{1,2}/|/|g' <<<"$difference")
     [ -f "$file" ] || { echo 'is no file'; return 1; }
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
+    mkdir -p "$(dirname "$difference")" || return 1
     while read -r options; do
         number=$((number + 1))
+        shown=$(sed -E 's/^--size 640x360 ?//' <<<"$options")
         right_picture "$number" "$options"
         render "$options" "$file" -o "$mine" >/dev/null 2>"$scratch/errors"
         status=$?
         [ "$status" = 0 ] || { why_not "$status"; return 1; }
-        mkdir -p "$(dirname "$difference")" || return 1
-        numbers=$(build/tests/compare "$scratch/$number.png" "$mine" "$difference")
-        status=$?
-        if [ "$status" != 0 ]; then
-            echo "$(cut -d ' ' -f 2 <<<"$numbers") % of the pixels differ$(there "$file" "$options" \
-                "${numbers##* }"): see $difference"
+        if ! numbers=$(build/tests/compare "$scratch/$number.png" "$mine" "$difference"); then
+            echo "${shown:+with $shown, }$(differs "$file" "$options" \
+                "$(build/tests/compare --words "$scratch/$number.png" "$mine")" "$difference")"
             return 1
         fi
         rm -f "$difference"
-        right_rays "$number" "$options"
-        rays=$(different_rays "$file" "$options" "$scratch/$number.rays")
-        [ -z "$rays" ] || { echo "the picture is right, its rays are not: $rays"; return 1; }
+        worst=$(printf '%s\n' "$worst" "$(cut -d ' ' -f 2 <<<"$numbers")" | sort -g | tail -n 1)
+        [ "$number" = 1 ] || continue
+        right_rays "$options"
+        rays=$(different_rays "$file" "$options" "$scratch/rays")
+        [ -z "$rays" ] || { echo "the picture${shown:+ with $shown} is right, its rays are not: $rays"; return 1; }
     done <<<"$wanted"
-    echo "as the solution: $(cut -d ' ' -f 2 <<<"$numbers") % of the pixels differ"
+    echo "as the solution in $number picture$([ "$number" = 1 ] || echo s):" \
+        "$(sed 's/^0\(.0*\)*$/no pixel differs/; t; s/$/ % of the pixels differ at most/' <<<"$worst") by more than 2 of 255"
 }
 
 # Set files to those that FILE or FILES asks for. A pattern whose folder has spaces is tried whole first.
@@ -188,9 +217,9 @@ for file in "${files[@]}"; do
     mark=right
     verdict=$(judge "$file") || { [ $? = 2 ] && exit 2; mark=wrong wrong=$((wrong + 1)); }
     if [ -n "${FILES-}" ]; then
-        printf '%-5s  %-*s  %s\n' "$mark" "$width" "$file" "$verdict"
+        printf '%-5s  %-*s  %s\n' "$mark" "$width" "$file" "${verdict%%$'\n'*}"
     else
-        printf '%s: %s\n' "$file" "$verdict"
+        printf '%s: %s: %s\n' "$file" "$mark" "$verdict"
     fi
 done
 find "$folder" -depth -type d -empty -delete

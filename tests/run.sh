@@ -167,8 +167,9 @@ if [ -n "${1-}" ]; then
 else
     export ALL_SUITES=1
     # Where CI is set there is more to do: every picture through every backend, other people's shaders under
-    # the sanitizers, and the mistakes planted in the harness, each of which compiles and links.
-    [ -n "${CI-}" ] || suites=$(grep -v -x -e sanitize/others -e teeth_c <<<"$suites")
+    # the sanitizers, the mistakes planted in the harness, each of which compiles and links, and the wrong
+    # answers to exercises.
+    [ -n "${CI-}" ] || suites=$(grep -v -x -e sanitize/others -e teeth_c -e answers <<<"$suites")
 fi
 
 [ -z "$find" ] || exit 0

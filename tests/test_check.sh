@@ -7,10 +7,14 @@ cd "$(dirname "$0")/.." || exit 1
 
 accepted() { EXERCISE=$1 FILE=$2 FILES='' .make/check.sh >"$scratch/answer.$1" 2>&1; }
 
-# Refused, by a line that says where, or why it does not run.
+# Refused, by a line that says why it does not run, or in four where it differs and what to look at.
 refused() { # EXERCISE FILE
-    ! accepted "$1" "$2" && [ "$(wc -l <"$scratch/answer.$1")" = 1 ] &&
-        grep -q 'most around [0-9]*,[0-9]*\|does not run: ' "$scratch/answer.$1"
+    ! accepted "$1" "$2" || return 1
+    grep -q ': wrong: does not run: ' "$scratch/answer.$1" && return
+    [ "$(wc -l <"$scratch/answer.$1")" = 4 ] &&
+        grep -q ': wrong: .*most around [0-9]*,[0-9]*, \(in\|at\) the .*: see build/' "$scratch/answer.$1" &&
+        grep -q "^  look at yours: build/.* --shader $2" "$scratch/answer.$1" &&
+        [ "$(grep -c 'colour: [0-9]*, [0-9]*, [0-9]*$' "$scratch/answer.$1")" = 2 ]
 }
 
 # One exercise, called by xargs below: the chapter's unsolved shader is no solution.
@@ -26,7 +30,7 @@ fi
 
 open_scratch
 awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2) "_" $2 }' \
-    tests/images.txt >"$scratch/exercises"
+    tests/images.txt | sort >"$scratch/exercises"
 check "there are exercises" [ -s "$scratch/exercises" ]
 xargs -P 2 -n 1 "$0" --unsolved "$scratch" <"$scratch/exercises"
 while read -r exercise; do
@@ -36,6 +40,8 @@ while read -r exercise; do
     *) not_ok "${line#not ok }" ;;
     esac
 done <"$scratch/exercises"
+sed -n 's/^\([0-9][0-9]_[0-9]*\) .*/\1/p' tests/checks.txt | sort -u | comm -13 "$scratch/exercises" - >"$scratch/unknown"
+check "tests/checks.txt names exercises that there are" [ ! -s "$scratch/unknown" ]
 check "a solution is right: chapter 00" accepted 00_2 chapters/solutions/00_first_scene_2.frag
 check "a solution is right: chapter 03" accepted 03_2 chapters/solutions/03_shadows_2.frag
 

@@ -17,8 +17,10 @@ says() {
     shift 2
     for file in "$@"; do pictures+=" $scratch/$file.png"; done
     said=$(PICTURES=$pictures .make/compare.sh 2>&1)
-    [ $? = "$status" ] && [ "$(wc -l <<<"$said")" = 1 ] && grep -qx -e "$words" <<<"$said" ||
-        { echo "# $said"; return 1; }
+    if [ $? != "$status" ] || [ "$(wc -l <<<"$said")" != 1 ] || ! grep -qx -e "$words" <<<"$said"; then
+        echo "# $said"
+        return 1
+    fi
 }
 shown() { [ -s build/compare.png ]; }
 says 1 '[0-9.]* % of the pixels differ by more than 2 of 255, at most by [0-9]*, most around [0-9]*,[0-9]*: see build/compare.png' one other

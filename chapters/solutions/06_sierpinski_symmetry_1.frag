@@ -3,7 +3,7 @@
 // The experiment draws it; its own sceneDistance, the letter's, is kept aside under another name.
 #include "main.glsl"
 #define sceneDistance letterDistance
-#include "../experiments/06_fold.frag"
+#include "experiments/06_fold.frag"
 #undef sceneDistance
 
 uniform int levels; // 6 in [0, 12]: how often each triangle is cut in three

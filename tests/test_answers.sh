@@ -1,0 +1,65 @@
+#!/bin/bash
+# test_answers.sh [EXERCISE...] - can `make check` be fooled? Each wrong answer of tests/answers.txt must be
+# refused because it differs, each right one accepted, as the solution itself. With arguments only those
+# exercises, such as 03_2.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/support.sh
+. tests/support_teeth.sh --
+
+# The answers of one exercise as files of a folder, all checked together; a TAP line each.
+judge() { # EXERCISE
+    local folder=$scratch/$1 solution number=0 line verdict what file table
+    solution=$(echo chapters/solutions/"${1%_*}"_*_"${1#*_}".frag)
+    mkdir "$folder"
+    cp "$solution" "$folder/solution.frag"
+    printf 'right|the solution itself|solution.frag\n' >"$folder/list"
+    grep "^$1 " "$scratch/answers" | while read -r line; do
+        number=$((number + 1))
+        sed "${line#*|*|*| }" "$solution" >"$folder/$number.frag"
+        ! cmp -s "$solution" "$folder/$number.frag" || echo 'changes nothing' >"$folder/$number.why"
+        printf '%s|%s|%s\n' "$(field "$line" 2)" "$(field "$line" 3)" "$number.frag" >>"$folder/list"
+    done
+    EXERCISE=$1 FILE='' FILES="$folder/*.frag" .make/check.sh >"$folder/table" 2>&1
+    while IFS='|' read -r verdict what file; do
+        table=$(grep "/$file " "$folder/table" | sed 's/[.]frag  */.frag /')
+        [ ! -e "$folder/${file%.frag}.why" ] || table="its edit changes nothing in $solution"
+        case $table in
+        *'does not run'*) ;;
+        "$verdict "*) echo "ok $1: $what: ${table#*.frag }" && continue ;;
+        esac
+        echo "not ok $1: $what is not found to be $verdict: ${table:-$(head -n 1 "$folder/table")}"
+    done <"$folder/list"
+    [ "$(grep -c '^wrong|' "$folder/list")" -ge 2 ] || echo "not ok $1: two wrong answers"
+}
+
+if [ "${1-}" = --exercise ]; then # called by xargs below
+    scratch=$2
+    judge "$3" >"$scratch/$3.result"
+    exit 0
+fi
+
+open_scratch
+mistakes_of tests/answers.txt >"$scratch/answers"
+for file in chapters/solutions/*.frag; do
+    name=${file##*/}
+    number=${name##*_}
+    echo "${name%%_*}_${number%.frag}"
+done | while read -r exercise; do
+    for wanted in "${@:-$exercise}"; do
+        [ "$wanted" != "$exercise" ] || echo "$exercise"
+    done
+done >"$scratch/exercises"
+cut -d ' ' -f 1 "$scratch/answers" | sort -u | comm -23 - <(cut -d ' ' -f 1 "$scratch/exercises" | sort) >"$scratch/unknown"
+[ $# != 0 ] || check 'tests/answers.txt names exercises that have a solution' [ ! -s "$scratch/unknown" ]
+LP_NUM_THREADS=1 xargs -P 2 -n 1 "$0" --exercise "$scratch" <"$scratch/exercises"
+while read -r exercise; do
+    while read -r line; do
+        case $line in
+        ok*) ok "${line#ok }" ;;
+        *) not_ok "${line#not ok }" ;;
+        esac
+    done <"$scratch/$exercise.result"
+done <"$scratch/exercises"
+check 'there are exercises' [ "$tap_count" -gt 1 ]
+plan
