@@ -93,9 +93,9 @@ float cityDistance(vec3 p)
 // Of a post the part along z is never negative: on the half that faces -z it is the mirror image.
 vec3 cityNormal(Block block, bool tower, bool lamp)
 {
-    vec3 base = outsideBase(block), q = pavement(block.local);
-    vec3 outside = base.y < 0.01 ? base : outsideShaft(block);
-    vec3 face = step(max(outside.x, max(outside.y, outside.z)), outside);
+    vec3 base = outsideBase(block), shaft = outsideShaft(block), q = pavement(block.local);
+    float toBase = max(base.x, max(base.y, base.z)), toShaft = max(shaft.x, max(shaft.y, shaft.z));
+    vec3 face = toBase < toShaft ? step(toBase, base) : step(toShaft, shaft);
     vec3 axis = lamp ? vec3(q.x, 0.0, q.z) : treeAxis(q);
     return normalize((tower ? face : axis) * sign(block.local));
 }

@@ -122,8 +122,8 @@ int main(void)
     vector(south, SVG_TEAL, -10.0, -8.0, "M");
     vector(west, SVG_INK, -6.0, 22.0, "W");
     vector(sun, SVG_ORANGE, -8.0, -12.0, "S");
-    mark((const double[3]){1.0, 0.0, 0.0}, -26.0, 2.0, SVG_INK, "north");
-    mark((const double[3]){-1.0, 0.0, 0.0}, 30.0, 8.0, SVG_INK, "south");
+    mark((const double[3]){1.0, 0.0, 0.0}, 26.0, 3.0, SVG_INK, "north");
+    mark((const double[3]){-1.0, 0.0, 0.0}, -26.0, 3.0, SVG_INK, "south");
     mark((const double[3]){0.0, 0.0, 1.0}, 32.0, 17.0, SVG_INK, "east");
     mark((const double[3]){0.0, 1.0, 0.0}, 0.0, 22.0, SVG_INK, "zenith");
     words();
