@@ -83,6 +83,10 @@ static void the_status_is_told(void **unused)
     panel.hint = "H: help";
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("A title") && says("view: picture    60 fps, 16.7 ms    paused"));
+    panel.timed = true;
+    panel.time = 20.04;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("view: picture    60 fps, 16.7 ms    time 20.0 s    paused"));
     assert_true(says("H: help"));
     panel.divisor = 3;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);

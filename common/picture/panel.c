@@ -145,6 +145,9 @@ static void status_text(const struct panel *panel, char *text, size_t size)
         snprintf(text + used, size - used, "    %.0f fps, %.1f ms", panel->rate,
                  panel->milliseconds);
     used = strlen(text);
+    if (panel->timed)
+        snprintf(text + used, size - used, "    time %.1f s", panel->time);
+    used = strlen(text);
     if (panel->paused)
         snprintf(text + used, size - used, "    paused");
 }

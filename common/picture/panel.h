@@ -20,6 +20,8 @@ struct panel {
     const struct renderer *renderer; // its view and parameters
     const struct parameter *chosen;  // what the arrows change
     double rate, milliseconds;       // frames a second, of one frame
+    bool timed;                      // the picture depends on the time
+    double time;                     // seconds
     int divisor; // the picture is drawn at 1/divisor of each side; 0 and 1: full
     int sharp;   // percent of it that is sharp all the same
     bool paused;

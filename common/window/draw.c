@@ -157,6 +157,8 @@ static void gather(struct window *window)
         .chosen = window_chosen(window),
         .rate = window->panel.figures[0],
         .milliseconds = window->panel.figures[1],
+        .timed = window_uses_time(window),
+        .time = inputs->time,
         .divisor = window->pace.divisor,
         .sharp = window->sharpening.inputs.height > 0
                      ? 100 * window->sharpening.rows / window->sharpening.inputs.height
