@@ -3,7 +3,7 @@
 // The share of a lamp's light that a matt surface catches: the projected area of the surface as the
 // lamp sees it.
 //   normal, toLight  length 1 each
-//   formula          max(<normal, toLight>, 0); 0 when the surface turns its back
+//   formula          max(dot(normal, toLight), 0); 0 when the surface turns its back
 // Source: J. H. Lambert, 'Photometria' (1760); report, section 1.5.3.
 float lambert(vec3 normal, vec3 toLight)
 {

@@ -17,7 +17,7 @@ float sdSphere(vec3 p, float radius)
 //   p        point, scene units
 //   normal   length 1, pointing out of the solid
 //   height   of the plane along its normal, scene units
-//   formula  <p, normal> - height
+//   formula  dot(p, normal) - height
 // Source: report, section 2.1.2.
 float sdPlane(vec3 p, vec3 normal, float height)
 {

@@ -17,7 +17,7 @@ Ray shadowRay(vec3 p, vec3 normal, vec3 toLight, float offset)
 // Lambert's law has already said 0.
 //   normal, toLight  of any length: the sign of their product counts
 //   far      scene units, >= 0: to the lamp, or to where nothing stands any more
-//   returns  far where <normal, toLight> > 0, else 0, for which lightReaching and coneReaching march
+//   returns  far where dot(normal, toLight) > 0, else 0, for which lightReaching and coneReaching march
 //            nothing
 float shadowReach(vec3 normal, vec3 toLight, float far)
 {

@@ -5,8 +5,8 @@
 // One-sided: what a scene holds behind the plane is lost, what it holds in front appears twice.
 //   p        point, scene units
 //   normal   of the plane, length 1, pointing to the side that is kept
-//   offset   scene units; the plane is <p, normal> = -offset
-//   formula  p - 2 min(<p, normal> + offset, 0) normal; with (-normal, -offset) the same plane, the
+//   offset   scene units; the plane is dot(p, normal) = -offset
+//   formula  p - 2 min(dot(p, normal) + offset, 0) normal; with (-normal, -offset) the same plane, the
 //            other side kept
 // 1-Lipschitz: a distance taken at the folded point is a lower bound of that to the scene one sees,
 // and outside exact if nothing of the scene lies behind the plane. With another length of the normal
@@ -23,7 +23,7 @@ vec3 opReflect(vec3 p, vec3 normal, float offset)
 //   p        point, scene units
 //   size     half the side of that cube, scene units, > 0; an edge is sqrt(8) size long
 //   formula  the largest of the signed distances to the planes of the four faces, each
-//            (<p, n> - size) / sqrt(3) with n = (-1, -1, -1), (-1, 1, 1), (1, -1, 1), (1, 1, -1)
+//            (dot(p, n) - size) / sqrt(3) with n = (-1, -1, -1), (-1, 1, 1), (1, -1, 1), (1, 1, -1)
 // Source: report, section 3.3 and its engine.
 float sdTetrahedronPlanes(vec3 p, float size)
 {
@@ -97,8 +97,8 @@ float sdSierpinski(vec3 p, float size, int levels)
 // Where a ray is inside the tetrahedron: what boxInterval of bounds.glsl does, with four planes.
 //   size     as of sdTetrahedronPlanes; to hold a pyramid, a little more than its own
 //   returns  (entry, exit) along the ray, entry >= 0; entry >= exit when the ray misses it
-//   formula  a plane is crossed at (size - <origin, n>) / <direction, n>, inwards where
-//            <direction, n> < 0, outwards where it is > 0; where it is 0 the plane is left out, so
+//   formula  a plane is crossed at (size - dot(origin, n)) / dot(direction, n), inwards where
+//            dot(direction, n) < 0, outwards where it is > 0; where it is 0 the plane is left out, so
 //            that the interval may be too long, never too short. The n add up to 0: a ray enters
 //            through three planes at most, and the entry of the fourth stays 0
 vec2 tetrahedronInterval(Ray ray, float size)

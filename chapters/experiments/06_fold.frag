@@ -7,7 +7,7 @@
 
 uniform int   folds;        // 1 in [0, 3]: how many mirrors, each turned by 60 degrees against the one before
 uniform float turn;         // 25 in [-180, 180] step 5, degrees: direction of the first normal
-uniform float mirrorOffset; // 0.3 in [-2, 2] step 0.1, units: the plane is <p, normal> = -mirrorOffset
+uniform float mirrorOffset; // 0.3 in [-2, 2] step 0.1, units: the plane is dot(p, normal) = -mirrorOffset
 uniform float normalLength; // 1 in [0.5, 1.5] step 0.05: of the normal, which should be 1
 uniform bool  otherSide;    // false: change the signs of normal and offset: the same line, the other side
 

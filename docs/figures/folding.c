@@ -6,7 +6,7 @@
 #include "svg.h"
 
 // The triangle with corners (0, 1), (-a, -1/2), (a, -1/2), a = sqrt(3) / 2: inside, seen from the
-// origin, is where <p, n> < 1/2 for its three normals.
+// origin, is where dot(p, n) < 1/2 for its three normals.
 static bool in_triangle(double x, double y)
 {
     const double a = sqrt(0.75);
