@@ -9,7 +9,7 @@ float sceneDistance(vec3 p)
 {
     vec3 local = blockAt(p).local;
     vec2 side = vec2(local.x < 0.0 ? -PERIOD : PERIOD, local.z < 0.0 ? -PERIOD : PERIOD);
-    float wall = PERIOD - max(abs(abs(local.x) - 0.5 * PERIOD), abs(abs(local.z) - 0.5 * PERIOD));
+    float wall = min(cellWall(p.x, PERIOD), cellWall(p.z, PERIOD));
     float distance = wall + GAP;
     for (int i = 0; i < 4; i++) {
         vec3 shift = vec3(i % 2 == 0 ? 0.0 : side.x, 0.0, i < 2 ? 0.0 : side.y);
