@@ -204,7 +204,7 @@ set -f
 
 program=build/$stem
 solution=chapters/solutions/${stem}_${EXERCISE#*_}.frag
-folder=build/check/$EXERCISE # for the pictures that are left
+folder=${CHECK_FOLDER:-build/check}/$EXERCISE # for the pictures that are left
 rm -rf "$folder" && mkdir -p "$folder" && scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-check.XXXXXX") || exit 2
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 2' HUP INT TERM

@@ -20,7 +20,7 @@ judge() { # EXERCISE
         ! cmp -s "$solution" "$folder/$number.frag" || echo 'changes nothing' >"$folder/$number.why"
         printf '%s|%s|%s\n' "$(field "$line" 2)" "$(field "$line" 3)" "$number.frag" >>"$folder/list"
     done
-    EXERCISE=$1 FILE='' FILES="$folder/*.frag" .make/check.sh >"$folder/table" 2>&1
+    CHECK_FOLDER=$folder/check EXERCISE=$1 FILE='' FILES="$folder/*.frag" .make/check.sh >"$folder/table" 2>&1
     while IFS='|' read -r verdict what file; do
         table=$(grep "/$file " "$folder/table" | sed 's/[.]frag  */.frag /')
         [ ! -e "$folder/${file%.frag}.why" ] || table="its edit changes nothing in $solution"
@@ -35,7 +35,7 @@ judge() { # EXERCISE
 
 if [ "${1-}" = --exercise ]; then # called by xargs below
     scratch=$2
-    judge "$3" >"$scratch/$3.result"
+    judge "$3"
     exit 0
 fi
 
@@ -52,14 +52,11 @@ done | while read -r exercise; do
 done >"$scratch/exercises"
 cut -d ' ' -f 1 "$scratch/answers" | sort -u | comm -23 - <(cut -d ' ' -f 1 "$scratch/exercises" | sort) >"$scratch/unknown"
 [ $# != 0 ] || check 'tests/answers.txt names exercises that have a solution' [ ! -s "$scratch/unknown" ]
-LP_NUM_THREADS=1 xargs -P 2 -n 1 "$0" --exercise "$scratch" <"$scratch/exercises"
-while read -r exercise; do
-    while read -r line; do
-        case $line in
-        ok*) ok "${line#ok }" ;;
-        *) not_ok "${line#not ok }" ;;
-        esac
-    done <"$scratch/$exercise.result"
-done <"$scratch/exercises"
+while read -r line; do
+    case $line in
+    ok*) ok "${line#ok }" ;;
+    *) not_ok "${line#not ok }" ;;
+    esac
+done < <(LP_NUM_THREADS=1 xargs -P 2 -n 1 "$0" --exercise "$scratch" <"$scratch/exercises")
 check 'there are exercises' [ "$tap_count" -gt 1 ]
 plan
