@@ -223,7 +223,7 @@ static bool check_targets(const struct run *run)
 {
     const struct options *options = &run->options;
     char path[PATH_MAX];
-    if (options->output == NULL || options->frames == 0)
+    if (options->frames == 0)
         return options->output == NULL ||
                (image_check_target(options->output) && check_unread(run, options->output));
     for (int i = 0; i < options->frames; i++)

@@ -376,7 +376,8 @@ static int rows_of_band(const struct renderer_inputs *inputs)
 static bool store(const struct renderer *renderer, const struct renderer_target *target,
                   struct image *image, int bottom)
 {
-    float *values = malloc(4 * sizeof *values * (size_t)target->width * (size_t)target->height);
+    size_t pixels = (size_t)target->width * (size_t)target->height;
+    float *values = pixels > 0 ? malloc(4 * sizeof *values * pixels) : NULL;
     if (values == NULL)
         return report("picture %dx%d: not enough memory: try a smaller --size", image->width,
                       image->height);

@@ -44,10 +44,12 @@ static void put_vector(struct export *e, const double *value, int components)
         fprintf(e->text, ")");
 }
 
-static void put_vec3(struct export *e, const float v[3])
+static void put_floats(struct export *e, const float *value, int components)
 {
-    const double value[3] = {(double)v[0], (double)v[1], (double)v[2]};
-    put_vector(e, value, 3);
+    double all[3] = {0.0};
+    for (int i = 0; i < components; i++)
+        all[i] = (double)value[i];
+    put_vector(e, all, components);
 }
 
 // ---- The course's form ----
@@ -126,7 +128,7 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
     if (offset)
         fprintf(e->text, "vec2(0.0)");
     else if (vector != NULL)
-        put_vec3(e, vector);
+        put_floats(e, vector, 3);
     else
         put_value(e, parameter);
     fprintf(e->text, "%.*s\n", (int)strcspn(rest, "\n"), rest);
@@ -263,12 +265,12 @@ static void put_input(struct export *e, const char *name, const char *value)
         fprintf(e->text, "    %s = %s;\n", name, value);
 }
 
-static void put_input_vector(struct export *e, const char *name, const float v[3])
+static void put_constant(struct export *e, const char *name, const float *value, int components)
 {
     if (glsl_mentions(e->code, name) == 0)
         return;
     fprintf(e->text, "    %s = ", name);
-    put_vec3(e, v);
+    put_floats(e, value, components);
     fprintf(e->text, ";\n");
 }
 
@@ -283,28 +285,24 @@ static bool put_whole(struct export *e)
                      "void mainImage(out vec4 toyColour, in vec2 toyPixel)\n{\n");
     put_input(e, "FragCoord", "(2.0 * toyPixel - iResolution.xy) / iResolution.y");
     put_input(e, "Time", "iTime");
-    put_input_vector(e, "Ex", e->basis.right);
-    put_input_vector(e, "Ey", e->basis.up);
-    put_input_vector(e, "Ez", e->basis.forward);
-    put_input_vector(e, "CamPos", e->camera->position);
-    if (glsl_mentions(e->code, "fovValue") > 0) {
-        fprintf(e->text, "    fovValue = ");
-        put_float(e, (double)e->focal_length);
-        fprintf(e->text, ";\n");
-    }
+    put_constant(e, "Ex", e->basis.right, 3);
+    put_constant(e, "Ey", e->basis.up, 3);
+    put_constant(e, "Ez", e->basis.forward, 3);
+    put_constant(e, "CamPos", e->camera->position, 3);
+    put_constant(e, "fovValue", &e->focal_length, 1);
     put_input(e, "FacteurLargeur", "iResolution.x / iResolution.y");
     static const char *const zeros[] = {"OrthoView", "CustomToggle", "CustomInt"};
     for (int i = 0; i < 3; i++)
         put_input(e, zeros[i], "0.0");
+    fprintf(e->text, "    shaderMain();\n    toyColour = vec4(");
     if (output != NULL)
-        fprintf(e->text, "    shaderMain();\n    toyColour = vec4(%.*s.rgb, 1.0);\n}\n",
-                GLSL_TEXT(e->code, output));
+        fprintf(e->text, "%.*s", GLSL_TEXT(e->code, output));
     else
-        fprintf(e->text, "    shaderMain();\n    toyColour = vec4(shaderColour.rgb, 1.0);\n}\n");
-    if (output == NULL && !old)
-        report("%s: no output that Shadertoy could show: declare out vec4 FragColor;",
-               e->source->files[0]);
-    return output != NULL || old;
+        fprintf(e->text, "shaderColour");
+    fprintf(e->text, ".rgb, 1.0);\n}\n");
+    return output != NULL || old ||
+           report("%s: no output that Shadertoy could show: declare out vec4 FragColor;",
+                  e->source->files[0]);
 }
 
 char *export_shadertoy(const struct shader_source *source, const struct parameters *parameters,
