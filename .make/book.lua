@@ -200,7 +200,7 @@ local function unfolded(blocks)
             table.insert(reference.content, latex(' page~\\pageref{' .. label .. '}.'))
             into = folds[kind]
             table.insert(into, pandoc.Para({latex('\\phantomsection\\label{' .. label .. '}'),
-                pandoc.Strong(pandoc.Str(owner(title, number) .. '.'))}))
+                pandoc.Strong(pandoc.Str(owner(title, number) .. '.')), latex('\\nopagebreak')}))
         elseif html:match('^</details>') then
             into = nil
         elseif into then
