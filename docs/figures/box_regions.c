@@ -1,5 +1,5 @@
 // box_regions.c - the distance of a box, region by region: two cuts of one octant, one through the
-// middle of the box and one above it, and points with their q and their distance.
+// middle of the box and one in front of it, and points with their q and their distance.
 #include <math.h>
 
 #include "svg.h"
@@ -38,18 +38,18 @@ static void draw_regions(const struct cut *cut)
 {
     static const char *const shade[] = {SVG_SKY, SVG_SAND, SVG_TEAL, SVG_ORANGE};
     static const double strength[] = {1.0, 0.75, 0.22, 0.35};
-    const int above = cut->z > half[2];
+    const int front = cut->z > half[2];
     for (int i = 0; i < 4; i++) {
         const double from[2] = {i % 2 ? half[0] : 0.0, i / 2 ? half[1] : 0.0};
         const double to[2] = {i % 2 ? reach_x : half[0], i / 2 ? reach_y : half[1]};
-        int beyond = i % 2 + i / 2 + above;
+        int beyond = i % 2 + i / 2 + front;
         draw_rectangle(cut, from, to,
                        (struct svg_pen){.fill = shade[beyond], .opacity = strength[beyond]});
     }
     const double origin[2] = {0.0, 0.0};
     draw_rectangle(
         cut, origin, half,
-        (struct svg_pen){.stroke = SVG_BLUE, .width = 2.0, .dash = above ? "6 4" : "none"});
+        (struct svg_pen){.stroke = SVG_BLUE, .width = 2.0, .dash = front ? "6 4" : "none"});
     svg_textf(cut->left, cut->bottom - unit * reach_y - 12.0, 'l', 15.0, SVG_INK, "%s", cut->title);
     svg_text(page_x(cut, reach_x), cut->bottom + 17.0, 'r', 14.0, SVG_INK,
              "<tspan font-style='italic'>x</tspan>");
@@ -117,26 +117,26 @@ static void draw_point(const struct cut *cut, double x, double y, const char *na
 int main(void)
 {
     const struct cut middle = {26.0, 266.0, 0.0, "cut through the middle, z = 0"};
-    const struct cut above = {412.0, 266.0, 1.3, "cut above the box, z = 1.3"};
+    const struct cut front = {412.0, 266.0, 1.3, "cut in front of the box, z = 1.3"};
     svg_begin(
         760.0, 294.0, "The distance of a box, region by region",
         "Two cuts of the octant in which x, y and z are positive, of a box with half sizes "
         "1.2, 0.8 and 1. On the left the cut passes through the middle of the box: inside, the "
         "nearest point is on the nearest face; beside a face it is the foot on that face; "
-        "beyond two faces it is on their edge. On the right the cut passes above the box: over "
-        "it the nearest point is on the upper face, beyond a side on an edge, and beyond two "
-        "sides in the corner. A line at the distance 0.5 runs straight beside the sides and "
+        "beyond two faces it is on their edge. On the right the cut passes in front of the box: "
+        "before it the nearest point is on the front face, beyond a side on an edge, and beyond "
+        "two sides in the corner. A line at the distance 0.5 runs straight beside the sides and "
         "round about the corner.");
     draw_regions(&middle);
     draw_level(&middle);
     draw_point(&middle, 0.9, 0.42, "inside", -38.0, 24.0);
     draw_point(&middle, 1.7, 0.42, "face", 58.0, -4.0);
     draw_point(&middle, 1.5, 1.2, "edge", 70.0, -16.0);
-    draw_regions(&above);
-    draw_level(&above);
-    draw_point(&above, 0.6, 0.42, "face", 0.0, 24.0);
-    draw_point(&above, 1.6, 0.42, "edge", 62.0, -4.0);
-    draw_point(&above, 1.8, 1.0, "corner", 34.0, -28.0);
+    draw_regions(&front);
+    draw_level(&front);
+    draw_point(&front, 0.6, 0.42, "face", 0.0, 24.0);
+    draw_point(&front, 1.6, 0.42, "edge", 62.0, -4.0);
+    draw_point(&front, 1.8, 1.0, "corner", 34.0, -28.0);
     svg_end();
     return 0;
 }
