@@ -215,7 +215,7 @@ static const struct row {
     {"-v,", "view", " NAME", set_view, OPTIONS_RUN, "picture, normals, depth, steps or slice",
      "picture"},
     {"", "probe", " X,Y", set_probe, OPTIONS_RUN,
-     "print a pixel's march and colour; the slice's ray; 0,0: bottom left", ""},
+     "print a pixel's march and colour; or the slice's; 0,0: bottom left", ""},
     {"", "overlay", "[=SCALE]", set_overlay, OPTIONS_RUN,
      "scale of the overlay, 0.5 to 8; draws it into a file too", "by the picture's height"},
     {"-b,", "backend", " NAME", set_backend, OPTIONS_RUN, "glfw, egl or osmesa",
