@@ -2,9 +2,14 @@
 // It agrees with floor from -N / 2 on. Below that every cell is called by the number of its neighbour:
 // the place in it is a whole period away, and its lantern is not there.
 //
-// The library's floor is turned into trunc.
+// The chapter's calls of cellOf are turned into calls of truncatedCellOf.
 #include "main.glsl"
-#define floor trunc
 #include "repetition.glsl"
-#undef floor
+
+float truncatedCellOf(float x, float period)
+{
+    return trunc(x / period + 0.5);
+}
+
+#define cellOf truncatedCellOf
 #include "07_repetition.frag"

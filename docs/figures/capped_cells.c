@@ -42,7 +42,7 @@ static void draw_plan(void)
     svg_circle(x, z, 3.5, (struct svg_pen){.fill = SVG_INK});
     svg_text(x, z - 9.0, 'm', 15.0, SVG_INK, "p");
     svg_text(36.0, 26.0, 'l', 14.0, SVG_ORANGE, "dashed: the own copy's distance;");
-    svg_text(36.0, 44.0, 'l', 14.0, SVG_TEAL, "whole: the cap, N &#8722; |x| &#8722; R");
+    svg_text(36.0, 44.0, 'l', 14.0, SVG_TEAL, "solid: the cap, N &#8722; |x| &#8722; R");
     svg_text(x0, 358.0, 'm', 14.0, SVG_INK, "no copy leaves its pale square, of half width R");
 }
 
@@ -84,7 +84,7 @@ static void draw_row(void)
         svg_line(svg_plot_x(&plot, wall), plot.top, svg_plot_x(&plot, wall), plot.top + plot.height,
                  (struct svg_pen){.stroke = SVG_INK, .width = 1.0, .dash = "5 4"});
     svg_text(430.0, 26.0, 'l', 14.0, SVG_ORANGE, "dashed: the own copy alone, jumps at walls");
-    svg_text(430.0, 44.0, 'l', 14.0, SVG_TEAL, "whole: with the cap, does not jump");
+    svg_text(430.0, 44.0, 'l', 14.0, SVG_TEAL, "solid: with the cap, does not jump");
 }
 
 int main(void)
