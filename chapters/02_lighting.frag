@@ -64,7 +64,7 @@ vec3 receivedLight(vec3 p, vec3 normal)
            lampLight(normal, COLD_LAMP - p, coldColour);
 }
 
-// A dark sky, lighter towards the horizon.
+// A dark sky, lighter below.
 vec3 skyLight(vec3 direction)
 {
     return mix(vec3(0.030, 0.075, 0.11), vec3(0.003, 0.007, 0.018), smoothstep(-0.5, 0.3, direction.y));
