@@ -32,14 +32,20 @@ open_scratch
 awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2) "_" $2 }' \
     tests/images.txt | sort >"$scratch/exercises"
 check "there are exercises" [ -s "$scratch/exercises" ]
-xargs -P 2 -n 1 "$0" --unsolved "$scratch" <"$scratch/exercises"
+# Among all suites one exercise a chapter is enough; where CI is set, and alone, it is all of them.
+if [ -n "${ALL_SUITES-}" ] && [ -z "${CI-}" ]; then
+    sort -t _ -k 1,1 -u "$scratch/exercises"
+else
+    cat "$scratch/exercises"
+fi >"$scratch/unsolved"
+xargs -P 2 -n 1 "$0" --unsolved "$scratch" <"$scratch/unsolved"
 while read -r exercise; do
     read -r line <"$scratch/$exercise.result"
     case $line in
     ok*) ok "${line#ok }" ;;
     *) not_ok "${line#not ok }" ;;
     esac
-done <"$scratch/exercises"
+done <"$scratch/unsolved"
 sed -n 's/^\([0-9][0-9]_[0-9]*\) .*/\1/p' tests/checks.txt | sort -u | comm -13 "$scratch/exercises" - >"$scratch/unknown"
 check "tests/checks.txt names exercises that there are" [ ! -s "$scratch/unknown" ]
 check "a solution is right: chapter 00" accepted 00_2 chapters/solutions/00_first_scene_2.frag
