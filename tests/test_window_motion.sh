@@ -30,7 +30,10 @@ coarse() {
 }
 coarse_above() { look screen && coarse screen 60 60; }
 fine_screen() { look screen && ! coarse screen 60 60 && ! coarse screen 180 60; }
-half_sharp() { look screen && ! coarse screen 60 60 && coarse screen 180 60; }
+# Between coarse and sharp lies a moment that may be over before somebody looks: then it is begun anew.
+again() { key Right Left; }
+half_sharp() { look screen && ! coarse screen 60 60 && { coarse screen 180 60 || { again && false; }; }; }
+coarse_again() { again && coarse_above; }
 check 'a heavy picture at rest becomes sharp' eventually fine_screen
 # To and fro, so that there is always something to be seen.
 swing() { while [ -e "$scratch/swings" ]; do xdotool keydown d sleep 0.2 keyup d keydown a sleep 0.2 keyup a; done; }
@@ -54,7 +57,8 @@ answers() { # H answers, and interrupts nothing
     crop screen 130x20+8+8 before && key h && eventually panel_over && key h && ! coarse screen 60 60
 }
 check 'while it sharpens H is answered' answers
-abandons() { key Right && eventually coarse_above && key Left && eventually half_sharp; }
+abandons_once() { half_sharp && coarse_again; }
+abandons() { eventually abandons_once && eventually half_sharp; }
 check 'a change while it sharpens begins anew' abandons
 sharpens() { eventually fine_screen && shoot_as first && eventually shown first; }
 check 'once it rested it is the screenshot' sharpens
@@ -64,7 +68,7 @@ other_title() { [ "$(title)" != "$before" ]; }
 early() {
     shots=$((shots + 1))
     picture=$scratch/run/$(printf '%s-%04d.png' $chapter "$shots")
-    key Right Left && eventually coarse_above && before=$(title) && key p Up && eventually other_title && ! wrote &&
+    eventually coarse_again && before=$(title) && key p Up && eventually other_title && ! wrote &&
         eventually wrote
 }
 early_one() { early && cmp -s "$picture" "$scratch/first.png"; }
@@ -75,7 +79,7 @@ check 'Backspace closes it' backspace
 # shellcheck disable=SC2086 # options are words
 start $chapter $still -s 480x300 --overlay --shader "$mine"
 early_overlaid() {
-    eventually half_sharp && early && cp "$picture" "$scratch/overlaid.png" && crop first 180x300+300+0 before &&
+    early && cp "$picture" "$scratch/overlaid.png" && crop first 180x300+300+0 before &&
         crop overlaid 180x300+300+0 after && [ "$(apart before after)" = 0 ] && [ "$(apart first overlaid)" -gt 10000 ]
 }
 check 'nor does one with the overlay' early_overlaid
