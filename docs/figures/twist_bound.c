@@ -30,8 +30,7 @@ int main(void)
     double x = svg_plot_x(&plot, 1.0), y = svg_plot_y(&plot, 0.5 * (1.0 + sqrt(5.0)));
     svg_circle(x, y, 5.0, (struct svg_pen){.fill = SVG_BLUE});
     svg_text(x - 8.0, y - 10.0, 'r', 15.0, SVG_BLUE, "1.618");
-    svg_text(300.0, 130.0, 'l', 15.0, SVG_BLUE,
-             "&#189; (u + &#8730;(u&#178; + 4))");
+    svg_text(300.0, 130.0, 'l', 15.0, SVG_BLUE, "&#189; (u + &#8730;(u&#178; + 4))");
     svg_text(520.0, 262.0, 'l', 15.0, SVG_ORANGE, "&#8730;(1 + u&#178;), too small");
     svg_end();
     return 0;
