@@ -115,8 +115,8 @@ whole() {
         case $file in *.png) "$BUILD/tests/compare" "$file" "$file" >/dev/null || return 1 ;; *) return 1 ;; esac
     done
 }
-# A shell starts what runs beside it with SIGINT ignored.
-heed=(env --default-signal=INT)
+# A shell starts what runs beside it with SIGINT ignored, and nohup all of it with SIGHUP ignored.
+heed=(env --default-signal=INT,HUP)
 "${heed[@]}" true 2>/dev/null || heed=()
 interrupted() { # SIGNAL
     clear_out
