@@ -38,9 +38,15 @@ start() {
     mkdir "$scratch/run"
     (cd "$scratch/run" && exec "$root/$BUILD/$stem" "$@" >out 2>err) &
     program=$!
-    eventually find_window && xdotool windowfocus "$window" && eventually focused && eventually drawn
+    opens
 }
 
+# Its window is there, has the focus and shows something. The window manager may take the focus back once.
+opens() {
+    eventually find_window || { echo "# no window of process $program: $(wmctrl -lp 2>&1 | tr '\n' ' ')" && return 1; }
+    eventually focus && eventually drawn
+}
+focus() { xdotool windowfocus "$window" 2>/dev/null && focused; }
 focused() { [ "$(xdotool getwindowfocus 2>/dev/null)" = $((window)) ]; }
 
 # The first frame is there: the pixels in the middle are no longer all of one colour.
