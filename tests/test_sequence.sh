@@ -116,7 +116,7 @@ whole() {
     done
 }
 # A shell starts what runs beside it with SIGINT ignored, and nohup all of it with SIGHUP ignored.
-heed=(env --default-signal=INT,HUP)
+heed=(env '--default-signal=INT,HUP')
 "${heed[@]}" true 2>/dev/null || heed=()
 interrupted() { # SIGNAL
     clear_out
