@@ -519,6 +519,16 @@ check_tool() {
     check 'a table of parameters names them' grep -q '^| `hitThreshold` |' "$page"
     printf '<!-- parameters: 99_nothing -->\n' >"$page"
     check 'a table of no program fails' fails "$page" 'make first'
+
+    # 1100 words of story and 150 of proofs; what is folded, and a listing, would be 5 minutes more each.
+    local thousand
+    thousand=$(seq 1000 | tr '\n' ' ')
+    printf '<!-- time -->\n**Time.** stale\n\n## 1. a\n\n%s\n\n<details><summary>Answer</summary>\n\n%s\n\n</details>\n\n```\n%s\n```\n\n## Exercises\n\n%s\n\n## Proofs\n\n%s\n' \
+        "$(seq 1100 | tr '\n' ' ')" "$thousand" "$thousand" "$thousand" "$(seq 150 | tr '\n' ' ')" >"$page"
+    check 'a stale reading time fails --check' fails "$page" ':1: differs' --check
+    check 'a stale reading time is rewritten' rewrites "$page"
+    check 'a reading time is that of its words' grep -q -x \
+        '[*][*]Time[.][*][*] The story takes about 10 minutes to read, the proofs 5 more[.]' "$page"
 }
 
 # ---- That listings are used ----
