@@ -13,6 +13,12 @@ uniform vec3  iCameraRight;    // the camera's orthonormal basis:
 uniform vec3  iCameraUp;       //   right x up = -forward
 uniform vec3  iCameraForward;  //
 uniform vec2  iPixelOffset;    // from this draw's pixels to the picture's: tile and sample
+uniform int   iSample;         // which of the samples of its pixel this is, from zero
+uniform int   iSamples;        // how many there are: the square of --samples
+
+// The pixel of the picture that this ray belongs to, (0, 0) the bottom left one: the same for all its
+// samples, in every tile. main sets it.
+ivec2 iPixel = ivec2(0);
 
 // Where a point of the picture lies on the screen: y from -1 (bottom) to 1 (top), x from -aspect
 // to aspect, the same unit along both.

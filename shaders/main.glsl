@@ -16,6 +16,7 @@ out vec4 fragColour;
 
 void main()
 {
+    iPixel = ivec2(floor(iMarchPixel));
     fragColour = vec4(clamp(sliceView(gl_FragCoord.xy + iPixelOffset), 0.0, 1.0), 1.0);
 }
 
@@ -28,6 +29,7 @@ uniform vec2 iProbe; // centre of the pixel whose ray is marched, in pixels
 void main()
 {
     traceReset(int(gl_FragCoord.x));
+    iPixel = ivec2(floor(iProbe));
     Ray ray = pixelRay(screenPosition(iProbe));
     rayColour(ray);
     int row = int(gl_FragCoord.y);
@@ -44,7 +46,8 @@ void main()
 void main()
 {
     traceReset(-1);
-    vec2 pixel = gl_FragCoord.xy + iPixelOffset;
+    vec2 pixel = gl_FragCoord.xy + iPixelOffset; // less than half a pixel from the pixel's centre
+    iPixel = ivec2(floor(pixel));
     Ray ray = pixelRay(screenPosition(pixel));
     vec3 colour = rayColour(ray);
 #if VIEW == 1

@@ -191,11 +191,20 @@ static void use_program(struct renderer *renderer, const struct renderer_inputs 
     gl->BindVertexArray(renderer->vertex_array);
 }
 
+// One sample of the pixels of a draw.
+struct sample {
+    int number, count; // from 0; of how many
+    float jitter[2];   // from the pixel's centre, pixels
+};
+
 // One draw of the triangle.
-//   offset  what is added to gl_FragCoord to give the place in the picture: target and jitter
-//   jitter  the part of it that moves the sample inside its pixel
-static void draw_pass(const struct renderer *renderer, const float offset[2], const float jitter[2])
+//   bottom  the row of the picture with which the target begins
+static void draw_pass(const struct renderer *renderer, const struct sample *sample, int bottom)
 {
+    const float *jitter = sample->jitter;
+    const float offset[2] = {jitter[0], (float)bottom + jitter[1]};
+    renderer->gl->Uniform1i(location(renderer, "iSample"), sample->number);
+    renderer->gl->Uniform1i(location(renderer, "iSamples"), sample->count);
     renderer->gl->Uniform2f(location(renderer, "iPixelOffset"), offset[0], offset[1]);
     // What is not in the program is ignored: this is its name in Shadertoy's form.
     renderer->gl->Uniform2f(location(renderer, "harnessPixelOffset"), offset[0], offset[1]);
@@ -209,10 +218,11 @@ static void draw_pass(const struct renderer *renderer, const float offset[2], co
 static void draw_samples(const struct renderer *renderer, int samples, int bottom)
 {
     for (int k = 0; k < samples * samples; k++) {
-        float jitter[2] = {((float)(k % samples) + 0.5f) / (float)samples - 0.5f,
-                           ((float)(k / samples) + 0.5f) / (float)samples - 0.5f};
-        float offset[2] = {jitter[0], (float)bottom + jitter[1]};
-        draw_pass(renderer, offset, jitter);
+        struct sample sample = {k,
+                                samples * samples,
+                                {((float)(k % samples) + 0.5f) / (float)samples - 0.5f,
+                                 ((float)(k / samples) + 0.5f) / (float)samples - 0.5f}};
+        draw_pass(renderer, &sample, bottom);
     }
 }
 
@@ -227,8 +237,8 @@ static bool march_pixel(struct renderer *renderer, const struct renderer_inputs 
     use_program(renderer, inputs, SHADER_PROBE);
     gl->Uniform2f(location(renderer, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
     gl->Viewport(0, 0, PROBE_STEPS, PROBE_ROWS);
-    const float none[2] = {0.0f, 0.0f};
-    draw_pass(renderer, none, none);
+    const struct sample only = {0, 1, {0.0f, 0.0f}}; // whatever the picture's samples
+    draw_pass(renderer, &only, 0);
     float *values = memory_zeros(PROBE_STEPS * PROBE_ROWS, 4 * sizeof *values);
     renderer_read(renderer, &renderer->table, values);
     probe_unpack(probe, values);

@@ -111,22 +111,27 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
         return type->kind == GLSL_WORD && type[1].kind == GLSL_WORD;
     char name[64];
     snprintf(name, sizeof name, "%.*s", GLSL_TEXT(e->code, type + 1));
-    // Its declaration is one mention. Shadertoy draws the picture in one part.
-    bool offset = strcmp(name, "iPixelOffset") == 0;
-    if (offset && mentions(e, name) == 1)
+    // Shadertoy draws the picture in one part, with one sample. A declaration is one mention.
+    static const char *const parts[] = {"iPixelOffset", "iSample", "iSamples"};
+    static const char *const part_values[] = {"vec2(0.0)", "0", "1"};
+    const char *part = NULL;
+    for (int i = 0; i < 3; i++)
+        if (strcmp(name, parts[i]) == 0)
+            part = part_values[i];
+    if (part != NULL && mentions(e, name) == 1)
         return true;
     const struct parameter *parameter = parameters_find(e->parameters, name);
     const float *vector = NULL;
     for (int i = 0; i < 4; i++)
         if (strcmp(name, camera[i].name) == 0)
             vector = camera[i].value;
-    if (parameter == NULL && vector == NULL && !offset)
+    if (parameter == NULL && vector == NULL && part == NULL)
         return false;
     int begin = uniform->begin + uniform->length;
     const char *text = e->code->text, *rest = text + end->begin;
     fprintf(e->text, "const%.*s = ", end->begin - begin, text + begin);
-    if (offset)
-        fprintf(e->text, "vec2(0.0)");
+    if (part != NULL)
+        fprintf(e->text, "%s", part);
     else if (vector != NULL)
         put_floats(e, vector, 3);
     else
@@ -184,6 +189,7 @@ static void put_course(struct export *e)
                      "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"
                      "{\n"
                      "    traceReset(-1);\n"
+                     "    iPixel = ivec2(floor(fragCoord));\n"
                      "    vec3 colour = rayColour(pixelRay(screenPosition(fragCoord)));\n"
                      "    fragColor = vec4(clamp(colour, 0.0, 1.0), 1.0);\n"
                      "}\n");

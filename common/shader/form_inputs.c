@@ -32,17 +32,10 @@ static const struct input whole_inputs[] = {INPUT(vec2, FragCoord),  INPUT(float
                                             INPUT(float, CustomInt)};
 
 // What the course's library reads is set in every form; the two others of the report stay 0.
-static const char *const set_inputs[] = {"iCameraPosition",
-                                         "iCameraRight",
-                                         "iCameraUp",
-                                         "iCameraForward",
-                                         "focalLength",
-                                         "iPixelOffset",
-                                         "iPixelJitter",
-                                         "iOrthoView",
-                                         "CustomToggle",
-                                         "CustomInt",
-                                         NULL};
+static const char *const set_inputs[] = {
+    "iCameraPosition", "iCameraRight", "iCameraUp", "iCameraForward", "focalLength",
+    "iPixelOffset",    "iPixelJitter", "iSample",   "iSamples",       "iOrthoView",
+    "CustomToggle",    "CustomInt",    NULL};
 
 const char *form_toy_input(size_t number, const char **name)
 {
