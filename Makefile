@@ -49,7 +49,8 @@ say = $(if $(V),,@echo '$(1)' &&)
 
 # A warning stops `make lint` and CI, not a reader whose compiler knows more of them.
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
-LANGUAGE = -std=c11 -D_XOPEN_SOURCE=700 -Icommon
+# No product and sum are rounded in one: what a texture's program computes is the same everywhere.
+LANGUAGE = -std=c11 -ffp-contract=off -D_XOPEN_SOURCE=700 -Icommon
 COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
 
 .DEFAULT_GOAL = all
@@ -87,10 +88,14 @@ PROGRAMS := $(STEMS:%=$(BUILD)/%)
 FIRST_STEPS := $(if $(filter glfw,$(BACKENDS)),window) $(if $(filter egl,$(BACKENDS)),picture)
 FIRST_STEPS := $(FIRST_STEPS:%=$(BUILD)/first_steps/%)
 FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
+# A source with a header of its own draws nothing: it helps the others.
+PAINT := $(patsubst %.h,$(BUILD)/%.o,$(wildcard shaders/textures/*.h))
+TEXTURES := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard shaders/textures/*.c)))
+TEXTURES := $(filter-out $(PAINT:%.o=%),$(TEXTURES))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard tests/test_*.c)))
 
 programs: $(PROGRAMS) $(FIRST_STEPS)
-tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%)
+tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES)
 fuzzer: $(BUILD)/tests/fuzz
 
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
@@ -116,6 +121,11 @@ $(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/fig
     $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
+$(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(EXTRA)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
+
+$(BUILD)/tests/test_paint: $(PAINT)
+
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call say,$(CC) $<) $(CC) $(COMPILE) -MMD -MP -c -o $@ $<
@@ -131,7 +141,7 @@ $(LOCALE):
 	@mkdir -p $(@D)
 	@localedef -i fr_FR -f UTF-8 $@ >/dev/null 2>&1 || true
 
--include $(shell find $(BUILD)/common $(BUILD)/chapters $(BUILD)/tests $(BUILD)/docs -name '*.d' 2>/dev/null)
+-include $(shell find $(BUILD)/common $(BUILD)/chapters $(BUILD)/tests $(BUILD)/docs $(BUILD)/shaders -name '*.d' 2>/dev/null)
 
 # ---- To learn by ----
 
@@ -211,7 +221,7 @@ lint: ## hold C, GLSL and scripts against every checker; warnings are errors
 
 format: ## lay out the C sources by .clang-format
 	@.make/setup.sh lint
-	@clang-format -i $$(find common chapters tests docs -name '*.[ch]')
+	@clang-format -i $$(find common chapters shaders tests docs -name '*.[ch]')
 
 chapter: ## begin a chapter with the next number: make chapter NAME=soft_shadows
 	@.make/chapter.sh
@@ -226,12 +236,20 @@ figures: ## draw the diagrams of docs/figures/ again
 
 figure_programs: $(FIGURES:%=$(BUILD)/docs/figures/%)
 
+textures: ## draw the textures of shaders/textures/ again
+	@.make/setup.sh test
+	+@$(AGAIN) texture_programs
+	@.make/textures.sh
+
+texture_programs: $(TEXTURES) $(BUILD)/tests/compare
+
 references: ready ## render the reference pictures again; those within tolerance stay (FORCE=1 rewrites all)
 	@tests/references.sh update
 
 always:
 .PHONY: all programs tests fuzzer ready run play check compare diff film gallery benchmark book setup clean help test \
-        test-fresh test-gpu fuzz lint format chapter docs figures figure_programs references always
+        test-fresh test-gpu fuzz lint format chapter docs figures figure_programs textures texture_programs \
+        references always
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .SECONDARY:

@@ -107,10 +107,10 @@ mkdir -p "$glsl_folder"
 
 list() {
     local file
-    for file in $(find common chapters tests docs -name '*.c' | sort); do
+    for file in $(find common chapters shaders tests docs -name '*.c' | sort); do
         printf '%s\n' "tidy $file" "gcc $file" "clang $file" "cppcheck $file" "format $file"
     done
-    for file in $(find common tests docs -name '*.h' | sort); do
+    for file in $(find common shaders tests docs -name '*.h' | sort); do
         echo "format $file"
     done
     for file in shaders/*.glsl; do

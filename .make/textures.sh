@@ -1,0 +1,18 @@
+#!/bin/bash
+# textures.sh - `make textures`: draw each texture of shaders/textures/ by its program. A file whose
+# pixels are the same is left as it is: another zlib packs the same picture into other bytes.
+set -u
+export LC_ALL=C
+
+for program in shaders/textures/*.c; do
+    name=$(basename "$program" .c)
+    [ -e "shaders/textures/$name.h" ] && continue # it helps the others
+    file=shaders/textures/$name.png new=build/shaders/textures/$name.png
+    "build/shaders/textures/$name" >"$new" || exit 1
+    if [ -e "$file" ] && build/tests/compare "$file" "$new" 2>/dev/null | grep -q 'largest 0$'; then
+        echo "same     $file"
+    else
+        mv "$new" "$file" || exit 1
+        echo "written  $file"
+    fi
+done

@@ -1,0 +1,217 @@
+#include "paint.h"
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <png.h>
+
+// ---- Chance ----
+
+// A bijection of the 32-bit numbers that spreads every bit over all (Wellons, "Prospecting for hash
+// functions").
+static uint32_t mix_bits(uint32_t x)
+{
+    x ^= x >> 16;
+    x *= 0x7feb352dU;
+    x ^= x >> 15;
+    x *= 0x846ca68bU;
+    x ^= x >> 16;
+    return x;
+}
+
+uint32_t paint_hash(int i, int j, uint32_t seed)
+{
+    return mix_bits((uint32_t)i + mix_bits((uint32_t)j + mix_bits(seed)));
+}
+
+double paint_random(int i, int j, uint32_t seed)
+{
+    return paint_hash(i, j, seed) / 4294967296.0;
+}
+
+// ---- Patterns ----
+
+static int wrap(int i, int period)
+{
+    int rest = i % period;
+    return rest < 0 ? rest + period : rest;
+}
+
+double paint_step(double a, double b, double x)
+{
+    double t = fmin(fmax((x - a) / (b - a), 0.0), 1.0);
+    return t * t * t * (t * (6.0 * t - 15.0) + 10.0);
+}
+
+double paint_noise(double u, double v, int columns, int rows, uint32_t seed)
+{
+    double x = u * columns, y = v * rows, i = floor(x), j = floor(y);
+    int left = wrap((int)i, columns), bottom = wrap((int)j, rows);
+    int right = wrap(left + 1, columns), top = wrap(bottom + 1, rows);
+    double s = paint_step(0.0, 1.0, x - i), t = paint_step(0.0, 1.0, y - j);
+    double low = paint_random(left, bottom, seed), high = paint_random(left, top, seed);
+    low += s * (paint_random(right, bottom, seed) - low);
+    high += s * (paint_random(right, top, seed) - high);
+    return low + t * (high - low);
+}
+
+double paint_octaves(double u, double v, int columns, int rows, int octaves, uint32_t seed)
+{
+    double sum = 0.0, total = 0.0, strength = 1.0;
+    for (int i = 0; i < octaves; i++) {
+        sum += strength * paint_noise(u, v, columns << i, rows << i, seed + (uint32_t)i);
+        total += strength;
+        strength *= 0.5;
+    }
+    return sum / total;
+}
+
+struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32_t seed)
+{
+    double x = u * columns, y = v * rows, first = 1e9, second = 1e9;
+    int i = (int)floor(x), j = (int)floor(y);
+    struct paint_grain grain = {0};
+    for (int cell = 0; cell < 25; cell++) {
+        int column = i + cell % 5 - 2, row = j + cell / 5 - 2;
+        uint32_t name = paint_hash(wrap(column, columns), wrap(row, rows), seed);
+        double dx = x - column - (double)(name & 1023U) / 1024.0;
+        double dy = y - row - (double)(name >> 10 & 1023U) / 1024.0;
+        double distance = sqrt(dx * dx + dy * dy) - 0.5 * (double)(name >> 20 & 1023U) / 1024.0;
+        if (distance < first) {
+            second = first;
+            first = distance;
+            grain = (struct paint_grain){.name = mix_bits(name), .u = dx, .v = dy};
+        } else if (distance < second) {
+            second = distance;
+        }
+    }
+    grain.edge = 0.5 * (second - first);
+    return grain;
+}
+
+// ---- Colour ----
+
+// The fifth root of x in (0, 1], by Newton's method from above; a fixed number of steps.
+static double fifth_root(double x)
+{
+    double y = 1.0;
+    for (int i = 0; i < 48; i++)
+        y -= (y - x / (y * y * y * y)) / 5.0;
+    return y;
+}
+
+// Linear light of an sRGB value in [0, 1]: x^2.4 is x^2 times the fifth root of x^2.
+static double decode(double value)
+{
+    if (value <= 0.04045)
+        return value / 12.92;
+    double x = (value + 0.055) / 1.055;
+    return x * x * fifth_root(x * x);
+}
+
+// Linear light of the bytes and of the limits between them, which are half a byte away: of k / 2.
+static const double *light_of_halves(void)
+{
+    static double light[511];
+    if (light[510] == 0.0)
+        for (int k = 0; k <= 510; k++)
+            light[k] = decode(k / 510.0);
+    return light;
+}
+
+// The byte that is nearest to the sRGB value of a light: as many as there are limits below it.
+static unsigned char encode(double light)
+{
+    const double *half = light_of_halves();
+    int byte = 0;
+    for (int step = 128; step > 0; step /= 2)
+        byte += light >= half[2 * (byte + step) - 1] ? step : 0;
+    return (unsigned char)byte;
+}
+
+void paint_colour(uint32_t code, double value[3])
+{
+    for (int c = 0; c < 3; c++)
+        value[c] = light_of_halves()[2 * (code >> (16 - 8 * c) & 255U)];
+}
+
+void paint_scale(int count, const uint32_t *code, double x, double value[3])
+{
+    double place = fmin(fmax(x, 0.0), 1.0) * (count - 1);
+    int i = (int)fmin(floor(place), count - 2.0);
+    double next[3];
+    paint_colour(code[i], value);
+    paint_colour(code[i + 1], next);
+    for (int c = 0; c < 3; c++)
+        value[c] += (place - i) * (next[c] - value[c]);
+}
+
+// ---- The picture ----
+
+struct picture {
+    int width, height, samples;
+    enum paint_kind kind;
+    void (*at)(double u, double v, double value[3]);
+};
+
+// The mean of a pixel's samples.
+static void draw_pixel(const struct picture *picture, int x, int y, double mean[3])
+{
+    int n = picture->samples;
+    mean[0] = mean[1] = mean[2] = 0.0;
+    for (int i = 0; i < n * n; i++) {
+        double value[3] = {0.0, 0.0, 0.0};
+        picture->at((x + (i % n + 0.5) / n) / picture->width,
+                    1.0 - (y + (i / n + 0.5) / n) / picture->height, value);
+        for (int c = 0; c < 3; c++)
+            mean[c] += value[c] / (n * n);
+    }
+}
+
+static void draw_row(const struct picture *picture, int y, unsigned char *row)
+{
+    for (int x = 0; x < picture->width; x++) {
+        double mean[3];
+        draw_pixel(picture, x, y, mean);
+        if (picture->kind == PAINT_NUMBER)
+            row[x] = (unsigned char)(fmin(fmax(mean[0], 0.0), 1.0) * 255.0 + 0.5);
+        else
+            for (int c = 0; c < 3; c++)
+                row[3 * x + c] = encode(mean[c]);
+    }
+}
+
+int paint_texture(int width, int height, int samples, enum paint_kind kind,
+                  void (*at)(double u, double v, double value[3]))
+{
+    const struct picture picture = {width, height, samples, kind, at};
+    png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+    png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
+    unsigned char *row = malloc(3 * (size_t)width);
+    // libpng has said what is wrong.
+    if (info == NULL || row == NULL || setjmp(png_jmpbuf(png)) != 0) {
+        free(row);
+        png_destroy_write_struct(&png, &info);
+        return EXIT_FAILURE;
+    }
+    bool colour = kind == PAINT_COLOUR;
+    png_init_io(png, stdout);
+    png_set_compression_level(png, 9);
+    png_set_IHDR(png, info, (png_uint_32)width, (png_uint_32)height, 8,
+                 colour ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
+                 PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
+    if (colour)
+        png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(png, info);
+    for (int y = 0; y < height; y++) {
+        draw_row(&picture, y, row);
+        png_write_row(png, row);
+    }
+    png_write_end(png, NULL);
+    free(row);
+    png_destroy_write_struct(&png, &info);
+    return fflush(stdout) == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,67 @@
+// paint.h - the pen of the textures: a picture from a function of a point, that repeats without a
+// seam, as PNG on standard output.
+//
+// A texture is the same on every machine, to the last bit of each pixel: chance is an integer hash,
+// and of real arithmetic only what IEEE 754 rounds in one way is used, + - * / sqrt and floor. No
+// sin, pow or exp, whose last bit is each library's own.
+//
+// u runs to the right and v upwards, both from 0 to 1; every pattern here has the period 1 in both.
+#ifndef PAINT_H
+#define PAINT_H
+
+#include <stdint.h>
+
+// ---- The picture ----
+
+enum paint_kind {
+    PAINT_COLOUR, // three numbers, linear light in [0, 1]; stored as sRGB
+    PAINT_NUMBER  // one number in [0, 1]; stored as it is
+};
+
+// Draw a texture and write it. The file's top row is v = 1.
+//   samples  samples x samples points of a pixel are averaged
+//   at       the texture: fills in value at a point, 3 numbers or 1
+// Returns the program's exit status.
+int paint_texture(int width, int height, int samples, enum paint_kind kind,
+                  void (*at)(double u, double v, double value[3]));
+
+// ---- Chance ----
+
+// 32 bits that depend on all bits of two whole numbers and of a seed.
+uint32_t paint_hash(int i, int j, uint32_t seed);
+
+// The same as a number in [0, 1), a multiple of 2^-32.
+double paint_random(int i, int j, uint32_t seed);
+
+// ---- Patterns ----
+
+// From 0 to 1 as x goes from a to b, with slope and curvature 0 at both ends.
+double paint_step(double a, double b, double x);
+
+// Value noise in [0, 1): random numbers at the corners of columns x rows cells a period, joined by
+// paint_step.
+double paint_noise(double u, double v, int columns, int rows, uint32_t seed);
+
+// A sum of octaves of that noise, each twice as fine and half as strong as the one before, divided
+// by the sum of the strengths: in [0, 1).
+double paint_octaves(double u, double v, int columns, int rows, int octaves, uint32_t seed);
+
+// A point's grain, of columns x rows grains a period: each grain has a centre at a random place of
+// its cell and a size, and owns the points that are nearest to it, size considered.
+struct paint_grain {
+    uint32_t name; // a hash of the grain, for what it is made of
+    double edge;   // how far the point is inside: 0 at the border, in cells
+    double u, v;   // from the grain's centre to the point, in cells
+};
+struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32_t seed);
+
+// ---- Colour ----
+
+// Linear light of a colour 0xRRGGBB, sRGB, as a painter picks it.
+void paint_colour(uint32_t code, double value[3]);
+
+// The colour at x in [0, 1] of a scale: count colours 0xRRGGBB at equal steps, joined by straight
+// lines in linear light.
+void paint_scale(int count, const uint32_t *code, double x, double value[3]);
+
+#endif

@@ -1,0 +1,22 @@
+// weave.h - a linen weave: threads over and under each other, for the cloth's colour and its
+// height.
+#ifndef WEAVE_H
+#define WEAVE_H
+
+#include <stdbool.h>
+
+// What lies uppermost at a point.
+struct weave {
+    double height; // 0 in the depth between the threads, 1 at the top of the highest
+    bool warp;     // of the threads along v, or of those along u
+    int thread;    // its number among those, from 0
+    double along;  // from 0 to 1 along the thread
+    double across; // from -1 to 1 across it
+    bool covered;  // false in a gap between the threads
+};
+
+enum { WEAVE_THREADS = 48 }; // in each direction, a period
+
+struct weave weave_at(double u, double v);
+
+#endif
