@@ -109,7 +109,7 @@ $(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 $(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/support_compare.o \
-    $(BUILD)/common/picture/image.o $(BUILD)/common/report.o $(EXTRA)
+    $(patsubst %,$(BUILD)/common/%.o,picture/image picture/image_read shader/text_file memory report) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 # libFuzzer brings its own main.

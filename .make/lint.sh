@@ -14,7 +14,8 @@ validate() {
     local desktop=$glsl_folder/$2.330.frag es=$glsl_folder/$2.es.frag failed=0
     cp "$1" "$desktop"
     {
-        printf '#version 300 es\nprecision highp float;\nprecision highp int;\n'
+        printf '#version 300 es\n'
+        printf 'precision highp %s;\n' float int sampler2D sampler3D
         tail -n +2 "$1"
     } >"$es"
     glslangValidator -S frag "$desktop" || failed=1

@@ -336,6 +336,7 @@ static int act(struct run *run, const char *program)
         return print_shader(run);
     case OPTIONS_LIST:
         parameters_print(&run->parameters, stdout);
+        samplers_print(&run->parameters.samplers, &run->source, stdout);
         return DONE;
     default:
         return open_and_work(run);

@@ -1,90 +1,23 @@
 #include "support_compare.h"
 
-#include <errno.h>
 #include <math.h>
-#include <setjmp.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-#include <png.h>
 
 #include "../common/report.h"
 
-enum { CHANNELS = 3, BLOCK = 8, SIDE_LIMIT = 16384, WHY_SIZE = 160 };
-
-// ---- Reading ----
-
-// libpng's errors jump to whoever called setjmp; the text waits in a buffer of WHY_SIZE.
-static void on_png_error(png_structp png, png_const_charp text)
-{
-    snprintf(png_get_error_ptr(png), WHY_SIZE, "%s", text);
-    png_longjmp(png, 1);
-}
-
-static void on_png_warning(png_structp png, png_const_charp text)
-{
-    (void)png, (void)text;
-}
-
-// May leave by longjmp.
-static void read_png(png_structp png, png_infop info, struct image *image)
-{
-    png_read_info(png, info);
-    png_uint_32 width = png_get_image_width(png, info), height = png_get_image_height(png, info);
-    if (width > SIDE_LIMIT || height > SIDE_LIMIT)
-        png_error(png, "a side is longer than 16384 pixels");
-    png_set_scale_16(png);
-    png_set_palette_to_rgb(png);
-    png_set_expand_gray_1_2_4_to_8(png);
-    png_set_gray_to_rgb(png);
-    png_set_strip_alpha(png);
-    int passes = png_set_interlace_handling(png);
-    png_read_update_info(png, info);
-    image->pixel = malloc(CHANNELS * (size_t)width * (size_t)height);
-    if (image->pixel == NULL)
-        png_error(png, "not enough memory");
-    image->width = (int)width;
-    image->height = (int)height;
-    if (png_get_rowbytes(png, info) != CHANNELS * (size_t)image->width)
-        png_error(png, "a kind of PNG that is not understood");
-    for (int pass = 0; pass < passes; pass++)
-        for (int y = 0; y < image->height; y++)
-            png_read_row(png, image->pixel + (size_t)y * CHANNELS * (size_t)image->width, NULL);
-    png_read_end(png, NULL);
-}
-
-static bool decode(struct image *image, FILE *file, char why[WHY_SIZE])
-{
-    png_structp png =
-        png_create_read_struct(PNG_LIBPNG_VER_STRING, why, on_png_error, on_png_warning);
-    png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
-    if (info == NULL || setjmp(png_jmpbuf(png)) != 0) {
-        png_destroy_read_struct(&png, &info, NULL);
-        return false;
-    }
-    png_init_io(png, file);
-    read_png(png, info, image);
-    png_destroy_read_struct(&png, &info, NULL);
-    return true;
-}
+enum { CHANNELS = 3, BLOCK = 8 };
 
 bool image_read_png(struct image *image, const char *path)
 {
+    struct image_bytes bytes;
+    char why[IMAGE_WHY];
     *image = (struct image){0};
-    FILE *file = fopen(path, "rb");
-    if (file == NULL) {
-        report("%s: cannot be read: %s", path, strerror(errno));
+    if (!image_read_bytes(&bytes, path, CHANNELS, (size_t)-1, why)) {
+        report("%s: %s", path, why);
         return false;
     }
-    char why[WHY_SIZE] = "not enough memory";
-    bool done = decode(image, file, why);
-    if (!done) {
-        report("%s: cannot be read: %s", path, ferror(file) ? strerror(errno) : why);
-        image_free(image);
-    }
-    fclose(file);
-    return done;
+    *image = (struct image){bytes.width, bytes.height, bytes.value};
+    return true;
 }
 
 // ---- Comparing ----

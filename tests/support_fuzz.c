@@ -137,7 +137,7 @@ static void explain(const struct shader_source *source, enum shader_view view)
     free(words);
 }
 
-static void carry_on(const struct shader_source *source)
+static void carry_on(struct shader_source *source)
 {
     for (int view = 0; view < SHADER_PROGRAM_COUNT; view++) {
         char *text = shader_text(source, (enum shader_view)view);

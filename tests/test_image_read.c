@@ -36,7 +36,7 @@ static void what_is_no_png_is_refused(void **state)
     capture_begin();
     assert_true(picture_refused(image_read_png(&image, in->target), "Not a PNG file"));
     capture_begin();
-    assert_true(picture_refused(image_read_png(&image, in->folder), "Is a directory"));
+    assert_true(picture_refused(image_read_png(&image, in->folder), "not a regular file"));
     assert_null(image.pixel);
 }
 

@@ -200,7 +200,6 @@ static void test_other_comments_declare_nothing(void **state)
                                        "uniforms float n; // 1 in [0, 2]: x\n"
                                        "float o; // 1 in [0, 2]: x\n"
                                        "uniform float p, q; // two of them\n"
-                                       "uniform sampler2D r; // .x is red\n"
                                        "uniform float s; // 3px: x\n");
     if (read.count != 0)
         fail_msg("%s is not a parameter", read.item[0].name);

@@ -232,7 +232,8 @@ static void test_every_file_is_seen(void **state)
     scratch_write("root/shaders/broken.glsl", "#include \"leaf.glsl\"\n#include \"gone.glsl\"\n");
     const char *path = scratch_write("root/chapters/main.frag", "#include \"broken.glsl\"\n");
     capture_begin();
-    assert_false(shader_read_seen(&source, path, scratch_path("root"), note, seen));
+    const struct shader_request request = {.see = note, .to = seen};
+    assert_false(shader_read_asked(&source, path, scratch_path("root"), &request));
     capture_end();
     static const char *const files[] = {"root/chapters/main.frag", "root/shaders/broken.glsl",
                                         "root/shaders/leaf.glsl", "root/shaders/gone.glsl",

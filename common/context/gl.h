@@ -12,6 +12,7 @@
 
 // X(type, name): one line for each function.
 #define GL_FUNCTIONS(X)                                                                            \
+    X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                       \
     X(PFNGLATTACHSHADERPROC, AttachShader)                                                         \
     X(PFNGLBINDBUFFERPROC, BindBuffer)                                                             \
     X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                   \
@@ -59,6 +60,7 @@
     X(PFNGLSCISSORPROC, Scissor)                                                                   \
     X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                         \
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                             \
+    X(PFNGLTEXIMAGE3DPROC, TexImage3D)                                                             \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                       \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                                               \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                               \

@@ -15,7 +15,7 @@
 
 #include "report.h"
 
-enum { SIDE_LIMIT = 16384, CHANNELS = 3, LINK_LIMIT = 40 };
+enum { SIDE_LIMIT = IMAGE_SIDE_LIMIT, CHANNELS = 3, LINK_LIMIT = 40 };
 
 bool image_create(struct image *image, int width, int height)
 {

@@ -1,8 +1,12 @@
-// image.h - 8-bit RGB pictures, written as PNG.
+// image.h - 8-bit pictures: RGB in memory, written as PNG; any PNG, read.
 #ifndef IMAGE_H
 #define IMAGE_H
 
 #include <stdbool.h>
+#include <stddef.h>
+
+#define IMAGE_SIDE_LIMIT 16384 // pixels
+#define IMAGE_WHY        512   // size of the phrase, bytes
 
 // A picture in memory. Row 0 is the top row; a pixel is 3 bytes: red, green, blue.
 struct image {
@@ -32,5 +36,22 @@ bool image_write_png(const struct image *image, const char *path);
 // Say whether image_write_png could write there, before the work of rendering: refuses a missing
 // folder, a target that is not a regular file, a folder that cannot be written. Reported.
 bool image_check_target(const char *path);
+
+// What a PNG holds.
+struct image_bytes {
+    int width, height, channels;
+    unsigned char *value; // row 0 is the top row; freed by the caller
+};
+
+// Read a PNG of any kind, interlaced too, as 8 bits a channel: grey becomes red, green and blue
+// alike, a palette its colours, 16 bits are rounded, tRNS becomes alpha. The values are those that
+// are stored: a gamma that the file names is not applied.
+//   channels  3 without alpha, 4 with it (255 where the file has none)
+//   most      pixels
+//   why       receives one phrase when it cannot: missing, no file, no PNG, broken off, a wrong
+//             checksum, a side above IMAGE_SIDE_LIMIT, no memory
+// Returns false then, not reported.
+bool image_read_bytes(struct image_bytes *bytes, const char *path, int channels, size_t most,
+                      char why[IMAGE_WHY]);
 
 #endif

@@ -47,6 +47,7 @@ void renderer_close(struct renderer *renderer)
     if (renderer->gl == NULL)
         return;
     forget_programs(renderer);
+    textures_free(&renderer->textures, renderer->gl);
     struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table,
                                          &renderer->single};
     for (int i = 0; i < 4; i++) {
@@ -79,17 +80,23 @@ bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters)
 {
     GLuint program[SHADER_PROGRAM_COUNT] = {0};
+    struct textures textures;
+    if (!textures_load(&textures, renderer->gl, &parameters->samplers, source))
+        return false;
     if (!link_view(renderer, source, renderer->view, program)) {
         if (program[renderer->view] != 0)
             renderer->gl->DeleteProgram(program[renderer->view]);
+        textures_free(&textures, renderer->gl);
         return false;
     }
     parameters_keep(parameters, &renderer->parameters);
     forget_programs(renderer);
+    textures_free(&renderer->textures, renderer->gl);
     shader_free(&renderer->fragment);
     parameters_free(&renderer->parameters);
     renderer->fragment = *source;
     renderer->parameters = *parameters;
+    renderer->textures = textures;
     *source = (struct shader_source){0};
     *parameters = (struct parameters){0};
     memcpy(renderer->program, program, sizeof program);
@@ -188,6 +195,7 @@ static void use_program(struct renderer *renderer, const struct renderer_inputs 
     gl->Uniform1f(location(renderer, "iOrthoView"), (float)renderer->orthographic);
     for (int i = 0; i < renderer->parameters.count; i++)
         set_parameter(renderer, &renderer->parameters.item[i]);
+    textures_bind(&renderer->textures, gl, renderer->used);
     gl->BindVertexArray(renderer->vertex_array);
 }
 

@@ -9,6 +9,7 @@
 #include "picture/image.h"
 #include "picture/overlay.h"
 #include "picture/probe.h"
+#include "picture/texture.h"
 #include "shader/parameter.h"
 #include "shader/compile.h"
 
@@ -43,6 +44,7 @@ struct renderer {
     struct shader_source vertex;   // shaders/screen.vert
     struct shader_source fragment; // the last one that compiled
     struct parameters parameters;  // of that one
+    struct textures textures;      // of its samplers
     enum shader_view view;
     float focal_length;                   // for shaders that declare no focalLength of their own
     double orthographic;                  // OrthoView of whole files: 0 perspective, 1 orthographic
@@ -62,8 +64,8 @@ struct renderer {
 bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root);
 void renderer_close(struct renderer *renderer);
 
-// Compile and link a shader. Parameters that it shares with the shader before keep their values, as
-// parameters_keep says.
+// Compile and link a shader, and read its textures. Parameters that it shares with the shader
+// before keep their values, as parameters_keep says.
 //   source, parameters  of the shader; taken over and left empty
 // Returns false, reported; then both stay the caller's, and the renderer still draws the last good
 // shader.

@@ -192,13 +192,13 @@ static bool find_form(struct shader_source *source)
 
 bool shader_read(struct shader_source *source, const char *path, const char *root)
 {
-    return shader_read_seen(source, path, root, NULL, NULL);
+    return shader_read_asked(source, path, root, NULL);
 }
 
-bool shader_read_seen(struct shader_source *source, const char *path, const char *root,
-                      void (*see)(void *to, const char *path), void *to)
+bool shader_read_asked(struct shader_source *source, const char *path, const char *root,
+                       const struct shader_request *request)
 {
-    if (shader_expand(source, path, root, see, to) && find_form(source))
+    if (shader_expand(source, path, root, request) && find_form(source))
         return true;
     shader_free(source);
     return false;

@@ -32,9 +32,9 @@ enum shader_view {
 // shader_free.
 bool shader_read(struct shader_source *source, const char *path, const char *root);
 
-// As shader_read, telling of each file as shader_expand does.
-bool shader_read_seen(struct shader_source *source, const char *path, const char *root,
-                      void (*see)(void *to, const char *path), void *to);
+// As shader_read, with what is asked besides.
+bool shader_read_asked(struct shader_source *source, const char *path, const char *root,
+                       const struct shader_request *request);
 
 // The name of a view ("steps"), and the view of a name (false for an unknown one, not reported).
 const char *shader_view_name(enum shader_view view);

@@ -13,6 +13,7 @@
 void parameters_free(struct parameters *parameters)
 {
     free(parameters->item);
+    samplers_free(&parameters->samplers);
     *parameters = (struct parameters){0};
 }
 

@@ -22,6 +22,7 @@
 #include <stddef.h>
 #include <stdio.h>
 
+#include "shader/sampler.h"
 #include "shader/source.h"
 
 enum parameter_type { PARAMETER_FLOAT, PARAMETER_INT, PARAMETER_BOOL };
@@ -42,14 +43,16 @@ struct parameter {
 struct parameters {
     struct parameter *item; // owned
     int count;
+    struct samplers samplers; // the textures of the shader
 };
 
 // Find the parameters of an expanded source, in the order of the text. Sources of the course's form
 // have parameters; others have none. Other comments are blanked before looking.
+// Its samplers are read too, by samplers_read.
 // Returns false, reported with file and line, for a comment that begins with a value and is
 // malformed: no range, value outside it, wrong number of values, unknown type, no meaning, a name
 // declared twice. Free with parameters_free.
-bool parameters_read(struct parameters *parameters, const struct shader_source *source);
+bool parameters_read(struct parameters *parameters, struct shader_source *source);
 
 void parameters_free(struct parameters *parameters);
 

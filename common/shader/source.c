@@ -18,14 +18,10 @@
 // One expansion under way.
 struct expansion {
     struct shader_source *source;
-    char root[PATH_MAX];   // resolved
-    char own[PATH_MAX];    // folder of the first file, resolved
     FILE *text;            // of the source
     size_t size;           // of it so far
     int open[DEPTH_LIMIT]; // the files from the first to the one being read
     int depth;
-    void (*see)(void *to, const char *path);
-    void *to;
 };
 
 // ---- Names ----
@@ -52,29 +48,32 @@ static void folder_of(const char *path, char folder[PATH_MAX])
     snprintf(folder, PATH_MAX, "%.*s", length > 0 ? length : 1, path);
 }
 
-static void tell(const struct expansion *e, const char *path)
+static void tell(const struct shader_source *source, const char *path)
 {
-    if (e->see != NULL)
-        e->see(e->to, path);
+    if (source->request.see != NULL)
+        source->request.see(source->request.to, path);
 }
 
-// Resolve the name in an include: beside the including file, then in shaders/, then in chapters/.
-static char *resolve(const struct expansion *e, int from, const char *name, char why[TEXT_FILE_WHY])
+// Resolve the name of a file that another one names: beside that, then in folders of the project.
+//   folders  in the project, each with a / in front; NULL after the last one
+//   where    the same in words
+static char *resolve(const struct shader_source *source, int from, const char *name,
+                     const char *const folders[], const char *where, char why[TEXT_FILE_WHY])
 {
-    const struct shader_source *source = e->source;
     const char *slash = strrchr(source->files[from], '/');
     char beside[PATH_MAX], path[3 * PATH_MAX];
     folder_of(source->paths[from], beside);
-    const char *const places[][2] = {{beside, ""}, {e->root, "/shaders"}, {e->root, "/chapters"}};
     if (name[0] == '/') {
-        snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from shaders/");
+        snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from %s",
+                 folders[0] + 1);
         return NULL;
     }
-    for (int i = 0; i < 3; i++) {
-        snprintf(path, sizeof path, "%s%s/%s", places[i][0], places[i][1], name);
+    for (int i = 0; i == 0 || folders[i - 1] != NULL; i++) {
+        snprintf(path, sizeof path, "%s%s/%s", i == 0 ? beside : source->root,
+                 i == 0 ? "" : folders[i - 1], name);
         char *resolved = realpath(path, NULL);
-        tell(e, resolved != NULL ? resolved : path);
-        if (resolved != NULL && (inside(resolved, e->root) || inside(resolved, e->own)))
+        tell(source, resolved != NULL ? resolved : path);
+        if (resolved != NULL && (inside(resolved, source->root) || inside(resolved, source->own)))
             return resolved;
         if (resolved == NULL && (errno == ENOENT || errno == ENOTDIR))
             continue;
@@ -85,37 +84,53 @@ static char *resolve(const struct expansion *e, int from, const char *name, char
         free(resolved);
         return NULL;
     }
-    snprintf(why, TEXT_FILE_WHY, "no such file beside %.300s, in shaders/ or in chapters/",
-             slash == NULL ? source->files[from] : slash + 1);
+    snprintf(why, TEXT_FILE_WHY, "no such file beside %.300s%s",
+             slash == NULL ? source->files[from] : slash + 1, where);
     return NULL;
 }
 
 // The name of a file in messages: from the project's folder on, else as the first file was given.
-static char *name_of(const struct expansion *e, const char *given, const char *resolved)
+static char *name_of(const struct shader_source *source, const char *given, const char *resolved)
 {
-    if (e->source->file_count == 0)
+    if (source->file_count == 0)
         return memory_text("%s", given);
-    if (inside(resolved, e->root))
-        return memory_text("%s", within(resolved, e->root));
-    const char *first = e->source->files[0], *slash = strrchr(first, '/');
+    if (inside(resolved, source->root))
+        return memory_text("%s", within(resolved, source->root));
+    const char *first = source->files[0], *slash = strrchr(first, '/');
     int folder = slash == NULL ? 0 : (int)(slash - first) + 1;
-    return memory_text("%.*s%s", folder, first, within(resolved, e->own));
+    return memory_text("%.*s%s", folder, first, within(resolved, source->own));
 }
 
-// ---- The expanded text ----
-
-// Add a file to the table; takes resolved over. Returns its index.
-static int add_file(struct expansion *e, const char *given, char *resolved)
+// Add a file to the table; takes name and path over. Returns its index.
+static int add_file(struct shader_source *source, char *name, char *path)
 {
-    struct shader_source *source = e->source;
     int file = source->file_count;
-    char *name = name_of(e, given, resolved);
     source->files = memory_row(source->files, file, sizeof *source->files);
     source->paths = memory_row(source->paths, file, sizeof *source->paths);
     source->files[file] = name;
-    source->paths[file] = resolved;
+    source->paths[file] = path;
     return source->file_count++;
 }
+
+int shader_find_texture(struct shader_source *source, int from, const char *name,
+                        char why[TEXT_FILE_WHY])
+{
+    static const char *const folders[] = {"/shaders/textures", NULL};
+    char *path = resolve(source, from, name, folders, " or in shaders/textures/", why);
+    return path == NULL ? -1 : add_file(source, name_of(source, name, path), path);
+}
+
+int shader_take_texture(struct shader_source *source, const char *path, char why[TEXT_FILE_WHY])
+{
+    char *resolved = realpath(path, NULL);
+    tell(source, resolved != NULL ? resolved : path);
+    if (resolved != NULL)
+        return add_file(source, memory_text("%s", path), resolved);
+    snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", strerror(errno));
+    return -1;
+}
+
+// ---- The expanded text ----
 
 // Add one line of a file, its end included, after a prefix.
 static bool add_line(struct expansion *e, struct shader_line from, const char *prefix,
@@ -156,7 +171,9 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
     char where[WHERE_SIZE], why[TEXT_FILE_WHY];
     snprintf(where, sizeof where, "%s:%d: #include \"%s\"", source->files[from.file], from.line,
              name);
-    char *resolved = resolve(e, from.file, name, why);
+    static const char *const folders[] = {"/shaders", "/chapters", NULL};
+    char *resolved =
+        resolve(source, from.file, name, folders, ", in shaders/ or in chapters/", why);
     if (resolved == NULL)
         return report("%s: %s", where, why);
     for (int i = 0; i < source->file_count; i++) {
@@ -172,7 +189,7 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
         free(resolved);
         return report("%s: more than %d files within each other", where, DEPTH_LIMIT);
     }
-    return expand_file(e, add_file(e, name, resolved), where);
+    return expand_file(e, add_file(source, name_of(source, name, resolved), resolved), where);
 }
 
 // The name in an include that stands alone on its line: no comment crosses the line's ends, so that
@@ -283,18 +300,24 @@ bool shader_refuse(const struct shader_source *source, int line, const char *for
 }
 
 bool shader_expand(struct shader_source *source, const char *path, const char *root,
-                   void (*see)(void *to, const char *path), void *to)
+                   const struct shader_request *request)
 {
-    struct expansion e = {.source = source, .see = see, .to = to};
-    *source = (struct shader_source){0};
-    bool rooted = realpath(root, e.root) != NULL;
-    char *resolved = rooted ? realpath(path, NULL) : NULL;
-    if (resolved == NULL)
-        return report("%s: cannot be read: %s", rooted ? path : root, strerror(errno));
-    tell(&e, resolved);
-    folder_of(resolved, e.own);
+    struct expansion e = {.source = source};
+    char own[PATH_MAX];
+    *source = (struct shader_source){.root = realpath(root, NULL)};
+    if (request != NULL)
+        source->request = *request;
+    char *resolved = source->root != NULL ? realpath(path, NULL) : NULL;
+    if (resolved == NULL) {
+        report("%s: cannot be read: %s", source->root != NULL ? path : root, strerror(errno));
+        shader_free(source);
+        return false;
+    }
+    tell(source, resolved);
+    folder_of(resolved, own);
+    source->own = memory_text("%s", own);
     e.text = memory_open(&source->text);
-    bool done = expand_file(&e, add_file(&e, path, resolved), path);
+    bool done = expand_file(&e, add_file(source, memory_text("%s", path), resolved), path);
     memory_close(e.text);
     if (!done)
         shader_free(source);
@@ -311,6 +334,8 @@ void shader_free(struct shader_source *source)
     free(source->paths);
     free(source->lines);
     free(source->text);
+    free(source->root);
+    free(source->own);
     glsl_free(&source->code);
     *source = (struct shader_source){0};
 }

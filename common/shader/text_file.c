@@ -10,9 +10,9 @@
 
 #include "memory.h"
 
-// Open a file, unless it is a device: opening some has effects. O_NONBLOCK: a fifo put in the
-// file's place must not hang the program, it is empty.
-static FILE *open_regular(const char *path, char why[TEXT_FILE_WHY])
+// Opening a device may have effects. O_NONBLOCK: a fifo put in the file's place must not hang the
+// program, it is empty.
+FILE *text_file_open(const char *path, char why[TEXT_FILE_WHY])
 {
     struct stat status;
     int file = -1;
@@ -46,7 +46,7 @@ static void tidy(char *text)
 
 char *text_file_read(const char *path, char why[TEXT_FILE_WHY])
 {
-    FILE *file = open_regular(path, why);
+    FILE *file = text_file_open(path, why);
     if (file == NULL)
         return NULL;
     // One byte more than the limit, for a file in /proc does not tell its size.

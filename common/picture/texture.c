@@ -1,0 +1,265 @@
+#include "picture/texture.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+
+enum { CHANNELS = 4, BYTES = 256 };
+
+// ---- Numbers and bytes ----
+
+// What a byte means, and, between each two, which numbers become it: for a linear channel and for
+// one of sRGB, IEC 61966-2-1.
+struct code {
+    float value[BYTES], above[BYTES];
+};
+
+static double decode(double v, bool srgb)
+{
+    if (!srgb)
+        return v;
+    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+}
+
+static void make_code(struct code *code, bool srgb)
+{
+    for (int i = 0; i < BYTES; i++) {
+        code->value[i] = (float)decode(i / 255.0, srgb);
+        code->above[i] = (float)decode((i + 0.5) / 255.0, srgb);
+    }
+}
+
+// The byte whose number is nearest, seen as the code spaces them.
+static unsigned char encode(const struct code *code, float value)
+{
+    int low = 0;
+    for (int step = BYTES / 2; step > 0; step /= 2)
+        if (value >= code->above[low + step - 1])
+            low += step;
+    return (unsigned char)low;
+}
+
+// ---- Levels ----
+
+static size_t texels(const int size[3])
+{
+    return (size_t)size[0] * (size_t)size[1] * (size_t)size[2];
+}
+
+// Halve one axis: each new texel is the mean of what it covers, in shares where a side is odd.
+//   size  of the values; becomes that of the new ones
+// Returns the new values, which the caller frees, or NULL.
+static float *halve(const float *value, int size[3], int axis)
+{
+    size_t inner = CHANNELS, outer = 1;
+    for (int i = 0; i < 3; i++)
+        if (i != axis)
+            *(i < axis ? &inner : &outer) *= (size_t)size[i];
+    int n = size[axis], m = n / 2;
+    float *result = calloc(outer * (size_t)m * inner, sizeof *result);
+    for (size_t o = 0; result != NULL && o < outer; o++)
+        for (int to = 0; to < m; to++)
+            for (int from = to * n / m; from * m < (to + 1) * n; from++) {
+                int begin = from * m > to * n ? from * m : to * n;
+                int end = (from + 1) * m < (to + 1) * n ? (from + 1) * m : (to + 1) * n;
+                float share = (float)(end - begin) / (float)n;
+                float *sum = result + (o * (size_t)m + (size_t)to) * inner;
+                const float *part = value + (o * (size_t)n + (size_t)from) * inner;
+                for (size_t i = 0; i < inner; i++)
+                    sum[i] += share * part[i];
+            }
+    size[axis] = m;
+    return result;
+}
+
+// Store a level as bytes.
+static bool store(struct texture_image *image, const struct code code[2], const float *value,
+                  const int size[3])
+{
+    size_t count = texels(size);
+    unsigned char *level = malloc(CHANNELS * count);
+    for (size_t i = 0; level != NULL && i < count * CHANNELS; i++)
+        level[i] = encode(&code[i % CHANNELS == CHANNELS - 1], value[i]);
+    memcpy(image->size[image->count], size, sizeof image->size[0]);
+    image->level[image->count] = level;
+    image->count += level != NULL;
+    return level != NULL;
+}
+
+// Make all levels from the numbers of the first one, which are freed.
+static bool make_levels(struct texture_image *image, const struct code code[2], float *value,
+                        int size[3])
+{
+    bool done = store(image, code, value, size);
+    while (done && texels(size) > 1) {
+        for (int axis = 0; axis < 3 && value != NULL; axis++)
+            if (size[axis] > 1) {
+                float *next = halve(value, size, axis);
+                free(value);
+                value = next;
+            }
+        done = value != NULL && store(image, code, value, size);
+    }
+    free(value);
+    return done;
+}
+
+// The numbers of a file's bytes, each slice with its bottom row first; NULL where memory is short.
+static float *numbers_of(const struct image_bytes *bytes, const struct code code[2],
+                         const int size[3])
+{
+    size_t row = CHANNELS * (size_t)size[0];
+    float *value = malloc(row * (size_t)bytes->height * sizeof *value), *to = value;
+    for (int slice = 0; value != NULL && slice < size[2]; slice++)
+        for (int y = size[1] - 1; y >= 0; y--) {
+            const unsigned char *from = bytes->value + row * (size_t)(slice * size[1] + y);
+            for (size_t i = 0; i < row; i++)
+                *to++ = code[i % CHANNELS == CHANNELS - 1].value[from[i]];
+        }
+    return value;
+}
+
+bool texture_image_read(struct texture_image *image, const struct sampler *sampler,
+                        const char *path, char why[IMAGE_WHY])
+{
+    struct image_bytes bytes;
+    *image = (struct texture_image){0};
+    if (!image_read_bytes(&bytes, path, CHANNELS, TEXTURE_PIXELS, why))
+        return false;
+    int slices = sampler->slices > 0 ? sampler->slices : 1;
+    int size[3] = {bytes.width, bytes.height / slices, slices};
+    bool fits = bytes.height % slices == 0, done = false;
+    if (fits) {
+        struct code code[2]; // of colours, of alpha
+        make_code(&code[0], sampler->srgb);
+        make_code(&code[1], false);
+        float *value = numbers_of(&bytes, code, size);
+        done = value != NULL && make_levels(image, code, value, size);
+        snprintf(why, IMAGE_WHY, "not enough memory for %dx%d pixels", bytes.width, bytes.height);
+    } else
+        snprintf(why, IMAGE_WHY, "%d slices do not divide its height of %d pixels", slices,
+                 bytes.height);
+    free(bytes.value);
+    if (!done)
+        texture_image_free(image);
+    return done;
+}
+
+void texture_image_free(struct texture_image *image)
+{
+    for (int i = 0; i < image->count; i++)
+        free(image->level[i]);
+    *image = (struct texture_image){0};
+}
+
+// ---- OpenGL ----
+
+static bool within_driver(const struct gl *gl, const struct texture_image *image, bool volume,
+                          char why[IMAGE_WHY])
+{
+    GLint most = 0;
+    gl->GetIntegerv(volume ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &most);
+    for (int i = 0; i < 3; i++)
+        if (image->size[0][i] > most) {
+            snprintf(why, IMAGE_WHY, "a side of %d: the driver takes at most %d", image->size[0][i],
+                     most);
+            return false;
+        }
+    return true;
+}
+
+static bool upload(struct texture *texture, const struct gl *gl, const struct texture_image *image,
+                   const struct sampler *sampler)
+{
+    GLint format = sampler->srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+    GLint edge = sampler->repeat ? GL_REPEAT : GL_CLAMP_TO_EDGE;
+    GLenum target = sampler->slices > 0 ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+    texture->target = target;
+    memcpy(texture->size, image->size[0], sizeof texture->size);
+    gl->GenTextures(1, &texture->texture);
+    gl->BindTexture(target, texture->texture);
+    for (int i = 0; i < image->count; i++) {
+        const int *size = image->size[i];
+        if (target == GL_TEXTURE_3D)
+            gl->TexImage3D(target, i, format, size[0], size[1], size[2], 0, GL_RGBA,
+                           GL_UNSIGNED_BYTE, image->level[i]);
+        else
+            gl->TexImage2D(target, i, format, size[0], size[1], 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                           image->level[i]);
+    }
+    gl->TexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
+    gl->TexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl->TexParameteri(target, GL_TEXTURE_WRAP_S, edge);
+    gl->TexParameteri(target, GL_TEXTURE_WRAP_T, edge);
+    gl->TexParameteri(target, GL_TEXTURE_WRAP_R, edge);
+    return gl->GetError() == GL_NO_ERROR;
+}
+
+// The picture of one sampler.
+static bool load(struct texture *texture, const struct gl *gl, const struct sampler *sampler,
+                 const char *path, char why[IMAGE_WHY])
+{
+    struct texture_image image;
+    *texture = (struct texture){.target = GL_TEXTURE_2D};
+    memcpy(texture->name, sampler->name, sizeof texture->name);
+    if (!texture_image_read(&image, sampler, path, why))
+        return false;
+    bool done = within_driver(gl, &image, sampler->slices > 0, why);
+    if (done && !upload(texture, gl, &image, sampler)) {
+        snprintf(why, IMAGE_WHY, "the driver has no room for %dx%dx%d", image.size[0][0],
+                 image.size[0][1], image.size[0][2]);
+        done = false;
+    }
+    texture_image_free(&image);
+    return done;
+}
+
+bool textures_load(struct textures *textures, const struct gl *gl, const struct samplers *samplers,
+                   const struct shader_source *source)
+{
+    GLint units = 0;
+    char why[IMAGE_WHY];
+    *textures = (struct textures){0};
+    gl->GetIntegerv(GL_MAX_TEXTURE_IMAGE_UNITS, &units);
+    for (int i = 0; i < samplers->count; i++) {
+        const struct sampler *sampler = &samplers->item[i];
+        textures->item = memory_row(textures->item, i, sizeof *textures->item);
+        snprintf(why, sizeof why, "the driver takes at most %d textures", units - 1);
+        textures->item[textures->count++] = (struct texture){0};
+        if (i + 1 < units &&
+            load(&textures->item[i], gl, sampler, source->paths[sampler->file], why))
+            continue;
+        textures_free(textures, gl);
+        return sampler_refuse(source, sampler, "%s", why);
+    }
+    return true;
+}
+
+void textures_free(struct textures *textures, const struct gl *gl)
+{
+    for (int i = 0; i < textures->count; i++)
+        gl->DeleteTextures(1, &textures->item[i].texture);
+    free(textures->item);
+    *textures = (struct textures){0};
+}
+
+void textures_bind(const struct textures *textures, const struct gl *gl, GLuint program)
+{
+    static const char channel[] = "iChannel";
+    for (int i = 0; i < textures->count; i++) {
+        const struct texture *texture = &textures->item[i];
+        gl->ActiveTexture(GL_TEXTURE1 + (GLenum)i);
+        gl->BindTexture(texture->target, texture->texture);
+        gl->Uniform1i(gl->GetUniformLocation(program, texture->name), 1 + i);
+        if (strncmp(texture->name, channel, strlen(channel)) != 0)
+            continue;
+        char name[96];
+        snprintf(name, sizeof name, "iChannelResolution[%s]", texture->name + strlen(channel));
+        gl->Uniform3f(gl->GetUniformLocation(program, name), (float)texture->size[0],
+                      (float)texture->size[1], 1.0f);
+    }
+    gl->ActiveTexture(GL_TEXTURE0);
+}
