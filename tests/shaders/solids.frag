@@ -1,0 +1,95 @@
+#version 330 core
+// For test_solids.c: extrusions, revolutions and the solids of shaders/solids.glsl, at random points.
+//
+// Each item takes 2 pixels of a row: a point and its distance, and another point, near or far, and its.
+// Time chooses the function; iMouse holds its numbers.
+
+in float Time;
+out vec4 FragColor;
+
+#include "random.glsl"
+#include "primitives.glsl"
+#include "solids.glsl"
+#include "transform.glsl"
+
+uniform vec4 iMouse;
+
+// A disc of radius 1, its centre at iMouse.x from the axis.
+float disc(vec2 q)
+{
+    return length(q - vec2(iMouse.x, 0.0)) - 1.0;
+}
+
+// A rectangle, turned by iMouse.z.
+float rectangle(vec2 q)
+{
+    float c = cos(iMouse.z), s = sin(iMouse.z);
+    return boxDistance(vec3(abs(vec2(c * q.x + s * q.y, c * q.y - s * q.x)) - iMouse.xy, -1e6));
+}
+
+// An L: two rectangles, its corner at the origin.
+float elbow(vec2 q)
+{
+    float foot = boxDistance(vec3(abs(q - vec2(0.3, -0.15)) - vec2(0.6, 0.15), -1e6));
+    return min(foot, boxDistance(vec3(abs(q - vec2(-0.15, 0.3)) - vec2(0.15, 0.6), -1e6)));
+}
+
+// A bowl: a broken line from the axis outwards and upwards, its stroke iMouse.x to both sides.
+float stroke(vec2 q, vec2 a, vec2 b)
+{
+    vec2 along = b - a;
+    return length(q - a - along * clamp(dot(q - a, along) / dot(along, along), 0.0, 1.0));
+}
+
+float bowl(vec2 q)
+{
+    float floorLine = stroke(q, vec2(0.0, -0.7), vec2(0.4, -0.7));
+    float wall = min(stroke(q, vec2(0.4, -0.7), vec2(0.9, 0.1)), stroke(q, vec2(0.9, 0.1), vec2(0.6, 0.7)));
+    return min(floorLine, wall) - iMouse.x;
+}
+
+float asked(vec3 p)
+{
+    switch (int(Time)) {
+    case 0: return sdCylinder(p, iMouse.x, iMouse.y);
+    case 1: return sdHexPrism(p, iMouse.x, iMouse.y);
+    case 2: return sdCappedCone(p, iMouse.x, iMouse.y, iMouse.z);
+    case 3: return sdCapsule(p, vec3(-0.5, -0.3, 0.2), vec3(0.4, 0.6, -0.1), iMouse.x);
+    case 4: return opExtrude(abs(length(p.xz) - iMouse.x) - iMouse.y, p.y, iMouse.z);
+    case 5: return opExtrude(elbow(p.xz), p.y, iMouse.x);
+    case 6: return disc(opRevolve(p, 0.0));
+    case 7: return rectangle(opRevolve(p, iMouse.w));
+    case 8: return bowl(opRevolve(p, 0.0));
+    case 9: return length(opRevolve(p, iMouse.x)) - iMouse.y;
+    case 10: return sdTorus(p, iMouse.x, iMouse.y);
+    default: return opExtrude(length(p.xy) - iMouse.x, p.z, iMouse.y);
+    }
+}
+
+// Of every eight points: five in a cube around the solid, one far, one near the axis, one on it. The first
+// of a disc: at the height iMouse.z of the axis.
+vec3 point(int item)
+{
+    if (item == 0 && int(Time) == 6)
+        return vec3(0.0, iMouse.z, 0.0);
+    vec3 p = 1.8 * nextVector();
+    int kind = item % 8;
+    if (kind == 5)
+        p *= 64.0;
+    if (kind == 6)
+        p.xz *= 0.01;
+    if (kind == 7)
+        p.xz = vec2(0.0);
+    return p;
+}
+
+void main()
+{
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    int item = pixel.x / 2 + 256 * pixel.y;
+    seed = uint(item) * 9781u + 17u;
+    vec3 p = point(item);
+    vec3 q = p + exp2(-16.0 * abs(nextSigned())) * nextVector();
+    p = pixel.x % 2 == 0 ? p : q;
+    FragColor = vec4(p, asked(p));
+}
