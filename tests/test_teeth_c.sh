@@ -73,7 +73,7 @@ open_scratch
 mkdir -p "$scratch/right/tests" "$scratch/right/build/tests"
 cp -Rp Makefile common chapters shaders "$scratch/right"
 cp -Rp tests/*.[ch] tests/images.txt tests/corpus tests/shaders "$scratch/right/tests"
-cp -Rp build/flags build/common "$scratch/right/build"
+cp -Rp build/flags build/common build/shaders "$scratch/right/build"
 cp -p build/tests/*.[od] "$scratch/right/build/tests"
 
 mistakes_of tests/mistakes_c.txt | while read -r line; do

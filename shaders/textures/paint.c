@@ -40,10 +40,15 @@ static int wrap(int i, int period)
     return rest < 0 ? rest + period : rest;
 }
 
+static double smooth(double t)
+{
+    return t * t * t * (t * (6.0 * t - 15.0) + 10.0);
+}
+
 double paint_step(double a, double b, double x)
 {
-    double t = fmin(fmax((x - a) / (b - a), 0.0), 1.0);
-    return t * t * t * (t * (6.0 * t - 15.0) + 10.0);
+    double t = (x - a) / (b - a);
+    return smooth(t > 0.0 ? (t < 1.0 ? t : 1.0) : 0.0);
 }
 
 double paint_noise(double u, double v, int columns, int rows, uint32_t seed)
@@ -51,7 +56,7 @@ double paint_noise(double u, double v, int columns, int rows, uint32_t seed)
     double x = u * columns, y = v * rows, i = floor(x), j = floor(y);
     int left = wrap((int)i, columns), bottom = wrap((int)j, rows);
     int right = wrap(left + 1, columns), top = wrap(bottom + 1, rows);
-    double s = paint_step(0.0, 1.0, x - i), t = paint_step(0.0, 1.0, y - j);
+    double s = smooth(x - i), t = smooth(y - j);
     double low = paint_random(left, bottom, seed), high = paint_random(left, top, seed);
     low += s * (paint_random(right, bottom, seed) - low);
     high += s * (paint_random(right, top, seed) - high);
@@ -69,17 +74,30 @@ double paint_octaves(double u, double v, int columns, int rows, int octaves, uin
     return sum / total;
 }
 
+// How far a number lies outside of [cell, cell + 1].
+static double outside(double x, int cell)
+{
+    return x < cell ? cell - x : x > cell + 1 ? x - cell - 1 : 0.0;
+}
+
 struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32_t seed)
 {
+    // The nearest cells first: most of the others need not be asked.
+    static const signed char around[25][2] = {
+        {0, 0},  {1, 0},  {-1, 0},  {0, 1},  {0, -1}, {1, 1},  {-1, 1}, {1, -1},  {-1, -1},
+        {2, 0},  {-2, 0}, {0, 2},   {0, -2}, {2, 1},  {2, -1}, {-2, 1}, {-2, -1}, {1, 2},
+        {-1, 2}, {1, -2}, {-1, -2}, {2, 2},  {-2, 2}, {2, -2}, {-2, -2}};
+    const double largest = 0.5, part = 1.0 / 1024.0;
     double x = u * columns, y = v * rows, first = 1e9, second = 1e9;
-    int i = (int)floor(x), j = (int)floor(y);
     struct paint_grain grain = {0};
-    for (int cell = 0; cell < 25; cell++) {
-        int column = i + cell % 5 - 2, row = j + cell / 5 - 2;
+    for (int i = 0; i < 25; i++) {
+        int column = (int)floor(x) + around[i][0], row = (int)floor(y) + around[i][1];
+        double away_x = outside(x, column), away_y = outside(y, row), far = second + largest;
+        if (away_x * away_x + away_y * away_y > far * far)
+            continue;
         uint32_t name = paint_hash(wrap(column, columns), wrap(row, rows), seed);
-        double dx = x - column - (double)(name & 1023U) / 1024.0;
-        double dy = y - row - (double)(name >> 10 & 1023U) / 1024.0;
-        double distance = sqrt(dx * dx + dy * dy) - 0.5 * (double)(name >> 20 & 1023U) / 1024.0;
+        double dx = x - column - part * (name & 1023U), dy = y - row - part * (name >> 10 & 1023U);
+        double distance = sqrt(dx * dx + dy * dy) - largest * part * (name >> 20 & 1023U);
         if (distance < first) {
             second = first;
             first = distance;
@@ -98,7 +116,7 @@ struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32
 static double fifth_root(double x)
 {
     double y = 1.0;
-    for (int i = 0; i < 48; i++)
+    for (int i = 0; i < 24; i++)
         y -= (y - x / (y * y * y * y)) / 5.0;
     return y;
 }
@@ -122,8 +140,8 @@ static const double *light_of_halves(void)
     return light;
 }
 
-// The byte that is nearest to the sRGB value of a light: as many as there are limits below it.
-static unsigned char encode(double light)
+// As many as there are limits below it.
+unsigned char paint_byte(double light)
 {
     const double *half = light_of_halves();
     int byte = 0;
@@ -180,7 +198,7 @@ static void draw_row(const struct picture *picture, int y, unsigned char *row)
             row[x] = (unsigned char)(fmin(fmax(mean[0], 0.0), 1.0) * 255.0 + 0.5);
         else
             for (int c = 0; c < 3; c++)
-                row[3 * x + c] = encode(mean[c]);
+                row[3 * x + c] = paint_byte(mean[c]);
     }
 }
 

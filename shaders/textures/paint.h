@@ -60,6 +60,10 @@ struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32
 // Linear light of a colour 0xRRGGBB, sRGB, as a painter picks it.
 void paint_colour(uint32_t code, double value[3]);
 
+// The byte that stores a light as sRGB: the nearest to 255 times its sRGB value. What lies outside
+// of [0, 1] becomes 0 or 255.
+unsigned char paint_byte(double light);
+
 // The colour at x in [0, 1] of a scale: count colours 0xRRGGBB at equal steps, joined by straight
 // lines in linear light.
 void paint_scale(int count, const uint32_t *code, double x, double value[3]);
