@@ -33,6 +33,7 @@ struct run {
     struct options options;
     char root[PATH_MAX];   // the project's folder
     char shader[PATH_MAX]; // the shader to run
+    struct shader_request request;
     // What was read of it, until the renderer takes it over.
     struct shader_source source;
     struct parameters parameters;
@@ -93,12 +94,18 @@ static const char *title_of(const struct run *run)
     return slash != NULL ? slash + 1 : run->options.shader;
 }
 
-// Read the shader and its parameters, with the values of the command line. Returns the exit status.
+// Read the shader and its parameters, with values and pictures of the command line. Returns the
+// exit status.
 static int read_shader(struct run *run)
 {
-    if (!shader_read(&run->source, run->shader, run->root) ||
+    run->request = (struct shader_request){.textures = run->options.textures,
+                                           .texture_count = run->options.texture_count,
+                                           .channels = run->options.channels};
+    if (!shader_read_asked(&run->source, run->shader, run->root, &run->request) ||
         !parameters_read(&run->parameters, &run->source))
         return NOT_DONE;
+    if (!samplers_fit(&run->parameters.samplers, &run->source))
+        return WRONG_COMMAND_LINE;
     for (int i = 0; i < run->options.setting_count; i++)
         if (!parameters_assign(&run->parameters, run->options.settings[i]))
             return WRONG_COMMAND_LINE;
@@ -274,6 +281,7 @@ static bool open_loop(const struct run *run, struct context *context, struct ren
     const struct window_start start = {.title = title_of(run),
                                        .stem = run->chapter->stem,
                                        .shader = run->shader,
+                                       .request = &run->request,
                                        .camera = options->camera,
                                        .time = options->time,
                                        .samples = options->samples,

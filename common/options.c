@@ -83,6 +83,22 @@ static bool add_setting(struct options *options, const char *text)
            refuse("set", text, "must be NAME=VALUE; --list shows the names");
 }
 
+static bool add_texture(struct options *options, const char *text)
+{
+    const char *file = strchr(text, '=');
+    options->textures[options->texture_count++] = text;
+    return (text[0] != '=' && file != NULL && file[1] != '\0') ||
+           refuse("texture", text, "must be NAME=FILE.png; --list shows the names");
+}
+
+static bool set_channel(struct options *options, const char *text)
+{
+    if (text[0] < '0' || text[0] > '3' || text[1] != '=' || text[2] == '\0')
+        return refuse("channel", text, "must be N=FILE.png, N from 0 to 3, as in 0=stone.png");
+    options->channels[text[0] - '0'] = text + 2;
+    return true;
+}
+
 static bool set_camera(struct options *options, const char *text)
 {
     double value[5];
@@ -209,6 +225,10 @@ static const struct row {
     {"-t,", "time", " SECONDS", set_time, OPTIONS_RUN, "time of the picture", "0"},
     {"-p,", "set", " NAME=VALUE", add_setting, OPTIONS_RUN,
      "set a parameter of the shader; may be repeated", ""},
+    {"", "texture", " NAME=FILE.png", add_texture, OPTIONS_RUN,
+     "another picture for a texture of the shader; may be repeated", ""},
+    {"", "channel", " N=FILE.png", set_channel, OPTIONS_RUN,
+     "a shader from elsewhere: the picture of iChannelN, N from 0 to 3", ""},
     {"-c,", "camera", " X,Y,Z,PAN,TILT", set_camera, OPTIONS_RUN,
      "where the eye is, in scene units, and looks, in degrees", "the chapter's own"},
     {"-a,", "samples", " N", set_samples, OPTIONS_RUN, "N x N samples a pixel, 1 to 8", "1"},
@@ -348,6 +368,7 @@ bool options_parse(struct options *options, int argc, char **argv)
 {
     *options = (struct options){.samples = 1};
     options->settings = memory_zeros((size_t)argc, sizeof *options->settings);
+    options->textures = memory_zeros((size_t)argc, sizeof *options->textures);
     if (read_words(options, argv + (argc > 0)) && complete(options))
         return true;
     options_free(options);
@@ -357,6 +378,7 @@ bool options_parse(struct options *options, int argc, char **argv)
 void options_free(struct options *options)
 {
     free(options->settings);
+    free(options->textures);
     *options = (struct options){0};
 }
 

@@ -34,6 +34,9 @@ struct options {
     bool json;             // --benchmark=json
     const char **settings; // NAME=VALUE, in the order given; owned, see options_free
     int setting_count;
+    const char **textures; // NAME=FILE, in the order given; owned
+    int texture_count;
+    const char *channels[4]; // the files of Shadertoy's iChannel0 to 3, or NULL
     bool has_camera;
     struct camera camera; // meaningful when has_camera
     int samples;          // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel

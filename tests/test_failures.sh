@@ -194,7 +194,7 @@ refuse 'a parameter declared twice' 1 "twice.frag:$line.*biased" \
     "$chapter" "${to[@]}" -f "$shaders/twice.frag"
 
 printf 'void mainImage(out vec4 c, in vec2 f) { c = texture(iChannel1, f); }\n' >"$shaders/toy.frag"
-refuse "what Shadertoy has and we have not" 1 'toy.frag:1: iChannel1 is not offered' \
+refuse "a channel of Shadertoy's without a picture" 1 'toy.frag:1: iChannel1 has no picture: give --channel 1=' \
     "$chapter" "${to[@]}" -f "$shaders/toy.frag"
 refuse "a view of Shadertoy's form" 1 'toy.frag: .*view depth' "$chapter" "${to[@]}" -v depth -f "$shaders/toy.frag"
 whole=$root/chapters/00_first_scene.frag

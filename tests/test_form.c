@@ -263,7 +263,7 @@ static void test_inputs_and_textures(void **state)
                 SHADER_WHOLE);
     assert_refused(
         "uniform sampler2D tex; out vec4 A; void main() { A = texture(tex, vec2(0)); }\n",
-        "main.frag:2: tex is not offered: a shader gets no textures");
+        "main.frag:2: tex has no picture: name it iChannel0");
     assert_form("#version 330 core\nuniform sampler2D tex; float k; " WRITES, SHADER_WHOLE);
 }
 

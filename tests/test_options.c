@@ -398,12 +398,35 @@ static void test_slice_takes_a_probe(void **state)
     assert_refused("-v slices", "slice");
 }
 
+static void test_pictures(void **state)
+{
+    (void)state;
+    struct options o = parsed("--texture a=b.png --texture a=c=d --channel 2=x.png --channel 2=y");
+    assert_int_equal(o.texture_count, 2);
+    assert_string_equal(o.textures[0], "a=b.png");
+    assert_string_equal(o.textures[1], "a=c=d");
+    assert_string_equal(o.channels[2], "y");
+    assert_true(o.channels[0] == NULL && o.channels[1] == NULL && o.channels[3] == NULL);
+    options_free(&o);
+    assert_null(o.textures);
+    static const char *const wrong[] = {"--texture a", "--texture =b",
+                                        "--texture a=", "--texture ''"};
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
+        assert_refused(wrong[i], "must be NAME=FILE.png");
+    static const char *const none[] = {
+        "--channel 4=a", "--channel 0",    "--channel 0=",  "--channel ''",
+        "--channel =a",  "--channel -1=a", "--channel 10=a"};
+    for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+        assert_refused(none[i], "must be N=FILE.png");
+}
+
 static void test_help_names_every_option(void **state)
 {
     (void)state;
     static const char *const words[] = {"Usage: ./prog ",       "A title",
                                         "What it shows.",       "-o, --output FILE.png",
                                         "-s, --size WxH",       "-t, --time SECONDS",
+                                        "--texture NAME=FILE",  "--channel N=FILE",
                                         "-p, --set NAME=VALUE", "-c, --camera X,Y,Z,PAN,TILT",
                                         "-a, --samples N",      "-v, --view NAME",
                                         "--probe X,Y",          "-b, --backend NAME",
@@ -443,6 +466,7 @@ int main(void)
         cmocka_unit_test(test_print_shader),
         cmocka_unit_test(test_unknown_options),
         cmocka_unit_test(test_values_missing_or_too_many),
+        cmocka_unit_test(test_pictures),
         cmocka_unit_test(test_help_names_every_option),
         cmocka_unit_test(test_slice_takes_a_probe),
     };

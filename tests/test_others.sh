@@ -242,11 +242,11 @@ toy_wrong() { # PATTERN TITLE DECLARATIONS BODY
     refused toy_wrong "$1" "Shadertoy's form: $2" < <(toy_scene "$3" "$head" "$4")
 }
 for name in iChannel0 iChannel3; do
-    toy_wrong "^[^ ]*toy_wrong.frag:16: $name is not offered: a shader gets no textures" "$name" '' "c = texture($name, p);"
+    toy_wrong "^[^ ]*toy_wrong.frag:16: $name has no picture: give --channel ${name#iChannel}=FILE.png" "$name" '' "c = texture($name, p);"
 done
-toy_wrong 'toy_wrong.frag:16: iChannelResolution is not offered' 'iChannelResolution' '' 'c = vec4(iChannelResolution[0], 1.0);'
-toy_wrong 'toy_wrong.frag:1: iChannel1 is not offered' 'a texture that it declares itself' 'uniform sampler2D iChannel0, iChannel1;' 'c = texture(iChannel1, p);'
-toy_wrong 'toy_wrong.frag:16: iSampleRate is not offered' 'iSampleRate' '' 'c = vec4(iSampleRate);'
+toy_wrong 'toy_wrong.frag:16: iChannelResolution has no picture: give --channel 0=FILE.png' 'iChannelResolution' '' 'c = vec4(iChannelResolution[0], 1.0);'
+toy_wrong 'toy_wrong.frag:1: iChannel1 has no picture: give --channel 1=FILE.png' 'a texture that it declares itself' 'uniform sampler2D iChannel0, iChannel1;' 'c = texture(iChannel1, p);'
+toy_wrong 'toy_wrong.frag:16: iSampleRate is not offered: a shader gets no films' 'iSampleRate' '' 'c = vec4(iSampleRate);'
 toy_wrong 'toy_wrong.frag:1: uniform vec2 iMouse: iMouse is a vec4 here' 'an input of another type' 'uniform highp float iTime; uniform vec2 iMouse;' "$toy_body"
 toy_wrong 'toy_wrong.frag:16: error' 'an error in its own line' '' 'c = vec3(1.0);'
 toy_wrong 'toy_wrong.frag:1: error' 'an error in its first line' 'float x = vec2(1.0);' "$toy_body"

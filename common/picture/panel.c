@@ -85,6 +85,7 @@ struct chapter_panel {
     bool cut;        // not all
     float lines;
     char status[160], detail[2 * CELL], last[160];
+    char textures[CELL]; // the large form names them; "" for none
 };
 
 static void detail_text(const struct parameter *parameter, char *text, size_t size)
@@ -163,6 +164,17 @@ static void last_text(const struct panel *panel, char *text, size_t size)
         snprintf(text, size, "%s", panel->hint != NULL ? panel->hint : "");
 }
 
+static void textures_text(const struct panel *panel, char text[CELL])
+{
+    const struct textures *textures = &panel->renderer->textures;
+    text[0] = '\0';
+    for (int i = 0; i < textures->count; i++) {
+        size_t used = strlen(text);
+        snprintf(text + used, CELL - used, "%s%s",
+                 i > 0 ? ", " : "textures: ", textures->item[i].name);
+    }
+}
+
 // The first of the parameters to show where there is room for a number of them: the chosen one
 // stays in sight.
 static int first_shown(const struct panel *panel, int room)
@@ -188,12 +200,15 @@ static void lay_chapter(const struct panel *panel, float limit, float bottom,
     form->ranges = panel->chosen == NULL || (panel->ranges && table <= limit);
     if (!form->ranges)
         table = measure_table(parameters, 2, form->column);
+    if (form->ranges)
+        textures_text(panel, form->textures);
     // In steps, so that a panel does not tremble with its numbers.
     float texts = larger(overlay_width(form->status), overlay_width(form->last));
+    texts = larger(texts, overlay_width(form->textures));
     texts = 20.0f * ceilf(larger(overlay_width(panel->title), texts) / 20.0f);
     form->width = larger(texts, table);
     form->lines = 2.0f + (parameters->count > 0 ? 0.5f : 0.0f) + (form->ranges ? 0.0f : 1.0f) +
-                  (form->last[0] != '\0' ? 1.5f : 0.0f);
+                  (form->last[0] != '\0' ? 1.5f : 0.0f) + (form->textures[0] != '\0' ? 1.0f : 0.0f);
     int room = (int)((bottom - MARGIN - 2.0f * PADDING + 2.0f) / LINE - form->lines);
     form->cut = parameters->count > room;
     if (form->cut)
@@ -220,6 +235,8 @@ static void write_chapter(const struct panel *panel, struct overlay *overlay,
              form->first + form->rows, parameters->count);
     if (form->cut)
         write_line(&pen, part, DIM);
+    if (form->textures[0] != '\0')
+        write_line(&pen, form->textures, DIM);
     if (form->last[0] != '\0') {
         rule(&pen, form->width);
         write_line(&pen, form->last, DIM);

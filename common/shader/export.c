@@ -311,6 +311,20 @@ static bool put_whole(struct export *e)
                   e->source->files[0]);
 }
 
+// A shader of the course that reads pictures.
+static bool refuse_textures(const struct shader_source *source, const struct samplers *samplers)
+{
+    char *names;
+    FILE *stream = memory_open(&names);
+    for (int i = 0; i < samplers->count; i++)
+        fprintf(stream, "%s%s", i > 0 ? ", " : "", source->files[samplers->item[i].file]);
+    memory_close(stream);
+    report("%s: reads %s: Shadertoy takes no files: leave =shadertoy out for a text that runs here",
+           source->files[0], names);
+    free(names);
+    return false;
+}
+
 char *export_shadertoy(const struct shader_source *source, const struct parameters *parameters,
                        const struct camera *camera, float focal_length)
 {
@@ -322,6 +336,10 @@ char *export_shadertoy(const struct shader_source *source, const struct paramete
                        .code = &source->code};
     char *text;
     bool done = true;
+    if (source->form == SHADER_COURSE && parameters->samplers.count > 0) {
+        refuse_textures(source, &parameters->samplers);
+        return NULL;
+    }
     e.text = memory_open(&text);
     if (source->form == SHADER_SHADERTOY)
         fputs(source->text, e.text);

@@ -11,10 +11,11 @@
 
 #define ARRAY_LIMIT 65536 // elements
 
-// What Shadertoy gives besides and the harness does not.
+// What Shadertoy gives besides and the harness does not, or not without --channel.
+enum { TOY_CHANNELS = 5 };
 static const char *const toy_refused[] = {
-    "iChannel0",    "iChannel1",          "iChannel2",   "iChannel3",
-    "iChannelTime", "iChannelResolution", "iSampleRate", NULL};
+    "iChannel0",          "iChannel1",    "iChannel2",   "iChannel3",
+    "iChannelResolution", "iChannelTime", "iSampleRate", NULL};
 
 // ---- Which form ----
 
@@ -287,7 +288,7 @@ static char *toy_prelude(const struct shader_source *source)
     fputs(begin, stream);
     const char *name, *declaration, *way = "in";
     for (size_t i = 0; (declaration = form_toy_input(i, &name)) != NULL; i++)
-        if (!form_declares(code, name))
+        if (form_offers(source, name) && !form_declares(code, name))
             fprintf(stream, "uniform %s;\n", declaration);
     const struct glsl_token *parameters = parameters_of(code);
     const struct glsl_token *pixel = parameters != NULL ? behind(parameters) + 1 : code->item;
@@ -320,8 +321,10 @@ bool form_refuses(const struct shader_source *source, const char *log, bool link
     const struct glsl *code = &source->code;
     bool toy = source->form == SHADER_SHADERTOY;
     for (int i = 0; toy && toy_refused[i] != NULL; i++) {
+        bool blamed = strstr(log, toy_refused[i]) != NULL;
+        bool offered = i < TOY_CHANNELS && form_offers(source, toy_refused[i]);
         const struct glsl_token *token =
-            strstr(log, toy_refused[i]) != NULL ? glsl_find(code, toy_refused[i]) : NULL;
+            blamed && !offered ? glsl_find(code, toy_refused[i]) : NULL;
         if (token != NULL)
             return !form_refuse_name(source, token);
     }

@@ -46,7 +46,8 @@ bool shader_has_view(const struct shader_source *source, enum shader_view view);
 
 // What stands before the text for the driver, its lines ended.
 //   course      #version and VIEW
-//   Shadertoy   #version, Shadertoy's inputs but those that the text declares itself, and a main
+//   Shadertoy   #version, Shadertoy's inputs but those that the text declares itself and channels
+//               without a picture, and a main
 //               that calls mainImage and clamps what it gives; it stands in front, where no macro
 //               of the text reaches it. Every name there begins with "harness", so that none
 //               collides
@@ -58,8 +59,9 @@ char *form_prelude(const struct shader_source *source, enum shader_view view);
 // form_zero makes of it. Returns memory that the caller frees.
 char *form_body(const struct shader_source *source);
 
-// Say why a shader cannot run that asks for what Shadertoy has and this harness has not (textures,
-// buffers, sounds), that has no main, or another mainImage than Shadertoy's.
+// Say why a shader cannot run that asks for what Shadertoy has and this harness has not (films,
+// buffers, sounds) or not without --channel, that has no main, or another mainImage than
+// Shadertoy's.
 //   log      of the driver, which did not compile the shader
 //   linking  or not link it
 // Returns false, nothing reported, when the log blames nothing of the kind.

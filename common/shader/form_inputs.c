@@ -20,8 +20,12 @@ struct input {
 #type, #name, #type " " #name                                                              \
     }
 static const struct input toy_inputs[] = {
-    INPUT(vec3, iResolution), INPUT(float, iTime), INPUT(float, iTimeDelta), INPUT(int, iFrame),
-    INPUT(float, iFrameRate), INPUT(vec4, iMouse), INPUT(vec4, iDate)};
+    INPUT(vec3, iResolution),    INPUT(float, iTime),
+    INPUT(float, iTimeDelta),    INPUT(int, iFrame),
+    INPUT(float, iFrameRate),    INPUT(vec4, iMouse),
+    INPUT(vec4, iDate),          INPUT(sampler2D, iChannel0),
+    INPUT(sampler2D, iChannel1), INPUT(sampler2D, iChannel2),
+    INPUT(sampler2D, iChannel3), {"vec3", "iChannelResolution", "vec3 iChannelResolution[4]"}};
 
 // The report's, which the vertex shader hands to a whole file.
 static const struct input whole_inputs[] = {INPUT(vec2, FragCoord),  INPUT(float, Time),
@@ -56,12 +60,45 @@ bool form_declares(const struct glsl *code, const char *word)
     return false;
 }
 
+// The channel that a name says, from 0 to 3; -1 for none.
+static int channel_of(const char *name)
+{
+    static const char channel[] = "iChannel";
+    bool one = strncmp(name, channel, strlen(channel)) == 0 && strlen(name) == sizeof channel;
+    int number = one ? name[strlen(channel)] - '0' : -1;
+    return number >= 0 && number < 4 ? number : -1;
+}
+
+bool form_offers(const struct shader_source *source, const char *name)
+{
+    const char *const *channels = source->request.channels;
+    int channel = channel_of(name);
+    if (channel >= 0)
+        return channels != NULL && channels[channel] != NULL;
+    for (int i = 0; channels != NULL && i < 4; i++)
+        if (channels[i] != NULL && strcmp(name, "iChannelResolution") == 0)
+            return true;
+    return strncmp(name, "iChannel", strlen("iChannel")) != 0;
+}
+
 bool form_refuse_name(const struct shader_source *source, const struct glsl_token *token)
 {
-    return shader_refuse(source, token->line,
-                         "%.*s is not offered: a shader gets no textures, buffers or sounds here: "
-                         "compute the values in the shader",
-                         GLSL_TEXT(&source->code, token));
+    static const char *const without[] = {"iChannelTime", "iSampleRate", NULL};
+    char name[NAME_LIMIT];
+    snprintf(name, sizeof name, "%.*s", GLSL_TEXT(&source->code, token));
+    int channel = channel_of(name);
+    if (glsl_is_any(&source->code, token, without))
+        return shader_refuse(source, token->line,
+                             "%s is not offered: a shader gets no films, buffers or sounds here: "
+                             "compute the values in the shader",
+                             name);
+    if (channel < 0 && strcmp(name, "iChannelResolution") != 0)
+        return shader_refuse(source, token->line,
+                             "%s has no picture: name it iChannel0, a sampler2D, and give "
+                             "--channel 0=FILE.png",
+                             name);
+    return shader_refuse(source, token->line, "%s has no picture: give --channel %d=FILE.png", name,
+                         channel < 0 ? 0 : channel);
 }
 
 void form_blank(struct shader_source *source, int begin, int end)
@@ -241,11 +278,12 @@ static bool check_input(struct shader_source *source, const struct walk *at)
                shader_refuse(source, at->name->line, "%s %.*s %s: %s is a %s here: write %s %s %s;",
                              kind, GLSL_TEXT(code, at->type), input->name, input->name, input->type,
                              kind, input->type, input->name);
-    const char *type = code->text + at->type->begin, *name = code->text + at->name->begin;
-    char sampler[NAME_LIMIT];
-    snprintf(sampler, sizeof sampler, "%.*s", at->type->length, type);
+    char type[NAME_LIMIT], name[NAME_LIMIT];
+    snprintf(type, sizeof type, "%.*s", GLSL_TEXT(code, at->type));
+    snprintf(name, sizeof name, "%.*s", GLSL_TEXT(code, at->name));
+    bool sampler = strstr(type, "sampler") != NULL;
     if (at->kind == UNIFORM && is_read(at) &&
-        (strstr(sampler, "sampler") != NULL || strncmp(name, "iChannel", strlen("iChannel")) == 0))
+        (!form_offers(source, name) || (sampler && input == NULL)))
         return form_refuse_name(source, at->name);
     return input != NULL || at->kind == UNIFORM || strncmp(name, "gl_", 3) == 0 || !is_read(at) ||
            shader_refuse(source, at->name->line,

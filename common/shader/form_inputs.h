@@ -22,7 +22,11 @@ bool form_check_inputs(struct shader_source *source);
 // or has none.
 bool form_check_linked(const struct shader_source *source);
 
-// Say that something of Shadertoy's is not offered; always false.
+// True when a uniform of this name gets a value: Shadertoy's inputs, and of its channels those that
+// the source's request names.
+bool form_offers(const struct shader_source *source, const char *name);
+
+// Say that something of Shadertoy's is not offered, or not without --channel; always false.
 //   token  where the code mentions it
 bool form_refuse_name(const struct shader_source *source, const struct glsl_token *token);
 

@@ -34,22 +34,48 @@ static bool has_name(const struct samplers *samplers, const char *name, size_t l
     return false;
 }
 
-bool samplers_know(const struct samplers *samplers, const char *assignment)
+// Judge NAME=FILE.
+static bool know(const struct samplers *samplers, bool course, const char *assignment)
 {
-    if (has_name(samplers, assignment, strcspn(assignment, "=")))
+    if (course && has_name(samplers, assignment, strcspn(assignment, "=")))
         return true;
     char *names;
     FILE *stream = memory_open(&names);
     for (int i = 0; i < samplers->count; i++)
         fprintf(stream, "%s%s", i > 0 ? ", " : "", samplers->item[i].name);
     memory_close(stream);
-    if (samplers->count == 0)
-        report("--texture %s: this shader has no samplers of the course's form", assignment);
+    if (!course)
+        report("--texture %s: the shader is not of the course's form: --channel N=FILE.png is for "
+               "iChannelN",
+               assignment);
+    else if (samplers->count == 0)
+        report("--texture %s: this shader has no textures", assignment);
     else
         report("--texture %s: no sampler has this name: there %s %s", assignment,
                samplers->count == 1 ? "is" : "are", names);
     free(names);
     return false;
+}
+
+bool samplers_fit(const struct samplers *samplers, const struct shader_source *source)
+{
+    const struct shader_request *request = &source->request;
+    bool course = source->form == SHADER_COURSE;
+    for (int i = 0; i < request->texture_count; i++)
+        if (!know(samplers, course, request->textures[i]))
+            return false;
+    for (int i = 0; request->channels != NULL && i < 4; i++) {
+        char name[] = "iChannel0";
+        name[strlen(name) - 1] = (char)('0' + i);
+        if (request->channels[i] == NULL || (!course && glsl_mentions(&source->code, name) > 0))
+            continue;
+        return report("--channel %d=%s: %s%s", i, request->channels[i],
+                      course ? "the shader is of the course's form: --texture NAME=FILE.png is for "
+                               "its samplers"
+                             : "the shader does not mention ",
+                      course ? "" : name);
+    }
+    return true;
 }
 
 bool sampler_refuse(const struct shader_source *source, const struct sampler *sampler,

@@ -45,8 +45,10 @@ bool samplers_read(struct samplers *samplers, struct shader_source *source);
 
 void samplers_free(struct samplers *samplers);
 
-// True when the NAME of NAME=FILE is one of these. Reported, with the names there are.
-bool samplers_know(const struct samplers *samplers, const char *assignment);
+// True when each picture that the source's request names has a sampler to be read by. Reported: a
+// NAME of NAME=FILE that none of these has, with the names there are; a channel that the shader
+// does not mention, or where it is of the course's form.
+bool samplers_fit(const struct samplers *samplers, const struct shader_source *source);
 
 // Report what is wrong with a sampler's picture; always false.
 bool sampler_refuse(const struct shader_source *source, const struct sampler *sampler,

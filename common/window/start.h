@@ -5,17 +5,19 @@
 #include <stdbool.h>
 
 #include "camera.h"
+#include "shader/source.h"
 
 // How a window begins, and what R returns to.
 struct window_start {
     const char *title;  // of the chapter, for the title bar
     const char *stem;   // of the chapter: screenshots are STEM-0001.png, ... in the current folder
     const char *shader; // path of the shader's file: loaded again when it or an include changes
-    struct camera camera; // where the eye starts
-    double time;          // seconds
-    int samples;          // along each side of a pixel
-    double overlay_scale; // 0: as the picture's height asks
-    bool overlay_kept;    // screenshots have the overlay too
+    const struct shader_request *request; // what its readings are asked besides
+    struct camera camera;                 // where the eye starts
+    double time;                          // seconds
+    int samples;                          // along each side of a pixel
+    double overlay_scale;                 // 0: as the picture's height asks
+    bool overlay_kept;                    // screenshots have the overlay too
 };
 
 #endif

@@ -34,7 +34,9 @@ static void reload(struct window *window)
     struct renderer *renderer = window->renderer;
     struct shader_source source = {0};
     struct parameters parameters = {0};
-    const struct shader_request request = {.see = see, .to = window};
+    struct shader_request request = *window->start->request;
+    request.see = see;
+    request.to = window;
     bool loaded = shader_read_asked(&source, window->start->shader, renderer->root, &request) &&
                   parameters_read(&parameters, &source) &&
                   renderer_load(renderer, &source, &parameters);
