@@ -48,6 +48,16 @@ float bowl(vec2 q)
     return min(floorLine, wall) - iMouse.x;
 }
 
+// A square of half side 0.5, extruded, turned by iMouse.x and made smaller by iMouse.y for each unit of height
+// from 0 to 2.
+float twisted(vec3 p)
+{
+    float y = clamp(p.y, 0.0, 2.0), size = 1.0 - iMouse.y * y;
+    float c = cos(iMouse.x * y), s = sin(iMouse.x * y);
+    vec2 q = vec2(c * p.x + s * p.z, c * p.z - s * p.x) / size;
+    return size * boxDistance(vec3(abs(q) - 0.5, -1e6));
+}
+
 float asked(vec3 p)
 {
     switch (int(Time)) {
@@ -62,7 +72,8 @@ float asked(vec3 p)
     case 8: return bowl(opRevolve(p, 0.0));
     case 9: return length(opRevolve(p, iMouse.x)) - iMouse.y;
     case 10: return sdTorus(p, iMouse.x, iMouse.y);
-    default: return opExtrude(length(p.xy) - iMouse.x, p.z, iMouse.y);
+    case 11: return twisted(p);
+    default: return 0.0;
     }
 }
 
