@@ -65,6 +65,7 @@
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                                               \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                               \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                                                               \
+    X(PFNGLUNIFORM2FVPROC, Uniform2fv)                                                             \
     X(PFNGLUNIFORM3FPROC, Uniform3f)                                                               \
     X(PFNGLUNIFORM4FPROC, Uniform4f)                                                               \
     X(PFNGLUSEPROGRAMPROC, UseProgram)                                                             \

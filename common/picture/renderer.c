@@ -234,6 +234,20 @@ static void draw_samples(const struct renderer *renderer, int samples, int botto
     }
 }
 
+// Each column of a probe's table marches the ray again: most rays need only these.
+#define PROBE_FIRST 64
+
+static void draw_columns(const struct renderer *renderer, int from, int count)
+{
+    const struct gl *gl = renderer->gl;
+    const struct sample only = {0, 1, {0.0f, 0.0f}}; // whatever the picture's samples
+    gl->Viewport(0, 0, PROBE_STEPS, PROBE_ROWS);
+    gl->Enable(GL_SCISSOR_TEST);
+    gl->Scissor(from, 0, count, PROBE_ROWS);
+    draw_pass(renderer, &only, 0);
+    gl->Disable(GL_SCISSOR_TEST);
+}
+
 // March the ray of a pixel, which leaves its steps in the table.
 static bool march_pixel(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
                         int y, struct probe *probe)
@@ -244,9 +258,11 @@ static bool march_pixel(struct renderer *renderer, const struct renderer_inputs 
         return false;
     use_program(renderer, inputs, SHADER_PROBE);
     gl->Uniform2f(location(renderer, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
-    gl->Viewport(0, 0, PROBE_STEPS, PROBE_ROWS);
-    const struct sample only = {0, 1, {0.0f, 0.0f}}; // whatever the picture's samples
-    draw_pass(renderer, &only, 0);
+    draw_columns(renderer, 0, PROBE_FIRST);
+    float steps[4];
+    gl->ReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, steps);
+    if (steps[2] > (float)PROBE_FIRST)
+        draw_columns(renderer, PROBE_FIRST, PROBE_STEPS - PROBE_FIRST);
     float *values = memory_zeros(PROBE_STEPS * PROBE_ROWS, 4 * sizeof *values);
     renderer_read(renderer, &renderer->table, values);
     probe_unpack(probe, values);
@@ -254,17 +270,21 @@ static bool march_pixel(struct renderer *renderer, const struct renderer_inputs 
     return true;
 }
 
-// The march that a slice shows.
+// The steps that a picture may read: the size of iMarched in shaders/marched.glsl.
+#define MARCHED_STEPS 64
+
+// The march that a slice shows, or a picture that reads its steps.
 struct march {
     int pixel[2];
     int steps; // columns of the table that hold one
     bool hit;
     struct slice_frame frame;
+    float step[MARCHED_STEPS][2]; // t and distance of the first ones
 };
 
 // March the chosen pixel's ray, which leaves its steps in the table, and frame it.
-static bool march_for_slice(struct renderer *renderer, const struct renderer_inputs *inputs,
-                            struct march *march)
+static bool march_chosen(struct renderer *renderer, const struct renderer_inputs *inputs,
+                         struct march *march)
 {
     const int size[2] = {inputs->width, inputs->height};
     for (int i = 0; i < 2; i++)
@@ -275,13 +295,17 @@ static bool march_for_slice(struct renderer *renderer, const struct renderer_inp
         march->steps = probe_rows(probe);
         march->hit = probe->end == PROBE_HIT;
         march->frame = slice_frame_of(probe, inputs->width, inputs->height, inputs->zoom);
+        for (int k = 0; k < MARCHED_STEPS && k < march->steps; k++) {
+            march->step[k][0] = probe->step[k].t;
+            march->step[k][1] = probe->step[k].distance;
+        }
     }
     free(probe);
     return done;
 }
 
-// What shaders/slice.glsl reads. The table is the texture of unit 0, which a sampler reads unless
-// told otherwise.
+// What shaders/slice.glsl reads. The table is the texture of unit 0, which
+// a sampler reads unless told otherwise.
 static void set_march(const struct renderer *renderer, const struct march *march)
 {
     const struct gl *gl = renderer->gl;
@@ -298,6 +322,16 @@ static void set_march(const struct renderer *renderer, const struct march *march
     gl->Uniform1i(location(renderer, "iSliceDecimals"), frame->digits[1]);
 }
 
+// What shaders/marched.glsl reads.
+static void set_steps(const struct renderer *renderer, const struct march *march)
+{
+    const struct gl *gl = renderer->gl;
+    int steps = march->steps < MARCHED_STEPS ? march->steps : MARCHED_STEPS;
+    gl->Uniform2fv(location(renderer, "iMarched"), MARCHED_STEPS, march->step[0]);
+    gl->Uniform1i(location(renderer, "iMarchedSteps"), steps);
+    gl->Uniform1i(location(renderer, "iMarchedHit"), march->hit);
+}
+
 // The part of a picture that one call draws.
 struct part {
     struct renderer_target *target;
@@ -312,12 +346,18 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
     const struct gl *gl = renderer->gl;
     struct march march = {0};
     bool slice = renderer->view == SHADER_SLICE;
-    if ((slice && !march_for_slice(renderer, inputs, &march)) ||
+    GLuint program = renderer->program[renderer->view];
+    // The linker keeps only what is used.
+    bool reads = slice || (renderer->fragment.form == SHADER_COURSE &&
+                           gl->GetUniformLocation(program, "iMarched") >= 0);
+    if ((reads && !march_chosen(renderer, inputs, &march)) ||
         !bind_target(renderer, part->target, inputs->width, part->height))
         return false;
     use_program(renderer, inputs, renderer->view);
     if (slice)
         set_march(renderer, &march);
+    else if (reads)
+        set_steps(renderer, &march);
     // The viewport is the whole picture, of which the target holds a part: so the triangle is set
     // up in the same way whatever the part.
     gl->Viewport(0, -part->bottom, inputs->width, inputs->height);

@@ -184,6 +184,8 @@ static void put_course(struct export *e)
             " for shadertoy.com, in one file: camera and parameters are constants here.\n");
     if (mentions(e, "VIEW") > 0)
         fprintf(e->text, "#define VIEW 0\n");
+    if (mentions(e, "EXPORTED") > 0)
+        fprintf(e->text, "#define EXPORTED\n");
     put_files(e);
     fprintf(e->text, "\n// ---- What Shadertoy calls ----\n\n"
                      "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"

@@ -1,0 +1,184 @@
+// 10 Distance in the plane: a figure on a sheet, its distance as a print of lines, and one ray.
+
+#include "main.glsl"     // main(): asks for pixelRay, then for rayColour
+#include "camera.glsl"   // focalLength
+#include "march.glsl"    // march
+#include "marched.glsl"  // marchedSteps, marchedStep, marchedHit
+#include "normal.glsl"   // normalAt
+#include "plane.glsl"    // sdCircle, sdSegment, sdRectangle, sdTriangle, sdPolygon, sdArc, opRound, opOnion
+#include "combine.glsl"  // opUnion, opIntersection, opSubtraction, opSmoothUnion
+#include "coverage.glsl" // coverage, blurred
+#include "lighting.glsl" // encodeSRGB
+
+uniform int   figure;       // 6 in [0, 6]: 0 disc, 1 thin bar, 2 rectangle, 3 triangle, 4 star, 5 arc, 6 leaf
+uniform int   operation;    // 0 in [0, 6]: 0 none; with a disc 1 union, 2 intersection, 3 difference, 4 smooth union; 5 onion, 6 round
+uniform float amount;       // 0.1 in [0.01, 0.5] step 0.01, units: of the blend, the shell or the rounding
+uniform float morph;        // 0 in [0, 1] step 0.05: mixes the distance with that of the disc
+uniform vec2  rayStart;     // -1.85, -0.65 in [-10, 10] step 0.05, units: where the ray starts
+uniform vec2  aim;          // -0.1, 0.02 in [-10, 10] step 0.05, units: where the ray passes; a click sets it
+uniform float fixedStep;    // 0 in [0, 0.5] step 0.02, units: length of the fixed steps along the ray; 0: none
+uniform float lineSpacing;  // 0.05 in [0.01, 1] step *2, units: from one line of equal distance to the next
+uniform int   maxSteps;     // 64 in [1, 512]: steps before a ray is given up
+uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, units: distance that counts as a hit
+
+const float FAR = 6.0; // a ray that has travelled so far has left the sheet
+
+// The place of the sheet, the plane z = 0, that a point of the screen shows. The eye stays in front of the
+// sheet; over its horizon the sheet goes on for ever.
+vec2 sheetPlace(vec2 screen)
+{
+    vec3 way = screen.x * iCameraRight + screen.y * iCameraUp + focalLength * iCameraForward;
+    return iCameraPosition.xy - max(iCameraPosition.z, 0.01) / min(way.z, -0.001) * way.xy;
+}
+
+// All rays lie in the sheet. The picture, the probe and the slice have one, whatever the pixel: through
+// the aim. Each pixel of the other views has its own, through the place that it shows.
+Ray pixelRay(vec2 screen)
+{
+#if VIEW >= 1 && VIEW <= 3
+    vec2 way = sheetPlace(screen) - rayStart;
+#else
+    vec2 way = aim - rayStart;
+#endif
+    return Ray(vec3(rayStart, 0.0), normalize(vec3(way + 1e-7, 0.0)));
+}
+
+// ---- The figure ----
+
+const vec2 DART[POLYGON_CORNERS] = vec2[POLYGON_CORNERS](
+    vec2(-0.9, 0.1), vec2(0.7, 0.8), vec2(0.2, 0.0), vec2(0.6, -0.8), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0),
+    vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
+
+// A disc, a bar and a rectangle are rounded rectangles: the first two of no size, and of no height.
+float roundedDistance(vec2 p)
+{
+    vec2 halfSize = figure == 2 ? vec2(0.9, 0.55) : vec2(figure == 1 ? 0.9 : 0.0, 0.0);
+    return opRound(sdRectangle(p, halfSize), figure == 2 ? 0.0 : (figure == 1 ? 0.015 : 0.8));
+}
+
+// Four pairs of lobes on a stem; abs folds the left ones onto the right ones. A lobe is a segment that is
+// grown by a width, and flows together with what it meets.
+float leafDistance(vec2 p)
+{
+    p = mat2(0.891, -0.454, 0.454, 0.891) * (p - vec2(0.24, -0.02)); // turned by 27 degrees
+    p.x = abs(p.x);
+    float d = opRound(sdSegment(p, vec2(0.0, -1.25), vec2(0.0, 1.02)), 0.05);
+    for (int i = 0; i < 4; i++) {
+        float s = float(i);
+        vec2 base = vec2(0.0, -0.74 + 0.42 * s);
+        vec2 tip = base + (0.82 + 0.12 * s - 0.085 * s * s) * vec2(0.84 - 0.05 * s, 0.36 + 0.11 * s);
+        d = opSmoothUnion(d, opRound(sdSegment(p, base, tip), 0.12 - 0.012 * s), 0.14);
+    }
+    return d;
+}
+
+float figureDistance(vec2 p)
+{
+    float d = figure <= 2 ? roundedDistance(p) : leafDistance(p);
+    d = figure == 3 ? sdTriangle(p, vec2(-0.9, -0.6), vec2(0.9, -0.6), vec2(-0.3, 0.8)) : d;
+    d = figure == 4 ? sdPolygon(p, DART, 4) : d;
+    return figure == 5 ? opRound(sdArc(p, 0.7, 2.0), 0.015) : d;
+}
+
+float sheetDistance(vec2 p)
+{
+    float a = figureDistance(p), disc = sdCircle(p - vec2(0.8, -0.3), 0.5);
+    float d = operation == 1 ? opUnion(a, disc) : a;
+    d = operation == 2 ? opIntersection(a, disc) : d;
+    d = operation == 3 ? opSubtraction(a, disc) : d;
+    d = operation == 4 ? opSmoothUnion(a, disc, amount) : d;
+    d = operation == 5 ? opOnion(a, amount) : d;
+    d = operation == 6 ? opRound(a, amount) : d;
+    return mix(d, disc, morph);
+}
+
+float sceneDistance(vec3 p)
+{
+    return sheetDistance(p.xy);
+}
+
+// ---- The print ----
+
+// Linear RGB.
+const vec3 PAPER   = vec3(0.91, 0.79, 0.57);
+const vec3 GLOW    = vec3(0.76, 0.24, 0.05); // outside, near the figure
+const vec3 EDGE    = vec3(0.07, 0.25, 0.48); // inside, near the outline
+const vec3 DEEP    = vec3(0.006, 0.03, 0.10);
+const vec3 OUTLINE = vec3(1.0, 0.97, 0.88);
+const vec3 INK     = vec3(0.012, 0.010, 0.025);
+
+// How much of a pixel a line covers.
+//   x      from its middle, in pixels
+//   width  in pixels of a picture of 360 rows
+float line(float x, float width)
+{
+    return coverage(0.5 * width * max(iResolution.y / 360.0, 1.0) - abs(x), 1.0);
+}
+
+// The distance at p as colours, lines and an outline. All have one width in pixels: d is divided by its own
+// change from pixel to pixel. Where lines would come too close they fade.
+//   right, up  what the neighbouring pixels show
+vec3 fieldColour(vec2 p, vec2 right, vec2 up)
+{
+    float d = distanceAt(vec3(p, 0.0));
+    float perPixel = length(vec2(distanceAt(vec3(right, 0.0)), distanceAt(vec3(up, 0.0))) - d);
+    perPixel = max(perPixel, 0.25 * length(right - p)); // on a ridge
+    float near = exp(-abs(d) / (d > 0.0 ? 0.3 : 0.06));
+    vec3 light = d > 0.0 ? mix(PAPER, GLOW, near) : mix(DEEP, EDGE, near);
+    float level = floor(d / lineSpacing + 0.5);
+    bool fifth = mod(level, 5.0) == 0.0;
+    float ink = line((d - level * lineSpacing) / perPixel, fifth ? 1.3 : 0.8);
+    ink *= (fifth ? 0.6 : 0.35) * (1.0 - blurred(perPixel / lineSpacing));
+    light = mix(light, d > 0.0 ? vec3(0.30, 0.07, 0.015) : vec3(0.55, 0.75, 0.95), ink);
+    return mix(light, OUTLINE, line(d / perPixel, 2.6));
+}
+
+// The march over a colour: what its circles prove empty, the circles, the ray as far as it came, and ticks
+// where fixed steps would ask.
+//   pixel  the size of a pixel, units
+vec3 marchColour(vec3 light, vec2 p, float pixel, Ray ray)
+{
+    vec2 q = (p - ray.origin.xy) * mat2(ray.direction.xy, -ray.direction.y, ray.direction.x); // along, beside
+    int steps = marchedSteps(ray, FAR, hitThreshold, maxSteps);
+    float circle = 1e6, inside = 1e6, dots = length(q) - 4.0 * pixel, end = 0.0;
+    for (int k = 0; k < steps; k++) {
+        vec2 step = marchedStep(k); // t, distance
+        float away = length(q - vec2(step.x, 0.0));
+        inside = min(inside, away - step.y);
+        circle = min(circle, abs(away - step.y));
+        dots = min(dots, away - min(0.2 * step.y, 2.0 * pixel));
+        end = step.x;
+    }
+    if (marchedHit())
+        circle = min(circle, abs(length(q - vec2(end, 0.0)) - 5.0 * pixel));
+    light = mix(light, OUTLINE, 0.35 * coverage(-inside / pixel, 1.0));
+    float ink = q.x > 0.0 && q.x < end ? line(q.y / pixel, 1.2) : 0.0;
+    if (fixedStep > 0.0 && q.x > 0.0 && abs(q.y) < 5.0 * pixel)
+        ink = max(ink, line((fract(q.x / fixedStep + 0.5) - 0.5) * fixedStep / pixel, 1.2));
+    return mix(light, INK, max(max(ink, line(circle / pixel, 1.1)), coverage(-dots / pixel, 1.0)));
+}
+
+// The same ray by fixed steps, up to the first place that is inside.
+float fixedMarch(Ray ray)
+{
+    float t = 0.0;
+    while (t < FAR && distanceAt(ray.origin + t * ray.direction) > 0.0)
+        t += fixedStep;
+    return t;
+}
+
+vec3 rayColour(Ray ray)
+{
+#if VIEW >= 1 && VIEW <= 5
+    Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
+    if (VIEW < 4 && hit.found)
+        normalAt(ray.origin + hit.t * ray.direction, hitThreshold);
+    return vec3(fixedStep > 0.0 ? fixedMarch(ray) : 0.0);
+#else
+    vec2 pixel = gl_FragCoord.xy + iPixelOffset;
+    vec2 p = sheetPlace(screenPosition(pixel));
+    vec2 right = sheetPlace(screenPosition(pixel + vec2(1.0, 0.0)));
+    vec2 up = sheetPlace(screenPosition(pixel + vec2(0.0, 1.0)));
+    return encodeSRGB(marchColour(fieldColour(p, right, up), p, length(right - p), ray));
+#endif
+}

@@ -1,0 +1,66 @@
+// marched.glsl - the march of the ray that is looked at, step by step: a table that is there before the
+// picture.
+//
+// Where a shader reads it, the harness marches the chosen pixel's ray first, once for the whole picture, as it
+// does for the slice and for --probe: all three show one march. Were it marched in every pixel, the picture would
+// cost as many evaluations more as the march has steps.
+#include "scene.glsl"
+
+const int MARCHED_STEPS = 64; // that the table holds at most
+
+#ifndef EXPORTED
+
+uniform vec2 iMarched[MARCHED_STEPS]; // t and distance of step k, scene units
+uniform int  iMarchedSteps;           // how many steps there are
+uniform bool iMarchedHit;             // the last step of the march found the surface
+
+// The number of steps that the table holds. Shadertoy has no table, and there alone the arguments count.
+//   ray, far, threshold, maxSteps  of the march that the chapter gives to the ray that is looked at
+int marchedSteps(Ray ray, float far, float threshold, int maxSteps)
+{
+    return iMarchedSteps;
+}
+
+// Step k of the march, k from 0 to marchedSteps - 1.
+//   returns  (t, distance), scene units
+vec2 marchedStep(int k)
+{
+    return iMarched[k];
+}
+
+// Did its last step find the surface?
+bool marchedHit()
+{
+    return iMarchedHit;
+}
+
+#else
+
+vec2 marchedTable[MARCHED_STEPS];
+bool marchedEnd;
+
+int marchedSteps(Ray ray, float far, float threshold, int maxSteps)
+{
+    float t = 0.0;
+    int steps = 0;
+    marchedEnd = false;
+    while (!marchedEnd && t < far && steps < min(maxSteps, MARCHED_STEPS)) {
+        float distance = sceneDistance(ray.origin + t * ray.direction);
+        marchedTable[steps++] = vec2(t, distance);
+        marchedEnd = distance < threshold;
+        t += distance;
+    }
+    return steps;
+}
+
+vec2 marchedStep(int k)
+{
+    return marchedTable[k];
+}
+
+bool marchedHit()
+{
+    return marchedEnd;
+}
+
+#endif

@@ -1,0 +1,119 @@
+// plane.glsl - signed distances of the elementary figures of the plane.
+//
+// Positive outside, negative inside, in scene units. Each is exact everywhere: the distance to the
+// nearest point of the boundary. A figure without inside, a segment or an arc, has a distance that is
+// never negative; opRound gives it a width. The operations of combine.glsl serve in the plane too.
+
+// A disc around the origin. Exact everywhere.
+//   p        point, scene units
+//   radius   > 0, scene units
+//   formula  |p| - radius
+// Source: report, section 2.1.1, in the plane; the workshop's 'sdCircle'.
+float sdCircle(vec2 p, float radius)
+{
+    return length(p) - radius;
+}
+
+// A segment, which has no inside. Exact everywhere.
+//   p, a, b  point and both ends, scene units, a not b
+//   formula  |p - a - s (b - a)|, s = clamp((p - a) . (b - a) / |b - a|^2, 0, 1)
+float sdSegment(vec2 p, vec2 a, vec2 b)
+{
+    vec2 way = b - a;
+    float share = clamp(dot(p - a, way) / dot(way, way), 0.0, 1.0);
+    return length(p - a - share * way);
+}
+
+// A rectangle around the origin with sides along the axes. Exact everywhere.
+//   p         point, scene units
+//   halfSize  half of width and height, scene units, each >= 0
+//   formula   with q = |p| - halfSize, component by component: |max(q, 0)| + min(max(q.x, q.y), 0)
+// Source: report, section 2.1.3, in the plane.
+float sdRectangle(vec2 p, vec2 halfSize)
+{
+    vec2 q = abs(p) - halfSize;
+    return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0);
+}
+
+// A triangle. Exact everywhere.
+//   p        point, scene units
+//   a, b, c  corners, scene units, in either order, not on one line
+//   formula  the smallest of the three distances to a side, negative where p is on the inner side of
+//            all three lines
+float sdTriangle(vec2 p, vec2 a, vec2 b, vec2 c)
+{
+    vec2 ab = b - a, bc = c - b, ca = a - c;
+    float turn = sign(ab.x * bc.y - ab.y * bc.x); // 1 where the corners go round to the left
+    vec3 inside = turn * vec3(ab.x * (p.y - a.y) - ab.y * (p.x - a.x),
+                              bc.x * (p.y - b.y) - bc.y * (p.x - b.x),
+                              ca.x * (p.y - c.y) - ca.y * (p.x - c.x));
+    float nearest = min(sdSegment(p, a, b), min(sdSegment(p, b, c), sdSegment(p, c, a)));
+    return min(inside.x, min(inside.y, inside.z)) > 0.0 ? -nearest : nearest;
+}
+
+// The most corners that a polygon may have.
+const int POLYGON_CORNERS = 16;
+
+// A polygon of 3 to 16 corners, convex or not. Exact everywhere. One that crosses itself has its inside
+// where a half-line meets its sides an odd number of times.
+//   p        point, scene units
+//   corner   the corners in their order, either way round, scene units, no two neighbours equal; those
+//            from count on are not read
+//   count    how many there are, at most POLYGON_CORNERS
+//   formula  the smallest distance to a side; its sign by the crossings of the half-line from p to the
+//            right. A side holds its lower end and not its upper, so that a corner counts once
+// Source: M. Shimrat, 'Algorithm 112: position of point relative to polygon', Communications of the ACM
+// 5 (1962), for the crossings.
+float sdPolygon(vec2 p, vec2 corner[POLYGON_CORNERS], int count)
+{
+    float nearest = 1e20; // its square
+    bool inside = false;
+    vec2 a = corner[count - 1];
+    for (int i = 0; i < count; i++) {
+        vec2 b = corner[i], way = b - a, from = p - a;
+        vec2 away = from - clamp(dot(from, way) / dot(way, way), 0.0, 1.0) * way;
+        nearest = min(nearest, dot(away, away));
+        bool rises = a.y <= p.y && p.y < b.y, falls = b.y <= p.y && p.y < a.y;
+        float left = way.x * from.y - way.y * from.x; // > 0 where p is on the left of the side
+        inside = inside != ((rises && left > 0.0) || (falls && left < 0.0));
+        a = b;
+    }
+    return inside ? -sqrt(nearest) : sqrt(nearest);
+}
+
+// An arc of the circle around the origin, to both sides of the upper half of the y axis; it has no
+// inside. Exact everywhere.
+//   p          point, scene units
+//   radius     of the circle, > 0, scene units
+//   halfAngle  from the arc's middle to either end, radians, in [0, pi]
+//   formula    with q = (|x|, y) and e = (sin halfAngle, cos halfAngle): | |q| - radius | where q.x e.y <=
+//              q.y e.x, which is where q lies in the arc's sector; else |q - radius e|
+float sdArc(vec2 p, float radius, float halfAngle)
+{
+    vec2 q = vec2(abs(p.x), p.y);
+    vec2 end = vec2(sin(halfAngle), cos(halfAngle));
+    return q.x * end.y <= q.y * end.x ? abs(length(q) - radius) : length(q - radius * end);
+}
+
+// A figure grown by a width: all points that are at most so far from it. Of a segment or an arc it makes
+// a stroke with round ends.
+//   d        distance of the figure, scene units
+//   radius   >= 0, scene units
+//   formula  d - radius
+//   exact outside where d is exact outside; inside too where the figure is convex and d exact, else a
+//   lower bound of the depth. To round a rectangle and keep its size, make it smaller by radius first
+float opRound(float d, float radius)
+{
+    return d - radius;
+}
+
+// A shell along the boundary of a figure, to both sides of it.
+//   d        distance of the figure, scene units
+//   radius   half the shell's width, >= 0, scene units
+//   formula  |d| - radius
+//   exact outside the shell, on both sides of it, where d is exact on both; within the shell a lower
+//   bound of the depth
+float opOnion(float d, float radius)
+{
+    return abs(d) - radius;
+}
