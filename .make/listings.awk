@@ -46,25 +46,34 @@ function cell(line, a, b,    text)
     return text
 }
 
-# The parameters of a program as a table of Markdown; "" after an error. The words of --list's first
-# line say where its columns begin.
-function table(stem,    command, line, text, n, name, at, i)
+# The parameters of a program, and its textures, as tables of Markdown; "" after an error. The words of
+# the first line of each of --list's tables say where its columns begin.
+function table(stem,    command, line, text, n, name, at, i, wrong)
 {
     command = build "/" stem " --list"
-    n = split("name value range unit meaning", name, " ")
-    text = "| name | value | range | unit | meaning |\n| --- | --- | --- | --- | --- |\n"
     while ((command | getline line) > 0) {
-        if (!at[1])
-            for (i = 1; i <= n; i++)
+        if (line == "") {
+            n = 0
+            text = text "\n"
+        } else if (!n) {
+            n = split(line, name, " ")
+            wrong = wrong || name[1] !~ /^(name|texture)$/
+            for (i = 1; i <= n; i++) {
                 at[i] = index(line, name[i])
-        else {
+                text = text (i > 1 ? " " : "| ") name[i] " |"
+            }
+            text = text "\n|"
+            for (i = 1; i <= n; i++)
+                text = text " --- |"
+            text = text "\n"
+        } else {
             text = text "| `" cell(line, at[1], at[2]) "` |"
             for (i = 2; i <= n; i++)
                 text = text " " cell(line, at[i], i < n ? at[i + 1] : 0) " |"
             text = text "\n"
         }
     }
-    if (close(command) != 0 || !at[1] || !at[2] || !at[3] || !at[4] || !at[5]) {
+    if (close(command) != 0 || wrong || text == "") {
         fail("parameters: " command ": failed, or prints no table: run make first")
         return ""
     }

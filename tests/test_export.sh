@@ -55,9 +55,22 @@ same() {
 }
 worst=0
 
+# reads_textures PROGRAM OPTION...; refused_textures PROGRAM OPTION...: the refusal names each of them.
+reads_textures() { "$@" --list | grep -q '^texture '; }
+refused_textures() {
+    ! "$@" --print-shader=shadertoy >"$scratch/toy.frag" 2>"$scratch/err" && [ ! -s "$scratch/toy.frag" ] &&
+        [ "$(wc -l <"$scratch/err")" = 1 ] && "$@" --list | sed '1,/^texture /d' | while read -r _ file _; do
+        grep -qF "$file" "$scratch/err" || exit 1
+    done
+}
+
 exported() { # NAME PROGRAM OPTION...
     local name=$1
     shift
+    if reads_textures "$@"; then
+        check "$name reads textures: refused" refused_textures "$@"
+        return
+    fi
     check "$name passes as Shadertoy's" valid "$@" && check "$name looks the same" same "$@"
 }
 
@@ -79,6 +92,7 @@ exported 'the place of a pixel, asked for by the shader itself' "$BUILD/01_norma
 
 # Only the validator for what is drawn nowhere else.
 for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
+    reads_textures "$BUILD/01_normal_colouring" -f "$file" && continue
     check "${file#chapters/} passes as Shadertoy's" valid "$BUILD/01_normal_colouring" -f "$file"
 done
 
@@ -102,6 +116,23 @@ check 'a file without an output is refused' none
 printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); } // toy\n' >"$scratch/given.frag"
 stays() { "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/given.frag" | cmp -s - "$scratch/given.frag"; }
 check "Shadertoy's form stays as it is" stays
+printf '#include "%s"\nuniform sampler2D a; // "granite.png" sRGB repeat: stone\nuniform sampler3D n; // "noise.png" linear repeat 64: noise\n' \
+    01_normal_colouring.frag >"$scratch/stone.frag"
+reads_both() {
+    refused_textures "$BUILD/01_normal_colouring" -f "$scratch/stone.frag" &&
+        grep -q 'stone.frag: reads shaders/textures/granite.png, shaders/textures/noise.png: Shadertoy takes no files' "$scratch/err"
+}
+check 'a shader of the course that reads textures is refused, with their names' reads_both
+printf '%s\n' '#version 330 core' 'uniform sampler2D iChannel0; uniform vec3 iChannelResolution[4];' 'in vec2 FragCoord; out vec4 c;' \
+    'void main() { c = texture(iChannel0, 0.3 * FragCoord) * min(iChannelResolution[0].x, 1.0); }' >"$scratch/channel.frag"
+channel=(--channel "0=shaders/textures/granite.png")
+same_channel() {
+    "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" "${small[@]}" -o "$scratch/own.png" &&
+        "$BUILD/01_normal_colouring" -f "$scratch/toy.frag" "${channel[@]}" "${small[@]}" -o "$scratch/toy.png" &&
+        "$BUILD/tests/compare" "$scratch/own.png" "$scratch/toy.png" >/dev/null
+}
+check "a whole file with a channel passes as Shadertoy's" valid "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" &&
+    check 'and looks the same' same_channel
 named() {
     local name=$scratch/$'two\nlines.frag'
     cp chapters/01_normal_colouring.frag "$name"

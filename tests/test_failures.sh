@@ -187,6 +187,18 @@ annotation 'too many values' 'uniform vec2 w; // 1, 2, 3 in [0, 4]: width'
 annotation 'a parameter without a meaning' 'uniform float w; // 1 in [0, 2]'
 annotation 'a type that has no parameters' 'uniform mat3 w; // 1 in [0, 2]: width'
 annotation 'a step of zero' 'uniform float w; // 1 in [0, 2] step 0: width'
+annotation 'a sampler without a picture' 'uniform sampler2D w;'
+annotation 'a picture that is missing' 'uniform sampler2D w; // "nowhere.png" sRGB repeat: width'
+annotation 'a word that a sampler does not know' 'uniform sampler2D w; // "w.png" sRBG repeat: width'
+printf 'no picture' >"$shaders/w.png"
+annotation 'a picture that is none' 'uniform sampler2D w; // "w.png" sRGB repeat: width'
+cp shaders/textures/noise.png "$shaders/w.png"
+annotation 'slices that do not fit' 'uniform sampler3D w; // "w.png" linear repeat 60: width'
+head -c 3000 shaders/textures/noise.png >"$shaders/w.png"
+annotation 'a picture that is broken off' 'uniform sampler3D w; // "w.png" linear repeat 64: width'
+rm "$shaders/w.png"
+mkfifo "$shaders/w.png"
+annotation 'a pipe in the place of a picture' 'uniform sampler2D w; // "w.png" sRGB repeat: width'
 awk '/^const float FAR/ { print "uniform bool biased; // true: again" } { print }' "$good" \
     >"$shaders/twice.frag"
 line=$(grep -n 'true: again' "$shaders/twice.frag" | cut -d : -f 1)
@@ -196,6 +208,25 @@ refuse 'a parameter declared twice' 1 "twice.frag:$line.*biased" \
 printf 'void mainImage(out vec4 c, in vec2 f) { c = texture(iChannel1, f); }\n' >"$shaders/toy.frag"
 refuse "a channel of Shadertoy's without a picture" 1 'toy.frag:1: iChannel1 has no picture: give --channel 1=' \
     "$chapter" "${to[@]}" -f "$shaders/toy.frag"
+refuse 'a picture that is missing for a channel' 1 '--channel 1=nowhere.png: cannot be read' \
+    "$chapter" "${to[@]}" --channel 1=nowhere.png -f "$shaders/toy.frag"
+refuse 'a channel that a shader does not mention' 2 '--channel 0=.*iChannel0' \
+    "$chapter" "${to[@]}" --channel 0=shaders/textures/granite.png --channel 1=shaders/textures/granite.png -f "$shaders/toy.frag"
+refuse 'a channel of a chapter' 2 '--channel 0=x.png.*--texture' "$chapter" "${to[@]}" --channel 0=x.png
+refuse 'a texture that no sampler has' 2 '--texture stone=x.png: this shader has no textures' "$chapter" "${to[@]}" --texture stone=x.png
+refuse 'a texture without a file' 2 "--texture 'stone='" "$chapter" "${to[@]}" --texture stone=
+refuse 'a channel of another number' 2 "--channel '4=x.png'" "$chapter" "${to[@]}" --channel 4=x.png
+cp shaders/textures/noise.png "$out/stone.png"
+expected_listing='./old.png ./stone.png ' keep=1
+refuse 'a picture over one that the run reads' 1 "stone.png, which this run reads" \
+    "$chapter" --channel 1="$out/stone.png" -f "$shaders/toy.frag" -o "$out/stone.png"
+printf '#include "03_shadows.frag"\nuniform sampler2D stone; // "granite.png" sRGB repeat: grey\n' >"$shaders/stone.frag"
+refuse 'a picture over one that was put in' 1 "stone.png, which this run reads" \
+    "$chapter" --texture stone="$out/stone.png" -f "$shaders/stone.frag" -o "$out/stone.png"
+same_noise() { cmp -s shaders/textures/noise.png "$out/stone.png"; }
+check 'and it is still there' same_noise
+expected_listing='./old.png ' keep=''
+fill
 refuse "a view of Shadertoy's form" 1 'toy.frag: .*view depth' "$chapter" "${to[@]}" -v depth -f "$shaders/toy.frag"
 whole=$root/chapters/00_first_scene.frag
 refuse 'a view of a whole file' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"

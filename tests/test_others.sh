@@ -238,6 +238,23 @@ toy_holds 'iDate of a file: no clock' 'iDate == vec4(1970, 0, 1, 1.5)'
 toy_holds 'fragCoord at the pixels'"'"' centres' 'fract(p) == vec2(0.5) && p == gl_FragCoord.xy && all(lessThan(p, iResolution.xy))'
 toy_holds 'not a number is black and 1e9 white' '0.0, 1e9, sqrt(-iTime), 1.0).yyyy + vec4(0.0'
 
+# Pictures by --channel: upright, as numbers, which repeat. The upper row of this one is white.
+echo 'void mainImage(out vec4 c, vec2 p) { c = vec4(step(1.0, p.y)); }' >"$scratch/rows.frag"
+"$program" -f "$scratch/rows.frag" -s 2x2 -o "$scratch/rows.png"
+channels=(--channel "0=$scratch/rows.png" --channel "3=shaders/textures/noise.png")
+channel_holds() { # TITLE CONDITION
+    as white channel_holds "$1" "${channels[@]}" < <(printf 'void mainImage(out vec4 c, vec2 p) {\n c = vec4(vec3(%s), texture(iChannel3, p).r + texture(iChannel0, p).r);\n}\n' "$2")
+    as white channel_holds_whole "$1: a whole file" "${channels[@]}" < <(
+        printf '#version 330 core\nuniform sampler2D iChannel0, iChannel3; uniform vec3 iChannelResolution[4];\nout vec4 c;\nvoid main() {\n'
+        printf ' c = vec4(vec3(%s), texture(iChannel3, vec2(0.0)).r + texture(iChannel0, vec2(0.0)).r);\n}\n' "$2"
+    )
+}
+channel_holds 'a channel stands upright' 'texture(iChannel0, vec2(0.2, 0.75)).rgb == vec3(1) && texture(iChannel0, vec2(0.7, 0.25)).rgb == vec3(0)'
+channel_holds 'a channel repeats' 'texture(iChannel0, vec2(-7.2, 5.75)).r == 1.0 && texture(iChannel0, vec2(9.7, -2.75)).r == 0.0'
+channel_holds 'a channel is a number, between its texels and halves' 'abs(texture(iChannel0, vec2(0.5)).r - 0.5) < 0.003 && abs(textureLod(iChannel0, vec2(0.1), 1.0).r - 0.5) < 0.003'
+channel_holds 'the size of a channel' 'iChannelResolution[0] == vec3(2, 2, 1) && iChannelResolution[3] == vec3(64, 4096, 1)'
+channel_holds 'a channel that is not given has no size' 'iChannelResolution[1] == vec3(0)'
+
 toy_wrong() { # PATTERN TITLE DECLARATIONS BODY
     refused toy_wrong "$1" "Shadertoy's form: $2" < <(toy_scene "$3" "$head" "$4")
 }

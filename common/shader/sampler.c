@@ -212,10 +212,11 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
     a->example = volume ? EXAMPLE3 : EXAMPLE2;
     bool done = annotation_declaration(a, uniform);
     if (done && !volume && !glsl_is(code, type, "sampler2D"))
-        done = annotation_refuse(a,
-                                 "a %.*s cannot be filled in: use sampler2D, or sampler3D for a "
-                                 "volume",
-                                 GLSL_TEXT(code, type));
+        done = annotation_refuse(
+            a,
+            "the type %.*s cannot be filled in: use sampler2D, or sampler3D for a "
+            "volume",
+            GLSL_TEXT(code, type));
     memcpy(reading.sampler.name, a->name, sizeof reading.sampler.name);
     done = done && read_annotation(&reading, volume);
     if (done && has_name(samplers, a->name, strlen(a->name)))
