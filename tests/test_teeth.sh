@@ -40,11 +40,15 @@ judge_picture() { # WHAT PICTURE COPY
         }'
 }
 
-# The test in C, run on the copy: it must fail, and need not go on when it has. What it leaves goes with the copy.
-judge_test() { # WHAT TEST COPY
-    PROJECT_ROOT=$3 TMPDIR=$3 CMOCKA_MESSAGE_OUTPUT=TAP "$BUILD/tests/$2" 2>&1 | sed '/^not ok [0-9]/q' >"$3/tap"
+# The test in C, run on the copy: it must fail, and the program need not go on when it has. What it leaves goes
+# with the copy.
+judge_test() { # WHAT 'PROGRAM [TEST]' COPY
+    local program=${2%% *} only=()
+    [ "$program" = "$2" ] || only=("ONE_TEST=${2#* }")
+    env ${only[@]+"${only[@]}"} PROJECT_ROOT="$3" TMPDIR="$3" CMOCKA_MESSAGE_OUTPUT=TAP "$BUILD/tests/$program" 2>&1 |
+        sed '/^not ok [0-9]/q' >"$3/tap"
     if grep -q '^not ok [0-9]' "$3/tap"; then
-        echo "ok $1: $2 fails in$(sed -n 's/^not ok [0-9]* - / /p' "$3/tap" | tr '\n' ',' | sed 's/,$//')"
+        echo "ok $1: $program fails in$(sed -n 's/^not ok [0-9]* - / /p' "$3/tap" | tr '\n' ',' | sed 's/,$//')"
     else
         echo "not ok $1: $2 does not see it"
     fi
@@ -86,13 +90,13 @@ fi >"$scratch/each"
 grep -v '| *[*] *|' "$scratch/all" | cat - "$scratch/each" | while read -r line; do
     name=$(field "$line" 2)
     for wanted in "${@:-$name}"; do
-        [ "$wanted" = "$name" ] && printf '%s\n' "$line"
+        [ "$wanted" = "$name" ] || [ "$wanted" = "${name%% *}" ] && printf '%s\n' "$line"
     done
 done >"$scratch/mistakes"
 # Alone, this suite also looks whether a test fails on the right shaders: then it cannot tell them from
 # wrong ones. In a run of all suites that is seen anyway.
 if [ -z "${ALL_SUITES-}" ]; then
-    sed -n 's/.*| *\(test_[a-z_0-9]*\) *|.*/\1/p' "$scratch/mistakes" | sort -u >"$scratch/tests"
+    sed -n 's/.*| *\(test_[a-z_0-9]*\) [^|]*|.*/\1/p' "$scratch/mistakes" | sort -u >"$scratch/tests"
     while read -r program; do
         passes() { PROJECT_ROOT=$here "$BUILD/tests/$program" >/dev/null 2>&1 </dev/null; }
         check "$program passes without a mistake" passes
