@@ -94,16 +94,16 @@ close_window() {
 # look NAME: what the window shows, kept under a name. Without a window import would wait for a click.
 look() { [ -n "$window" ] && import -window "$window" "$scratch/$1.png"; }
 
-# How many of a million pixels differ, by more than a driver's rounding, between two kept pictures;
-# between what the window shows and a kept one.
-apart() { build/tests/compare "$scratch/$1.png" "$scratch/$2.png" | awk '/^F2/ { printf "%d\n", $2 * 10000 + 0.5 }'; }
-off() { look screen && apart screen "$1"; }
+# How many of a million pixels differ, by more than a driver's rounding, between two kept pictures or the same
+# part of both; between what the window shows and a kept one.
+apart() { # A B [WxH+X+Y]
+    build/tests/compare ${3:+--part "$3"} "$scratch/$1.png" "$scratch/$2.png" | awk '/^F2/ { printf "%d\n", $2 * 10000 + 0.5 }'
+}
+off() { look screen && apart screen "$@"; }
 shown() { [ "$(off "$1")" = 0 ]; }
 hidden() { ! shown "$1"; }
-# crop FROM WxH+X+Y TO: a part of a kept picture.
-crop() { convert "$scratch/$1.png" -crop "$2" +repage "$scratch/$3.png"; }
 part_shown() { # NAME WxH+X+Y [PIXELS]: the window shows that part of a kept picture, but for so many in a million
-    look screen && crop screen "$2" is && crop "$1" "$2" was && [ "$(apart is was)" -le "${3:-0}" ]
+    [ "$(off "$1" "$2")" -le "${3:-0}" ]
 }
 far_off() { [ "$(off "$1")" -gt "$2" ]; }
 

@@ -19,20 +19,28 @@ vec3 rayColour(Ray ray)
     return rayColourOnce(ray) + 1e-9 * sum;
 }"
 }
-heavy 6000
+heavy 2500
 # shellcheck disable=SC2086 # options are words
 start $chapter $still -s 480x300 --shader "$mine"
 key h
-# coarse IMAGE FROM ROWS: of these rows at least every second one is the row above it. They cross balls
-# at the right, where no panel is, so that no two rows of a sharp picture are the same.
-coarse() {
-    [ "$(convert "$scratch/$1.png" -crop "240x$3+240+$2" +repage -depth 8 rgb:- | od -An -v -tx1 -w720 | uniq | wc -l)" -le $(($3 / 2 + 1)) ]
+# How the window shows rows 60 to 120, and 180 to 240: 'coarse' where at least every second row is the one above
+# it. They cross balls at the right, where no panel is, so that no two rows of a sharp picture are the same.
+grain() {
+    import -window "$window" -crop 240x180+240+60 -depth 8 rgb:- | od -An -v -tx1 -w720 | awk '
+        $0 != last { rows[NR <= 60 ? 1 : NR <= 120 ? 2 : 3]++; last = $0 }
+        END { print (rows[1] <= 31 ? "coarse" : "fine"), (rows[3] <= 31 ? "coarse" : "fine") }'
 }
-coarse_above() { look screen && coarse screen 60 60; }
-fine_screen() { look screen && ! coarse screen 60 60 && ! coarse screen 180 60; }
+coarse_above() { [[ $(grain) == coarse* ]]; }
+fine_screen() { [ "$(grain)" = 'fine fine' ]; }
 # Between coarse and sharp lies a moment that may be over before somebody looks: then it is begun anew.
 again() { key Right Left; }
-half_sharp() { look screen && ! coarse screen 60 60 && { coarse screen 180 60 || { again && false; }; }; }
+half_sharp() {
+    case $(grain) in
+    'fine coarse') ;;
+    'fine fine') again && false ;;
+    *) false ;;
+    esac
+}
 coarse_again() { again && coarse_above; }
 check 'a heavy picture at rest becomes sharp' eventually fine_screen
 # To and fro, so that there is always something to be seen.
@@ -52,9 +60,9 @@ moving() {
 }
 check 'while something moves it is coarser, and moves on' moving
 check 'at rest it sharpens from the top down' eventually half_sharp
-panel_over() { look screen && crop screen 130x20+8+8 after && [ "$(apart before after)" -gt 100000 ]; }
+panel_over() { [ "$(off before 130x20+8+8)" -gt 100000 ]; }
 answers() { # H answers, and interrupts nothing
-    crop screen 130x20+8+8 before && key h && eventually panel_over && key h && ! coarse screen 60 60
+    look before && key h && eventually panel_over && key h && ! coarse_above
 }
 check 'while it sharpens H is answered' answers
 abandons_once() { half_sharp && coarse_again; }
@@ -79,8 +87,8 @@ check 'Backspace closes it' backspace
 # shellcheck disable=SC2086 # options are words
 start $chapter $still -s 480x300 --overlay --shader "$mine"
 early_overlaid() {
-    early && cp "$picture" "$scratch/overlaid.png" && crop first 180x300+300+0 before &&
-        crop overlaid 180x300+300+0 after && [ "$(apart before after)" = 0 ] && [ "$(apart first overlaid)" -gt 10000 ]
+    early && cp "$picture" "$scratch/overlaid.png" && [ "$(apart first overlaid 180x300+300+0)" = 0 ] &&
+        [ "$(apart first overlaid)" -gt 10000 ]
 }
 check 'nor does one with the overlay' early_overlaid
 check 'Backspace closes it' backspace
@@ -90,7 +98,7 @@ cat >"$scratch/heavy.frag" <<'GLSL'
 void mainImage(out vec4 c, vec2 p)
 {
     float sum;
-    for (int i = 0; i < 5000; i++)
+    for (int i = 0; i < 2500; i++)
         sum += sin(sum + float(i) + p.x);
     c = vec4(fract(iTime), 1.0, 1e-9 * sum, 1.0);
 }
@@ -119,13 +127,14 @@ else
     # The labels Z Q and the comma in place of W A and M, over a picture of one colour: the list of keys
     # stands at the bottom.
     echo 'void mainImage(out vec4 c, in vec2 p) { c = vec4(0.3); }' >"$scratch/flat.frag"
+    below=640x70+0+290
     keys() { # NAME
         start $chapter -s 640x360 -f "$scratch/flat.frag" && look before && key k && eventually far_off before 60000 &&
-            crop screen 640x70+0+290 "$1" && backspace
+            cp "$scratch/screen.png" "$scratch/$1.png" && backspace
     }
     labels() {
-        keys american && keys again && [ "$(apart american again)" = 0 ] && setxkbmap fr && keys french &&
-            [ "$(apart american french)" -gt 600 ]
+        keys american && keys again && [ "$(apart american again "$below")" = 0 ] && setxkbmap fr && keys french &&
+            [ "$(apart american french "$below")" -gt 600 ]
     }
     check 'on a French keyboard the overlay shows its labels' labels
     # shellcheck disable=SC2086 # options are words
