@@ -4,6 +4,7 @@
 // A figure is a signed distance in the plane, negative inside, scene units: plane.glsl has several. The
 // solids stand along the y axis, their middle at the origin. docs/10_distance_in_the_plane.md proves
 // what is exact.
+#include "plane.glsl"
 
 // ---- Two ways out of the plane ----
 
@@ -47,7 +48,7 @@ vec2 opRevolve(vec3 p, float offset)
 //   formula     opExtrude of a disc, and opRevolve of a rectangle: the same
 float sdCylinder(vec3 p, float radius, float halfHeight)
 {
-    return opExtrude(length(p.xz) - radius, p.y, halfHeight);
+    return opExtrude(sdCircle(p.xz, radius), p.y, halfHeight);
 }
 
 // A prism with six equal sides, two of them across the x axis. Exact everywhere.

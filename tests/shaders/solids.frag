@@ -8,7 +8,6 @@ in float Time;
 out vec4 FragColor;
 
 #include "random.glsl"
-#include "primitives.glsl"
 #include "solids.glsl"
 #include "transform.glsl"
 
@@ -17,34 +16,28 @@ uniform vec4 iMouse;
 // A disc of radius 1, its centre at iMouse.x from the axis.
 float disc(vec2 q)
 {
-    return length(q - vec2(iMouse.x, 0.0)) - 1.0;
+    return sdCircle(q - vec2(iMouse.x, 0.0), 1.0);
 }
 
 // A rectangle, turned by iMouse.z.
 float rectangle(vec2 q)
 {
     float c = cos(iMouse.z), s = sin(iMouse.z);
-    return boxDistance(vec3(abs(vec2(c * q.x + s * q.y, c * q.y - s * q.x)) - iMouse.xy, -1e6));
+    return sdRectangle(vec2(c * q.x + s * q.y, c * q.y - s * q.x), iMouse.xy);
 }
 
 // An L: two rectangles, its corner at the origin.
 float elbow(vec2 q)
 {
-    float foot = boxDistance(vec3(abs(q - vec2(0.3, -0.15)) - vec2(0.6, 0.15), -1e6));
-    return min(foot, boxDistance(vec3(abs(q - vec2(-0.15, 0.3)) - vec2(0.15, 0.6), -1e6)));
+    float foot = sdRectangle(q - vec2(0.3, -0.15), vec2(0.6, 0.15));
+    return min(foot, sdRectangle(q - vec2(-0.15, 0.3), vec2(0.15, 0.6)));
 }
 
 // A bowl: a broken line from the axis outwards and upwards, its stroke iMouse.x to both sides.
-float stroke(vec2 q, vec2 a, vec2 b)
-{
-    vec2 along = b - a;
-    return length(q - a - along * clamp(dot(q - a, along) / dot(along, along), 0.0, 1.0));
-}
-
 float bowl(vec2 q)
 {
-    float floorLine = stroke(q, vec2(0.0, -0.7), vec2(0.4, -0.7));
-    float wall = min(stroke(q, vec2(0.4, -0.7), vec2(0.9, 0.1)), stroke(q, vec2(0.9, 0.1), vec2(0.6, 0.7)));
+    float floorLine = sdSegment(q, vec2(0.0, -0.7), vec2(0.4, -0.7));
+    float wall = min(sdSegment(q, vec2(0.4, -0.7), vec2(0.9, 0.1)), sdSegment(q, vec2(0.9, 0.1), vec2(0.6, 0.7)));
     return min(floorLine, wall) - iMouse.x;
 }
 
@@ -55,7 +48,7 @@ float twisted(vec3 p)
     float y = clamp(p.y, 0.0, 2.0), size = 1.0 - iMouse.y * y;
     float c = cos(iMouse.x * y), s = sin(iMouse.x * y);
     vec2 q = vec2(c * p.x + s * p.z, c * p.z - s * p.x) / size;
-    return size * boxDistance(vec3(abs(q) - 0.5, -1e6));
+    return size * sdRectangle(q, vec2(0.5));
 }
 
 float asked(vec3 p)
@@ -65,12 +58,12 @@ float asked(vec3 p)
     case 1: return sdHexPrism(p, iMouse.x, iMouse.y);
     case 2: return sdCappedCone(p, iMouse.x, iMouse.y, iMouse.z);
     case 3: return sdCapsule(p, vec3(-0.5, -0.3, 0.2), vec3(0.4, 0.6, -0.1), iMouse.x);
-    case 4: return opExtrude(abs(length(p.xz) - iMouse.x) - iMouse.y, p.y, iMouse.z);
+    case 4: return opExtrude(opOnion(sdCircle(p.xz, iMouse.x), iMouse.y), p.y, iMouse.z);
     case 5: return opExtrude(elbow(p.xz), p.y, iMouse.x);
     case 6: return disc(opRevolve(p, 0.0));
     case 7: return rectangle(opRevolve(p, iMouse.w));
     case 8: return bowl(opRevolve(p, 0.0));
-    case 9: return length(opRevolve(p, iMouse.x)) - iMouse.y;
+    case 9: return sdCircle(opRevolve(p, iMouse.x), iMouse.y);
     case 10: return sdTorus(p, iMouse.x, iMouse.y);
     case 11: return twisted(p);
     default: return 0.0;
