@@ -18,7 +18,7 @@ uniform vec2  rayStart;     // -1.85, -0.65 in [-10, 10] step 0.05, units: where
 uniform vec2  aim;          // -0.1, 0.02 in [-10, 10] step 0.05, units: where the ray passes; a click sets it
 uniform float fixedStep;    // 0 in [0, 0.5] step 0.02, units: length of the fixed steps along the ray; 0: none
 uniform float lineSpacing;  // 0.05 in [0.01, 1] step *2, units: from one line of equal distance to the next
-uniform int   maxSteps;     // 64 in [1, 512]: steps before a ray is given up
+uniform int   maxSteps;     // 256 in [1, 512]: steps before a ray is given up
 uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, units: distance that counts as a hit
 
 const float FAR = 6.0; // a ray that has travelled so far has left the sheet
@@ -100,12 +100,14 @@ float sceneDistance(vec3 p)
 // ---- The print ----
 
 // Linear RGB.
-const vec3 PAPER   = vec3(0.91, 0.79, 0.57);
-const vec3 GLOW    = vec3(0.76, 0.24, 0.05); // outside, near the figure
-const vec3 EDGE    = vec3(0.07, 0.25, 0.48); // inside, near the outline
-const vec3 DEEP    = vec3(0.006, 0.03, 0.10);
-const vec3 OUTLINE = vec3(1.0, 0.97, 0.88);
-const vec3 INK     = vec3(0.012, 0.010, 0.025);
+const vec3 PAPER    = vec3(0.91, 0.79, 0.57);
+const vec3 GLOW     = vec3(0.76, 0.24, 0.05); // outside, near the figure
+const vec3 EDGE     = vec3(0.07, 0.25, 0.48); // inside, near the outline
+const vec3 DEEP     = vec3(0.006, 0.03, 0.10);
+const vec3 LINE_OUT = vec3(0.30, 0.07, 0.015);
+const vec3 LINE_IN  = vec3(0.55, 0.75, 0.95);
+const vec3 OUTLINE  = vec3(1.0, 0.97, 0.88);
+const vec3 INK      = vec3(0.012, 0.010, 0.025);
 
 // How much of a pixel a line covers.
 //   x      from its middle, in pixels
@@ -129,7 +131,7 @@ vec3 fieldColour(vec2 p, vec2 right, vec2 up)
     bool fifth = mod(level, 5.0) == 0.0;
     float ink = line((d - level * lineSpacing) / perPixel, fifth ? 1.3 : 0.8);
     ink *= (fifth ? 0.6 : 0.35) * (1.0 - blurred(perPixel / lineSpacing));
-    light = mix(light, d > 0.0 ? vec3(0.30, 0.07, 0.015) : vec3(0.55, 0.75, 0.95), ink);
+    light = mix(light, d > 0.0 ? LINE_OUT : LINE_IN, ink);
     return mix(light, OUTLINE, line(d / perPixel, 2.6));
 }
 

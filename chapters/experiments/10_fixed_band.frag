@@ -1,0 +1,18 @@
+// Experiment of chapter 10: a line is where the distance lies within a band of fixed width. From near it is thick,
+// from far it breaks into dots, and where the gradient is short it swells.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "10_distance_in_the_plane.frag"
+#undef rayColour
+
+uniform float band; // 0.008 in [0.001, 0.05] step 0.001, units: width of the lines; the outline is twice as wide
+
+vec3 rayColour(Ray ray)
+{
+    vec2 p = sheetPlace(screenPosition(gl_FragCoord.xy + iPixelOffset));
+    float d = distanceAt(vec3(p, 0.0)), level = floor(d / lineSpacing + 0.5);
+    vec3 light = d > 0.0 ? mix(PAPER, GLOW, exp(-d / 0.3)) : mix(DEEP, EDGE, exp(d / 0.06));
+    if (abs(d - level * lineSpacing) < 0.5 * band)
+        light = mix(light, d > 0.0 ? LINE_OUT : LINE_IN, 0.6);
+    return encodeSRGB(abs(d) < band ? OUTLINE : light);
+}

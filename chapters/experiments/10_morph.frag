@@ -1,0 +1,52 @@
+// Experiment of chapter 10: the distances of two discs, mixed half and half. The outline is an ellipse with the
+// centres as its foci. Dark lines are those of the mixture, white ones those of the true distance, and red is what
+// the mixture lacks, full at 0.25. The true distance is searched for among 256 chords of the ellipse.
+#include "main.glsl"
+#include "plane.glsl"    // sdCircle, sdSegment
+#include "coverage.glsl" // coverage
+#include "camera.glsl"   // focalLength
+
+uniform float apart;  // 0.5 in [0, 0.6] step 0.05, units: from the middle to either centre
+uniform float radius; // 0.625 in [0.61, 1] step 0.015, units: of both discs
+
+Ray pixelRay(vec2 screen)
+{
+    return Ray(vec3(iCameraPosition.z / focalLength * screen, 0.0), vec3(1.0, 0.0, 0.0));
+}
+
+float sceneDistance(vec3 p)
+{
+    vec2 centre = vec2(apart, 0.0);
+    return mix(sdCircle(p.xy + centre, radius), sdCircle(p.xy - centre, radius), 0.5);
+}
+
+// In the quarter that holds p.
+float ellipseDistance(vec2 p)
+{
+    vec2 axes = vec2(radius, sqrt(radius * radius - apart * apart)), before = vec2(axes.x, 0.0);
+    float nearest = 1e6;
+    for (int i = 1; i <= 256; i++) {
+        float angle = radians(90.0) * float(i) / 256.0;
+        vec2 next = axes * vec2(cos(angle), sin(angle));
+        nearest = min(nearest, sdSegment(abs(p), before, next));
+        before = next;
+    }
+    return dot(p / axes, p / axes) < 1.0 ? -nearest : nearest;
+}
+
+// A line at every 0.1 of a distance; thicker at 0.
+float levels(float d, float pixel)
+{
+    float nearest = 0.1 * floor(10.0 * d + 0.5);
+    return coverage((nearest == 0.0 ? 1.4 : 0.6) - abs(d - nearest) / pixel, 1.0);
+}
+
+vec3 rayColour(Ray ray)
+{
+    float pixel = 2.0 * iCameraPosition.z / focalLength / iResolution.y;
+    float asked = distanceAt(ray.origin), truth = ellipseDistance(ray.origin.xy);
+    vec3 colour = asked < 0.0 ? vec3(0.62, 0.72, 0.84) : vec3(0.95, 0.90, 0.80);
+    colour = mix(colour, vec3(0.80, 0.22, 0.12), 0.85 * clamp(4.0 * (abs(truth) - abs(asked)), 0.0, 1.0));
+    colour = mix(colour, vec3(1.0), 0.9 * levels(truth, pixel));
+    return mix(colour, vec3(0.05, 0.07, 0.18), 0.9 * levels(asked, pixel));
+}
