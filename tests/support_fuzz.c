@@ -9,13 +9,16 @@
 
 #include "../common/shader/export.h"
 #include "../common/options.h"
+#include "../common/picture/texture.h"
 #include "../common/shader/parameter.h"
 #include "../common/sequence.h"
 #include "../common/shader/compile.h"
 #include "support_scratch.h"
 
-const struct fuzz_target fuzz_targets[FUZZ_TARGETS] = {
-    {"include", fuzz_include}, {"parameter", fuzz_parameter}, {"options", fuzz_options}};
+const struct fuzz_target fuzz_targets[FUZZ_TARGETS] = {{"include", fuzz_include},
+                                                       {"parameter", fuzz_parameter},
+                                                       {"options", fuzz_options},
+                                                       {"picture", fuzz_picture}};
 
 // A promise that must be kept.
 static void promise(bool kept, const char *what)
@@ -62,6 +65,7 @@ static const char *const names[] = {MAIN,
                                     OUTSIDE,
                                     "root/shaders/library.glsl",
                                     "root/shaders/more.glsl",
+                                    "own/a.png",
                                     LOG};
 #define NAMES (sizeof names / sizeof *names)
 
@@ -148,10 +152,14 @@ static void carry_on(struct shader_source *source)
             break;
     }
     struct parameters parameters;
+    int files = source->file_count;
     struct camera camera = {.position = {0.0f, 1.0f, 4.0f}};
     capture_begin();
     bool done = parameters_read(&parameters, source);
     promise_report(done);
+    for (int i = files; i < source->file_count; i++)
+        promise(is_inside(source->paths[i], "own") || is_inside(source->paths[i], "root"),
+                "no picture lies outside");
     if (!done)
         return;
     capture_begin();
@@ -183,12 +191,18 @@ void fuzz_include(const uint8_t *bytes, size_t size)
 // A text as shader_read would leave it.
 static struct shader_source source_of(char *text)
 {
-    static char name[] = "text", *files[] = {name};
-    struct shader_source source = {.text = text, .files = files, .paths = files, .file_count = 1};
+    struct shader_source source = {.text = text, .file_count = 1};
     for (const char *c = text; *c != '\0'; c++)
         source.line_count += *c == '\n';
     source.lines = calloc((size_t)source.line_count + 1, sizeof *source.lines);
-    promise(source.lines != NULL, "there is memory");
+    source.files = calloc(2, sizeof *source.files);
+    source.paths = calloc(2, sizeof *source.paths);
+    promise(source.lines != NULL && source.files != NULL && source.paths != NULL,
+            "there is memory");
+    source.files[0] = strdup("text");
+    source.paths[0] = strdup(scratch_path("text"));
+    source.root = strdup(scratch_path(""));
+    source.own = strdup(scratch_path(""));
     glsl_read(&source.code, text);
     for (int i = 0; i < source.line_count; i++)
         source.lines[i].line = i + 1;
@@ -234,6 +248,8 @@ void fuzz_parameter(const uint8_t *bytes, size_t size)
     size_t first = end != NULL ? (size_t)(end - bytes) : size;
     char *assignment = string_of(bytes, first);
     char *text = string_of(bytes + first, size - first);
+    if (access(scratch_path("text"), F_OK) != 0)
+        scratch_write("text", ""); // for samplers: no picture is read here
     struct shader_source source = source_of(text);
     struct parameters parameters;
     capture_begin();
@@ -246,16 +262,86 @@ void fuzz_parameter(const uint8_t *bytes, size_t size)
             promise_in_range(&parameters.item[i]);
             promise_parameter(&parameters, i);
         }
+        for (int i = 0; i < parameters.samplers.count; i++) {
+            const struct sampler *s = &parameters.samplers.item[i];
+            promise(s->name[0] != '\0' && s->meaning[0] != '\0' && s->slices >= 0 &&
+                        s->slices <= SAMPLER_SLICES && s->file < source.file_count,
+                    "a sampler has its parts");
+        }
         FILE *nowhere = fopen("/dev/null", "w");
         promise(nowhere != NULL, "/dev/null opens");
         parameters_print(&parameters, nowhere);
+        samplers_print(&parameters.samplers, &source, nowhere);
         fclose(nowhere);
         parameters_free(&parameters);
     }
-    glsl_free(&source.code);
-    free(source.lines);
-    free(text);
+    shader_free(&source);
     free(assignment);
+}
+
+// ---- Pictures ----
+
+// The checksum of PNG.
+static uint32_t checksum(const uint8_t *bytes, size_t size)
+{
+    uint32_t sum = 0xFFFFFFFFu;
+    for (size_t i = 0; i < size; i++) {
+        sum ^= bytes[i];
+        for (int k = 0; k < 8; k++)
+            sum = sum >> 1 ^ (0xEDB88320u & (0u - (sum & 1u)));
+    }
+    return ~sum;
+}
+
+// Make the checksum of each chunk right: made-up bytes would never get past one.
+static void mend(uint8_t *bytes, size_t size)
+{
+    for (size_t at = 8; at + 12 <= size;) {
+        size_t length = (size_t)bytes[at] << 24 | (size_t)bytes[at + 1] << 16 |
+                        (size_t)bytes[at + 2] << 8 | bytes[at + 3];
+        if (length > size - at - 12)
+            return;
+        uint32_t sum = checksum(bytes + at + 4, length + 4);
+        for (int i = 0; i < 4; i++)
+            bytes[at + 8 + length + (size_t)i] = (uint8_t)(sum >> (24 - 8 * i));
+        at += length + 12;
+    }
+}
+
+static void promise_levels(const struct texture_image *image, int slices)
+{
+    promise(image->count >= 1 && image->count <= TEXTURE_LEVELS, "there are levels");
+    promise(image->size[0][2] == slices, "the slices are those that were asked for");
+    for (int i = 0; i < image->count; i++)
+        for (int k = 0; k < 3; k++) {
+            int side = image->size[i][k], before = i > 0 ? image->size[i - 1][k] : side;
+            promise(side >= 1 && side <= IMAGE_SIDE_LIMIT, "a side is in its range");
+            promise(i == 0 || side == (before > 1 ? before / 2 : 1), "a level is half of another");
+        }
+    const int *last = image->size[image->count - 1];
+    promise(last[0] * last[1] * last[2] == 1, "the last level is one texel");
+}
+
+void fuzz_picture(const uint8_t *bytes, size_t size)
+{
+    uint8_t flags = size > 0 ? bytes[0] : 0;
+    size_t length = size > 0 ? size - 1 : 0;
+    uint8_t *copy = calloc(length + 1, 1);
+    promise(copy != NULL, "there is memory");
+    memcpy(copy, bytes + (size > 0), length);
+    mend(copy, length);
+    const char *path = scratch_write_bytes("picture.png", copy, length);
+    const struct sampler sampler = {
+        .srgb = flags & 1, .repeat = flags & 2, .slices = flags & 4 ? (flags >> 3) + 1 : 0};
+    struct texture_image image;
+    char why[IMAGE_WHY] = "";
+    if (texture_image_read(&image, &sampler, path, why))
+        promise_levels(&image, sampler.slices > 0 ? sampler.slices : 1);
+    else
+        promise(image.count == 0 && why[0] != '\0' && strchr(why, '\n') == NULL,
+                "what is refused has its reason");
+    texture_image_free(&image);
+    free(copy);
 }
 
 // ---- The command line ----
@@ -273,6 +359,9 @@ static void promise_options(const struct options *o, int argc)
     promise(o->samples >= 1 && o->samples <= OPTIONS_SAMPLES_LIMIT, "so are the samples");
     promise(is_time(o->time), "so is the time");
     promise(o->setting_count >= 0 && o->setting_count < argc, "settings come from arguments");
+    promise(o->texture_count >= 0 && o->texture_count < argc, "textures come from arguments");
+    for (int i = 0; i < 4; i++)
+        promise(o->channels[i] == NULL || o->channels[i][0] != '\0', "a channel names a file");
     promise(o->view < SHADER_VIEW_COUNT, "the view is one to choose");
     promise(!o->has_camera || (fabs((double)o->camera.position[0]) <= 1e9 &&
                                fabsf(o->camera.tilt) <= CAMERA_TILT_LIMIT),

@@ -14,8 +14,8 @@
 // without OpenGL: its text for each view, its export, its parameters' values, a driver's log.
 //   bytes  files one after the other; a line "=== NAME" begins each but own/main.frag, which is the
 //          shader. Names: own/part.glsl, own/deep/part.glsl, outside.glsl,
-//          root/shaders/library.glsl, root/shaders/more.glsl, and log, the driver's words; another
-//          name begins nothing
+//          root/shaders/library.glsl, root/shaders/more.glsl, own/a.png, which nothing reads, and
+//          log, the driver's words; another name begins nothing
 void fuzz_include(const uint8_t *bytes, size_t size);
 
 // Annotated uniforms and an assignment.
@@ -26,13 +26,19 @@ void fuzz_parameter(const uint8_t *bytes, size_t size);
 //   bytes  one argument a line
 void fuzz_options(const uint8_t *bytes, size_t size);
 
-// The three by name.
+// A picture for a sampler.
+//   bytes  the first says how it is read: 1 sRGB, 2 repeat, 4 a volume, of as many slices as the
+//   rest of
+//          the byte; then a PNG, whose checksums are made right
+void fuzz_picture(const uint8_t *bytes, size_t size);
+
+// The four by name.
 struct fuzz_target {
     const char *name; // that of its folder in tests/corpus
     void (*run)(const uint8_t *bytes, size_t size);
 };
 
-#define FUZZ_TARGETS 3
+#define FUZZ_TARGETS 4
 extern const struct fuzz_target fuzz_targets[FUZZ_TARGETS];
 
 #endif

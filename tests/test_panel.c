@@ -99,6 +99,21 @@ static void the_status_is_told(void **unused)
     assert_true(says("H: help"));
 }
 
+static void the_large_form_names_the_textures(void **unused)
+{
+    (void)unused;
+    struct texture textures[] = {{.name = "granite"}, {.name = "noise"}};
+    struct panel panel = {
+        .renderer = &renderer, .title = "", .chosen = &parameters[1], .pixel = {-1, -1}};
+    renderer.textures = (struct textures){textures, 2};
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(!says("textures: granite, noise"));
+    panel.ranges = true;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("[0, 8]") && says("textures: granite, noise"));
+    renderer.textures = (struct textures){NULL, 0};
+}
+
 // The range of a parameter that is not chosen stands in the whole table alone.
 static void the_table_is_whole_where_it_has_room(void **unused)
 {
@@ -209,6 +224,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(a_ray_s_march_is_told),
         cmocka_unit_test(the_status_is_told),
+        cmocka_unit_test(the_large_form_names_the_textures),
         cmocka_unit_test(the_table_is_whole_where_it_has_room),
         cmocka_unit_test(a_panel_scrolls_to_the_chosen_parameter),
         cmocka_unit_test(a_ray_comes_first_where_room_is_short),

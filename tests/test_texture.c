@@ -67,7 +67,8 @@ static const char *write_png(const char *name, const struct kind *kind, int widt
     png_infop info = png_create_info_struct(png);
     size_t bytes = kind->depth == 16 ? 2 : 1, row = (size_t)(channels_of(kind->type) * width);
     png_byte *data = malloc(row * bytes * (size_t)height);
-    assert_true(file != NULL && info != NULL && data != NULL);
+    assert_true(file != NULL && info != NULL);
+    assert_non_null(data);
     for (size_t i = 0; i < row * (size_t)height; i++)
         if (bytes == 2) {
             data[2 * i] = (png_byte)(sample[i] >> 8);

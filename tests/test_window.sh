@@ -230,6 +230,48 @@ check 'an included file that is saved loads it again' include
 asked() { wmctrl -i -c "$window" && ends_well; }
 check 'a close request closes the window with status 0' asked
 
+# ---- Reload of a texture ----
+
+# plain NAME GREY: a picture of one grey.
+plain() {
+    echo "void mainImage(out vec4 c, vec2 p) { c = vec4($2); }" >"$scratch/plain.frag"
+    "$BUILD/$chapter" -f "$scratch/plain.frag" -s 4x4 -o "$scratch/$1.png"
+}
+plain first 0.25 && plain second 0.75
+put() { cp "$scratch/$1.png" "$scratch/new.png" && mv "$scratch/new.png" "$scratch/stone.png"; } # NAME
+put first
+# The picture is one colour: that of the texture, as a number; and that of another one.
+printf '%s\n' '#include "main.glsl"' 'uniform sampler2D stone; // "stone.png" linear repeat: the one that is saved' \
+    'uniform sampler2D other; // "first.png" linear repeat: the one that --texture replaces' \
+    'Ray pixelRay(vec2 s) { return Ray(vec3(0.0), vec3(0.0, 0.0, -1.0)); }' 'float sceneDistance(vec3 p) { return 1.0; }' \
+    'vec3 rayColour(Ray r) { return vec3(textureLod(stone, vec2(0.5), 0.0).r, textureLod(other, vec2(0.5), 0.0).r, 0.0); }' \
+    >"$scratch/stone.frag"
+start $chapter -s 160x100 --shader "$scratch/stone.frag" --texture other="$scratch/second.png"
+colour_is() { shoot && [ "$(convert "$picture" -format '%[fx:round(255*u.p{80,50}.r)] %[fx:round(255*u.p{80,50}.g)]' info:)" = "$1" ]; }
+check 'a texture is read, and --texture puts another one in' colour_is '64 191'
+saved() { put second && eventually loads_are 1 && colour_is '191 191'; }
+check 'a texture that is saved is loaded again' saved
+broken_texture() {
+    head -c 60 "$scratch/first.png" >"$scratch/new.png" && mv "$scratch/new.png" "$scratch/stone.png" &&
+        shows 'error: see terminal' && colour_is '191 191' && sleep 0.5 && [ "$(wc -l <"$scratch/run/err")" = 1 ] &&
+        grep -q 'stone.frag:2: sampler stone: .*stone.png: cannot be read' "$scratch/run/err"
+}
+check 'one that is broken keeps the last good picture, and says so once, with file and line' broken_texture
+mended() { put first && eventually loads_are 2 && colour_is '64 191' && [[ $(title) != *error* ]]; }
+check 'a good one again recovers' mended
+vanished() {
+    : >"$scratch/run/err"
+    rm "$scratch/stone.png" && shows 'error: see terminal' && colour_is '64 191' && put second &&
+        eventually loads_are 3 && colour_is '191 191' && [ "$(wc -l <"$scratch/run/err")" = 1 ]
+}
+check 'one that vanishes is reported once, and loaded when it is back' vanished
+put_in() {
+    cp "$scratch/first.png" "$scratch/new.png" && mv "$scratch/new.png" "$scratch/second.png" &&
+        eventually loads_are 4 && colour_is '191 64'
+}
+check 'the one that was put in is watched too' put_in
+check 'Backspace closes it' backspace
+
 # ---- Shadertoy's mouse ----
 
 # The picture shows iMouse and the day of iDate; the same with numbers in their place must match.

@@ -112,7 +112,7 @@ static float *numbers_of(const struct image_bytes *bytes, const struct code code
                          const int size[3])
 {
     size_t row = CHANNELS * (size_t)size[0];
-    float *value = malloc(row * (size_t)bytes->height * sizeof *value), *to = value;
+    float *value = calloc(row * (size_t)bytes->height, sizeof *value), *to = value;
     for (int slice = 0; value != NULL && slice < size[2]; slice++)
         for (int y = size[1] - 1; y >= 0; y--) {
             const unsigned char *from = bytes->value + row * (size_t)(slice * size[1] + y);
