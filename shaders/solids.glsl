@@ -31,8 +31,9 @@ float opExtrude(float figure, float along, float halfLength)
 //   sd(opRevolve(p, offset))  a lower bound where sd is one: no figure makes it unsafe. What the figure,
 //            moved by offset, has at x < 0 is not drawn, and still counts: so
 //            exact outside where sd is and each point of the figure at x < 0 has its mirror image in it
-//            (there is none, or the figure is symmetric);
-//            exact inside where sd is and the figure is symmetric, or stays away from the axis
+//            (there is none, or the figure is symmetric, or the larger part is drawn);
+//            exact inside where sd is and each point outside the figure at x < 0 has its mirror image outside
+//            it, too, or the figure stays away from the axis
 // Source: I. Quilez, 'Distance functions'.
 vec2 opRevolve(vec3 p, float offset)
 {
