@@ -75,51 +75,51 @@ static float *halve(const float *value, int size[3], int axis)
     return result;
 }
 
-// Store a level as bytes.
-static bool store(struct texture_image *image, const struct code code[2], const float *value,
-                  const int size[3])
+// Room for the bytes of one more level; NULL where memory is short.
+static unsigned char *add_level(struct texture_image *image, const int size[3])
 {
-    size_t count = texels(size);
-    unsigned char *level = malloc(CHANNELS * count);
-    for (size_t i = 0; level != NULL && i < count * CHANNELS; i++)
-        level[i] = encode(&code[i % CHANNELS == CHANNELS - 1], value[i]);
+    unsigned char *level = calloc(texels(size), CHANNELS);
     memcpy(image->size[image->count], size, sizeof image->size[0]);
     image->level[image->count] = level;
     image->count += level != NULL;
-    return level != NULL;
+    return level;
 }
 
-// Make all levels from the numbers of the first one, which are freed.
+// The first level: a file's bytes, each slice with its bottom row first. Returns its numbers, which
+// the caller frees; NULL where memory is short.
+static float *first_level(struct texture_image *image, const struct image_bytes *bytes,
+                          const struct code code[2], const int size[3])
+{
+    size_t row = CHANNELS * (size_t)size[0], count = CHANNELS * texels(size);
+    unsigned char *level = add_level(image, size), *to = level;
+    float *value = level != NULL ? calloc(count, sizeof *value) : NULL;
+    for (int slice = 0; level != NULL && slice < size[2]; slice++)
+        for (int y = size[1] - 1; y >= 0; y--, to += row)
+            memcpy(to, bytes->value + row * (size_t)(slice * size[1] + y), row);
+    for (size_t i = 0; value != NULL && i < count; i++)
+        value[i] = code[i % CHANNELS == CHANNELS - 1].value[level[i]];
+    return value;
+}
+
+// The levels after the first one, from its numbers, which are freed.
 static bool make_levels(struct texture_image *image, const struct code code[2], float *value,
                         int size[3])
 {
-    bool done = store(image, code, value, size);
-    while (done && texels(size) > 1) {
+    while (value != NULL && texels(size) > 1) {
         for (int axis = 0; axis < 3 && value != NULL; axis++)
             if (size[axis] > 1) {
                 float *next = halve(value, size, axis);
                 free(value);
                 value = next;
             }
-        done = value != NULL && store(image, code, value, size);
+        unsigned char *level = value != NULL ? add_level(image, size) : NULL;
+        if (level == NULL)
+            break;
+        for (size_t i = 0; i < CHANNELS * texels(size); i++)
+            level[i] = encode(&code[i % CHANNELS == CHANNELS - 1], value[i]);
     }
     free(value);
-    return done;
-}
-
-// The numbers of a file's bytes, each slice with its bottom row first; NULL where memory is short.
-static float *numbers_of(const struct image_bytes *bytes, const struct code code[2],
-                         const int size[3])
-{
-    size_t row = CHANNELS * (size_t)size[0];
-    float *value = calloc(row * (size_t)bytes->height, sizeof *value), *to = value;
-    for (int slice = 0; value != NULL && slice < size[2]; slice++)
-        for (int y = size[1] - 1; y >= 0; y--) {
-            const unsigned char *from = bytes->value + row * (size_t)(slice * size[1] + y);
-            for (size_t i = 0; i < row; i++)
-                *to++ = code[i % CHANNELS == CHANNELS - 1].value[from[i]];
-        }
-    return value;
+    return image->count > 0 && texels(image->size[image->count - 1]) == 1;
 }
 
 bool texture_image_read(struct texture_image *image, const struct sampler *sampler,
@@ -136,8 +136,7 @@ bool texture_image_read(struct texture_image *image, const struct sampler *sampl
         struct code code[2]; // of colours, of alpha
         make_code(&code[0], sampler->srgb);
         make_code(&code[1], false);
-        float *value = numbers_of(&bytes, code, size);
-        done = value != NULL && make_levels(image, code, value, size);
+        done = make_levels(image, code, first_level(image, &bytes, code, size), size);
         snprintf(why, IMAGE_WHY, "not enough memory for %dx%d pixels", bytes.width, bytes.height);
     } else
         snprintf(why, IMAGE_WHY, "%d slices do not divide its height of %d pixels", slices,
