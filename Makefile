@@ -95,7 +95,7 @@ TEXTURES := $(filter-out $(PAINT:%.o=%),$(TEXTURES))
 TESTS := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard tests/test_*.c)))
 
 programs: $(PROGRAMS) $(FIRST_STEPS)
-tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES)
+tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/draw $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES)
 fuzzer: $(BUILD)/tests/fuzz
 
 $(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
@@ -111,6 +111,10 @@ $(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT)
 $(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/support_compare.o \
     $(patsubst %,$(BUILD)/common/%.o,picture/image picture/image_read shader/text_file memory report) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
+
+# It holds the source of common/chapter.c.
+$(BUILD)/tests/draw: $(BUILD)/tests/draw.o $(SUPPORT) $(filter-out %/chapter.o,$(COMMON)) $(EXTRA)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 # libFuzzer brings its own main.
 $(BUILD)/tests/fuzz: $(BUILD)/tests/fuzz.o $(BUILD)/tests/support_fuzz.o $(BUILD)/tests/support_scratch.o $(COMMON)

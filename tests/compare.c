@@ -33,14 +33,7 @@ static void print_words(const struct image_difference *difference)
                largest);
     else
         printf("the pictures are the same: no pixel differs");
-}
-
-static void print_numbers(const struct image_difference *difference)
-{
-    printf("F2 %.4f %% B8 %.3f largest %d", 100.0 * difference->f2, difference->b8,
-           difference->largest);
-    if (difference->differs > 0)
-        printf(" differ %zu most at %d,%d", difference->differs, difference->x, difference->y);
+    printf("\n");
 }
 
 // Cut a picture down to the part that is asked for, where any is. Returns false, reported.
@@ -70,8 +63,7 @@ static int compare(const struct image *a, const struct image *b, bool words, con
     struct image_difference difference;
     if (!image_compare(a, b, &difference))
         return NOT_COMPARED;
-    (words ? print_words : print_numbers)(&difference);
-    printf("\n");
+    (words ? print_words : image_print_difference)(&difference);
     if (picture != NULL) {
         struct image shown = {0};
         bool written = image_difference_picture(a, b, &shown) && image_write_png(&shown, picture);

@@ -1,6 +1,7 @@
 #include "support_compare.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 
 #include "../common/report.h"
@@ -111,6 +112,15 @@ bool image_compare(const struct image *a, const struct image *b, struct image_di
 bool image_same(const struct image_difference *difference)
 {
     return difference->f2 <= IMAGE_F2_TOLERANCE && difference->b8 <= IMAGE_B8_TOLERANCE;
+}
+
+void image_print_difference(const struct image_difference *difference)
+{
+    printf("F2 %.4f %% B8 %.3f largest %d", 100.0 * difference->f2, difference->b8,
+           difference->largest);
+    if (difference->differs > 0)
+        printf(" differ %zu most at %d,%d", difference->differs, difference->x, difference->y);
+    printf("\n");
 }
 
 bool image_difference_picture(const struct image *a, const struct image *b, struct image *result)

@@ -30,6 +30,9 @@ bool image_compare(const struct image *a, const struct image *b, struct image_di
 // True when f2 and b8 are both within tolerance.
 bool image_same(const struct image_difference *difference);
 
+// Print the numbers in a line.
+void image_print_difference(const struct image_difference *difference);
+
 // A picture of the difference: 128 + 4 (b - a) per channel, clamped. Same sizes required; the
 // caller frees result. Returns false, reported.
 bool image_difference_picture(const struct image *a, const struct image *b, struct image *result);
