@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # support_teeth.sh - planted mistakes, for the suites that ask whether the tests would notice. Sourced
-# behind support.sh, by a script that plants mistake number N when it is called as --plant SCRATCH N.
+# behind support.sh, by a script that plants mistakes number N... when it is called as --plant SCRATCH N...
 
 # field LINE N: the Nth field, without the blanks around it.
 field() {
@@ -41,7 +41,7 @@ plant_all() {
         skip*) skip "${line#skip }" 'this machine has not what it is built with' ;;
         *) not_ok "${line#not ok }" ;;
         esac
-    done < <(seq "$count" | LP_NUM_THREADS=1 xargs -P 2 -n 1 "$0" --plant "$scratch")
+    done < <(seq "$count" | LP_NUM_THREADS=1 xargs -P 2 -n 12 "$0" --plant "$scratch")
     check "each of the $count has a result" [ "$done" = "$count" ]
 }
 
@@ -49,7 +49,9 @@ plant_all() {
 if [ "${1-}" = --plant ]; then
     set -f
     scratch=$2
-    plant "$(sed -n "$3p" "$2/mistakes")" "$2/$3.copy"
-    rm -rf "$2/$3.copy"
+    for number in "${@:3}"; do
+        plant "$(sed -n "${number}p" "$scratch/mistakes")" "$scratch/$number.copy"
+        rm -rf "$scratch/$number.copy"
+    done
     exit 0
 fi

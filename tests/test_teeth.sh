@@ -10,27 +10,33 @@ cd "$(dirname "$0")/.." || exit 1
 f2_tolerance=0.05
 b8_tolerance=0.15
 
-# The options of a picture of tests/images.txt.
-options_of() { # NAME
-    awk -v name="$1" '!/^ *#/ && NF > 1 && ($2 == "-" ? $1 : $1 "-" $2) == name {
-        $2 = ""; print; exit }' tests/images.txt
+# One process draws all that this one plants: ask NAME COPY sets answer to what build/tests/draw says of a picture.
+pen=
+ask() { # NAME COPY
+    if [ -z "$pen" ]; then
+        pen=$scratch/pen.$$
+        mkfifo "$pen.ask" "$pen.answer"
+        "$BUILD/tests/draw" <"$pen.ask" >"$pen.answer" 2>>"$pen.errors" &
+        exec 3>"$pen.ask" 4<"$pen.answer"
+    fi
+    : >"$pen.errors"
+    echo "$1 $2" >&3
+    if ! read -r answer <&4; then # the driver crashed over it
+        answer="none $1"
+        rm "$pen.ask" "$pen.answer"
+        pen=
+    fi
 }
 
 # The picture with the mistake against its reference.
 judge_picture() { # WHAT PICTURE COPY
-    local stem options numbers
-    read -r stem options <<<"$(options_of "$2")"
-    if [ -z "$stem" ]; then
-        echo "not ok $1: tests/images.txt has no $2"
+    local answer
+    ask "$2" "$3"
+    if [ "${answer%% *}" = none ]; then
+        echo "not ok $1: $answer: $(tr '\n' ' ' <"$scratch/pen.$$.errors")"
         return
     fi
-    # shellcheck disable=SC2086 # options are words
-    if ! (cd "$3" && "$here/$BUILD/$stem" --root . $options -o picture.png >/dev/null 2>errors); then
-        echo "not ok $1: $(tr '\n' ' ' <"$3/errors")"
-        return
-    fi
-    numbers=$(build/tests/compare "tests/references/$2.png" "$3/picture.png" 2>&1)
-    awk -v what="$1" -v picture="$2" -v numbers="$numbers" \
+    awk -v what="$1" -v picture="$2" -v numbers="${answer#* * }" \
         -v f2=$f2_tolerance -v b8=$b8_tolerance 'BEGIN {
             split(numbers, word, " ")
             margin = word[2] / f2 > word[5] / b8 ? word[2] / f2 : word[5] / b8
