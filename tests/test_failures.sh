@@ -227,6 +227,12 @@ same_noise() { cmp -s shaders/textures/noise.png "$out/stone.png"; }
 check 'and it is still there' same_noise
 expected_listing='./old.png ' keep=''
 fill
+if [ "$BUILD" = build ]; then # a sanitizer takes more memory, and speaks itself
+    echo 'void mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }' >"$shaders/grey.frag"
+    "$chapter" -f "$shaders/grey.frag" -s 4096x4096 -o "$scratch/large.png"
+    too_little() { (ulimit -v 600000 && exec "$chapter" "${to[@]}" --texture stone="$scratch/large.png" -f "$shaders/stone.frag"); }
+    refuse 'a picture without memory for it' 1 'stone.frag:2: sampler stone: .*large.png: .*not enough memory' too_little
+fi
 refuse "a view of Shadertoy's form" 1 'toy.frag: .*view depth' "$chapter" "${to[@]}" -v depth -f "$shaders/toy.frag"
 whole=$root/chapters/00_first_scene.frag
 refuse 'a view of a whole file' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"

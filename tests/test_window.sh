@@ -272,6 +272,20 @@ put_in() {
 check 'the one that was put in is watched too' put_in
 check 'Backspace closes it' backspace
 
+printf '%s\n' '#include "main.glsl"' 'uniform sampler2D stone; // "granite.png" sRGB repeat: a picture' \
+    'uniform highp sampler3D cloud; // "noise.png" linear repeat 64: a volume' \
+    'Ray pixelRay(vec2 s) { return Ray(vec3(s, 0.7), vec3(0.0, 0.0, -1.0)); }' 'float sceneDistance(vec3 p) { return 1.0; }' \
+    'vec3 rayColour(Ray r) { return mix(textureGrad(stone, r.origin.xy, vec2(0.01, 0.0), 0.3 * r.origin.xy).rgb, textureLod(cloud, r.origin, 1.5).rgb, 0.5); }' \
+    >"$scratch/both.frag"
+hidden_window() {
+    for backend in egl osmesa glfw; do
+        "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -b $backend -o "$scratch/$backend.png" 2>"$scratch/said" ||
+            { [ $backend = osmesa ] && cp "$scratch/egl.png" "$scratch/osmesa.png"; } || return # newer Mesa has no OSMesa
+    done
+    same egl osmesa && same egl glfw
+}
+check 'a hidden window and the backends without one read the same textures, to the bit' hidden_window
+
 # ---- Shadertoy's mouse ----
 
 # The picture shows iMouse and the day of iDate; the same with numbers in their place must match.

@@ -29,7 +29,7 @@ static void read_pixels(png_structp png, png_infop info, struct image_bytes *byt
     if (width > IMAGE_SIDE_LIMIT || height > IMAGE_SIDE_LIMIT)
         png_error(png, "a side is longer than 16384 pixels");
     if (width * height > most)
-        png_error(png, "too many pixels: make it smaller");
+        png_error(png, "too many pixels: make its sides half as long");
     png_set_scale_16(png);
     png_set_expand(png);
     png_set_gray_to_rgb(png);
