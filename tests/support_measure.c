@@ -5,6 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#define SHADOW_SHADER "tests/shaders/shadows.frag"
+
 // ---- The normal's step
 // -----------------------------------------------------------------------------
 
@@ -184,4 +186,51 @@ double measure_acne(double offset)
     count_acne(picture, &inputs.camera, values, &lit, &dark);
     free(values);
     return lit > 0 ? (double)dark / lit : -1.0;
+}
+
+// Draw tests/shaders/shadows.frag; the caller frees it. NULL, reported.
+static float *shadow_shares(const struct camera *camera, int formula, int samples)
+{
+    struct renderer_inputs inputs = {
+        .width = 160, .height = 90, .samples = samples, .camera = *camera};
+    char setting[32];
+    snprintf(setting, sizeof setting, "formula=%d", formula);
+    return parameters_assign(&gpu.renderer.parameters, setting) ? gpu_numbers(&inputs) : NULL;
+}
+
+// Over the pixels of which one of two says less than 1.
+//   quick, truth  red of the one, blue of the other
+static void add_up(const float *quick, const float *truth, struct shadow_error *error)
+{
+    int pixels = 0;
+    *error = (struct shadow_error){0.0, 0.0, 0.0};
+    for (int i = 0; i < 160 * 90; i++) {
+        double off = (double)quick[4 * i] - (double)truth[4 * i + 2];
+        if (quick[4 * i] > 0.999f && truth[4 * i + 2] > 0.999f)
+            continue;
+        error->mean += off;
+        error->mean_size += fabs(off);
+        error->worst = fmax(error->worst, fabs(off));
+        pixels++;
+    }
+    error->mean /= fmax(pixels, 1.0);
+    error->mean_size /= fmax(pixels, 1.0);
+}
+
+bool measure_shadow_scene(struct shadow_error error[4])
+{
+    struct camera camera;
+    if (!mirror_camera(gpu.root, "13_soft_shadows", &camera) || !gpu_load(SHADOW_SHADER))
+        return false;
+    float *truth = shadow_shares(&camera, 0, 4);
+    bool done = truth != NULL;
+    for (int formula = 0; formula < 4 && done; formula++) {
+        float *quick = shadow_shares(&camera, formula, 1);
+        done = quick != NULL;
+        if (done)
+            add_up(quick, truth, &error[formula]);
+        free(quick);
+    }
+    free(truth);
+    return done;
 }

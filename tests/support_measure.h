@@ -5,6 +5,7 @@
 
 #include "support_gpu.h"
 #include "support_mirror.h"
+#include "support_shadow.h"
 
 // The worst angle, in degrees, between the normal of the unit ball with its centre at z = 10 and
 // differences of its distance, all in 32-bit floats; and what theory expects.
@@ -51,5 +52,11 @@ double measure_outline_theory(double threshold);
 //   offset  the parameter shadowOffset, times the threshold
 // Negative, reported, when it cannot be drawn.
 double measure_acne(double offset);
+
+// How far one march of chapter 13 is from 1024 rays a pixel, over the pixels of its picture,
+// 160x90, which a shadow reaches: where either says less than 1.
+//   error  takes four: hard, the smallest distance / t, pairs of steps, on inside
+// False, reported, when it cannot be drawn.
+bool measure_shadow_scene(struct shadow_error error[4]);
 
 #endif

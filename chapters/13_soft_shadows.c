@@ -1,0 +1,15 @@
+// Chapter 13: soft shadows. The lamp has a size, and a point sees a share of it.
+//
+// The page is docs/13_soft_shadows.md.
+#include "../common/chapter.h"
+
+int main(int argc, char **argv)
+{
+    const struct chapter chapter = {
+        .stem = "13_soft_shadows",
+        .title = "13 Soft shadows",
+        .shows = "A terrace over the sea, late in the afternoon: shadows that sharpen at their foot.",
+        .camera = {.position = {0.95f, 1.35f, 5.1f}, .pan = -3.0f, .tilt = -6.0f},
+    };
+    return chapter_run(&chapter, argc, argv);
+}

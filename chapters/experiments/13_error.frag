@@ -1,0 +1,22 @@
+// Experiment of chapter 13: where one march is wrong. Blue: its shadow is darker than what 64 rays find;
+// orange: lighter. White where they agree; the scene is behind it in grey.
+//
+// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "13_soft_shadows.frag"
+#undef rayColour
+
+const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // where all is wrong
+
+vec3 rayColour(Ray ray)
+{
+    vec3 toSun = sunDirection();
+    Place place = placeAt(ray);
+    Ray there = sunRay(place, toSun);
+    float truth = lampReaching(there, sunReach(place, there), spread, 8, hitThreshold, maxSteps, 1000);
+    float off = sunSeen(place, toSun) - truth;
+    float shade = dot(placeLight(place, ray, toSun, 1.0), vec3(0.25));
+    vec3 ground = vec3(place.open ? 0.9 : 0.45 + 0.45 * shade);
+    return encodeSRGB(mix(ground, off < 0.0 ? DARKER : LIGHTER, min(1.5 * abs(off), 1.0)));
+}

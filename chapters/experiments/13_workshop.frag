@@ -1,0 +1,37 @@
+// Experiment of chapter 13: soft shadows as the workshop's listing has them. It draws one number a pixel, not
+// one a ray, so that all its rays are one; it moves the ray along the diagonal (1, 1, 1) alone; it leaves the
+// direction at whatever length comes out; and it darkens all the light. Each can be mended.
+//
+// The workshop's number comes from a sine, which differs from driver to driver. Here it is pixelRandom's.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "13_soft_shadows.frag"
+#undef rayColour
+
+uniform float falloff;  // 0.04 in [0, 0.5] step 0.02: how far the ray is moved, the workshop's SHADOW_FALLOFF
+uniform bool  eachRay;  // false: a number of its own for each ray
+uniform bool  unit;     // false: directions of length 1
+uniform bool  sunAlone; // false: the shadow takes of the sun's light alone, not of the ambient light
+
+// The share of the rays that arrive.
+float workshopReaching(Ray ray, float far)
+{
+    float arrived = 0.0;
+    for (int i = 0; i < rays * rays; i++) {
+        float r = 2.0 * pixelRandom(eachRay ? i : 0) - 1.0;
+        vec3 direction = ray.direction + falloff * r * vec3(1.0);
+        direction = unit ? normalize(direction) : direction;
+        arrived += lightReaching(Ray(ray.origin, direction), far, hitThreshold, maxSteps);
+    }
+    return arrived / float(rays * rays);
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec3 toSun = sunDirection();
+    Place place = placeAt(ray);
+    Ray there = sunRay(place, toSun);
+    float seen = workshopReaching(there, sunReach(place, there));
+    float whole = place.open || sunAlone ? 1.0 : mix(0.2, 1.0, seen);
+    return encodeSRGB(whole * placeLight(place, ray, toSun, sunAlone ? seen : 1.0));
+}

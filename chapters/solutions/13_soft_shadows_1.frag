@@ -1,0 +1,16 @@
+// Solution of exercise 13.1: the penumbra falls as a disc is covered, not in a straight line.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "13_soft_shadows.frag"
+#undef rayColour
+
+vec3 rayColour(Ray ray)
+{
+    vec3 toSun = sunDirection();
+    Place place = placeAt(ray);
+    Ray there = sunRay(place, toSun);
+    Clearance clearance = clearanceAlong(there, 0.0, sunReach(place, there), hitThreshold, maxSteps);
+    float clear = clearance.least / spread;          // from 0 to 1 and more
+    float seen = discBesideEdge(2.0 * clear - 1.0);
+    return encodeSRGB(placeLight(place, ray, toSun, seen));
+}

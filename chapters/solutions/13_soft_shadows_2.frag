@@ -1,0 +1,16 @@
+// Solution of exercise 13.2: the ball's shadow alone, in closed form and without any march.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "13_soft_shadows.frag"
+#undef rayColour
+
+vec3 rayColour(Ray ray)
+{
+    vec3 toSun = sunDirection();
+    Place place = placeAt(ray);
+    Ray there = sunRay(place, toSun);
+    vec3 toBall = BALL.xyz - there.origin;
+    bool before = dot(toBall, toSun) > 0.0 && length(toBall) > BALL.w + 0.01; // and not on the ball itself
+    float behind = lampBesideBall(there.origin, toSun, spread, BALL.xyz, BALL.w);
+    return encodeSRGB(placeLight(place, ray, toSun, before ? behind : 1.0));
+}

@@ -1,0 +1,26 @@
+// Solution of exercise 13.3: a square window in place of the disc.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "13_soft_shadows.frag"
+#undef rayColour
+
+float windowReaching(Ray ray, float far)
+{
+    float arrived = 0.0;
+    for (int i = 0; i < rays * rays; i++) {
+        vec2 lot = vec2(pixelRandom(2 * i), pixelRandom(2 * i + 1));
+        vec2 square = (vec2(i % rays, i / rays) + lot) / float(rays);
+        vec3 direction = lampDirection(ray.direction, spread, 2.0 * square - 1.0);
+        arrived += lightReaching(Ray(ray.origin, direction), far, hitThreshold, maxSteps);
+    }
+    return arrived / float(rays * rays);
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec3 toSun = sunDirection();
+    Place place = placeAt(ray);
+    Ray there = sunRay(place, toSun);
+    float seen = windowReaching(there, sunReach(place, there));
+    return encodeSRGB(placeLight(place, ray, toSun, seen));
+}

@@ -1,0 +1,24 @@
+// Solution of exercise 13.4: one ray a sample, and each sample has a cell of its own.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "13_soft_shadows.frag"
+#undef rayColour
+
+// One ray of iSamples, which is a square number.
+float oneReaching(Ray ray, float far)
+{
+    int side = int(sqrt(float(iSamples)) + 0.5);
+    vec2 lot = vec2(pixelRandom(0), pixelRandom(1));
+    vec2 square = (vec2(iSample % side, iSample / side) + lot) / float(side);
+    vec3 direction = lampDirection(ray.direction, spread, discPoint(square));
+    return lightReaching(Ray(ray.origin, direction), far, hitThreshold, maxSteps);
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec3 toSun = sunDirection();
+    Place place = placeAt(ray);
+    Ray there = sunRay(place, toSun);
+    float seen = oneReaching(there, sunReach(place, there));
+    return encodeSRGB(placeLight(place, ray, toSun, seen));
+}

@@ -1,0 +1,32 @@
+// Solution of exercise 13.5: the march goes on inside. There distance / t is negative: how far the ray is
+// behind the edge. One closed form maps both sides.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "13_soft_shadows.frag"
+#undef rayColour
+
+// The smallest distance / t, at least -spread; with steps of at least a fiftieth of the way, it passes
+// through what it meets.
+float signedClearance(Ray ray, float far)
+{
+    float t = hitThreshold, smallest = spread;
+    int steps = 0;
+    bool searching = t < far;
+    while (searching) {
+        float distance = distanceAt(ray.origin + t * ray.direction);
+        smallest = min(smallest, distance / t);
+        t += max(distance, 0.01 + 0.02 * t);
+        steps++;
+        searching = smallest > -spread && t < far && steps < 2 * maxSteps;
+    }
+    return smallest;
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec3 toSun = sunDirection();
+    Place place = placeAt(ray);
+    Ray there = sunRay(place, toSun);
+    float seen = discBesideEdge(signedClearance(there, sunReach(place, there)) / spread);
+    return encodeSRGB(placeLight(place, ray, toSun, seen));
+}

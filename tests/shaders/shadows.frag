@@ -1,0 +1,39 @@
+// For support_measure.c: of the scene of chapter 13, what is seen of the sun by one march (red) and by 64
+// rays (blue); 1 where no shadow is looked for. The last formula is that of the solution of exercise 5.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "13_soft_shadows.frag"
+#undef rayColour
+
+uniform int formula; // 0 in [0, 3]: hard, the smallest distance / t, pairs of steps, on inside
+
+// As in that solution: the smallest distance / t, at least -spread; with steps of at least a fiftieth of the way, it passes
+// through what it meets.
+float signedClearance(Ray ray, float far)
+{
+    float t = hitThreshold, smallest = spread;
+    int steps = 0;
+    bool searching = t < far;
+    while (searching) {
+        float distance = distanceAt(ray.origin + t * ray.direction);
+        smallest = min(smallest, distance / t);
+        t += max(distance, 0.01 + 0.02 * t);
+        steps++;
+        searching = smallest > -spread && t < far && steps < 2 * maxSteps;
+    }
+    return smallest;
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec3 toSun = sunDirection();
+    Place place = placeAt(ray);
+    Ray there = sunRay(place, toSun);
+    float far = sunReach(place, there);
+    Clearance clearance = clearanceAlong(there, 0.0, far, hitThreshold, maxSteps);
+    float inside = discBesideEdge(signedClearance(there, far) / spread);
+    float arrived = lampReaching(there, far, spread, 8, hitThreshold, maxSteps, 0);
+    float quick = (formula == 1 ? clearance.most : clearance.least) / spread;
+    float hard = clearance.most > 0.0 ? 1.0 : 0.0;
+    return vec3(formula == 3 ? inside : (formula == 0 ? hard : quick), 0.0, arrived);
+}

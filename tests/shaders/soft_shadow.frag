@@ -1,0 +1,79 @@
+#version 330 core
+// For test_soft_shadow.c: the functions of soft_shadow.glsl.
+//
+// Time chooses the function, iMouse holds four numbers for it; x is the pixel's number.
+
+in float Time;
+out vec4 FragColor;
+
+#define VIEW 0
+
+#include "soft_shadow.glsl"
+#include "primitives.glsl"
+
+// The ball that stands before the lamp.
+vec4 ball;
+
+float sceneDistance(vec3 p)
+{
+    return sdSphere(p - ball.xyz, ball.w);
+}
+
+const vec3 TO_LIGHT = vec3(0.48, 0.6, -0.64);
+
+// A ball whose edge passes the lamp's middle by so many of its radii.
+//   iMouse: spread, radius, distance
+vec4 ballAt(float clear)
+{
+    vec3 aside = normalize(cross(TO_LIGHT, vec3(1.0, 0.0, 0.0)));
+    float angle = asin(iMouse.y / iMouse.z) + atan(clear * iMouse.x);
+    return vec4(iMouse.z * (cos(angle) * TO_LIGHT + sin(angle) * aside), iMouse.y);
+}
+
+void main()
+{
+    int function = int(Time);
+    float number = floor(gl_FragCoord.x);
+    iPixel = ivec2(gl_FragCoord.xy);
+    FragColor = vec4(0.0);
+    if (function == 0) {
+        float clear = (number - 640.0) / 512.0;
+        FragColor = vec4(clear, discBesideEdge(clear), 0.0, 0.0);
+    } else if (function == 1) {
+        float clear = max(-1.25, -iMouse.x) + 2.6 * number / 512.0;
+        FragColor = vec4(clear, discBesideDisc(clear, iMouse.x), 0.0, 0.0);
+    } else if (function == 2) {
+        float clear = (number - 32.0) / 24.0;
+        ball = ballAt(clear);
+        FragColor = vec4(ball.xyz, lampBesideBall(vec3(0.0), TO_LIGHT, iMouse.x, ball.xyz, ball.w));
+    } else if (function == 3) {
+        // An edge at the distance 3 that passes the lamp's middle at iMouse.y of its radii, slanting.
+        vec3 aside = normalize(cross(TO_LIGHT, vec3(0.0, 1.0, 0.0)));
+        vec3 across = cross(TO_LIGHT, aside);
+        vec3 onEdge = 3.0 * (TO_LIGHT - iMouse.y * iMouse.x * aside) + 0.7 * across;
+        vec3 along = across + (0.1 * number - 1.5) * (TO_LIGHT - iMouse.y * iMouse.x * aside);
+        FragColor = vec4(along, lampBesideEdge(vec3(0.0), TO_LIGHT, iMouse.x, onEdge, along));
+    } else if (function == 4) {
+        vec2 square = vec2(number, floor(gl_FragCoord.y)) / 255.0;
+        FragColor = vec4(square, discPoint(square));
+    } else if (function == 5) {
+        float turn = 0.1 * number, height = sin(7.0 * number);
+        vec3 toLight = vec3(sqrt(1.0 - height * height) * vec2(cos(turn), sin(turn)), height).xzy;
+        vec2 point = discPoint(vec2(0.25, fract(0.37 * number)));
+        vec3 direction = lampDirection(toLight, iMouse.x, point);
+        FragColor = vec4(length(direction), dot(direction, toLight), length(cross(direction, toLight)), 0.0);
+    } else if (function == 6) {
+        // Every pixel has lots of its own: iMouse.w rays each way.
+        ball = ballAt(0.3);
+        Ray ray = Ray(vec3(0.0), TO_LIGHT);
+        FragColor = vec4(lampReaching(ray, 9.0, iMouse.x, int(iMouse.w), 1e-5, 256, 0), ball.xyz);
+    } else {
+        // Both clearances, from starts that differ.
+        float clear = 0.02 + 0.02 * number;
+        ball = ballAt(clear);
+        Ray ray = Ray(vec3(0.0), TO_LIGHT);
+        float start = 0.05 + 0.01 * floor(gl_FragCoord.y);
+        Clearance clearance = clearanceAlong(ray, start, 9.0, 1e-5, 256);
+        FragColor = vec4(clear, clearance.most, clearance.least, start);
+    }
+}
