@@ -151,11 +151,30 @@ static void print_shadow_row(const char *scene, const char *formula,
     printf("%s,%s,%.3f,%.3f,%.3f\n", scene, formula, error->mean, error->mean_size, error->worst);
 }
 
+// The wall of the page's worked point: its edge stands 0.4 over the floor and 0.43 away.
+static bool wall_blocks(struct d3 direction, const void *unused)
+{
+    (void)unused;
+    return 0.43 * direction.y + 0.4 * direction.z < 0.0;
+}
+
+static void print_wall(void)
+{
+    double up = 29.0 * MIRROR_PI / 180.0, turn = 214.0 * MIRROR_PI / 180.0, spread = 0.04;
+    struct d3 sun = d3(cos(up) * cos(turn), sin(up), cos(up) * sin(turn));
+    double sine = (0.43 * sun.y + 0.4 * sun.z) / hypot(0.43, 0.4);
+    double clear = sine / sqrt(1.0 - sine * sine) / spread;
+    double share = 0.5 + (asin(clear) + clear * sqrt(1.0 - clear * clear)) / MIRROR_PI;
+    printf("# 0.43 before a wall 0.4 high: clear %.3f, seen %.4f; of 2000 x 2000 places %.4f\n",
+           clear, share, shadow_share(wall_blocks, NULL, sun, spread, 2000));
+}
+
 static int print_shadows(void)
 {
     static const enum shadow_formula in_scene[] = {SHADOW_HARD, SHADOW_MOST, SHADOW_LEAST,
                                                    SHADOW_SIGNED};
     struct shadow_error error;
+    print_wall();
     printf("# share of the sun that is seen: formula less truth; a sun of radius 0.04, 29 degrees "
            "high\n");
     printf("scene,formula,mean,mean of its size,worst\n");

@@ -197,6 +197,7 @@ bad_form() { # PAGE
     grep -q '^### In short$' "$1" || echo "has no part In short"
     grep -q '^<!-- time -->$' "$1" || echo "has no reading time"
     wanted='From formula to code,What changed,Parameters,Experiments,Exercises,Proofs,What the report does,Pitfalls,Sources,'
+    ! grep -q '^## What the workshop does$' "$1" || wanted=${wanted/report/workshop}
     [[ $1 != */00_* ]] || wanted='Experiments,Exercises,'
     awk -v wanted="$wanted" '
         /^ *```/ { fenced = !fenced }
