@@ -29,6 +29,13 @@ JOBS = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(CPUS))
 # Where a recipe says it, '+' hands the caller's jobs on: make looks for the word MAKE itself.
 AGAIN = $(MAKE) --no-print-directory $(if $(V),,-s) $(JOBS)
 
+# Two commands at once are carried out one after the other, or both would compile the same files.
+ifneq ($(filter-out programs tests fuzzer figure_programs build/%,$(MAKECMDGOALS)),)
+ifneq ($(word 2,$(MAKECMDGOALS)),)
+.NOTPARALLEL:
+endif
+endif
+
 # ---- What this machine has ----
 
 found = $(shell pkg-config --exists $(1) 2>/dev/null && echo yes)

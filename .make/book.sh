@@ -55,4 +55,4 @@ if grep -q 'Missing character' "$folder/log"; then
     grep 'Missing character' "$folder/log" | sort -u >&2
     exit 1
 fi
-echo "build/book.pdf: $(pdfinfo build/book.pdf 2>/dev/null | awk '/^Pages/ { print $2 " pages, " }')$(du -h build/book.pdf | cut -f 1)"
+echo "build/book.pdf: $(pdfinfo build/book.pdf | awk '/^Pages/ { print $2 " pages, " }')$(du -h build/book.pdf | cut -f 1)"

@@ -138,6 +138,7 @@ need_book() {
         'texlive-fonts-recommended lmodern fonts-texgyre fonts-dejavu-core fontconfig|texlive-tex-gyre texlive-lm dejavu-sans-mono-fonts dejavu-sans-fonts|-|-' \
         has_font 'TeX Gyre Pagella'
     need 'rsvg-convert (figures)' 'librsvg2-bin|librsvg2-tools|librsvg|librsvg' has_command rsvg-convert
+    need 'pdfinfo (how many pages)' 'poppler-utils|poppler-utils|poppler|poppler' has_command pdfinfo
 }
 
 need_fresh() {

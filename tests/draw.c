@@ -25,7 +25,7 @@ struct listed {
 static bool read_line(struct listed *listed, const char *name)
 {
     static const char blank[] = " \t\n";
-    char own[LINE];
+    char own[2 * LINE];
     char *rest, *stem = strtok_r(listed->line, blank, &rest);
     const char *variant = stem != NULL ? strtok_r(NULL, blank, &rest) : NULL;
     if (variant == NULL || stem[0] == '#')
@@ -102,7 +102,7 @@ static void answer(const struct context *context, const char *name, const char *
 {
     struct image drawn = {0}, stored = {0};
     struct image_difference difference;
-    char path[PATH_MAX];
+    char path[2 * PATH_MAX];
     bool done = draw_in(context, name, root, &drawn);
     if (done && folder != NULL) {
         snprintf(path, sizeof path, "%s/%s.%s.png", folder, name, backend);

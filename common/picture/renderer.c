@@ -16,6 +16,15 @@
 // A file is drawn in bands of at most this many pixels, so that the float target stays small.
 #define BAND_PIXELS (4 * 1024 * 1024)
 
+enum { TARGETS = 4 };
+
+static struct renderer_target *target_of(struct renderer *renderer, int number)
+{
+    struct renderer_target *const targets[TARGETS] = {&renderer->picture, &renderer->sharp,
+                                                      &renderer->table, &renderer->single};
+    return targets[number];
+}
+
 bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root)
 {
     *renderer = (struct renderer){.gl = gl, .root = root, .focal_length = RENDERER_FOCAL_LENGTH};
@@ -24,11 +33,9 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
     if (!shader_read(&renderer->vertex, path, root))
         return false;
     gl->GenVertexArrays(1, &renderer->vertex_array);
-    struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table,
-                                         &renderer->single};
-    for (int i = 0; i < 4; i++) {
-        gl->GenFramebuffers(1, &targets[i]->framebuffer);
-        gl->GenTextures(1, &targets[i]->texture);
+    for (int i = 0; i < TARGETS; i++) {
+        gl->GenFramebuffers(1, &target_of(renderer, i)->framebuffer);
+        gl->GenTextures(1, &target_of(renderer, i)->texture);
     }
     return true;
 }
@@ -48,11 +55,9 @@ void renderer_close(struct renderer *renderer)
         return;
     forget_programs(renderer);
     textures_free(&renderer->textures, renderer->gl);
-    struct renderer_target *targets[] = {&renderer->picture, &renderer->sharp, &renderer->table,
-                                         &renderer->single};
-    for (int i = 0; i < 4; i++) {
-        renderer->gl->DeleteTextures(1, &targets[i]->texture);
-        renderer->gl->DeleteFramebuffers(1, &targets[i]->framebuffer);
+    for (int i = 0; i < TARGETS; i++) {
+        renderer->gl->DeleteTextures(1, &target_of(renderer, i)->texture);
+        renderer->gl->DeleteFramebuffers(1, &target_of(renderer, i)->framebuffer);
     }
     renderer->gl->DeleteVertexArrays(1, &renderer->vertex_array);
     shader_free(&renderer->vertex);
