@@ -6,6 +6,8 @@
 
 #include "../common/picture/benchmark.h"
 #include "support_bound.h"
+#include "support_checkers.h"
+#include "support_gloss.h"
 #include "support_measure.h"
 
 static int print_normal(void)
@@ -192,6 +194,59 @@ static int print_shadows(void)
     return 0;
 }
 
+// The share of the light that each highlight sends back, by the angle to the eye and over all
+// angles.
+static int print_gloss(void)
+{
+    static const double roughnesses[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};
+    printf(
+        "# share of the light that is sent back, all mirrors sending all: GGX; Blinn and Phong\n");
+    printf(
+        "roughness,straight,at 60 degrees,at 80 degrees,mean,exponent,straight,at 60 degrees,at 80 "
+        "degrees,mean,(n + 8) / (8 pi),no factor\n");
+    for (size_t i = 0; i < sizeof roughnesses / sizeof roughnesses[0]; i++) {
+        double r = roughnesses[i], n = gloss_exponent(r), steep = cos(80.0 * MIRROR_PI / 180.0);
+        printf("%g,%.3f,%.3f,%.3f,%.3f,%.3g,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f\n", r,
+               gloss_albedo(gloss_ggx, r, r, 1.0), gloss_albedo(gloss_ggx, r, r, 0.5),
+               gloss_albedo(gloss_ggx, r, r, steep), gloss_mean_albedo(gloss_ggx, r, r), n,
+               gloss_albedo(gloss_blinn_phong, n, r, 1.0),
+               gloss_albedo(gloss_blinn_phong, n, r, 0.5),
+               gloss_albedo(gloss_blinn_phong, n, r, steep),
+               gloss_mean_albedo(gloss_blinn_phong, n, r), gloss_albedo(gloss_usual, n, r, 1.0),
+               gloss_albedo(gloss_bare, n, r, 1.0));
+    }
+    return 0;
+}
+
+// Each way to colour a pixel of squares against the mean of 64 x 64 samples of that pixel.
+static int print_checkers(void)
+{
+    static const char *const ways[] = {"middle of the pixel", "footprint of the ray", "fwidth"};
+    printf("# squares of the experiment 11_checkers: of 255, root mean square off the mean over "
+           "the pixel\n");
+    printf("orthographic,way,off\n");
+    for (int v = 0; v < 3; v++)
+        for (int way = 0; way < 3; way++) {
+            const struct checkers_view *view = &checkers_views[v];
+            double *share = checkers_shown(view, way), squares = 0.0;
+            int count = 0;
+            if (share == NULL)
+                return 1;
+            for (int y = 1; y < CHECKERS_HEIGHT; y += 5)
+                for (int x = 2; x < CHECKERS_WIDTH; x += 11) {
+                    double low[2], high[2];
+                    if (checkers_hidden(view, x, y) || !checkers_rectangle(view, x, y, low, high))
+                        continue;
+                    double off = share[y * CHECKERS_WIDTH + x] - checkers_of_pixel(view, x, y);
+                    squares += off * off;
+                    count++;
+                }
+            free(share);
+            printf("%g,%s,%.2f\n", view->orthographic, ways[way], 255.0 * sqrt(squares / count));
+        }
+    return 0;
+}
+
 // ---- Speed
 // -----------------------------------------------------------------------------------------
 
@@ -328,6 +383,8 @@ static int usage(FILE *file)
           "  acne       share of lit pixels in their own shadow against the offset\n"
           "  bound      evaluations of a march against the fewest that could do\n"
           "  shadows    soft shadows by one march, against what is seen of the sun\n"
+          "  gloss      share of the light that a highlight sends back\n"
+          "  checkers   squares averaged over a pixel, three ways, against samples\n"
           "  speed A.frag B.frag [WxH]\n"
           "             CPU time of two shaders, their frames in turn, and of a cold compilation;\n"
           "             A.frag@X,Y,Z,PAN,TILT places the camera\n",
@@ -350,6 +407,8 @@ static int print_with_gpu(const char *name, int argc, char **argv)
             status = print_bound();
         else if (strcmp(name, "shadows") == 0)
             status = print_shadows();
+        else if (strcmp(name, "checkers") == 0)
+            status = print_checkers();
         else
             status = print_speed(argc, argv);
     }
@@ -371,9 +430,11 @@ int main(int argc, char **argv)
         return print_rate();
     if (strcmp(argv[1], "foot") == 0)
         return print_foot();
+    if (strcmp(argv[1], "gloss") == 0)
+        return print_gloss();
     if (strcmp(argv[1], "threshold") == 0 || strcmp(argv[1], "acne") == 0 ||
         strcmp(argv[1], "bound") == 0 || strcmp(argv[1], "shadows") == 0 ||
-        strcmp(argv[1], "speed") == 0)
+        strcmp(argv[1], "checkers") == 0 || strcmp(argv[1], "speed") == 0)
         return print_with_gpu(argv[1], argc, argv);
     return usage(stderr);
 }

@@ -12,7 +12,7 @@
 #include "support_gpu.h"
 #include "support_mirror.h"
 
-enum { UNION, INTERSECTION, SUBTRACTION, SMOOTH };
+enum { UNION, INTERSECTION, SUBTRACTION, SMOOTH, QUADRATIC };
 
 enum { ROWS = 128, ITEMS = 256 * ROWS };
 
@@ -121,7 +121,7 @@ static void test_the_points_of_the_page(void **unused)
 static void test_all_are_1_lipschitz(void **unused)
 {
     (void)unused;
-    for (int operation = UNION; operation <= SMOOTH; operation++) {
+    for (int operation = UNION; operation <= QUADRATIC; operation++) {
         float *values = values_of(operation);
         double largest = 0.0;
         for (int i = 0; i < ITEMS; i++) {
@@ -139,17 +139,17 @@ static void test_all_are_1_lipschitz(void **unused)
     }
 }
 
-static void test_smooth_union_lies_between_min_and_min_less_a_sixth(void **unused)
+// Never more than min, never less than min less the depth of the blend, which it is where a = b.
+static void check_depth(int operation, double depth)
 {
-    (void)unused;
-    float *values = values_of(SMOOTH);
+    float *values = values_of(operation);
     int middle = 0, outside = 0, between = 0;
     for (int i = 0; i < ITEMS; i++) {
         const float *v = values + 16 * i;
         double a = (double)v[8], b = (double)v[9], f = (double)v[3], least = fmin(a, b);
-        assert_true(f <= least + slack && f >= least - blend / 6.0 - slack);
+        assert_true(f <= least + slack && f >= least - depth - slack);
         if (v[0] == 0.0f) {
-            assert_true(fabs(f - (least - blend / 6.0)) <= slack);
+            assert_true(fabs(f - (least - depth)) <= slack);
             middle++;
         } else if (fabs(a - b) >= blend) {
             assert_true(fabs(f - least) <= slack);
@@ -159,18 +159,25 @@ static void test_smooth_union_lies_between_min_and_min_less_a_sixth(void **unuse
         }
     }
     free(values);
-    print_message("# smooth union: k / 6 at %d points, min at %d, between at %d\n", middle, outside,
-                  between);
+    print_message("# operation %d: its depth at %d points, min at %d, between at %d\n", operation,
+                  middle, outside, between);
     assert_true(middle > 1000 && outside > 1000 && between > 1000);
 }
 
-// The differences are wrong by at most h^2 / (6 k^2), the third derivative being at most 1 / k^2,
-// and by rounding over h; at a = b, where the third derivative jumps, by h^2 / (6 k^2) too.
-static void test_share_is_the_slope_in_b(void **unused)
+static void test_smooth_unions_lie_between_min_and_min_less_their_depth(void **unused)
 {
     (void)unused;
-    float *values = values_of(SMOOTH);
-    double allowed = step * step / (6.0 * blend * blend) + 1e-6 / step, worst = 0.0;
+    check_depth(SMOOTH, blend / 6.0);
+    check_depth(QUADRATIC, blend / 4.0);
+}
+
+// The share of b is the slope in b, that of a the slope in a, and both add up to 1: to add h to
+// both distances adds h to the union.
+//   truncation  of the differences
+static void check_share(int operation, double truncation)
+{
+    float *values = values_of(operation);
+    double allowed = truncation + 1e-6 / step, worst = 0.0, sum = 0.0;
     for (int i = 0; i < ITEMS; i++) {
         const float *v = values + 16 * i;
         double share = (double)v[10];
@@ -178,12 +185,24 @@ static void test_share_is_the_slope_in_b(void **unused)
         double in_b = ((double)v[14] - (double)v[15]) / (2.0 * step);
         assert_true(share >= 0.0 && share <= 1.0);
         worst = fmax(worst, fmax(fabs(in_b - share), fabs(in_a - (1.0 - share))));
+        sum = fmax(sum, fabs(in_a + in_b - 1.0));
         if (v[0] == 0.0f)
             assert_true(fabs(share - 0.5) < 1e-5);
     }
     free(values);
-    print_message("# share: off the slope by at most %.2g, allowed %.2g\n", worst, allowed);
-    assert_true(worst <= allowed);
+    print_message("# operation %d: share off the slope by at most %.2g, allowed %.2g; slopes add "
+                  "up to 1 within %.2g\n",
+                  operation, worst, allowed, sum);
+    assert_true(worst <= allowed && sum <= allowed);
+}
+
+// The cubic's third derivative is at most 1 / k^2, also where it jumps, at a = b. The quadratic's
+// second jumps by 1 / (2 k) where the blend begins.
+static void test_shares_are_the_slopes(void **unused)
+{
+    (void)unused;
+    check_share(SMOOTH, step * step / (6.0 * blend * blend));
+    check_share(QUADRATIC, step / (8.0 * blend));
 }
 
 int main(void)
@@ -194,8 +213,8 @@ int main(void)
         cmocka_unit_test(test_subtraction_is_exact_inside_and_a_bound_outside),
         cmocka_unit_test(test_the_points_of_the_page),
         cmocka_unit_test(test_all_are_1_lipschitz),
-        cmocka_unit_test(test_smooth_union_lies_between_min_and_min_less_a_sixth),
-        cmocka_unit_test(test_share_is_the_slope_in_b),
+        cmocka_unit_test(test_smooth_unions_lie_between_min_and_min_less_their_depth),
+        cmocka_unit_test(test_shares_are_the_slopes),
     };
     return cmocka_run_group_tests_name("combine", tests, gpu_setup, gpu_teardown);
 }

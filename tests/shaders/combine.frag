@@ -24,6 +24,12 @@ float right(vec3 p)
     return sdSphere(p - vec3(iMouse.x, 0.0, 0.0), iMouse.w);
 }
 
+// The cubic blend, or for 4 the quadratic.
+float blended(float a, float b)
+{
+    return int(Time) == 4 ? opSmoothUnionQuadratic(a, b, iMouse.y) : opSmoothUnion(a, b, iMouse.y);
+}
+
 float asked(vec3 p)
 {
     float a = left(p), b = right(p);
@@ -32,7 +38,9 @@ float asked(vec3 p)
         return opUnion(a, b);
     if (which == 1)
         return opIntersection(a, b);
-    return which == 2 ? opSubtraction(a, b) : opSmoothUnion(a, b, iMouse.y);
+    if (which == 2)
+        return opSubtraction(a, b);
+    return blended(a, b);
 }
 
 // Of every four points one lies on the plane where a = b.
@@ -53,8 +61,8 @@ void main()
     vec3 p = point(item);
     vec3 q = p + exp2(-12.0 * abs(nextSigned())) * nextVector();
     float a = left(p), b = right(p), k = iMouse.y, h = iMouse.z;
-    vec4 shares = vec4(a, b, smoothUnionShare(a, b, k), 0.0);
-    vec4 moved = vec4(opSmoothUnion(a + h, b, k), opSmoothUnion(a - h, b, k),
-                      opSmoothUnion(a, b + h, k), opSmoothUnion(a, b - h, k));
+    float share = int(Time) == 4 ? smoothUnionQuadraticShare(a, b, k) : smoothUnionShare(a, b, k);
+    vec4 shares = vec4(a, b, share, 0.0);
+    vec4 moved = vec4(blended(a + h, b), blended(a - h, b), blended(a, b + h), blended(a, b - h));
     FragColor = slot == 0 ? vec4(p, asked(p)) : (slot == 1 ? vec4(q, asked(q)) : (slot == 2 ? shares : moved));
 }

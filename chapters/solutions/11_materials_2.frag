@@ -1,0 +1,9 @@
+// Solution of exercise 11.2: all blends quadratic, each with the share that belongs to it.
+//
+// The chapter's calls of opSmoothUnion and smoothUnionShare are turned into calls of the others.
+#include "main.glsl"
+#include "combine.glsl"
+
+#define opSmoothUnion opSmoothUnionQuadratic
+#define smoothUnionShare smoothUnionQuadraticShare
+#include "11_materials.frag"

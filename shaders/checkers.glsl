@@ -1,0 +1,55 @@
+// checkers.glsl - squares in two colours, averaged over what a pixel sees of them.
+#include "inputs.glsl"
+
+// What a pixel sees of a plane: the smallest rectangle along the pattern's axes that holds it.
+struct Footprint {
+    vec2 middle; // of the rectangle, in units of the pattern
+    vec2 width;  // its sides, > 0
+};
+
+// The footprint of a pixel on the plane through a point, exact for a plane: the rays through the four
+// corners of the pixel are cut with it.
+//   p          point of the plane that the middle of the pixel sees, scene units
+//   direction  of its ray, length 1
+//   normal     of the plane, length 1
+//   halfPixel  half the side of the pixel at p, across the view, scene units, > 0
+//   bend       how much the direction changes from p to a point beside it, per scene unit: 1 / distance
+//              from the eye for rays that meet there, 0 for parallel ones
+//   axes       the pattern's two axes in the plane, each of length 1 / size of its unit; a point's place
+//              in the pattern is p * axes
+//   formula    corner = p + e - d dot(normal, e) / dot(normal, d), where e leads to a corner of the pixel,
+//              halfPixel (+-right +-up), and d = direction + bend e
+// Where a corner sees past the horizon there is no rectangle: the width is 1e6, the pattern its mean.
+Footprint planeFootprint(vec3 p, vec3 direction, vec3 normal, float halfPixel, float bend, mat2x3 axes)
+{
+    vec2 right = halfPixel * (iCameraRight * axes), up = halfPixel * (iCameraUp * axes), along = direction * axes;
+    float rightRise = halfPixel * dot(normal, iCameraRight), upRise = halfPixel * dot(normal, iCameraUp);
+    float down = dot(normal, direction), least = 1.0;
+    vec2 low = vec2(1e6), high = vec2(-1e6);
+    for (int i = 0; i < 4; i++) {
+        float x = i % 2 == 0 ? -1.0 : 1.0, y = i < 2 ? -1.0 : 1.0;
+        vec2 e = x * right + y * up;
+        float rise = x * rightRise + y * upRise, falls = down + bend * rise;
+        vec2 corner = e - (along + bend * e) * (rise / falls);
+        least = min(least, falls / down);
+        low = min(low, corner);
+        high = max(high, corner);
+    }
+    return Footprint(p * axes + 0.5 * (low + high), least > 0.0 ? max(high - low, 1e-4) : vec2(1e6));
+}
+
+// The share of squares of the first colour, those of even floor(x) + floor(y), in a rectangle: the mean
+// of 1 and 0 over it.
+//   middle, width  the rectangle, in sides of a square; widths > 0, not much less than 1e-4 of |middle|:
+//                  a float keeps no more of the place
+//   formula  1/2 + 1/2 X Y, with X the mean of s(x) = 1 where floor(x) is even, else -1:
+//            X = (S(x + w/2) - S(x - w/2)) / w, S(x) = 1 - |mod(x, 2) - 1| the integral of s; Y likewise
+//   exact: the mean of a product is the product of the means where x and y run freely, as in a rectangle
+// Source: I. Quilez, 'Box-filtering of procedural patterns', in the form of the workshop's checkers.
+float checkers(vec2 middle, vec2 width)
+{
+    vec2 after = abs(mod(middle + 0.5 * width, 2.0) - 1.0);
+    vec2 before = abs(mod(middle - 0.5 * width, 2.0) - 1.0);
+    vec2 mean = (before - after) / width;
+    return 0.5 + 0.5 * mean.x * mean.y;
+}

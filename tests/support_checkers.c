@@ -1,0 +1,133 @@
+// Squares on a plane, by samples.
+#include <math.h>
+#include <stdlib.h>
+
+#include "support_checkers.h"
+
+#define FRAMING 4.0
+#define TILE    0.5
+
+const struct checkers_view checkers_views[3] = {
+    {{.position = {0.3f, 1.4f, 4.0f}, .pan = 0.0f, .tilt = -14.0f}, 0.0, 20.0},
+    {{.position = {1.5f, 2.2f, 3.0f}, .pan = -24.0f, .tilt = -31.0f}, 1.0, 20.0},
+    {{.position = {-1.0f, 1.1f, 3.5f}, .pan = 15.0f, .tilt = -20.0f}, 0.5, 45.0},
+};
+
+static struct mirror_ray ray_of(const struct checkers_view *view, double x, double y)
+{
+    struct camera_basis basis = camera_basis_of(&view->camera);
+    double sx = mirror_screen_x(x, CHECKERS_WIDTH, CHECKERS_HEIGHT),
+           sy = mirror_screen_y(y, CHECKERS_HEIGHT);
+    double u = view->orthographic;
+    struct d3 v = d3_add(d3_times(sx, d3_of(basis.right)), d3_times(sy, d3_of(basis.up)));
+    struct d3 direction =
+        d3_add(d3_times((1.0 - u) / MIRROR_FOCAL_LENGTH, v), d3_of(basis.forward));
+    return (struct mirror_ray){
+        d3_add(d3_of(view->camera.position), d3_times(u * FRAMING / MIRROR_FOCAL_LENGTH, v)),
+        d3_unit(direction)};
+}
+
+// The place of the pattern that a place of the picture shows.
+static bool place_of(const struct checkers_view *view, double x, double y, double place[2])
+{
+    struct mirror_ray ray = ray_of(view, x, y);
+    if (ray.direction.y >= 0.0)
+        return false;
+    struct d3 p = mirror_at(ray, -ray.origin.y / ray.direction.y);
+    double angle = view->turn * MIRROR_PI / 180.0;
+    place[0] = (cos(angle) * p.x + sin(angle) * p.z) / TILE;
+    place[1] = (cos(angle) * p.z - sin(angle) * p.x) / TILE;
+    return true;
+}
+
+bool checkers_rectangle(const struct checkers_view *view, int x, int y, double low[2],
+                        double high[2])
+{
+    low[0] = low[1] = HUGE_VAL;
+    high[0] = high[1] = -HUGE_VAL;
+    for (int i = 0; i < 4; i++) {
+        double place[2];
+        if (!place_of(view, x + i % 2, y + i / 2, place))
+            return false;
+        for (int k = 0; k < 2; k++) {
+            low[k] = fmin(low[k], place[k]);
+            high[k] = fmax(high[k], place[k]);
+        }
+    }
+    return true;
+}
+
+static bool even(const double place[2])
+{
+    return fmod(floor(place[0]) + floor(place[1]), 2.0) == 0.0;
+}
+
+// The share of even cells among the places of one axis.
+static double even_share(double low, double high, int side)
+{
+    int count = 0;
+    for (int i = 0; i < side; i++)
+        count += fmod(floor(low + (high - low) * (i + 0.5) / side), 2.0) == 0.0;
+    return count / (double)side;
+}
+
+double checkers_of_rectangle(const double low[2], const double high[2], int side)
+{
+    double x = even_share(low[0], high[0], side), y = even_share(low[1], high[1], side);
+    return x * y + (1.0 - x) * (1.0 - y);
+}
+
+double checkers_of_pixel(const struct checkers_view *view, int x, int y)
+{
+    const double n = CHECKERS_SIDE;
+    int count = 0;
+    for (int i = 0; i < CHECKERS_SIDE; i++)
+        for (int k = 0; k < CHECKERS_SIDE; k++) {
+            double place[2];
+            if (place_of(view, x + (i + (k + 0.5) / n) / n, y + (k + (i + 0.5) / n) / n, place))
+                count += even(place);
+        }
+    return count / (n * n);
+}
+
+bool checkers_hidden(const struct checkers_view *view, int x, int y)
+{
+    for (int i = 0; i < 9; i++) {
+        struct mirror_ray ray = ray_of(view, x + 2.0 * (i % 3) - 1.5, y + 2.0 * (i / 3) - 1.5);
+        struct mirror_ray a = {d3_sub(ray.origin, d3(-0.8, 0.6, 0.0)), ray.direction};
+        struct mirror_ray b = {d3_sub(ray.origin, d3(0.7, 0.35, 0.9)), ray.direction};
+        double t[2];
+        if (mirror_ball_crossing(a, 0.62, t) || mirror_ball_crossing(b, 0.37, t))
+            return true;
+    }
+    return false;
+}
+
+static double decoded(double v)
+{
+    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+}
+
+static bool set(const char *name, double value)
+{
+    struct parameter *parameter = parameters_find(&gpu.renderer.parameters, name);
+    if (parameter != NULL)
+        parameter->value[0] = value;
+    return parameter != NULL;
+}
+
+double *checkers_shown(const struct checkers_view *view, int way)
+{
+    struct renderer_inputs inputs = {
+        .width = CHECKERS_WIDTH, .height = CHECKERS_HEIGHT, .samples = 1, .camera = view->camera};
+    if (!gpu_load("chapters/experiments/11_checkers.frag") ||
+        !set("orthographic", view->orthographic) || !set("turn", view->turn) || !set("way", way))
+        return NULL;
+    float *values = gpu_numbers(&inputs);
+    double *share =
+        values == NULL ? NULL : malloc(sizeof *share * CHECKERS_WIDTH * CHECKERS_HEIGHT);
+    for (int i = 0; share != NULL && i < CHECKERS_WIDTH * CHECKERS_HEIGHT; i++)
+        share[i] = (decoded((double)values[4 * i + 1]) - 0.02) / 0.78;
+    free(values);
+    return share;
+}

@@ -1,0 +1,40 @@
+// support_checkers.h - the plane of the experiment 11_checkers in double precision: what a pixel
+// sees of its squares, by samples.
+#ifndef SUPPORT_CHECKERS_H
+#define SUPPORT_CHECKERS_H
+
+#include "support_gpu.h"
+#include "support_mirror.h"
+
+// The experiment as it stands, but for these.
+struct checkers_view {
+    struct camera camera;
+    double orthographic, turn; // as its parameters; turn in degrees
+};
+
+enum { CHECKERS_WIDTH = 640, CHECKERS_HEIGHT = 360, CHECKERS_SIDE = 64 };
+
+// A view that looks over the plane to the horizon, and one that looks down on it by parallel rays.
+extern const struct checkers_view checkers_views[3];
+
+// The smallest rectangle along the pattern's axes that holds what the corners of a pixel see, in
+// sides of a square: false where a corner sees no plane.
+bool checkers_rectangle(const struct checkers_view *view, int x, int y, double low[2],
+                        double high[2]);
+
+// The share of even squares among side x side samples of a rectangle, the middles of its cells. A
+// sample is even where both its coordinates are, or neither; so counting along each axis is enough.
+double checkers_of_rectangle(const double low[2], const double high[2], int side);
+
+// The same among 64 x 64 samples of the pixel itself; no two of a row or column of them share a
+// coordinate.
+double checkers_of_pixel(const struct checkers_view *view, int x, int y);
+
+// True where a ball hides the plane within two pixels.
+bool checkers_hidden(const struct checkers_view *view, int x, int y);
+
+// The shares that the GPU shows by one of the experiment's ways, for every pixel; the caller frees.
+// NULL, reported.
+double *checkers_shown(const struct checkers_view *view, int way);
+
+#endif
