@@ -50,25 +50,25 @@ render() { # OPTIONS SHADER OPTION...
     ${guard[@]+"${guard[@]}"} "$program" $options -f "$shader" "$@"
 }
 
-# The march of a pixel's ray, and its colour in the picture: the last t and the last line of --probe, or that
-# line alone where a file with a main of its own records no march.
-march() { # SHADER X,Y OPTIONS
-    local options
-    options=$(sed -E 's/(--view|--probe) +[^ ]+//g' <<<"$3")
-    render "$options" "$1" --probe "$2" 2>/dev/null | awk -F , '
+# The marches of some pixels' rays, and their colours in the picture, a line each: the last t and the last line
+# of --probe, or that line alone where a file with a main of its own records no march.
+marches() { # SHADER OPTIONS X,Y...
+    local options probes
+    options=$(sed -E 's/(--view|--probe) +[^ ]+//g' <<<"$2")
+    probes=("${@:3}")
+    render "$options" "$1" "${probes[@]/#/--probe=}" 2>/dev/null | awk -F , '
         /^[0-9]/ { t = $2 }
-        /^# / { sub(/^# /, t == "" && /no march is/ ? "" : t + 0 " "); print; exit }'
+        /^# / { sub(/^# /, t == "" && /no march is/ ? "" : t + 0 " "); print; t = "" }'
 }
 
-# The nine rays of the solution, a line each: X,Y and the march; nothing where a whole file records none.
-nine_rays() { # OPTIONS
-    local place end width height
-    read -r width height <<<"$(size_of "$1")"
+# Nine rays of a shader, a line each: X,Y and the march.
+nine_rays() { # SHADER OPTIONS
+    local place places=() width height
+    read -r width height <<<"$(size_of "$2")"
     for place in {3,5,7},{2,4,6}; do
-        place=$((${place%,*} * width / 10)),$((${place#*,} * height / 10))
-        end=$(march "$solution" "$place" "$1")
-        [[ ! $end =~ ^[0-9] ]] || echo "$place $end"
+        places+=("$((${place%,*} * width / 10)),$((${place#*,} * height / 10))")
     done
+    paste -d ' ' <(printf '%s\n' "${places[@]}") <(marches "$1" "$2" "${places[@]}")
 }
 
 size_of() { # OPTIONS: width and height
@@ -85,17 +85,18 @@ same_march() { # A B
 }
 
 # Two rays or more of nine that end elsewhere: prints the first of them. One may lie on an edge. A file
-# with a main of its own, such as Shadertoy's, records none.
+# with a main of its own, such as Shadertoy's, records none; where the solution is one, none are compared.
 different_rays() { # FILE OPTIONS RAYS
     local place mine right first='' count=0
-    while read -r place right; do
-        mine=$(march "$1" "$place" "$2")
+    grep -q '^[0-9,]* [0-9]' "$3" || return 0
+    while IFS='|' read -r right mine; do
+        place=${right%% *} right=${right#* } mine=${mine#* }
         [[ $mine =~ ^[0-9] ]] || { echo 'none is recorded: include main.glsl, as the chapter does'; return; }
         if ! same_march "$mine" "$right"; then
             count=$((count + 1))
             first=${first:-"pixel $place: $(told "$mine"), the solution's $(told "$right")"}
         fi
-    done <"$3"
+    done < <(nine_rays "$1" "$2" | paste -d '|' "$3" -)
     [ "$count" -lt 2 ] || echo "$first, and $((count - 1)) more of nine"
 }
 
@@ -121,8 +122,8 @@ differs() { # FILE OPTIONS WORDS DIFFERENCE
     local place=${3##* }
     echo "$3, $(part_of "$place" "$2"): see $4"
     echo "  look at yours: $program --shader $1${shown:+ $shown}"
-    echo "  your pixel $place: $(march "$1" "$place" "$2" | sed 's/^[0-9]/t &/; s/ \(hit\|miss\)/, \1/')"
-    echo "  the solution's: $(march "$solution" "$place" "$2" | sed 's/^[0-9]/t &/; s/ \(hit\|miss\)/, \1/')"
+    echo "  your pixel $place: $(marches "$1" "$2" "$place" | sed 's/^[0-9]/t &/; s/ \(hit\|miss\)/, \1/')"
+    echo "  the solution's: $(marches "$solution" "$2" "$place" | sed 's/^[0-9]/t &/; s/ \(hit\|miss\)/, \1/')"
 }
 
 # The solution's picture for line N of the options, and its nine rays; made when first asked for.
@@ -132,7 +133,7 @@ right_picture() { # N OPTIONS
         fail "$solution: $(head -n 1 "$scratch/errors")"
 }
 right_rays() { # OPTIONS
-    [ -e "$scratch/rays" ] || nine_rays "$1" >"$scratch/rays"
+    [ -e "$scratch/rays" ] || nine_rays "$solution" "$1" >"$scratch/rays"
 }
 
 # Why a file gave no picture, from the status and what was said.

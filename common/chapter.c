@@ -177,16 +177,17 @@ static bool write_picture(const struct run *run, struct renderer *renderer,
 
 static struct renderer_inputs still_inputs(const struct options *options)
 {
+    const int *pixel = options->probe_count > 0 ? options->probe[options->probe_count - 1] : NULL;
     // No clock: a picture is a function of its options alone.
-    return (struct renderer_inputs){.width = options->width,
-                                    .height = options->height,
-                                    .camera = options->camera,
-                                    .time = options->time,
-                                    .date = {1970.0f, 0.0f, 1.0f, (float)options->time},
-                                    .samples = options->samples,
-                                    .pixel = {options->has_probe ? options->probe_x : -1,
-                                              options->has_probe ? options->probe_y : -1},
-                                    .zoom = 1.0f};
+    return (struct renderer_inputs){
+        .width = options->width,
+        .height = options->height,
+        .camera = options->camera,
+        .time = options->time,
+        .date = {1970.0f, 0.0f, 1.0f, (float)options->time},
+        .samples = options->samples,
+        .pixel = {pixel != NULL ? pixel[0] : -1, pixel != NULL ? pixel[1] : -1},
+        .zoom = 1.0f};
 }
 
 // The pictures of --frames, with one context and one program.
@@ -240,7 +241,7 @@ static bool check_targets(const struct run *run)
     return true;
 }
 
-// The table of --probe, then the picture of --output.
+// The tables of --probe, then the picture of --output.
 static bool work_still(const struct run *run, struct renderer *renderer)
 {
     const struct options *options = &run->options;
@@ -249,9 +250,10 @@ static bool work_still(const struct run *run, struct renderer *renderer)
     bool done = true;
     if (options->frames > 0)
         return write_frames(run, renderer);
-    if (options->has_probe) {
-        probe = memory_zeros(1, sizeof *probe);
-        done = renderer_probe(renderer, &inputs, options->probe_x, options->probe_y, probe);
+    for (int i = 0; i < options->probe_count && done; i++) {
+        const int *pixel = options->probe[i];
+        probe = probe != NULL ? probe : memory_zeros(1, sizeof *probe);
+        done = renderer_probe(renderer, &inputs, pixel[0], pixel[1], probe);
         if (done)
             probe_print(probe, stdout);
     }

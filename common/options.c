@@ -167,11 +167,8 @@ static bool set_view(struct options *options, const char *text)
 
 static bool set_probe(struct options *options, const char *text)
 {
-    int pixel[2] = {0};
-    options->has_probe = read_pair(text, ',', pixel);
-    options->probe_x = pixel[0];
-    options->probe_y = pixel[1];
-    return options->has_probe || refuse("probe", text, "must be X,Y in pixels, as in 320,180");
+    return read_pair(text, ',', options->probe[options->probe_count++]) ||
+           refuse("probe", text, "must be X,Y in pixels, as in 320,180");
 }
 
 static bool set_overlay(struct options *options, const char *text)
@@ -235,7 +232,7 @@ static const struct row {
     {"-v,", "view", " NAME", set_view, OPTIONS_RUN, "picture, normals, depth, steps or slice",
      "picture"},
     {"", "probe", " X,Y", set_probe, OPTIONS_RUN,
-     "print a pixel's march and colour; or the slice's; 0,0: bottom left", ""},
+     "print a pixel's march and colour, 0,0 bottom left; repeatable", ""},
     {"", "overlay", "[=SCALE]", set_overlay, OPTIONS_RUN,
      "scale of the overlay, 0.5 to 8; draws it into a file too", "by the picture's height"},
     {"-b,", "backend", " NAME", set_backend, OPTIONS_RUN, "glfw, egl or osmesa",
@@ -326,17 +323,32 @@ static bool read_words(struct options *options, char **next)
     return true;
 }
 
+static bool check_probes(const struct options *options)
+{
+    for (int i = 0; i < options->probe_count; i++) {
+        const int *pixel = options->probe[i];
+        if (pixel[0] < 0 || pixel[0] >= options->width || pixel[1] < 0 ||
+            pixel[1] >= options->height)
+            return report(
+                "--probe '%d,%d': outside the picture of %dx%d: X is from 0 to %d, Y from 0 to %d",
+                pixel[0], pixel[1], options->width, options->height, options->width - 1,
+                options->height - 1);
+    }
+    return true;
+}
+
 // What one option asks of the others.
 static bool complete(struct options *options)
 {
     bool row = options->frames > 0, paced = options->fps > 0.0;
     options->fps = paced ? options->fps : FPS_DEFAULT;
-    options->window = options->output == NULL && !options->has_probe && options->benchmark == 0;
+    options->window =
+        options->output == NULL && options->probe_count == 0 && options->benchmark == 0;
     if (options->width == 0) {
         options->width = options->window ? 960 : 640;
         options->height = options->window ? 540 : 360;
     }
-    if (options->benchmark > 0 && (options->output != NULL || options->has_probe))
+    if (options->benchmark > 0 && (options->output != NULL || options->probe_count > 0))
         report("--benchmark: writes no picture and probes no ray: leave --%s out",
                options->output != NULL ? "output" : "probe");
     else if (!row && paced)
@@ -347,20 +359,15 @@ static bool complete(struct options *options)
         report("--output '%s': with --frames the name must hold one %%d for the number, as in "
                "frame-%%04d.png",
                options->output);
-    else if (row && options->has_probe && options->view != SHADER_SLICE)
+    else if (row && options->probe_count > 0 && options->view != SHADER_SLICE)
         report("--probe: the march of one picture: leave --frames out");
     else if (row && fabs(options->time) + options->frames / options->fps > LIMIT)
         report("--frames: the last time must be from -1e9 to 1e9 seconds");
     else if (options->shadertoy && options->view != SHADER_PICTURE)
         report("--print-shader=shadertoy: only the picture runs there: leave --view %s out",
                shader_view_name(options->view));
-    else if (options->has_probe && (options->probe_x < 0 || options->probe_x >= options->width ||
-                                    options->probe_y < 0 || options->probe_y >= options->height))
-        report("--probe '%d,%d': outside the picture of %dx%d: X is from 0 to %d, Y from 0 to %d",
-               options->probe_x, options->probe_y, options->width, options->height,
-               options->width - 1, options->height - 1);
     else
-        return true;
+        return check_probes(options);
     return false;
 }
 
@@ -368,6 +375,7 @@ bool options_parse(struct options *options, int argc, char **argv)
 {
     *options = (struct options){.samples = 1};
     options->settings = memory_zeros((size_t)argc, sizeof *options->settings);
+    options->probe = memory_zeros((size_t)argc, sizeof *options->probe);
     options->textures = memory_zeros((size_t)argc, sizeof *options->textures);
     if (read_words(options, argv + (argc > 0)) && complete(options))
         return true;
@@ -378,6 +386,7 @@ bool options_parse(struct options *options, int argc, char **argv)
 void options_free(struct options *options)
 {
     free(options->settings);
+    free(options->probe);
     free(options->textures);
     *options = (struct options){0};
 }

@@ -41,8 +41,8 @@ struct options {
     struct camera camera; // meaningful when has_camera
     int samples;          // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel
     enum shader_view view;
-    bool has_probe;
-    int probe_x, probe_y; // a pixel of the picture; 0,0 is bottom left
+    int (*probe)[2]; // pixels of the picture, 0,0 bottom left; the last one is the picture's
+    int probe_count;
     enum context_backend backend;
     bool has_overlay;
     double overlay;     // its scale; 0: by the height of the picture

@@ -366,9 +366,10 @@ static void promise_options(const struct options *o, int argc)
     promise(!o->has_camera || (fabs((double)o->camera.position[0]) <= 1e9 &&
                                fabsf(o->camera.tilt) <= CAMERA_TILT_LIMIT),
             "the camera is in its range");
-    promise(!o->has_probe || (o->probe_x >= 0 && o->probe_x < o->width && o->probe_y >= 0 &&
-                              o->probe_y < o->height),
-            "the probe is inside the picture");
+    for (int i = 0; i < o->probe_count; i++)
+        promise(o->probe[i][0] >= 0 && o->probe[i][0] < o->width && o->probe[i][1] >= 0 &&
+                    o->probe[i][1] < o->height,
+                "the probe is inside the picture");
     promise(o->frames >= 0 && o->fps >= 0.0 && o->benchmark >= 0, "counts are not negative");
     char path[512];
     if (o->frames > 0) {

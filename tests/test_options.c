@@ -101,7 +101,7 @@ static void test_defaults(void **state)
     assert_false(o.has_camera);
     assert_int_equal(o.samples, 1);
     assert_int_equal(o.view, SHADER_PICTURE);
-    assert_false(o.has_probe);
+    assert_int_equal(o.probe_count, 0);
     assert_false(o.has_overlay);
     assert_int_equal(o.backend, CONTEXT_ANY);
     assert_null(o.shader);
@@ -149,7 +149,7 @@ static void test_every_option(void **state)
         assert_int_equal(o.samples, 4);
         assert_int_equal(o.view, i == 1 ? SHADER_PICTURE : SHADER_STEPS);
         if (i == 0 || i == 2) {
-            assert_true(o.has_probe && o.probe_x == 319 && o.probe_y == 199);
+            assert_true(o.probe_count == 1 && o.probe[0][0] == 319 && o.probe[0][1] == 199);
             assert_int_equal(o.backend, CONTEXT_OSMESA);
             assert_string_equal(o.shader, "my.frag");
         }
@@ -387,15 +387,27 @@ static void test_slice_takes_a_probe(void **state)
     (void)state;
     struct options o = parsed("-v slice --probe 3,4 -o a.png");
     assert_int_equal(o.view, SHADER_SLICE);
-    assert_true(o.has_probe && o.probe_x == 3 && o.probe_y == 4);
+    assert_true(o.probe_count == 1 && o.probe[0][0] == 3 && o.probe[0][1] == 4);
     assert_string_equal(o.output, "a.png");
     options_free(&o);
     o = parsed("--view=slice");
     assert_int_equal(o.view, SHADER_SLICE);
-    assert_false(o.has_probe);
+    assert_int_equal(o.probe_count, 0);
     options_free(&o);
     assert_refused("-v slice -s 16x9 -o a.png --probe 16,0", "outside the picture");
     assert_refused("-v slices", "slice");
+}
+
+static void test_several_probes(void **state)
+{
+    (void)state;
+    struct options o = parsed("--probe 3,4 -s 16x9 --probe=15,8");
+    assert_int_equal(o.probe_count, 2);
+    assert_true(o.probe[0][0] == 3 && o.probe[0][1] == 4);
+    assert_true(o.probe[1][0] == 15 && o.probe[1][1] == 8);
+    options_free(&o);
+    assert_refused("-s 16x9 --probe 16,0 --probe 1,1", "--probe '16,0': outside the picture");
+    assert_refused("-s 16x9 --probe 1,1 --probe 1,9", "--probe '1,9': outside the picture");
 }
 
 static void test_pictures(void **state)
@@ -469,6 +481,7 @@ int main(void)
         cmocka_unit_test(test_pictures),
         cmocka_unit_test(test_help_names_every_option),
         cmocka_unit_test(test_slice_takes_a_probe),
+        cmocka_unit_test(test_several_probes),
     };
     return cmocka_run_group_tests_name("options", tests, NULL, NULL);
 }
