@@ -10,7 +10,7 @@
 #include "coverage.glsl" // coverage, blurred
 #include "lighting.glsl" // encodeSRGB
 
-uniform int   figure;       // 6 in [0, 6]: 0 disc, 1 thin bar, 2 rectangle, 3 triangle, 4 star, 5 arc, 6 leaf
+uniform int   figure;       // 6 in [0, 6]: 0 disc, 1 bar, 2 rectangle, 3 triangle, 4 dart, 5 arc, 6 leaf
 uniform int   operation;    // 0 in [0, 6]: 0 none; with a disc 1 union, 2 intersection, 3 difference, 4 smooth union; 5 onion, 6 round
 uniform float amount;       // 0.1 in [0.01, 0.5] step 0.01, units: of the blend, the shell or the rounding
 uniform float morph;        // 0 in [0, 1] step 0.05: mixes the distance with that of the disc
