@@ -69,6 +69,13 @@ anchors_of() { # PAGE
     }'
 }
 
+# The anchors of the project's own pages are found once.
+has_anchor() { # PAGE ANCHOR
+    local kept=$scratch/anchors.${1//\//,}
+    [[ $1 != "$scratch"* && -e $kept ]] || anchors_of "$1" >"$kept"
+    grep -q -x -F -e "$2" "$kept"
+}
+
 # ---- What is wrong with a page: each prints one line for each mistake ----
 
 bad_links() { # PAGE
@@ -79,8 +86,7 @@ bad_links() { # PAGE
         [ -z "$path" ] || file=$(dirname "$1")/$path
         if [ ! -e "$file" ]; then
             echo "$1:$line: $target does not exist"
-        elif [[ $target == *#* && $file == *.md ]] &&
-            ! anchors_of "$file" | grep -q -x -F -e "${target#*#}"; then
+        elif [[ $target == *#* && $file == *.md ]] && ! has_anchor "$file" "${target#*#}"; then
             echo "$1:$line: $target: no heading has this anchor"
         fi
     done
