@@ -83,7 +83,7 @@ double shadow_clearance(const struct shadow_case *scene)
 // The share of a disc on one side of a line, by its chords.
 static double beside(double clear)
 {
-    enum { CHORDS = 4000 };
+    enum { CHORDS = 500 };
     double sum = 0.0, c = fmin(fmax(clear, -1.0), 1.0);
     for (int i = 0; i < CHORDS; i++) {
         double x = -1.0 + (c + 1.0) * (i + 0.5) / CHORDS;
@@ -108,7 +108,7 @@ double shadow_truth(const struct shadow_case *scene)
     if (scene->obstacle == SHADOW_SHEET)
         return beside(scene->clear);
     if (scene->obstacle == SHADOW_BALL)
-        return shadow_share(ball_blocks, scene, d3(0.0, 0.0, 1.0), SPREAD, 200);
+        return shadow_share(ball_blocks, scene, d3(0.0, 0.0, 1.0), SPREAD, 120);
     double radius, half, angle;
     round_thing(scene, &radius, &half, &angle);
     return beside(tan(angle - half) / SPREAD) + 1.0 - beside(tan(angle + half) / SPREAD);

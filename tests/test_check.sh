@@ -50,6 +50,7 @@ sed -n 's/^\([0-9][0-9]_[0-9]*\) .*/\1/p' tests/checks.txt | sort -u | comm -13 
 check "tests/checks.txt names exercises that there are" [ ! -s "$scratch/unknown" ]
 check "a solution is right: chapter 00" accepted 00_2 chapters/solutions/00_first_scene_2.frag
 check "a solution is right: chapter 03" accepted 03_2 chapters/solutions/03_shadows_2.frag
+check "a solution is right: chapter 13" accepted 13_2 chapters/solutions/13_soft_shadows_2.frag
 check "a solution is right: chapter 11" accepted 11_2 chapters/solutions/11_materials_2.frag
 
 # A folder outside the project, as a lecturer has it: files of several students, some of one name.
