@@ -73,10 +73,7 @@ static void *open_offscreen(char why[CONTEXT_WHY])
 
 static void *open_visible(const char *title, int width, int height, char why[CONTEXT_WHY])
 {
-    GLFWwindow *window = open_window(true, title, width, height, why);
-    if (window != NULL)
-        glfwSwapInterval(1);
-    return window;
+    return open_window(true, title, width, height, why);
 }
 
 static gl_function find(const char *name)

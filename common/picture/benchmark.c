@@ -143,12 +143,6 @@ static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
 
 // ---- Evaluations ----
 
-static int compare_floats(const void *a, const void *b)
-{
-    float x = *(const float *)a, y = *(const float *)b;
-    return (x > y) - (x < y);
-}
-
 // Compare the marches of the grid's rays with the least that could have done.
 //   values  4 a pixel, as shaders/main.glsl writes them: -, steps, the least, -
 static struct benchmark_cover cover_of(const float *values, size_t pixels)
@@ -179,25 +173,24 @@ static bool count_evaluations(struct benchmark *benchmark, struct renderer *rend
     struct renderer_inputs inputs = benchmark->inputs;
     size_t pixels = (size_t)inputs.width * (size_t)inputs.height;
     float *values = malloc(4 * sizeof *values * pixels);
+    double *counts = malloc(sizeof *counts * pixels), sum = 0.0;
+    bool room = values != NULL && counts != NULL;
     inputs.samples = 1;
-    if (values == NULL)
+    if (!room)
         report("--benchmark: not enough memory: try a smaller --size");
-    bool done = values != NULL && renderer_set_view(renderer, SHADER_COUNT) &&
+    bool done = room && renderer_set_view(renderer, SHADER_COUNT) &&
                 renderer_draw(renderer, &inputs, 0, inputs.height);
     if (done) {
-        double sum = 0.0;
         renderer_read(renderer, &renderer->picture, values);
         benchmark->cover = cover_of(values, pixels);
-        for (size_t i = 0; i < pixels; i++) {
-            values[i] = values[4 * i];
-            sum += (double)values[i];
-        }
-        qsort(values, pixels, sizeof *values, compare_floats);
+        for (size_t i = 0; i < pixels; i++)
+            sum += counts[i] = (double)values[4 * i];
+        benchmark->most = benchmark_spread_of(counts, (int)pixels).maximum;
         benchmark->mean = sum / (double)pixels;
-        benchmark->percentile = (double)values[(size_t)ceil(0.99 * (double)pixels) - 1];
-        benchmark->most = (double)values[pixels - 1];
+        benchmark->percentile = counts[(size_t)ceil(0.99 * (double)pixels) - 1];
         benchmark->has_evaluations = true;
     }
+    free(counts);
     free(values);
     return renderer_set_view(renderer, view) && done;
 }

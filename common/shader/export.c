@@ -97,13 +97,17 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
 {
     static const char *const given[] = {"iResolution", "iTime", "iTimeDelta", "iFrame",
                                         "iMouse",      "iDate", NULL};
-    const struct {
-        const char *name;
-        const float *value;
-    } camera[] = {{"iCameraPosition", e->camera->position},
-                  {"iCameraRight", e->basis.right},
-                  {"iCameraUp", e->basis.up},
-                  {"iCameraForward", e->basis.forward}};
+    // Shadertoy draws the picture in one part, with one sample.
+    const struct constant {
+        const char *name, *text;
+        const float *vector;
+    } constants[] = {{"iPixelOffset", "vec2(0.0)", NULL},
+                     {"iSample", "0", NULL},
+                     {"iSamples", "1", NULL},
+                     {"iCameraPosition", NULL, e->camera->position},
+                     {"iCameraRight", NULL, e->basis.right},
+                     {"iCameraUp", NULL, e->basis.up},
+                     {"iCameraForward", NULL, e->basis.forward}};
     const struct glsl_token *type = uniform + 1, *end = type;
     while (end->kind != GLSL_END && end->sign != ';')
         end++;
@@ -111,31 +115,24 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
         return type->kind == GLSL_WORD && type[1].kind == GLSL_WORD;
     char name[64];
     snprintf(name, sizeof name, "%.*s", GLSL_TEXT(e->code, type + 1));
-    // Shadertoy draws the picture in one part, with one sample. A declaration is one mention.
-    static const char *const parts[] = {"iPixelOffset", "iSample", "iSamples"};
-    static const char *const part_values[] = {"vec2(0.0)", "0", "1"};
-    const char *part = NULL;
-    for (int i = 0; i < 3; i++)
-        if (strcmp(name, parts[i]) == 0)
-            part = part_values[i];
-    if (part != NULL && mentions(e, name) == 1)
-        return true;
+    const struct constant *constant = NULL;
+    for (size_t i = 0; i < sizeof constants / sizeof *constants; i++)
+        if (strcmp(name, constants[i].name) == 0)
+            constant = &constants[i];
     const struct parameter *parameter = parameters_find(e->parameters, name);
-    const float *vector = NULL;
-    for (int i = 0; i < 4; i++)
-        if (strcmp(name, camera[i].name) == 0)
-            vector = camera[i].value;
-    if (parameter == NULL && vector == NULL && part == NULL)
+    if (constant != NULL && constant->text != NULL && mentions(e, name) == 1)
+        return true; // its declaration
+    if (parameter == NULL && constant == NULL)
         return false;
     int begin = uniform->begin + uniform->length;
     const char *text = e->code->text, *rest = text + end->begin;
     fprintf(e->text, "const%.*s = ", end->begin - begin, text + begin);
-    if (part != NULL)
-        fprintf(e->text, "%s", part);
-    else if (vector != NULL)
-        put_floats(e, vector, 3);
-    else
+    if (constant == NULL)
         put_value(e, parameter);
+    else if (constant->text != NULL)
+        fprintf(e->text, "%s", constant->text);
+    else
+        put_floats(e, constant->vector, 3);
     fprintf(e->text, "%.*s\n", (int)strcspn(rest, "\n"), rest);
     return true;
 }
