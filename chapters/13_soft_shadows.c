@@ -8,7 +8,8 @@ int main(int argc, char **argv)
     const struct chapter chapter = {
         .stem = "13_soft_shadows",
         .title = "13 Soft shadows",
-        .shows = "A terrace over the sea, late in the afternoon: shadows that sharpen at their foot.",
+        .shows =
+            "A terrace over the sea, late in the afternoon: shadows that sharpen at their foot.",
         .camera = {.position = {0.95f, 1.35f, 5.1f}, .pan = -3.0f, .tilt = -6.0f},
     };
     return chapter_run(&chapter, argc, argv);

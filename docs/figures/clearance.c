@@ -32,7 +32,7 @@ static void ray(double slope, const char *colour, const char *dash)
 
 int main(void)
 {
-    double t = 0.9, before = 0.0, most = 10.0, least = 10.0, crease[2] = {0.0, 0.0};
+    double t = 0.9, before = 0.0, most = 1.0, least = 10.0, crease[2] = {0.0, 0.0};
     svg_begin(
         760.0, 400.0, "Two bounds of the free angle",
         "A ray to the right with the circles of its march, and a ball beside it. A dashed line "
