@@ -8,6 +8,7 @@
 #include "support_bound.h"
 #include "support_checkers.h"
 #include "support_gloss.h"
+#include "support_levels.h"
 #include "support_measure.h"
 
 static int print_normal(void)
@@ -247,6 +248,24 @@ static int print_checkers(void)
     return 0;
 }
 
+static int print_levels(void)
+{
+    static const double factors[] = {0.0, 0.25, 0.5, 1.0, 2.0, 4.0};
+    if (!levels_open())
+        return 1;
+    printf("# granite.png read with a factor times the footprint, against the mean over it: root "
+           "mean square, of 1\n");
+    printf("texels,sine,none,1/4,1/2,1,2,4\n");
+    for (double sine = 1.0; sine > 0.05; sine /= 4.0)
+        for (double n = 1.0; n <= 32.0; n *= 2.0) {
+            printf("%g,%g", n, sine);
+            for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++)
+                printf(",%.3f", levels_error(n, n / sine, factors[i], sine));
+            printf("\n");
+        }
+    return 0;
+}
+
 // ---- Speed
 // -----------------------------------------------------------------------------------------
 
@@ -385,6 +404,7 @@ static int usage(FILE *file)
           "  shadows    soft shadows by one march, against what is seen of the sun\n"
           "  gloss      share of the light that a highlight sends back\n"
           "  checkers   squares averaged over a pixel, three ways, against samples\n"
+          "  levels     error of a texture against the footprint that its level is chosen by\n"
           "  speed A.frag B.frag [WxH]\n"
           "             CPU time of two shaders, their frames in turn, and of a cold compilation;\n"
           "             A.frag@X,Y,Z,PAN,TILT places the camera\n",
@@ -409,6 +429,8 @@ static int print_with_gpu(const char *name, int argc, char **argv)
             status = print_shadows();
         else if (strcmp(name, "checkers") == 0)
             status = print_checkers();
+        else if (strcmp(name, "levels") == 0)
+            status = print_levels();
         else
             status = print_speed(argc, argv);
     }
@@ -434,7 +456,8 @@ int main(int argc, char **argv)
         return print_gloss();
     if (strcmp(argv[1], "threshold") == 0 || strcmp(argv[1], "acne") == 0 ||
         strcmp(argv[1], "bound") == 0 || strcmp(argv[1], "shadows") == 0 ||
-        strcmp(argv[1], "checkers") == 0 || strcmp(argv[1], "speed") == 0)
+        strcmp(argv[1], "checkers") == 0 || strcmp(argv[1], "levels") == 0 ||
+        strcmp(argv[1], "speed") == 0)
         return print_with_gpu(argv[1], argc, argv);
     return usage(stderr);
 }

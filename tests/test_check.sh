@@ -53,6 +53,7 @@ check "a solution is right: chapter 03" accepted 03_2 chapters/solutions/03_shad
 check "a solution is right: chapter 13" accepted 13_2 chapters/solutions/13_soft_shadows_2.frag
 check "a solution is right: chapter 10" accepted 10_7 chapters/solutions/10_distance_in_the_plane_7.frag
 check "a solution is right: chapter 11" accepted 11_2 chapters/solutions/11_materials_2.frag
+check "a solution is right: chapter 12" accepted 12_2 chapters/solutions/12_textures_2.frag
 
 # A folder outside the project, as a lecturer has it: files of several students, some of one name.
 handed_in="$scratch/handed in"

@@ -1,0 +1,15 @@
+// Chapter 12: textures. A stone, a plank and a cloth, none of which has coordinates of its own.
+//
+// The page is docs/12_textures.md.
+#include "../common/chapter.h"
+
+int main(int argc, char **argv)
+{
+    const struct chapter chapter = {
+        .stem = "12_textures",
+        .title = "12 Textures",
+        .shows = "A bench of rough stones and a plank, with a cloth over it, on a cold clear morning.",
+        .camera = {.position = {-1.15f, 1.52f, 2.6f}, .pan = 19.0f, .tilt = -16.5f},
+    };
+    return chapter_run(&chapter, argc, argv);
+}

@@ -1,0 +1,240 @@
+// 12 Textures: a stone, a plank and a cloth on a cold clear morning; none has coordinates of its own.
+
+#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread, coneReaching
+#include "primitives.glsl" // sdSphere, boxDistance
+#include "repetition.glsl" // opRepeatLimited
+#include "transform.glsl"  // Pose, seenFrom, rotationZ, displacementStretch, twistStretch
+#include "noise.glsl"      // octaveNoise, octaveStretch, geometricSum
+#include "texture.glsl"    // footprintOn, planeWeights, the lookups
+#include "fresnel.glsl"    // schlickShare
+#include "lighting.glsl"   // lambert, encodeSRGB
+#include "shadow.glsl"     // shadowRay, shadowReach
+#include "bounds.glsl"     // boxInterval, intervalUnion
+
+uniform sampler2D granite;  // "granite.png" sRGB repeat: polished stone
+uniform sampler2D plank;    // "plank.png" sRGB repeat: boards side by side
+uniform sampler2D cloth;    // "cloth.png" sRGB repeat: a plain weave
+
+uniform int   planes;       // 3 in [0, 3]: from how many sides the granite is thrown: 3, the 2 that count most, 1 from above; 0: coloured in space
+uniform float sharpness;    // 6 in [1, 64] step *1.5: how fast the side wins that the surface faces
+uniform float footprint;    // 0.577 in [0, 32] step 0.1, pixels: over how much a texture is averaged; 0: over nothing
+uniform bool  carried;      // true: the ball carries its texture; false: it rolls through it
+uniform float bumps;        // 0.02 in [0, 0.2] step 0.01, scene units: how high the bumps of the ground seem
+uniform float frost;        // 0.45 in [0, 1] step 0.05: how much of what looks up is white
+uniform float roughness;    // 0.12 in [0, 0.4] step 0.02, scene units: how deep the noise carves the stones
+uniform int   maxSteps;     // 160 in [1, 512]: steps before a ray is given up
+uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
+uniform float normalStep;   // 0.002 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
+
+const float FAR = 60.0;                       // so far away the ground has become mist
+const vec3  LOW = vec3(-1.85, -0.1, -0.62);   // opposite corners of a box that holds the bench
+const vec3  HIGH = vec3(2.25, 1.6, 0.62);
+const vec3  ROW_LOW = vec3(-0.7, -0.1, -9.3); // and of one that holds the row of stones behind it
+const vec3  ROW_HIGH = vec3(2.7, 2.25, -2.3);
+const int   OCTAVES = 1;                      // of the noise that carves the stones and is marched,
+const float CELLS = 2.8;                      //   with so many cells a scene unit,
+const float GAIN = 0.45;                      //   each octave so much weaker
+const float LACUNARITY = 2.0;                 //   and finer than the one before
+const float BALL = 0.28;                      // its radius
+const float REPEATS = 1.8;                    // of the granite, a scene unit
+const float WEAVE = 0.8;                      // repeats of plank and cloth, a scene unit
+const vec3  SUN = vec3(-0.899, 0.345, 0.269); // its direction, length 1
+const vec3  SUN_COLOUR = vec3(2.2, 1.62, 1.05);
+const vec3  SKY_COLOUR = vec3(0.13, 0.18, 0.26);
+const vec3  EARTH_COLOUR = vec3(0.028, 0.03, 0.034);
+
+Ray pixelRay(vec2 screen)
+{
+    return perspectiveRay(screen);
+}
+
+// ---- The shapes ----
+
+float roundBox(vec3 p, vec3 halfSize, float radius)
+{
+    return boxDistance(abs(p) - halfSize + radius) - radius;
+}
+
+// The stones before they are rough: two under the plank, and a row that stands in the mist.
+float smoothStones(vec3 p)
+{
+    float under = roundBox(vec3(abs(p.x - 0.2) - 1.2, p.y - 0.36, p.z), vec3(0.45, 0.53, 0.5), 0.16);
+    vec3 q = p - vec3(1.9, 0.9, -3.2);
+    vec2 row = vec2(0.944 * q.x - 0.33 * q.z, 0.33 * q.x + 0.944 * q.z);
+    return min(under, roundBox(vec3(row.x, q.y, opRepeatLimited(row.y, 2.7, -2.0, 0.0)), vec3(0.5, 1.25, 0.62), 0.3));
+}
+
+// The ball rolls to and fro, and turns by the way over its radius.
+Pose ballPose()
+{
+    float way = 0.35 - 0.7 * abs(2.0 * fract(0.1 * iTime) - 1.0);
+    return Pose(vec3(way - 0.75, 0.96 + BALL, 0.0), rotationZ(-way / BALL));
+}
+
+// A shell round the plank, cut off at the hem. Folds push it aside, the more the lower it hangs: a shear, whose
+// slope is at most 0.75.
+float clothDistance(vec3 p)
+{
+    vec3 q = p - vec3(0.75, 0.6, 0.0);
+    vec2 wave = 2.0 * fract(vec2(1.8, 4.1) * q.x) - 1.0;
+    float fold = dot(vec2(0.12, 0.03), wave * (1.0 - abs(wave)));
+    vec2 edge = vec2(abs(abs(q.z) - fold * clamp(0.475 - 1.25 * q.y, 0.0, 1.0)) - 0.43, abs(q.y) - 0.33);
+    float shell = abs(length(max(edge, 0.0)) + min(max(edge.x, edge.y), 0.0) - 0.05) - 0.012;
+    float hem = max(-0.34 - q.y, abs(q.x + 0.1 * (q.y - 0.4)) - 0.48);
+    return max(shell, hem) / twistStretch(0.75, 1.0);
+}
+
+// The distances of the smooth stones, the plank, the ball and the cloth.
+vec4 partDistances(vec3 p)
+{
+    float board = roundBox(p - vec3(0.2, 0.9, 0.0), vec3(1.95, 0.06, 0.46), 0.02);
+    return vec4(smoothStones(p), board, sdSphere(p - ballPose().place, BALL), clothDistance(p));
+}
+
+// The noise that carves the stones: its value (x), in [0, 1) for OCTAVES, and its gradient (yzw).
+vec4 stoneNoise(vec3 p, int count)
+{
+    float sum = geometricSum(GAIN, count) / geometricSum(GAIN, OCTAVES);
+    return sum * vec4(1.0, vec3(CELLS)) * octaveNoise(CELLS * p, count, GAIN, LACUNARITY);
+}
+
+// Its Lipschitz constant.
+float stoneNoiseStretch()
+{
+    return CELLS * octaveStretch(OCTAVES, GAIN, LACUNARITY);
+}
+
+// The noise takes away from the stones, at most roughness: so the rough ones lie in the smooth ones, whose
+// distance is a lower bound too.
+float sceneDistance(vec3 p)
+{
+    vec4 part = partDistances(p);
+    float rough = part.x + roughness * stoneNoise(p, OCTAVES).x;
+    float stones = max(part.x, rough / displacementStretch(roughness * stoneNoiseStretch()));
+    return min(min(stones, part.y), min(part.z, part.w));
+}
+
+vec2 sceneInterval(Ray ray)
+{
+    return intervalUnion(boxInterval(ray, LOW, HIGH), boxInterval(ray, ROW_LOW, ROW_HIGH));
+}
+
+// ---- What they are made of ----
+
+struct Surface {
+    vec4 part;   // partDistances near it
+    vec3 normal; // of the smooth shapes
+};
+
+// By differences of the smooth shapes alone, at the corners of a tetrahedron.
+Surface surfaceAt(vec3 p, float h, bool hit)
+{
+    Surface surface = Surface(vec4(1.0), vec3(0.0));
+    int corners = hit ? 4 : 1;
+    for (int i = 0; i < corners; i++) {
+        vec3 corner = 2.0 * vec3(i == 0 || i == 3, i == 1 || i == 3, i == 2 || i == 3) - 1.0;
+        vec4 part = partDistances(p + h * corner);
+        surface.normal += corner * min(min(part.x, part.y), min(part.z, part.w));
+        surface.part = min(surface.part, abs(part));
+    }
+    surface.normal = hit ? normalize(surface.normal) : vec3(0.0, 1.0, 0.0);
+    return surface;
+}
+
+// A colour nearer to grey, as light as before.
+vec3 faded(vec3 colour, float kept)
+{
+    return mix(vec3(dot(colour, vec3(0.2, 0.7, 0.1))), colour, kept);
+}
+
+// Granite from as many sides as planes says.
+//   p, normal, f  as the stone sees them
+vec3 graniteAt(vec3 p, vec3 normal, Footprint f)
+{
+    vec3 weights = planeWeights(normal, sharpness);
+    weights = planes == 2 ? twoPlaneWeights(weights) : (planes == 1 ? vec3(0.0, 1.0, 0.0) : weights);
+    vec3 stone = textureOnPlanes(granite, REPEATS * p, footprintSeen(f, mat3(1.0), REPEATS), weights).rgb;
+    return faded(stone, 0.45);
+}
+
+// Boards that have stood outside: their colour has faded.
+vec3 woodAt(vec3 p, Slide slide)
+{
+    return faded(textureOnSlide(plank, slide).rgb, 0.75);
+}
+
+struct Material {
+    vec3  colour;
+    vec3  normal; // with all its roughness
+    float polish; // 1: it mirrors the sky
+};
+
+// What is met, found once, at the hit; what is not hit is the ground.
+//   width  of the pixel there, scene units
+Material materialAt(vec3 p, vec3 direction, float width, bool hit)
+{
+    float h = normalStep + 0.5 * width, near = hitThreshold + h;
+    Surface surface = surfaceAt(p, h, hit);
+    bool isCloth = hit && surface.part.w < near, isBall = hit && surface.part.z < near;
+    bool isPlank = hit && surface.part.y < near && !isCloth, isStone = hit && !(isCloth || isBall || isPlank);
+
+    // The gradient of the noise is known: of two octaves more than are marched. The ground is flat, and only
+    // shaded as if it were rough.
+    float scale = hit ? 1.0 : 1.8, depth = isStone ? roughness : (hit ? 0.0 : bumps);
+    vec4 noise = stoneNoise(scale * p, OCTAVES + 2);
+    vec3 normal = bumpedNormal(surface.normal, -depth * scale * noise.yzw);
+    float pale = noise.x * geometricSum(GAIN, OCTAVES) / geometricSum(GAIN, OCTAVES + 2); // in [0, 1)
+
+    Footprint f = footprintOn(direction, surface.normal, footprint * width);
+    Pose pose = Pose(vec3(0.0), mat3(1.0));
+    if (isBall && carried)
+        pose = ballPose();
+    bool granular = isStone || isBall; // elsewhere one lookup is enough, and of no matter
+    vec3 stone = graniteAt(seenFrom(pose, p), granular ? normal * pose.turn : vec3(0.0, 1.0, 0.0), footprintSeen(f, pose.turn, 1.0));
+    stone = planes == 0 ? mix(vec3(0.10, 0.09, 0.08), vec3(0.62, 0.56, 0.52), pale) : stone;
+
+    // Plank and cloth lie flat or hang: one side is enough.
+    Slide slide = slideAlong(WEAVE * p, footprintSeen(f, mat3(1.0), WEAVE), surface.normal.y > 0.6 ? 1 : 2);
+    vec3 linen = 0.55 * textureOnSlide(cloth, slide).rgb, wood = woodAt(p, slide);
+    vec3 earth = mix(vec3(0.016, 0.014, 0.012), vec3(0.10, 0.085, 0.07), pale);
+    vec3 colour = isCloth ? linen : (isPlank ? wood : (hit ? stone : earth));
+    float white = frost * smoothstep(0.3, 0.95, normal.y) * smoothstep(0.35, 0.6, pale + 0.25 * frost);
+    colour = mix(colour, vec3(0.62, 0.66, 0.72), isBall ? 0.0 : (isStone || !hit ? white : 0.5 * white));
+    return Material(colour, normal, isBall ? 1.0 : 0.0);
+}
+
+// ---- The morning ----
+
+// A clear sky, paler below, warm towards the low sun.
+vec3 skyLight(vec3 direction, vec3 sun)
+{
+    vec3 sky = mix(vec3(0.46, 0.53, 0.60), vec3(0.07, 0.16, 0.34), 1.0 - exp(-3.6 * max(direction.y, 0.0)));
+    float facing = max(dot(direction, sun), 0.0);
+    return sky + facing * facing * vec3(0.55, 0.36, 0.18);
+}
+
+vec3 rayColour(Ray ray)
+{
+    float spread = pixelSpread(), ground = ray.direction.y < 0.0 ? min(-ray.origin.y / ray.direction.y, FAR) : FAR;
+    vec2 interval = sceneInterval(ray);
+    Hit hit = marchCone(ray, interval.x, min(interval.y, ground), hitThreshold, spread, maxSteps);
+    float t = hit.found ? hit.t : ground, radius = hitThreshold + spread * t;
+    vec3 p = ray.origin + t * ray.direction;
+    Material material = materialAt(p, ray.direction, 2.0 * spread * t, hit.found);
+    if (t < FAR) { // the views and the probe show what was met, the ground too
+        traceNormal(material.normal);
+        traceMarch(trace.steps, t, END_HIT);
+    }
+    Ray up = shadowRay(p, material.normal, SUN, 3.0 * radius);
+    vec2 way = boxInterval(up, LOW, HIGH);
+    float seen = coneReaching(up, way.x, shadowReach(material.normal, SUN, way.y), radius, 0.02, maxSteps);
+
+    vec3 sky = mix(EARTH_COLOUR, SKY_COLOUR, 0.5 + 0.5 * material.normal.y);
+    vec3 light = material.colour * (sky + seen * lambert(material.normal, SUN) * SUN_COLOUR);
+    vec3 mirrored = reflect(ray.direction, material.normal);
+    float share = material.polish * schlickShare(clamp(-dot(ray.direction, material.normal), 0.0, 1.0), 0.04);
+    light = mix(light, mix(sky, skyLight(mirrored, SUN), smoothstep(-0.2, 0.2, mirrored.y)), share);
+    vec3 mist = skyLight(vec3(ray.direction.x, 0.02, ray.direction.z), SUN);
+    return encodeSRGB(t < FAR ? mix(mist, light, exp(-0.006 * t * t)) : skyLight(ray.direction, SUN));
+}

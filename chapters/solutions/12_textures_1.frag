@@ -1,0 +1,14 @@
+// Solution of exercise 12.1: the nearest side alone. One lookup, and a seam where two sides are equally near.
+//
+// The chapter's call of planeWeights is turned into a call of nearestWeights.
+#include "main.glsl"
+#include "texture.glsl"
+
+vec3 nearestWeights(vec3 normal, float sharpness)
+{
+    vec3 a = abs(normal);
+    return a.x >= max(a.y, a.z) ? vec3(1.0, 0.0, 0.0) : (a.y >= a.z ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0));
+}
+
+#define planeWeights nearestWeights
+#include "12_textures.frag"

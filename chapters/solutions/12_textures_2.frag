@@ -1,0 +1,16 @@
+// Solution of exercise 12.2: a threshold in place of a power. What a side gives is 0 below it.
+//
+// The chapter's call of planeWeights is turned into a call of thresholdWeights.
+#include "main.glsl"
+#include "texture.glsl"
+
+uniform float threshold; // 0.5 in [0, 0.57] step 0.01: a side counts by how much |normal| exceeds it
+
+vec3 thresholdWeights(vec3 normal, float sharpness)
+{
+    vec3 w = max(abs(normal) - threshold, 0.0);
+    return w / (w.x + w.y + w.z);
+}
+
+#define planeWeights thresholdWeights
+#include "12_textures.frag"

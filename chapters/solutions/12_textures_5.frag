@@ -1,0 +1,21 @@
+// Solution of exercise 12.5: long pixels. Eight lookups along the ellipse, each as wide as its short axis or an
+// eighth of its long one.
+//
+// The chapter's calls of textureOnSlide, for plank and cloth, are turned into calls of textureAlong.
+#include "main.glsl"
+#include "texture.glsl"
+
+const int LOOKUPS = 8;
+
+vec4 textureAlong(sampler2D picture, Slide slide)
+{
+    vec4 sum = vec4(0.0);
+    for (int i = 0; i < LOOKUPS; i++) {
+        float place = (float(i) + 0.5) / float(LOOKUPS) - 0.5;
+        sum += textureGrad(picture, slide.at + place * slide.along, slide.across, slide.along / float(LOOKUPS));
+    }
+    return sum / float(LOOKUPS);
+}
+
+#define textureOnSlide textureAlong
+#include "12_textures.frag"
