@@ -147,12 +147,20 @@ state == "listing" {
     next
 }
 
+# Behind an empty line a second table may follow: of the textures.
 state == "rows" {
     if ($0 ~ begins) {
-        old = old $0 "\n"
+        old = old held $0 "\n"
+        held = ""
+        next
+    }
+    if ($0 == "" && held == "") {
+        held = "\n"
         next
     }
     finish()
+    printf "%s", held
+    held = ""
 }
 
 # Markers inside another fence are shown, not obeyed.
@@ -172,8 +180,10 @@ state == "text" && !fenced && /^<!-- *(code:|parameters:|time)/ {
 END {
     if (state == "listing")
         fail("the fence below line " at " has no end")
-    else if (state != "text")
+    else if (state != "text") {
         finish()
+        printf "%s", held
+    }
     if (fenced)
         fail("a fence has no end")
     exit bad
