@@ -8,7 +8,7 @@
 // on standard error. With FOLDER each picture is left there as NAME.BACKEND.png.
 //
 // A picture is made of its options as the programs make it: their code is this one's.
-#include "../common/chapter.c"
+#include "../common/chapter.c" // NOLINT(bugprone-suspicious-include)
 
 #include "support_compare.h"
 #include "support_mirror.h"
@@ -124,14 +124,16 @@ int main(int argc, char **argv)
 {
     struct context context = {0};
     enum context_backend backend = CONTEXT_ANY;
-    char line[LINE], name[LINE], root[LINE];
+    char line[LINE], *rest;
     if ((argc > 1 && !context_backend_from_name(argv[1], &backend)) ||
         !context_open_offscreen(&context, backend))
         return NOT_DONE;
     while (fgets(line, sizeof line, stdin) != NULL) {
-        snprintf(root, sizeof root, ".");
-        if (sscanf(line, "%s %s", name, root) >= 1)
-            answer(&context, name, root, argc > 1 ? argv[1] : "", argc > 2 ? argv[2] : NULL);
+        const char *name = strtok_r(line, " \n", &rest);
+        const char *root = name != NULL ? strtok_r(NULL, " \n", &rest) : NULL;
+        if (name != NULL)
+            answer(&context, name, root != NULL ? root : ".", argc > 1 ? argv[1] : "",
+                   argc > 2 ? argv[2] : NULL);
     }
     context_close(&context);
     return DONE;
