@@ -31,7 +31,7 @@ check 'the old difference is gone' eval '! shown'
 check 'a rounding is no difference' says 0 'the pictures are the same: no pixel differs by more than 2 of 255, at most by 1' one hair
 check 'a whole part that differs by little is' says 1 'no pixel differs by more than [12] of 255, but a whole part does, most around .*: see build/compare.png' one shifted
 check 'two sizes' says 2 'make: pictures of different size cannot be compared: 128x72 and 64x36' one small
-check 'a text' says 2 "make: .*text.png: cannot be read: Not a PNG file" one text
+check 'a text' says 2 "make: .*text.png: cannot be read: Not a PNG file: save it again as a PNG" one text
 check 'no file' says 2 "make: .*absent.png: cannot be read: No such file or directory" one absent
 check 'one picture' says 2 'make: which two pictures? .*' one
 check 'three' says 2 'make: which two pictures? .*' one one one

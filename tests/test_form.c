@@ -265,6 +265,14 @@ static void test_inputs_and_textures(void **state)
         "uniform sampler2D tex; out vec4 A; void main() { A = texture(tex, vec2(0)); }\n",
         "main.frag:2: tex has no picture: name it iChannel0");
     assert_form("#version 330 core\nuniform sampler2D tex; float k; " WRITES, SHADER_WHOLE);
+    // A row where there is one picture, and one where there is a row: neither would be filled in.
+    assert_refused("uniform sampler2D iChannel0[2]; " WRITES,
+                   "uniform sampler2D[] iChannel0: iChannel0 is a sampler2D here: write uniform "
+                   "sampler2D iChannel0;");
+    assert_refused("uniform vec3 iChannelResolution; " WRITES,
+                   "iChannelResolution is a vec3[4] here: write uniform vec3 "
+                   "iChannelResolution[4];");
+    assert_form("#version 330 core\nuniform vec3[4] iChannelResolution; " WRITES, SHADER_WHOLE);
 }
 
 static void test_forms_of_main_image(void **state)

@@ -107,10 +107,12 @@ static void test_what_declares_none(void **state)
     const struct samplers *read = samplers_of("#if 0\nuniform sampler2D a;\n#endif\n"
                                               "// uniform sampler2D b;\n"
                                               "/* uniform sampler2D c; */\n"
-                                              "#define MORE uniform sampler2D d;\n"
                                               "uniform sampler2D iMarch;\n"
-                                              "vec4 read(sampler2D e) { return vec4(0.0); }\n"
-                                              "uniforms sampler2D f;\n"
+                                              "precision highp sampler3D;\n"
+                                              "#if 0\n#define MORE uniform sampler2D d;\n#endif\n"
+                                              "#define READ vec4 g(sampler2D x, sampler3D y)\n"
+                                              "vec4 read(sampler2D e, const in sampler2D h) "
+                                              "{ return vec4(0.0); }\n"
                                               "uniform float sampler;\n",
                                               NULL);
     assert_int_equal(read->count, 0);
@@ -150,6 +152,14 @@ static void test_malformed(void **state)
         {"uniform sampler2D a, b; // \"stone.png\" sRGB repeat: x", "alone on its line"},
         {"uniform sampler2D a[2]; // \"stone.png\" sRGB repeat: x", "alone on its line"},
         {"uniform sampler2D", "not a sampler's declaration"},
+        {"struct S { float k; sampler2D a; }; uniform S s;",
+         "a sampler2D must be a uniform of its own"},
+        {"struct S { highp sampler3D a; }; uniform S s;", "64: meaning"},
+        {"unifrom sampler2D a; // \"stone.png\" sRGB repeat: x", "a uniform of its own"},
+        {"#define TEX sampler2D", "in no structure or macro"},
+        {"#define MORE uniform sampler2D d;", "in no structure or macro"},
+        {"uniform sampler2D a; // \"no\xC2\xA0\xE2\x80\xAF.png\" sRGB repeat: x",
+         "a: no\xC2\xA0\xE2\x80\xAF.png: no such file"},
         {"uniform sampler2D a; // \"stone.png\" sRGB repeat: x\n"
          "uniform sampler2D a; // \"stone.png\" sRGB repeat: x",
          "declared twice"},

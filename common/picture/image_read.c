@@ -11,7 +11,13 @@
 // libpng's errors jump to whoever called setjmp.
 static void on_png_error(png_structp png, png_const_charp text)
 {
-    snprintf(png_get_error_ptr(png), IMAGE_WHY, "cannot be read: %s", text);
+    snprintf(png_get_error_ptr(png), IMAGE_WHY, "cannot be read: %s: save it again as a PNG", text);
+    png_longjmp(png, 1);
+}
+
+static void refuse(png_structp png, const char *why)
+{
+    snprintf(png_get_error_ptr(png), IMAGE_WHY, "%s", why);
     png_longjmp(png, 1);
 }
 
@@ -27,9 +33,9 @@ static void read_pixels(png_structp png, png_infop info, struct image_bytes *byt
     png_read_info(png, info);
     size_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
     if (width > IMAGE_SIDE_LIMIT || height > IMAGE_SIDE_LIMIT)
-        png_error(png, "a side is longer than 16384 pixels");
+        refuse(png, "a side is longer than 16384 pixels: make it smaller");
     if (width * height > most)
-        png_error(png, "too many pixels: make its sides half as long");
+        refuse(png, "too many pixels: make its sides half as long");
     png_set_scale_16(png);
     png_set_expand(png);
     png_set_gray_to_rgb(png);
@@ -42,7 +48,7 @@ static void read_pixels(png_structp png, png_infop info, struct image_bytes *byt
     size_t row = (size_t)bytes->channels * width;
     bytes->value = malloc(row * height);
     if (bytes->value == NULL)
-        png_error(png, "not enough memory");
+        refuse(png, "not enough memory");
     bytes->width = (int)width;
     bytes->height = (int)height;
     if (png_get_rowbytes(png, info) != row)

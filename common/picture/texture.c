@@ -261,4 +261,5 @@ void textures_bind(const struct textures *textures, const struct gl *gl, GLuint 
                       (float)texture->size[1], 1.0f);
     }
     gl->ActiveTexture(GL_TEXTURE0);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
 }

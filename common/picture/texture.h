@@ -52,7 +52,8 @@ bool textures_load(struct textures *textures, const struct gl *gl, const struct 
                    const struct shader_source *source);
 void textures_free(struct textures *textures, const struct gl *gl);
 
-// Give a program, which is in use, its textures: the units from 1 on; unit 0 stays free and active.
+// Give a program, which is in use, its textures: the units from 1 on; unit 0 stays active and
+// holds none, so that a sampler which nothing sets reads black, never the picture being drawn.
 // Shadertoy's iChannelResolution is told too.
 void textures_bind(const struct textures *textures, const struct gl *gl, GLuint program);
 

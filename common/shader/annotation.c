@@ -90,10 +90,12 @@ static char *words_of(const struct glsl *code, const struct glsl_token *comment)
     static const char *const spaces[] = {"\xC2\xA0", "\xE2\x80\xAF"};
     const char *begin = code->text + comment->begin + 2;
     char *words = memory_text("%.*s", (int)strcspn(begin, "\n"), begin);
-    for (int i = 0; i < 2; i++)
-        for (char *c = words; (c = strstr(c, spaces[i])) != NULL;)
-            memset(c, ' ', strlen(spaces[i]));
+    bool quoted = false; // a file's name is what it is
     for (char *c = words; *c != '\0'; c++) {
+        quoted ^= *c == '"';
+        for (int i = 0; i < 2 && !quoted; i++)
+            if (strncmp(c, spaces[i], strlen(spaces[i])) == 0)
+                memset(c, ' ', strlen(spaces[i]));
         bool wide = *c == '\xC2' && (unsigned char)c[1] >= 0x80 && (unsigned char)c[1] < 0xA0;
         if (wide || ((unsigned char)*c < ' ' && strchr(ANNOTATION_BLANKS, *c) == NULL) ||
             *c == 0x7F)

@@ -23,7 +23,8 @@ struct annotation {
 };
 
 // Read what stands in the line of a uniform; nothing is judged. A space that cannot break is a
-// blank, as a French keyboard types it, and a control character a question mark. Free words.
+// blank, as a French keyboard types it, but not in quotes, and a control character a question mark.
+// Free words.
 void annotation_begin(struct annotation *a, const struct shader_source *source,
                       const struct glsl_token *uniform);
 

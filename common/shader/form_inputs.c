@@ -269,15 +269,18 @@ static bool check_input(struct shader_source *source, const struct walk *at)
     const struct glsl *code = at->code;
     const struct input *input = find_input(at);
     const char *kind = kind_names[at->kind];
+    bool row = at->type[1].sign == '[' || at->name[1].sign == '[';
+    const char *wanted = input != NULL ? strchr(input->declaration, '[') : NULL; // of a row
     if (at->kind == IN)
         blank_location(source, at);
     if (at->kind == BLOCK || at->type->macro || at->name->macro)
         return true;
-    if (input != NULL && !glsl_is(code, at->type, input->type))
+    if (input != NULL && (!glsl_is(code, at->type, input->type) || row != (wanted != NULL)))
         return make_uniform(source, at) ||
-               shader_refuse(source, at->name->line, "%s %.*s %s: %s is a %s here: write %s %s %s;",
-                             kind, GLSL_TEXT(code, at->type), input->name, input->name, input->type,
-                             kind, input->type, input->name);
+               shader_refuse(source, at->name->line,
+                             "%s %.*s%s %s: %s is a %s%s here: write %s %s;", kind,
+                             GLSL_TEXT(code, at->type), row ? "[]" : "", input->name, input->name,
+                             input->type, wanted != NULL ? wanted : "", kind, input->declaration);
     char type[NAME_LIMIT], name[NAME_LIMIT];
     snprintf(type, sizeof type, "%.*s", GLSL_TEXT(code, at->type));
     snprintf(name, sizeof name, "%.*s", GLSL_TEXT(code, at->name));

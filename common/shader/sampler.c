@@ -246,6 +246,22 @@ static bool read_channels(struct samplers *samplers, struct shader_source *sourc
     return true;
 }
 
+// True for a type that would declare a sampler in a structure or a macro, which no picture fills
+// in. A parameter of a function is another's sampler.
+static bool is_hidden(const struct glsl *code, const struct glsl_token *type)
+{
+    static const char *const types[] = {"sampler2D", "sampler3D", NULL};
+    static const char *const parameter[] = {"in", "const", "precision", NULL};
+    const struct glsl_token *t = type - 1;
+    if (!type->live || !glsl_is_any(code, type, types))
+        return false;
+    while (t >= code->item && (t->kind >= GLSL_COMMENT || glsl_is_precision(code, t)))
+        t--;
+    return t < code->item ||
+           !(t->sign == '(' || t->sign == ',' || glsl_is_any(code, t, parameter) ||
+             (!type->directive && glsl_is(code, t, "uniform")));
+}
+
 bool samplers_read(struct samplers *samplers, struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -256,6 +272,11 @@ bool samplers_read(struct samplers *samplers, struct shader_source *source)
         const struct glsl_token *type =
             t->live && !t->directive && glsl_is(code, t, "uniform") ? sampler_type(code, t) : NULL;
         done = type == NULL || read_sampler(samplers, source, t, type);
+        if (done && is_hidden(code, t))
+            done = shader_refuse(
+                source, t->line,
+                "a %.*s must be a uniform of its own, in no structure or macro: write as in \"%s\"",
+                GLSL_TEXT(code, t), glsl_is(code, t, "sampler3D") ? EXAMPLE3 : EXAMPLE2);
     }
     if (!done)
         samplers_free(samplers);

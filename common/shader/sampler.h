@@ -39,8 +39,8 @@ struct samplers {
 // Find the samplers of an expanded source, in the order of the text, and their files, which are
 // added to the source's.
 // Returns false, reported with file and line: a sampler without such a comment, a malformed one, a
-// kind of sampler that is neither sampler2D nor sampler3D, a name declared twice, a file that is
-// not there. Free with samplers_free.
+// kind of sampler that is neither sampler2D nor sampler3D, one in a structure or a macro, a name
+// declared twice, a file that is not there. Free with samplers_free.
 bool samplers_read(struct samplers *samplers, struct shader_source *source);
 
 void samplers_free(struct samplers *samplers);

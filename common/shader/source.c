@@ -34,11 +34,11 @@ static bool inside(const char *path, const char *folder)
                                                   (length > 0 && folder[length - 1] == '/'));
 }
 
-// The part of a path inside the folder that holds it.
+// The part of a path inside the folder that holds it; . for the folder itself.
 static const char *within(const char *path, const char *folder)
 {
     path += strlen(folder);
-    return path + (*path == '/');
+    return *path == '\0' ? "." : path + (*path == '/');
 }
 
 // The folder of a resolved path.
