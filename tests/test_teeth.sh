@@ -55,8 +55,10 @@ judge_test() { # WHAT 'PROGRAM [TEST]' COPY
         sed '/^not ok [0-9]/q' >"$3/tap"
     if grep -q '^not ok [0-9]' "$3/tap"; then
         echo "ok $1: $program fails in$(sed -n 's/^not ok [0-9]* - / /p' "$3/tap" | tr '\n' ',' | sed 's/,$//')"
-    else
+    elif grep -q '^ok [0-9]' "$3/tap"; then
         echo "not ok $1: $2 does not see it"
+    else
+        echo "not ok $1: $2: there is no such test"
     fi
 }
 
