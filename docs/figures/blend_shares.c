@@ -90,9 +90,9 @@ int main(void)
     curve(&share, quadratic_share, teal);
     curve(&share, workshop_weight, orange);
     svg_text(70.0, 318.0, 'l', 14.0, SVG_INK, "thin: min(a, b)");
-    svg_text(200.0, 318.0, 'l', 14.0, SVG_BLUE, "whole: cubic");
+    svg_text(200.0, 318.0, 'l', 14.0, SVG_BLUE, "solid: cubic");
     svg_text(320.0, 318.0, 'l', 14.0, SVG_TEAL, "dashed: quadratic");
-    svg_text(480.0, 318.0, 'l', 14.0, SVG_ORANGE, "dotted: the workshop's weight");
+    svg_text(480.0, 318.0, 'l', 14.0, SVG_ORANGE, "dotted: the workshop's weight, k = 1");
     svg_end();
     return 0;
 }

@@ -40,7 +40,7 @@ int main(void)
         curve(&right, gloss_blinn_phong, cosine[i], pen);
     }
     svg_text(70.0, 318.0, 'l', 14.0, SVG_INK, "seen");
-    svg_text(120.0, 318.0, 'l', 14.0, SVG_BLUE, "whole: straight on");
+    svg_text(120.0, 318.0, 'l', 14.0, SVG_BLUE, "solid: straight on");
     svg_text(290.0, 318.0, 'l', 14.0, SVG_TEAL, "dashed: at 60°");
     svg_text(440.0, 318.0, 'l', 14.0, SVG_ORANGE, "dotted: at 80°");
     svg_end();
