@@ -4,7 +4,7 @@
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread, coneReaching
 #include "primitives.glsl" // sdSphere, boxDistance
 #include "repetition.glsl" // opRepeatLimited
-#include "transform.glsl"  // Pose, seenFrom, rotationZ, displacementStretch, twistStretch
+#include "transform.glsl"  // Pose, seenFrom, rotationZ, displacementStretch, heightStretch
 #include "noise.glsl"      // octaveNoise, octaveStretch, geometricSum
 #include "texture.glsl"    // footprintOn, planeWeights, the lookups
 #include "fresnel.glsl"    // schlickShare
@@ -72,8 +72,8 @@ Pose ballPose()
     return Pose(vec3(way - 0.75, 0.96 + BALL, 0.0), rotationZ(-way / BALL));
 }
 
-// A shell round the plank, cut off at the hem. Folds push it aside, the more the lower it hangs: a shear, whose
-// slope is at most 0.75.
+// A shell round the plank, cut off at the hem. Folds push it aside along z, the more the lower it hangs, with a
+// slope of at most 0.7. The shell alone is the same for every x, so the folds add their slope at a right angle.
 float clothDistance(vec3 p)
 {
     vec3 q = p - vec3(0.75, 0.6, 0.0);
@@ -82,7 +82,7 @@ float clothDistance(vec3 p)
     vec2 edge = vec2(abs(abs(q.z) - fold * clamp(0.475 - 1.25 * q.y, 0.0, 1.0)) - 0.43, abs(q.y) - 0.33);
     float shell = abs(length(max(edge, 0.0)) + min(max(edge.x, edge.y), 0.0) - 0.05) - 0.012;
     float hem = max(-0.34 - q.y, abs(q.x + 0.1 * (q.y - 0.4)) - 0.48);
-    return max(shell, hem) / twistStretch(0.75, 1.0);
+    return max(shell, hem) / heightStretch(0.7);
 }
 
 // The distances of the smooth stones, the plank, the ball and the cloth.

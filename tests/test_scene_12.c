@@ -63,7 +63,7 @@ static double cloth(struct d3 p)
     double up = fabs(q.y) - 0.33;
     double box = hypot(fmax(aside, 0.0), fmax(up, 0.0)) + fmin(fmax(aside, up), 0.0);
     double hem = fmax(-0.34 - q.y, fabs(q.x + 0.1 * (q.y - 0.4)) - 0.48);
-    return fmax(fabs(box - 0.05) - 0.012, hem) / (0.5 * (0.75 + sqrt(0.75 * 0.75 + 4.0)));
+    return fmax(fabs(box - 0.05) - 0.012, hem) / sqrt(1.0 + 0.7 * 0.7);
 }
 
 static double scene_distance(struct d3 p, int *nearest)
@@ -237,7 +237,7 @@ static const struct pixel pixels[] = {
     {STEM, 20, 340, "sky-"},     {STEM, 600, 350, "sky-"},    {STEM, 520, 300, "sky-"},
     {STEM, 30, 20, "ground+"},   {STEM, 90, 100, "ground+"},  {STEM, 600, 60, "ground+"},
     {STEM, 500, 30, "ground+"},  {STEM, 40, 240, "ground+"},  {STEM, 330, 110, "ground#"},
-    {STEM, 350, 125, "ground#"}, {STEM, 600, 150, "ground#"},
+    {STEM, 350, 125, "ground#"}, {STEM, 560, 160, "ground#"},
 };
 
 // The gradient of the noise changes by up to 40 a unit, and places on the ground by 3e-6 with
