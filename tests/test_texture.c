@@ -581,6 +581,26 @@ static void a_broken_one_keeps_the_last_good(void **state)
     free(after);
 }
 
+// A sampler in a structure, which the warning says is 0, never reads what is being drawn: the third
+// picture goes to the target that the second one left bound.
+static void what_nothing_sets_reads_black(void **state)
+{
+    (void)state;
+    struct renderer_inputs inputs = {.width = 4, .height = 2, .samples = 1};
+    float values[4 * 4 * 2];
+    capture_begin();
+    assert_true(gpu_load_text("#version 330 core\nstruct S { sampler2D a; }; uniform S s;\n"
+                              "out vec4 colour;\n"
+                              "void main() { colour = texture(s.a, vec2(0.5)) + 0.25; }\n"));
+    assert_non_null(strstr(capture_end(), "uniform S s is 0"));
+    for (int i = 0; i < 3; i++) {
+        assert_true(i == 1 ? renderer_sharpen(&gpu.renderer, &inputs, 0, 2)
+                           : renderer_draw(&gpu.renderer, &inputs, 0, 2));
+        renderer_read(&gpu.renderer, i == 1 ? &gpu.renderer.sharp : &gpu.renderer.picture, values);
+        assert_true(values[0] == 0.25f && values[1] == 0.25f && values[2] == 0.25f);
+    }
+}
+
 // Each backend gives the same numbers, to the bit; tests/test_images.sh adds a hidden window.
 static void backends_agree(void **state)
 {
@@ -634,6 +654,7 @@ int main(void)
         cmocka_unit_test(the_level_is_the_one_asked_for),
         cmocka_unit_test(too_many_are_refused),
         cmocka_unit_test(a_broken_one_keeps_the_last_good),
+        cmocka_unit_test(what_nothing_sets_reads_black),
         cmocka_unit_test(backends_agree),
     };
     return cmocka_run_group_tests_name("texture", tests, gpu_setup, gpu_teardown);
