@@ -72,14 +72,16 @@ Pose ballPose()
     return Pose(vec3(way - 0.75, 0.96 + BALL, 0.0), rotationZ(-way / BALL));
 }
 
-// A shell round the plank, cut off at the hem. Folds push it aside along z, the more the lower it hangs, with a
-// slope of at most 0.7. The shell alone is the same for every x, so the folds add their slope at a right angle.
+// A shell round the plank, open below, and cut off at the hem: were it closed just under the cut, the bound of its
+// distance would be near 0 there, a hit for the wide rays of a small picture. Folds push it aside along z, the more
+// the lower it hangs, with a slope of at most 0.7. The shell alone is the same for every x, so the folds add their
+// slope at a right angle.
 float clothDistance(vec3 p)
 {
     vec3 q = p - vec3(0.75, 0.6, 0.0);
     vec2 wave = 2.0 * fract(vec2(1.8, 4.1) * q.x) - 1.0;
     float fold = dot(vec2(0.12, 0.03), wave * (1.0 - abs(wave)));
-    vec2 edge = vec2(abs(abs(q.z) - fold * clamp(0.475 - 1.25 * q.y, 0.0, 1.0)) - 0.43, abs(q.y) - 0.33);
+    vec2 edge = vec2(abs(abs(q.z) - fold * clamp(0.475 - 1.25 * q.y, 0.0, 1.0)) - 0.43, q.y - 0.33);
     float shell = abs(length(max(edge, 0.0)) + min(max(edge.x, edge.y), 0.0) - 0.05) - 0.012;
     float hem = max(-0.34 - q.y, abs(q.x + 0.1 * (q.y - 0.4)) - 0.48);
     return max(shell, hem) / heightStretch(0.7);

@@ -60,7 +60,7 @@ static double cloth(struct d3 p)
     double hang = fmin(fmax(0.475 - 1.25 * q.y, 0.0), 1.0);
     double aside =
         fabs(fabs(q.z) - (0.12 * wave(1.8 * q.x) + 0.03 * wave(4.1 * q.x)) * hang) - 0.43;
-    double up = fabs(q.y) - 0.33;
+    double up = q.y - 0.33;
     double box = hypot(fmax(aside, 0.0), fmax(up, 0.0)) + fmin(fmax(aside, up), 0.0);
     double hem = fmax(-0.34 - q.y, fabs(q.x + 0.1 * (q.y - 0.4)) - 0.48);
     return fmax(fabs(box - 0.05) - 0.012, hem) / sqrt(1.0 + 0.7 * 0.7);
