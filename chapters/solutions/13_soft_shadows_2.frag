@@ -10,7 +10,7 @@ vec3 rayColour(Ray ray)
     Place place = placeAt(ray);
     Ray there = sunRay(place, toSun);
     vec3 toBall = BALL.xyz - there.origin;
-    bool before = dot(toBall, toSun) > 0.0 && length(toBall) > BALL.w + 0.01; // and not on the ball itself
+    bool before = dot(toBall, toSun) > 0.0; // so it is on the ball's dark side, where Lambert's cosine is 0 anyway
     float behind = lampBesideBall(there.origin, toSun, spread, BALL.xyz, BALL.w);
     return encodeSRGB(placeLight(place, ray, toSun, before ? behind : 1.0));
 }

@@ -1,6 +1,6 @@
-// sampling_error.c - the error of the visible share against the number of rays: drawn by lot over
-// the whole disc, or one in each cell; an edge that cuts the disc, and for comparison a light that
-// is smooth.
+// sampling_error.c - the error of the visible share against the number of rays: drawn at random
+// over the whole disc, or one in each cell; an edge that cuts the disc, and for comparison a light
+// that is smooth.
 #include <math.h>
 #include <stddef.h>
 
@@ -13,7 +13,7 @@ static const int sides[SIDES] = {1, 2, 3, 4, 6, 8, 12, 16};
 static const double pi = 3.14159265358979323846;
 
 // One estimate: the mean over side x side rays.
-//   curve  0 by lot past an edge, 1 a ray in each cell past an edge, 2 the same under a smooth
+//   curve  0 at random past an edge, 1 a ray in each cell past an edge, 2 the same under a smooth
 //   light, 1 + x / 2
 static double estimate(int curve, int side, int attempt, double clear)
 {
@@ -61,7 +61,7 @@ static double slope_of(const double (*point)[2])
 int main(void)
 {
     static const char *const colours[CURVES] = {SVG_ORANGE, SVG_BLUE, SVG_TEAL};
-    static const char *const words[CURVES] = {"by lot, an edge", "a ray a cell, an edge",
+    static const char *const words[CURVES] = {"at random, an edge", "a ray a cell, an edge",
                                               "a ray a cell, smooth light"};
     const struct svg_plot plot = {80.0, 40.0, 640.0, 340.0, {1.0, 300.0}, {1e-3, 1.0}, true, true};
     svg_begin(760.0, 440.0, "The error against the number of rays",

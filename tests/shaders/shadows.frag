@@ -1,4 +1,4 @@
-// For support_measure.c: of the scene of chapter 13, what is seen of the sun by one march (red) and by 64
+// For support_measure.c: of the scene of chapter 13, what is seen of the sun by one march (red) and by 1024
 // rays (blue); 1 where no shadow is looked for. The last formula is that of the solution of exercise 5.
 #include "main.glsl"
 #define rayColour chapterRayColour
@@ -32,8 +32,8 @@ vec3 rayColour(Ray ray)
     float far = sunReach(place, there);
     Clearance clearance = clearanceAlong(there, 0.0, far, hitThreshold, maxSteps);
     float inside = discBesideEdge(signedClearance(there, far) / spread);
-    float arrived = lampReaching(there, far, spread, 8, hitThreshold, maxSteps, 0);
-    float quick = (formula == 1 ? clearance.most : clearance.least) / spread;
+    float arrived = lampReaching(there, far, spread, 32, hitThreshold, maxSteps, 0);
+    float quick = min((formula == 1 ? clearance.most : clearance.least) / spread, 1.0);
     float hard = clearance.most > 0.0 ? 1.0 : 0.0;
     return vec3(formula == 3 ? inside : (formula == 0 ? hard : quick), 0.0, arrived);
 }
