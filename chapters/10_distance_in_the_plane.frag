@@ -14,12 +14,12 @@ uniform int   figure;       // 6 in [0, 6]: 0 disc, 1 bar, 2 rectangle, 3 triang
 uniform int   operation;    // 0 in [0, 6]: 0 none; with a disc 1 union, 2 intersection, 3 difference, 4 smooth union; 5 onion, 6 round
 uniform float amount;       // 0.1 in [0.01, 0.5] step 0.01, units: of the blend, the shell or the rounding
 uniform float morph;        // 0 in [0, 1] step 0.05: mixes the distance with that of the disc
-uniform vec2  rayStart;     // -1.85, -0.65 in [-10, 10] step 0.05, units: where the ray starts
-uniform vec2  aim;          // -0.1, 0.02 in [-10, 10] step 0.05, units: where the ray passes; a click sets it
+uniform vec2  rayStart;     // -1.85, -0.75 in [-10, 10] step 0.05, units: where the ray starts
+uniform vec2  aim;          // -0.45, -0.06 in [-10, 10] step 0.05, units: where the ray passes; a click sets it
 uniform float fixedStep;    // 0 in [0, 0.5] step 0.02, units: length of the fixed steps along the ray; 0: none
 uniform float lineSpacing;  // 0.05 in [0.01, 1] step *2, units: from one line of equal distance to the next
 uniform int   maxSteps;     // 256 in [1, 512]: steps before a ray is given up
-uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, units: distance that counts as a hit
+uniform float hitThreshold; // 0.004 in [0.00001, 0.1] step *2, units: distance that counts as a hit
 
 const float FAR = 6.0; // a ray that has travelled so far has left the sheet
 
@@ -29,6 +29,15 @@ vec2 sheetPlace(vec2 screen)
 {
     vec3 way = screen.x * iCameraRight + screen.y * iCameraUp + focalLength * iCameraForward;
     return iCameraPosition.xy - max(iCameraPosition.z, 0.01) / min(way.z, -0.001) * way.xy;
+}
+
+// How far that place moves when the screen's point moves, to first order: the derivative of sheetPlace.
+//   p     the place
+//   move  of the point, as a vector of space: a share of the camera's right or up
+//   away  of the sheet from the eye, along the view, in focal lengths
+vec2 sheetStep(vec2 p, vec3 move, float away)
+{
+    return away * (move.xy + move.z * (p - iCameraPosition.xy) / max(iCameraPosition.z, 0.01));
 }
 
 // All rays lie in the sheet. The picture, the probe and the slice have one, whatever the pixel: through
@@ -142,14 +151,12 @@ vec3 marchColour(vec3 light, vec2 p, float pixel, Ray ray)
 {
     vec2 q = (p - ray.origin.xy) * mat2(ray.direction.xy, -ray.direction.y, ray.direction.x); // along, beside
     int steps = marchedSteps(ray, FAR, hitThreshold, maxSteps);
-    float circle = 1e6, inside = 1e6, dots = length(q) - 4.0 * pixel, end = 0.0;
+    float circle = 1e6, inside = 1e6, end = steps > 0 ? marchedStep(steps - 1).x : 0.0;
     for (int k = 0; k < steps; k++) {
         vec2 step = marchedStep(k); // t, distance
-        float away = length(q - vec2(step.x, 0.0));
-        inside = min(inside, away - step.y);
-        circle = min(circle, abs(away - step.y));
-        dots = min(dots, away - min(0.2 * step.y, 2.0 * pixel));
-        end = step.x;
+        float outside = length(q - vec2(step.x, 0.0)) - step.y;
+        inside = min(inside, outside);
+        circle = min(circle, abs(outside));
     }
     if (marchedHit())
         circle = min(circle, abs(length(q - vec2(end, 0.0)) - 5.0 * pixel));
@@ -157,7 +164,8 @@ vec3 marchColour(vec3 light, vec2 p, float pixel, Ray ray)
     float ink = q.x > 0.0 && q.x < end ? line(q.y / pixel, 1.2) : 0.0;
     if (fixedStep > 0.0 && q.x > 0.0 && abs(q.y) < 5.0 * pixel)
         ink = max(ink, line((fract(q.x / fixedStep + 0.5) - 0.5) * fixedStep / pixel, 1.2));
-    return mix(light, INK, max(max(ink, line(circle / pixel, 1.1)), coverage(-dots / pixel, 1.0)));
+    ink = max(ink, coverage(4.0 - length(q) / pixel, 1.0));
+    return mix(light, INK, max(ink, line(circle / pixel, 1.1)));
 }
 
 // The same ray by fixed steps, up to the first place that is inside.
@@ -177,10 +185,10 @@ vec3 rayColour(Ray ray)
         normalAt(ray.origin + hit.t * ray.direction, hitThreshold);
     return vec3(fixedStep > 0.0 ? fixedMarch(ray) : 0.0);
 #else
-    vec2 pixel = gl_FragCoord.xy + iPixelOffset;
-    vec2 p = sheetPlace(screenPosition(pixel));
-    vec2 right = sheetPlace(screenPosition(pixel + vec2(1.0, 0.0)));
-    vec2 up = sheetPlace(screenPosition(pixel + vec2(0.0, 1.0)));
+    vec2 screen = screenPosition(gl_FragCoord.xy + iPixelOffset), p = sheetPlace(screen);
+    float down = screen.x * iCameraRight.z + screen.y * iCameraUp.z + focalLength * iCameraForward.z;
+    float away = max(iCameraPosition.z, 0.01) / max(-down, 0.001) * 2.0 / iResolution.y;
+    vec2 right = p + sheetStep(p, iCameraRight, away), up = p + sheetStep(p, iCameraUp, away);
     return encodeSRGB(marchColour(fieldColour(p, right, up), p, length(right - p), ray));
 #endif
 }
