@@ -319,5 +319,22 @@ lets_go() { xdotool mouseup 1 mousemove --window "$window" 30 30 && mouse_is 160
 check 'let go: the position stays, z is negative' lets_go
 check 'Backspace closes it' backspace
 
+# ---- A click that aims ----
+
+# A click drives the parameter aim of chapter 10: the picture is the one that --set aim gives for the place of
+# that pixel's centre, 100 from the left and 80 from the top. Half the picture's height shows 1.2 units.
+still_sheet='--size 320x200 --camera 0,0,2.4,0,0'
+aims() {
+    local place
+    place=$(awk 'BEGIN { x = (2 * 100 + 1 - 320) / 200 * 1.2; y = (2 * (199 - 80) + 1 - 200) / 200 * 1.2; printf "%.9g,%.9g", x, y }')
+    # shellcheck disable=SC2086 # options are words
+    "$BUILD/10_distance_in_the_plane" $still_sheet --set aim="$place" --output "$scratch/aimed.png" >/dev/null &&
+        xdotool mousemove --window "$window" 100 80 click 1 && shoot_as aim && matches aimed aim
+}
+# shellcheck disable=SC2086 # options are words
+start 10_distance_in_the_plane $still_sheet
+check 'a click aims the ray of chapter 10' aims
+check 'Backspace closes it' backspace
+
 close_window
 plan
