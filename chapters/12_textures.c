@@ -8,8 +8,7 @@ int main(int argc, char **argv)
     const struct chapter chapter = {
         .stem = "12_textures",
         .title = "12 Textures",
-        .shows =
-            "A bench of rough stones and a plank, with a cloth over it, on a cold clear morning.",
+        .shows = "A bench of stones and a plank, with a cloth over it, on a cold morning.",
         .camera = {.position = {-1.2f, 1.54f, 2.75f}, .pan = 19.0f, .tilt = -16.0f},
     };
     return chapter_run(&chapter, argc, argv);

@@ -18,7 +18,7 @@ static struct parameter parameters[] = {
     {.name = "wide", .components = 1, .maximum = 9.0, .unit = "feet"},
     {.name = "high", .components = 1, .maximum = 7.0, .unit = "yards"},
 };
-static struct renderer renderer = {.parameters = {parameters, 3}};
+static struct renderer renderer = {.parameters = {.item = parameters, .count = 3}};
 static const struct probe probe = {.step = {{.t = 0.0f, .distance = 1.5f}, {1.5f, 0.25f, {0}}},
                                    .steps = 2,
                                    .all_steps = 71,
@@ -141,7 +141,7 @@ static void a_panel_scrolls_to_the_chosen_parameter(void **unused)
     (void)unused;
     enum { MANY = 20, HEIGHT = 240 };
     struct parameter item[MANY] = {0};
-    struct renderer many = {.parameters = {item, MANY}};
+    struct renderer many = {.parameters = {.item = item, .count = MANY}};
     struct panel panel = {.title = "A title", .renderer = &many, .pixel = {-1, -1}};
     for (int i = 0; i < MANY; i++) {
         snprintf(item[i].name, sizeof item[i].name, "parameter%d", i);

@@ -238,14 +238,36 @@ static bool off_grown_dart(struct d2 p)
     return !in_dart(p) && dart_distance(p) > 0.125 - 1e-9;
 }
 
-// The boundary of what was asked for. The dart, grown: parts of circles around its corners, and of
-// its sides moved to either hand.
-static void boundary_of(int which, struct boundary *of)
+// Circles around the dart's corners, and its sides moved to either hand: the boundary of the grown
+// dart, with parts that lie inside it.
+static void add_grown_dart(struct boundary *of)
+{
+    for (int i = 0; i < 4; i++) {
+        const double *a = dart[i], *b = dart[(i + 1) % 4];
+        double x = b[0] - a[0], y = b[1] - a[1], scale = 0.125 / hypot(x, y);
+        add_arc(of, a[0], a[1], 0.125, 0.0, 2.0 * MIRROR_PI);
+        for (int side = -1; side <= 1; side += 2) {
+            double u = -side * scale * y, v = side * scale * x;
+            add_segment(of, (struct d2){a[0] + u, a[1] + v}, (struct d2){b[0] + u, b[1] + v});
+        }
+    }
+}
+
+// What is left of the boundaries of the box and the disc in their combination.
+static void add_combined(struct boundary *of, int which)
 {
     struct boundary first = {.count = 0}, second = {.count = 0};
-    of->count = 0;
     add_polygon(&first, box, 4);
     add_arc(&second, 0.75, 0.25, 0.5, 0.0, 2.0 * MIRROR_PI);
+    keep(of, &first, which == INTERSECTION ? in_disc : off_disc);
+    keep(of, &second, which == UNION ? off_box : on_box);
+}
+
+// The boundary of what was asked for.
+static void boundary_of(int which, struct boundary *of)
+{
+    struct boundary first = {.count = 0};
+    of->count = 0;
     switch (which) {
     case CIRCLE:
         add_arc(of, 0.0, 0.0, 0.75, 0.0, 2.0 * MIRROR_PI);
@@ -279,17 +301,7 @@ static void boundary_of(int which, struct boundary *of)
         add_rounded(of, 0.5, 0.25, 0.25);
         break;
     case ROUNDED_DART:
-        first.count = 0;
-        for (int i = 0; i < 4; i++) {
-            const double *a = dart[i], *b = dart[(i + 1) % 4];
-            double x = b[0] - a[0], y = b[1] - a[1], scale = 0.125 / hypot(x, y);
-            add_arc(&first, a[0], a[1], 0.125, 0.0, 2.0 * MIRROR_PI);
-            for (int side = -1; side <= 1; side += 2) {
-                double u = -side * scale * y, v = side * scale * x;
-                add_segment(&first, (struct d2){a[0] + u, a[1] + v},
-                            (struct d2){b[0] + u, b[1] + v});
-            }
-        }
+        add_grown_dart(&first);
         keep(of, &first, off_grown_dart);
         break;
     case ONION:
@@ -300,16 +312,9 @@ static void boundary_of(int which, struct boundary *of)
                     4);
         break;
     case UNION:
-        keep(of, &first, off_disc);
-        keep(of, &second, off_box);
-        break;
     case INTERSECTION:
-        keep(of, &first, in_disc);
-        keep(of, &second, on_box);
-        break;
     case SUBTRACTION:
-        keep(of, &first, off_disc);
-        keep(of, &second, on_box);
+        add_combined(of, which);
         break;
     case MORPH: // the ellipse with the centres as its foci
         add_ellipse(of, (struct d2){0.0, 0.0}, (struct d2){0.625, 0.375}, 0.0, 2.0 * MIRROR_PI);

@@ -1,5 +1,5 @@
-// test_texturing.c - shaders/texture.glsl: weights add up to 1, a footprint is what neighbouring rays
-// cover, a bump is the normal of a surface that is really raised.
+// test_texturing.c - shaders/texture.glsl: weights add up to 1, a footprint is what neighbouring
+// rays cover, a bump is the normal of a surface that is really raised.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
