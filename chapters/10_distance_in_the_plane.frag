@@ -146,26 +146,32 @@ vec3 fieldColour(vec2 p, vec2 right, vec2 up)
 
 // The march over a colour: what its circles prove empty, the circles, the ray as far as it came, and ticks
 // where fixed steps would ask.
-//   pixel  the size of a pixel, units
-vec3 marchColour(vec3 light, vec2 p, float pixel, Ray ray)
+//   right, up  the ways to what the neighbouring pixels show, units
+vec3 marchColour(vec3 light, vec2 p, vec2 right, vec2 up, Ray ray)
 {
-    vec2 q = (p - ray.origin.xy) * mat2(ray.direction.xy, -ray.direction.y, ray.direction.x); // along, beside
+    mat2 turn = mat2(ray.direction.xy, -ray.direction.y, ray.direction.x);
+    vec2 q = (p - ray.origin.xy) * turn; // along, beside
+    mat2 next = mat2(right * turn, up * turn);
+    vec2 pixel = vec2(length(vec2(next[0].x, next[1].x)), length(vec2(next[0].y, next[1].y)));
     int steps = marchedSteps(ray, FAR, hitThreshold, maxSteps);
     float circle = 1e6, inside = 1e6, end = steps > 0 ? marchedStep(steps - 1).x : 0.0;
+    vec2 across = q; // from the middle of the circle whose rim is nearest
     for (int k = 0; k < steps; k++) {
-        vec2 step = marchedStep(k); // t, distance
-        float outside = length(q - vec2(step.x, 0.0)) - step.y;
+        vec2 step = marchedStep(k), way = q - vec2(step.x, 0.0); // t, distance
+        float outside = length(way) - step.y;
         inside = min(inside, outside);
+        across = abs(outside) < circle ? way : across;
         circle = min(circle, abs(outside));
     }
+    float width = length(normalize(across + 1e-7) * next); // of a pixel, across the rim
+    float ink = q.x > 0.0 && q.x < end ? line(q.y / pixel.y, 1.2) : 0.0;
+    if (fixedStep > 0.0 && q.x > 0.0 && abs(q.y) < 5.0 * pixel.y)
+        ink = max(ink, line((fract(q.x / fixedStep + 0.5) - 0.5) * fixedStep / pixel.x, 1.2));
     if (marchedHit())
-        circle = min(circle, abs(length(q - vec2(end, 0.0)) - 5.0 * pixel));
-    light = mix(light, OUTLINE, 0.35 * coverage(-inside / pixel, 1.0));
-    float ink = q.x > 0.0 && q.x < end ? line(q.y / pixel, 1.2) : 0.0;
-    if (fixedStep > 0.0 && q.x > 0.0 && abs(q.y) < 5.0 * pixel)
-        ink = max(ink, line((fract(q.x / fixedStep + 0.5) - 0.5) * fixedStep / pixel, 1.2));
-    ink = max(ink, coverage(4.0 - length(q) / pixel, 1.0));
-    return mix(light, INK, max(ink, line(circle / pixel, 1.1)));
+        ink = max(ink, line(length((q - vec2(end, 0.0)) / pixel) - 5.0, 1.1));
+    ink = max(ink, coverage(4.0 - length(q / pixel), 1.0));
+    light = mix(light, OUTLINE, 0.35 * coverage(-inside / width, 1.0));
+    return mix(light, INK, max(ink, line(circle / width, 1.1)));
 }
 
 // The same ray by fixed steps, up to the first place that is inside.
@@ -188,7 +194,11 @@ vec3 rayColour(Ray ray)
     vec2 screen = screenPosition(gl_FragCoord.xy + iPixelOffset), p = sheetPlace(screen);
     float down = screen.x * iCameraRight.z + screen.y * iCameraUp.z + focalLength * iCameraForward.z;
     float away = max(iCameraPosition.z, 0.01) / max(-down, 0.001) * 2.0 / iResolution.y;
-    vec2 right = p + sheetStep(p, iCameraRight, away), up = p + sheetStep(p, iCameraUp, away);
-    return encodeSRGB(marchColour(fieldColour(p, right, up), p, length(right - p), ray));
+    vec2 right = sheetStep(p, iCameraRight, away), up = sheetStep(p, iCameraUp, away);
+    float wide = down < -0.001 ? max(length(right), length(up)) : 1.0; // from a unit on there is only paper
+    if (wide >= 1.0)
+        return encodeSRGB(PAPER);
+    vec3 light = marchColour(fieldColour(p, p + right, p + up), p, right, up, ray);
+    return encodeSRGB(mix(light, PAPER, blurred(wide)));
 #endif
 }

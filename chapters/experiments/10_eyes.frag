@@ -5,7 +5,7 @@
 #include "10_distance_in_the_plane.frag"
 #undef rayColour
 
-uniform bool workshop; // true: green outside and red inside, as in the workshop, in place of the chapter's colours
+uniform bool workshop; // false: the colours of the chapter, or the workshop's: green outside, red inside
 uniform int  eye;      // 2 in [0, 2]: 0 all cones, 1 none for long waves, 2 none for middle ones
 
 // What such an eye makes of linear light, a row for red, green and blue each.
