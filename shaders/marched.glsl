@@ -45,7 +45,7 @@ int marchedSteps(Ray ray, float far, float threshold, int maxSteps)
     int steps = 0;
     marchedEnd = false;
     while (!marchedEnd && t < far && steps < min(maxSteps, MARCHED_STEPS)) {
-        float distance = sceneDistance(ray.origin + t * ray.direction);
+        float distance = distanceAt(ray.origin + t * ray.direction);
         marchedTable[steps++] = vec2(t, distance);
         marchedEnd = distance < threshold;
         t += distance;
