@@ -84,8 +84,8 @@ vec4 valueNoise(vec3 p)
     return blendedValues(p - corner, vec4(bits.near >> 8u) / 16777216.0, vec4(bits.far >> 8u) / 16777216.0);
 }
 
-// Lipschitz constants, both the least possible: no gradient is longer, and some are as long. The proofs
-// stand in docs/12_textures.md.
+// Lipschitz constants, both the least that hold for all numbers and directions at the corners. The first
+// is proved in docs/12_textures.md; that the second is nowhere exceeded is computed there, on a grid.
 const float VALUE_STRETCH = 1.875;        // 15/8: of the fade on one axis, and of valueNoise in space
 const float GRADIENT_STRETCH = 2.7922885; // sqrt(499) / 8: of gradientNoise
 
@@ -167,8 +167,8 @@ vec4 octaveNoise(vec3 p, int count, float gain, float lacunarity)
 
 // The Lipschitz constant of octaveNoise: a bound; it is reached where the steepest places of all octaves
 // meet, which chance does not arrange.
-//   formula  VALUE_STRETCH sum of (gain lacunarity)^i / sum of gain^i; bounded for every count if, and
-//            only if, gain lacunarity < 1
+//   formula  VALUE_STRETCH sum of (gain lacunarity)^i / sum of gain^i; for gain < 1 bounded for every
+//            count if, and only if, gain lacunarity < 1
 float octaveStretch(int count, float gain, float lacunarity)
 {
     return VALUE_STRETCH * geometricSum(gain * lacunarity, count) / geometricSum(gain, count);

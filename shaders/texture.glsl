@@ -90,12 +90,12 @@ vec3 planeWeights(vec3 normal, float sharpness)
 //   p, f     in repeats of the picture
 //   weights  of planeWeights or twoPlaneWeights, or 1 for one of them and 0 for the others
 //   formula  weights.x picture(z, y) + weights.y picture(x, z) + weights.z picture(x, y)
-// A weight of 0 before the first or behind the last that is none costs no lookup.
+// A weight of 0 costs no lookup.
 vec4 textureOnPlanes(sampler2D picture, vec3 p, Footprint f, vec3 weights)
 {
     vec4 sum = vec4(0.0);
     int last = weights.z > 0.0 ? 2 : (weights.y > 0.0 ? 1 : 0);
-    for (int axis = weights.x > 0.0 ? 0 : (weights.y > 0.0 ? 1 : 2); axis <= last; axis++)
+    for (int axis = weights.x > 0.0 ? 0 : (weights.y > 0.0 ? 1 : 2); axis <= last; axis += weights.y > 0.0 ? 1 : 2)
         sum += weights[axis] * textureOnSlide(picture, slideAlong(p, f, axis));
     return sum;
 }
@@ -103,12 +103,13 @@ vec4 textureOnPlanes(sampler2D picture, vec3 p, Footprint f, vec3 weights)
 // The weights of the two that count most; the third is 0, and gets there without a jump: the cheaper way,
 // by a third.
 //   weights  of planeWeights
-//   formula  weights less the least of them, over what is then their sum
-// Continuous but where all three are equal, in the eight diagonal directions: no choice is, there.
+//   formula  weights less the least of them, over what is then their sum; (1, 0, 0) where all are equal
+// Continuous but there, in the eight diagonal directions: nothing that leaves out the least is.
 vec3 twoPlaneWeights(vec3 weights)
 {
     vec3 w = weights - min(weights.x, min(weights.y, weights.z));
-    return w / max(w.x + w.y + w.z, 1e-6);
+    float sum = w.x + w.y + w.z;
+    return sum > 0.0 ? w / sum : vec3(1.0, 0.0, 0.0);
 }
 
 // ---- Bumps ----

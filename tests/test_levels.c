@@ -51,7 +51,7 @@ static void test_level_is_the_logarithm_of_the_texels(void **unused)
 }
 
 // Without a level a pixel shows one place of all that it covers: its error grows to the picture's
-// own spread. With the level it is at most two thirds of that from 4 texels on, half from 8, a
+// own spread. With the level it is at most 0.67 of that from 4 texels on, 0.55 from 8, a
 // quarter from 32. Four times the footprint is worse than the right one at every distance; so is a
 // quarter of it from 8 on: only half, which is sharper, is better, for level L blurs over 2^L
 // texels and more.

@@ -20,7 +20,7 @@ enum { VALUE, GRADIENT, OCTAVES, BLEND, CORNER, DIRECTION, CONSTANTS };
 enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS, SLOTS = 4, PAIRS = 1000000 };
 
 static const double value_stretch = 15.0 / 8.0;
-static const double gradient_stretch = 2.7922884876; // sqrt(499) / 8
+static const double gradient_stretch = 2.7922884880; // sqrt(499) / 8
 
 // The numbers of ITEMS items, each of 4 slots of 4 floats; the caller frees them.
 static float *ask(int function, float a, float b, float c)

@@ -169,6 +169,47 @@ static void test_no_ray_passes_a_rough_stone(void **unused)
     assert_true(hits > 300 && misses > 100);
 }
 
+// ---- The normal of the first octave ----
+
+static struct d3 smooth_normal(struct d3 p)
+{
+    const double h = 1e-5;
+    struct d3 x = d3(h, 0.0, 0.0), y = d3(0.0, h, 0.0), z = d3(0.0, 0.0, h);
+    return d3_unit(d3(smooth_stones(d3_add(p, x)) - smooth_stones(d3_sub(p, x)),
+                      smooth_stones(d3_add(p, y)) - smooth_stones(d3_sub(p, y)),
+                      smooth_stones(d3_add(p, z)) - smooth_stones(d3_sub(p, z))));
+}
+
+// The carved stone's normal, and the smooth one's tilted by the same noise: degrees between them on
+// the front stones, between the ground and the board.
+static void test_a_bump_is_nearly_the_carving(void **unused)
+{
+    (void)unused;
+    int seen = 0;
+    double sum = 0.0, largest = 0.0;
+    srand(6);
+    while (seen < 20000) {
+        struct d3 p = random_near_stones();
+        if (rough_stones(p) <= 0.0)
+            continue;
+        for (int i = 0; i < 60; i++)
+            p = d3_sub(p, d3_times(0.6 * rough_stones(p), smooth_normal(p)));
+        if (fabs(rough_stones(p)) > 1e-6 || p.y < 0.0 || p.y > 0.84)
+            continue;
+        struct d3 n = smooth_normal(p);
+        struct d3 slope = d3_times(roughness * cells, noise_value(d3_times(cells, p)).gradient);
+        struct d3 carved = d3_unit(d3_add(n, slope));
+        struct d3 bumped = d3_unit(d3_sub(d3_add(n, slope), d3_times(d3_dot(slope, n), n)));
+        double angle = asin(fmin(d3_length(d3_cross(carved, bumped)), 1.0)) * 180.0 / acos(-1.0);
+        sum += angle;
+        largest = fmax(largest, angle);
+        seen++;
+    }
+    print_message("# bumped and carved normals: %.2f degrees apart in the mean, at most %.2f\n",
+                  sum / seen, largest);
+    assert_true(sum / seen < 0.6 && largest < 4.0);
+}
+
 // ---- Colours ----
 
 static struct d3 mix(struct d3 a, struct d3 b, double share)
@@ -254,6 +295,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_the_distance_is_1_lipschitz),
         cmocka_unit_test(test_no_ray_passes_a_rough_stone),
+        cmocka_unit_test(test_a_bump_is_nearly_the_carving),
         cmocka_unit_test(test_pixels),
     };
     return cmocka_run_group_tests_name("scene_12", tests, gpu_setup, gpu_teardown);

@@ -1,7 +1,7 @@
 #version 330 core
-// For test_texture.c: the functions of texture.glsl that look nothing up, at random places.
+// For test_texturing.c: the functions of texture.glsl that look nothing up, at random places.
 //
-// Each item takes 4 pixels of a row. iMouse.x is the sharpness.
+// Each item takes 8 pixels of a row. iMouse.x is the sharpness.
 
 out vec4 FragColor;
 
@@ -23,7 +23,11 @@ void main()
     vec3 normal = nextDirection(), direction = nextDirection(), gradient = nextVector();
     normal = normalize(normal + vec3(1e-4));
     direction = normalize(direction + vec3(1e-4));
-    vec3 weights = planeWeights(normal, iMouse.x);
+    if (item < 8) { // to the corners of the world, and looked at straight on
+        normal = normalize(vec3(item & 1, item >> 1 & 1, item >> 2) - 0.5);
+        direction = item < 4 ? normal : -normal;
+    }
+    vec3 weights = item < 8 ? vec3(1.0 / 3.0) : planeWeights(normal, iMouse.x);
     Footprint f = footprintOn(direction, normal, 0.01);
     vec4 slots[8] = vec4[8](vec4(normal, 0.0), vec4(direction, 0.0), vec4(gradient, 0.0), vec4(weights, 0.0),
                             vec4(twoPlaneWeights(weights), 0.0), vec4(f.across, 0.0), vec4(f.along, 0.0),
