@@ -15,13 +15,14 @@
 
 #include "report.h"
 
-enum { SIDE_LIMIT = IMAGE_SIDE_LIMIT, CHANNELS = 3, LINK_LIMIT = 40 };
+enum { CHANNELS = 3, LINK_LIMIT = 40 };
 
 bool image_create(struct image *image, int width, int height)
 {
     *image = (struct image){0};
-    if (width < 1 || width > SIDE_LIMIT || height < 1 || height > SIDE_LIMIT)
-        return report("picture %dx%d: each side must be 1 to %d pixels", width, height, SIDE_LIMIT);
+    if (width < 1 || width > IMAGE_SIDE_LIMIT || height < 1 || height > IMAGE_SIDE_LIMIT)
+        return report("picture %dx%d: each side must be 1 to %d pixels", width, height,
+                      IMAGE_SIDE_LIMIT);
     unsigned char *pixel = calloc((size_t)width * (size_t)height, CHANNELS);
     if (pixel == NULL)
         return report("picture %dx%d: not enough memory: choose a smaller one", width, height);
