@@ -175,7 +175,7 @@ static void print_wall(void)
 static int print_shadows(void)
 {
     static const enum shadow_formula in_scene[] = {SHADOW_HARD, SHADOW_MOST, SHADOW_LEAST,
-                                                   SHADOW_SIGNED};
+                                                   SHADOW_TWICE, SHADOW_SIGNED};
     struct shadow_error error;
     print_wall();
     printf("# share of the sun that is seen: formula less truth; a sun of radius 0.04, 29 degrees "
@@ -187,10 +187,10 @@ static int print_shadows(void)
             print_shadow_row(shadow_obstacle_names[obstacle], shadow_formula_names[formula],
                              &error);
         }
-    struct shadow_error scene[4];
+    struct shadow_error scene[5];
     if (!measure_shadow_scene(scene))
         return 1;
-    for (int i = 0; i < 4; i++)
+    for (int i = 0; i < 5; i++)
         print_shadow_row("chapter 13", shadow_formula_names[in_scene[i]], &scene[i]);
     return 0;
 }

@@ -54,9 +54,10 @@ double measure_outline_theory(double threshold);
 double measure_acne(double offset);
 
 // How far one march of chapter 13 is from 1024 rays a pixel, over the pixels of its picture,
-// 160x90, which a shadow reaches: where either says less than 1.
-//   error  takes four: hard, the smallest distance / t, pairs of steps, on inside
+// 160x90, that do not see all of the sun.
+//   error  takes five: hard, the smallest distance / t, pairs of steps, the same twice as hard, on
+//          inside
 // False, reported, when it cannot be drawn.
-bool measure_shadow_scene(struct shadow_error error[4]);
+bool measure_shadow_scene(struct shadow_error error[5]);
 
 #endif

@@ -10,8 +10,8 @@
 #define BAR       0.4  // half the width of the bar, in radii of the lamp
 
 const char *const shadow_obstacle_names[SHADOW_OBSTACLES] = {"half-plane", "ball", "bar"};
-const char *const shadow_formula_names[SHADOW_FORMULAS] = {"hard", "cone of 06", "distance / t",
-                                                           "pairs of steps", "on inside"};
+const char *const shadow_formula_names[SHADOW_FORMULAS] = {
+    "hard", "cone of 06", "distance / t", "pairs of steps", "pairs, 2 / s", "on inside"};
 
 void shadow_axes(struct d3 to_light, struct d3 *right, struct d3 *up)
 {
@@ -167,7 +167,8 @@ double shadow_quick(const struct shadow_case *scene, enum shadow_formula formula
     shadow_march(scene, &most, &least);
     if (formula == SHADOW_HARD)
         return most > 0.0 ? 1.0 : 0.0;
-    return fmin((formula == SHADOW_MOST ? most : least) / SPREAD, 1.0);
+    double hardness = (formula == SHADOW_TWICE ? 2.0 : 1.0) / SPREAD;
+    return fmin(hardness * (formula == SHADOW_MOST ? most : least), 1.0);
 }
 
 struct shadow_error shadow_error_of(enum shadow_obstacle obstacle, enum shadow_formula formula)

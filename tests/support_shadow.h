@@ -29,6 +29,7 @@ enum shadow_formula {
     SHADOW_CONE,   // coneReaching of shaders/cone.glsl, from a footprint of 0.0005
     SHADOW_MOST,   // the smallest distance / t
     SHADOW_LEAST,  // pairs of steps
+    SHADOW_TWICE,  // pairs of steps, twice as hard: full where half the radius is free
     SHADOW_SIGNED, // the smallest distance / t, the march going on inside
     SHADOW_FORMULAS
 };

@@ -281,6 +281,7 @@ static void one_march_is_too_dark(void **unused)
         assert_true(fabs(error[SHADOW_HARD].mean) < 0.01);
         assert_true(error[SHADOW_HARD].mean_size < error[SHADOW_MOST].mean_size);
         assert_true(error[SHADOW_MOST].mean_size < error[SHADOW_LEAST].mean_size);
+        assert_true(error[SHADOW_TWICE].mean_size < error[SHADOW_HARD].mean_size - 0.01);
         assert_true(error[SHADOW_SIGNED].mean_size < 0.03);
         if (obstacle == SHADOW_SHEET) {
             // By integration 1 / (3 pi) and 1 / 8.

@@ -5,7 +5,7 @@
 #include "13_soft_shadows.frag"
 #undef rayColour
 
-uniform int formula; // 0 in [0, 3]: hard, the smallest distance / t, pairs of steps, on inside
+uniform int formula; // 0 in [0, 4]: hard, the smallest distance / t, pairs of steps, the same twice as hard, on inside
 
 // As in that solution: the smallest distance / t, at least -spread; with steps of at least a fiftieth of the way, it passes
 // through what it meets.
@@ -33,7 +33,8 @@ vec3 rayColour(Ray ray)
     Clearance clearance = clearanceAlong(there, 0.0, far, hitThreshold, maxSteps);
     float inside = discBesideEdge(signedClearance(there, far) / spread);
     float arrived = lampReaching(there, far, spread, 32, hitThreshold, maxSteps, 0);
-    float quick = min((formula == 1 ? clearance.most : clearance.least) / spread, 1.0);
+    float hardness = (formula == 3 ? 2.0 : 1.0) / spread;
+    float quick = min(hardness * (formula == 1 ? clearance.most : clearance.least), 1.0);
     float hard = clearance.most > 0.0 ? 1.0 : 0.0;
-    return vec3(formula == 3 ? inside : (formula == 0 ? hard : quick), 0.0, arrived);
+    return vec3(formula == 4 ? inside : (formula == 0 ? hard : quick), 0.0, arrived);
 }
