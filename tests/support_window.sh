@@ -4,7 +4,7 @@
 
 chapter=01_normal_colouring
 still='-s 320x200 -c 1.65,1.6,3.4,-26,-23.5'
-program='' window='' shots=0 picture='' stem=''
+program='' window='' manager='' shots=0 picture='' stem=''
 
 # ---- Tools ----
 
@@ -26,9 +26,19 @@ alive() { kill -0 "$program" 2>/dev/null; }
 key() { xdotool key --delay 20 "$@"; }
 
 find_window() {
+    keep_managed
     window=$(wmctrl -lp 2>/dev/null | awk -v pid="$program" '$3 == pid { print $1; exit }')
     [ -n "$window" ]
 }
+
+manage() {
+    openbox --config-file "$scratch/openbox.xml" >/dev/null 2>&1 &
+    manager=$!
+    eventually managed || echo '# openbox did not start'
+}
+managed() { wmctrl -m >/dev/null 2>&1; }
+# Without a window manager no window is listed, and what a dead one leaves behind ends a program in GLFW 3.3.
+keep_managed() { kill -0 "$manager" 2>/dev/null || { echo '# openbox died' && manage; }; }
 
 # Start STEM OPTION... in a window, with its own folder for what it writes.
 start() {
@@ -36,6 +46,7 @@ start() {
     shift
     rm -rf "$scratch/run"
     mkdir "$scratch/run"
+    keep_managed
     (cd "$scratch/run" && exec "$root/$BUILD/$stem" "$@" >out 2>err) &
     program=$!
     opens
@@ -43,7 +54,10 @@ start() {
 
 # Its window is there, has the focus and shows something. The window manager may take the focus back once.
 opens() {
-    eventually find_window || { echo "# no window of process $program: $(wmctrl -lp 2>&1 | tr '\n' ' ')" && return 1; }
+    eventually find_window || {
+        echo "# no window of process $program, $(sed -n 's/^State:[[:blank:]]*//p' "/proc/$program/status" 2>&1): $(wmctrl -lp 2>&1 | tr '\n' ' ')"
+        return 1
+    }
     eventually focus && eventually drawn
 }
 focus() { xdotool windowfocus "$window" 2>/dev/null && focused; }
@@ -140,9 +154,7 @@ fi
 # Without buttons and keys of its own: it would hold a press back until it has looked at it, and a key that
 # is pressed after it would be seen first.
 echo '<openbox_config xmlns="http://openbox.org/3.4/rc"><keyboard/><mouse/></openbox_config>' >"$scratch/openbox.xml"
-openbox --config-file "$scratch/openbox.xml" >/dev/null 2>&1 &
-managed() { wmctrl -m >/dev/null 2>&1; }
-eventually managed || echo '# openbox did not start'
+manage
 
 # ---- A reader's own shader ----
 
