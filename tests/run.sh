@@ -138,19 +138,22 @@ names_of() { # FILE...: the NAMEs of the test files that exist
 # Tests of shaders say nothing more under the sanitizers, which see C alone.
 of_shaders() { grep -q 'tests/shaders/\|support_\(pixels\|measure\|bound\)\.h' "tests/test_$1.c"; }
 
-# The window's suites mostly wait for pictures: they begin, and beside them run those that compute, the long ones
-# first, so that none ends alone.
-suites=$(
-    names_of tests/test_window*.sh | sort -r
+# The long ones come first, so that none of them ends alone.
+scripts=$(
     [ -e tests/test_failures.sh ] && echo sanitize/failures
     [ -e tests/test_others.sh ] && echo sanitize/others
     names_of tests/test_*.sh | grep -v '^window'
+)
+# The window's suites mostly wait for pictures; beside them run the tests in C, which are short.
+beside=$(
+    names_of tests/test_window*.sh | sort -r
     names_of tests/test_*.c
     for name in $(names_of tests/test_*.c); do
         of_shaders "$name" || echo "sanitize/$name"
     done
     echo sanitize/one_picture
 )
+suites=$(printf '%s\n' "$scripts" "$beside")
 
 find=
 [ "${1-}" != --find ] || { find=1; shift; }
@@ -175,7 +178,7 @@ for old in build/test-results/*; do
     kill -0 "$(basename "$old")" 2>/dev/null || rm -rf "$old"
 done
 mkdir -p "$results" || exit 1
-printf '%s\n' "$suites" | xargs -P 3 -n 1 tests/run.sh --one
+printf '%s\n' "$suites" | xargs -P 2 -n 1 tests/run.sh --one
 
 read -r passed failed skipped <<<"$(cat "$results"/*.counts 2>/dev/null |
     awk '{ p += $1; f += $2; s += $3 } END { print p + 0, f + 0, s + 0 }')"
