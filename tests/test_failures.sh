@@ -230,13 +230,14 @@ fill
 if [ "$BUILD" = build ]; then # a sanitizer takes more memory, and speaks itself
     echo 'void mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }' >"$shaders/grey.frag"
     "$chapter" -f "$shaders/grey.frag" -s 4096x4096 -o "$scratch/large.png"
-    # How much a driver takes by itself is its own affair: the least with which a small picture is drawn.
-    limit=400000
+    # How much a driver takes by itself is its own affair: a little more than the least with which a small picture
+    # is drawn.
+    limit=1600000
     little() { (ulimit -v "$limit" && exec "$chapter" -f "$shaders/stone.frag" "$@"); }
-    until little -s 16x16 -o "$scratch/small.png" 2>/dev/null >&2 || [ "$limit" -gt 8000000 ]; do
-        limit=$((limit + 50000))
+    while little -s 16x16 -o "$scratch/small.png" >/dev/null 2>&1 && [ "$limit" -gt 200000 ]; do
+        limit=$((limit - 50000))
     done
-    limit=$((limit + 20000))
+    limit=$((limit + 70000))
     refuse 'a picture without memory for it' 1 'stone.frag:2: sampler stone: .*large.png: .*not enough memory' \
         little "${to[@]}" --texture stone="$scratch/large.png"
 fi
