@@ -62,7 +62,7 @@ vec3 stepLegend(vec3 colour, vec2 pixel)
     return colour;
 }
 
-// The steps of all marches of the pixel, shadow rays included, with a legend.
+// The steps of all marches of the pixel, shadow rays and all others included, with a legend.
 //   pixel  in pixels of the picture
 vec3 stepView(vec2 pixel)
 {

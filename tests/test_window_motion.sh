@@ -208,7 +208,7 @@ start 03_shadows -s 640x360 -v normals
 key h
 check 'the normals stand still while the lamp moves' eventually stands_still
 counts() { xdotool mousemove --window "$window" 380 200 click 1 && eventually says out 'ray of pixel' && sleep 0.3 && look before && eventually far_off before 20; }
-check 'the inspector counts the steps of shadow rays as the lamp moves' counts
+check 'the inspector counts the steps of further rays as the lamp moves' counts
 check 'Backspace closes it' backspace
 start 00_first_scene -s 640x360 -f "$root/chapters/experiments/00_seen.frag" -v slice
 key h

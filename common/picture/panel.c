@@ -380,7 +380,7 @@ static void write_outcome(struct pen *pen, const struct probe *probe)
     char text[80];
     write_line(pen, probe_outcome(probe), BRIGHT);
     int others = probe->all_steps - probe->steps;
-    snprintf(text, sizeof text, others > 0 ? "steps %d, of shadow rays %d" : "steps %d",
+    snprintf(text, sizeof text, others > 0 ? "steps %d, of further rays %d" : "steps %d",
              probe->steps, others);
     write_line(pen, text, PLAIN);
     snprintf(text, sizeof text, "evaluations of the scene %d", probe->evaluations);

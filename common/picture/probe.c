@@ -40,7 +40,7 @@ static void print_march(const struct probe *probe, FILE *file)
     }
     fprintf(file, "# %s; steps: %d; ", probe_outcome(probe), probe->steps);
     if (probe->all_steps > probe->steps)
-        fprintf(file, "steps of shadow rays: %d; ", probe->all_steps - probe->steps);
+        fprintf(file, "steps of further rays: %d; ", probe->all_steps - probe->steps);
     fprintf(file, "evaluations of the scene: %d; ", probe->evaluations);
 }
 

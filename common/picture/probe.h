@@ -21,7 +21,7 @@ enum probe_end { PROBE_NO_MARCH, PROBE_HIT, PROBE_PASSED, PROBE_GAVE_UP };
 struct probe {
     struct probe_step step[PROBE_STEPS];
     int steps;          // of the first march; the table holds at most PROBE_STEPS
-    int all_steps;      // of all marches of the pixel: shadow rays included
+    int all_steps;      // of all marches of the pixel: shadow rays and all others included
     int evaluations;    // of the scene's distance, the normal's included
     enum probe_end end; // why the first march stopped
     float interval[2];  // where it was asked to look, scene units along the ray; 0, 0: not said
