@@ -114,7 +114,7 @@ list() {
     for file in $(find common shaders tests docs -name '*.h' | sort); do
         echo "format $file"
     done
-    for file in shaders/*.glsl; do
+    for file in shaders/*.glsl chapters/*.glsl; do
         echo "library $file"
     done
     for file in chapters/*.frag chapters/*/*.frag; do

@@ -59,7 +59,7 @@ for page in "$@"; do
     fi
 done
 if [ "$mode" = check ] && ! awk -v library="$library" \
-    -v sources="$(echo shaders/*.* chapters/*.[cf]* chapters/*/*.frag common/*.[ch] common/*/*.[ch])" \
+    -v sources="$(echo shaders/*.* chapters/*.[cfg]* chapters/*/*.frag common/*.[ch] common/*/*.[ch])" \
     -f .make/source.awk -f .make/listings_used.awk "$@"; then
     status=1
 fi
