@@ -2,7 +2,8 @@
 // trace holds.
 //
 // The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice,
-// 5 the numbers of a probe, 6 evaluations of the scene, and how few of the march would do.
+// 5 the numbers of a probe, 6 evaluations of the scene, and how few of the march would do, 7 the
+// coarse pass of coarse.glsl, one pixel a block of the picture.
 
 #include "cover.glsl"
 #include "inputs.glsl"
@@ -41,6 +42,16 @@ void main()
         fragColour = vec4(float(trace.allSteps), float(trace.evaluations), trace.interval);
 }
 
+#elif VIEW == 7
+
+vec2 coarseBlock(ivec2 block);
+
+void main()
+{
+    traceReset(-1);
+    fragColour = vec4(coarseBlock(ivec2(gl_FragCoord.xy)), 0.0, 1.0);
+}
+
 #else
 
 void main()
@@ -58,9 +69,10 @@ void main()
     colour = stepView(pixel);
 #endif
 #if VIEW == 6
-    // What the march took and what would do, for the pixels of the grid: else 0 and 0.
-    int steps = onCoverGrid(pixel) ? trace.steps : 0;
-    fragColour = vec4(float(trace.evaluations), float(steps), float(fewestEvaluations(ray, steps)), 1.0);
+    // What the march took and what would do, for the pixels of the grid: else 0, 0 and 0.
+    bool looked = onCoverGrid(pixel);
+    int steps = looked ? trace.steps : 0;
+    fragColour = vec4(float(trace.evaluations), float(steps), float(fewestEvaluations(ray, steps)), float(looked));
 #else
     fragColour = vec4(clamp(colour, 0.0, 1.0), 1.0);
 #endif

@@ -7,6 +7,7 @@
 
 #include "memory.h"
 #include "report.h"
+#include "picture/coarse.h"
 
 // OpenGL ES 3.0 has no timer: these are asked for where they are used, not in the table of gl.h.
 struct timer {
@@ -143,20 +144,37 @@ static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
 
 // ---- Evaluations ----
 
+// Draw the counts of all pixels: 4 numbers each, as shaders/main.glsl writes them: evaluations,
+// steps, the least, whether the pixel's march is looked at.
+static bool draw_counts(struct renderer *renderer, const struct renderer_inputs *inputs,
+                        float *values)
+{
+    bool done = renderer_set_view(renderer, SHADER_COUNT) &&
+                renderer_draw(renderer, inputs, 0, inputs->height);
+    if (done)
+        renderer_read(renderer, &renderer->picture, values);
+    return done;
+}
+
 // Compare the marches of the grid's rays with the least that could have done.
-//   values  4 a pixel, as shaders/main.glsl writes them: -, steps, the least, -
-static struct benchmark_cover cover_of(const float *values, size_t pixels)
+//   counts  as they are drawn
+//   alone   of each ray by itself, without the coarse pass: whose march has to be shown, and the
+//           least that does it
+//   shared  evaluations of the coarse pass for each pixel
+static struct benchmark_cover cover_of(const float *counts, const float *alone, double shared,
+                                       size_t pixels)
 {
     struct benchmark_cover cover = {0};
     double march = 0.0, bound = 0.0;
     for (size_t i = 0; i < pixels; i++) {
-        double steps = (double)values[4 * i + 1], least = (double)values[4 * i + 2];
+        double steps = (double)counts[4 * i + 1], least = (double)alone[4 * i + 2];
+        march += (double)counts[4 * i + 3] * shared;
         if (least == 0.0)
             continue;
         march += steps;
         bound += least;
-        if (cover.rays == 0 || steps / least < cover.ray_ratio)
-            cover.ray_ratio = steps / least;
+        if (cover.rays == 0 || (steps + shared) / least < cover.ray_ratio)
+            cover.ray_ratio = (steps + shared) / least;
         cover.rays++;
     }
     if (cover.rays > 0) {
@@ -167,31 +185,65 @@ static struct benchmark_cover cover_of(const float *values, size_t pixels)
     return cover;
 }
 
+// The evaluations of the coarse pass, the mean for each pixel; and, in place of the counts that are
+// drawn, those without it.
+static bool count_coarse(struct renderer *renderer, const struct renderer_inputs *inputs,
+                         float *values, double *shared)
+{
+    struct parameter *pass = parameters_find(&renderer->parameters, "coarsePass");
+    size_t pixels = (size_t)inputs->width * (size_t)inputs->height;
+    size_t blocks = (size_t)renderer->coarse.width * (size_t)renderer->coarse.height;
+    double sum = 0.0;
+    renderer_read(renderer, &renderer->coarse, values); // has fewer texels than the picture
+    for (size_t i = 0; i < blocks; i++)
+        sum += (double)values[4 * i + 1];
+    *shared = sum / (double)pixels;
+    if (pass == NULL)
+        return report("--benchmark: a coarse pass without its parameter coarsePass");
+    double on = pass->value[0];
+    pass->value[0] = 0.0;
+    bool done = draw_counts(renderer, inputs, values);
+    pass->value[0] = on;
+    return done;
+}
+
+//   each  room for as many numbers
+static void sum_up(struct benchmark *benchmark, const float *counts, double shared, size_t pixels,
+                   double *each)
+{
+    double sum = 0.0;
+    for (size_t i = 0; i < pixels; i++)
+        sum += each[i] = (double)counts[4 * i];
+    benchmark->most = benchmark_spread_of(each, (int)pixels).maximum;
+    benchmark->mean = sum / (double)pixels + shared;
+    benchmark->percentile = each[(size_t)ceil(0.99 * (double)pixels) - 1];
+    benchmark->has_evaluations = true;
+}
+
 static bool count_evaluations(struct benchmark *benchmark, struct renderer *renderer)
 {
     enum shader_view view = renderer->view;
     struct renderer_inputs inputs = benchmark->inputs;
     size_t pixels = (size_t)inputs.width * (size_t)inputs.height;
-    float *values = malloc(4 * sizeof *values * pixels);
-    double *counts = malloc(sizeof *counts * pixels), sum = 0.0;
-    bool room = values != NULL && counts != NULL;
+    float *counts = malloc(4 * sizeof *counts * pixels);
+    float *alone = malloc(4 * sizeof *alone * pixels);
+    double *each = malloc(sizeof *each * pixels), shared = 0.0;
     inputs.samples = 1;
-    if (!room)
+    bool done = counts != NULL && alone != NULL && each != NULL;
+    if (!done)
         report("--benchmark: not enough memory: try a smaller --size");
-    bool done = room && renderer_set_view(renderer, SHADER_COUNT) &&
-                renderer_draw(renderer, &inputs, 0, inputs.height);
+    done = done && draw_counts(renderer, &inputs, counts);
+    if (done)
+        memcpy(alone, counts, 4 * sizeof *alone * pixels);
+    if (done && coarse_wanted(renderer, SHADER_COUNT))
+        done = count_coarse(renderer, &inputs, alone, &shared);
     if (done) {
-        renderer_read(renderer, &renderer->picture, values);
-        benchmark->cover = cover_of(values, pixels);
-        for (size_t i = 0; i < pixels; i++)
-            sum += counts[i] = (double)values[4 * i];
-        benchmark->most = benchmark_spread_of(counts, (int)pixels).maximum;
-        benchmark->mean = sum / (double)pixels;
-        benchmark->percentile = counts[(size_t)ceil(0.99 * (double)pixels) - 1];
-        benchmark->has_evaluations = true;
+        sum_up(benchmark, counts, shared, pixels, each);
+        benchmark->cover = cover_of(counts, alone, shared, pixels);
     }
     free(counts);
-    free(values);
+    free(alone);
+    free(each);
     return renderer_set_view(renderer, view) && done;
 }
 

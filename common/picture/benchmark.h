@@ -24,7 +24,9 @@ struct benchmark_span {
     double seconds[BENCHMARK_CLOCKS];
 };
 
-// What marches took against the least that could have shown the same: shaders/cover.glsl.
+// What marches took against the least that could have shown the same: shaders/cover.glsl. Where a
+// coarse pass marches for many rays at once, its evaluations are shared out among all pixels, and
+// the least is that of a ray by itself: so the march may come below it.
 struct benchmark_cover {
     int rays;                // looked at, of those that march; 0: nothing is known
     double march, bound;     // evaluations, the mean over these rays
@@ -42,8 +44,10 @@ struct benchmark {
     struct benchmark_span compile, first;           // with the drivers' own caches off
     struct benchmark_span median, minimum, maximum; // of the frames, by clock
     bool has_evaluations;                           // the course's form counts them
-    double mean, percentile, most;                  // evaluations of a pixel; 99 % have no more
-    struct benchmark_cover cover;                   // of the first marches, by the same count
+    // Evaluations of a pixel: the mean, with those of the coarse pass; what 99 % of the pixels have
+    // at most, and all, in their own marches.
+    double mean, percentile, most;
+    struct benchmark_cover cover; // of the first marches, by the same count
 };
 
 // Of numbers in any order: the least, the one in the middle (the mean of two where their count is

@@ -4,59 +4,9 @@
 
 #include <stdbool.h>
 
-#include "camera.h"
-#include "context/context.h"
 #include "picture/image.h"
-#include "picture/overlay.h"
+#include "picture/pass.h"
 #include "picture/probe.h"
-#include "picture/texture.h"
-#include "shader/parameter.h"
-#include "shader/compile.h"
-
-#define RENDERER_FOCAL_LENGTH 1.0f // for shaders that declare no focalLength of their own
-
-// What a picture depends on, besides the shader and its parameters. Times come from here, never
-// from the clock, so that the same inputs give the same picture.
-struct renderer_inputs {
-    int width, height;    // pixels of the whole picture
-    struct camera camera; // whose rays start the picture
-    double time;          // seconds
-    double time_delta;    // seconds since the last frame; 0 for a file
-    int frame;            // number of the frame; 0 for a file
-    float mouse[4];       // Shadertoy's iMouse; zeros for a file
-    float date[4];        // Shadertoy's iDate: year, month from 0, day, seconds of the day
-    int samples;          // along each side of a pixel
-    int pixel[2]; // whose ray is looked at, 0,0 bottom left; -1,-1: none; the slice: the middle
-    float zoom;   // of the slice view; 1: the whole march, as does 0
-};
-
-// A float texture to draw into.
-struct renderer_target {
-    GLuint framebuffer, texture;
-    int width, height; // pixels
-};
-
-// Everything needed to draw one shader file. Opened once; a shader is loaded into it, and loaded
-// again when its file changes.
-struct renderer {
-    const struct gl *gl;
-    const char *root;
-    struct shader_source vertex;   // shaders/screen.vert
-    struct shader_source fragment; // the last one that compiled
-    struct parameters parameters;  // of that one
-    struct textures textures;      // of its samplers
-    enum shader_view view;
-    float focal_length;                   // for shaders that declare no focalLength of their own
-    double orthographic;                  // OrthoView of whole files: 0 perspective, 1 orthographic
-    GLuint program[SHADER_PROGRAM_COUNT]; // by view, compiled when first asked for
-    GLuint used;                          // the program of the draw under way
-    GLuint vertex_array;
-    struct renderer_target picture;
-    struct renderer_target sharp;  // a window's picture that is drawn in several frames
-    struct renderer_target table;  // of a probe, one column a step: the slice view reads it
-    struct renderer_target single; // of a probe: one pixel of the picture is drawn
-    const struct overlay *overlay; // drawn over every written picture, not owned; NULL: none
-};
 
 // Make the triangle's vertex array and read shaders/screen.vert.
 //   gl, root  must outlive the renderer
@@ -103,8 +53,7 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
 // Read a target: 4 floats a pixel, bottom row first.
 //   target   the renderer's picture, as the last renderer_draw left it, or sharp or table
 //   values   room for 4 * target->width * target->height floats, the caller's
-void renderer_read(const struct renderer *renderer, const struct renderer_target *target,
-                   float *values);
+void renderer_read(const struct renderer *renderer, const struct target *target, float *values);
 
 // What renderer_sharpen drew, as renderer_picture makes an image. Returns false, reported; the
 // caller frees the image.

@@ -207,12 +207,13 @@ bool shader_read_asked(struct shader_source *source, const char *path, const cha
 
 // ---- Views ----
 
-static const char *const view_names[SHADER_VIEW_COUNT] = {"picture", "normals", "depth", "steps",
-                                                          "slice"};
+// The first SHADER_VIEW_COUNT of them can be chosen.
+static const char *const view_names[SHADER_PROGRAM_COUNT] = {
+    "picture", "normals", "depth", "steps", "slice", "probe", "count", "coarse pass"};
 
 const char *shader_view_name(enum shader_view view)
 {
-    return view < SHADER_VIEW_COUNT ? view_names[view] : view == SHADER_PROBE ? "probe" : "count";
+    return view_names[view];
 }
 
 bool shader_view_from_name(const char *name, enum shader_view *view)

@@ -17,6 +17,7 @@ enum shader_view {
     SHADER_VIEW_COUNT,
     SHADER_PROBE = SHADER_VIEW_COUNT, // the steps of one ray, as numbers; not a view to choose
     SHADER_COUNT,                     // evaluations of the scene for each pixel; not a view either
+    SHADER_COARSE,                    // where the rays of a block of pixels may start; nor is this
     SHADER_PROGRAM_COUNT
 };
 

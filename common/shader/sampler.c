@@ -205,8 +205,8 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
     struct reading reading = {.sampler = {.line = uniform->line}};
     struct annotation *a = &reading.a;
     bool volume = glsl_is(code, type, "sampler3D");
-    if (glsl_is(code, type + 1, "iMarch"))
-        return true; // the harness's own: the table of the slice view
+    if (glsl_is(code, type + 1, "iMarch") || glsl_is(code, type + 1, "iCoarse"))
+        return true; // the harness's own: the tables of the slice view and of the coarse pass
     annotation_begin(a, source, uniform);
     a->what = "sampler";
     a->example = volume ? EXAMPLE3 : EXAMPLE2;
