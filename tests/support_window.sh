@@ -31,12 +31,14 @@ find_window() {
     [ -n "$window" ]
 }
 
+# openbox announces itself to others (wmctrl -m) before it has read its theme and fonts, and a window that asks to be
+# shown in between is never shown. Its own command at the end of its start tells that it is ready.
 manage() {
-    openbox --config-file "$scratch/openbox.xml" >/dev/null 2>&1 &
+    rm -f "$scratch/managed"
+    openbox --config-file "$scratch/openbox.xml" --startup "touch '$scratch/managed'" >/dev/null 2>&1 &
     manager=$!
-    eventually managed || echo '# openbox did not start'
+    eventually [ -e "$scratch/managed" ] || echo '# openbox did not start'
 }
-managed() { wmctrl -m >/dev/null 2>&1; }
 # Without a window manager no window is listed, and what a dead one leaves behind ends a program in GLFW 3.3.
 keep_managed() { kill -0 "$manager" 2>/dev/null || { echo '# openbox died' && manage; }; }
 
