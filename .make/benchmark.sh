@@ -10,7 +10,7 @@ set -u
 page=docs/benchmark.md
 rounds=${ROUNDS:-3}
 frames=${FRAMES:-15}
-if [ -n "${CHAPTER-}" ] && [ -n "${WRITE-}" ]; then
+if [ -n "${CHAPTER-}" ] && [ "${WRITE:-0}" != 0 ]; then
     echo 'make benchmark: WRITE=1 writes the table of all chapters: leave CHAPTER out' >&2
     exit 1
 fi
@@ -92,7 +92,7 @@ else
     done
 fi
 
-if [ -n "${WRITE-}" ]; then
+if [ "${WRITE:-0}" != 0 ]; then
     awk -v table="$work/table" '
         /^<!-- benchmark -->/ { print; while ((getline line < table) > 0) print line; skip = 1; next }
         /^<!-- \/benchmark -->/ { skip = 0 }

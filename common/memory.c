@@ -42,6 +42,16 @@ char *memory_text(const char *format, ...)
     return text;
 }
 
+char *memory_list(int count, const char *(*name)(const void *of, int i), const void *of)
+{
+    char *text;
+    FILE *stream = memory_open(&text);
+    for (int i = 0; i < count; i++)
+        fprintf(stream, "%s%s", i > 0 ? ", " : "", name(of, i));
+    memory_close(stream);
+    return text;
+}
+
 FILE *memory_open(char **text)
 {
     static size_t size; // which nobody asks for

@@ -18,6 +18,9 @@ void *memory_row(void *row, int count, size_t size);
 // The text that printf would print.
 char *memory_text(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
+// The texts that name gives for 0 to count - 1 of something, with ", " between them.
+char *memory_list(int count, const char *(*name)(const void *of, int i), const void *of);
+
 // Gather a text: what is printed to the stream is in text once memory_close has closed it.
 FILE *memory_open(char **text);
 void memory_close(FILE *stream);

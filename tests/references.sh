@@ -38,7 +38,7 @@ update() {
     fi
     numbers=$(build/tests/compare "$stored" "$2")
     status=$?
-    if [ "$status" = 0 ] && [ -z "${FORCE-}" ]; then
+    if [ "$status" = 0 ] && [ "${FORCE:-0}" = 0 ]; then
         kept=$((kept + 1))
         return
     fi

@@ -310,18 +310,25 @@ static bool put_whole(struct export *e)
                   e->source->files[0]);
 }
 
-// A shader of the course that reads pictures.
-static bool refuse_textures(const struct shader_source *source, const struct samplers *samplers)
+struct reader {
+    const struct shader_source *source;
+    const struct samplers *samplers;
+};
+
+static const char *picture_of(const void *reader, int i)
 {
-    char *names;
-    FILE *stream = memory_open(&names);
-    for (int i = 0; i < samplers->count; i++)
-        fprintf(stream, "%s%s", i > 0 ? ", " : "", source->files[samplers->item[i].file]);
-    memory_close(stream);
+    const struct reader *r = reader;
+    return r->source->files[r->samplers->item[i].file];
+}
+
+// A shader of the course that reads pictures.
+static void refuse_textures(const struct shader_source *source, const struct samplers *samplers)
+{
+    const struct reader reader = {source, samplers};
+    char *names = memory_list(samplers->count, picture_of, &reader);
     report("%s: reads %s: Shadertoy takes no files: leave =shadertoy out for a text that runs here",
            source->files[0], names);
     free(names);
-    return false;
 }
 
 char *export_shadertoy(const struct shader_source *source, const struct parameters *parameters,

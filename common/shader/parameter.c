@@ -91,14 +91,15 @@ static bool read_numbers(const struct parameter *parameter, const char *text, do
     return true;
 }
 
+static const char *name_of(const void *parameters, int i)
+{
+    return ((const struct parameters *)parameters)->item[i].name;
+}
+
 // Report a name that no parameter has, with the names there are.
 static void report_unknown(const struct parameters *parameters, const char *assignment)
 {
-    char *names;
-    FILE *stream = memory_open(&names);
-    for (int i = 0; i < parameters->count; i++)
-        fprintf(stream, "%s%s", i > 0 ? ", " : "", parameters->item[i].name);
-    memory_close(stream);
+    char *names = memory_list(parameters->count, name_of, parameters);
     if (parameters->count == 0)
         report("--set %s: this shader has no parameters", assignment);
     else

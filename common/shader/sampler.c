@@ -34,16 +34,17 @@ static bool has_name(const struct samplers *samplers, const char *name, size_t l
     return false;
 }
 
+static const char *name_of(const void *samplers, int i)
+{
+    return ((const struct samplers *)samplers)->item[i].name;
+}
+
 // Judge NAME=FILE.
 static bool know(const struct samplers *samplers, bool course, const char *assignment)
 {
     if (course && has_name(samplers, assignment, strcspn(assignment, "=")))
         return true;
-    char *names;
-    FILE *stream = memory_open(&names);
-    for (int i = 0; i < samplers->count; i++)
-        fprintf(stream, "%s%s", i > 0 ? ", " : "", samplers->item[i].name);
-    memory_close(stream);
+    char *names = memory_list(samplers->count, name_of, samplers);
     if (!course)
         report("--texture %s: the shader is not of the course's form: --channel N=FILE.png is for "
                "iChannelN",
