@@ -16,7 +16,7 @@ uniform float amount;       // 0.1 in [0.01, 0.5] step 0.01, units: of the blend
 uniform float morph;        // 0 in [0, 1] step 0.05: mixes the distance with that of the disc
 uniform vec2  rayStart;     // -1.85, -0.75 in [-10, 10] step 0.05, units: where the ray starts
 uniform vec2  aim;          // -0.45, -0.06 in [-10, 10] step 0.05, units: where the ray passes; a click sets it
-uniform float fixedStep;    // 0 in [0, 0.5] step 0.02, units: length of the fixed steps along the ray; 0: none
+uniform float fixedStep;    // 0 in [0, 0.5] step 0.02, units: length of the fixed steps that ticks along the ray show; 0: none
 uniform float lineSpacing;  // 0.05 in [0.01, 1] step *2, units: from one line of equal distance to the next
 uniform int   maxSteps;     // 256 in [1, 512]: steps before a ray is given up
 uniform float hitThreshold; // 0.004 in [0.00001, 0.1] step *2, units: distance that counts as a hit
@@ -154,33 +154,26 @@ vec3 marchColour(vec3 light, vec2 p, vec2 right, vec2 up, Ray ray)
     mat2 next = mat2(right * turn, up * turn);
     vec2 pixel = vec2(length(vec2(next[0].x, next[1].x)), length(vec2(next[0].y, next[1].y)));
     int steps = marchedSteps(ray, FAR, hitThreshold, maxSteps);
-    float circle = 1e6, inside = 1e6, end = steps > 0 ? marchedStep(steps - 1).x : 0.0;
-    vec2 across = q; // from the middle of the circle whose rim is nearest
+    float circle = 1e6, inside = 1e6, t = 0.0, end = 0.0;
+    float middle = 0.0; // of the circle whose rim is nearest
     for (int k = 0; k < steps; k++) {
-        vec2 step = marchedStep(k), way = q - vec2(step.x, 0.0); // t, distance
-        float outside = length(way) - step.y;
+        float radius = marchedStep(k).y, outside = length(q - vec2(t, 0.0)) - radius;
         inside = min(inside, outside);
-        across = abs(outside) < circle ? way : across;
+        middle = abs(outside) < circle ? t : middle;
         circle = min(circle, abs(outside));
+        end = t;
+        t += radius;
     }
-    float width = length(normalize(across + 1e-7) * next); // of a pixel, across the rim
+    vec2 across = q - vec2(middle, 0.0) + 1e-7, move = across * next;
+    float perUnit = sqrt(dot(across, across) / dot(move, move)); // pixels, across the rim
     float ink = q.x > 0.0 && q.x < end ? line(q.y / pixel.y, 1.2) : 0.0;
     if (fixedStep > 0.0 && q.x > 0.0 && abs(q.y) < 5.0 * pixel.y)
         ink = max(ink, line((fract(q.x / fixedStep + 0.5) - 0.5) * fixedStep / pixel.x, 1.2));
     if (marchedHit())
         ink = max(ink, line(length((q - vec2(end, 0.0)) / pixel) - 5.0, 1.1));
     ink = max(ink, coverage(4.0 - length(q / pixel), 1.0));
-    light = mix(light, OUTLINE, 0.35 * coverage(-inside / width, 1.0));
-    return mix(light, INK, max(ink, line(circle / width, 1.1)));
-}
-
-// The same ray by fixed steps, up to the first place that is inside.
-float fixedMarch(Ray ray)
-{
-    float t = 0.0;
-    while (t < FAR && distanceAt(ray.origin + t * ray.direction) > 0.0)
-        t += fixedStep;
-    return t;
+    light = mix(light, OUTLINE, 0.35 * coverage(-inside * perUnit, 1.0));
+    return mix(light, INK, max(ink, line(circle * perUnit, 1.1)));
 }
 
 vec3 rayColour(Ray ray)
@@ -189,7 +182,7 @@ vec3 rayColour(Ray ray)
     Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
     if (VIEW < 4 && hit.found)
         normalAt(ray.origin + hit.t * ray.direction, hitThreshold);
-    return vec3(fixedStep > 0.0 ? fixedMarch(ray) : 0.0);
+    return PAPER;
 #else
     vec2 screen = screenPosition(gl_FragCoord.xy + iPixelOffset), p = sheetPlace(screen);
     float down = screen.x * iCameraRight.z + screen.y * iCameraUp.z + focalLength * iCameraForward.z;

@@ -42,12 +42,13 @@ float sdRectangle(vec2 p, vec2 halfSize)
 //            all three lines
 float sdTriangle(vec2 p, vec2 a, vec2 b, vec2 c)
 {
-    vec2 ab = b - a, bc = c - b, ca = a - c;
+    vec2 ab = b - a, bc = c - b, ca = a - c, pa = p - a, pb = p - b, pc = p - c;
+    vec2 fromAB = pa - clamp(dot(pa, ab) / dot(ab, ab), 0.0, 1.0) * ab;
+    vec2 fromBC = pb - clamp(dot(pb, bc) / dot(bc, bc), 0.0, 1.0) * bc;
+    vec2 fromCA = pc - clamp(dot(pc, ca) / dot(ca, ca), 0.0, 1.0) * ca;
+    float nearest = sqrt(min(dot(fromAB, fromAB), min(dot(fromBC, fromBC), dot(fromCA, fromCA))));
     float turn = sign(ab.x * bc.y - ab.y * bc.x); // 1 where the corners go round to the left
-    vec3 inside = turn * vec3(ab.x * (p.y - a.y) - ab.y * (p.x - a.x),
-                              bc.x * (p.y - b.y) - bc.y * (p.x - b.x),
-                              ca.x * (p.y - c.y) - ca.y * (p.x - c.x));
-    float nearest = min(sdSegment(p, a, b), min(sdSegment(p, b, c), sdSegment(p, c, a)));
+    vec3 inside = turn * vec3(ab.x * pa.y - ab.y * pa.x, bc.x * pb.y - bc.y * pb.x, ca.x * pc.y - ca.y * pc.x);
     return min(inside.x, min(inside.y, inside.z)) > 0.0 ? -nearest : nearest;
 }
 
@@ -73,9 +74,9 @@ float sdPolygon(vec2 p, vec2 corner[POLYGON_CORNERS], int count)
         vec2 b = corner[i], way = b - a, from = p - a;
         vec2 away = from - clamp(dot(from, way) / dot(way, way), 0.0, 1.0) * way;
         nearest = min(nearest, dot(away, away));
-        bool rises = a.y <= p.y && p.y < b.y, falls = b.y <= p.y && p.y < a.y;
+        bool begins = a.y <= p.y, ends = b.y <= p.y; // at most as high as p
         float left = way.x * from.y - way.y * from.x; // > 0 where p is on the left of the side
-        inside = inside != ((rises && left > 0.0) || (falls && left < 0.0));
+        inside = inside != (begins != ends && begins == left > 0.0);
         a = b;
     }
     return inside ? -sqrt(nearest) : sqrt(nearest);
@@ -92,7 +93,8 @@ float sdArc(vec2 p, float radius, float halfAngle)
 {
     vec2 q = vec2(abs(p.x), p.y);
     vec2 end = vec2(sin(halfAngle), cos(halfAngle));
-    return q.x * end.y <= q.y * end.x ? abs(length(q) - radius) : length(q - radius * end);
+    bool within = q.x * end.y <= q.y * end.x;
+    return abs(length(within ? q : q - radius * end) - (within ? radius : 0.0)); // one root for both
 }
 
 // A figure grown by a width: all points that are at most so far from it. Of a segment or an arc it makes
