@@ -110,6 +110,24 @@ known() {
         grep -q '^march  *3.00 evaluations a ray, the least 1.00: march / bound 3.00, of one ray at least 1.00; rays: 432$' "$scratch/out"
 }
 check 'a known march, and rays that do not march left out' known
+# Parallel rays head-on to a plane 10 away: a march takes 2. The picture has two blocks, whose cylinder takes
+# 2 as well: 4 shared out among 128 pixels, in the mean and in the march. The least is of rays by themselves.
+cat >"$scratch/shared.frag" <<'GLSL'
+#include "main.glsl"
+#include "march.glsl"
+#include "coarse.glsl"
+Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 10.0), vec3(0.0, 0.0, -1.0)); }
+float sceneDistance(vec3 p) { return p.z; }
+float coarseMargin(float t) { return 0.001; }
+vec3 rayColour(Ray ray) { return vec3(march(ray, coarseStart(ray), 20.0, 0.001, 99).t); }
+GLSL
+shared() {
+    run --benchmark 1 --benchmark=json -s 16x8 -f "$scratch/shared.frag" && [ "$(value evaluations_mean)" = 2.0312 ] &&
+        [ "$(value evaluations_maximum)" = 2 ] && [ "$(value march_evaluations)" = 2.0312 ] && [ "$(value march_bound)" = 2.0000 ] &&
+        run --benchmark 1 --benchmark=json -s 16x8 -f "$scratch/shared.frag" -p coarsePass=false && [ "$(value evaluations_mean)" = 2.0000 ] &&
+        [ "$(value march_evaluations)" = 2.0000 ]
+}
+check "the coarse pass is shared out among the pixels" shared
 unmarched() {
     run --benchmark 1 --benchmark=json -s 20x10 -f "$scratch/count.frag" && [ "$(value march_rays)" = 0 ] && [ "$(value march_over_bound)" = null ] &&
         run --benchmark 1 -s 20x10 -f "$scratch/count.frag" && ! grep -q '^march' "$scratch/out"
