@@ -138,22 +138,18 @@ names_of() { # FILE...: the NAMEs of the test files that exist
 # Tests of shaders say nothing more under the sanitizers, which see C alone.
 of_shaders() { grep -q 'tests/shaders/\|support_\(pixels\|measure\|bound\)\.h' "tests/test_$1.c"; }
 
-# The long ones come first, so that none of them ends alone.
-scripts=$(
+# The long ones come first, so that none of them ends alone: the window's, which mostly wait, then the other scripts.
+suites=$(
+    names_of tests/test_window*.sh | sort -r
     [ -e tests/test_failures.sh ] && echo sanitize/failures
     [ -e tests/test_others.sh ] && echo sanitize/others
     names_of tests/test_*.sh | grep -v '^window'
-)
-# The window's suites mostly wait for pictures; beside them run the tests in C, which are short.
-beside=$(
-    names_of tests/test_window*.sh | sort -r
     names_of tests/test_*.c
     for name in $(names_of tests/test_*.c); do
         of_shaders "$name" || echo "sanitize/$name"
     done
     echo sanitize/one_picture
 )
-suites=$(printf '%s\n' "$scripts" "$beside")
 
 find=
 [ "${1-}" != --find ] || { find=1; shift; }
@@ -167,9 +163,8 @@ if [ -n "${1-}" ]; then
 else
     export ALL_SUITES=1
     # Where CI is set there is more to do: every picture through every backend, other people's shaders under
-    # the sanitizers, the mistakes planted in the harness, each of which compiles and links, and the wrong
-    # answers to exercises.
-    [ -n "${CI-}" ] || suites=$(grep -v -x -e sanitize/others -e teeth_c -e answers <<<"$suites")
+    # the sanitizers, the wrong answers to exercises, and the mistakes, each of which is planted.
+    [ -n "${CI-}" ] || suites=$(grep -v -x -e sanitize/others -e answers <<<"$suites")
 fi
 
 [ -z "$find" ] || exit 0
@@ -178,7 +173,8 @@ for old in build/test-results/*; do
     kill -0 "$(basename "$old")" 2>/dev/null || rm -rf "$old"
 done
 mkdir -p "$results" || exit 1
-printf '%s\n' "$suites" | xargs -P 2 -n 1 tests/run.sh --one
+# Of three one waits, and two compute: a suite has work for two processors at most, and the window's want little.
+printf '%s\n' "$suites" | xargs -P 3 -n 1 tests/run.sh --one
 
 read -r passed failed skipped <<<"$(cat "$results"/*.counts 2>/dev/null |
     awk '{ p += $1; f += $2; s += $3 } END { print p + 0, f + 0, s + 0 }')"

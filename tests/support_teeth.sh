@@ -12,6 +12,28 @@ mistakes_of() { # FILE
     sed 's/[[:space:]]*$//' "$1" | grep -v '^\(#\|$\)'
 }
 
+# places LIST: the suite of a run of all suites, which leaves the planting to CI: a mistake that no longer finds its
+# place is seen at once.
+left_to_ci() { [ -n "${ALL_SUITES-}" ] && [ -z "${CI-}" ]; }
+places() {
+    mistakes_of "$1" >"$scratch/all"
+    check 'each planted mistake finds its place' each_finds
+    plan
+}
+each_finds() {
+    local line rest file found=0
+    while read -r line; do
+        rest=${line#* | } rest=${rest#* | } # FILES | EDIT
+        for file in ${rest%% | *}; do
+            if [ ! -e "$file" ] || sed "${rest#* | }" "$file" | cmp -s - "$file"; then
+                echo "# ${line%% | *}: '${rest#* | }' changes nothing in $file"
+                found=1
+            fi
+        done
+    done <"$scratch/all"
+    return "$found"
+}
+
 # A copy of $scratch/right with the mistake in it; prints why there is none. The copy is one of links: a
 # file is taken out of it before it is written.
 edit_copy() { # COPY FILES EDIT
