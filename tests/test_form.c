@@ -1,5 +1,6 @@
-// test_form.c - the three kinds of shader file: which one a text is, what other people's need, and
-// one clear line for each that cannot be a picture.
+// test_form.c - the three kinds of shader file: which one a text is, what other people's need,
+// what is compiled of it and which views it has, and one clear line for each that cannot be a
+// picture.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -18,6 +19,7 @@ static int set_up(void **state)
 {
     scratch_setup(state);
     scratch_write("root/shaders/leaf.glsl", "float leaf();\n");
+    scratch_write("root/shaders/twig.glsl", "// twig\n#include \"leaf.glsl\"\nfloat twig();\n");
     return 0;
 }
 
@@ -31,12 +33,19 @@ static bool read_text(struct shader_source *source, const char *text, const char
     return done;
 }
 
-static void assert_form(const char *text, enum shader_form form)
+// Read a text that is a shader.
+static struct shader_source read_well(const char *text)
 {
     struct shader_source source;
     const char *said;
     if (!read_text(&source, text, &said) || said[0] != '\0')
         fail_msg("%s: %s", text, said);
+    return source;
+}
+
+static void assert_form(const char *text, enum shader_form form)
+{
+    struct shader_source source = read_well(text);
     if (source.form != form)
         fail_msg("%s: form %d, not %d", text, (int)source.form, (int)form);
     shader_free(&source);
@@ -309,6 +318,51 @@ static void test_version_above_a_chapter(void **state)
     assert_refused("#include \"01_scene.frag\"\n", "main.frag:1: take #version out");
 }
 
+static void test_compiled_text(void **state)
+{
+    (void)state;
+    struct shader_source source = read_well("#include \"twig.glsl\"\nx\n");
+    char *text = shader_text(&source, SHADER_STEPS);
+    assert_string_equal(text,
+                        "#version 330 core\n#define VIEW 3\n// #include \"twig.glsl\"\n// twig\n"
+                        "// #include \"leaf.glsl\"\nfloat leaf();\nfloat twig();\nx\n");
+    assert_null(strstr(text, "#line"));
+    free(text);
+    shader_free(&source);
+    source = read_well("#version 330 core\nx\n");
+    text = shader_text(&source, SHADER_PICTURE);
+    assert_string_equal(text, "#version 330 core\nx\n");
+    free(text);
+    shader_free(&source);
+}
+
+static void test_views(void **state)
+{
+    (void)state;
+    enum shader_view view = SHADER_PICTURE;
+    for (int i = 0; i < SHADER_VIEW_COUNT; i++) {
+        assert_true(shader_view_from_name(shader_view_name((enum shader_view)i), &view));
+        assert_int_equal(view, i);
+    }
+    assert_false(shader_view_from_name("probe", &view));
+    assert_false(shader_view_from_name("", &view));
+    struct shader_source source = read_well("#version 330 core\n");
+    assert_true(shader_has_view(&source, SHADER_PICTURE));
+    for (int i = SHADER_NORMALS; i < SHADER_PROGRAM_COUNT; i++) {
+        capture_begin();
+        assert_false(shader_has_view(&source, (enum shader_view)i));
+        const char *said = capture_end();
+        assert_int_equal(line_count(said), 1);
+        assert_non_null(strstr(said, "main of its own"));
+        assert_non_null(strstr(said, shader_view_name((enum shader_view)i)));
+    }
+    shader_free(&source);
+    source = read_well("x\n");
+    assert_true(shader_has_view(&source, SHADER_SLICE));
+    assert_true(shader_has_view(&source, SHADER_PROBE));
+    shader_free(&source);
+}
+
 int main(void)
 {
 #define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, scratch_teardown)
@@ -324,6 +378,8 @@ int main(void)
         UNIT(test_forms_of_main_image),
         UNIT(test_version_above_a_chapter),
         UNIT(test_inputs_and_textures),
+        UNIT(test_compiled_text),
+        UNIT(test_views),
     };
     return cmocka_run_group_tests_name("form", tests, NULL, NULL);
 }

@@ -1,4 +1,4 @@
-// test_shader.c - a shader's text: includes in their places, every line traced back to its file,
+// test_source.c - a shader's text: includes in their places, every line traced back to its file,
 // and one clear line for each file that cannot be used.
 #include <setjmp.h>
 #include <stdarg.h>
@@ -14,8 +14,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "../common/shader/compile.h"
-#include "../common/shader/export.h"
+#include "../common/shader/form.h"
 #include "support_scratch.h"
 
 // ---- A project of its own for each test ----
@@ -374,7 +373,7 @@ static void test_open_comment(void **state)
     assert_refused("#include \"open.glsl\"\n*/\n", "shaders/open.glsl:1: ", "never closed");
 }
 
-// ---- Forms ----
+// ---- Directives ----
 
 static void test_versions(void **state)
 {
@@ -391,88 +390,7 @@ static void test_line_directives(void **state)
     assert_text("x\n # line 100\ny\n", "x\n//  # line 100\ny\n");
 }
 
-static void test_compiled_text(void **state)
-{
-    (void)state;
-    struct shader_source source = read_text("#include \"twig.glsl\"\nx\n");
-    char *text = shader_text(&source, SHADER_STEPS);
-    assert_string_equal(text,
-                        "#version 330 core\n#define VIEW 3\n// #include \"twig.glsl\"\n// twig\n"
-                        "// #include \"leaf.glsl\"\nfloat leaf();\nfloat twig();\nx\n");
-    assert_null(strstr(text, "#line"));
-    free(text);
-    shader_free(&source);
-    source = read_text("#version 330 core\nx\n");
-    text = shader_text(&source, SHADER_PICTURE);
-    assert_string_equal(text, "#version 330 core\nx\n");
-    free(text);
-    shader_free(&source);
-}
-
-static void test_views(void **state)
-{
-    (void)state;
-    enum shader_view view = SHADER_PICTURE;
-    for (int i = 0; i < SHADER_VIEW_COUNT; i++) {
-        assert_true(shader_view_from_name(shader_view_name((enum shader_view)i), &view));
-        assert_int_equal(view, i);
-    }
-    assert_false(shader_view_from_name("probe", &view));
-    assert_false(shader_view_from_name("", &view));
-    struct shader_source source = read_text("#version 330 core\n");
-    assert_true(shader_has_view(&source, SHADER_PICTURE));
-    for (int i = SHADER_NORMALS; i < SHADER_PROGRAM_COUNT; i++) {
-        capture_begin();
-        assert_false(shader_has_view(&source, (enum shader_view)i));
-        const char *said = capture_end();
-        assert_int_equal(line_count(said), 1);
-        assert_non_null(strstr(said, "main of its own"));
-        assert_non_null(strstr(said, shader_view_name((enum shader_view)i)));
-    }
-    shader_free(&source);
-    source = read_text("x\n");
-    assert_true(shader_has_view(&source, SHADER_SLICE));
-    assert_true(shader_has_view(&source, SHADER_PROBE));
-    shader_free(&source);
-}
-
 #define UNIT(test) cmocka_unit_test_setup_teardown(test, set_up, scratch_teardown)
-
-// One file for Shadertoy: what it declares itself is gone, camera and parameters are constants.
-static void test_for_shadertoy(void **state)
-{
-    (void)state;
-    scratch_write("root/shaders/main.glsl", "void main() { }\n");
-    struct shader_source source = read_text("#include \"main.glsl\"\n"
-                                            "uniform vec3 iResolution;\n"
-                                            "uniform vec3 iCameraRight;\n"
-                                            "uniform vec3 iCameraForward; // ahead\n"
-                                            "uniform vec2 size; // 1 in [0, 9], units: how large\n"
-                                            "uniform int steps; // 7 in [1, 9]: most\n"
-                                            "float twice(float x) { return 2.0 * x; }\n");
-    struct parameters parameters;
-    struct camera camera = {.pan = 90.0f};
-    assert_true(parameters_read(&parameters, &source));
-    assert_true(parameters_assign(&parameters, "size=2,0.25"));
-    char *text = export_shadertoy(&source, &parameters, &camera, 1.5f);
-    assert_non_null(text);
-    assert_null(strstr(text, "void main()"));
-    assert_null(strstr(text, "iResolution;"));
-    const char *const lines[] = {"\nconst vec3 iCameraRight = vec3(",
-                                 "\nconst vec2 size = vec2(2.0, 0.25);", "\nconst int steps = 7;",
-                                 "\nfloat twice(float x) { return 2.0 * x; }\n",
-                                 "\nvoid mainImage(out vec4 fragColor, in vec2 fragCoord)\n"};
-    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
-        if (strstr(text, lines[i]) == NULL)
-            fail_msg("no '%s' in %s", lines[i], text);
-    const char *right = strstr(text, lines[0]) + strlen(lines[0]);
-    float x, y, z;
-    assert_int_equal(sscanf(right, "%f, %f, %f", &x, &y, &z), 3);
-    assert_true(x * x + y * y < 1e-9f && z > 0.999f);
-    free(text);
-    parameters_free(&parameters);
-    shader_free(&source);
-}
 
 int main(void)
 {
@@ -499,9 +417,6 @@ int main(void)
         UNIT(test_open_comment),
         UNIT(test_versions),
         UNIT(test_line_directives),
-        UNIT(test_compiled_text),
-        UNIT(test_views),
-        UNIT(test_for_shadertoy),
     };
-    return cmocka_run_group_tests_name("shader", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("source", tests, NULL, NULL);
 }
