@@ -103,11 +103,6 @@ bool checkers_hidden(const struct checkers_view *view, int x, int y)
     return false;
 }
 
-static double decoded(double v)
-{
-    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
-}
-
 static bool set(const char *name, double value)
 {
     struct parameter *parameter = parameters_find(&gpu.renderer.parameters, name);
@@ -127,7 +122,7 @@ double *checkers_shown(const struct checkers_view *view, int way)
     double *share =
         values == NULL ? NULL : malloc(sizeof *share * CHECKERS_WIDTH * CHECKERS_HEIGHT);
     for (int i = 0; share != NULL && i < CHECKERS_WIDTH * CHECKERS_HEIGHT; i++)
-        share[i] = (decoded((double)values[4 * i + 1]) - 0.02) / 0.78;
+        share[i] = (mirror_decode((double)values[4 * i + 1]) - 0.02) / 0.78;
     free(values);
     return share;
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "support_compare.h"
+#include "support_mirror.h"
 
 enum { SIDE = LEVELS_SIDE, PLACES = 32 };
 
@@ -18,9 +19,8 @@ bool levels_open(void)
     snprintf(path, sizeof path, "%s/shaders/textures/granite.png", gpu.root);
     bool read = image_read_png(&image, path) && image.width == SIDE && image.height == SIDE;
     for (int i = 0; read && i < SIDE * SIDE * 3; i++) {
-        double v = image.pixel[i] / 255.0;
         double *texel = light[SIDE - 1 - i / (3 * SIDE)][i / 3 % SIDE];
-        texel[i % 3] = v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+        texel[i % 3] = mirror_decode(image.pixel[i] / 255.0);
     }
     image_free(&image);
     return read && gpu_load("tests/shaders/levels.frag");

@@ -269,15 +269,15 @@ double mirror_encode(double light)
     return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055;
 }
 
+double mirror_decode(double v)
+{
+    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+}
+
 double mirror_smoothstep(double low, double high, double x)
 {
     double s = mirror_clamp((x - low) / (high - low));
     return s * s * (3.0 - 2.0 * s);
-}
-
-static double decode(double v)
-{
-    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
 }
 
 static struct d3 apply(const double m[3][3], struct d3 v)
@@ -298,7 +298,7 @@ double mirror_lightness(struct d3 colour, enum mirror_vision vision)
     static const double cones[3][3] = {{0.4122214708, 0.5363325363, 0.0514459929},
                                        {0.2119034982, 0.6806995451, 0.1073969566},
                                        {0.0883024619, 0.2817188376, 0.6299787005}};
-    struct d3 light = d3(decode(colour.x), decode(colour.y), decode(colour.z));
+    struct d3 light = d3(mirror_decode(colour.x), mirror_decode(colour.y), mirror_decode(colour.z));
     if (vision != VISION_FULL)
         light = apply(vision == VISION_PROTAN ? protan : deutan, light);
     struct d3 seen = d3(mirror_clamp(light.x), mirror_clamp(light.y), mirror_clamp(light.z));

@@ -169,6 +169,7 @@ bool brute_box_interval(struct mirror_ray ray, struct d3 low, struct d3 high, do
 double mirror_lambert(struct d3 normal, struct d3 to_light);
 double mirror_fall_off(double distance, double reference);
 double mirror_encode(double light); // one channel of encodeSRGB
+double mirror_decode(double v);     // its inverse
 double mirror_smoothstep(double low, double high, double x);
 double mirror_clamp(double x);
 

@@ -1,147 +1,152 @@
-// Unit tests of tests/support_compare.c: what image_read_png takes, and what it refuses.
+// test_image_read.c - PNGs: every kind of them is read, and what is none, broken or too large is
+// refused.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
 #include <stdint.h>
-
+// cmocka needs the four above.
 #include <cmocka.h>
 
-#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
 
-#include <png.h>
-
-#include "support_compare.h"
+#include "../common/picture/image.h"
 #include "support_image.h"
+#include "support_png.h"
 #include "support_scratch.h"
 
-static void write_bytes(const char *path, const unsigned char *bytes, size_t size)
+#define PIXELS (16384 * 1024) // of a picture, at most
+
+// ---- Every kind of PNG ----
+
+static void check_kind(const struct png_kind *kind)
 {
-    FILE *file = fopen(path, "wb");
-    assert_non_null(file);
-    assert_int_equal(fwrite(bytes, 1, size, file), size);
-    fclose(file);
+    enum { WIDTH = 11, HEIGHT = 9 };
+    uint16_t sample[4 * WIDTH * HEIGHT];
+    char why[IMAGE_WHY] = "";
+    struct image_bytes bytes;
+    int channels = png_channels(kind->type);
+    unsigned limit =
+        kind->type == PNG_COLOR_TYPE_PALETTE && kind->depth == 8 ? 16 : 1u << kind->depth;
+    for (int i = 0; i < channels * WIDTH * HEIGHT; i++)
+        sample[i] = (uint16_t)(png_random(3) == 0 ? png_random(4) % limit : png_random(limit));
+    sample[0] = sample[1] = sample[2] = channels == 1 ? 1 : 3; // what tRNS hides
+    const char *path = png_file("kind.png", kind, WIDTH, HEIGHT, sample);
+    for (int wanted = 3; wanted <= 4; wanted++) {
+        if (!image_read_bytes(&bytes, path, wanted, 1000, why))
+            fail_msg("type %d, %d bits: %s", kind->type, kind->depth, why);
+        assert_true(bytes.width == WIDTH && bytes.height == HEIGHT && bytes.channels == wanted);
+        for (int i = 0; i < WIDTH * HEIGHT; i++) {
+            unsigned char texel[4];
+            png_texel(kind, sample + channels * i, texel);
+            if (memcmp(texel, bytes.value + wanted * i, (size_t)wanted) != 0)
+                fail_msg("type %d, %d bits, transparent %d: texel %d", kind->type, kind->depth,
+                         kind->transparent, i);
+        }
+        free(bytes.value);
+    }
 }
 
-static void what_is_no_png_is_refused(void **state)
+static void every_kind_of_png_is_read(void **state)
 {
-    const struct picture_folder *in = *state;
-    struct image image;
-    capture_begin();
-    assert_true(picture_refused(image_read_png(&image, in->target), "No such file"));
-    write_bytes(in->target, (const unsigned char *)"", 0);
-    capture_begin();
-    assert_true(picture_refused(image_read_png(&image, in->target), "cannot be read"));
-    write_bytes(in->target, (const unsigned char *)"P6 1 1 255 and more text", 24);
-    capture_begin();
-    assert_true(picture_refused(image_read_png(&image, in->target), "Not a PNG file"));
-    capture_begin();
-    assert_true(picture_refused(image_read_png(&image, in->folder), "not a regular file"));
-    assert_null(image.pixel);
+    (void)state;
+    static const int kinds[][2] = {{PNG_COLOR_TYPE_GRAY, 1},       {PNG_COLOR_TYPE_GRAY, 2},
+                                   {PNG_COLOR_TYPE_GRAY, 4},       {PNG_COLOR_TYPE_GRAY, 8},
+                                   {PNG_COLOR_TYPE_GRAY, 16},      {PNG_COLOR_TYPE_PALETTE, 1},
+                                   {PNG_COLOR_TYPE_PALETTE, 2},    {PNG_COLOR_TYPE_PALETTE, 4},
+                                   {PNG_COLOR_TYPE_PALETTE, 8},    {PNG_COLOR_TYPE_RGB, 8},
+                                   {PNG_COLOR_TYPE_RGB, 16},       {PNG_COLOR_TYPE_RGB_ALPHA, 8},
+                                   {PNG_COLOR_TYPE_RGB_ALPHA, 16}, {PNG_COLOR_TYPE_GRAY_ALPHA, 8},
+                                   {PNG_COLOR_TYPE_GRAY_ALPHA, 16}};
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++)
+        for (int option = 0; option < 8; option++) {
+            struct png_kind kind = {.type = kinds[i][0],
+                                    .depth = kinds[i][1],
+                                    .interlaced = option % 2 == 1,
+                                    .transparent = option / 2 % 2 == 1,
+                                    .gamma = option / 4 == 1 ? 1.0 : 0.0};
+            if (!kind.transparent || png_channels(kind.type) % 2 == 1)
+                check_kind(&kind);
+        }
 }
 
-static void every_truncated_file_is_refused(void **state)
+// ---- What is refused ----
+
+static void assert_refused(const char *name, const char *expected)
 {
-    const struct picture_folder *in = *state;
-    unsigned char bytes[2048];
-    struct image image = picture_random(9, 9), read;
-    assert_true(image_write_png(&image, in->target));
-    size_t size = picture_bytes(in->target, bytes, sizeof bytes);
-    assert_true(size > 200 && size < sizeof bytes);
+    char why[IMAGE_WHY] = "";
+    struct image_bytes bytes;
+    if (image_read_bytes(&bytes, scratch_path(name), 4, PIXELS, why))
+        fail_msg("%s is taken", name);
+    assert_null(bytes.value);
+    if (strstr(why, expected) == NULL)
+        fail_msg("%s: '%s', not '%s'", name, why, expected);
+}
+
+static void what_is_no_picture_is_refused(void **state)
+{
+    (void)state;
+    assert_refused("none.png", "No such file");
+    scratch_write_bytes("empty.png", (const unsigned char *)"", 0);
+    assert_refused("empty.png", "cannot be read");
+    scratch_write_bytes("text.png", (const unsigned char *)"P6 1 1 255 and more text", 24);
+    assert_refused("text.png", "cannot be read: Not a PNG file: save it again as a PNG");
+    assert_int_equal(mkdir(scratch_path("folder.png"), 0700), 0);
+    assert_refused("folder.png", "not a regular file");
+    assert_int_equal(mkfifo(scratch_path("fifo.png"), 0600), 0);
+    assert_refused("fifo.png", "not a regular file");
+}
+
+// Each beginning of a file, and a file with one byte changed. The last four are the checksum of the
+// chunk that ends it: nothing stands in there, and libpng 1.6.48 no longer looks.
+static void broken_pictures_are_refused(void **state)
+{
+    (void)state;
+    unsigned char bytes[4096];
+    const char *path = png_file_random("whole.png", 7, 5, NULL);
+    size_t size = picture_bytes(path, bytes, sizeof bytes);
     for (size_t i = 0; i < size; i++) {
-        write_bytes(in->target, bytes, i);
-        capture_begin();
-        assert_true(picture_refused(image_read_png(&read, in->target), "cannot be read"));
-        assert_null(read.pixel);
+        scratch_write_bytes("part.png", bytes, i);
+        assert_refused("part.png", "cannot be read");
     }
-    image_free(&image);
-}
-
-// A changed byte may escape (in a name of a chunk that is skipped, say), but the picture may not
-// change.
-static void every_changed_byte_is_harmless(void **state)
-{
-    const struct picture_folder *in = *state;
-    unsigned char bytes[2048];
-    struct image image = picture_random(9, 9), read;
-    assert_true(image_write_png(&image, in->target));
-    size_t size = picture_bytes(in->target, bytes, sizeof bytes), caught = 0;
-    for (size_t i = 0; i < size; i++) {
-        bytes[i] ^= 0x55;
-        write_bytes(in->target, bytes, size);
-        bytes[i] ^= 0x55;
-        capture_begin();
-        bool done = image_read_png(&read, in->target);
-        capture_end();
-        caught += !done;
-        if (done)
-            assert_memory_equal(read.pixel, image.pixel, 3 * 9 * 9);
-        image_free(&read);
-    }
-    assert_true(caught > size * 9 / 10);
-    image_free(&image);
-}
-
-static void write_kind(const struct picture_folder *in, png_uint_32 format, int width, int height,
-                       const void *pixels, const void *colours, png_uint_32 colour_count)
-{
-    png_image kind = {.version = PNG_IMAGE_VERSION,
-                      .width = (png_uint_32)width,
-                      .height = (png_uint_32)height,
-                      .format = format,
-                      .colormap_entries = colour_count};
-    assert_true(png_image_write_to_file(&kind, in->target, 0, pixels, 0, colours));
-}
-
-static void every_kind_of_png_becomes_rgb(void **state)
-{
-    const struct picture_folder *in = *state;
-    static const unsigned char with_alpha[] = {1, 2, 3, 128, 200, 100, 50, 0};
-    static const unsigned char grey[] = {7, 250}, numbers[] = {1, 0};
-    static const unsigned char colours[] = {9, 8, 7, 60, 50, 40};
-    static const uint16_t deep[] = {0, 65535, 0, 65535, 0, 65535};
-    static const unsigned char expected[][6] = {{1, 2, 3, 200, 100, 50},
-                                                {7, 7, 7, 250, 250, 250},
-                                                {60, 50, 40, 9, 8, 7},
-                                                {0, 255, 0, 255, 0, 255}};
-    for (int i = 0; i < 4; i++) {
-        struct image image;
-        if (i == 0)
-            write_kind(in, PNG_FORMAT_RGBA, 2, 1, with_alpha, NULL, 0);
-        else if (i == 1)
-            write_kind(in, PNG_FORMAT_GRAY, 2, 1, grey, NULL, 0);
-        else if (i == 2)
-            write_kind(in, PNG_FORMAT_RGB_COLORMAP, 2, 1, numbers, colours, 2);
-        else
-            write_kind(in, PNG_FORMAT_FLAG_LINEAR | PNG_FORMAT_FLAG_COLOR, 2, 1, deep, NULL, 0);
-        assert_true(image_read_png(&image, in->target));
-        assert_memory_equal(image.pixel, expected[i], 6);
-        image_free(&image);
+    for (size_t i = 0; i < size - 4; i++) {
+        bytes[i] ^= 0x11;
+        scratch_write_bytes("part.png", bytes, size);
+        bytes[i] ^= 0x11;
+        assert_refused("part.png", ""); // every other byte of this file is under a checksum
     }
 }
 
-static void pictures_too_large_are_refused(void **state)
+static void sizes_have_their_limits(void **state)
 {
-    const struct picture_folder *in = *state;
-    struct image image;
-    unsigned char *row = calloc(16385, 1);
-    assert_non_null(row);
-    write_kind(in, PNG_FORMAT_GRAY, 16385, 1, row, NULL, 0);
-    free(row);
-    capture_begin();
-    assert_true(picture_refused(image_read_png(&image, in->target), "longer than 16384"));
-    assert_null(image.pixel);
+    (void)state;
+    const struct png_kind kind = {.type = PNG_COLOR_TYPE_GRAY, .depth = 1};
+    uint16_t *sample = calloc(16385 * 1025, sizeof *sample);
+    assert_non_null(sample);
+    png_file("long.png", &kind, 16385, 1, sample);
+    assert_refused("long.png", "longer than 16384 pixels: make it smaller");
+    png_file("large.png", &kind, 16384, 1025, sample);
+    assert_refused("large.png", "too many pixels");
+    // A width of 0 under a right checksum: libpng writes none.
+    unsigned char bytes[4096];
+    const char *path = png_file("none.png", &kind, 4, 12, sample);
+    size_t size = picture_bytes(path, bytes, sizeof bytes);
+    free(sample);
+    static const unsigned char none[] = {0, 0, 0, 0, 0,    0,    0,    12,  1,
+                                         0, 0, 0, 0, 0x64, 0x32, 0x81, 0xC4};
+    memcpy(bytes + 16, none, sizeof none);
+    scratch_write_bytes("zero.png", bytes, size);
+    assert_refused("zero.png", "Invalid IHDR");
 }
-
-#define IN_FOLDER(name)                                                                            \
-    cmocka_unit_test_setup_teardown(name, picture_folder_make, picture_folder_remove)
 
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        IN_FOLDER(what_is_no_png_is_refused),      IN_FOLDER(every_truncated_file_is_refused),
-        IN_FOLDER(every_changed_byte_is_harmless), IN_FOLDER(every_kind_of_png_becomes_rgb),
-        IN_FOLDER(pictures_too_large_are_refused),
+        cmocka_unit_test(every_kind_of_png_is_read),
+        cmocka_unit_test(what_is_no_picture_is_refused),
+        cmocka_unit_test(broken_pictures_are_refused),
+        cmocka_unit_test(sizes_have_their_limits),
     };
-    return cmocka_run_group_tests_name("image_read", tests, NULL, NULL);
+    return cmocka_run_group_tests_name("image_read", tests, scratch_setup, scratch_teardown);
 }

@@ -56,12 +56,6 @@ static double mix(double a, double b, double share)
     return a + share * (b - a);
 }
 
-static double encode(double v)
-{
-    v = mirror_clamp(v);
-    return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1.0 / 2.4) - 0.055;
-}
-
 // A disc of radius 0.8, from the formulas of the page: at pixels that no line covers.
 static void test_colours_of_a_disc(void **unused)
 {
@@ -82,7 +76,7 @@ static void test_colours_of_a_disc(void **unused)
             for (int c = 0; c < 3; c++) {
                 double light = d > 0.0 ? mix(paper[c], glow[c], near) : mix(deep[c], edge[c], near);
                 double is = (double)values[4 * (y * WIDTH + x) + c];
-                worst = fmax(worst, fabs(is - encode(light)));
+                worst = fmax(worst, fabs(is - mirror_encode(light)));
             }
             seen[d < 0.0]++;
         }
