@@ -1,15 +1,15 @@
 // measure.c - build/tests/measure NAME prints a table of numbers that the pages quote.
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
-#include "../common/picture/benchmark.h"
 #include "support_bound.h"
 #include "support_checkers.h"
 #include "support_gloss.h"
 #include "support_levels.h"
 #include "support_measure.h"
+#include "support_speed.h"
 
 static int print_normal(void)
 {
@@ -266,198 +266,59 @@ static int print_levels(void)
     return 0;
 }
 
-// ---- Speed
-// -----------------------------------------------------------------------------------------
+// ---- The command line ----
 
-enum { FRAMES = 15, COLD_RUNS = 5 };
-
-// A shader to measure: FILE, or FILE@X,Y,Z,PAN,TILT.
-struct contender {
-    char path[4096];
-    struct renderer renderer;
-    struct renderer_inputs inputs;
-    double warm[FRAMES], cold[COLD_RUNS]; // seconds of process CPU time
+static const struct measurement {
+    const char *name, *what;
+    bool needs_gpu;
+    int (*print)(void);
+} measurements[] = {
+    {"normal", "error of the normal against the step of its differences", false, print_normal},
+    {"plane", "steps to a plane against the angle", false, print_plane},
+    {"sphere", "steps past a ball", false, print_sphere},
+    {"rate", "how fast a march nears a hit", false, print_rate},
+    {"foot", "normal at the foot of a hit against where the ray meets the surface", false,
+     print_foot},
+    {"threshold", "what a threshold adds to an outline", true, print_threshold},
+    {"acne", "share of lit pixels in their own shadow against the offset", true, print_acne},
+    {"bound", "evaluations of a march against the fewest that could do", true, print_bound},
+    {"shadows", "soft shadows by one march, against what is seen of the sun", true, print_shadows},
+    {"gloss", "share of the light that a highlight sends back", false, print_gloss},
+    {"checkers", "squares averaged over a pixel, three ways, against samples", true,
+     print_checkers},
+    {"levels", "error of a texture against the footprint that its level is chosen by", true,
+     print_levels},
 };
-
-static bool read_contender(struct contender *contender, const char *argument, int width, int height)
-{
-    struct camera *camera = &contender->inputs.camera;
-    snprintf(contender->path, sizeof contender->path, "%s", argument);
-    contender->inputs.width = width;
-    contender->inputs.height = height;
-    contender->inputs.samples = 1;
-    contender->inputs.time = 1.0;
-    char *at = strrchr(contender->path, '@');
-    if (at == NULL)
-        return true;
-    *at = '\0';
-    return sscanf(at + 1, "%f,%f,%f,%f,%f", &camera->position[0], &camera->position[1],
-                  &camera->position[2], &camera->pan, &camera->tilt) == 5;
-}
-
-// Time of the process, all its threads together: another program on the other core does not count.
-static double cpu_seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
-static double frame_seconds(struct contender *contender, const struct gl *gl)
-{
-    double start = cpu_seconds();
-    if (!renderer_draw(&contender->renderer, &contender->inputs, 0, contender->inputs.height))
-        return -1.0;
-    gl->Finish();
-    return cpu_seconds() - start;
-}
-
-// Compile and first frame in a context of its own.
-static double cold_seconds(struct contender *contender, const char *root)
-{
-    struct context context = {0};
-    double seconds = -1.0;
-    if (context_open_offscreen(&context, CONTEXT_ANY) &&
-        renderer_open(&contender->renderer, &context.gl, root)) {
-        double start = cpu_seconds();
-        if (gpu_load_file(&contender->renderer, contender->path) &&
-            frame_seconds(contender, &context.gl) >= 0.0)
-            seconds = cpu_seconds() - start;
-    }
-    renderer_close(&contender->renderer);
-    context_close(&context);
-    return seconds;
-}
-
-// Frames of the two in turn, so that whatever slows the machine slows both.
-static bool measure_warm(struct contender pair[2])
-{
-    for (int k = 0; k < 2; k++)
-        if (!renderer_open(&pair[k].renderer, &gpu.context.gl, gpu.root) ||
-            !gpu_load_file(&pair[k].renderer, pair[k].path))
-            return false;
-    for (int i = -5; i < FRAMES; i++)
-        for (int k = 0; k < 2; k++) {
-            double seconds = frame_seconds(&pair[k], &gpu.context.gl);
-            if (seconds < 0.0)
-                return false;
-            if (i >= 0)
-                pair[k].warm[i] = seconds;
-        }
-    for (int k = 0; k < 2; k++)
-        renderer_close(&pair[k].renderer);
-    return true;
-}
-
-static bool measure_cold(struct contender pair[2], const char *root)
-{
-    for (int i = -1; i < COLD_RUNS; i++)
-        for (int k = 0; k < 2; k++) {
-            double seconds = cold_seconds(&pair[k], root);
-            if (seconds < 0.0)
-                return false;
-            if (i >= 0)
-                pair[k].cold[i] = seconds;
-        }
-    return true;
-}
-
-static int print_speed(int argc, char **argv)
-{
-    static struct contender pair[2];
-    int width = 640, height = 360;
-    if (argc < 4 || (argc > 4 && sscanf(argv[4], "%dx%d", &width, &height) != 2) ||
-        !read_contender(&pair[0], argv[2], width, height) ||
-        !read_contender(&pair[1], argv[3], width, height)) {
-        fputs("measure speed: expected FILE[@X,Y,Z,PAN,TILT] twice, then WxH or nothing\n", stderr);
-        return 2;
-    }
-    if (!measure_warm(pair) || !measure_cold(pair, gpu.root))
-        return 1;
-    printf("# process CPU time at %dx%d, time 1: medians of %d frames and of %d cold starts\n",
-           width, height, FRAMES, COLD_RUNS);
-    printf("shader,frame_ms,cold_ms\n");
-    double warm[2], cold[2];
-    for (int k = 0; k < 2; k++) {
-        warm[k] = benchmark_spread_of(pair[k].warm, FRAMES).median;
-        cold[k] = benchmark_spread_of(pair[k].cold, COLD_RUNS).median;
-        printf("%s,%.2f,%.1f\n", pair[k].path, 1000.0 * warm[k], 1000.0 * cold[k]);
-    }
-    printf("ratio,%.2f,%.2f\n", warm[1] / warm[0], cold[1] / cold[0]);
-    return 0;
-}
-
-// ---- The command line
-// ------------------------------------------------------------------------------
+enum { MEASUREMENTS = sizeof measurements / sizeof *measurements };
 
 static int usage(FILE *file)
 {
-    fputs("Usage: measure NAME\n"
-          "  normal     error of the normal against the step of its differences\n"
-          "  plane      steps to a plane against the angle\n"
-          "  sphere     steps past a ball\n"
-          "  rate       how fast a march nears a hit\n"
-          "  foot       normal at the foot of a hit against where the ray meets the surface\n"
-          "  threshold  what a threshold adds to an outline\n"
-          "  acne       share of lit pixels in their own shadow against the offset\n"
-          "  bound      evaluations of a march against the fewest that could do\n"
-          "  shadows    soft shadows by one march, against what is seen of the sun\n"
-          "  gloss      share of the light that a highlight sends back\n"
-          "  checkers   squares averaged over a pixel, three ways, against samples\n"
-          "  levels     error of a texture against the footprint that its level is chosen by\n"
-          "  speed A.frag B.frag [WxH]\n"
+    fputs("Usage: measure NAME\n", file);
+    for (int i = 0; i < MEASUREMENTS; i++)
+        fprintf(file, "  %-9s  %s\n", measurements[i].name, measurements[i].what);
+    fputs("  speed A.frag B.frag [WxH]\n"
           "             CPU time of two shaders, their frames in turn, and of a cold compilation;\n"
           "             A.frag@X,Y,Z,PAN,TILT places the camera\n",
           file);
     return file == stdout ? 0 : 2;
 }
 
-static int print_with_gpu(const char *name, int argc, char **argv)
-{
-    int status = 1;
-    // A cold start is one without the driver's own store of compiled shaders.
-    if (strcmp(name, "speed") == 0)
-        setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-    if (gpu_open()) {
-        if (strcmp(name, "threshold") == 0)
-            status = print_threshold();
-        else if (strcmp(name, "acne") == 0)
-            status = print_acne();
-        else if (strcmp(name, "bound") == 0)
-            status = print_bound();
-        else if (strcmp(name, "shadows") == 0)
-            status = print_shadows();
-        else if (strcmp(name, "checkers") == 0)
-            status = print_checkers();
-        else if (strcmp(name, "levels") == 0)
-            status = print_levels();
-        else
-            status = print_speed(argc, argv);
-    }
-    gpu_close();
-    return status;
-}
-
 int main(int argc, char **argv)
 {
+    const struct measurement *wanted = measurements;
     if (argc < 2)
         return usage(stdout);
-    if (strcmp(argv[1], "normal") == 0)
-        return print_normal();
-    if (strcmp(argv[1], "plane") == 0)
-        return print_plane();
-    if (strcmp(argv[1], "sphere") == 0)
-        return print_sphere();
-    if (strcmp(argv[1], "rate") == 0)
-        return print_rate();
-    if (strcmp(argv[1], "foot") == 0)
-        return print_foot();
-    if (strcmp(argv[1], "gloss") == 0)
-        return print_gloss();
-    if (strcmp(argv[1], "threshold") == 0 || strcmp(argv[1], "acne") == 0 ||
-        strcmp(argv[1], "bound") == 0 || strcmp(argv[1], "shadows") == 0 ||
-        strcmp(argv[1], "checkers") == 0 || strcmp(argv[1], "levels") == 0 ||
-        strcmp(argv[1], "speed") == 0)
-        return print_with_gpu(argv[1], argc, argv);
-    return usage(stderr);
+    bool speed = strcmp(argv[1], "speed") == 0;
+    while (wanted < measurements + MEASUREMENTS && strcmp(argv[1], wanted->name) != 0)
+        wanted++;
+    if (wanted == measurements + MEASUREMENTS && !speed)
+        return usage(stderr);
+    if (!speed && !wanted->needs_gpu)
+        return wanted->print();
+    // A cold start is one without the driver's own store of compiled shaders.
+    if (speed)
+        setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    int status = !gpu_open() ? 1 : speed ? speed_print(argc, argv) : wanted->print();
+    gpu_close();
+    return status;
 }

@@ -10,6 +10,7 @@
 
 #include <cmocka.h>
 
+#include "support_boundary.h"
 #include "support_gpu.h"
 #include "support_mirror.h"
 
@@ -33,114 +34,7 @@ enum {
     SMOOTH,
     MORPH
 };
-enum { WIDE = 256, ROWS = 40, ITEMS = WIDE * ROWS, SAMPLES = 16, MOST = 48 };
-
-struct d2 {
-    double x, y;
-};
-
-// ---- Boundaries ----
-
-// A piece of a boundary: a segment from a to b, or an arc of the ellipse around a with half axes b,
-// from angle from to angle to. Of it the part from low to high, shares of its length, belongs to
-// the boundary.
-struct piece {
-    bool arc;
-    struct d2 a, b;
-    double from, to, low, high;
-};
-
-struct boundary {
-    struct piece piece[MOST];
-    int count;
-};
-
-static struct d2 piece_at(const struct piece *piece, double u)
-{
-    u = piece->low + u * (piece->high - piece->low);
-    if (!piece->arc)
-        return (struct d2){piece->a.x + u * (piece->b.x - piece->a.x),
-                           piece->a.y + u * (piece->b.y - piece->a.y)};
-    double angle = piece->from + u * (piece->to - piece->from);
-    return (struct d2){piece->a.x + piece->b.x * cos(angle), piece->a.y + piece->b.y * sin(angle)};
-}
-
-static void add_segment(struct boundary *of, struct d2 a, struct d2 b)
-{
-    assert_true(of->count < MOST);
-    of->piece[of->count++] = (struct piece){.a = a, .b = b, .high = 1.0};
-}
-
-// In two halves, for the search in a piece does not pass from its end to its beginning.
-static void add_ellipse(struct boundary *of, struct d2 centre, struct d2 axes, double from,
-                        double to)
-{
-    assert_true(of->count + 2 <= MOST);
-    double middle = 0.5 * (from + to);
-    of->piece[of->count++] = (struct piece){true, centre, axes, from, middle, 0.0, 1.0};
-    of->piece[of->count++] = (struct piece){true, centre, axes, middle, to, 0.0, 1.0};
-}
-
-static void add_arc(struct boundary *of, double x, double y, double radius, double from, double to)
-{
-    add_ellipse(of, (struct d2){x, y}, (struct d2){radius, radius}, from, to);
-}
-
-static void add_polygon(struct boundary *of, const double (*corner)[2], int count)
-{
-    for (int i = 0; i < count; i++) {
-        const double *a = corner[i], *b = corner[(i + 1) % count];
-        add_segment(of, (struct d2){a[0], a[1]}, (struct d2){b[0], b[1]});
-    }
-}
-
-static double apart(struct d2 p, const struct piece *piece, double u)
-{
-    struct d2 at = piece_at(piece, u);
-    return hypot(p.x - at.x, p.y - at.y);
-}
-
-// The distance to a piece: the nearest of its samples, and from there by golden section.
-static double piece_distance(struct d2 p, const struct piece *piece)
-{
-    const double golden = 0.6180339887498949;
-    int best = 0;
-    double nearest = INFINITY;
-    for (int i = 0; i <= SAMPLES; i++) {
-        double d = apart(p, piece, (double)i / SAMPLES);
-        best = d < nearest ? i : best;
-        nearest = fmin(nearest, d);
-    }
-    double low = fmax(best - 1.0, 0.0) / SAMPLES, high = fmin(best + 1.0, SAMPLES) / SAMPLES;
-    for (int i = 0; i < 36; i++) {
-        double left = high - golden * (high - low), right = low + golden * (high - low);
-        if (apart(p, piece, left) < apart(p, piece, right))
-            high = right;
-        else
-            low = left;
-    }
-    return fmin(nearest, apart(p, piece, 0.5 * (low + high)));
-}
-
-static double boundary_distance(struct d2 p, const struct boundary *of)
-{
-    double nearest = INFINITY;
-    for (int i = 0; i < of->count; i++)
-        nearest = fmin(nearest, piece_distance(p, &of->piece[i]));
-    return nearest;
-}
-
-// How often a boundary, followed all along, turns round p: by the sum of the angles.
-static double winding(struct d2 p, const double (*corner)[2], int count)
-{
-    double sum = 0.0;
-    for (int i = 0; i < count; i++) {
-        const double *a = corner[i], *b = corner[(i + 1) % count];
-        double x = a[0] - p.x, y = a[1] - p.y, u = b[0] - p.x, v = b[1] - p.y;
-        sum += atan2(x * v - y * u, x * u + y * v);
-    }
-    return sum / (2.0 * MIRROR_PI);
-}
+enum { WIDE = 256, ROWS = 40, ITEMS = WIDE * ROWS };
 
 // ---- The figures of tests/shaders/plane.frag ----
 
@@ -169,12 +63,12 @@ static bool in_disc(struct d2 p)
 static void add_rounded(struct boundary *of, double x, double y, double r)
 {
     for (int side = -1; side <= 1; side += 2) {
-        add_segment(of, (struct d2){-x, side * (y + r)}, (struct d2){x, side * (y + r)});
-        add_segment(of, (struct d2){side * (x + r), -y}, (struct d2){side * (x + r), y});
+        boundary_add_segment(of, (struct d2){-x, side * (y + r)}, (struct d2){x, side * (y + r)});
+        boundary_add_segment(of, (struct d2){side * (x + r), -y}, (struct d2){side * (x + r), y});
     }
     for (int i = 0; i < 4; i++)
-        add_arc(of, i == 0 || i == 3 ? x : -x, i < 2 ? y : -y, r, 0.5 * MIRROR_PI * i,
-                0.5 * MIRROR_PI * (i + 1));
+        boundary_add_arc(of, i == 0 || i == 3 ? x : -x, i < 2 ? y : -y, r, 0.5 * MIRROR_PI * i,
+                         0.5 * MIRROR_PI * (i + 1));
 }
 
 // What is left of each piece: the parts on which a test holds, their ends found by halving.
@@ -186,11 +80,12 @@ static void keep(struct boundary *of, const struct boundary *all, bool (*kept)(s
         double from = -1.0;
         for (int k = 0; k <= PARTS; k++) {
             double here = (double)k / PARTS, before = (k - 1.0) / PARTS;
-            bool now = kept(piece_at(piece, here)), was = k > 0 && kept(piece_at(piece, before));
+            bool now = kept(boundary_at(piece, here)),
+                 was = k > 0 && kept(boundary_at(piece, before));
             double low = before, high = here;
             for (int n = 0; n < 48 && k > 0 && now != was; n++) {
                 double middle = 0.5 * (low + high);
-                if (kept(piece_at(piece, middle)) == was)
+                if (kept(boundary_at(piece, middle)) == was)
                     low = middle;
                 else
                     high = middle;
@@ -198,7 +93,7 @@ static void keep(struct boundary *of, const struct boundary *all, bool (*kept)(s
             if (now && !was)
                 from = k > 0 ? high : 0.0;
             if (from >= 0.0 && ((was && !now) || (now && k == PARTS))) {
-                assert_true(of->count < MOST);
+                assert_true(of->count < BOUNDARY_MOST);
                 of->piece[of->count] = *piece;
                 of->piece[of->count].low = from;
                 of->piece[of->count++].high = now ? 1.0 : low;
@@ -223,13 +118,13 @@ static bool on_box(struct d2 p)
 
 static bool in_dart(struct d2 p)
 {
-    return fabs(winding(p, dart, 4)) > 0.5;
+    return fabs(boundary_winding(p, dart, 4)) > 0.5;
 }
 
 static double dart_distance(struct d2 p)
 {
     struct boundary edge = {.count = 0};
-    add_polygon(&edge, dart, 4);
+    boundary_add_polygon(&edge, dart, 4);
     return boundary_distance(p, &edge);
 }
 
@@ -245,10 +140,11 @@ static void add_grown_dart(struct boundary *of)
     for (int i = 0; i < 4; i++) {
         const double *a = dart[i], *b = dart[(i + 1) % 4];
         double x = b[0] - a[0], y = b[1] - a[1], scale = 0.125 / hypot(x, y);
-        add_arc(of, a[0], a[1], 0.125, 0.0, 2.0 * MIRROR_PI);
+        boundary_add_arc(of, a[0], a[1], 0.125, 0.0, 2.0 * MIRROR_PI);
         for (int side = -1; side <= 1; side += 2) {
             double u = -side * scale * y, v = side * scale * x;
-            add_segment(of, (struct d2){a[0] + u, a[1] + v}, (struct d2){b[0] + u, b[1] + v});
+            boundary_add_segment(of, (struct d2){a[0] + u, a[1] + v},
+                                 (struct d2){b[0] + u, b[1] + v});
         }
     }
 }
@@ -257,8 +153,8 @@ static void add_grown_dart(struct boundary *of)
 static void add_combined(struct boundary *of, int which)
 {
     struct boundary first = {.count = 0}, second = {.count = 0};
-    add_polygon(&first, box, 4);
-    add_arc(&second, 0.75, 0.25, 0.5, 0.0, 2.0 * MIRROR_PI);
+    boundary_add_polygon(&first, box, 4);
+    boundary_add_arc(&second, 0.75, 0.25, 0.5, 0.0, 2.0 * MIRROR_PI);
     keep(of, &first, which == INTERSECTION ? in_disc : off_disc);
     keep(of, &second, which == UNION ? off_box : on_box);
 }
@@ -270,32 +166,32 @@ static void boundary_of(int which, struct boundary *of)
     of->count = 0;
     switch (which) {
     case CIRCLE:
-        add_arc(of, 0.0, 0.0, 0.75, 0.0, 2.0 * MIRROR_PI);
+        boundary_add_arc(of, 0.0, 0.0, 0.75, 0.0, 2.0 * MIRROR_PI);
         break;
     case SEGMENT:
-        add_segment(of, (struct d2){-0.875, -0.5}, (struct d2){-0.25, 0.75});
+        boundary_add_segment(of, (struct d2){-0.875, -0.5}, (struct d2){-0.25, 0.75});
         break;
     case RECTANGLE:
-        add_polygon(of, box, 4);
+        boundary_add_polygon(of, box, 4);
         break;
     case TRIANGLE:
     case TRIANGLE_BACK:
-        add_polygon(of, triangle, 3);
+        boundary_add_polygon(of, triangle, 3);
         break;
     case DART:
-        add_polygon(of, dart, 4);
+        boundary_add_polygon(of, dart, 4);
         break;
     case STAR:
-        add_polygon(of, star, 16);
+        boundary_add_polygon(of, star, 16);
         break;
     case CROSSED:
-        add_polygon(of, crossed, 5);
+        boundary_add_polygon(of, crossed, 5);
         break;
     case ARC:
-        add_arc(of, 0.0, 0.0, 0.75, 0.5 * MIRROR_PI - 2.0, 0.5 * MIRROR_PI + 2.0);
+        boundary_add_arc(of, 0.0, 0.0, 0.75, 0.5 * MIRROR_PI - 2.0, 0.5 * MIRROR_PI + 2.0);
         break;
     case SHORT_ARC:
-        add_arc(of, 0.0, 0.0, 0.75, 0.5 * MIRROR_PI - 0.5, 0.5 * MIRROR_PI + 0.5);
+        boundary_add_arc(of, 0.0, 0.0, 0.75, 0.5 * MIRROR_PI - 0.5, 0.5 * MIRROR_PI + 0.5);
         break;
     case ROUNDED:
         add_rounded(of, 0.5, 0.25, 0.25);
@@ -306,10 +202,11 @@ static void boundary_of(int which, struct boundary *of)
         break;
     case ONION:
         add_rounded(of, 0.75, 0.5, 0.125);
-        add_polygon(of,
-                    (const double[4][2]){
-                        {-0.625, -0.375}, {0.625, -0.375}, {0.625, 0.375}, {-0.625, 0.375}},
-                    4);
+        boundary_add_polygon(
+            of,
+            (const double[4][2]){
+                {-0.625, -0.375}, {0.625, -0.375}, {0.625, 0.375}, {-0.625, 0.375}},
+            4);
         break;
     case UNION:
     case INTERSECTION:
@@ -317,7 +214,8 @@ static void boundary_of(int which, struct boundary *of)
         add_combined(of, which);
         break;
     case MORPH: // the ellipse with the centres as its foci
-        add_ellipse(of, (struct d2){0.0, 0.0}, (struct d2){0.625, 0.375}, 0.0, 2.0 * MIRROR_PI);
+        boundary_add_ellipse(of, (struct d2){0.0, 0.0}, (struct d2){0.625, 0.375}, 0.0,
+                             2.0 * MIRROR_PI);
         break;
     default:
         fail_msg("no boundary");
@@ -333,13 +231,13 @@ static bool inside(int which, struct d2 p)
         return in_box(p, 0.75, 0.5);
     case TRIANGLE:
     case TRIANGLE_BACK:
-        return fabs(winding(p, triangle, 3)) > 0.5;
+        return fabs(boundary_winding(p, triangle, 3)) > 0.5;
     case DART:
         return in_dart(p);
     case STAR:
-        return fabs(winding(p, star, 16)) > 0.5;
+        return fabs(boundary_winding(p, star, 16)) > 0.5;
     case CROSSED:
-        return lround(fabs(winding(p, crossed, 5))) % 2 == 1;
+        return lround(fabs(boundary_winding(p, crossed, 5))) % 2 == 1;
     case ROUNDED: {
         double x = fmax(fabs(p.x) - 0.5, 0.0), y = fmax(fabs(p.y) - 0.25, 0.0);
         return x * x + y * y < 0.0625;
