@@ -294,7 +294,11 @@ bad_commands() { # PAGE
     code_of "$1" | grep -E '(^|[;&|(] *)(build/[0-9]|make [a-z]|[A-Z]+=)' | sed 's/ && /\n/g; s/[;|].*//' |
         while IFS= read -r command; do
             case $command in
-            [A-Z]*=*) eval "$command" ;; # a variable that later commands use
+            [A-Z]*=*) # a variable that later commands use; what stands behind one would be run
+                [[ $command =~ ^[A-Z_]+=[^\ ]*\ *$ || $command =~ ^[A-Z_]+=\'[^\']*\'\ *$ || $command =~ ^[A-Z_]+=\"[^\"]*\"\ *$ ]] ||
+                    { echo "$1: $command: a variable in front of a command" && continue; }
+                eval "$command"
+                ;;
             make\ [a-z]*)
                 target=${command#make }
                 grep -q "^${target%% *}:" Makefile || echo "$1: $command: no such target"
@@ -445,6 +449,7 @@ check_checks() {
     check 'not two' eval "! same_line '# hit; colour: 1, 20, 3' '# hit; colour: 1, 20, 5'"
     refuses 'an output that is not printed' "\`\`\`\n$probe\n# hit; evaluations of the scene: 0; colour: 1, 2, 3\n\`\`\`\n" bad_outputs
     refuses 'a target that is not there' '`make nonsense`\n' bad_commands
+    refuses 'a variable in front of a command' '`NONE=1 make test`\n' bad_commands
     printf '# A `b`: c, d!\n## A b c d\n' >"$scratch/docs/page.md"
     check "anchors are GitHub's" test "$(anchors_of "$scratch/docs/page.md" | tr '\n' ' ')" = \
         'a-b-c-d a-b-c-d-1 '
