@@ -156,6 +156,7 @@ vec3 graniteAt(vec3 p, vec3 normal, Footprint f)
 {
     vec3 weights = planeWeights(normal, sharpness);
     weights = planes == 2 ? twoPlaneWeights(weights) : (planes == 1 ? vec3(0.0, 1.0, 0.0) : weights);
+    weights *= step(0.01, weights); // less would not be seen, and costs a lookup
     vec3 stone = textureOnPlanes(granite, REPEATS * p, footprintSeen(f, mat3(1.0), REPEATS), weights).rgb;
     return faded(stone, 0.45);
 }
@@ -196,8 +197,10 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     vec3 stone = graniteAt(seenFrom(pose, p), granular ? normal * pose.turn : vec3(0.0, 1.0, 0.0), footprintSeen(f, pose.turn, 1.0));
     stone = planes == 0 ? mix(vec3(0.10, 0.09, 0.08), vec3(0.62, 0.56, 0.52), pale) : stone;
 
-    // Plank and cloth lie flat or hang: one side is enough.
-    Slide slide = slideAlong(WEAVE * p, footprintSeen(f, mat3(1.0), WEAVE), surface.normal.y > 0.6 ? 1 : 2);
+    // Plank and cloth lie flat or hang: one side is enough, the one that they face.
+    vec3 facing = abs(surface.normal);
+    int axis = facing.y > 0.6 ? 1 : (facing.x > facing.z ? 0 : 2);
+    Slide slide = slideAlong(WEAVE * p, footprintSeen(f, mat3(1.0), WEAVE), axis);
     vec3 linen = 0.55 * textureOnSlide(cloth, slide).rgb, wood = woodAt(p, slide);
     vec3 earth = mix(vec3(0.016, 0.014, 0.012), vec3(0.10, 0.085, 0.07), pale);
     vec3 colour = isCloth ? linen : (isPlank ? wood : (hit ? stone : earth));
