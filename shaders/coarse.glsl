@@ -21,15 +21,15 @@
 //   projectionRay are so: origin and direction before it is normalised change linearly with the screen.
 //   Where a sample moves its ray by more, a lens, coarseMargin takes in by how much.
 // - coarseMargin is more than a float's rounding: about 1e-6 of what p and t are.
-// docs/16_fewer_steps.md has the proof in full. Source: J. Hart's sphere tracing with the cone of
-// J. Amanatides, SIGGRAPH 1984; as a first pass the demo scene's 'cone marching' (Fulcrum, 2012).
+// docs/16_fewer_steps.md has the proof in full. Source: J. C. Hart's sphere tracing along the cones of
+// J. Amanatides, SIGGRAPH 1984; among writers of demos such a first pass is called cone marching.
 #include "inputs.glsl"
 #include "scene.glsl"
 
 const int COARSE_BLOCK = 8; // side of a block, pixels
 
-// The chapter's: how far from the scene a point at t of a ray must be for its march to go on. The
-// largest threshold that counts as a hit there; where a sample moves the ray, and by how much at most.
+// The chapter's: how far from the scene a point at t of a ray must be for its march to go on: the largest
+// threshold that counts as a hit there; and where samples move the ray, by how much they move it.
 //   t        scene units along the ray, >= 0
 //   returns  scene units, > 0; must not become less as t grows
 float coarseMargin(float t);
@@ -63,7 +63,7 @@ float coarseStart(Ray ray)
 #if VIEW == 7
 
 const int   COARSE_STEPS = 64;    // of a block's march, at most
-const float COARSE_FAR = 1000.0;  // where it ends, scene units
+const float COARSE_FAR = 100.0;   // where it ends at the latest, scene units
 
 // What holds the rays of a block: around each point of the axis a ball.
 struct Cone {

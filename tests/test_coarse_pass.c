@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "support_coarse.h"
+#include "support_compare.h"
 #include "support_scratch.h"
 
 // ---- One table for every way to draw ----
@@ -125,6 +126,57 @@ static void test_rays_that_samples_move_lose_nothing(void **unused)
     free(with);
     free(without);
     assert_int_equal(differ, 0);
+}
+
+// ---- The scenes of the chapters ----
+
+// Chapter 03's march is march, 06's and 09's is marchCone: each begun by the pass.
+#define BEGUN(march, arguments, chapter, margin)                                                   \
+    "#include \"main.glsl\"\n#include \"cone.glsl\"\n#include \"shadow.glsl\"\n"                   \
+    "#include \"coarse.glsl\"\n"                                                                   \
+    "#define " march "(ray, from, to, " arguments ") " march                                       \
+    "(ray, max(from, coarseStart(ray)), to, " arguments ")\n"                                      \
+    "#include \"" chapter ".frag\"\n#undef " march "\n"                                            \
+    "float coarseMargin(float t) { return " margin "; }\n"
+#define BEGUN_CONE(chapter)                                                                        \
+    BEGUN("marchCone", "threshold, spread, steps", chapter,                                        \
+          "hitThreshold + footprint * pixelSpread() * t")
+
+// With and without the pass.
+static void check_chapter(const char *stem, const char *text, double threshold)
+{
+    struct renderer_inputs inputs = {.width = 640, .height = 360, .time = 1.0, .samples = 1};
+    struct image picture[2] = {{0}, {0}};
+    struct image_difference difference;
+    assert_true(mirror_camera(gpu.root, stem, &inputs.camera) && gpu_load_text(text));
+    coarse_set("hitThreshold", threshold);
+    if (parameters_find(&gpu.renderer.parameters, "levels") != NULL)
+        coarse_set("levels", 5.0); // solids that a pixel can tell apart
+    if (parameters_find(&gpu.renderer.parameters, "footprint") != NULL) {
+        coarse_set("footprint", 0.0);
+        coarse_set("maxSteps", 500.0);
+    }
+    for (int i = 0; i < 2; i++) {
+        coarse_set("coarsePass", i);
+        assert_true(renderer_picture(&gpu.renderer, &inputs, &picture[i]));
+    }
+    assert_true(image_compare(&picture[0], &picture[1], &difference));
+    printf("# %s: ", stem);
+    image_print_difference(&difference);
+    assert_true(image_same(&difference));
+    image_free(&picture[0]);
+    image_free(&picture[1]);
+}
+
+// A threshold that is wide as a pixel leaves open where within it a march ends, so that any other
+// start moves colours. A thin one does not.
+static void test_a_thin_threshold_shows_the_same_picture(void **unused)
+{
+    (void)unused;
+    check_chapter("03_shadows", BEGUN("march", "threshold, steps", "03_shadows", "hitThreshold"),
+                  0.0005);
+    check_chapter("06_sierpinski_symmetry", BEGUN_CONE("06_sierpinski_symmetry"), 0.00001);
+    check_chapter("09_sky_and_sunset", BEGUN_CONE("09_sky_and_sunset"), 0.0001);
 }
 
 static void test_backends_agree_to_the_bit(void **unused)
@@ -245,6 +297,7 @@ int main(void)
         UNIT(test_a_probe_begins_where_the_picture_does),
         UNIT(test_samples_find_what_a_larger_picture_finds),
         UNIT(test_rays_that_samples_move_lose_nothing),
+        UNIT(test_a_thin_threshold_shows_the_same_picture),
         UNIT(test_backends_agree_to_the_bit),
         UNIT(test_switched_off_there_is_no_pass),
         UNIT(test_a_shader_that_does_not_ask_gets_no_pass),

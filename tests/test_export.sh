@@ -90,6 +90,7 @@ exported 'a camera' "$BUILD/01_normal_colouring" -c 0,1,5,10,-10
 } | sed 's/return SKY;/return part() * 0.001;/; s/^vec3 rayColour/vec3 part();\n&/' >"$scratch/part.frag"
 exported 'the place of a pixel, asked for by the shader itself' "$BUILD/01_normal_colouring" -f "$scratch/part.frag"
 
+exported 'a chapter with a coarse pass, which the file has not' "$BUILD/01_normal_colouring" -f tests/shaders/coarse.frag -p coarsePass=false
 # Only the validator for what is drawn nowhere else.
 for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
     reads_textures "$BUILD/01_normal_colouring" -f "$file" && continue

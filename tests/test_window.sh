@@ -336,5 +336,18 @@ start 10_distance_in_the_plane $still_sheet
 check 'a click aims the ray of chapter 10' aims
 check 'Backspace closes it' backspace
 
+# ---- Two passes ----
+
+# The picture of a window and the march of its slice begin where the coarse pass has ended.
+both_passes() {
+    render expected -f "$coarse" && shoot_as shown && matches expected shown && render expected -f "$coarse" -v slice &&
+        key 5 && shows ' - slice - ' && shoot_as sliced && matches expected sliced
+}
+coarse=$root/tests/shaders/coarse.frag
+# shellcheck disable=SC2086 # options are words
+start $chapter $still -f "$coarse"
+check 'a picture of two passes is what -o writes, and so is its slice' both_passes
+check 'Backspace closes it' backspace
+
 close_window
 plan
