@@ -127,6 +127,17 @@ static double part_distance(const struct mirror_part *part, struct d3 p)
     return DBL_MAX;
 }
 
+double mirror_nearest(const double *part, int count, int *nearest)
+{
+    int found = 0;
+    for (int i = 1; i < count; i++)
+        if (part[i] < part[found])
+            found = i;
+    if (nearest != NULL)
+        *nearest = found;
+    return part[found];
+}
+
 double mirror_distance(const struct mirror_scene *scene, struct d3 p, int *nearest)
 {
     double least = DBL_MAX;

@@ -111,6 +111,9 @@ struct mirror_scene {
 //   nearest  receives the number of the nearest part; may be NULL
 double mirror_distance(const struct mirror_scene *scene, struct d3 p, int *nearest);
 
+// The union of so many parts: the least distance; *nearest, if any, its place, the first of equals.
+double mirror_nearest(const double *part, int count, int *nearest);
+
 // The unit normal: the gradient of mirror_distance by central differences in double.
 struct d3 mirror_normal(const struct mirror_scene *scene, struct d3 p);
 

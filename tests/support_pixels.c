@@ -99,3 +99,15 @@ void pixels_check(const struct mirror_picture *picture, const struct pixel_list 
     free(values);
     image_free(&image);
 }
+
+void pixels_check_chapter(const char *stem,
+                          struct mirror_sample (*sample)(const struct mirror_eye *eye),
+                          const struct pixel *pixel, size_t count)
+{
+    char shader[256];
+    snprintf(shader, sizeof shader, "chapters/%s.frag", stem);
+    const struct mirror_picture picture = {
+        .name = stem, .shader = shader, .chapter = stem, .sample = sample};
+    const struct pixel_list list = {pixel, (int)count, 0.1 / 255.0};
+    pixels_check(&picture, &list);
+}

@@ -2,6 +2,8 @@
 #ifndef SUPPORT_PIXELS_H
 #define SUPPORT_PIXELS_H
 
+#include <stddef.h>
+
 #include "support_gpu.h"
 #include "support_mirror.h"
 
@@ -24,5 +26,11 @@ struct pixel_list {
 // colours that picture->sample computes. A cmocka test: it fails where a colour is off by more than
 // the tolerance, or where a pixel or one within two pixels of it shows something else.
 void pixels_check(const struct mirror_picture *picture, const struct pixel_list *list);
+
+// The same of the picture that a chapter draws without options: the colours of the list are right
+// within 0.1 of 255.
+void pixels_check_chapter(const char *stem,
+                          struct mirror_sample (*sample)(const struct mirror_eye *eye),
+                          const struct pixel *pixel, size_t count);
 
 #endif

@@ -101,11 +101,7 @@ static double scene_distance(struct d3 p, int *nearest)
     distance[RING] = 0.66 * (away > 0.2 ? away : ring / stretch);
     distance[BALL] = mirror_sphere(seen_from(BALL, p), 0.62);
     distance[CRATE] = mirror_box(seen_from(CRATE, p), d3(0.42, 0.42, 0.42)) - 0.02;
-    *nearest = SEA;
-    for (int i = RING; i <= CRATE; i++)
-        if (distance[i] < distance[*nearest])
-            *nearest = i;
-    return distance[*nearest];
+    return mirror_nearest(distance, 4, nearest);
 }
 
 static const struct mirror_scene scene = {.function = scene_distance};

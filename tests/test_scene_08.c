@@ -70,13 +70,7 @@ static double scene_distance(struct d3 p, int *nearest)
         [TOWER] = tower(p),
         [FRAMES] = fmin(frame_at(p, -0.65, 2.15), frame_at(p, 5.65, -4.15)),
     };
-    int found = 0;
-    for (int i = 1; i < PARTS; i++)
-        if (part[i] < part[found])
-            found = i;
-    if (nearest != NULL)
-        *nearest = found;
-    return part[found];
+    return mirror_nearest(part, PARTS, nearest);
 }
 
 static const struct mirror_scene scene = {.function = scene_distance};

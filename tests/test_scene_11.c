@@ -118,13 +118,7 @@ static double scene_distance(struct d3 p, int *nearest)
                           [SILVER] = silver(p),
                           [IVORY] = ivory(p),
                           [WAX] = wax(p)};
-    int found = 0;
-    for (int i = 1; i < PARTS; i++)
-        if (part[i] < part[found])
-            found = i;
-    if (nearest != NULL)
-        *nearest = found;
-    return part[found];
+    return mirror_nearest(part, PARTS, nearest);
 }
 
 // ---- Marches ----
@@ -371,16 +365,10 @@ static const struct pixel pixels[] = {
     {CHAPTER, 349, 77, "wax-"},
 };
 
-static const struct mirror_picture picture = {.name = CHAPTER,
-                                              .shader = "chapters/" CHAPTER ".frag",
-                                              .chapter = CHAPTER,
-                                              .sample = sample_at};
-
 static void test_pixels_agree_with_double(void **unused)
 {
     (void)unused;
-    const struct pixel_list list = {pixels, sizeof pixels / sizeof pixels[0], 0.1 / 255.0};
-    pixels_check(&picture, &list);
+    pixels_check_chapter(CHAPTER, sample_at, pixels, sizeof pixels / sizeof *pixels);
 }
 
 int main(void)

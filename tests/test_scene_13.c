@@ -233,12 +233,7 @@ static const struct pixel pixels[] = {
 static void test_pixels_agree_with_double(void **unused)
 {
     (void)unused;
-    const struct mirror_picture picture = {.name = CHAPTER,
-                                           .shader = "chapters/" CHAPTER ".frag",
-                                           .chapter = CHAPTER,
-                                           .sample = sample_13};
-    const struct pixel_list list = {pixels, sizeof pixels / sizeof pixels[0], 0.1 / 255.0};
-    pixels_check(&picture, &list);
+    pixels_check_chapter(CHAPTER, sample_13, pixels, sizeof pixels / sizeof *pixels);
 }
 
 int main(void)
