@@ -15,3 +15,22 @@ float schlickShare(float facing, float straight)
     float grazing = 1.0 - facing, square = grazing * grazing;
     return straight + (1.0 - straight) * square * square * grazing;
 }
+
+// The share of the light that a smooth boundary between two clear media mirrors, exactly, for light of mixed
+// polarisation: the mean of the two.
+//   facing   cosine of the angle between the normal and the ray, on the side from which it comes, in [0, 1]
+//   eta      index of refraction on that side over the index on the other, > 0: what refract of GLSL wants
+//   returns  in [0, 1]; 1 where nothing is let through: total reflection, eta^2 (1 - facing^2) >= 1
+//   formula  with c = facing, g = sqrt(1 - eta^2 (1 - c^2)), the cosine behind the boundary:
+//            1/2 ((eta c - g) / (eta c + g))^2 + 1/2 ((c - eta g) / (c + eta g))^2
+// The same from both sides: fresnelShare(c, eta) = fresnelShare(g, 1 / eta). At c = 1: ((1 - eta) / (1 + eta))^2.
+// Source: A. Fresnel, 'Mémoire sur la loi des modifications que la réflexion imprime à la lumière polarisée'
+// (1823); M. Born, E. Wolf, 'Principles of Optics', section 1.5.
+float fresnelShare(float facing, float eta)
+{
+    float square = 1.0 - eta * eta * (1.0 - facing * facing);
+    float behind = sqrt(max(square, 0.0));
+    float across = (eta * facing - behind) / (eta * facing + behind);
+    float along = (facing - eta * behind) / (facing + eta * behind);
+    return square > 0.0 ? 0.5 * (across * across + along * along) : 1.0;
+}

@@ -6,6 +6,7 @@
 
 #include "support_bound.h"
 #include "support_checkers.h"
+#include "support_glass.h"
 #include "support_gloss.h"
 #include "support_levels.h"
 #include "support_measure.h"
@@ -266,6 +267,11 @@ static int print_levels(void)
     return 0;
 }
 
+static int print_glass(void)
+{
+    return glass_print() ? 0 : 1;
+}
+
 // ---- The command line ----
 
 static const struct measurement {
@@ -283,6 +289,7 @@ static const struct measurement {
     {"acne", "share of lit pixels in their own shadow against the offset", true, print_acne},
     {"bound", "evaluations of a march against the fewest that could do", true, print_bound},
     {"shadows", "soft shadows by one march, against what is seen of the sun", true, print_shadows},
+    {"glass", "shares that glass mirrors; what is dark after so many surfaces", true, print_glass},
     {"gloss", "share of the light that a highlight sends back", false, print_gloss},
     {"checkers", "squares averaged over a pixel, three ways, against samples", true,
      print_checkers},

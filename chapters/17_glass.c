@@ -1,0 +1,15 @@
+// Chapter 17: glass. Rays that go into solids, through them and out again.
+//
+// The page is docs/17_glass.md.
+#include "../common/chapter.h"
+
+int main(int argc, char **argv)
+{
+    const struct chapter chapter = {
+        .stem = "17_glass",
+        .title = "17 Glass",
+        .shows = "A tumbler, a prism and a ball in low light: what is bent, mirrored and gathered.",
+        .camera = {.position = {0.05f, 1.35f, 3.25f}, .pan = 0.0f, .tilt = -13.0f},
+    };
+    return chapter_run(&chapter, argc, argv);
+}

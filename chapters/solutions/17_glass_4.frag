@@ -1,0 +1,13 @@
+// Solution of exercise 17.4: what is left when the surfaces run out comes from the room, as if no more glass stood in
+// the way.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "17_glass.frag"
+#undef rayColour
+
+vec3 rayColour(Ray ray)
+{
+    Way way = wayThrough(ray, 0.55, 0);
+    vec3 seen = way.free ? worldLight(way.ray, way.far) : surroundings(way.ray.direction);
+    return encodeSRGB(way.light + way.share * seen);
+}

@@ -1,0 +1,51 @@
+// caustic.glsl - the light that a clear ball gathers.
+#include "coverage.glsl"
+#include "fresnel.glsl"
+
+const int CAUSTIC_RINGS = 16;
+
+// The area over pi of a disc whose rim is as wide as coverage makes it: the integral of 2 r coverage(radius - r, width).
+//   radius  >= 0
+//   width   > 0, of the rim
+//   formula radius^2 + width^2 / 12; with a middle that is not full, radius < width / 2, (radius + width / 2)^3 / (3 width)
+float softDiscArea(float radius, float width)
+{
+    float reach = radius + 0.5 * width;
+    return radius < 0.5 * width ? reach * reach * reach / (3.0 * width) : radius * radius + width * width / 12.0;
+}
+
+// How much light of a far lamp comes to a point through a clear ball, over what would come without the ball to a
+// surface that faces the lamp: 1 is as bright as without.
+//   p        from the ball's centre, scene units
+//   toLight  direction of the lamp, length 1
+//   radius   of the ball, > 0
+//   index    of refraction of the ball, in (1, 2)
+//   spread   radius of the lamp, seen from one unit: blurs the light by spread z
+//   formula  a ray that passes the axis at b = radius sin(i) is turned by D = 2 (i - j), sin(j) = sin(i) / index, and
+//            leaves on a line that passes the centre at b as well: at z behind it, r = (b - z sin(D)) / cos(D) off the
+//            axis. The beam is cut into rings of b. A ring's light, less what both surfaces mirror, falls
+//            evenly on the ring between the two r: b^2 - b'^2 over r^2 - r'^2, both rims as wide as the blur
+// Without light that is mirrored inside and without absorption. Exact but for the number of rings and the blur on
+// a plane z = const that faces the lamp.
+float ballCaustic(vec3 p, vec3 toLight, float radius, float index, float spread)
+{
+    float z = -dot(p, toLight), r = length(p + z * toLight), width = max(spread * z, 0.002 * radius);
+    float light = 0.0, before = 0.0, within = 0.0; // the ring's inner r and b^2
+    int rings = z > 0.0 && r < max(radius, 2.5 * z) + width ? CAUSTIC_RINGS : 0; // the outermost is turned by 68 degrees
+    for (int k = 1; k <= rings; k++) {
+        float sine = 0.96 * float(k) / float(CAUSTIC_RINGS), inner = sine / index;
+        float cosine = sqrt(1.0 - sine * sine), innerCosine = sqrt(1.0 - inner * inner);
+        vec2 halfTurn = vec2(cosine * innerCosine + sine * inner, sine * innerCosine - cosine * inner);
+        vec2 turn = vec2(halfTurn.x * halfTurn.x - halfTurn.y * halfTurn.y, 2.0 * halfTurn.x * halfTurn.y);
+        float after = (radius * sine - z * turn.y) / max(turn.x, 0.05);
+        float passes = 1.0 - fresnelShare(cosine, 1.0 / index);
+        float square = radius * radius * sine * sine;
+        float low = before * after > 0.0 ? min(abs(before), abs(after)) : 0.0, high = max(abs(before), abs(after));
+        float ring = softDiscArea(high, width) - (low > 0.0 ? softDiscArea(low, width) : 0.0);
+        float lit = coverage(high - r, width) - (low > 0.0 ? coverage(low - r, width) : 0.0);
+        light += lit * passes * passes * (square - within) / max(ring, 1e-6 * radius * radius);
+        before = after;
+        within = square;
+    }
+    return light;
+}

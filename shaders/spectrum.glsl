@@ -1,0 +1,72 @@
+// spectrum.glsl - light of one wavelength: how glass bends it, and what colour it has on a screen.
+//
+// Wavelengths are in micrometres (thousandths of a millimetre), of light in empty space: from SHORTEST_WAVE, violet, to
+// LONGEST_WAVE, red. White is light with equal parts of all of them.
+
+const float SHORTEST_WAVE = 0.40;
+const float LONGEST_WAVE = 0.70;
+
+// The index of refraction of a glass.
+//   glass       Cauchy's two numbers of it: (a, b), b in square micrometres; crown glass BK7 (1.5046, 0.00420), dense
+//               flint SF10 (1.6894, 0.01341), water (1.3240, 0.00310)
+//   wavelength  > 0
+//   formula     a + b / wavelength^2
+// Source: A.-L. Cauchy, 'Mémoire sur la dispersion de la lumière' (1836).
+float cauchyIndex(vec2 glass, float wavelength)
+{
+    return glass.x + glass.y / (wavelength * wavelength);
+}
+
+// cauchyIndex read backwards: the wavelength that has an index.
+//   index    > glass.x
+//   formula  sqrt(b / (index - a))
+float cauchyWave(vec2 glass, float index)
+{
+    return sqrt(glass.y / max(index - glass.x, 1e-9));
+}
+
+// A bell with two halves: 1 at middle, 1 / e at below under it and at above over it.
+float bell(float x, float middle, float below, float above)
+{
+    float part = (x - middle) / (x < middle ? below : above);
+    return exp(-part * part);
+}
+
+// The colour of one wavelength, as a weight: the mean over all wavelengths from SHORTEST_WAVE to LONGEST_WAVE is
+// white, (1, 1, 1).
+//   returns  linear red, green, blue, >= 0, up to about 5
+//   formula  a bell a channel, and a second one for the red in violet: fitted to the eye's curves of 1931 in the
+//            screen's primaries. A pure colour has a negative channel there, which no screen can send: taken
+//            as 0, and each channel divided by its mean. Off from that by at most 0.4
+// Sources: CIE 1931 colour matching functions, by the fit of C. Wyman, P.-P. Sloan, P. Shirley, 'Simple analytic
+// approximations to the CIE XYZ color matching functions', Journal of Computer Graphics Techniques 2 (2013);
+// IEC 61966-2-1 for the primaries.
+vec3 waveColour(float wavelength)
+{
+    float violet = 0.42 * bell(wavelength, 0.4435, 0.0265, 0.0105);
+    return vec3(4.2674 * bell(wavelength, 0.6025, 0.0325, 0.0433) + violet,
+                3.9732 * bell(wavelength, 0.5410, 0.0426, 0.0426),
+                5.4559 * bell(wavelength, 0.4450, 0.0248, 0.0375));
+}
+
+// The wavelengths of a sample: wave k of count, one in each of as many equal parts of the spectrum.
+//   k, count  0 <= k < count
+//   shift     where in its part, in [0, 1]; 1/2 the middle: of count 1 that is 0.55, green
+float sampleWave(int k, int count, float shift)
+{
+    return mix(SHORTEST_WAVE, LONGEST_WAVE, (float(k) + shift) / float(count));
+}
+
+// The colour of light that holds the wavelengths between two and no others, as a share of white light that holds all.
+//   a, b     wavelengths, in either order; what lies outside the visible ones is left out
+//   returns  white, (1, 1, 1), for all: by ten wavelengths, off by at most 0.02
+vec3 meanColour(float a, float b)
+{
+    a = clamp(a, SHORTEST_WAVE, LONGEST_WAVE);
+    b = clamp(b, SHORTEST_WAVE, LONGEST_WAVE);
+    float share = abs(b - a) / (LONGEST_WAVE - SHORTEST_WAVE);
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < (share > 0.0 ? 10 : 0); i++)
+        sum += waveColour(mix(a, b, (float(i) + 0.5) / 10.0));
+    return share / 10.0 * sum;
+}

@@ -1,0 +1,96 @@
+#version 330 core
+// For test_glass.c and test_spectrum.c: glass.glsl, fresnel.glsl, spectrum.glsl, prism.glsl, caustic.glsl.
+//
+// Time chooses the function, iMouse holds four numbers for it; x is the pixel's number.
+
+in float Time;
+out vec4 FragColor;
+
+#define VIEW 0
+
+#include "inputs.glsl"
+#include "glass.glsl"
+#include "spectrum.glsl"
+#include "prism.glsl"
+#include "caustic.glsl"
+#include "primitives.glsl"
+#include "solids.glsl"
+#include "combine.glsl"
+
+// 0 a ball, 1 a slab across y, 2 the tumbler's kind of shape, 3 a block of two halves that touch
+int shape = 0;
+
+float sceneDistance(vec3 p)
+{
+    if (shape == 0)
+        return sdSphere(p, 1.0);
+    if (shape == 1)
+        return abs(p.y) - 0.5;
+    if (shape == 2)
+        return opSubtraction(opRound(sdCappedCone(p, 0.50, 0.58, 0.77), 0.03),
+                             sdCappedCone(p - vec3(0.0, 0.30, 0.0), 0.455, 0.54, 0.8));
+    return min(sdBox(p - vec3(0.5, 0.0, 0.0), vec3(0.5)), sdBox(p + vec3(0.5, 0.0, 0.0), vec3(0.5)));
+}
+
+// A ray that meets the ball at radius * offset from its axis.
+Ray towardsBall(float offset, float turn)
+{
+    vec3 across = vec3(cos(turn), sin(turn), 0.0);
+    return Ray(offset * across + vec3(0.0, 0.0, 3.0), vec3(0.0, 0.0, -1.0));
+}
+
+void main()
+{
+    int function = int(Time);
+    float number = floor(gl_FragCoord.x), row = floor(gl_FragCoord.y);
+    iPixel = ivec2(gl_FragCoord.xy);
+    traceReset(-1);
+    FragColor = vec4(0.0);
+    if (function == 0) { // Fresnel; iMouse.x: eta
+        float facing = number / 512.0;
+        FragColor = vec4(facing, fresnelShare(facing, iMouse.x), schlickShare(facing, iMouse.y), 0.0);
+    } else if (function == 1) { // GLSL's refract; iMouse.x: eta
+        vec3 normal = normalize(sin(vec3(1.3, 2.7, 4.1) * (number + 1.0)));
+        vec3 aside = normalize(cross(normal, sin(vec3(7.1, 1.9, 3.3) * (number + 2.0))));
+        float angle = 1.55 * row / 15.0;
+        FragColor = vec4(refract(sin(angle) * aside - cos(angle) * normal, normal, iMouse.x), angle);
+    } else if (function == 2) { // through the ball; iMouse: index, threshold, offset in thresholds
+        Ray ray = towardsBall((number + 0.5) / 512.0, 0.4 * row);
+        Hit in_ = marchSide(ray, 1.0, 0.0, 9.0, iMouse.y, 4096);
+        vec3 p = ray.origin + in_.t * ray.direction, normal = normalize(p);
+        ray = leavingRay(p, normal, refract(ray.direction, normal, 1.0 / iMouse.x), iMouse.z * iMouse.y);
+        Hit out_ = marchSide(ray, -1.0, 0.0, 9.0, iMouse.y, 4096);
+        p = ray.origin + out_.t * ray.direction;
+        normal = normalize(p);
+        vec3 left = refract(ray.direction, -normal, iMouse.x);
+        FragColor = vec4(left, in_.found && out_.found ? out_.t : -1.0);
+    } else if (function == 3) { // straight through a slab and a ball; iMouse: shape, index, least
+        shape = int(iMouse.x);
+        float angle = 1.3 * number / 255.0, offset = number / 256.0;
+        Ray ray = shape == 1 ? Ray(vec3(0.0, 2.0, 0.0), vec3(sin(angle), -cos(angle), 0.0)) : towardsBall(offset, 0.0);
+        Passage passage = straightThrough(ray, 60.0, iMouse.y, iMouse.z, 4096);
+        FragColor = vec4(passage.share, passage.inside, passage.deepest, shape == 1 ? angle : offset);
+    } else if (function == 4) { // the caustic; iMouse: index, z, spread
+        float r = 3.0 * (number + 0.5) / 2048.0;
+        FragColor = vec4(r, ballCaustic(vec3(r, 0.0, -iMouse.y), vec3(0.0, 0.0, 1.0), 1.0, iMouse.x, iMouse.z), 0.0, 0.0);
+    } else if (function == 5) { // colours
+        float wave = SHORTEST_WAVE + (LONGEST_WAVE - SHORTEST_WAVE) * (number + 0.5) / 512.0;
+        FragColor = vec4(waveColour(wave), wave);
+    } else if (function == 6) { // the prism; iMouse: apex
+        float index = 1.1 + 0.4 * row / 15.0, entering = sin(-0.4 + 1.9 * number / 255.0);
+        float leaving = prismLeaving(entering, iMouse.x, index);
+        FragColor = vec4(leaving, prismIndex(entering, leaving, iMouse.x), leastDeviation(iMouse.x, index), planIndex(index, iMouse.y));
+    } else if (function == 7) { // absorption, Cauchy, sampleWave, meanColour
+        vec3 one = absorbed(vec3(0.2, 1.0, 3.0), 0.01 * number) * absorbed(vec3(0.2, 1.0, 3.0), 0.5);
+        FragColor = vec4(one, cauchyWave(vec2(1.6894, 0.01341), cauchyIndex(vec2(1.6894, 0.01341), 0.4 + 0.001 * number)));
+    } else if (function == 8) { // iMouse: the two wavelengths
+        FragColor = vec4(meanColour(iMouse.x, iMouse.y), sampleWave(int(number), int(iMouse.z), iMouse.w));
+    } else if (function == 10) { // the beam; iMouse: place, rise, half width
+        Beam beam = prismBeam(iMouse.xy, 0.26, vec2(1.6894, 0.01341), iMouse.z, iMouse.w);
+        FragColor = vec4(beam.white, beam.waves, 0.0);
+    } else { // the depth that shapes claim, at scattered points
+        shape = int(iMouse.x);
+        vec3 p = (fract((number + 131.0 * row) * vec3(0.8191725, 0.6710436, 0.5497005)) - 0.5) * vec3(1.9, 1.8, 1.4);
+        FragColor = vec4(p, sceneDistance(p));
+    }
+}

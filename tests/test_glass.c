@@ -1,0 +1,385 @@
+// test_glass.c - shaders/glass.glsl, fresnel.glsl and caustic.glsl: what a surface mirrors and
+// bends, rays through a ball against their analytical path, what a straight ray loses, the light
+// behind a ball.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "support_glass.h"
+#include "support_gpu.h"
+#include "support_random.h"
+
+#define SHADER "tests/shaders/glass.frag"
+
+enum { FRESNEL, REFRACT, BALL, STRAIGHT, CAUSTIC, COLOUR, PRISM, ABSORBED, WAVES, DEPTH };
+
+// ---- A surface ----
+
+static void the_mirrored_share_is_fresnel_s(void **unused)
+{
+    (void)unused;
+    static const float etas[] = {1.0f / 1.333f, 1.0f / 1.5168f, 1.0f / 1.7283f,
+                                 1.333f,        1.5168f,        2.4f};
+    double worst = 0.0;
+    for (size_t k = 0; k < sizeof etas / sizeof *etas; k++) {
+        const float numbers[4] = {etas[k]};
+        float *values = gpu_call(SHADER, 513, 1, FRESNEL, numbers);
+        for (int i = 0; i < 513; i++)
+            worst = fmax(worst, fabs((double)values[4 * i + 1] -
+                                     glass_fresnel((double)values[4 * i], (double)etas[k])));
+        free(values);
+    }
+    print_message("# Fresnel: worst %.2g\n", worst);
+    assert_true(worst < 2e-4); // beside the critical angle its slope is infinite
+}
+
+// What goes one way through a surface goes the other way too.
+static void both_sides_mirror_the_same(void **unused)
+{
+    (void)unused;
+    for (double c = 0.02; c < 1.0; c += 0.02) {
+        double behind = sqrt(1.0 - (1.0 - c * c) / (1.5 * 1.5));
+        assert_true(fabs(glass_fresnel(c, 1.0 / 1.5) - glass_fresnel(behind, 1.5)) < 1e-12);
+    }
+    // By the other formula: n1 cos a, n2 cos b.
+    double c = 0.3, g = sqrt(1.0 - (1.0 - c * c) / 2.25);
+    double across = (c - 1.5 * g) / (c + 1.5 * g), along = (1.5 * c - g) / (1.5 * c + g);
+    assert_true(fabs(glass_fresnel(c, 1.0 / 1.5) - 0.5 * (across * across + along * along)) <
+                1e-12);
+}
+
+// The header's numbers.
+static void schlick_is_off_by_what_is_said(void **unused)
+{
+    (void)unused;
+    static const double cases[][2] = {{1.333, 0.060}, {1.5, 0.036}};
+    for (int k = 0; k < 2; k++) {
+        double n = cases[k][0], worst = 0.0, straight = pow((n - 1.0) / (n + 1.0), 2.0);
+        for (double c = 0.0; c <= 1.0; c += 1e-3)
+            worst = fmax(worst, fabs(glass_schlick(c, straight) - glass_fresnel(c, 1.0 / n)));
+        assert_true(worst < cases[k][1] && worst > 0.95 * cases[k][1]);
+    }
+}
+
+static void refract_obeys_snell(void **unused)
+{
+    (void)unused;
+    static const float etas[] = {1.0f / 1.5168f, 1.5168f};
+    for (int k = 0; k < 2; k++) {
+        const float numbers[4] = {etas[k]};
+        float *values = gpu_call(SHADER, 64, 16, REFRACT, numbers);
+        double critical = etas[k] > 1.0f ? asin(1.0 / (double)etas[k]) : 2.0;
+        for (int i = 0; i < 64 * 16; i++) {
+            const float *v = values + 4 * i;
+            double angle = (double)v[3], length = d3_length(d3_of(v));
+            if (angle > critical) { // nothing is let through: a vector of 0
+                assert_true(length == 0.0);
+                continue;
+            }
+            assert_true(fabs(length - 1.0) < 1e-4);
+        }
+        free(values);
+    }
+    // The vector against the angle: in a plane, and in space.
+    for (int i = 1; i < 400; i++) {
+        double a = 1.5 * random_of(i, 0, 0, 0), eta = 0.4 + 1.4 * random_of(i, 1, 0, 0);
+        struct d3 n = d3_unit(d3(random_of(i, 2, 0, 0) - 0.5, random_of(i, 3, 0, 0) - 0.5, 0.3));
+        struct d3 side = d3_unit(d3_cross(n, d3(0.1, 0.7, -0.4)));
+        struct d3 d = d3_sub(d3_times(sin(a), side), d3_times(cos(a), n)), bent;
+        double c = cos(a), square = 1.0 - eta * eta * (1.0 - c * c);
+        assert_true(glass_refract(d, n, eta, &bent) == (square > 0.0));
+        if (square <= 0.0)
+            continue;
+        struct d3 vector = d3_add(d3_times(eta, d), d3_times(eta * c - sqrt(square), n));
+        assert_true(d3_length(d3_sub(vector, bent)) < 1e-9);
+    }
+}
+
+// ---- Through a ball ----
+
+static double ball(struct d3 p)
+{
+    return d3_length(p) - 1.0;
+}
+
+struct through {
+    double inside; // way from surface to surface
+    struct d3 left;
+    bool done;
+};
+
+// In at offset from the axis, out again: by the march, in double.
+static struct through ball_marched(double offset, double turn, double index, double threshold,
+                                   double start)
+{
+    struct mirror_ray ray = {d3(offset * cos(turn), offset * sin(turn), 3.0), d3(0.0, 0.0, -1.0)};
+    const double outside[2] = {0.0, 9.0};
+    struct through way = {0.0, d3(0.0, 0.0, 0.0), false};
+    double t;
+    struct d3 bent;
+    if (!glass_march(ball, ray, 1.0, outside, threshold, 4096, &t))
+        return way;
+    struct d3 p = mirror_at(ray, t), n = d3_unit(p);
+    if (!glass_refract(ray.direction, n, 1.0 / index, &bent))
+        return way;
+    ray = glass_leaving(p, n, bent, start);
+    if (!glass_march(ball, ray, -1.0, outside, threshold, 4096, &way.inside))
+        return way;
+    n = d3_unit(mirror_at(ray, way.inside));
+    way.done = glass_refract(ray.direction, d3_times(-1.0, n), index, &way.left);
+    return way;
+}
+
+// The analytical path: turned by 2 (i - j) towards the axis, 2 cos(j) inside.
+static double ball_error(struct through way, double offset, double turn, double index)
+{
+    double i = asin(offset), j = asin(offset / index), bend = 2.0 * (i - j);
+    struct d3 left = d3(-sin(bend) * cos(turn), -sin(bend) * sin(turn), -cos(bend));
+    return fmax(d3_length(d3_sub(way.left, left)), fabs(way.inside - 2.0 * cos(j)));
+}
+
+static void ten_thousand_rays_go_through_a_ball(void **unused)
+{
+    (void)unused;
+    const double threshold = 1e-9, index = 1.5168;
+    double worst = 0.0;
+    for (int i = 0; i < 10000; i++) {
+        double offset = 0.9999 * sqrt(random_of(i, 0, 0, 0)), turn = 6.0 * random_of(i, 1, 0, 0);
+        struct through way = ball_marched(offset, turn, index, threshold, 2.5 * threshold);
+        assert_true(way.done);
+        worst = fmax(worst, ball_error(way, offset, turn, index));
+    }
+    print_message("# 10,000 rays: worst %.2g\n", worst);
+    assert_true(worst < 1e-6);
+}
+
+// From half a threshold off the surface every march inside ends where it starts.
+static void a_start_too_near_is_stranded(void **unused)
+{
+    (void)unused;
+    const double threshold = 1e-4;
+    int stranded[2] = {0, 0};
+    for (int i = 0; i < 1000; i++)
+        for (int k = 0; k < 2; k++) {
+            struct through way =
+                ball_marched(0.001 * i, 0.0, 1.5168, threshold, (k == 0 ? 0.5 : 2.5) * threshold);
+            stranded[k] += way.inside < 10.0 * threshold;
+        }
+    assert_true(stranded[0] == 1000 && stranded[1] == 0);
+}
+
+static double half_space(struct d3 p)
+{
+    return p.y;
+}
+
+// Over a flat face each step makes the height larger by 1 + sin: a ray that leaves flat runs out of
+// steps.
+static void a_flat_leave_runs_out_of_steps(void **unused)
+{
+    (void)unused;
+    const double threshold = 0.0004, start = 2.5 * threshold, to_height_1[2] = {0.0, 1e9};
+    for (int i = 1; i < 40; i++) {
+        double angle = 0.25 * i * MIRROR_PI / 180.0, t;
+        struct mirror_ray ray = {d3(0.0, start, 0.0), d3(cos(angle), sin(angle), 0.0)};
+        glass_march(half_space, ray, 1.0, to_height_1, threshold, 80, &t);
+        double height = start + t * sin(angle);
+        assert_true(fabs(height / (start * pow(1.0 + sin(angle), 80.0)) - 1.0) < 1e-9);
+        assert_true((height > 1.0) ==
+                    (sin(angle) > pow(1.0 / start, 1.0 / 80.0) - 1.0)); // 5.2 degrees
+    }
+}
+
+static void the_library_goes_the_same_way(void **unused)
+{
+    (void)unused;
+    const float numbers[4] = {1.5168f, 0.0001f, 2.5f};
+    float *values = gpu_call(SHADER, 500, 16, BALL, numbers);
+    double worst = 0.0;
+    for (int i = 0; i < 500 * 16; i++) {
+        double offset = (i % 500 + 0.5) / 512.0, turn = 0.4 * (i / 500);
+        struct through way = {(double)values[4 * i + 3], d3_of(values + 4 * i), true};
+        assert_true(way.inside > 0.0);
+        worst = fmax(worst, ball_error(way, offset, turn, (double)numbers[0]));
+    }
+    free(values);
+    print_message("# the library: worst %.2g\n", worst);
+    assert_true(worst < 0.02); // the threshold over the cosine, at the rim
+}
+
+// ---- What is left of the light ----
+
+static void ways_inside_multiply(void **unused)
+{
+    (void)unused;
+    const float none[4] = {0.0f};
+    float *values = gpu_call(SHADER, 256, 1, ABSORBED, none);
+    const double absorption[3] = {0.2, 1.0, 3.0};
+    for (int i = 0; i < 256; i++)
+        for (int c = 0; c < 3; c++)
+            assert_true(fabs((double)values[4 * i + c] - exp(-absorption[c] * (0.01 * i + 0.5))) <
+                        1e-5);
+    free(values);
+}
+
+static void a_straight_ray_meets_both_surfaces(void **unused)
+{
+    (void)unused;
+    double share = 0.0, inside = 0.0;
+    for (int shape = 0; shape < 2; shape++) {
+        const float numbers[4] = {(float)shape, 1.5f, 0.004f};
+        float *values = gpu_call(SHADER, 250, 1, STRAIGHT, numbers);
+        for (int i = 0; i < 250; i++) {
+            const float *v = values + 4 * i;
+            double c = shape == 1 ? cos((double)v[3]) : sqrt(1.0 - (double)v[3] * (double)v[3]);
+            double way = shape == 1 ? 1.0 / c : 2.0 * c, passes = 1.0 - glass_fresnel(c, 1.0 / 1.5);
+            inside = fmax(inside, fabs((double)v[1] - way));
+            share = fmax(share, c > 0.3 ? fabs((double)v[0] - passes * passes) : 0.0);
+        }
+        free(values);
+    }
+    print_message("# straight: share %.2g, way %.2g\n", share, inside);
+    assert_true(share < 0.003 && inside < 0.01);
+}
+
+// ---- The light behind a ball ----
+
+// All the light that goes in comes out, less what is mirrored, whatever the plane.
+static void no_light_is_lost_behind_a_ball(void **unused)
+{
+    (void)unused;
+    static const float cases[][2] = {
+        {1.05f, 0.02f}, {1.3f, 0.02f}, {2.0f, 0.02f}, {1.45f, 0.2f}}; // plane, blur
+    double truth = 0.0;
+    for (int i = 0; i < 4000; i++) {
+        double b = 0.96 * (i + 0.5) / 4000.0,
+               passes = 1.0 - glass_fresnel(sqrt(1.0 - b * b), 1.0 / 1.5168);
+        truth += 2.0 * b * 0.96 / 4000.0 * passes * passes;
+    }
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        const float numbers[4] = {1.5168f, cases[k][0], cases[k][1]};
+        float *values = gpu_call(SHADER, 2048, 1, CAUSTIC, numbers);
+        double sum = 0.0;
+        for (int i = 0; i < 2048; i++)
+            sum += 2.0 * (double)values[4 * i] * (double)values[4 * i + 1] * 3.0 / 2048.0;
+        free(values);
+        print_message("# z = %.2f: %.4f of %.4f\n", (double)cases[k][0], sum, truth);
+        assert_true(fabs(sum - truth) < 0.04 * truth);
+    }
+}
+
+// Rays traced one by one and counted in rings.
+static void the_light_behind_a_ball_is_that_of_many_rays(void **unused)
+{
+    (void)unused;
+    enum { RINGS = 12, RAYS = 200000 };
+    const float numbers[4] = {1.5168f, 1.2f, 0.02f};
+    float *values = gpu_call(SHADER, 2048, 1, CAUSTIC, numbers);
+    double light[RINGS] = {0.0}, seen[RINGS] = {0.0};
+    for (int i = 0; i < RAYS; i++) {
+        double b = 0.96 * (i + 0.5) / RAYS, j = asin(b / 1.5168), turn = 2.0 * (asin(b) - j);
+        double passes = 1.0 - glass_fresnel(sqrt(1.0 - b * b), 1.0 / 1.5168);
+        // Where it leaves the ball, and on from there.
+        double angle = asin(b) - turn, y = sin(angle), z = cos(angle);
+        double r = fabs(y - (1.2 - z) * tan(turn));
+        int ring = (int)(r / 0.075);
+        if (ring < RINGS)
+            light[ring] += 2.0 * b * 0.96 / RAYS * passes * passes;
+    }
+    for (int i = 0; i < 2048; i++) {
+        int ring = (int)((double)values[4 * i] / 0.075);
+        if (ring < RINGS)
+            seen[ring] += 2.0 * (double)values[4 * i] * (double)values[4 * i + 1] * 3.0 / 2048.0;
+    }
+    free(values);
+    for (int k = 0; k < RINGS; k++) {
+        print_message("# ring %d: %.4f of %.4f\n", k, seen[k], light[k]);
+        assert_true(fabs(seen[k] - light[k]) < 0.05);
+    }
+}
+
+// ---- Depths ----
+
+// Nothing of the surface is nearer than a shape claims, inside and outside: 40,000 points of it.
+static void the_tumbler_bounds_the_depth(void **unused)
+{
+    (void)unused;
+    const float numbers[4] = {2.0f};
+    float *values = gpu_call(SHADER, 64, 64, DEPTH, numbers);
+    static float cloud[128 * 128 * 4];
+    float *others = gpu_call(SHADER, 128, 128, DEPTH, numbers);
+    int inside = 0;
+    for (int i = 0; i < 128 * 128 * 4; i++)
+        cloud[i] = others[i];
+    free(others);
+    // Two points of different sign have the surface between them: 1-Lipschitz on a sample of pairs.
+    for (int i = 0; i < 64 * 64; i++) {
+        inside += values[4 * i + 3] < 0.0f;
+        for (int k = 0; k < 128 * 128; k += 7) {
+            double way = d3_length(d3_sub(d3_of(values + 4 * i), d3_of(cloud + 4 * k)));
+            assert_true(fabs((double)(values[4 * i + 3] - cloud[4 * k + 3])) <= way + 1e-5);
+        }
+    }
+    free(values);
+    assert_true(inside > 300);
+}
+
+// A block of two halves that touch claims a surface between them.
+static void a_union_has_a_wall_where_its_parts_touch(void **unused)
+{
+    (void)unused;
+    const float numbers[4] = {3.0f};
+    float *values = gpu_call(SHADER, 64, 64, DEPTH, numbers);
+    double worst = 0.0;
+    for (int i = 0; i < 64 * 64; i++) {
+        struct d3 p = d3_of(values + 4 * i);
+        double depth = -mirror_box(p, d3(1.0, 0.5, 0.5)), claimed = -(double)values[4 * i + 3];
+        if (depth <= 0.0)
+            continue;
+        assert_true(claimed <= depth + 1e-6); // a lower bound all the same
+        worst = fmax(worst, depth - claimed);
+    }
+    free(values);
+    assert_true(worst > 0.4);
+}
+
+// ---- The white furnace ----
+
+static void clear_glass_in_a_white_world_is_white(void **unused)
+{
+    (void)unused;
+    struct glass_rest before = {1.0, 1.0}, rest;
+    for (int surfaces = 4; surfaces <= 16; surfaces += 4) {
+        assert_true(glass_furnace(surfaces, &rest));
+        assert_true(rest.mean < before.mean);
+        before = rest;
+    }
+    assert_true(rest.mean < 0.01 && rest.pixels < 0.02);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_mirrored_share_is_fresnel_s),
+        cmocka_unit_test(both_sides_mirror_the_same),
+        cmocka_unit_test(schlick_is_off_by_what_is_said),
+        cmocka_unit_test(refract_obeys_snell),
+        cmocka_unit_test(ten_thousand_rays_go_through_a_ball),
+        cmocka_unit_test(a_start_too_near_is_stranded),
+        cmocka_unit_test(a_flat_leave_runs_out_of_steps),
+        cmocka_unit_test(the_library_goes_the_same_way),
+        cmocka_unit_test(ways_inside_multiply),
+        cmocka_unit_test(a_straight_ray_meets_both_surfaces),
+        cmocka_unit_test(no_light_is_lost_behind_a_ball),
+        cmocka_unit_test(the_light_behind_a_ball_is_that_of_many_rays),
+        cmocka_unit_test(the_tumbler_bounds_the_depth),
+        cmocka_unit_test(a_union_has_a_wall_where_its_parts_touch),
+        cmocka_unit_test(clear_glass_in_a_white_world_is_white),
+    };
+    return cmocka_run_group_tests_name("glass", tests, gpu_setup, gpu_teardown);
+}
