@@ -10,6 +10,7 @@
 #include "support_gloss.h"
 #include "support_levels.h"
 #include "support_measure.h"
+#include "support_report.h"
 #include "support_speed.h"
 
 static int print_normal(void)
@@ -295,6 +296,7 @@ static const struct measurement {
      print_checkers},
     {"levels", "error of a texture against the footprint that its level is chosen by", true,
      print_levels},
+    {"report", "three pictures of the report, drawn again, beside its engine", true, report_print},
 };
 enum { MEASUREMENTS = sizeof measurements / sizeof *measurements };
 
