@@ -20,7 +20,8 @@ vec3 halfway(vec3 toLight, vec3 toEye)
 //   normal, toLight, toEye  length 1 each
 //   exponent  n, >= 0: the larger, the smaller the highlight
 //   formula   (n + 2) (n + 4) / (8 pi (n + 2^(-n/2))) dot(normal, halfway)^n; the factor makes the
-//             surface send back all the light that comes straight down, and less of any other
+//             surface send back all the light that comes straight down; of any other less, and as much
+//             only where n = 0
 // Source: J. F. Blinn, 'Models of light reflection for computer synthesized pictures', SIGGRAPH 1977;
 // the factor by F. Giesen, 2009. The usual (n + 8) / (8 pi) sends back up to 1.08 of the light.
 float blinnPhongGloss(vec3 normal, vec3 toLight, vec3 toEye, float exponent)
@@ -63,8 +64,8 @@ float smithVisibility(float cosLight, float cosEye, float alpha)
 //   roughness  in (0, 1]; its square is alpha, so that equal steps look equal. Below 0.05 a float's
 //              rounding shows
 //   formula    ggxDensity smithVisibility; 0 where light or eye are behind the surface
-// Of the light it sends back never more than all, and less the rougher: light that meets a second mirror
-// is left out. build/tests/measure gloss prints how much.
+// Of the light it sends back never more than all: what meets a second mirror is left out, the more of it
+// the rougher, but for grazing light (over 80 degrees). build/tests/measure gloss prints how much.
 float ggxGloss(vec3 normal, vec3 toLight, vec3 toEye, float roughness)
 {
     float cosLight = dot(normal, toLight), cosEye = dot(normal, toEye);

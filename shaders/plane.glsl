@@ -86,7 +86,7 @@ float sdPolygon(vec2 p, vec2 corner[POLYGON_CORNERS], int count)
 // inside. Exact everywhere.
 //   p          point, scene units
 //   radius     of the circle, > 0, scene units
-//   halfAngle  from the arc's middle to either end, radians, in [0, pi]
+//   halfAngle  from the arc's middle to either end, radians, in (0, pi); of a whole circle take opOnion
 //   formula    with q = (|x|, y) and e = (sin halfAngle, cos halfAngle): | |q| - radius | where q.x e.y <=
 //              q.y e.x, which is where q lies in the arc's sector; else |q - radius e|
 float sdArc(vec2 p, float radius, float halfAngle)

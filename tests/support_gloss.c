@@ -57,14 +57,16 @@ struct d3 gloss_eye(double cosine)
 }
 
 // The halves are spread as the density of a GGX highlight times the cosine, for any model: each
-// stands for the solid angle of light 4 (eye . half) / (density cosine).
+// stands for the solid angle of light 4 (eye . half) / (density cosine). Its long tail, which grazing
+// light comes from, is a small part of them: so they crowd there, by s with u = 1 - (1 - s)^3.
 double gloss_albedo(gloss_model *model, double parameter, double roughness, double cosine)
 {
-    enum { SIDE = 256 };
+    enum { SIDE = 384 };
     double alpha = roughness * roughness, sum = 0.0;
     struct d3 eye = gloss_eye(cosine);
     for (int i = 0; i < SIDE; i++) {
-        double u = (i + 0.5) / SIDE, tangent = alpha * sqrt(u / (1.0 - u));
+        double rest = 1.0 - (i + 0.5) / SIDE, u = 1.0 - rest * rest * rest;
+        double tangent = alpha * sqrt(u / (1.0 - u)), part = 3.0 * rest * rest;
         double c = 1.0 / sqrt(1.0 + tangent * tangent);
         for (int k = 0; k < SIDE; k++) {
             double turn = MIRROR_PI * (k + 0.5) / SIDE; // one side: the other is its mirror image
@@ -72,8 +74,8 @@ double gloss_albedo(gloss_model *model, double parameter, double roughness, doub
             double facing = d3_dot(eye, half);
             struct d3 light = d3_sub(d3_times(2.0 * facing, half), eye);
             if (facing > 0.0 && light.z > 0.0)
-                sum +=
-                    model(light, eye, parameter) * light.z * 4.0 * facing / (density(c, alpha) * c);
+                sum += part * model(light, eye, parameter) * light.z * 4.0 * facing /
+                       (density(c, alpha) * c);
         }
     }
     return sum / (SIDE * (double)SIDE);
