@@ -57,8 +57,9 @@ struct d3 gloss_eye(double cosine)
 }
 
 // The halves are spread as the density of a GGX highlight times the cosine, for any model: each
-// stands for the solid angle of light 4 (eye . half) / (density cosine). Its long tail, which grazing
-// light comes from, is a small part of them: so they crowd there, by s with u = 1 - (1 - s)^3.
+// stands for the solid angle of light 4 (eye . half) / (density cosine). Its long tail, which
+// grazing light comes from, is a small part of them: so they crowd there, by s with u = 1 - (1 -
+// s)^3.
 double gloss_albedo(gloss_model *model, double parameter, double roughness, double cosine)
 {
     enum { SIDE = 384 };

@@ -1,5 +1,6 @@
 // test_texturing.c - shaders/texture.glsl: weights add up to 1, a footprint is what neighbouring
-// rays cover, a bump is the normal of a surface that is really raised.
+// rays cover, a bump is the normal of a surface that is really raised, a picture's heights have the
+// slope of their differences.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -10,6 +11,7 @@
 
 #include <cmocka.h>
 
+#include "../common/picture/image.h"
 #include "support_gpu.h"
 #include "support_mirror.h"
 
@@ -125,12 +127,67 @@ static void test_a_bump_is_a_raised_surface(void **unused)
     assert_true(worst < 2e-6);
 }
 
+// ---- Heights ----
+
+enum { PLACES = 64, SIDE = 512 };
+
+// A picture's height at a texel, 0,0 bottom left, whole turns left out.
+static double height_of(const struct image_bytes *image, int x, int y)
+{
+    x %= SIDE, y %= SIDE;
+    return image->value[3 * (SIDE * (SIDE - 1 - y) + x)] / 255.0;
+}
+
+// The height at a texel's middle is the texel; its gradient in space is the difference to the next
+// ones, along the two axes of space on which the picture lies.
+static void check_heights(const struct image_bytes *image, int axis, int reach)
+{
+    const float numbers[4] = {(float)reach};
+    float *heights = gpu_call("tests/shaders/heights.frag", PLACES, PLACES, axis, numbers);
+    float *slopes = gpu_call("tests/shaders/heights.frag", PLACES, PLACES, axis + 3, numbers);
+    double worst = 0.0, most = 0.0;
+    for (int i = 0; i < PLACES * PLACES; i++) {
+        int x = i % PLACES, y = i / PLACES, u = (167 * x + 59 * y) % SIDE,
+            v = (101 * x + 211 * y) % SIDE;
+        double h = height_of(image, u, v), per = (double)SIDE / reach;
+        double along_u = (height_of(image, u + reach, v) - h) * per;
+        double along_v = (height_of(image, u, v + reach) - h) * per;
+        struct d3 truth = axis == 0   ? d3(0.0, along_v, along_u)
+                          : axis == 1 ? d3(along_u, 0.0, along_v)
+                                      : d3(along_u, along_v, 0.0);
+        struct d3 shown = d3_of(slopes + 4 * i);
+        struct d3 slope = d3_times(4096.0, d3_sub(shown, d3(0.5, 0.5, 0.5)));
+        worst = fmax(worst, fabs((double)heights[4 * i] - h));
+        worst = fmax(worst, d3_length(d3_sub(slope, truth)) / per);
+        most = fmax(most, d3_length(truth));
+    }
+    free(heights);
+    free(slopes);
+    print_message("# axis %d, reach %d: off by at most %.1g of a height; slopes up to %.0f\n", axis,
+                  reach, worst, most);
+    assert_true(worst < 1e-5 && most > 5.0);
+}
+
+static void test_heights_and_their_gradient(void **unused)
+{
+    (void)unused;
+    struct image_bytes image;
+    char path[8192], why[IMAGE_WHY];
+    snprintf(path, sizeof path, "%s/shaders/textures/cloth_height.png", gpu.root);
+    assert_true(image_read_bytes(&image, path, 3, SIDE * SIDE, why));
+    for (int axis = 0; axis < 3; axis++)
+        for (int reach = 1; reach <= 4; reach *= 4)
+            check_heights(&image, axis, reach);
+    free(image.value);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_weights_add_up_to_1),
         cmocka_unit_test(test_a_footprint_is_the_ellipse_of_a_ray),
         cmocka_unit_test(test_a_bump_is_a_raised_surface),
+        cmocka_unit_test(test_heights_and_their_gradient),
     };
     return cmocka_run_group_tests_name("texture", tests, gpu_setup, gpu_teardown);
 }
