@@ -10,6 +10,7 @@
 #include "support_gloss.h"
 #include "support_levels.h"
 #include "support_measure.h"
+#include "support_occlusion.h"
 #include "support_report.h"
 #include "support_speed.h"
 
@@ -290,6 +291,7 @@ static const struct measurement {
     {"acne", "share of lit pixels in their own shadow against the offset", true, print_acne},
     {"bound", "evaluations of a march against the fewest that could do", true, print_bound},
     {"shadows", "soft shadows by one march, against what is seen of the sun", true, print_shadows},
+    {"occlusion", "the sky that is seen by five taps, against the truth", true, occlusion_print},
     {"glass", "shares that glass mirrors; what is dark after so many surfaces", true, print_glass},
     {"gloss", "share of the light that a highlight sends back", false, print_gloss},
     {"checkers", "squares averaged over a pixel, three ways, against samples", true,

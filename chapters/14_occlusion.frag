@@ -1,0 +1,84 @@
+// 14 Occlusion: an overcast day. The whole sky is the lamp, and a point sees a share of it.
+
+#include "main.glsl"        // main(): asks for pixelRay, then for rayColour
+#include "cone.glsl"        // perspectiveRay, pixelSpread
+#include "lighting.glsl"    // encodeSRGB
+#include "occlusion.glsl"   // openByTaps, skyReaching, skyAndBounces
+#include "courtyard.glsl"   // the court: courtyardPlace, courtyardDistance, troughDistance
+
+uniform int   method;       // 1 in [0, 3]: 0 nothing hides the sky, 1 five taps, 2 many rays, 3 taps less rays: blue too dark
+uniform float reach;        // 5 in [0.1, 10] step *1.2, scene units: height of the last tap
+uniform float strength;     // 1 in [0, 2] step 0.05: how much a tap takes
+uniform int   rays;         // 4 in [1, 8]: with method 2 and 3 so many times so many rays from each sample
+uniform int   bounces;      // 2 in [0, 2]: light sent back by what is near: 0 never, 1 once, 2 however often
+uniform bool  bare;         // false: show the share of the sky that is seen, without colours
+uniform int   maxSteps;     // 96 in [1, 512]: steps before a ray is given up
+uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
+
+const vec3 SKY = vec3(1.18, 1.22, 1.26);              // light of the whole sky on an open floor, linear RGB
+const vec3 NEAR = vec3(0.66, 0.56, 0.46);             // share of it that the court's surfaces send back, in the mean
+const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // where the taps are all wrong
+
+bool lookingRound; // what hides the sky is asked for, and not what the eye's ray meets
+
+Ray pixelRay(vec2 screen)
+{
+    return perspectiveRay(screen);
+}
+
+// The eye's ray meets floor and side walls by a division; from them, the sky is hidden by everything.
+float sceneDistance(vec3 p)
+{
+    float trough = lookingRound ? troughDistance(p) : COURT_FAR;
+    return min(courtyardDistance(p), trough);
+}
+
+// An overcast sky, three times as bright above as at the horizon.
+vec3 skyLight(vec3 direction)
+{
+    float up = max(direction.y, 0.0);
+    return mix(vec3(0.70, 0.73, 0.76), vec3(0.80, 0.85, 0.90), up) * (0.62 + 0.9 * up);
+}
+
+// The share of the sky that is seen, by five taps.
+float openQuickly(Place place)
+{
+    return openOverGround(place.normal) * openByTaps(place.p, place.normal, reach, strength);
+}
+
+// The same by many rays.
+float openTruly(Place place, int side)
+{
+    return skyReaching(place.p, place.normal, 2.0 * place.radius, COURT_FAR, side, hitThreshold, maxSteps, 0);
+}
+
+// By the method that was chosen.
+float openBy(Place place, float taps, float truth)
+{
+    return method == 0 ? openOverGround(place.normal) : (method == 1 ? taps : truth);
+}
+
+// What the eye gets of a place that sees a share of the sky.
+vec3 placeLight(Place place, float open)
+{
+    vec3 light = SKY * skyAndBounces(open, NEAR, bounces);
+    return bare ? vec3(open) : place.colour * light;
+}
+
+// White where two shares agree; the court behind it in grey.
+vec3 errorColour(Place place, float off)
+{
+    vec3 ground = vec3(0.45 + 0.45 * dot(place.colour, vec3(0.3)));
+    return mix(ground, off < 0.0 ? DARKER : LIGHTER, min(2.0 * abs(off), 1.0));
+}
+
+vec3 rayColour(Ray ray)
+{
+    lookingRound = false;
+    Place place = courtyardPlace(ray, hitThreshold, maxSteps);
+    lookingRound = true;
+    float taps = openQuickly(place);
+    float truth = openTruly(place, method >= 2 && !place.open ? rays : 0);
+    vec3 light = method == 3 ? errorColour(place, taps - truth) : placeLight(place, openBy(place, taps, truth));
+    return encodeSRGB(place.open ? skyLight(ray.direction) : light);
+}

@@ -1,0 +1,21 @@
+// Experiment of chapter 14: the workshop's occlusion, 1 - steps / most. In its line both are whole numbers, so that the
+// quotient is 0 but for rays that use up all steps.
+//
+// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "14_occlusion.frag"
+#undef rayColour
+
+uniform int  most;     // 32 in [8, 512]: the number of steps that counts as quite dark
+uniform bool integers; // false: divide whole numbers, as the workshop's line does
+
+vec3 rayColour(Ray ray)
+{
+    lookingRound = false;
+    Place place = courtyardPlace(ray, hitThreshold, most);
+    int whole = trace.steps / most;
+    float share = integers ? float(whole) : float(trace.steps) / float(most);
+    vec3 light = place.open ? skyLight(ray.direction) : (bare ? vec3(1.0) : place.colour * SKY);
+    return encodeSRGB((1.0 - min(share, 1.0)) * light);
+}

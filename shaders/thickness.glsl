@@ -1,0 +1,38 @@
+// thickness.glsl - how much of a solid lies between a point of its surface and the light, and how much light
+// gets through.
+#include "march.glsl"
+
+// How far a ray goes inside a solid before it comes out.
+//   ray        starts inside: from a little below the surface, towards the lamp
+//   far        how far to look, scene units: to the lamp
+//   threshold  depth below which the surface counts as reached, scene units, > 0
+//   maxSteps   of this march
+//   returns    length of the way inside, scene units, at most far; 0 where it starts outside
+//   formula    t_0 = 0, t_(n+1) = t_n - distance at t_n, until that is more than -threshold
+// Inside, the distance must be negative and no deeper than the true depth, a lower bound of it: then no way out is
+// stepped over. So are a union by min and a smooth union, though their steps are short.
+float thicknessAlong(Ray ray, float far, float threshold, int maxSteps)
+{
+    traceBegin(0.0, far);
+    float t = 0.0;
+    int steps = 0;
+    bool inside = true;
+    while (inside) {
+        float distance = distanceAt(ray.origin + t * ray.direction);
+        traceStep(steps, t, distance);
+        steps++;
+        t += max(-distance, 0.0);
+        inside = distance < -threshold && t < far && steps < maxSteps;
+    }
+    return min(t, far);
+}
+
+// The share of the light that is left after a straight way through a solid.
+//   way      length of the way, >= 0, scene units
+//   depth    the way after which 1 / e = 0.37 is left, > 0 per channel, scene units
+//   formula  exp(-way / depth)
+// Source: P. Bouguer (1729), J. H. Lambert (1760), A. Beer (1852).
+vec3 lightThrough(float way, vec3 depth)
+{
+    return exp(-way / depth);
+}
