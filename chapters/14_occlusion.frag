@@ -79,6 +79,7 @@ vec3 rayColour(Ray ray)
     lookingRound = true;
     float taps = openQuickly(place);
     float truth = openTruly(place, method >= 2 && !place.open ? rays : 0);
+    lookingRound = false;
     vec3 light = method == 3 ? errorColour(place, taps - truth) : placeLight(place, openBy(place, taps, truth));
     return encodeSRGB(place.open ? skyLight(ray.direction) : light);
 }

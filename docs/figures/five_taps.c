@@ -50,7 +50,7 @@ int main(void)
     double height = 3.0, distance = 1.35, half = asin(distance / height);
     solid(530.0, ground, 740.0, ground + 26.0);
     for (int side = -1; side <= 1; side += 2)
-        svg_line(right, page_y(0.0), right + side * unit * 4.7 * sin(half), page_y(4.7 * cos(half)),
+        svg_line(right, page_y(0.0), right + side * unit * 4.1 * sin(half), page_y(4.1 * cos(half)),
                  (struct svg_pen){.stroke = SVG_ORANGE, .width = 1.6, .dash = "7 4"});
     svg_circle(right, page_y(height), unit * distance,
                (struct svg_pen){.stroke = SVG_BLUE, .fill = SVG_SKY, .width = 1.6});
