@@ -16,7 +16,20 @@
 
 #define SHADER "tests/shaders/glass.frag"
 
-enum { FRESNEL, REFRACT, BALL, STRAIGHT, CAUSTIC, COLOUR, PRISM, ABSORBED, WAVES, DEPTH };
+enum {
+    FRESNEL,
+    REFRACT,
+    BALL,
+    STRAIGHT,
+    CAUSTIC,
+    COLOUR,
+    PRISM,
+    ABSORBED,
+    WAVES,
+    DEPTH,
+    BEAM,
+    INSIDE
+};
 
 // ---- A surface ----
 
@@ -212,6 +225,30 @@ static void the_library_goes_the_same_way(void **unused)
     assert_true(worst < 0.02); // the threshold over the cosine, at the rim
 }
 
+// Rays march from the middle of a slab to its face: the first that does not get out is at asin(1 /
+// n).
+static void nothing_gets_out_beyond_the_critical_angle(void **unused)
+{
+    (void)unused;
+    static const float indices[] = {1.333f, 1.5168f, 1.7283f};
+    for (size_t k = 0; k < sizeof indices / sizeof *indices; k++) {
+        double critical = asin(1.0 / (double)indices[k]) * 180.0 / MIRROR_PI, first = 0.0;
+        const float numbers[4] = {indices[k], 30.0f};
+        float *values = gpu_call(SHADER, 2000, 1, INSIDE, numbers);
+        for (int i = 0; i < 2000; i++) {
+            double angle = (double)values[4 * i], way = 0.5 / cos(angle * MIRROR_PI / 180.0);
+            assert_true(fabs((double)values[4 * i + 3] - way) < 0.001);
+            bool total = values[4 * i + 1] == 0.0f;
+            assert_true(total == (values[4 * i + 2] == 1.0f));
+            first = total && first == 0.0 ? angle : first;
+        }
+        free(values);
+        print_message("# index %.4f: total from %.2f degrees on, by the formula %.2f\n",
+                      (double)indices[k], first, critical);
+        assert_true(fabs(first - critical) < 0.02);
+    }
+}
+
 // ---- What is left of the light ----
 
 static void ways_inside_multiply(void **unused)
@@ -373,6 +410,7 @@ int main(void)
         cmocka_unit_test(a_start_too_near_is_stranded),
         cmocka_unit_test(a_flat_leave_runs_out_of_steps),
         cmocka_unit_test(the_library_goes_the_same_way),
+        cmocka_unit_test(nothing_gets_out_beyond_the_critical_angle),
         cmocka_unit_test(ways_inside_multiply),
         cmocka_unit_test(a_straight_ray_meets_both_surfaces),
         cmocka_unit_test(no_light_is_lost_behind_a_ball),

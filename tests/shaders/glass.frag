@@ -88,6 +88,13 @@ void main()
     } else if (function == 10) { // the beam; iMouse: place, rise, half width
         Beam beam = prismBeam(iMouse.xy, 0.26, vec2(1.6894, 0.01341), iMouse.z, iMouse.w);
         FragColor = vec4(beam.white, beam.waves, 0.0);
+    } else if (function == 11) { // from inside a slab; iMouse: index; degrees by a hundred pixels
+        shape = 1;
+        float angle = radians(0.01 * number + iMouse.y);
+        Ray ray = Ray(vec3(0.0), vec3(sin(angle), cos(angle), 0.0));
+        Hit hit = marchSide(ray, -1.0, 0.0, 9.0, 0.0001, 4096);
+        vec3 left = refract(ray.direction, vec3(0.0, -1.0, 0.0), iMouse.x);
+        FragColor = vec4(0.01 * number + iMouse.y, length(left), fresnelShare(cos(angle), iMouse.x), hit.t);
     } else { // the depth that shapes claim, at scattered points
         shape = int(iMouse.x);
         vec3 p = (fract((number + 131.0 * row) * vec3(0.8191725, 0.6710436, 0.5497005)) - 0.5) * vec3(1.9, 1.8, 1.4);
