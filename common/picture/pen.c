@@ -1,0 +1,54 @@
+#include "picture/pen.h"
+
+#include <string.h>
+
+static const struct overlay_colour PEN_BACKGROUND = {{10, 12, 16, 192}};
+static const struct overlay_colour PEN_RULE = {{255, 255, 255, 46}};
+
+float pen_picture_width(const struct overlay *overlay)
+{
+    return (float)overlay->width / overlay->scale;
+}
+
+float pen_picture_height(const struct overlay *overlay)
+{
+    return (float)overlay->height / overlay->scale;
+}
+
+struct pen pen_open(struct overlay *overlay, float left, float top, float width, float height)
+{
+    overlay_box(overlay, left, top, width + 2.0f * PEN_PADDING, height + 2.0f * PEN_PADDING,
+                PEN_BACKGROUND);
+    return (struct pen){overlay, left + PEN_PADDING, top + PEN_PADDING + 1.0f};
+}
+
+void pen_write(struct pen *pen, const char *text, struct overlay_colour colour)
+{
+    overlay_text(pen->overlay, pen->left, pen->top, text, colour);
+    pen->top += OVERLAY_LINE;
+}
+
+void pen_rule(struct pen *pen, float width)
+{
+    overlay_box(pen->overlay, pen->left, pen->top + 1.0f, width, 1.0f, PEN_RULE);
+    pen->top += 0.5f * OVERLAY_LINE;
+}
+
+bool pen_next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1])
+{
+    size_t length = 0, end = strcspn(*text, "\n");
+    if (**text == '\0')
+        return false;
+    do {
+        line[length] = (*text)[length];
+        line[++length] = '\0';
+    } while (length < end && length < OVERLAY_TEXT && overlay_width(line) < limit);
+    if (end == 0)
+        line[0] = '\0';
+    else if (length < end || overlay_width(line) > limit)
+        line[length > 1 ? --length : length] = '\0';
+    *text += end == 0 ? 1 : length;
+    if (end > 0 && **text == '\n')
+        (*text)++;
+    return true;
+}

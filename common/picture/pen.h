@@ -1,0 +1,39 @@
+// pen.h - how the panels over a picture look: their colours, their edges, a line below the other.
+// Lengths are units of the overlay.
+#ifndef PEN_H
+#define PEN_H
+
+#include <stdbool.h>
+
+#include "picture/overlay.h"
+
+#define PEN_MARGIN  8.0f // of a panel from the picture's edge
+#define PEN_PADDING 7.0f // of the text from the panel's edge
+
+static const struct overlay_colour PEN_BAND = {{255, 255, 255, 38}};
+static const struct overlay_colour PEN_BRIGHT = {{250, 250, 250, 255}};
+static const struct overlay_colour PEN_PLAIN = {{226, 229, 234, 255}};
+static const struct overlay_colour PEN_DIM = {{190, 196, 206, 255}};
+static const struct overlay_colour PEN_DARK = {{0, 0, 0, 200}};
+
+// Where the next line of a panel goes, in units.
+struct pen {
+    struct overlay *overlay;
+    float left, top;
+};
+
+// The size of the picture.
+float pen_picture_width(const struct overlay *overlay);
+float pen_picture_height(const struct overlay *overlay);
+
+// Draw a panel's background, around a text of this size; the pen stands at its first line.
+struct pen pen_open(struct overlay *overlay, float left, float top, float width, float height);
+
+// Write a line, or draw a rule of this width, and go on below.
+void pen_write(struct pen *pen, const char *text, struct overlay_colour colour);
+void pen_rule(struct pen *pen, float width);
+
+// Copy the part of a text that fits one line, and go on behind it. False at the end.
+bool pen_next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1]);
+
+#endif
