@@ -3,10 +3,11 @@
 # tests/reference_scene.frag, beside the last table in docs/benchmark.md.
 #
 # Environment: CHAPTER, one chapter; ROUNDS and FRAMES, how often each is measured and how many frames
-# at a time; WRITE=1 puts the table into docs/benchmark.md.
+# at a time; WRITE=1 puts the table into docs/benchmark.md. With STEPS=1 it is the table of steps.sh.
 set -u
 . .make/chapters.sh
 
+[ -z "${STEPS-}" ] || exec .make/steps.sh
 page=docs/benchmark.md
 rounds=${ROUNDS:-3}
 frames=${FRAMES:-15}

@@ -34,30 +34,27 @@ const int COARSE_BLOCK = 8; // side of a block, pixels
 //   returns  scene units, > 0; must not become less as t grows
 float coarseMargin(float t);
 
-#ifdef EXPORTED
-
-// A file of the export has no pass.
-float coarseStart(Ray ray)
-{
-    return 0.0;
-}
-
-#else
+#ifndef EXPORTED
 
 uniform bool coarsePass; // true: rays begin where the march of their block of 8 x 8 pixels has ended
 
 uniform sampler2D iCoarse; // one texel a block of the picture, as coarseBlock wrote it
 
+#endif
+
 // Where the march of a pixel's ray may begin: no point before it is as near to the scene as
 // coarseMargin. A chapter whose march begins later for a reason of its own, a box, takes the larger.
 //   ray      of pixelRay, for the pixel iPixel: the one whose block is looked up
-//   returns  scene units along the ray, >= 0; 0 where the pass is switched off
+//   returns  scene units along the ray, >= 0; 0 where the pass is switched off, and in a file of the
+//            export, which has none
 float coarseStart(Ray ray)
 {
+#ifdef EXPORTED
+    return 0.0;
+#else
     return coarsePass ? texelFetch(iCoarse, iPixel / COARSE_BLOCK, 0).x : 0.0;
-}
-
 #endif
+}
 
 // Compiled only for the pass.
 #if VIEW == 7

@@ -1,0 +1,116 @@
+#!/bin/sh
+# steps.sh - `make benchmark STEPS=1`: each chapter's scene by the means of chapter 16, one by one and together:
+# evaluations of a pixel, march / bound, and the frame's time as a share of the chapter's own.
+#
+# Environment: CHAPTER, one chapter; ROUNDS and FRAMES, how often each is measured and how many frames at a
+# time; WRITE=1 puts the table into docs/benchmark.md.
+set -u
+. .make/chapters.sh
+
+page=docs/benchmark.md
+rounds=${ROUNDS:-3}
+frames=${FRAMES:-9}
+means=chapters/experiments/16_means.glsl
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+
+# The largest threshold of the first march, in GLSL; nothing for a chapter that marches no scene by march or
+# marchCone.
+margin() {
+    case $1 in
+    01* | 02* | 03* | 04* | 05* | 08*) echo hitThreshold ;;
+    06* | 09*) echo 'hitThreshold + footprint * pixelSpread() * t' ;;
+    07*) echo 'hitThreshold + 2.0 * pixelSpread() * t' ;;
+    11* | 12* | 13*) echo 'hitThreshold + pixelSpread() * t' ;;
+    esac
+}
+
+# The chapter's scene by the means: the experiment of that name where there is one.
+scene() { # STEM
+    own=chapters/experiments/16_scene_${1%%_*}.frag
+    if [ -e "$own" ]; then
+        echo "$own"
+        return
+    fi
+    {
+        echo '#include "main.glsl"'
+        cat "$means"
+        printf '#include "%s.frag"\nfloat coarseMargin(float t)\n{\n    return %s;\n}\n' "$1" "$(margin "$1")"
+    } >"$work/means_$1.frag"
+    echo "$work/means_$1.frag"
+}
+
+value() { sed -n "s/^  \"$1\": \"\{0,1\}\(.*[^\",]\)\"\{0,1\},\{0,1\}\$/\1/p"; }
+middle() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
+
+measure() { # NAME PROGRAM OPTION...
+    name=$1
+    shift
+    "$@" --benchmark "$frames" --benchmark=json -s 640x360 -t 1 >"$work/$name" || exit 1
+}
+
+# A chapter by some of the means, after the chapter as it is: whatever slows the machine slows both.
+compared() { # STEM KIND FILE OPTION...
+    stem=$1 kind=$2 file=$3
+    shift 3
+    if [ "$stem" = 16_fewer_steps ]; then
+        measure "$stem.was" "build/$stem" -p divider=1 -p coarsePass=false
+        measure "$stem.$kind" "build/$stem" -p divider=0 "$@"
+    else
+        measure "$stem.was" "build/$stem"
+        measure "$stem.$kind" "build/$stem" -f "$file" "$@"
+    fi
+    awk "BEGIN { print $(value frame_minimum_cpu_ms <"$work/$stem.$kind") / $(value frame_minimum_cpu_ms <"$work/$stem.was") }" \
+        >>"$work/$stem.$kind.share"
+}
+
+if [ -n "${CHAPTER-}" ]; then list=$(stem_of "$CHAPTER") || exit 1; else list=$(stems); fi
+marched=
+for stem in $list; do
+    if [ "$stem" = 16_fewer_steps ] || [ -n "$(margin "$stem")" ]; then marched="$marched $stem"; fi
+done
+[ -n "$marched" ] || { echo 'make benchmark STEPS=1: this chapter has no march of its own' >&2; exit 1; }
+for round in $(seq "$rounds"); do
+    for stem in $marched; do
+        [ -t 2 ] && printf '%s, round %d of %d        \r' "$stem" "$round" "$rounds" >&2
+        file=
+        rest=
+        [ "$stem" = 16_fewer_steps ] || file=$(scene "$stem")
+        case $stem in
+        16*) rest='-p boxes=false -p along=false -p footprint=0' ;;
+        *) [ -z "$file" ] || grep -q 'uniform bool own;' "$file" && rest='-p own=false' ;;
+        esac
+        # shellcheck disable=SC2086
+        compared "$stem" relaxed "$file" -p coarsePass=false $rest
+        # shellcheck disable=SC2086
+        compared "$stem" coarse "$file" -p omega=1 $rest
+        compared "$stem" all "$file"
+    done
+done
+[ -t 2 ] && printf '%40s\r' '' >&2
+
+cell() { # STEM KIND
+    share=1
+    [ "$2" = was ] || share=$(middle <"$work/$1.$2.share" | awk '{ printf "%.2f", $1 }')
+    printf '%s, %s, %s' "$(value evaluations_mean <"$work/$1.$2" | awk '{ printf "%.1f", $1 }')" \
+        "$(value march_over_bound <"$work/$1.$2" | awk '{ printf "%.2f", $1 }')" \
+        "$share"
+}
+{
+    echo "$(value backend <"$work/${marched##* }.was"); 640x360, $rounds rounds of $frames frames"
+    echo
+    echo '| chapter | as it is | relaxed | coarse pass | all |'
+    echo '| --- | --- | --- | --- | --- |'
+    for stem in $marched; do
+        echo "| $stem | $(cell "$stem" was) | $(cell "$stem" relaxed) | $(cell "$stem" coarse) | $(cell "$stem" all) |"
+    done
+} >"$work/table"
+cat "$work/table"
+
+if [ -n "${WRITE-}" ] && [ -z "${CHAPTER-}" ]; then
+    awk -v table="$work/table" '
+        /^<!-- steps -->/ { print; while ((getline line < table) > 0) print line; skip = 1; next }
+        /^<!-- \/steps -->/ { skip = 0 }
+        !skip { print }' "$page" >"$work/page" && cat "$work/page" >"$page" && echo "$page: written"
+fi

@@ -1,0 +1,38 @@
+// Experiment of chapter 16: the sea of chapter 05 by the means of 16_means.glsl, and one more: each ray has a
+// stretch of its own for the waves and for the twisted ring.
+#include "main.glsl"
+#include "16_means.glsl"
+#include "stretch.glsl"
+#include "transform.glsl"
+
+uniform bool own; // true: a stretch for each ray
+
+void stretchAlong(vec3 direction);
+
+// A march whose distances are divided by what this ray needs; a normal and the next ray have the safe ones again.
+Hit ownMarch(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
+{
+    stretchAlong(own ? ray.direction : vec3(0.0));
+    Hit hit = march(ray, tMin, tMax, threshold, maxSteps);
+    stretchAlong(vec3(0.0));
+    return hit;
+}
+
+#undef march
+#define march ownMarch
+#include "05_transforms.frag"
+
+// The stretches of the scene along a direction, or in all if it is 0. The ring is scaled alone, so its own
+// axes see the same angles.
+void stretchAlong(vec3 direction)
+{
+    bool all = direction == vec3(0.0);
+    vec3 turned = all ? direction : direction * now.ring.turn;
+    now.ringStretch = all ? twistStretch(twist, RING_REACH) : twistStretchAlong(twist, RING_REACH, turned);
+    now.seaStretch = all ? heightStretch(waveHeight * STEEPEST) : heightStretchAlong(waveHeight * STEEPEST, direction);
+}
+
+float coarseMargin(float t)
+{
+    return hitThreshold;
+}

@@ -1,0 +1,21 @@
+// Solution of exercise 16.2: the water is a part of the distance, and no ray meets it by a division. It is in
+// no box, so each ray is marched from the eye to the far limit.
+#include "main.glsl"
+#define sceneDistance chapterDistance
+#define rayColour chapterRayColour
+#include "16_fewer_steps.frag"
+#undef rayColour
+#undef sceneDistance
+
+float sceneDistance(vec3 p)
+{
+    return min(chapterDistance(p), p.y - SEA);
+}
+
+vec3 rayColour(Ray ray)
+{
+    bool now = (float(iPixel.x) + 0.5) / iResolution.x >= divider;
+    float spread = now ? footprint * pixelSpread() : 0.0;
+    marchRelaxed(ray, now ? coarseStart(ray) : 0.0, far, hitThreshold, spread, now ? omega : 1.0, maxSteps);
+    return stepColour(trace.steps);
+}

@@ -1,0 +1,27 @@
+// stretch.glsl - how fast a distance can change along one ray: a Lipschitz constant of its own for each.
+//
+// A stretch of transform.glsl holds for all directions, so it is that of the worst. A ray has one direction,
+// and the steepest way may not be its own. Divided by the stretch along a ray, a distance is safe for
+// marching that ray, forwards and backwards, and for nothing else: not for another ray, nor for a normal.
+
+// Along a ray over y - h(x, z), a ground or a sea of height h.
+//   slope      the largest |grad h| in the region, >= 0
+//   direction  of the ray, length 1
+//   formula    |v_y| + slope |(v_x, v_z)|
+//   returns    at most heightStretch(slope), which the steepest direction reaches; it may be small: nearly
+//              slope for a level ray
+float heightStretchAlong(float slope, vec3 direction)
+{
+    return abs(direction.y) + slope * length(direction.xz);
+}
+
+// Along a ray through what opTwist has turned, in the cylinder x^2 + z^2 <= radius^2.
+//   rate       of the twist, radians per scene unit of height
+//   direction  of the ray, length 1, the twist's axis upright
+//   formula    sqrt((|(v_x, v_z)| + |rate| radius |v_y|)^2 + v_y^2)
+//   returns    from 1, for a level ray, to twistStretch(rate, radius)
+float twistStretchAlong(float rate, float radius, vec3 direction)
+{
+    float across = length(direction.xz) + abs(rate) * radius * abs(direction.y);
+    return length(vec2(across, direction.y));
+}

@@ -1,0 +1,62 @@
+#version 330 core
+// For test_relaxed.c: marches over distances drawn by lot, stretches along a ray.
+//
+// Time chooses the function, iMouse holds four numbers for it; x is the number of the case, y of the row.
+
+in float Time;
+out vec4 FragColor;
+
+#define VIEW 0
+
+#include "relaxed.glsl"
+#include "cone.glsl"
+#include "repetition.glsl"
+#include "stretch.glsl"
+#include "transform.glsl"
+
+const int THINGS = 8;
+
+int function, number;
+
+float lot(int thing, int dimension)
+{
+    return cellRandom(ivec3(number, thing, dimension));
+}
+
+// Function 0: along x the smallest of eight slopes up from a thing, some of which is a surface and some only
+// comes near. Function 1: points beside the ray. 3: a wall ahead, or beside.
+float sceneDistance(vec3 p)
+{
+    if (function == 3)
+        return iMouse.x > 0.0 ? iMouse.x : 1.0 - p.x;
+    float nearest = 3.0;
+    for (int i = 0; i < THINGS; i++) {
+        float middle = 12.0 * lot(i, 0);
+        float slope = 0.05 + 0.95 * lot(i, 1), least = 0.3 * lot(i, 2) - 0.05;
+        float angle = 6.2831853 * lot(i, 3);
+        vec3 point = vec3(middle, iMouse.w * vec2(cos(angle), sin(angle)));
+        float other = function == 0 ? slope * abs(p.x - middle) + least : length(p - point);
+        nearest = min(nearest, i == 0 || function == 0 ? other : nearest);
+    }
+    return nearest;
+}
+
+void main()
+{
+    function = int(Time);
+    number = int(gl_FragCoord.x);
+    bool upper = gl_FragCoord.y > 1.0;
+    traceReset(-1);
+    Ray ray = Ray(vec3(0.0), vec3(1.0, 0.0, 0.0));
+    vec3 direction = normalize(vec3(lot(0, 4), lot(0, 5), lot(0, 6)) - 0.5);
+    if (function <= 1 || function == 3) {
+        // iMouse: omega in z, the threshold in y; the upper row is marchCone.
+        float far = function == 3 ? 10.0 : 12.0;
+        Hit hit = upper ? marchCone(ray, 0.0, far, iMouse.y, 0.001, 512)
+                        : marchRelaxed(ray, 0.0, far, iMouse.y, 0.001, iMouse.z, 512);
+        FragColor = vec4(hit.t, hit.found, trace.evaluations, trace.end);
+    } else {
+        float along = upper ? twistStretchAlong(iMouse.x, iMouse.y, direction) : heightStretchAlong(iMouse.x, direction);
+        FragColor = vec4(direction, along);
+    }
+}
