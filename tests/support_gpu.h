@@ -35,6 +35,12 @@ bool gpu_load(const char *shader);
 // Load a text, from a file that is written into the folder. False, reported.
 bool gpu_load_text(const char *text);
 
+// How such a text begins that is asked for a colour alone: a parallel view of the plane z = 0.
+#define GPU_COURSE                                                                                 \
+    "#include \"main.glsl\"\n"                                                                     \
+    "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"         \
+    "float sceneDistance(vec3 p) { return p.z; }\n"
+
 // A picture from a place that sees the solids of the chapters 01 to 03.
 struct renderer_inputs gpu_inputs(int width, int height, int samples);
 

@@ -41,9 +41,7 @@ static float *draw(const struct renderer_inputs *inputs, int band)
 
 // Shows the pixel's place, divided by 4: screen.x and screen.y are within [-2, 2] here.
 #define COURSE_PLACE                                                                               \
-    "#include \"main.glsl\"\n"                                                                     \
-    "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"         \
-    "float sceneDistance(vec3 p) { return p.z; }\n"                                                \
+    GPU_COURSE                                                                                     \
     "vec3 rayColour(Ray ray) { return 0.5 + 0.25 * ray.origin; }\n"
 
 #define WHOLE_PLACE                                                                                \
@@ -179,14 +177,11 @@ static void each_sample_is_clamped(void **unused)
 {
     (void)unused;
     assert_true(gpu_load_text(
-        "#include \"main.glsl\"\n"
-        "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"
-        "float sceneDistance(vec3 p) { return p.z; }\n"
-        "vec3 rayColour(Ray ray)\n"
-        "{\n"
-        "    float place = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
-        "    return fract(place) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
-        "}\n"));
+        GPU_COURSE "vec3 rayColour(Ray ray)\n"
+                   "{\n"
+                   "    float place = 0.5 * (iResolution.y * ray.origin.x + iResolution.x);\n"
+                   "    return fract(place) < 0.5 ? vec3(4.0, -3.0, 0.5) : vec3(0.0, 1.0, 0.5);\n"
+                   "}\n"));
     struct renderer_inputs inputs = gpu_inputs(64, 48, 2);
     float *values = draw(&inputs, inputs.height);
     for (size_t i = 0; i < 64 * 48; i++)

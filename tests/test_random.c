@@ -20,10 +20,8 @@
 #include "support_scratch.h"
 
 #define RANDOM_COLOUR                                                                              \
-    "#include \"main.glsl\"\n"                                                                     \
+    GPU_COURSE                                                                                     \
     "#include \"random.glsl\"\n"                                                                   \
-    "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"         \
-    "float sceneDistance(vec3 p) { return p.z; }\n"                                                \
     "vec3 rayColour(Ray ray) { return vec3(pixelRandom(0), pixelRandom(1), pixelRandom(7)); }\n"
 
 static const int dimensions[3] = {0, 1, 7};
@@ -91,15 +89,12 @@ static void samples_have_numbers_of_their_own(void **unused)
 static void samples_are_counted(void **unused)
 {
     (void)unused;
-    assert_true(gpu_load_text(
-        "#include \"main.glsl\"\n"
-        "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"
-        "float sceneDistance(vec3 p) { return p.z; }\n"
-        "vec3 rayColour(Ray ray)\n"
-        "{\n"
-        "    bool mine = iSample == int(gl_FragCoord.x);\n"
-        "    return vec3(mine, iSamples == 9, float(iSample) / 64.0);\n"
-        "}\n"));
+    assert_true(gpu_load_text(GPU_COURSE
+                              "vec3 rayColour(Ray ray)\n"
+                              "{\n"
+                              "    bool mine = iSample == int(gl_FragCoord.x);\n"
+                              "    return vec3(mine, iSamples == 9, float(iSample) / 64.0);\n"
+                              "}\n"));
     struct renderer_inputs inputs = gpu_inputs(10, 1, 3);
     float *values = draw(&gpu.renderer, &inputs, 1);
     for (int x = 0; x < 10; x++) {
