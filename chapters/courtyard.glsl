@@ -209,12 +209,13 @@ struct Place {
 
 // March among the things, then look at the trough. It needs courtyardDistance to be the chapter's sceneDistance.
 //   ray                  from the eye, in the court
+//   tMin                 where the march may begin at the earliest: up to there nothing stands, scene units
 //   threshold, maxSteps  of marchCone, which takes pixelSpread() with them
-Place courtyardPlace(Ray ray, float threshold, int maxSteps)
+Place courtyardPlaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
 {
     vec2 interval = boxInterval(ray, COURT_LOW, COURT_HIGH);
     float trough = troughReached(ray);
-    Hit hit = marchCone(ray, interval.x, min(interval.y, trough), threshold, pixelSpread(), maxSteps);
+    Hit hit = marchCone(ray, max(interval.x, tMin), min(interval.y, trough), threshold, pixelSpread(), maxSteps);
     float t = hit.found ? hit.t : trough;
     vec3 p = ray.origin + t * ray.direction;
     float radius = threshold + pixelSpread() * t;
@@ -228,4 +229,10 @@ Place courtyardPlace(Ray ray, float threshold, int maxSteps)
     }
     vec3 colour = onTrough && ground ? pavingColour(p, width) : courtyardColour(p, radius);
     return Place(!hit.found && !onTrough, p, normal, colour, radius);
+}
+
+// The same from the eye on.
+Place courtyardPlace(Ray ray, float threshold, int maxSteps)
+{
+    return courtyardPlaceFrom(ray, 0.0, threshold, maxSteps);
 }

@@ -6,6 +6,7 @@
 
 #include "support_bound.h"
 #include "support_checkers.h"
+#include "support_filter.h"
 #include "support_glass.h"
 #include "support_gloss.h"
 #include "support_levels.h"
@@ -274,6 +275,24 @@ static int print_glass(void)
     return glass_print() ? 0 : 1;
 }
 
+// The means of few samples against that of 256.
+static int print_filters(void)
+{
+    printf("# a fan of fine rays, 64 x 64 pixels: root mean square off 256 samples of the same "
+           "filter, of 1\n");
+    printf("samples");
+    for (int way = 0; way < FILTER_WAYS; way++)
+        printf(",%s", filter_way_names[way]);
+    printf("\n");
+    for (int side = 1; side <= 8; side++) {
+        printf("%d", side * side);
+        for (int way = 0; way < FILTER_WAYS; way++)
+            printf(",%.3f", filter_error((enum filter_way)way, side));
+        printf("\n");
+    }
+    return 0;
+}
+
 // ---- The command line ----
 
 static const struct measurement {
@@ -294,6 +313,8 @@ static const struct measurement {
     {"occlusion", "the sky that is seen by five taps, against the truth", true, occlusion_print},
     {"glass", "shares that glass mirrors; what is dark after so many surfaces", true, print_glass},
     {"gloss", "share of the light that a highlight sends back", false, print_gloss},
+    {"filters", "error of a pixel's mean against the number and the places of its samples", false,
+     print_filters},
     {"checkers", "squares averaged over a pixel, three ways, against samples", true,
      print_checkers},
     {"levels", "error of a texture against the footprint that its level is chosen by", true,

@@ -1,0 +1,14 @@
+// Experiment of chapter 15: the workshop's contrast, smoothstep(0, 1, colour), in the light or in the numbers of
+// the screen. Without a film's curve, for that has a contrast of its own.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "15_the_picture.frag"
+#undef rayColour
+
+uniform bool before; // false: on the light, before it is encoded
+
+vec3 rayColour(Ray ray)
+{
+    vec3 light = lightOnFilm(ray);
+    return before ? encodeSRGB(contrast(light, 1.0)) : contrast(encodeSRGB(light), 1.0);
+}

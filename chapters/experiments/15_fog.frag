@@ -1,0 +1,26 @@
+// Experiment of chapter 15: fog in the wrong place. As it should be; mixed into the numbers of the screen, after
+// film and encoding; and as a colour of its own by the distance alone, which the sky and the sun do not know.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "15_the_picture.frag"
+#undef rayColour
+
+uniform int fogWay; // 1 in [0, 2]: 0 in the light, 1 after encoding, 2 one grey by the distance, none on the sky
+
+const vec3 GREY = vec3(0.30, 0.33, 0.38); // linear
+
+// From light to the numbers of the screen.
+vec3 shown(vec3 light)
+{
+    float share = vignette ? cosineFourth(screenPosition(vec2(iPixel) + 0.5), focalLength) : 1.0;
+    return encodeSRGB(developed(exposed(share * light, exposure)));
+}
+
+vec3 rayColour(Ray ray)
+{
+    Seen seen = seenAlong(ray);
+    vec3 right = shown(throughFog(seen.light, seen.fog, seen.depth));
+    vec3 late = throughFog(shown(seen.light), shown(seen.fog), seen.depth);
+    vec3 grey = shown(seen.way < SKY ? throughFog(seen.light, GREY, fogDensity * seen.way) : seen.light);
+    return fogWay == 0 ? right : (fogWay == 1 ? late : grey);
+}

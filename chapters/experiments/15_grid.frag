@@ -1,0 +1,23 @@
+// Experiment of chapter 15: the loop of the workshop's anti-aliasing, in the shader: n x n rays of a pixel, of
+// which the mean is taken. Their places are (i, j) / n from the pixel's middle, so that the picture is shifted; and
+// what is averaged are the numbers of the screen. Each can be mended.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "15_the_picture.frag"
+#undef rayColour
+
+uniform int  side;     // 2 in [1, 8]: so many times so many rays
+uniform bool centred;  // false: places in the middles of their cells
+uniform bool asLight;  // false: the mean of the light, encoded once
+
+vec3 rayColour(Ray ray)
+{
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < side * side; i++) {
+        vec2 place = (vec2(i % side, i / side) + (centred ? 0.5 : 0.0)) / float(side) - (centred ? 0.5 : 0.0);
+        vec3 shown = developed(lightOnFilm(perspectiveRay(screenPosition(vec2(iPixel) + 0.5 + place))));
+        sum += asLight ? shown : encodeSRGB(shown);
+    }
+    sum /= float(side * side);
+    return asLight ? encodeSRGB(sum) : sum;
+}

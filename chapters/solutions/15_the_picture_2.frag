@@ -1,0 +1,23 @@
+// Solution of exercise 15.2: an even layer of fog up to the height fogScale, and clear air above it.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "15_the_picture.frag"
+#undef rayColour
+
+// How much of a way lies in the layer: what is in front of its top, or what is behind it.
+//   height, climb, t  as of fogDepth
+float inLayer(float height, float climb, float t)
+{
+    float top = (fogScale - height) / (abs(climb) < 1e-6 ? 1e-6 : climb); // where the ray crosses it
+    float crossed = clamp(top, 0.0, t);
+    return climb > 0.0 ? crossed : t - crossed;
+}
+
+vec3 rayColour(Ray ray)
+{
+    Seen seen = seenAlong(ray);
+    float depth = fogDensity * inLayer(ray.origin.y, ray.direction.y, seen.way);
+    float share = vignette ? cosineFourth(screenPosition(vec2(iPixel) + 0.5), focalLength) : 1.0;
+    vec3 light = exposed(share * throughFog(seen.light, seen.fog, depth), exposure);
+    return encodeSRGB(developed(light)) + (dither ? ditherStep(iPixel) / 255.0 : 0.0);
+}

@@ -1,0 +1,41 @@
+// filter_error.c - how far the mean of a few samples of a pixel is from the mean of 256: regular
+// and jittered places, and the workshop's grid.
+#include <stddef.h>
+
+#include "../../tests/support_filter.h"
+#include "svg.h"
+
+enum { SIDES = 8, CURVES = 5 };
+
+int main(void)
+{
+    static const enum filter_way ways[CURVES] = {FILTER_BOX, FILTER_BOX_JITTERED,
+                                                 FILTER_TENT_JITTERED, FILTER_GAUSSIAN_JITTERED,
+                                                 FILTER_WORKSHOP};
+    static const char *const colours[CURVES] = {SVG_BLUE, SVG_TEAL, SVG_INK, SVG_PALE, SVG_ORANGE};
+    static const char *const words[CURVES] = {"box, regular", "box, jittered", "tent, jittered",
+                                              "Gaussian, jittered", "the workshop's grid"};
+    const struct svg_plot plot = {80.0, 40.0, 640.0, 340.0, {1.0, 100.0}, {1e-3, 1.0}, true, true};
+    svg_begin(
+        760.0, 440.0, "The error of a pixel against the number of its samples",
+        "Root of the mean square of the difference to 256 samples of the same filter, on a fan "
+        "of fine rays, both axes logarithmic. Four lines fall, that of the regular box lowest, "
+        "those of the wider filters higher; the workshop's grid stays between 0.06 and 0.11 "
+        "and rises from 4 samples on.");
+    svg_plot_frame(&plot, 0.0, 0.0, "samples of a pixel", "error, of 1");
+    for (int curve = 0; curve < CURVES; curve++) {
+        double point[SIDES][2];
+        for (int i = 0; i < SIDES; i++) {
+            point[i][0] = (i + 1) * (i + 1);
+            point[i][1] = filter_error(ways[curve], i + 1);
+        }
+        svg_plot_curve(&plot, SIDES, (const double(*)[2])point,
+                       (struct svg_pen){.stroke = colours[curve], .width = 2.4});
+        for (int i = 0; i < SIDES; i++)
+            svg_circle(svg_plot_x(&plot, point[i][0]), svg_plot_y(&plot, point[i][1]), 3.5,
+                       (struct svg_pen){.fill = colours[curve]});
+        svg_textf(104.0, 286.0 + 20.0 * curve, 'l', 15.0, colours[curve], "%s", words[curve]);
+    }
+    svg_end();
+    return 0;
+}

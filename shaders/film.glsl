@@ -1,0 +1,76 @@
+// film.glsl - from the light of a picture to the numbers that are written: exposure, vignette, the curve of
+// the film, dither. All but the last two take and return linear light. docs/15_the_picture.md proves what is
+// claimed here.
+
+// A picture exposed for longer, or less long.
+//   light    linear, >= 0
+//   stops    any number; each doubles the light
+//   formula  2^stops light
+vec3 exposed(vec3 light, float stops)
+{
+    return exp2(stops) * light;
+}
+
+// The share of the light that a simple lens sends to a place off its axis.
+//   screen       y from -1 to 1, x from -aspect to aspect
+//   focalLength  half screen heights, > 0
+//   returns      1 in the middle
+//   formula      cos^4 a = (f^2 / (f^2 + |screen|^2))^2, a the angle of the ray to the axis. Exact for a
+//                flat film behind a small opening, without a lens that mends it
+float cosineFourth(vec2 screen, float focalLength)
+{
+    float square = focalLength * focalLength;
+    float cosineSquare = square / (square + dot(screen, screen));
+    return cosineSquare * cosineSquare;
+}
+
+// More contrast in the middle, less at both ends.
+//   v        in [0, 1] per channel: light, or the numbers of the screen; clamped first
+//   amount   in [0, 1]: 0 leaves v as it is, 1 is smoothstep(0, 1, v)
+//   formula  v + amount (3 v^2 - 2 v^3 - v): 0, 1/2 and 1 stay, the slope in the middle is 1 + amount / 2,
+//            at both ends 1 - amount. Grows with v
+vec3 contrast(vec3 v, float amount)
+{
+    return mix(clamp(v, 0.0, 1.0), smoothstep(0.0, 1.0, v), amount);
+}
+
+// What a film makes of a light: a straight line in the middle of a scale of stops, with a toe where dark
+// and a shoulder where bright things draw together.
+//   x        linear light, >= 0, per channel; negative as 0
+//   gamma    >= 1: how steep the line is. On a scale of logarithms its slope at middle grey is
+//            gamma 0.82 / (1 - (0.18 / white)^gamma)
+//   white    > 1: the light that becomes 1; more becomes 1 too
+//   formula  (1 + k / w) / (1 + k / h), h = x^gamma, w = white^gamma, with k = 0.82 g w / (0.18 w - g),
+//            g = 0.18^gamma, so that middle grey, 0.18, stays. Grows with x from 0 to 1
+// Source: the shape of F. Hurter and V. C. Driffield's curves (1890), as a logistic function.
+vec3 filmCurve(vec3 x, float gamma, float white)
+{
+    float g = pow(0.18, gamma), w = pow(white, gamma);
+    float k = 0.82 * g * w / (0.18 * w - g);
+    vec3 h = pow(clamp(x, 1e-6, white), vec3(gamma));
+    return (1.0 + k / w) / (1.0 + k / h);
+}
+
+// The same curve on the largest channel: the others keep their shares of it, and so the colour its hue.
+//   light    linear, >= 0
+//   others   as of filmCurve
+//   formula  light filmCurve(m) / m, m the largest channel
+vec3 filmOfLargest(vec3 light, float gamma, float white)
+{
+    float largest = max(max(light.r, max(light.g, light.b)), 1e-6);
+    return light * (filmCurve(vec3(largest), gamma, white).r / largest);
+}
+
+// Which of 64 steps a pixel adds before its colour is rounded, in a pattern of 8 x 8 pixels that repeats.
+//   pixel    of the picture, as iPixel; any whole numbers
+//   returns  one of (k + 1/2) / 64 - 1/2, k = 0 to 63: each once in every 8 x 8 pixels, mean 0. Times one
+//            step of the file, 1 / 255, it is what to add to an encoded colour
+//   formula  the bits of k, from the highest: the lowest of x ^ y, the lowest of y, the next of x ^ y, and so on
+// Source: B. E. Bayer, 'An optimum method for two-level rendition of continuous-tone pictures', ICC 1973.
+float ditherStep(ivec2 pixel)
+{
+    int y = pixel.y, both = pixel.x ^ pixel.y;
+    int k = ((both & 1) << 5) | ((y & 1) << 4) | ((both & 2) << 2) | ((y & 2) << 1) | ((both & 4) >> 1) |
+            ((y & 4) >> 2);
+    return (float(k) + 0.5) / 64.0 - 0.5;
+}

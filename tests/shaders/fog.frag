@@ -1,0 +1,42 @@
+#version 330 core
+// For test_fog.c: the functions of fog.glsl. Time chooses the function, iMouse holds four numbers for it; x
+// and y are the pixel's numbers.
+
+in float Time;
+out vec4 FragColor;
+
+uniform vec4 iMouse;
+
+#include "fog.glsl"
+
+void main()
+{
+    int function = int(Time);
+    vec2 number = floor(gl_FragCoord.xy);
+    FragColor = vec4(0.0);
+    if (function == 0) {
+        float x = number.x < 1.0 ? 0.0 : exp2((number.x - 400.0) / 20.0);
+        FragColor = vec4(x, meanDecay(x), 0.0, 0.0);
+    } else if (function == 1) { // iMouse: height, density, scale; climbs from -1 to 1, many near 0
+        float side = number.x < 32.0 ? -1.0 : 1.0, size = exp2(-mod(number.x, 32.0));
+        float climb = number.x < 1.0 ? 0.0 : side * size, t = exp2(0.5 * number.y - 4.0);
+        FragColor = vec4(climb, t, fogDepth(iMouse.x, climb, t, iMouse.y, iMouse.z), 0.0);
+    } else if (function == 2) {
+        float climb = exp2(-0.25 * number.x);
+        FragColor = vec4(climb, skyFogDepth(iMouse.x, climb, iMouse.y, iMouse.z), 0.0, 0.0);
+    } else if (function == 3) {
+        float side = number.x < 32.0 ? -1.0 : 1.0, size = exp2(-0.5 * mod(number.x, 32.0));
+        float climb = number.x < 1.0 ? 0.0 : side * size, t = 6.0;
+        float depth = fogDepth(iMouse.x, climb, t, iMouse.y, iMouse.z) * number.y / 31.0;
+        FragColor = vec4(climb, depth, fogPlace(iMouse.x, climb, depth, iMouse.y, iMouse.z), 0.0);
+    } else if (function == 4) { // iMouse: light, fog, density; even
+        float t = 0.05 * number.x;
+        vec3 light = throughFog(vec3(iMouse.x), vec3(iMouse.y), fogDepth(0.3, 0.0, t, iMouse.z, 2.0));
+        FragColor = vec4(t, light);
+    } else { // above and below the horizon, from the height 1.6: the sky's light 9, the ground's 0
+        float climb = 1e-4 * (number.x + 0.5);
+        float above = skyFogDepth(1.6, climb, 0.02, 3.0), below = fogDepth(1.6, -climb, 1.6 / climb, 0.02, 3.0);
+        vec3 fog = fogLight(vec3(0.0, 0.0, 1.0), vec3(0.0, 0.0, 1.0), vec3(0.25), vec3(0.5), 0.7);
+        FragColor = vec4(climb, throughFog(vec3(9.0), fog, above).x, throughFog(vec3(0.0), fog, below).x, fog.x);
+    }
+}

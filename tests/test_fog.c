@@ -1,0 +1,174 @@
+// test_fog.c - shaders/fog.glsl against double precision: sums of thin slices, and the equation of
+// light in fog solved step by step.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "support_gpu.h"
+
+#define SHADER "tests/shaders/fog.frag"
+
+enum { DECAY, DEPTH, SKY, PLACE, LIGHT, HORIZON };
+
+// The density along a ray, and its integral by Simpson's rule over so many slices.
+struct air {
+    double height, density, scale;
+};
+
+static double density_at(struct air air, double climb, double t)
+{
+    return air.density * exp(-(air.height + climb * t) / air.scale);
+}
+
+static double slices(struct air air, double climb, double t, int count)
+{
+    double sum = 0.0, step = t / count;
+    for (int i = 0; i < count; i++) {
+        double a = i * step, b = a + step;
+        sum += (density_at(air, climb, a) + 4.0 * density_at(air, climb, 0.5 * (a + b)) +
+                density_at(air, climb, b)) *
+               step / 6.0;
+    }
+    return sum;
+}
+
+static struct air air_of(const float numbers[4])
+{
+    return (struct air){(double)numbers[0], (double)numbers[1], (double)numbers[2]};
+}
+
+static void the_mean_of_a_decay_keeps_its_digits_near_0(void **unused)
+{
+    (void)unused;
+    const float none[4] = {0.0f};
+    float *values = gpu_call(SHADER, 520, 1, DECAY, none);
+    double worst = 0.0;
+    for (int i = 0; i < 520; i++) {
+        double x = (double)values[4 * i], right = x > 0.0 ? -expm1(-x) / x : 1.0;
+        worst = fmax(worst, fabs((double)values[4 * i + 1] / right - 1.0));
+    }
+    assert_true(values[1] == 1.0f);
+    free(values);
+    print_message("# mean of the decay: worst relative error %.2g\n", worst);
+    assert_true(worst < 1e-6);
+}
+
+// Even fog, thin mist, from above and from within it; level rays, rays up and down.
+static const float airs[][4] = {{1.6f, 0.05f, 1.5f},
+                                {0.0f, 0.2f, 0.4f},
+                                {1.6f, 0.05f, 1e6f},
+                                {-0.3f, 1.0f, 7.0f},
+                                {9.0f, 0.3f, 1.0f}};
+
+enum { AIRS = sizeof airs / sizeof *airs };
+
+static void the_depth_is_the_sum_of_thin_slices(void **unused)
+{
+    (void)unused;
+    double worst = 0.0;
+    for (int k = 0; k < AIRS; k++) {
+        float *values = gpu_call(SHADER, 64, 16, DEPTH, airs[k]);
+        for (int i = 0; i < 64 * 16; i++) {
+            const float *v = values + 4 * i;
+            double climb = (double)v[0], t = (double)v[1];
+            if (fabs(climb) * t / (double)airs[k][2] > 20.0)
+                continue; // the density itself leaves the floats
+            double right = slices(air_of(airs[k]), climb, t, 2000);
+            worst = fmax(worst, fabs((double)v[2] / right - 1.0));
+        }
+        free(values);
+    }
+    print_message("# optical depth: worst relative error %.2g\n", worst);
+    assert_true(worst < 1e-5);
+}
+
+// From 1 up the numbers are those of a ray so long that nothing of the fog is left.
+static void the_sky_is_seen_through_a_finite_fog(void **unused)
+{
+    (void)unused;
+    for (int k = 0; k < AIRS; k++) {
+        if ((double)airs[k][2] > 100.0)
+            continue; // an even fog hides the sky
+        float *values = gpu_call(SHADER, 40, 1, SKY, airs[k]);
+        for (int i = 0; i < 40; i++) {
+            double climb = (double)values[4 * i], far = 40.0 * (double)airs[k][2] / climb;
+            double right = slices(air_of(airs[k]), climb, far, 20000);
+            assert_true(fabs((double)values[4 * i + 1] / right - 1.0) < 1e-5);
+        }
+        free(values);
+    }
+}
+
+static void a_place_has_the_depth_that_was_asked_for(void **unused)
+{
+    (void)unused;
+    double worst = 0.0;
+    for (int k = 0; k < AIRS - 1; k++) {
+        float *values = gpu_call(SHADER, 64, 32, PLACE, airs[k]);
+        for (int i = 0; i < 64 * 32; i++) {
+            const float *v = values + 4 * i;
+            double whole = slices(air_of(airs[k]), (double)v[0], 6.0, 400);
+            double reached = slices(air_of(airs[k]), (double)v[0], (double)v[2], 400);
+            worst = fmax(worst, fabs(reached - (double)v[1]) / whole);
+        }
+        free(values);
+    }
+    print_message("# place of a depth: worst error of the depth's share %.2g\n", worst);
+    assert_true(worst < 1e-5);
+}
+
+// dL/dt = density (fog - L), by the midpoint rule.
+static void light_in_fog_obeys_its_equation(void **unused)
+{
+    (void)unused;
+    const float numbers[4] = {2.0f, 0.7f, 0.3f};
+    float *values = gpu_call(SHADER, 200, 1, LIGHT, numbers);
+    double light = 2.0, density = 0.3 * exp(-0.15), step = 0.05 / 50.0, worst = 0.0;
+    for (int i = 0; i < 200; i++) {
+        worst = fmax(worst, fabs((double)values[4 * i + 1] - light));
+        for (int j = 0; j < 50; j++) {
+            double half = light + 0.5 * step * density * (0.7 - light);
+            light += step * density * (0.7 - half);
+        }
+    }
+    free(values);
+    print_message("# light in fog: worst error %.2g\n", worst);
+    assert_true(worst < 2e-6);
+}
+
+// The two sides of the horizon meet in the fog's own light, and near it nothing else is left.
+static void the_horizon_is_the_fog(void **unused)
+{
+    (void)unused;
+    const float none[4] = {0.0f};
+    float *values = gpu_call(SHADER, 1000, 1, HORIZON, none);
+    for (int i = 0; i < 1000; i++) {
+        const float *v = values + 4 * i;
+        double climb = (double)v[0];
+        double above = 0.02 * exp(-1.6 / 3.0) * 3.0 / climb;
+        double below = 0.02 * 3.0 * -expm1(-1.6 / 3.0) / climb;
+        assert_true(fabs((double)v[1] - (0.75 + 8.25 * exp(-above))) < 1e-4);
+        assert_true(fabs((double)v[2] - 0.75 * -expm1(-below)) < 1e-4);
+        assert_true(fabs((double)v[3] - 0.75) < 1e-6);
+    }
+    assert_true(fabs((double)values[1] - (double)values[2]) < 1e-6);
+    free(values);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(the_mean_of_a_decay_keeps_its_digits_near_0),
+        cmocka_unit_test(the_depth_is_the_sum_of_thin_slices),
+        cmocka_unit_test(the_sky_is_seen_through_a_finite_fog),
+        cmocka_unit_test(a_place_has_the_depth_that_was_asked_for),
+        cmocka_unit_test(light_in_fog_obeys_its_equation),
+        cmocka_unit_test(the_horizon_is_the_fog),
+    };
+    return cmocka_run_group_tests_name("fog", tests, gpu_setup, gpu_teardown);
+}
