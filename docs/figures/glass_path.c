@@ -67,11 +67,11 @@ int main(void)
     line(out, d3_add(out, d3_times(0.75, left)), ray_pen);
     line(out, d3_add(out, d3_times(0.6, glass_reflect(bent, out))), pale);
     line(d3_times(0.45, out), d3_times(1.6, out), normal_pen);
-    svg_text(40.0, 330.0, 'l', 15.0, SVG_ORANGE, "outside: steps of the distance");
-    svg_text(600.0, 330.0, 'm', 15.0, SVG_BLUE, "inside: steps of minus the distance");
+    svg_text(40.0, 350.0, 'l', 15.0, SVG_ORANGE, "outside: steps of the distance");
+    svg_text(736.0, 350.0, 'r', 15.0, SVG_BLUE, "inside: steps of minus the distance");
     svg_text(px(-1.06), py(1.12), 'r', 15.0, SVG_INK, "normal");
     svg_text(px(-1.30), py(0.79), 'm', 15.0, SVG_INK, "<tspan font-style='italic'>i</tspan>");
-    svg_text(px(-0.33), py(0.36), 'm', 15.0, SVG_INK, "<tspan font-style='italic'>j</tspan>");
+    svg_text(px(-0.24), py(0.22), 'm', 15.0, SVG_INK, "<tspan font-style='italic'>j</tspan>");
     svg_end();
     return 0;
 }
