@@ -65,7 +65,8 @@ vec3 cosineDirection(vec3 normal, vec2 square)
 }
 
 // The share of side x side rays that reach the sky: one in each cell of the unit square, at a place drawn by
-// lot.
+// lot. Of k x k samples of a pixel each takes another of k x k parts of the cell, and for each ray in another
+// order: so all samples together have one ray in each of (k side)^2 cells.
 //   place      on the surface, or a little above it, scene units
 //   normal     length 1
 //   offset     how far above it the rays start, as of shadowRay
@@ -78,8 +79,11 @@ float skyReaching(vec3 place, vec3 normal, float offset, float far, int side, fl
                   int maxSteps, int dimension)
 {
     float arrived = 0.0;
+    int parts = max(int(sqrt(float(iSamples)) + 0.5), 1);
     for (int i = 0; i < side * side; i++) {
         vec2 lot = vec2(pixelRandom(dimension + 2 * i), pixelRandom(dimension + 2 * i + 1));
+        int part = (iSample + i) % (parts * parts);
+        lot = (vec2(part % parts, part / parts) + lot) / float(parts);
         vec2 square = (vec2(i % side, i / side) + lot) / float(side);
         Ray ray = shadowRay(place, normal, cosineDirection(normal, square), offset);
         arrived += lightReaching(ray, far, threshold, maxSteps);

@@ -103,15 +103,13 @@ float wayInside(Spot spot, vec3 toLamp, float far)
     return inside == 1 ? sum : thicknessAlong(Ray(below, toLamp), far, 0.0005, 64);
 }
 
-// The light of one flame on a place: what falls on it, and what comes through.
+// The light of one flame on a place: what falls on it, and what comes through. It casts no shadows.
 vec3 flameLight(Spot spot, vec3 flame)
 {
     float far = length(flame - spot.p);
     vec3 toFlame = (flame - spot.p) / far;
-    Ray there = shadowRay(spot.p, spot.normal, toFlame, 2.0 * spot.radius);
-    float seen = lightReaching(there, shadowReach(spot.normal, toFlame, far - 0.05), 0.0005, 64);
     vec3 left = lightThrough(wayInside(spot, toFlame, far), max(clearness * spot.depth, 1e-4));
-    vec3 on = seen * lambert(spot.normal, toFlame) * spot.colour;
+    vec3 on = lambert(spot.normal, toFlame) * spot.colour;
     bool lets = through && spot.depth.x > 0.0;
     return fallOff(far, REFERENCE) * FLAME * (on + (lets ? 0.22 * left : vec3(0.0)));
 }
