@@ -102,7 +102,7 @@ static void a_ray_through_a_prism_leaves_as_is_said(void **unused)
     int total = 0, through = 0;
     for (int i = 0; i < 256 * 16; i++) {
         double entering = -0.4 + 1.9 * (i % 256) / 255.0, index = 1.1 + 0.4 * (i / 256) / 15.0;
-        struct d3 left;
+        struct d3 left = {0.0, 0.0, 0.0};
         bool leaves = traced(apex, index, entering, 0.0, &left) >= 0.0;
         double sine = (double)values[4 * i];
         if (fabs(sine - 1.0) < 1e-4)
@@ -126,7 +126,7 @@ static void the_least_deviation_is_symmetric(void **unused)
     for (int k = 0; k < 4; k++) {
         double apex = cases[k][0] * degree, index = cases[k][1], least = 10.0, at = 0.0;
         for (double a = 0.0; a < 90.0; a += 0.002) {
-            struct d3 left;
+            struct d3 left = {0.0, 0.0, 0.0};
             double turn = traced(apex, index, a * degree, 0.0, &left);
             at = turn >= 0.0 && turn < least ? a : at;
             least = turn >= 0.0 && turn < least ? turn : least;
@@ -157,7 +157,7 @@ static void the_plan_of_a_rising_ray_has_its_own_index(void **unused)
     for (int i = 0; i < 16; i++) {
         double index = 1.1 + 0.4 * i / 15.0,
                plan = sqrt((index * index - rise * rise) / (1.0 - rise * rise));
-        struct d3 flat, risen;
+        struct d3 flat = {0.0, 0.0, 0.0}, risen = {0.0, 0.0, 0.0};
         assert_true(fabs((double)values[4 * i + 3] - plan) < 1e-5);
         if (traced(apex, plan, 0.9, 0.0, &flat) < 0.0)
             continue;
@@ -178,8 +178,8 @@ static void the_beam_has_the_colours_of_traced_rays(void **unused)
     for (int i = 0; i <= 6; i++)
         for (int far = 1; far <= 3; far++) {
             double wave = 0.42 + 0.04 * i, index = glass_index(1.6894, 0.01341, wave);
-            struct d3 left, first = d3(-cos(0.5 * apex), 0.5, 0.0),
-                            second = d3(cos(0.5 * apex), 0.5, 0.0);
+            struct d3 left = {0.0, 0.0, 0.0}, first = d3(-cos(0.5 * apex), 0.5, 0.0),
+                      second = d3(cos(0.5 * apex), 0.5, 0.0);
             assert_true(traced(apex, index, entering, -asin(rise), &left) >= 0.0);
             // Inside: from the middle of the first side to the second.
             struct d3 plan, inside;
