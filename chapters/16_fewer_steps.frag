@@ -185,5 +185,6 @@ vec3 rayColour(Ray ray)
     float place = (float(iPixel.x) + 0.5) / iResolution.x;
     Hit hit = marchPier(ray, ground, place >= divider);
     int steps = trace.steps;
-    return lit ? encodeSRGB(sceneLight(ray, hit, ground)) : stepColour(steps);
+    bool sunny = lit || VIEW == 1; // who looks at the normals asks for them
+    return sunny ? encodeSRGB(sceneLight(ray, hit, ground)) : stepColour(steps);
 }

@@ -74,8 +74,12 @@ exported() { # NAME PROGRAM OPTION...
     check "$name passes as Shadertoy's" valid "$@" && check "$name looks the same" same "$@"
 }
 
+# An exported file has no coarse pass, and a picture of steps shows it: compared is the chapter without the pass.
 for program in "$BUILD"/[0-9][0-9]_*; do
-    [ -x "$program" ] && [ -f "$program" ] && exported "$(basename "$program")" "$program"
+    if [ ! -x "$program" ] || [ ! -f "$program" ]; then continue; fi
+    options=()
+    "$program" --list | grep -q '^coarsePass ' && options=(-p coarsePass=false)
+    exported "$(basename "$program")" "$program" ${options[@]+"${options[@]}"}
 done
 for file in chapters/first_steps/*.frag; do
     exported "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
