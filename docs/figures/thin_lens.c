@@ -16,7 +16,7 @@ static double height_at(double from, double at, double x)
 int main(void)
 {
     const double points[2] = {50.0, -60.0}; // one in focus, one behind
-    svg_begin(760.0, 360.0, "A thin lens",
+    svg_begin(760.0, 360.0, "Rays through a thin lens",
               "From the left a lens, the plane in focus and a point behind it. Rays from the rim "
               "and the middle of "
               "the lens to a point of the plane in focus meet there; those to the point behind "
