@@ -10,7 +10,7 @@
 #include "primitives.glsl" // sdBoxFrame, sdSphere
 #include "repetition.glsl" // opRepeatLimited
 #include "bounds.glsl"     // boxInterval, intervalUnion
-#include "shadow.glsl"     // shadowRay, shadowReach, lightReaching
+#include "shadow.glsl"     // shadowRay, shadowReach
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "fresnel.glsl"    // schlickShare
 
@@ -23,7 +23,7 @@ uniform float hitThreshold; // 0.0003 in [0.00001, 0.2] step *2, scene units: di
 const float FAR = 20.0;                            // a ray that has travelled so far sees the sky
 const float FRAME = 0.5, BEAM = 0.05;              // half the frame's side, half a beam's thickness
 const float BALL = 0.15;                           // radius of a ball
-const float LAST = 3.0;                            // balls stand at the heights 0, 1, … LAST
+const float LAST = 3.0;                            // balls stand at the whole heights from 0 to LAST
 const vec3  SLAB = vec3(0.0, -0.96, 0.0);          // centre and half size of the slab
 const vec3  SLAB_HALF = vec3(1.5, 0.1, 1.5);
 const float MARGIN = 0.01;                         // by which the bounds are larger than what they hold

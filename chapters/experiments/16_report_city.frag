@@ -123,7 +123,7 @@ Spot spotAlong(Ray ray, float start, float clear)
     vec2 outside = outsideTower(plot, p.y);
     vec3 normal = ground ? vec3(0.0, 1.0, 0.0) : post ? postNormal(q) : towerNormal(plot, outside);
     float facing = max(-dot(normal, ray.direction), 0.03);
-    float rest = ground || post ? 0.0 : max(outside.x, outside.y) / facing; // to the wall itself: its windows stand still
+    float rest = ground || post ? 0.0 : max(outside.x, outside.y) / facing; // to the wall itself
     if (met) { // for the views and the probe, the ground too
         traceNormal(normal);
         traceMarch(trace.steps, t, END_HIT);
