@@ -189,8 +189,6 @@ vec3 rayColour(Ray ray)
     float away = max(iCameraPosition.z, 0.01) / max(-down, 0.001) * 2.0 / iResolution.y;
     vec2 right = sheetStep(p, iCameraRight, away), up = sheetStep(p, iCameraUp, away);
     float wide = down < -0.001 ? max(length(right), length(up)) : 1.0; // from a unit on there is only paper
-    if (wide >= 1.0)
-        return encodeSRGB(PAPER);
     vec3 light = marchColour(fieldColour(p, p + right, p + up), p, right, up, ray);
     return encodeSRGB(mix(light, PAPER, blurred(wide)));
 #endif
