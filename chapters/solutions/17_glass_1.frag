@@ -1,6 +1,7 @@
 // Solution of exercise 17.1: Schlick's share in place of Fresnel's. Inside it wants the cosine behind the surface.
 #include "main.glsl"
-#include "glass.glsl" // its shadows keep Fresnel's share
+#include "glass.glsl"   // its shadows keep Fresnel's share,
+#include "caustic.glsl" // and its caustic
 #define fresnelShare schlickBothSides
 float schlickBothSides(float facing, float eta);
 #include "17_glass.frag"
