@@ -15,6 +15,7 @@ float sceneDistance(vec3 p)
 vec3 rayColour(Ray ray)
 {
     bool now = (float(iPixel.x) + 0.5) / iResolution.x >= divider;
+    poleStretch = now && along ? twistStretchAlong(TWIST, POLE_REACH, ray.direction) : poleStretch;
     float spread = now ? footprint * pixelSpread() : 0.0;
     marchRelaxed(ray, now ? coarseStart(ray) : 0.0, far, hitThreshold, spread, now ? omega : 1.0, maxSteps);
     return stepColour(trace.steps);
