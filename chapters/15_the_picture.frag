@@ -82,10 +82,9 @@ float mistLit(Ray toSun)
 //   depth  optical depth of the ray
 float mistSeen(Ray ray, float depth, vec3 toSun)
 {
-    float lit = 0.0;
+    float lit = 0.0, lot = sampleLine(6), lost = 1.0 - exp(-depth);
     for (int i = 0; i < shafts; i++) {
-        float share = (float(i) + sampleLine(6)) / float(shafts);
-        float reached = -log(1.0 - share * (1.0 - exp(-depth)));
+        float reached = -log(1.0 - (float(i) + lot) / float(shafts) * lost);
         float t = fogPlace(ray.origin.y, ray.direction.y, reached, fogDensity, fogScale);
         lit += mistLit(Ray(ray.origin + t * ray.direction, toSun));
     }

@@ -152,19 +152,6 @@ vec3 pavingColour(vec3 p, vec2 width)
     return PAVING * (0.88 + 0.2 * tone) * (1.0 - 0.4 * max(alongZ, alongX));
 }
 
-// What is near a point, and its colour.
-struct Part {
-    float distance;
-    vec3  colour;
-};
-
-Part nearer(Part a, Part b)
-{
-    if (b.distance < a.distance)
-        return b;
-    return a;
-}
-
 // Walls, floors but the paving, and steps.
 //   grain  of the place, in [0, 1]
 vec3 masonryColour(vec3 p, float grain)
@@ -177,23 +164,27 @@ vec3 masonryColour(vec3 p, float grain)
     return door ? DOOR : (p.y < 0.62 && !side && !rear ? STONE * (0.92 + 0.12 * grain) : lower);
 }
 
-// The colour of what is nearest to a point; on the paving pavingColour is to be asked.
+// The colour of what a point is on; on the paving pavingColour is to be asked. The place says what that is:
+// round the well and under the roof round the jars nothing else stands; what is nearer to the roof than to the
+// arcade's wall is roof. The distances themselves are not asked: that would compile the scene once more.
 //   p        on a surface, scene units
 //   radius   how near the surface is at least, scene units, > 0
 //   returns  share of the light that comes back, linear RGB
 vec3 courtyardColour(vec3 p, float radius)
 {
     bool leaf = boxTreeDistance(p) < radius;
+    bool above = p.y > 0.5 * radius; // and not on the paving
+    bool well = above && length(p.xz - COURT_WELL.xz) < 0.82;
+    bool jar = above && length(vec2(abs(p.x), p.z) - COURT_JAR.xz) < 0.5;
+    vec2 q = p.zy - COURT_EAVES;
+    float below = -dot(q, vec2(0.3411745, 0.94)) - 0.03, wall = max(abs(p.z + 4.0) - 0.22, p.y - 3.6);
+    bool roof = q.x < 0.1 && below < min(wall, radius);
     float grain = valueNoise((leaf ? vec3(20.0) : vec3(1.7, 2.6, 1.7)) * p).x;
     float tone = cellRandom(ivec3(floor(p.x / TILE + 0.5), floor(2.4 * p.z), 1));
-    vec3 q = p - COURT_WELL;
-    float masonry = min(cornersDistance(min(arcadeCorners(p), galleryCorners(p))), troughDistance(p));
-    float jar = cornersDistance(jarCorners(vec3(abs(p.x), p.yz) - COURT_JAR));
-    Part part = Part(masonry, masonryColour(p, grain));
-    part = nearer(part, Part(cornersDistance(roofCorners(p)), CLAY * (0.7 + 0.5 * tone)));
-    part = nearer(part, Part(jar, CLAY * (0.95 + 0.2 * grain)));
-    part = nearer(part, Part(cornersDistance(wellCorners(q)), q.y > 0.83 ? IRON : STONE * (0.85 + 0.2 * grain)));
-    return leaf ? LEAF * (0.6 + 0.8 * grain) : part.colour;
+    vec3 stone = p.y > 0.83 ? IRON : STONE * (0.85 + 0.2 * grain);
+    vec3 clay = CLAY * (roof ? 0.7 + 0.5 * tone : 0.95 + 0.2 * grain);
+    vec3 made = jar || roof ? clay : (well ? stone : masonryColour(p, grain));
+    return leaf ? LEAF * (0.6 + 0.8 * grain) : made;
 }
 
 // ---- Where a ray ends ----
@@ -202,7 +193,7 @@ vec3 courtyardColour(vec3 p, float radius)
 struct Place {
     bool  open;   // nothing was met but the sky
     vec3  p;      // scene units
-    vec3  normal; // length 1
+    vec3  normal; // length 1; says nothing where it is open
     vec3  colour; // share of the light that comes back, linear RGB
     float radius; // of the pixel's footprint there, scene units
 };
@@ -222,7 +213,7 @@ Place courtyardPlaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
     bool onTrough = !hit.found && t < COURT_FAR, ground = p.y < COURT_SIDE - abs(p.x);
     vec2 width = 2.0 * radius * (1.0 + abs(ray.direction.xz / ray.direction.y));
     vec3 straight = ground ? vec3(0.0, 1.0, 0.0) : vec3(-sign(p.x), 0.0, 0.0);
-    vec3 normal = onTrough ? straight : normalAt(p, radius);
+    vec3 normal = hit.found ? normalAt(p, radius) : straight;
     if (onTrough) { // the views and the probe are told
         traceMarch(trace.steps, t, END_HIT);
         traceNormal(normal);

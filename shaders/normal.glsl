@@ -15,7 +15,7 @@ vec3 normalAt(vec3 p, float h)
     vec3 gradient = vec3(0.0);
     for (int i = 0; i < 6; i++) {
         float side = i < 3 ? 1.0 : -1.0;
-        vec3 axis = vec3(i % 3 == 0, i % 3 == 1, i % 3 == 2);
+        vec3 axis = vec3(i == 0 || i == 3, i == 1 || i == 4, i == 2 || i == 5);
         gradient += side * axis * distanceAt(p + side * h * axis);
     }
     float size = length(gradient);

@@ -2,6 +2,16 @@
 #include "random.glsl"
 #include "repetition.glsl"
 
+// How often one whole number is in another: a / b, rounded down.
+//   a, b     whole numbers, 0 <= a < 2^20, b >= 1
+//   formula  floor((a + 1/2) / b): the half keeps the quotient off whole numbers by 1 / (2 b), which is more
+//            than its rounding. Exact
+// A processor that draws divides whole numbers one by one, and floats eight at once.
+int wholeQuotient(int a, int b)
+{
+    return int((float(a) + 0.5) / float(b));
+}
+
 // Which of iSamples cells this sample takes, so that the samples of a pixel take all, each one.
 //   dimension  one for each thing that is sampled, >= 0: between two of them, and between pixels, the order
 //              differs
@@ -12,7 +22,8 @@
 int sampleCell(int dimension)
 {
     float turn = fract(cellRandom(ivec3(iPixel, 0)) + 0.618034 * float(dimension));
-    return (23 * iSample + int(turn * float(iSamples))) % iSamples;
+    int cell = 23 * iSample + int(turn * float(iSamples));
+    return cell - iSamples * wholeQuotient(cell, iSamples);
 }
 
 // A number of this sample between 0 and 1, one in each of iSamples equal parts: anywhere with one sample.
@@ -29,5 +40,6 @@ vec2 sampleSquare(int dimension)
 {
     int side = int(sqrt(float(iSamples)) + 0.5), cell = sampleCell(dimension);
     vec2 lot = iSamples > 1 ? vec2(pixelRandom(dimension), pixelRandom(dimension + 1)) : vec2(0.5);
-    return (vec2(cell % side, cell / side) + lot) / float(side);
+    int row = wholeQuotient(cell, side);
+    return (vec2(cell - side * row, row) + lot) / float(side);
 }
