@@ -34,7 +34,7 @@ double occlusion_share(occlusion_blocked blocked, const void *data, struct d3 no
 
 // ---- One scene ----
 
-// From a point (away, y) before a wall of a height, whose foot is at 0.
+// From a point (away, y) in front of a wall of a height, whose foot is at 0.
 static double wall_distance(double away, double y, double height)
 {
     return y < height ? away : hypot(away, y - height);
@@ -197,11 +197,11 @@ static void print_case(const char *words, struct occlusion_case scene)
 
 int occlusion_print(void)
 {
-    static const char *const formulas[] = {"nothing hides", "taps, strength 1/2", "taps",
+    static const char *const formulas[] = {"nothing hides", "taps at strength 1/2", "taps",
                                            "near taps count more", "steps / 32"};
-    print_case("0.3 before a wall 0.4 high", (struct occlusion_case){OCCLUSION_WALL, 0.4, 0.3});
+    print_case("0.3 from a wall 0.4 high", (struct occlusion_case){OCCLUSION_WALL, 0.4, 0.3});
     print_case("1 from a ball of radius 1", (struct occlusion_case){OCCLUSION_BALL, 1.0, 1.0});
-    print_case("0.1 before a wall 4 high", (struct occlusion_case){OCCLUSION_WALL, 4.0, 0.1});
+    print_case("0.1 from a wall 4 high", (struct occlusion_case){OCCLUSION_WALL, 4.0, 0.1});
     print_case("in a shaft 0.1 wide, 4 deep", (struct occlusion_case){OCCLUSION_SHAFT, 4.0, 0.1});
     printf("# share of the sky that is seen: formula less truth\n");
     printf("scene,formula,mean,mean of its size,worst\n");
