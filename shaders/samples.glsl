@@ -14,14 +14,14 @@ int wholeQuotient(int a, int b)
 
 // Which of iSamples cells this sample takes, so that the samples of a pixel take all, each one.
 //   dimension  one for each thing that is sampled, >= 0: between two of them, and between pixels, the order
-//              differs
+//              begins at another place, drawn by lot, so that the mean over pixels is right for pairs too
 //   returns    from 0 to iSamples - 1
 //   formula    (23 iSample + r) mod iSamples, r the pixel's and the dimension's own: a permutation, since no
 //              square number below 23^2 has a factor in common with 23. So neighbours within the pixel do not
 //              get neighbouring cells
 int sampleCell(int dimension)
 {
-    float turn = fract(cellRandom(ivec3(iPixel, 0)) + 0.618034 * float(dimension));
+    float turn = cellRandom(ivec3(iPixel, -1 - dimension)); // negative, for it must not be taken for a pixel's y
     int cell = 23 * iSample + int(turn * float(iSamples));
     return cell - iSamples * wholeQuotient(cell, iSamples);
 }

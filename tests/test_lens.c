@@ -15,7 +15,7 @@
 
 #define SHADER "tests/shaders/lens.frag"
 
-enum { RAYS, CONFUSION, CELLS, SQUARES, SHARES, OFFSETS };
+enum { RAYS, CONFUSION, CELLS, SQUARES, SHARES, PAIRS, OFFSETS };
 
 // A function of the shader with so many samples along each side of a pixel; the caller frees the
 // means.
@@ -122,6 +122,25 @@ static void samples_lie_in_their_cells(void **unused)
     }
 }
 
+// Two things that are sampled together, each in cells: over many pixels the mean is that of two lots. A
+// corner of the square below x + y = 1/2 is an eighth. With one lot alone in each of 4,096 pixels three
+// deviations would be 3 sqrt(7/64 / 4096) = 0.0155.
+static void pairs_are_sampled_without_bias(void **unused)
+{
+    (void)unused;
+    assert_true(gpu_load(SHADER));
+    const float none[4] = {0.0f};
+    for (int samples = 2; samples <= 8; samples++) {
+        float *values = means(64, 64, samples, PAIRS, none);
+        double sum[4] = {0.0};
+        for (int i = 0; i < 4 * 64 * 64; i++)
+            sum[i % 4] += (double)values[i] / 4096.0;
+        free(values);
+        for (int k = 0; k < 4; k++)
+            assert_true(fabs(sum[k] - 0.125) < 0.0155);
+    }
+}
+
 // ---- Filters ----
 
 static void shares_are_those_of_tent_and_gaussian(void **unused)
@@ -204,6 +223,7 @@ int main(void)
         cmocka_unit_test(a_point_out_of_focus_is_a_disc),
         cmocka_unit_test(every_cell_has_one_sample),
         cmocka_unit_test(samples_lie_in_their_cells),
+        cmocka_unit_test(pairs_are_sampled_without_bias),
         cmocka_unit_test(shares_are_those_of_tent_and_gaussian),
         cmocka_unit_test(filters_are_centred_and_as_wide_as_said),
     };

@@ -47,7 +47,11 @@ void main()
     } else if (function == 4) {
         float share = (number.x + 0.5) / 1024.0;
         FragColor = vec4(share, tentOffset(vec2(share, 0.5)).x, gaussianQuantile(share), tentOffset(vec2(share, 0.5)).y);
-    } else { // iMouse: kernel, jitter: mean and mean square of the offset, pixels
+    } else if (function == 5) // a share of two things sampled together: of the square's corner below x + y = 1/2
+        FragColor = vec4(lessThan(vec4(sampleSquare(2).x + sampleSquare(4).x, sampleSquare(4).y + sampleLine(6),
+                                       sampleSquare(2).y + sampleLine(6), sampleSquare(4).x + sampleSquare(7).x),
+                                  vec4(0.5)));
+    else { // iMouse: kernel, jitter: mean and mean square of the offset, pixels
         vec2 there = filteredScreen(screen, int(iMouse.x), iMouse.y > 0.5, 0);
         vec2 offset = 0.5 * (there * iResolution.y + iResolution.xy) - vec2(iPixel) - 0.5;
         FragColor = vec4(offset, offset * offset);
