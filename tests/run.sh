@@ -51,12 +51,13 @@ command_of() { # NAME
     fi
 }
 
-# End a suite that hangs. The turns of this loop are counted, not a clock's seconds: a machine that slept,
-# or was too busy for the loop, gave the suite no time either.
+# End a suite that hangs: that neither has a result nor has drawn a picture. The turns of this loop are
+# counted, not a clock's seconds: a machine that slept, or was too busy for the loop, gave the suite no time
+# either.
 end_when_quiet() { # GROUP FILE
     local quiet=0 before='' now
     while [ "$quiet" -lt "$limit" ] && sleep 1; do
-        now=$(grep -cE '^(not )?ok\>' "$2.tap")
+        now=$(grep -cE '^((not )?ok|# drawn)\>' "$2.tap")
         quiet=$((now == ${before:--1} ? quiet + 1 : 0)) before=$now
     done
     : >"$2.ended"

@@ -14,7 +14,7 @@ measured=01_normal_colouring-normal-error
 
 # Draw what each backend has to draw: a chapter's own pictures by the chapter's program, as people start it, all
 # others in one process, build/tests/draw, whose code is the programs'. Leaves NAME.BACKEND.png and, of the
-# others, a line of numbers each.
+# others, a line of numbers each; says which one is drawn, so that run.sh sees that the suite goes on.
 draw_by_program() { # NAME BACKEND
     local options
     options=$(sed -n "s/^$1 - //p" "$scratch/list")
@@ -24,7 +24,11 @@ draw_by_program() { # NAME BACKEND
 }
 draw_rest() { # BACKEND PART: every second one
     awk -v part="$2" '$2 != "-" && n++ % 2 == part { print $1 "-" $2 }' "$scratch/list" |
-        "$BUILD/tests/draw" "$1" "$scratch" >"$scratch/$1.$2.numbers" 2>"$scratch/$1.$2.errors"
+        "$BUILD/tests/draw" "$1" "$scratch" 2>"$scratch/$1.$2.errors" |
+        while read -r said; do
+            printf '%s\n' "$said" >&3
+            printf '# drawn by %s: %s\n' "$1" "${said#* }"
+        done 3>"$scratch/$1.$2.numbers"
 }
 
 # One picture through one backend, against its reference: prints a result.

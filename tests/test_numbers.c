@@ -153,7 +153,7 @@ static void a_probe_has_a_row_for_each_step(void **unused)
     probe_print(&probe, file);
     assert_string_equal(printed(file),
                         "step,t,distance,x,y,z\n0,0,1.5,1,2,3\n1,1.5,-0.25,4,5,6\n"
-                        "# miss: the steps ran out; steps: 2; steps of shadow "
+                        "# miss: the steps ran out; steps: 2; steps of further "
                         "rays: 69; evaluations of the scene: 346; colour: 7, 0, 255\n");
     other.steps = 0;
     other.all_steps = 0;
