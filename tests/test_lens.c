@@ -122,9 +122,9 @@ static void samples_lie_in_their_cells(void **unused)
     }
 }
 
-// Two things that are sampled together, each in cells: over many pixels the mean is that of two lots. A
-// corner of the square below x + y = 1/2 is an eighth. With one lot alone in each of 4,096 pixels three
-// deviations would be 3 sqrt(7/64 / 4096) = 0.0155.
+// Two things that are sampled together, each in cells: over many pixels the mean is that of two
+// lots. A corner of the square below x + y = 1/2 is an eighth. With one lot alone in each of 4,096
+// pixels three deviations would be 3 sqrt(7/64 / 4096) = 0.0155.
 static void pairs_are_sampled_without_bias(void **unused)
 {
     (void)unused;
