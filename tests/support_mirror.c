@@ -316,3 +316,11 @@ double mirror_lightness(struct d3 colour, enum mirror_vision vision)
     struct d3 lms = apply(cones, seen);
     return 0.2104542553 * cbrt(lms.x) + 0.7936177850 * cbrt(lms.y) - 0.0040720468 * cbrt(lms.z);
 }
+
+bool mirror_ball_blocks(struct d3 direction, const void *data)
+{
+    const struct mirror_ball *ball = data;
+    double along = d3_dot(ball->centre, direction);
+    double square = d3_dot(ball->centre, ball->centre) - along * along;
+    return along > 0.0 && square < ball->radius * ball->radius;
+}

@@ -107,6 +107,17 @@ struct mirror_scene {
     double (*function)(struct d3 p, int *nearest);
 };
 
+// A ball that may hide a lamp or a part of the sky.
+struct mirror_ball {
+    struct d3 centre; // from the place that looks, scene units
+    double radius;    // scene units, > 0
+};
+
+// Whether the ball is met in this direction.
+//   direction  of length 1
+//   data       a struct mirror_ball
+bool mirror_ball_blocks(struct d3 direction, const void *data);
+
 // The distance of a scene.
 //   nearest  receives the number of the nearest part; may be NULL
 double mirror_distance(const struct mirror_scene *scene, struct d3 p, int *nearest);

@@ -27,19 +27,6 @@ static const struct d3 up = {0.0, 1.0, 0.0};
 
 // ---- In closed form ----
 
-struct ball {
-    struct d3 centre;
-    double radius;
-};
-
-static bool ball_blocks(struct d3 direction, const void *data)
-{
-    const struct ball *ball = data;
-    double along = d3_dot(ball->centre, direction);
-    double square = d3_dot(ball->centre, ball->centre) - along * along;
-    return along > 0.0 && square < ball->radius * ball->radius;
-}
-
 // Over the horizon, cut by it, and under it.
 static void a_ball_hides_its_share_of_the_disc(void **unused)
 {
@@ -50,8 +37,8 @@ static void a_ball_hides_its_share_of_the_disc(void **unused)
         const float numbers[4] = {radii[k], 2.0f};
         float *values = gpu_call(SHADER, 65, 1, BALL, numbers);
         for (int i = 0; i < 65; i += 3) {
-            struct ball ball = {d3_of(values + 4 * i), (double)radii[k]};
-            double truth = 1.0 - occlusion_share(ball_blocks, &ball, up, GRID);
+            struct mirror_ball ball = {d3_of(values + 4 * i), (double)radii[k]};
+            double truth = 1.0 - occlusion_share(mirror_ball_blocks, &ball, up, GRID);
             worst = fmax(worst, fabs((double)values[4 * i + 3] - truth));
         }
         assert_true((double)values[4 * 64 + 3] == 0.0); // straight below

@@ -96,19 +96,6 @@ static void two_discs_overlap_in_a_lens(void **unused)
 
 // ---- Edges and balls in space ----
 
-struct ball {
-    struct d3 centre;
-    double radius;
-};
-
-static bool ball_blocks(struct d3 direction, const void *data)
-{
-    const struct ball *ball = data;
-    double along = d3_dot(ball->centre, direction);
-    double square = d3_dot(ball->centre, ball->centre) - along * along;
-    return along > 0.0 && square < ball->radius * ball->radius;
-}
-
 // Balls from a pea to a hill.
 static double worst_ball(float spread)
 {
@@ -119,8 +106,8 @@ static double worst_ball(float spread)
         const float numbers[4] = {spread, balls[k][0], balls[k][1]};
         float *values = gpu_call(SHADER, 65, 1, BALL, numbers);
         for (int i = 0; i < 65; i += 12) {
-            struct ball ball = {d3_of(values + 4 * i), (double)balls[k][0]};
-            double truth = shadow_share(ball_blocks, &ball, to_light, (double)spread, GRID);
+            struct mirror_ball ball = {d3_of(values + 4 * i), (double)balls[k][0]};
+            double truth = shadow_share(mirror_ball_blocks, &ball, to_light, (double)spread, GRID);
             worst = fmax(worst, fabs((double)values[4 * i + 3] - truth));
         }
         free(values);
@@ -221,10 +208,10 @@ static void the_mean_of_the_rays_is_what_is_seen(void **unused)
             sum += (double)values[4 * i];
             squares += (double)values[4 * i] * (double)values[4 * i];
         }
-        struct ball ball = {d3_of(values + 1), 0.4};
+        struct mirror_ball ball = {d3_of(values + 1), 0.4};
         double mean = sum / POINTS, variance = squares / POINTS - mean * mean;
         double error = sqrt(variance / POINTS);
-        double truth = shadow_share(ball_blocks, &ball, to_light, 0.08, GRID);
+        double truth = shadow_share(mirror_ball_blocks, &ball, to_light, 0.08, GRID);
         free(values);
         print_message("# %d rays: %.4f of %.4f, %.2f sigma of %.4f\n", side * side, mean, truth,
                       (mean - truth) / error, error);
