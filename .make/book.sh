@@ -10,7 +10,7 @@ mkdir -p "$folder" || exit 1
 
 # The order of the book: how to read it, the chapters, what stands behind them, how the house is built.
 pages=() files=()
-for page in docs/README.md docs/[0-9][0-9]_*.md docs/{using,benchmark,errata,errata_workshop,glossary,teaching,architecture,contributing}.md; do
+for page in docs/README.md docs/[0-9][0-9]_*.md docs/{using,benchmark,errata,errata_workshop,errata_sky,glossary,teaching,architecture,contributing}.md; do
     [ ! -e "$page" ] || pages+=("$page")
 done
 
