@@ -87,7 +87,7 @@ endif
 SOURCES := $(sort $(shell find common -name '*.c'))
 ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,common/context/$(name).c))
 ABSENT += $(if $(filter glfw,$(BACKENDS)),common/window/none.c,$(filter-out %/none.c %/watch.c,$(filter common/window/%,$(SOURCES))))
-COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES)))
+COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
 PROGRAMS := $(STEMS:%=$(BUILD)/%)
@@ -140,6 +140,15 @@ $(BUILD)/tests/test_paint: $(PAINT)
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call say,$(CC) $<) $(CC) $(COMPILE) -MMD -MP -c -o $@ $<
+
+# The overlay's font, as numbers of a C array.
+$(BUILD)/common/picture/font.c: common/picture/font/DejaVuSansCondensed.ttf
+	@mkdir -p $(@D)
+	$(call say,od $<) (echo '#include "picture/letters.h"'; echo 'const unsigned char letters_font[] = {'; \
+	    od -An -v -tu1 $< | sed 's/ *\([0-9][0-9]*\)/\1,/g'; echo '};') > $@
+
+$(BUILD)/common/picture/font.o: $(BUILD)/common/picture/font.c $(BUILD)/flags
+	$(call say,$(CC) $<) $(CC) $(COMPILE) -c -o $@ $<
 
 # Everything is compiled again when the compiler, the flags or what the machine has change.
 $(BUILD)/flags: always

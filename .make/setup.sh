@@ -78,8 +78,8 @@ need_run() {
     need 'the Mesa software renderer' 'libgl1-mesa-dri|mesa-dri-drivers|mesa|-' has_driver
     need 'libpng' 'libpng-dev|libpng-devel|libpng|libpng' has_library libpng
     need 'cglm' 'libcglm-dev|cglm-devel|cglm|cglm' has_library cglm
-    need 'stb_easy_font (the letters of the overlay)' 'libstb-dev|stb_easy_font-devel|stb|-' \
-        has_header stb/stb_easy_font.h
+    need 'stb_truetype (the letters of the overlay)' 'libstb-dev|stb_truetype-devel|stb|-' \
+        has_header stb/stb_truetype.h
     # Gone from Mesa 25.1 on: the programs do without it.
     has_library osmesa >/dev/null 2>&1 ||
         extra=$(names_here 'libosmesa6-dev|mesa-libOSMesa-devel|-|-')

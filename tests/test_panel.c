@@ -1,5 +1,5 @@
 // test_panel.c - what the overlay says, word for word, and that it keeps to its place: no picture
-// is drawn here, the boxes that letters are made of are compared.
+// is drawn here, letters and their places are compared.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -34,13 +34,14 @@ static int close_overlay(void **unused)
     return 0;
 }
 
-// Do the boxes of a text stand at a place of the list, all moved by the same way?
+// Do the letters of a text stand at a place of the list, all moved by the same way?
 static bool stands_at(const struct overlay_rectangle *text, int count,
                       const struct overlay_rectangle *place)
 {
     float right = place->left - text->left, down = place->top - text->top;
     for (int i = 0; i < count; i++)
-        if (fabsf(place[i].left - text[i].left - right) > 0.01f ||
+        if (place[i].letter != text[i].letter ||
+            fabsf(place[i].left - text[i].left - right) > 0.01f ||
             fabsf(place[i].right - text[i].right - right) > 0.01f ||
             fabsf(place[i].top - text[i].top - down) > 0.01f ||
             fabsf(place[i].bottom - text[i].bottom - down) > 0.01f)

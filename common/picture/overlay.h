@@ -10,9 +10,10 @@
 #include <stddef.h>
 
 #include "context/gl.h"
+#include "picture/letters.h"
 
 #define OVERLAY_LINE          12.0f // units from one line of text to the next
-#define OVERLAY_TEXT          200   // characters of one line of text; more are left out
+#define OVERLAY_TEXT          200   // bytes of one line of text; more are left out
 #define OVERLAY_SCALE_MINIMUM 0.5
 #define OVERLAY_SCALE_MAXIMUM 8.0
 
@@ -21,19 +22,21 @@ struct overlay_colour {
     unsigned char channel[4];
 };
 
-// One axis-parallel box.
+// One axis-parallel box, or the room of one letter in its line.
 struct overlay_rectangle {
     float left, top, right, bottom; // units
     struct overlay_colour colour;
+    uint32_t letter; // its code; 0 for a box
 };
 
 struct overlay {
     const struct gl *gl;
-    GLuint program, vertex_array, buffer;
+    GLuint program, vertex_array, buffer, texture;
     float scale;                         // pixels in a unit
     int width, height;                   // of the picture, pixels
-    struct overlay_rectangle *rectangle; // owned: this frame's boxes, a letter being several
+    struct overlay_rectangle *rectangle; // owned: this frame's boxes and letters
     int count;
+    struct letters *letters; // owned: the images that texture holds
 };
 
 // Compile the small program that draws boxes.
@@ -52,8 +55,8 @@ float overlay_scale_of(int height);
 //   scale          pixels in a unit, OVERLAY_SCALE_MINIMUM to OVERLAY_SCALE_MAXIMUM
 void overlay_begin(struct overlay *overlay, int width, int height, float scale);
 
-// Add a box, or one line of text whose top left is at a place. ASCII is drawn; another character
-// becomes '?'.
+// Add a box, or one line of text in UTF-8 whose top left is at a place. What the font has not is
+// drawn as an empty frame, what is no text as letters_next says.
 void overlay_box(struct overlay *overlay, float left, float top, float width, float height,
                  struct overlay_colour colour);
 void overlay_text(struct overlay *overlay, float left, float top, const char *text,

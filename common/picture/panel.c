@@ -160,7 +160,7 @@ static void lay_chapter(const struct panel *panel, float limit, float bottom,
     float texts = larger(overlay_width(form->status), overlay_width(form->last));
     texts = larger(texts, overlay_width(form->textures));
     texts = 20.0f * ceilf(larger(overlay_width(panel->title), texts) / 20.0f);
-    form->width = larger(texts, table);
+    form->width = ceilf(larger(texts, table));
     form->lines = 2.0f + (parameters->count > 0 ? 0.5f : 0.0f) + (form->ranges ? 0.0f : 1.0f) +
                   (form->last[0] != '\0' ? 1.5f : 0.0f) + (form->textures[0] != '\0' ? 1.0f : 0.0f);
     int room =
@@ -226,6 +226,7 @@ static int lay_keys(const struct panel *panel, const struct pen *pen, float limi
         *widest = larger(*widest, at + width);
         at += width + GAP;
     }
+    *widest = ceilf(*widest);
     return lines;
 }
 

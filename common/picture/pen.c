@@ -36,19 +36,19 @@ void pen_rule(struct pen *pen, float width)
 
 bool pen_next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1])
 {
-    size_t length = 0, end = strcspn(*text, "\n");
-    if (**text == '\0')
+    const char *begin = *text, *at = begin;
+    float width = 0.0f;
+    if (*begin == '\0')
         return false;
-    do {
-        line[length] = (*text)[length];
-        line[++length] = '\0';
-    } while (length < end && length < OVERLAY_TEXT && overlay_width(line) < limit);
-    if (end == 0)
-        line[0] = '\0';
-    else if (length < end || overlay_width(line) > limit)
-        line[length > 1 ? --length : length] = '\0';
-    *text += end == 0 ? 1 : length;
-    if (end > 0 && **text == '\n')
-        (*text)++;
+    while (*at != '\0' && *at != '\n') {
+        const char *behind = at;
+        width += letters_advance(letters_next(&behind));
+        if (behind - begin > OVERLAY_TEXT || (width > limit && at > begin))
+            break;
+        at = behind;
+    }
+    memcpy(line, begin, (size_t)(at - begin));
+    line[at - begin] = '\0';
+    *text = *at == '\n' ? at + 1 : at;
     return true;
 }

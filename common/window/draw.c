@@ -57,14 +57,16 @@ bool window_uses_time(const struct window *window)
 
 // ---- Keys ----
 
-// The label of a key that GLFW names by the American keyboard, where it can be written in ASCII.
+// What stands on a key that GLFW names by the American keyboard: é on the digits of a French one.
 static void label_of(const struct window *window, int key, char label[8])
 {
+    const char american[] = {(char)key, '\0'};
     const char *name = window->has_keyboard ? glfwGetKeyName(key, 0) : NULL;
-    bool plain = name != NULL && name[0] > ' ' && name[0] <= '~' && name[1] == '\0';
-    char letter = (char)(plain ? toupper((unsigned char)name[0]) : key);
-    snprintf(label, 8, isalnum((unsigned char)letter) ? "%c" : "\"%c\"",
-             letter); // a comma is easily missed
+    if (name == NULL || name[0] == '\0' || strlen(name) > 4)
+        name = american;
+    unsigned char letter = (unsigned char)name[0];
+    bool sign = name[1] == '\0' && !isalnum(letter); // a comma is easily missed
+    snprintf(label, 8, sign ? "\"%c%s\"" : "%c%s", toupper(letter), name + 1);
 }
 
 static void add_key(struct window *window, const char *does, const char *label)
@@ -87,6 +89,7 @@ static void add_letter(struct window *window, const char *does, int key)
 static void name_keys(struct window *window)
 {
     static const int moves[] = {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_C};
+    static const int views[] = {GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3, GLFW_KEY_4, GLFW_KEY_5};
     const struct parameters *parameters = &window->renderer->parameters;
     char l[5][8], text[64];
     for (int i = 0; i < 5; i++)
@@ -101,10 +104,13 @@ static void name_keys(struct window *window)
     add_letter(window, "mouse look", GLFW_KEY_M);
     add_key(window, "ray", "click");
     add_key(window, "zoom", "wheel");
-    add_key(window, "view", "1 2 3 4 5");
+    for (int i = 0; i < 5; i++)
+        label_of(window, views[i], l[i]);
+    snprintf(text, sizeof text, "%s %s %s %s %s", l[0], l[1], l[2], l[3], l[4]);
+    add_key(window, "view", text);
     if (parameters->count > 0) {
-        add_key(window, "choose", "up down");
-        add_key(window, "change", "left right");
+        add_key(window, "choose", "↑ ↓");
+        add_key(window, "change", "← →");
         add_key(window, "reset", "Home");
     }
     if (window_has_orthographic(window))

@@ -1,0 +1,113 @@
+#include "picture/letters.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#define STBTT_STATIC
+#define STB_TRUETYPE_IMPLEMENTATION
+#include <stb/stb_truetype.h>
+
+#include "memory.h"
+
+struct letters_known {
+    uint32_t code;
+    int phase;
+    struct letter letter;
+};
+
+static const stbtt_fontinfo *font(void)
+{
+    static stbtt_fontinfo info;
+    if (info.data == NULL)
+        stbtt_InitFont(&info, letters_font, 0);
+    return &info;
+}
+
+uint32_t letters_next(const char **text)
+{
+    static const uint32_t least[] = {0, 0x80, 0x800, 0x10000};
+    const unsigned char *at = (const unsigned char *)*text;
+    int more = at[0] < 0x80       ? 0
+               : at[0] >> 5 == 6  ? 1
+               : at[0] >> 4 == 14 ? 2
+               : at[0] >> 3 == 30 ? 3
+                                  : -1;
+    uint32_t code = more <= 0 ? at[0] : at[0] & (0x3Fu >> more);
+    int taken = 1;
+    while (taken <= more && at[taken] >> 6 == 2)
+        code = code << 6 | (at[taken++] & 0x3Fu);
+    *text += taken;
+    if (more < 0 || taken <= more || code < least[more] || code > 0x10FFFF || code >> 11 == 0x1B)
+        return 0xFFFD;
+    return code == '\t' ? ' ' : code < ' ' || (code >= 0x7F && code < 0xA0) ? 0xFFFD : code;
+}
+
+float letters_advance(uint32_t code)
+{
+    int advance, bearing;
+    stbtt_GetCodepointHMetrics(font(), (int)code, &advance, &bearing);
+    return stbtt_ScaleForMappingEmToPixels(font(), LETTERS_EM) * (float)advance;
+}
+
+void letters_begin(struct letters *letters, float scale)
+{
+    if (letters->scale == scale)
+        return;
+    letters->count = 0;
+    letters->right = letters->top = letters->bottom = 0;
+    letters->scale = scale;
+}
+
+// Find room for an image, with a free pixel right of it and below it.
+static void place(struct letters *letters, struct letter *letter)
+{
+    enum { MORE_ROWS = 128 };
+    if (letters->right + letter->width + 1 > LETTERS_ROW) {
+        letters->right = 0;
+        letters->top = letters->bottom;
+    }
+    letter->x = letters->right;
+    letter->y = letters->top;
+    letters->right += letter->width + 1;
+    if (letters->bottom < letter->y + letter->height + 1)
+        letters->bottom = letter->y + letter->height + 1;
+    if (letters->bottom > letters->rows) {
+        unsigned char *before = letters->pixel;
+        letters->pixel = memory_zeros((size_t)(letters->bottom + MORE_ROWS), LETTERS_ROW);
+        if (before != NULL)
+            memcpy(letters->pixel, before, (size_t)letters->rows * LETTERS_ROW);
+        letters->rows = letters->bottom + MORE_ROWS;
+        free(before);
+    }
+}
+
+const struct letter *letters_find(struct letters *letters, uint32_t code, int phase)
+{
+    for (int i = 0; i < letters->count; i++)
+        if (letters->known[i].code == code && letters->known[i].phase == phase)
+            return &letters->known[i].letter;
+    float size = stbtt_ScaleForMappingEmToPixels(font(), LETTERS_EM * letters->scale);
+    float shift = (float)phase / LETTERS_PHASES;
+    struct letters_known new = {.code = code, .phase = phase};
+    struct letter *letter = &new.letter;
+    int right, bottom;
+    stbtt_GetCodepointBitmapBoxSubpixel(font(), (int)code, size, size, shift, 0.0f, &letter->left,
+                                        &letter->top, &right, &bottom);
+    letter->width = right - letter->left;
+    letter->height = bottom - letter->top;
+    place(letters, letter);
+    stbtt_MakeCodepointBitmapSubpixel(
+        font(), letters->pixel + (size_t)letter->y * LETTERS_ROW + letter->x, letter->width,
+        letter->height, LETTERS_ROW, size, size, shift, 0.0f, (int)code);
+    letters->known = memory_row(letters->known, letters->count, sizeof *letters->known);
+    letters->known[letters->count] = new;
+    letters->grown = true;
+    return &letters->known[letters->count++].letter;
+}
+
+void letters_close(struct letters *letters)
+{
+    free(letters->pixel);
+    free(letters->known);
+    *letters = (struct letters){0};
+}
