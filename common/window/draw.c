@@ -57,16 +57,22 @@ bool window_uses_time(const struct window *window)
 
 // ---- Keys ----
 
-// What stands on a key that GLFW names by the American keyboard: é on the digits of a French one.
+// What stands on a key that GLFW names by the American keyboard: é on the 2 of a French one.
+static void name_of(const struct window *window, int key, char name[8])
+{
+    const char *text = window->has_keyboard ? glfwGetKeyName(key, 0) : NULL;
+    if (text == NULL || text[0] == '\0' || strlen(text) > 4)
+        text = (const char[]){(char)key, '\0'};
+    snprintf(name, 8, "%c%s", toupper((unsigned char)text[0]), text + 1);
+}
+
+// The same where it stands alone: a comma is easily missed.
 static void label_of(const struct window *window, int key, char label[8])
 {
-    const char american[] = {(char)key, '\0'};
-    const char *name = window->has_keyboard ? glfwGetKeyName(key, 0) : NULL;
-    if (name == NULL || name[0] == '\0' || strlen(name) > 4)
-        name = american;
-    unsigned char letter = (unsigned char)name[0];
-    bool sign = name[1] == '\0' && !isalnum(letter); // a comma is easily missed
-    snprintf(label, 8, sign ? "\"%c%s\"" : "%c%s", toupper(letter), name + 1);
+    char name[8];
+    name_of(window, key, name);
+    bool sign = name[1] == '\0' && !isalnum((unsigned char)name[0]);
+    snprintf(label, 8, sign ? "\"%.4s\"" : "%.4s", name);
 }
 
 static void add_key(struct window *window, const char *does, const char *label)
@@ -105,7 +111,7 @@ static void name_keys(struct window *window)
     add_key(window, "ray", "click");
     add_key(window, "zoom", "wheel");
     for (int i = 0; i < 5; i++)
-        label_of(window, views[i], l[i]);
+        name_of(window, views[i], l[i]);
     snprintf(text, sizeof text, "%s %s %s %s %s", l[0], l[1], l[2], l[3], l[4]);
     add_key(window, "view", text);
     if (parameters->count > 0) {
