@@ -33,7 +33,7 @@ float sceneDistance(vec3 p)
     return min(courtyardDistance(p), trough);
 }
 
-// An overcast sky, three times as bright above as at the horizon.
+// An overcast sky, nearly three times as bright above as at the horizon.
 vec3 skyLight(vec3 direction)
 {
     float up = max(direction.y, 0.0);

@@ -110,8 +110,8 @@ float tapHeight(int k, float reach)
 //            walled round, 1/2 for one beside a single wall
 //   formula  1 - strength times the mean of 1 - d_k / h_k, each in [0, 1], h_k = tapHeight, d_k = the scene's
 //            distance at place + h_k normal; never less than 0
-//   returns  1 where no tap has anything nearer than the surface itself: an open plane, a ball, and all else
-//            that is convex and alone. A guess: neither bound of the openness
+//   returns  1 where no tap has anything nearer than the surface itself: with an exact distance an open plane,
+//            a ball, and all else that is convex and alone. A guess: neither bound of the openness
 // Source: after A. Evans, 'Fast approximations for global illumination on dynamic scenes', SIGGRAPH 2006.
 float openByTaps(vec3 place, vec3 normal, float reach, float strength)
 {
@@ -130,8 +130,8 @@ float openByTaps(vec3 place, vec3 normal, float reach, float strength)
 //   colour   share of the light that those things send back, in [0, 1] per channel
 //   bounces  0: the sky's light alone; 1: with what was sent back once; 2: however often
 //   returns  light, where an open floor has 1
-//   formula  open, open (1 + b), or open / (1 - b), b = colour (1 - open). The last is 1 where colour is 1,
-//            whatever is open; exact in a hollow ball with a hole
+//   formula  open, open (1 + b), or open / (1 - b), b = colour (1 - open). The last is 1 where colour is 1 and
+//            open at least 1e-6, and 0 where open is 0; exact in a hollow ball with a hole
 vec3 skyAndBounces(float open, vec3 colour, int bounces)
 {
     vec3 back = colour * (1.0 - open);

@@ -1,5 +1,6 @@
 // Experiment of chapter 14: the white furnace. Everything is white and sends back all the light that it gets, under a sky of
-// light 1. Then everything must look as bright as the sky, and nothing can be seen. Blue: too dark; orange: too light.
+// light 1. Then everything must look as bright as the sky, and nothing can be seen. Blue: too dark; orange, three times as
+// strong: too light.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"
@@ -16,5 +17,5 @@ vec3 rayColour(Ray ray)
     float light = skyAndBounces(open, vec3(1.0), min(sum, 2)).x;
     light = sum == 3 ? open * (2.0 - open) + 1.0 - openOverGround(place.normal) : light;
     float off = place.open ? 0.0 : light - 1.0;
-    return encodeSRGB(mix(vec3(0.9), off < 0.0 ? DARKER : LIGHTER, min(abs(off), 1.0)));
+    return encodeSRGB(mix(vec3(0.9), off < 0.0 ? DARKER : LIGHTER, min(max(-off, 3.0 * off), 1.0)));
 }

@@ -1,17 +1,20 @@
 // Experiment of chapter 14: a level floor beside four things: a wall, a groove between two walls, a thin bar, a ball that
 // lies on it. In each field the floor's point moves from left to right, and from bottom to top the thing grows: the wall and
-// the groove's walls in height, the bar upwards, the ball in radius. The rows: the share of the sky that is seen, in closed
-// form; five taps; what is wrong with these: blue too dark, orange too light.
+// the groove's walls in height, the bar upwards, the ball in radius. The rows: A, the share of the sky that is seen, in closed
+// form; T, five taps; T - A: blue too dark, orange too light. Over each column its thing stands in section.
 #include "main.glsl"
 #include "lighting.glsl"
 #include "occlusion.glsl"
+#include "plane.glsl"
 #include "primitives.glsl"
 
 uniform float reach;    // 1 in [0.1, 10] step *1.2, scene units: height of the last tap
 uniform float strength; // 1 in [0, 2] step 0.05: how much a tap takes
 
 const float HALF_GROOVE = 0.6, BAR = 0.05;   // half the groove's width, the bar's radius, scene units
+const vec2  MARGIN = vec2(0.24, 0.26), FIELD = (vec2(32.0 / 9.0, 2.0) - MARGIN) / vec2(4.0, 3.0); // of the screen
 const vec3  UP = vec3(0.0, 1.0, 0.0);
+const vec3  INK = vec3(0.05, 0.06, 0.08);
 const vec3  DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02);
 
 int   thing; // 0 wall, 1 groove, 2 bar, 3 ball
@@ -45,9 +48,20 @@ float truth(float x)
     return thing == 0 ? openBeforeWall(x, size) : (thing == 1 ? left + right - 1.0 : (thing == 2 ? bar : ball));
 }
 
+// The letters of a row: A, T or T - A. Their middle is at 0, and they are 2 high.
+float lettersDistance(vec2 q, int row)
+{
+    vec2 a = vec2(abs(q.x - (row == 2 ? 1.5 : 0.0)), q.y), t = vec2(abs(q.x + (row == 2 ? 1.5 : 0.0)), q.y);
+    float letterA = min(sdSegment(a, vec2(0.0, 1.0), vec2(0.75, -1.0)), sdSegment(a, vec2(0.0, -0.3), vec2(0.5, -0.3)));
+    float letterT = min(sdSegment(t, vec2(0.0, 1.0), vec2(0.75, 1.0)), sdSegment(t, vec2(0.0, 1.0), vec2(0.0, -1.0)));
+    float minus = sdSegment(q, vec2(-0.35, 0.0), vec2(0.35, 0.0));
+    return row == 0 ? letterA : (row == 1 ? letterT : min(min(letterA, letterT), minus));
+}
+
 vec3 rayColour(Ray ray)
 {
-    float column = (ray.origin.x + 16.0 / 9.0) * 9.0 / 8.0, row = 1.5 * (1.0 - ray.origin.y); // 4 and 3 of them
+    vec2 corner = vec2(ray.origin.x + 16.0 / 9.0, 1.0 - ray.origin.y) - MARGIN; // from the upper left field's
+    float column = corner.x / FIELD.x, row = corner.y / FIELD.y; // 4 and 3 of them
     float along = fract(column), grown = 1.0 - fract(row);
     thing = clamp(int(column), 0, 3);
     size = thing < 2 ? 0.05 + 1.5 * grown : (thing == 2 ? 0.1 + 0.9 * grown : 0.05 + 0.55 * grown);
@@ -56,5 +70,12 @@ vec3 rayColour(Ray ray)
     vec3 stone = mix(vec3(0.10, 0.11, 0.13), vec3(0.93, 0.90, 0.84), row < 1.0 ? right : quick);
     vec3 wrong = mix(vec3(0.9), off < 0.0 ? DARKER : LIGHTER, min(2.0 * abs(off), 1.0));
     vec2 edge = min(fract(vec2(column, row)), 1.0 - fract(vec2(column, row)));
-    return encodeSRGB(min(edge.x, edge.y) < 0.012 ? vec3(1.0) : (row < 2.0 ? stone : wrong));
+    vec3 field = min(edge.x, edge.y) < 0.012 ? vec3(1.0) : (row < 2.0 ? stone : wrong);
+    size = 0.24;
+    float wide = thing == 0 ? 1.5 : (thing == 1 ? 2.0 * HALF_GROOVE : 2.4), scale = wide / FIELD.x;
+    float section = sceneDistance(vec3(x, -scale * (corner.y + 0.05), 0.0)) / scale;
+    float letters = 0.04 * lettersDistance(vec2(corner.x + 0.5 * MARGIN.x, (floor(row) + 0.5) * FIELD.y - corner.y) / 0.04, int(row));
+    float drawn = corner.x < 0.0 ? letters : section;
+    bool margin = corner.x < 0.0 || corner.y < 0.0, inked = max(corner.x, corner.y) > 0.0 && drawn < 0.008;
+    return encodeSRGB(margin ? (inked ? INK : vec3(1.0)) : field);
 }
