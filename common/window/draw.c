@@ -60,9 +60,10 @@ bool window_uses_time(const struct window *window)
 // What stands on a key that GLFW names by the American keyboard: é on the 2 of a French one.
 static void name_of(const struct window *window, int key, char name[8])
 {
+    const char american[] = {(char)key, '\0'};
     const char *text = window->has_keyboard ? glfwGetKeyName(key, 0) : NULL;
     if (text == NULL || text[0] == '\0' || strlen(text) > 4)
-        text = (const char[]){(char)key, '\0'};
+        text = american;
     snprintf(name, 8, "%c%s", toupper((unsigned char)text[0]), text + 1);
 }
 
