@@ -68,6 +68,20 @@ static void a_scale_is_straight_in_light(void **state)
     }
 }
 
+// ---- Real arithmetic ----
+
+static void the_exponential_is_that_of_the_library(void **state)
+{
+    (void)state;
+    for (int i = -70000; i <= 70000; i++) {
+        double x = i / 100.0 + 1e-4 * (i % 7), exact = exp(x);
+        assert_true(x > 700.0 || x < -700.0 || fabs(paint_exp(x) - exact) <= 1e-14 * exact);
+    }
+    assert_true(paint_exp(0.0) == 1.0);
+    assert_true(paint_exp(-1e4) == 0.0);
+    assert_true(paint_exp(1e4) == paint_exp(700.0));
+}
+
 // ---- Chance ----
 
 // Each bit that is turned in what goes in turns each bit that comes out in about half of the cases:
@@ -273,10 +287,26 @@ static void assert_plain(const char *path)
     assert_int_equal(head[28], 0);
 }
 
+// A table ends where it ends: its program says in its first comment that it is read with clamp.
+static bool is_clamped(const char *path)
+{
+    char source[256], line[256];
+    snprintf(source, sizeof source, "%.*s.c", (int)(strlen(path) - strlen(".png")), path);
+    FILE *file = fopen(source, "r");
+    assert_non_null(file);
+    bool clamped = false;
+    while (fgets(line, sizeof line, file) != NULL && strncmp(line, "//", 2) == 0)
+        clamped = clamped || strstr(line, " clamp") != NULL;
+    fclose(file);
+    return clamped;
+}
+
 static void look_at(const char *path)
 {
     struct image image;
     assert_plain(path);
+    if (is_clamped(path))
+        return;
     assert_true(image_read_png(&image, path));
     for (int axis = 0; axis < 3; axis++)
         if (!repeats(&image, axis))
@@ -313,6 +343,7 @@ int main(void)
         cmocka_unit_test(colours_are_decoded_as_srgb_says),
         cmocka_unit_test(a_light_becomes_the_nearest_byte),
         cmocka_unit_test(a_scale_is_straight_in_light),
+        cmocka_unit_test(the_exponential_is_that_of_the_library),
         cmocka_unit_test(every_bit_matters),
         cmocka_unit_test(random_numbers_are_even),
         cmocka_unit_test(patterns_have_the_period_1),

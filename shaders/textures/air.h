@@ -1,0 +1,70 @@
+// air.h - the light of a clear sky: sunlight that the air of a round Earth scatters once. It draws
+// nothing: the tables sky_sunward, sky_away and sun_halo are made of it.
+//
+// Light is in the unit of the course's skies: 1 is 4,000 cd/m^2, and a lamp's light on a surface is
+// given as what a white matt surface across its rays sends on. Colours are linear sRGB. Heights are
+// given by their sine.
+#ifndef AIR_H
+#define AIR_H
+
+// What the air sends towards an eye at sea level, each kind without the share that its angle of
+// scattering has: multiply by air_rayleigh_phase and air_dust_phase, and add.
+struct air_light {
+    double air[3];  // scattered by molecules
+    double dust[3]; // scattered by dust and droplets
+};
+
+// The scattered light of a direction: an integral along it, of what is scattered at each place,
+// dimmed on the way there and on the way to the eye, added up over 16 wavelengths.
+//   sun      sine of the sun's height, in [-1, 1]; no light comes through the Earth
+//   view     sine of the direction's height, in [0, 1]
+//   azimuth  cosine of the angle between the two in the level plane, in [-1, 1]: 1 below or above
+//   the sun ozone    of 300 Dobson units: 1; 0 leaves it out
+struct air_light air_scattered(double sun, double view, double azimuth, double ozone);
+
+// The sun's light on a surface across its rays, after the air; unrefracted.
+//   sun      sine of its height; 0 where the Earth is in the way
+void air_sunlight(double sun, double colour[3]);
+
+// ---- The tables ----
+
+// A table has a column for each height of the sun and two storeys of rows: below for what the air
+// scatters, above for the dust, in each a row for each height of the direction.
+// shaders/sky_table.glsl reads it.
+enum { AIR_COLUMNS = 128, AIR_ROWS = 64 };
+
+// Where a sine lies in a table: x from -1 to 1, drawn out round 0 by 1 / k.
+//   formula  the x with x (k + (1 - k) |x|) = sine
+double air_drawn_out(double sine, double k);
+
+// The sine that lies at x: the inverse.
+double air_drawn_back(double x, double k);
+
+// k for the sun's height and for the direction's; the lowest sun of a table.
+#define AIR_SUN_WIDTH  0.15
+#define AIR_VIEW_WIDTH 0.05
+#define AIR_LOWEST_SUN (-0.28)
+
+// How much light a table's number 1 is: a smooth function of the sun's height and of the row, the
+// same in shaders/sky_table.glsl.
+//   sun   sine of its height
+//   row   of the direction's height: air_drawn_out of its sine, 0 to 1
+struct air_scale {
+    double air, dust;
+};
+struct air_scale air_scale(double sun, double row);
+
+// A table's colour at a point of it, for paint_texture.
+//   azimuth  1 for the half of the sky that holds the sun, -1 for the other one
+void air_table(double u, double v, double azimuth, double value[3]);
+
+// The table of the sun: a column for each distance from its middle, in radii of the sun, from 0 to
+// SUN_REACH as the square of the column's place; a row for each height of what is seen, from 0
+// to 1.
+enum { SUN_COLUMNS = 64, SUN_ROWS = 64 };
+#define SUN_REACH 12.0
+
+// The disc and its halo at a point of the table, for paint_texture.
+void air_sun_table(double u, double v, double value[3]);
+
+#endif

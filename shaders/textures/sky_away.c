@@ -1,0 +1,15 @@
+// The light of a clear sky in the half that lies away from the sun, along its middle: a table by
+// the sun's height and by the direction's, as air.h says. Read with sRGB and clamp, it is linear
+// light in shares of a scale.
+#include "air.h"
+#include "paint.h"
+
+static void table(double u, double v, double value[3])
+{
+    air_table(u, v, -1.0, value);
+}
+
+int main(void)
+{
+    return paint_texture(AIR_COLUMNS, 2 * AIR_ROWS, 1, PAINT_COLOUR, table);
+}

@@ -1,0 +1,10 @@
+// The sun's disc and the halo of coarse dust round it: a table by the distance from the sun's
+// middle and by the height above the horizon, as air.h says. Read with sRGB and clamp, it is linear
+// light in shares of a scale.
+#include "air.h"
+#include "paint.h"
+
+int main(void)
+{
+    return paint_texture(SUN_COLUMNS, SUN_ROWS, 1, PAINT_COLOUR, air_sun_table);
+}
