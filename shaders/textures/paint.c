@@ -215,11 +215,12 @@ static void draw_row(const struct picture *picture, int y, unsigned char *row)
     for (int x = 0; x < picture->width; x++) {
         double mean[3];
         draw_pixel(picture, x, y, mean);
-        if (picture->kind == PAINT_NUMBER)
-            row[x] = (unsigned char)(fmin(fmax(mean[0], 0.0), 1.0) * 255.0 + 0.5);
-        else
-            for (int c = 0; c < 3; c++)
-                row[3 * x + c] = paint_byte(mean[c]);
+        int channels = picture->kind == PAINT_NUMBER ? 1 : 3;
+        for (int c = 0; c < channels; c++)
+            row[channels * x + c] =
+                picture->kind == PAINT_COLOUR
+                    ? paint_byte(mean[c])
+                    : (unsigned char)(fmin(fmax(mean[c], 0.0), 1.0) * 255.0 + 0.5);
     }
 }
 
@@ -236,13 +237,12 @@ int paint_texture(int width, int height, int samples, enum paint_kind kind,
         png_destroy_write_struct(&png, &info);
         return EXIT_FAILURE;
     }
-    bool colour = kind == PAINT_COLOUR;
     png_init_io(png, stdout);
     png_set_compression_level(png, 9);
     png_set_IHDR(png, info, (png_uint_32)width, (png_uint_32)height, 8,
-                 colour ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY, PNG_INTERLACE_NONE,
-                 PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
-    if (colour)
+                 kind == PAINT_NUMBER ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
+                 PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
+    if (kind == PAINT_COLOUR)
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
     for (int y = 0; y < height; y++) {

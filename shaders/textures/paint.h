@@ -15,7 +15,8 @@
 
 enum paint_kind {
     PAINT_COLOUR, // three numbers, linear light in [0, 1]; stored as sRGB
-    PAINT_NUMBER  // one number in [0, 1]; stored as it is
+    PAINT_NUMBER, // one number in [0, 1]; stored as it is
+    PAINT_NUMBERS // three numbers in [0, 1]; stored as they are
 };
 
 // Draw a texture and write it. The file's top row is v = 1.

@@ -1,0 +1,224 @@
+// clouds.glsl - clouds round the whole sky, from a panorama or from a layer over a round Earth, what light
+// they send, and what the weather does to sun and sky.
+//
+// Lengths are kilometres. docs/20_clouds_and_weather.md proves what is claimed here.
+#include "repetition.glsl" // cellRandom
+#include "sky.glsl"        // glow
+
+const float EARTH_RADIUS = 6371.0; // km
+const float QUARTER_TURN = 1.5707963;
+
+// ---- A layer over a round Earth ----
+
+// How far a ray goes until it leaves a sphere round the Earth's centre.
+//   height    of the eye over the ground, km, in [0, altitude)
+//   climb     the direction's y, in [-1, 1]
+//   altitude  of the sphere over the ground, km, > height
+//   returns   km: altitude - height straight up, about sqrt(2 EARTH_RADIUS altitude) level from the ground
+//   formula   c / (b + s) where b >= 0, else s - b; b = (R + height) climb, c = (altitude - height) (2 R +
+//             altitude + height), s = sqrt(b^2 + c): the positive root of t^2 + 2 b t - c. Nothing is taken
+//             away from its like: the error is a few units of the last place. Exact; whether the ground hides
+//             the place is not asked
+float layerHit(float height, float climb, float altitude)
+{
+    float b = (EARTH_RADIUS + height) * climb;
+    float c = (altitude - height) * (2.0 * EARTH_RADIUS + altitude + height);
+    float s = sqrt(b * b + c);
+    return b >= 0.0 ? c / (b + s) : s - b;
+}
+
+// The direction in which an eye at the middle of the panorama sees what a ray meets on a layer: with it the
+// clouds overhead move when the eye does, and those at the horizon hardly.
+//   eye       from the middle, km: x and z along the ground, y over it; small beside the altitude
+//   direction, altitude  as of layerHit
+//   returns   length 1
+vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
+{
+    return normalize(eye + layerHit(eye.y, direction.y, altitude) * direction);
+}
+
+// ---- A panorama ----
+
+// Where a direction lies in a panorama of the upper half of the sky.
+//   direction  length 1; below the horizon as at it
+//   returns    u, turns from north over east, in [-1/2, 1/2], with a jump at the south; v, the root of the
+//              height over the horizon, a quarter turn being 1
+vec2 panoramaPlace(vec3 direction)
+{
+    float level = length(direction.xz);
+    return vec2(atan(direction.z, direction.x) / (4.0 * QUARTER_TURN),
+                sqrt(atan(max(direction.y, 0.0), level) / QUARTER_TURN));
+}
+
+// How far a pixel reaches in a panorama, in u and in v: the slopes of panoramaPlace. They know nothing of the
+// jump.
+//   width  angle of a pixel, radians
+//   formula  width / (2 pi cos h), width / (pi v), h the height; near the zenith and the horizon, where one of
+//            the two has no end, as a pixel's width away
+vec2 panoramaFootprint(vec3 direction, float width)
+{
+    float level = max(length(direction.xz), width), v = panoramaPlace(direction).y;
+    return width / (2.0 * QUARTER_TURN) * vec2(0.5 / level, 1.0 / max(v, sqrt(width / QUARTER_TURN)));
+}
+
+// What is known of the clouds in a direction. All three count what the cloud covers alone, so they can be
+// filtered, added and weighted.
+struct Cloud {
+    float cover; // share of what is behind that is hidden, in [0, 1]
+    float above; // of a light overhead, how much reaches what is seen of the cloud, in [0, cover]
+    float side;  // light from the right less light from the left, in [-cover, cover]
+};
+
+// The clouds of a panorama.
+//   panorama  cover, above, 1/2 + side / 2; repeats in u
+//   turned    turns by which the clouds have drifted, from east to north
+//   others    as of panoramaFootprint
+Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float width)
+{
+    vec2 reach = panoramaFootprint(direction, width);
+    vec4 texel = textureGrad(panorama, panoramaPlace(direction) + vec2(turned, 0.0), vec2(reach.x, 0.0), vec2(0.0, reach.y));
+    return Cloud(texel.x, texel.y, 2.0 * texel.z - 1.0);
+}
+
+// A thin layer of high clouds, drawn out by the wind from north to south.
+//   noise      a volume of value noise in [0, 1], as noise.png
+//   eye        over the ground, km; x and z grow with the way of the eye and against that of the wind
+//   direction, altitude  as of layerHit
+//   width      angle of a pixel, radians
+//   formula    cover = 0.6 smoothstep(0.5, 0.9, v), v two octaves of noise, 28 and 7 km to a period, where
+//              layerHit ends; side 0, for what is so thin is lit through
+Cloud cloudLayer(sampler3D noise, vec3 eye, vec3 direction, float altitude, float width)
+{
+    float t = layerHit(eye.y, direction.y, altitude), reach = width * t / max(abs(direction.y), 0.05);
+    vec2 place = (eye.xz + t * direction.xz) * vec2(0.35, 1.0);
+    vec2 bend = place + 4.0 * sin(0.11 * place.yx);
+    vec3 across = vec3(reach, 0.0, 0.0), along = across.yxz;
+    float broad = textureGrad(noise, vec3(bend, 3.0) / 28.0, across / 28.0, along / 28.0).x;
+    float fine = textureGrad(noise, vec3(bend + 2.0, 2.0) / 7.0, across / 7.0, along / 7.0).x;
+    float cover = 0.6 * smoothstep(0.5, 0.9, 0.55 * broad + 0.45 * fine);
+    return Cloud(cover, 0.9 * cover, 0.0);
+}
+
+// One cloud before another.
+//   near, far  the far one counts where the near one leaves a way
+Cloud cloudOver(Cloud near, Cloud far)
+{
+    float left = 1.0 - near.cover;
+    return Cloud(near.cover + left * far.cover, near.above + left * far.above, near.side + left * far.side);
+}
+
+// A share of a cloud.
+Cloud cloudShare(Cloud cloud, float share)
+{
+    return Cloud(share * cloud.cover, share * cloud.above, share * cloud.side);
+}
+
+// ---- Light ----
+
+// The sine of the sun's height as clouds have it, who see farther round the Earth.
+//   sinHeight  of the sun from the ground
+//   altitude   of the clouds, km
+//   formula    sin(h + sqrt(2 altitude / EARTH_RADIUS)), h small
+float cloudSunHeight(float sinHeight, float altitude)
+{
+    return min(sinHeight + sqrt(2.0 * altitude / EARTH_RADIUS), 1.0);
+}
+
+// What clouds send to the eye, times their cover.
+//   direction  of the ray, length 1
+//   sun        direction of the light, length 1
+//   sunlight   of it on a white surface across its rays, linear
+//   skylight   of the whole sky on a level white surface
+//   formula    skylight (cover + 3 above) / 4 + sunlight (x^2 X + y^2 Y + z^2 Z + lining), (x, y, z) the
+//              direction to the sun, right, up and away from the eye, whose squares add up to 1; X, Y, Z the
+//              light from that one of two opposite sides on which the sun stands; lining = 2 glow(0.7)
+//              (4 cover (1 - cover) + above / 8), for thin vapour sends light on nearly straight. A model by
+//              eye
+// Source: the squares as weights, J. Mitchell, G. McTaggart, C. Green, 'Shading in Valve's Source engine',
+// SIGGRAPH 2006.
+vec3 cloudLight(Cloud cloud, vec3 direction, vec3 sun, vec3 sunlight, vec3 skylight)
+{
+    vec2 away = direction.xz / max(length(direction.xz), 1e-4), right = vec2(-away.y, away.x);
+    float x = dot(sun.xz, right), z = dot(sun.xz, away), shade = cloud.cover - cloud.above;
+    float across = 0.03 * cloud.cover + max(0.3 * cloud.above + 0.8 * sign(x) * cloud.side, 0.0);
+    float upright = sun.y > 0.0 ? cloud.above : 0.5 * shade;
+    float ahead = z < 0.0 ? 0.15 * cloud.cover + 0.7 * cloud.above : 0.03 * cloud.cover + 0.2 * cloud.above;
+    float lining = 2.0 * glow(direction, sun, 0.7) * (4.0 * cloud.cover * (1.0 - cloud.cover) + 0.125 * cloud.above);
+    float direct = x * x * across + sun.y * sun.y * upright + z * z * ahead + lining;
+    return sunlight * direct + skylight * (0.25 * cloud.cover + 0.75 * cloud.above);
+}
+
+// ---- Weather ----
+
+// How much of the fair panorama, of the storm's, and of an overcast sky there is, in [0, 1]. The storm comes up
+// behind the fair clouds before they go.
+//   weather  1 fair, 0.5 bad
+float fairShare(float weather)
+{
+    return smoothstep(0.5, 0.7, weather);
+}
+
+float stormShare(float weather)
+{
+    return 1.0 - smoothstep(0.75, 0.95, weather);
+}
+
+float overcastShare(float weather)
+{
+    return 1.0 - smoothstep(0.5, 0.85, weather);
+}
+
+// The share of the light of sun, moon and stars that comes through what the weather puts before them.
+//   weather  as above
+//   formula  exp(-4 overcastShare)
+float sunLeft(float weather)
+{
+    return exp(-4.0 * overcastShare(weather));
+}
+
+// The light of an overcast sky in a direction: three times as bright overhead as at the horizon.
+//   sinHeight  the direction's y; below the horizon as at it
+//   white      what such a sky sends on by a level white surface
+//   formula    9/7 white (1 + 2 y) / 3: a level surface gets pi white from all of it together
+// Source: P. Moon, D. E. Spencer, 'Illumination from a non-uniform sky', Illuminating Engineering 37 (1942);
+// CIE S 011 (ISO 15469), sky type 16.
+vec3 overcastSky(float sinHeight, vec3 white)
+{
+    return 3.0 / 7.0 * white * (1.0 + 2.0 * max(sinHeight, 0.0));
+}
+
+// What haze and rain take of the light, per kilometre.
+//   weather  as of fairShare
+//   formula  0.02 in fair weather, growing to 0.2 in bad: Koschmieder's visual range, 3.9 over it, is 200 km
+//            and 20 km
+float hazeDensity(float weather)
+{
+    return 0.02 + 0.18 * overcastShare(weather);
+}
+
+// How hard it rains, in [0, 1].
+float rainShare(float weather)
+{
+    return 1.0 - smoothstep(0.5, 0.68, weather);
+}
+
+// How much of a pixel falling drops fill, drawn out to streaks by the time that the shutter is open: three
+// sheets of rain, each further away than the last.
+//   screen  y from -1 to 1, x from -aspect to aspect
+//   time    seconds
+//   pixel   height of a pixel, in the units of screen
+//   returns in [0, 1]; an average over the pixel's width
+float rainStreaks(vec2 screen, float time, float pixel)
+{
+    float sum = 0.0;
+    for (int i = 1; i <= 3; i++) {
+        float near = 7.0 * float(i), wide = 0.02 + 0.25 * near * pixel;
+        vec2 p = near * (screen + vec2(0.14 * screen.y, 0.0));
+        float column = floor(p.x), lot = cellRandom(ivec3(int(column), i, 20));
+        float fall = 0.35 * p.y + 5.0 * (1.0 + 0.3 * lot) * time + 31.0 * lot, drop = floor(fall);
+        float place = fract(7.31 * lot + 0.618 * drop), there = fract(fall);
+        float streak = clamp((wide - abs(p.x - column - 0.1 - 0.8 * place)) / wide, 0.0, 1.0);
+        sum += streak * 0.02 / wide * smoothstep(0.3, 0.6, there) * smoothstep(1.0, 0.9, there);
+    }
+    return min(sum, 1.0);
+}

@@ -1,0 +1,196 @@
+#include "cumulus.h"
+
+#include "paint.h"
+
+#include <math.h>
+#include <stdbool.h>
+
+static const double earth = 6371.0, farthest = 70.0; // kilometres
+
+// ---- Noise, in tables that repeat ----
+
+enum { SIDE = 64, MAP = 512, MAP_CELLS = 12 };
+
+static struct {
+    bool drawn;
+    float puffs[SIDE * SIDE * SIDE];
+    float ground[MAP * MAP];
+} table;
+
+// One less the square of the distance to the nearest of random points, one in each cell: round
+// heaps.
+static double heaps(const double p[3], int cells, uint32_t seed)
+{
+    int corner[3];
+    double nearest = 1.0, rest[3];
+    for (int k = 0; k < 3; k++) {
+        corner[k] = (int)floor(p[k] * cells);
+        rest[k] = p[k] * cells - corner[k];
+    }
+    for (int n = 0; n < 27; n++) {
+        const int side[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
+        int cell[3];
+        for (int k = 0; k < 3; k++)
+            cell[k] = (corner[k] + side[k] + cells) % cells;
+        uint32_t chance = paint_hash(cell[0] + cells * cell[1], cell[2], seed);
+        double square = 0.0;
+        for (int k = 0; k < 3; k++) {
+            double away = side[k] + (chance >> 10 * k & 1023U) / 1024.0 - rest[k];
+            square += away * away;
+        }
+        nearest = fmin(nearest, square);
+    }
+    return 1.0 - nearest;
+}
+
+static void draw_tables(uint32_t seed)
+{
+    for (int i = 0; i < SIDE * SIDE * SIDE; i++) {
+        const double p[3] = {(double)(i % SIDE) / SIDE, (double)(i / SIDE % SIDE) / SIDE,
+                             (double)(i / SIDE / SIDE) / SIDE};
+        table.puffs[i] =
+            (float)(0.55 * heaps(p, 4, 1) + 0.3 * heaps(p, 8, 2) + 0.15 * heaps(p, 16, 3));
+    }
+    for (int i = 0; i < MAP * MAP; i++)
+        table.ground[i] = (float)paint_octaves((double)(i % MAP) / MAP, (double)(i / MAP) / MAP,
+                                               MAP_CELLS, MAP_CELLS, 4, seed);
+    table.drawn = true;
+}
+
+static double mix(double a, double b, double share)
+{
+    return a + share * (b - a);
+}
+
+// The ground's noise, x and y in periods.
+static double ground_at(double x, double y)
+{
+    double i = floor(x * MAP), j = floor(y * MAP), u = x * MAP - i, v = y * MAP - j;
+    int left = (int)i & (MAP - 1), right = (left + 1) & (MAP - 1);
+    const float *low = table.ground + MAP * ((int)j & (MAP - 1));
+    const float *high = table.ground + MAP * (((int)j + 1) & (MAP - 1));
+    return mix(mix(low[left], low[right], u), mix(high[left], high[right], u), v);
+}
+
+// Puffs, their mean about 0.6; in periods.
+static double puffs_at(double x, double y, double z)
+{
+    double k = floor(z * SIDE), w = z * SIDE - k, slice[2];
+    double i = floor(x * SIDE), j = floor(y * SIDE), u = x * SIDE - i, v = y * SIDE - j;
+    int left = (int)i & (SIDE - 1), right = (left + 1) & (SIDE - 1);
+    int low = SIDE * ((int)j & (SIDE - 1)), high = SIDE * (((int)j + 1) & (SIDE - 1));
+    for (int n = 0; n < 2; n++) {
+        const float *p = table.puffs + SIDE * SIDE * (((int)k + n) & (SIDE - 1));
+        slice[n] =
+            mix(mix(p[low + left], p[low + right], u), mix(p[high + left], p[high + right], u), v);
+    }
+    return mix(slice[0], slice[1], w);
+}
+
+// ---- The field ----
+
+// Optical depth of a kilometre at a place; x and z along the ground, y up from the eye.
+static double thickness_at(const struct cumulus *field, double x, double y, double z)
+{
+    double altitude = y + (x * x + z * z) / (2.0 * earth), cell = field->cell;
+    double height = (altitude - field->base) / field->depth;
+    if (height <= 0.0 || height >= 1.0)
+        return 0.0;
+    double period = MAP_CELLS * cell;
+    double inside = field->slope * (ground_at(x / period, z / period) - field->threshold) - height;
+    if (inside < -0.4 * (field->puff + field->fray))
+        return 0.0;
+    double large = field->size, small = 0.23 * large;
+    inside += field->puff * (puffs_at(x / large, altitude / large, z / large) - 0.62);
+    inside += field->fray * (puffs_at(x / small, altitude / small, z / small) - 0.6);
+    double edge = fmin(fmax(9.0 * inside, 0.0), 1.0), foot = fmin(height / 0.06, 1.0);
+    return field->thickness * edge * foot;
+}
+
+// What is left of a light that comes through a cloud, scattered many times: a model by eye. The
+// second part is the law of a thick layer without absorption, 1 / (1 + depth (1 - g) 3/4).
+static double diffused(double depth)
+{
+    return 0.6 / (1.0 + 0.35 * depth + 0.05 * depth * depth) + 0.4 / (1.0 + 0.06 * depth);
+}
+
+static double light_from(const struct cumulus *field, const double p[3], double x, double y,
+                         double z)
+{
+    double depth = 0.0, t = 0.0, step = 0.016 * field->size;
+    for (int i = 0; i < 6; i++) {
+        double middle = t + 0.5 * step;
+        depth +=
+            step * thickness_at(field, p[0] + middle * x, p[1] + middle * y, p[2] + middle * z);
+        t += step;
+        step *= 1.7;
+    }
+    return diffused(depth);
+}
+
+// ---- The panorama ----
+
+// Cosine and sine of a part of a turn: a half, a quarter, an eighth, ..., each halved by the root,
+// are put together as the bits of u say.
+static void turn(double u, double *cosine, double *sine)
+{
+    double c = 1.0, s = 0.0, half_c = -1.0, half_s = 0.0, rest = 2.0 * (u - floor(u));
+    for (int bit = 0; bit < 24; bit++) {
+        if (rest >= 1.0) {
+            double before = c;
+            c = before * half_c - s * half_s;
+            s = before * half_s + s * half_c;
+            rest -= 1.0;
+        }
+        rest *= 2.0;
+        half_s = bit == 0 ? 1.0 : sqrt(0.5 * (1.0 - half_c));
+        half_c = bit == 0 ? 0.0 : sqrt(0.5 * (1.0 + half_c));
+    }
+    *cosine = c;
+    *sine = s;
+}
+
+// Where a ray from the ground has risen so high, bend being the Earth's across the ray.
+static double reach(double climb, double bend, double height)
+{
+    return 2.0 * height / (climb + sqrt(climb * climb + 2.0 * bend * height));
+}
+
+void cumulus_at(const struct cumulus *field, double u, double v, double value[3])
+{
+    if (!table.drawn)
+        draw_tables(field->seed);
+    double east, north, level, climb;
+    turn(u, &north, &east);
+    turn(0.25 * v * v, &level, &climb);
+    double t = reach(climb, level * level / earth, field->base);
+    double end = fmin(reach(climb, level * level / earth, field->base + field->depth), farthest);
+    double seen = 1.0, above = 0.0, side = 0.0;
+    int idle = 0;
+    bool inside = false;
+    while (t < end && seen > 0.02) {
+        double fine = fmax(0.6 / field->thickness, 0.002 * t), stride = 5.0 * fine;
+        const double p[3] = {t * level * north, t * climb, t * level * east};
+        double x = fine * thickness_at(field, p[0], p[1], p[2]);
+        if (x > 0.0 && !inside) { // a stride too far
+            inside = true;
+            t -= 0.8 * stride;
+            continue;
+        }
+        x *= 1.0 - paint_step(0.5 * farthest, farthest, t);
+        if (x > 0.0) {
+            double left = seen / (1.0 + x + 0.5 * x * x + x * x * x / 6.0), lost = seen - left;
+            above += lost * light_from(field, p, 0.0, 1.0, 0.0);
+            side += lost * (light_from(field, p, -east, 0.0, north) -
+                            light_from(field, p, east, 0.0, -north));
+            seen = left;
+        }
+        idle = x > 0.0 ? 0 : idle + 1;
+        inside = inside && idle < 6;
+        t += inside ? fine : stride;
+    }
+    double whole = 0.98; // what a ray that has been given up has lost
+    value[0] = fmin((1.0 - seen) / whole, 1.0);
+    value[1] = above / whole;
+    value[2] = 0.5 + 0.5 * side / whole;
+}
