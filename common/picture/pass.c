@@ -84,6 +84,17 @@ void pass_use(struct renderer *renderer, const struct renderer_inputs *inputs,
     gl->BindVertexArray(renderer->vertex_array);
 }
 
+// Each of several samples adds its share to what is there; one alone takes its place. That too is
+// left to blending: llvmpipe compiles a program that may have to read the target once, any other
+// twice, the second time for squares of pixels that the triangle covers whole.
+static void blend(const struct gl *gl, int samples)
+{
+    float share = 1.0f / (float)samples;
+    gl->Enable(GL_BLEND);
+    gl->BlendColor(share, share, share, share);
+    gl->BlendFunc(samples > 1 ? GL_CONSTANT_COLOR : GL_ONE, samples > 1 ? GL_ONE : GL_ZERO);
+}
+
 void pass_draw(const struct renderer *renderer, const struct pass_sample *sample, int bottom)
 {
     static const struct pass_sample only = {0, 1, {0.0f, 0.0f}};
@@ -97,5 +108,7 @@ void pass_draw(const struct renderer *renderer, const struct pass_sample *sample
     // What is not in the program is ignored: this is its name in Shadertoy's form.
     renderer->gl->Uniform2f(pass_location(renderer, "harnessPixelOffset"), offset[0], offset[1]);
     renderer->gl->Uniform2f(pass_location(renderer, "iPixelJitter"), jitter[0], jitter[1]);
+    blend(renderer->gl, sample->count);
     renderer->gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    renderer->gl->Disable(GL_BLEND);
 }

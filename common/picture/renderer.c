@@ -140,12 +140,6 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
     // up in the same way whatever the part.
     gl->Viewport(0, -part->bottom, inputs->width, inputs->height);
     gl->Enable(GL_SCISSOR_TEST);
-    float share = 1.0f / (float)(inputs->samples * inputs->samples);
-    if (inputs->samples > 1) {
-        gl->Enable(GL_BLEND);
-        gl->BlendColor(share, share, share, share);
-        gl->BlendFunc(GL_CONSTANT_COLOR, GL_ONE);
-    }
     gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     for (int y = part->from; y < part->to; y += TILE)
         for (int x = part->left; x < part->right; x += TILE) {
@@ -155,7 +149,6 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
             draw_samples(renderer, inputs->samples, part->bottom);
             gl->Flush();
         }
-    gl->Disable(GL_BLEND);
     gl->Disable(GL_SCISSOR_TEST);
     return true;
 }
