@@ -140,7 +140,7 @@ vec3 tableSunlight(vec3 sun)
 //   radius     of the disc, radians: 0.00466 is the real one. A larger disc sends as much light in all
 //   returns    linear light: 46,000 times tableSunlight for the real radius
 //   formula    the table by |direction - sun| / radius and by the direction's height, times the light of a
-//              disc so large, and outside of it times 0.01 (1 + 0.054 x^2)^(-3/2), x the distance in radii: the
+//              disc so large, and outside of it times 0.004 (1 + 0.054 x^2)^(-3/2), x the distance in radii: the
 //              dust's coarsest grains scatter so, by phaseDust with 0.98 for DUST_FORWARD
 vec3 tableSun(sampler2D table, vec3 direction, vec3 sun, float radius)
 {
@@ -148,7 +148,7 @@ vec3 tableSun(sampler2D table, vec3 direction, vec3 sun, float radius)
     vec2 place = vec2(sqrt(min(x / SUN_REACH, 1.0)), drawnOut(height, 0.15));
     vec3 share = textureLod(table, (0.5 + place * (SUN_TABLE - 1.0)) / SUN_TABLE, 0.0).rgb;
     float spread = inversesqrt(1.0 + 0.054 * x * x), inside = 1.0 - smoothstep(0.95, 1.1, x);
-    float profile = mix(0.01 * spread * spread * spread, 1.0, inside) * smoothstep(-4.0 * radius, -radius, sun.y);
+    float profile = mix(0.004 * spread * spread * spread, 1.0, inside) * smoothstep(-4.0 * radius, -radius, sun.y);
     return 11.5 * exp(-0.1 * airMass(height)) / (radius * radius) * profile * share;
 }
 
@@ -177,9 +177,18 @@ vec3 tableAmbient(vec3 sun)
 // By how many stops to expose at an hour, for exposed() of film.glsl. An eye and a camera follow the light, but not all
 // the way: what is darker by 1 stop is shown darker by 0.15.
 //   sinSunHeight  any sine
-//   returns       -1.6 at noon, 1.4 at sunset, 7.7 with the sun at -6 degrees, up to 18.4 by night
-//   formula       -2 - 0.85 log2(2^skyBrightness + 6e-8), the last the light of a night without a moon
+//   returns       -1.6 at noon, 1.0 at sunset, 7.2 with the sun at -6 degrees, 18.1 by night
+//   formula       -2.3 - 0.85 log2(2^skyBrightness + 6e-8), the last the light of a night without a moon
 float hourStops(float sinSunHeight)
 {
-    return -2.0 - 0.85 * log2(exp2(skyBrightness(max(sinSunHeight, -0.3))) + 6e-8);
+    return -2.3 - 0.85 * log2(exp2(skyBrightness(max(sinSunHeight, -0.3))) + 6e-8);
+}
+
+// Light as a film for daylight takes it: white is what white paper is at noon, in the light of the sun alone, where
+// the screen's white would be bluer. Before exposed(), after all light is added.
+//   light    linear, >= 0
+//   formula  light over the colour of tableSunlight with the sun 48 degrees high, of brightness 1
+vec3 daylightFilm(vec3 light)
+{
+    return light / vec3(1.156, 0.976, 0.796);
 }
