@@ -10,7 +10,7 @@
 
 uniform float fogDensity;   // 0.09 in [0, 1] step 0.01, per scene unit: what the mist takes of the light at the floor
 uniform float fogScale;     // 1.6 in [0.1, 1000] step *1.1, scene units: height over which the mist thins to 1 / e
-uniform int   shafts;       // 1 in [0, 16]: places of a ray at which the mist asks for the sun; 0: it is in the sun
+uniform int   shafts;       // 6 in [0, 16]: places of a ray at which the mist asks for the sun; 0: it is in the sun
 uniform float sunElevation; // 15 in [3, 60] step 1, degrees: height of the sun over the horizon
 uniform float sunAzimuth;   // 66 in [0, 360] step 2, degrees: where the sun stands, from the right towards the viewer
 uniform float sunSpread;    // 0.012 in [0.001, 0.1] step *1.1: radius of the sun's disc, seen from one unit
@@ -23,7 +23,7 @@ uniform bool  vignette;     // true: light falls off from the middle as cos^4
 uniform int   curve;        // 1 in [0, 2]: 0 clamp, 1 film on each channel, 2 film on the largest channel
 uniform float gamma;        // 1.45 in [1, 3] step 0.05: how steep the film's curve is
 uniform float white;        // 8 in [1.5, 64] step *1.1: the light that becomes white
-uniform float punch;        // 0 in [0, 1] step 0.1: contrast of what the film made; 1 is a smoothstep
+uniform float punch;        // 0 in [0, 1] step 0.1: contrast of the encoded numbers; 1 is a smoothstep
 uniform bool  dither;       // true: a fixed pattern before the rounding to 255 steps
 uniform int   maxSteps;     // 96 in [1, 512]: steps before a ray is given up
 uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
@@ -130,7 +130,7 @@ Seen seenAlong(Ray ray)
 vec3 developed(vec3 light)
 {
     vec3 film = curve == 2 ? filmOfLargest(light, gamma, white) : filmCurve(light, gamma, white);
-    return contrast(curve == 0 ? light : film, punch);
+    return curve == 0 ? clamp(light, 0.0, 1.0) : film;
 }
 
 // The light on the film: through the mist, weaker off the axis, for as long as the shutter is open.
@@ -141,7 +141,9 @@ vec3 lightOnFilm(Ray ray)
     return exposed(share * throughFog(seen.light, seen.fog, seen.depth), exposure);
 }
 
+// What is written: the numbers of the screen, with more contrast if that is asked for. The dither comes last.
 vec3 rayColour(Ray ray)
 {
-    return encodeSRGB(developed(lightOnFilm(ray))) + (dither ? ditherStep(iPixel) / 255.0 : 0.0);
+    vec3 numbers = contrast(encodeSRGB(developed(lightOnFilm(ray))), punch);
+    return numbers + (dither ? ditherStep(iPixel) / 255.0 : 0.0);
 }

@@ -1,6 +1,6 @@
 // film.glsl - from the light of a picture to the numbers that are written: exposure, vignette, the curve of
-// the film, dither. All but the last two take and return linear light. docs/15_the_picture.md proves what is
-// claimed here.
+// the film, contrast, dither. Light is linear but where contrast and dither say otherwise.
+// docs/15_the_picture.md proves what is claimed here.
 
 // A picture exposed for longer, or less long.
 //   light    linear, >= 0
@@ -25,7 +25,8 @@ float cosineFourth(vec2 screen, float focalLength)
 }
 
 // More contrast in the middle, less at both ends.
-//   v        in [0, 1] per channel: light, or the numbers of the screen; clamped first
+//   v        in [0, 1] per channel: the numbers of the screen, of which 1/2 is nearly middle grey (of light 1/2
+//            is bright, and the picture would become dark); clamped first
 //   amount   in [0, 1]: 0 leaves v as it is, 1 is smoothstep(0, 1, v)
 //   formula  v + amount (3 v^2 - 2 v^3 - v): 0, 1/2 and 1 stay, the slope in the middle is 1 + amount / 2,
 //            at both ends 1 - amount. Grows with v
@@ -40,15 +41,15 @@ vec3 contrast(vec3 v, float amount)
 //   gamma    >= 1: how steep the line is. On a scale of logarithms its slope at middle grey is
 //            gamma 0.82 / (1 - (0.18 / white)^gamma)
 //   white    > 1: the light that becomes 1; more becomes 1 too
-//   formula  (1 + k / w) / (1 + k / h), h = x^gamma, w = white^gamma, with k = 0.82 g w / (0.18 w - g),
-//            g = 0.18^gamma, so that middle grey, 0.18, stays. Grows with x from 0 to 1
+//   formula  (1 + kappa / w) / (1 + kappa / h), h = x^gamma, w = white^gamma, with kappa = 0.82 g w /
+//            (0.18 w - g), g = 0.18^gamma, so that middle grey, 0.18, stays. Grows with x from 0 to 1
 // Source: the shape of F. Hurter and V. C. Driffield's curves (1890), as a logistic function.
 vec3 filmCurve(vec3 x, float gamma, float white)
 {
     float g = pow(0.18, gamma), w = pow(white, gamma);
-    float k = 0.82 * g * w / (0.18 * w - g);
+    float kappa = 0.82 * g * w / (0.18 * w - g);
     vec3 h = pow(clamp(x, 1e-6, white), vec3(gamma));
-    return (1.0 + k / w) / (1.0 + k / h);
+    return (1.0 + kappa / w) / (1.0 + kappa / h);
 }
 
 // The same curve on the largest channel: the others keep their shares of it, and so the colour its hue.
@@ -63,14 +64,14 @@ vec3 filmOfLargest(vec3 light, float gamma, float white)
 
 // Which of 64 steps a pixel adds before its colour is rounded, in a pattern of 8 x 8 pixels that repeats.
 //   pixel    of the picture, as iPixel; any whole numbers
-//   returns  one of (k + 1/2) / 64 - 1/2, k = 0 to 63: each once in every 8 x 8 pixels, mean 0. Times one
+//   returns  one of (j + 1/2) / 64 - 1/2, j = 0 to 63: each once in every 8 x 8 pixels, mean 0. Times one
 //            step of the file, 1 / 255, it is what to add to an encoded colour
-//   formula  the bits of k, from the highest: the lowest of x ^ y, the lowest of y, the next of x ^ y, and so on
+//   formula  the bits of j, from the highest: the lowest of x ^ y, the lowest of y, the next of x ^ y, and so on
 // Source: B. E. Bayer, 'An optimum method for two-level rendition of continuous-tone pictures', ICC 1973.
 float ditherStep(ivec2 pixel)
 {
     int y = pixel.y, both = pixel.x ^ pixel.y;
-    int k = ((both & 1) << 5) | ((y & 1) << 4) | ((both & 2) << 2) | ((y & 2) << 1) | ((both & 4) >> 1) |
+    int j = ((both & 1) << 5) | ((y & 1) << 4) | ((both & 2) << 2) | ((y & 2) << 1) | ((both & 4) >> 1) |
             ((y & 4) >> 2);
-    return (float(k) + 0.5) / 64.0 - 0.5;
+    return (float(j) + 0.5) / 64.0 - 0.5;
 }

@@ -8,5 +8,5 @@ vec3 rayColour(Ray ray)
 {
     float strip = floor(3.0 * (float(iPixel.x) + 0.5) / iResolution.x); // 0, 1, 2
     vec3 light = exposed(lightOnFilm(ray), strip - 1.0);
-    return encodeSRGB(developed(light)) + (dither ? ditherStep(iPixel) / 255.0 : 0.0);
+    return contrast(encodeSRGB(developed(light)), punch) + (dither ? ditherStep(iPixel) / 255.0 : 0.0);
 }

@@ -8,7 +8,8 @@
 //   height, climb, t  as of fogDepth
 float inLayer(float height, float climb, float t)
 {
-    float top = (fogScale - height) / (abs(climb) < 1e-6 ? 1e-6 : climb); // where the ray crosses it
+    climb = abs(climb) < 1e-6 ? 1e-6 : climb;   // a level ray climbs a little
+    float top = (fogScale - height) / climb;    // where the ray crosses the layer's top
     float crossed = clamp(top, 0.0, t);
     return climb > 0.0 ? crossed : t - crossed;
 }
@@ -19,5 +20,5 @@ vec3 rayColour(Ray ray)
     float depth = fogDensity * inLayer(ray.origin.y, ray.direction.y, seen.way);
     float share = vignette ? cosineFourth(screenPosition(vec2(iPixel) + 0.5), focalLength) : 1.0;
     vec3 light = exposed(share * throughFog(seen.light, seen.fog, depth), exposure);
-    return encodeSRGB(developed(light)) + (dither ? ditherStep(iPixel) / 255.0 : 0.0);
+    return contrast(encodeSRGB(developed(light)), punch) + (dither ? ditherStep(iPixel) / 255.0 : 0.0);
 }

@@ -9,5 +9,5 @@ vec3 rayColour(Ray ray)
     vec3 light = lightOnFilm(ray);
     float luminance = max(dot(light, vec3(0.2126, 0.7152, 0.0722)), 1e-6);
     vec3 film = light * filmCurve(vec3(luminance), gamma, white).r / luminance;
-    return encodeSRGB(film) + (dither ? ditherStep(iPixel) / 255.0 : 0.0);
+    return contrast(encodeSRGB(film), punch) + (dither ? ditherStep(iPixel) / 255.0 : 0.0);
 }
