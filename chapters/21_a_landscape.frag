@@ -1,0 +1,177 @@
+// 21 A landscape: a lake between mountains, at every hour and in every weather.
+
+#include "main.glsl"      // main(): asks for pixelRay, then for rayColour
+#include "cone.glsl"      // perspectiveRay, pixelSpread
+#include "relaxed.glsl"   // marchRelaxed
+#include "valley.glsl"    // the scene: landDistance, landAt, thingsAlong, unmirrored
+#include "water.glsl"     // fourWaves, glitter
+#include "fresnel.glsl"   // schlickShare
+#include "lighting.glsl"  // lambert, encodeSRGB
+#include "shadow.glsl"    // shadowRay, shadowReach
+#include "fog.glsl"       // fogDepth, skyFogDepth, fogLight, throughFog
+#include "film.glsl"      // exposed, filmOfLargest
+#include "sky_table.glsl" // tableSky, tableSun, tableSunlight, tableAmbient, hourStops
+#include "clouds.glsl"    // cloudPanorama, cloudLight, and the weather
+#include "coarse.glsl"    // coarseStart
+
+uniform sampler2D sunward;    // "sky_sunward.png" sRGB clamp: light of the sky on the sun's side
+uniform sampler2D away;       // "sky_away.png" sRGB clamp: and opposite
+uniform sampler2D halo;       // "sun_halo.png" sRGB clamp: the sun and its halo
+uniform sampler2D fair;       // "clouds_fair.png" linear repeat: clouds of fair weather
+uniform sampler2D storm;      // "clouds_storm.png" linear repeat: and of bad
+
+uniform float timeOfDay;      // 18 in [0, 24] step 0.25, hours: solar time at the start
+uniform float hoursPerSecond; // 0 in [0, 4] step 0.05, hours per second: how fast the time of day runs
+uniform float declination;    // 10 in [-23.44, 23.44] step 1, degrees: of the sun
+uniform float weather;        // 1 in [0.5, 1] step 0.05: 1 fair, 0.5 bad
+uniform float wind;           // 0.3 in [0, 1] step 0.05: how rough the water is
+uniform float omega;          // 1.8 in [1, 1.95] step 0.05, distances: length of a step
+uniform int   maxSteps;       // 160 in [1, 512]: steps before a ray is given up
+uniform float hitThreshold;   // 0.0002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
+
+const float FAR = 160.0;
+const float LATITUDE = 43.6;
+
+Ray pixelRay(vec2 screen)
+{
+    return perspectiveRay(screen);
+}
+
+float sceneDistance(vec3 p)
+{
+    return landDistance(unmirrored(p));
+}
+
+float coarseMargin(float t)
+{
+    return hitThreshold + pixelSpread() * t;
+}
+
+// ---- The hour ----
+
+struct Hour {
+    vec3 sun, toLight, beam, around;
+    float stops;
+};
+
+Hour hourNow()
+{
+    vec3 sun = sunDirection(timeOfDay + hoursPerSecond * iTime, LATITUDE, declination);
+    vec3 around = tableAmbient(sun), beam = tableSunlight(sun);
+    vec3 white = around + max(sun.y, 0.0) * beam;
+    around = mix(around, 0.4 * white, overcastShare(weather));
+    return Hour(sun, sun, beam * sunLeft(weather), around, hourStops(sun.y));
+}
+
+vec3 skyLight(vec3 direction, Hour now, bool mirrored)
+{
+    float width = 2.0 * pixelSpread();
+    vec3 clear = tableSky(sunward, away, direction, now.sun) * (1.0 - 0.0 * weather);
+    clear += mirrored ? vec3(0.0) : sunLeft(weather) * tableSun(halo, direction, now.sun, 0.0047);
+    vec3 sky = mix(clear, overcastSky(direction.y, now.around), overcastShare(weather));
+    float turned = 0.0;
+    Cloud a = cloudShare(cloudPanorama(fair, direction, turned, width), fairShare(weather));
+    Cloud b = cloudShare(cloudPanorama(storm, direction, turned, width), stormShare(weather));
+    Cloud c = cloudOver(b, a);
+    return (1.0 - c.cover) * sky + cloudLight(c, direction, now.sun, now.beam, now.around);
+}
+
+struct Place {
+    vec3 p, normal, colour, glow;
+    bool met;
+};
+
+vec3 thingNormal(vec3 p, float h, bool wanted)
+{
+    vec3 sum = vec3(0.0);
+    int corners = wanted ? 4 : 1;
+    for (int i = 0; i < corners; i++) {
+        vec3 corner = 2.0 * vec3(i == 0 || i == 3, i == 1 || i == 3, i == 2 || i == 3) - 1.0;
+        sum += corner * thingsDistance(p + h * corner);
+    }
+    return normalize(sum);
+}
+
+Place placeAt(vec3 p, float width, bool met, bool thing)
+{
+    vec2 q = inValley(p.xz);
+    float octaves = clamp(log2(1.2 / (CELLS * width)) / log2(LACUNARITY), 1.0, 13.0);
+    vec4 land = landAt(q, octaves);
+    vec2 g = fromValley(land.yz);
+    vec3 normal = normalize(vec3(-g.x, 1.0, -g.y));
+    vec3 ofThing = thingNormal(p, 0.5 * width + 0.0005, thing);
+    vec3 grass = mix(vec3(0.035, 0.06, 0.014), vec3(0.11, 0.11, 0.035), land.w);
+    vec3 forest = mix(vec3(0.012, 0.028, 0.012), vec3(0.05, 0.06, 0.02), land.w);
+    vec3 rock = mix(vec3(0.10, 0.09, 0.085), vec3(0.30, 0.27, 0.24), land.w), snow = vec3(0.85, 0.87, 0.9);
+    float level = normal.y + 0.25 * (land.w - 0.5);
+    vec3 green = mix(grass, forest, smoothstep(0.3, 0.6, p.y) * smoothstep(0.35, 0.5, land.w + 0.1));
+    vec3 colour = mix(rock, green, smoothstep(0.55, 0.72, level) * smoothstep(3.8, 2.2, p.y + 2.0 * (land.w - 0.5)));
+    colour = mix(colour, snow, smoothstep(0.50, 0.66, level) * smoothstep(3.6, 5.0, p.y + 2.0 * (land.w - 0.5)));
+    colour = mix(vec3(0.16, 0.14, 0.11), colour, smoothstep(0.0, 0.012, p.y));
+    vec3 local = atCabin(vec3(q.x, p.y, q.y));
+    bool isCabin = length(local) < 0.1 && abs(local.x) < 0.06, boat = q.x > 0.0;
+    vec2 pane = abs(vec2(abs(local.x) - 0.018, local.y - 0.016)) - vec2(0.007, 0.008);
+    bool window = isCabin && local.z < -0.029 && max(pane.x, pane.y) < 0.0;
+    vec3 ofThings = isCabin ? (local.y > 0.03 && abs(ofThing.y) > 0.3 ? vec3(0.09, 0.05, 0.04) : vec3(0.16, 0.085, 0.045)) : (boat ? vec3(0.8) : vec3(0.018, 0.035, 0.012));
+    return Place(p, thing ? ofThing : normal, thing ? ofThings : colour, thing && window ? vec3(1.0, 0.5, 0.15) * 0.02 : vec3(0.0), met);
+}
+
+float lightSeen(Place place, Hour now, float radius)
+{
+    Ray up = shadowRay(place.p, place.normal, now.toLight, 3.0 * radius);
+    way = vec2(abs(now.toLight.y), length(now.toLight.xz));
+    float top = (14.0 - place.p.y) / max(now.toLight.y, 0.02);
+    float far = place.met ? shadowReach(place.normal, now.toLight, min(60.0, top)) : 0.0;
+    octavesAsked = 2;
+    bend.waves = false;
+    Hit hit = marchRelaxed(up, 0.0, far, 0.5 * radius, 0.002, 1.8, 40);
+    return hit.found || thingsAlong(up, FAR, min(far, 3.0), hitThreshold, 0.0) > 0.0 ? 0.0 : 1.0;
+}
+
+Water waterAt(vec3 p, vec3 direction, float width)
+{
+    Footprint f = footprintOn(direction, vec3(0.0, 1.0, 0.0), width);
+    f.along *= max(0.0625 / abs(direction.y), 1.0);
+    vec2 q = p.xz;
+    float gust = smoothstep(0.35, 0.75, groundNoise(q * vec2(0.5, 0.5)).x);
+    float strength = wind * (0.3 + 0.7 * gust);
+    Water a = fourWaves(q, f, vec4(55.0, -80.0, 120.0, 170.0), vec4(30.0, 70.0, -40.0, 90.0), strength * vec4(0.03, 0.03, 0.025, 0.025), vec4(1.0, 1.3, 1.6, 2.0) * iTime);
+    Water b = fourWaves(q, f, vec4(-250.0, 310.0, 480.0, -700.0), vec4(120.0, -300.0, 350.0, 250.0), strength * vec4(0.03, 0.025, 0.02, 0.02), vec4(2.4, 3.0, 3.6, 4.2) * iTime);
+    return Water(a.slope + b.slope, a.variance + b.variance + 0.00003);
+}
+
+vec3 rayColour(Ray ray)
+{
+    Hour now = hourNow();
+    float water = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : 2.0 * FAR;
+    vec3 w = ray.origin + water * ray.direction;
+    Water waves = waterAt(w, ray.direction, 2.0 * pixelSpread() * water);
+    vec3 facet = normalize(vec3(-waves.slope.x, 1.0, -waves.slope.y)), mirrored = reflect(ray.direction, facet);
+    mirrored = normalize(vec3(mirrored.x, max(mirrored.y, 0.002), mirrored.z));
+    bend = Bend(true, vec3(w.x, 0.0, w.z), mirrored);
+    way = vec2(max(abs(ray.direction.y), mirrored.y), 1.0);
+    Hit hit = marchRelaxed(ray, min(coarseStart(ray), water), FAR, hitThreshold, pixelSpread(), omega, maxSteps);
+    hit.found = hit.t < FAR;
+    float thing = thingsAlong(ray, water, hit.t, hitThreshold, pixelSpread());
+    float t = thing > 0.0 ? thing : hit.t;
+    bool met = thing > 0.0 || hit.found, lake = t > water;
+    vec3 direction = lake ? mirrored : ray.direction;
+    vec3 p = unmirrored(ray.origin + t * ray.direction);
+    float spread = pixelSpread() + (lake ? 0.5 * sqrt(waves.variance) * (t - water) / t : 0.0);
+    Place place = placeAt(p, 2.0 * spread * t, met, thing > 0.0);
+    float seen = lightSeen(place, now, coarseMargin(t));
+    vec3 matt = place.colour * (seen * lambert(place.normal, now.toLight) * now.beam + (0.6 + 0.4 * place.normal.y) * now.around) + place.glow;
+    vec3 light = met ? matt : skyLight(direction, now, lake);
+    // fog
+    float density = 2.0 * 0.1 * hazeDensity(weather), scale = 3.0;
+    vec3 fog = fogLight(direction, now.sun, 0.5 * now.around, 0.25 * now.beam, 0.7);
+    float first = min(t, water), last = t - first;
+    float depth = met ? fogDepth(lake ? 0.0 : ray.origin.y, direction.y, lake ? last : t, density, scale) : skyFogDepth(0.14, direction.y, density, scale) * 0.0;
+    light = throughFog(light, fog, depth);
+    float share = schlickShare(clamp(-dot(ray.direction, facet), 0.0, 1.0), 0.02);
+    vec3 deep = vec3(0.012, 0.035, 0.035) * (now.around + 0.3 * max(now.toLight.y, 0.0) * now.beam);
+    vec3 ofLake = mix(deep, light + glitter(ray.direction, now.toLight, waves, now.beam), share);
+    ofLake = throughFog(ofLake, fog, density * first);
+    light = lake ? ofLake : light;
+    return encodeSRGB(filmOfLargest(exposed(light, now.stops), 1.3, 8.0));
+}

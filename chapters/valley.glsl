@@ -1,0 +1,253 @@
+// valley.glsl - the land of chapter 21: a lake between mountains, and what stands on its shore.
+//
+// One scene unit is 100 metres; the lake's water is y = 0. x points north, z east; the valley looks south-south-west.
+#include "land.glsl"
+#include "primitives.glsl"
+#include "transform.glsl"
+#include "bounds.glsl"
+#include "repetition.glsl"
+
+const vec2  AHEAD = vec2(-0.9063, -0.4226); // x and z of the way down the valley
+const int   OCTAVES = 5;                    // of ridges that are marched,
+const float CELLS = 0.08;                   //   with so many cells a scene unit,
+const float GAIN = 0.48;                    //   each octave so much lower
+const float LACUNARITY = 2.1;               //   and finer than the one before
+const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8);
+const vec2  SHIFT = vec2(17.17, 29.73);
+const vec2  SEED = vec2(31.2, 9.9);
+const float ROUGH = 3.6;                    // times its height over the shore, what the ridges add to a hill
+const float SOFT = 0.01;
+const float FOOT = 0.4; // ridges begin so high over the water
+const float LEAST = 0.01;
+const float BASE_SLOPE = 0.45;              // of the hills, no more
+
+// How the ray that is marched climbs (x) and how level it is (y): its distances are ways along it. A negative y:
+// distances hold in all directions.
+const vec2 ALL_WAYS = vec2(0.65, 1.0);
+vec2 way = ALL_WAYS;
+int  octavesAsked = OCTAVES;
+
+// How far it is, at least, to where a gap closes that a slope can close.
+//   gap     scene units
+//   slope   of the ground here, at most: climb + level slope
+//   growth  of that slope, per scene unit
+float wayToClose(float gap, float slope, float growth)
+{
+    return 2.0 * gap / (slope + sqrt(max(slope * slope + 2.0 * growth * gap, 1e-9)));
+}
+
+// x right, y ahead
+vec2 inValley(vec2 xz)
+{
+    return vec2(dot(xz, vec2(-AHEAD.y, AHEAD.x)), dot(xz, AHEAD));
+}
+
+vec2 fromValley(vec2 q)
+{
+    return q.x * vec2(-AHEAD.y, AHEAD.x) + q.y * AHEAD;
+}
+
+// The shore on which the eye stands: a cone, rounded.
+vec3 shore(vec2 q)
+{
+    vec2 r = q - vec2(-1.45, 0.5);
+    r.y *= 1.2;
+    float d = sqrt(dot(r, r) + 0.04);
+    return vec3(0.26 - 0.17 * d, -0.17 * r * vec2(1.0, 1.2) / d);
+}
+
+// The hills without ridges: height (x), gradient (yz).
+vec3 hills(vec2 q)
+{
+    vec3 h = hill(q - vec2(4.0, 46.0), vec2(34.0, 20.0), 7.4);
+    h = higherGround(h, hill(q - vec2(-24.0, 24.0), vec2(16.5, 18.0), 7.0), 1.5);
+    h = higherGround(h, hill(q - vec2(64.0, 90.0), vec2(46.0, 34.0), 6.4), 1.5);
+    h = higherGround(h, hill(q - vec2(15.0, 16.0), vec2(9.0, 5.0), 3.9), 1.0);
+    h.x -= 3.0;
+    return higherGround(h, shore(q), 0.2);
+}
+
+// How high the ridges are, over the hills (x), and its slope with them (y).
+vec2 roughness(float height)
+{
+    height -= FOOT;
+    float root = sqrt(height * height + SOFT);
+    return vec2(LEAST + 0.5 * ROUGH * (height + root), 0.5 * ROUGH * (1.0 + height / root));
+}
+
+// The height of the hills over which the land can reach y: the inverse of height + roughness(height).x
+float hillsUnder(float y)
+{
+    float m = 1.0 + 0.5 * ROUGH, n = 0.5 * ROUGH, square = 1.0 + ROUGH;
+    y -= LEAST + FOOT;
+    return (m * y - n * sqrt(y * y + SOFT * square)) / square + FOOT;
+}
+
+float landDistance(vec3 p)
+{
+    vec2 q = inValley(p.xz);
+    float base = hills(q).x, over = p.y - base, high = roughness(base).x;
+    float weight = 1.0 - GAIN, rest = 1.0, sum = 0.0, first = 1.0;
+    float d = (hillsUnder(p.y) - base) / (way.x + way.y * BASE_SLOPE);
+    float steep = 2.0 * VALUE_STRETCH * CELLS, slope = (2.0 - GAIN) * steep;
+    float hilly = way.x + way.y * BASE_SLOPE, growth = way.y * ROUGH * BASE_SLOPE;
+    vec2 x = CELLS * q + SEED;
+    bool counts = true;
+    for (int i = 0; i < octavesAsked && counts; i++) {
+        float ridge = ridged(groundNoise(x)).x;
+        first = i == 0 ? ridge : first;
+        sum += weight * ridge;
+        rest = i + 1 < octavesAsked ? rest - weight : 0.0;
+        float share = first * (sum + rest), level = way.y * slope;
+        d = max(d, wayToClose(over - high * share, hilly + growth * share + high * level, 2.0 * growth * level));
+        weight *= GAIN;
+        steep *= LACUNARITY;
+        slope += weight * steep;
+        level = way.y * slope;
+        share = first * sum;
+        counts = over - high * share > d * (hilly + growth * share + level * (high + growth * d));
+        x = LACUNARITY * TURN * x + SHIFT;
+    }
+    return d;
+}
+
+// The ground under a place: height (x), gradient (yz).
+vec4 landAt(vec2 q, float octaves)
+{
+    vec3 base = hills(q), sum = vec3(0.0), first = vec3(1.0, 0.0, 0.0);
+    vec2 high = roughness(base.x), x = CELLS * q + SEED;
+    float weight = 1.0 - GAIN, fine = 0.5, scale = CELLS;
+    vec2 grain = vec2(0.0);
+    mat2 turn = mat2(CELLS);
+    for (int i = 0; i < int(octaves) + 1; i++) {
+        vec3 noise = groundNoise(x);
+        noise.yz = noise.yz * turn;
+        vec3 ridge = ridged(noise);
+        first = i == 0 ? ridge : first;
+        float share = clamp(octaves - float(i), 0.0, 1.0);
+        sum += share * weight * ridge;
+        fine = mix(fine, noise.x, 0.45 * share);
+        grain += i > 3 ? share * noise.yz / scale : vec2(0.0);
+        scale *= LACUNARITY;
+        weight *= GAIN;
+        x = LACUNARITY * TURN * x + SHIFT;
+        turn = LACUNARITY * TURN * turn;
+    }
+    vec3 rough = vec3(first.x * sum.x, first.yz * sum.x + first.x * sum.yz);
+    return vec4(base.x + high.x * rough.x, base.yz * (1.0 + high.y * rough.x) + high.x * rough.yz + 0.16 * grain, fine);
+}
+
+// ---- What stands on the shore ----
+
+const vec3 CABIN = vec3(-0.50, 0.094, 0.74); // right, up, ahead
+const float CABIN_SIZE = 1.35;
+const vec3 BOAT = vec3(0.62, 0.0, 1.75);
+const float CELL = 0.175;                   // of the wood, scene units
+const vec3 BOAT_REACH = vec3(0.04, 0.1, 0.02);
+const vec3 GROVE_LOW = vec3(-1.7, 0.0, 0.6), GROVE_HIGH = vec3(-0.2, 0.38, 1.75);
+
+vec3 atCabin(vec3 p)
+{
+    p -= CABIN;
+    return vec3(0.94 * p.x + 0.34 * p.z, p.y, 0.94 * p.z - 0.34 * p.x) / CABIN_SIZE;
+}
+
+float cabinDistance(vec3 p)
+{
+    vec3 q = atCabin(p);
+    float walls = sdBox(q - vec3(0.0, 0.012, 0.0), vec3(0.042, 0.026, 0.03));
+    vec2 r = vec2(abs(q.z), q.y - 0.066);
+    float roof = max(abs(dot(r, vec2(0.64, 0.768))) - 0.003, abs(q.x) - 0.05);
+    roof = max(roof, r.x - 0.042);
+    float gable = max(max(dot(r, vec2(0.64, 0.768)), abs(q.x) - 0.042), max(r.x - 0.03, -q.y));
+    float chimney = sdBox(q - vec3(0.02, 0.06, 0.012), vec3(0.006, 0.018, 0.006));
+    return CABIN_SIZE * min(min(walls, gable), min(roof, chimney));
+}
+
+float pineDistance(vec3 p, float height)
+{
+    float s = (height - p.y) / height, tier = abs(fract(7.0 * s) - 0.5);
+    float radius = 0.24 * height * clamp(s, 0.0, 1.0) * (0.62 + 0.76 * tier);
+    float crown = max((length(p.xz) - radius) / 1.9, max(0.16 * height - p.y, p.y - height));
+    return min(crown, max(length(p.xz) - 0.025 * height, abs(p.y - 0.1 * height) - 0.12 * height));
+}
+
+// A wood: one pine in every cell of a lattice, where there is one; so far from its cell's walls that no other is nearer.
+float pinesDistance(vec3 p)
+{
+    vec2 cell = floor(p.xz / CELL), middle = CELL * (cell + 0.5);
+    float lot = cellRandom(ivec3(cell, 5)), other = fract(64.0 * lot);
+    vec2 at = middle + 0.02 * (2.0 * vec2(other, fract(64.0 * other)) - 1.0);
+    bool grows = lot < 0.62 && at.y > 0.86 + 0.9 * max(at.x + 0.75, 0.0) && at.x < -0.2;
+    vec2 wall = 0.5 * CELL - abs(p.xz - middle);
+    float foot = shore(at).x - 0.005, free = 0.008 + min(wall.x, wall.y);
+    return min(free, grows ? pineDistance(vec3(p.x - at.x, p.y - foot, p.z - at.y), 0.13 + 0.13 * other) : 1.0);
+}
+
+float boatDistance(vec3 p)
+{
+    vec3 q = p - BOAT;
+    float hull = length(vec3(q.x * 0.35, q.y - 0.006, q.z)) - 0.010;
+    hull = max(hull, q.y - 0.008);
+    float mast = max(length(q.xz) - 0.0009, abs(q.y - 0.045) - 0.045);
+    vec2 s = vec2(q.x, q.y - 0.013);
+    float sail = max(max(-s.x - 0.028 + 0.0, -s.y), (s.x * 0.0) + dot(vec2(-s.x, s.y), vec2(0.943, 0.333)) - 0.0);
+    sail = max(max(s.x + 0.001, -s.y), dot(vec2(-s.x, s.y) , vec2(0.924, 0.383)) - 0.0275);
+    float jib = max(max(-s.x + 0.002, -s.y + 0.002), dot(s, vec2(0.943, 0.333)) - 0.0215);
+    return min(min(hull, mast), max(min(sail, jib), abs(q.z) - 0.0007));
+}
+
+vec3 localOf(vec3 p)
+{
+    return vec3(inValley(p.xz), p.y).xzy;
+}
+
+vec2 thingsInterval(Ray ray)
+{
+    Ray local = Ray(localOf(ray.origin), localOf(ray.direction));
+    return intervalUnion(boxInterval(local, GROVE_LOW, GROVE_HIGH), boxInterval(local, BOAT - BOAT_REACH, BOAT + BOAT_REACH));
+}
+
+float thingsDistance(vec3 p)
+{
+    vec3 local = localOf(p);
+    return min(min(cabinDistance(local), pinesDistance(local)), boatDistance(local));
+}
+
+// ---- The mirrored world ----
+
+// Where a ray is mirrored by the water, and where it goes from there. Below the water stands the mirrored world: a
+// ray that goes on through it meets what the mirrored ray meets.
+struct Bend {
+    bool  waves;     // false: by the level water, whatever the ray
+    vec3  place;     // on the water
+    vec3  direction; // length 1, upwards
+};
+Bend bend = Bend(false, vec3(0.0), vec3(0.0));
+
+// The point of the world in whose place p stands.
+vec3 unmirrored(vec3 p)
+{
+    vec3 bent = bend.place + length(p - bend.place) * bend.direction;
+    return p.y >= 0.0 ? p : (bend.waves ? bent : vec3(p.x, -p.y, p.z));
+}
+
+// March the things alone, in their boxes: where, or -1.
+//   water  where the ray meets the water
+float thingsAlong(Ray ray, float water, float tMax, float threshold, float spread)
+{
+    vec2 interval = thingsInterval(ray), mirrored = water + thingsInterval(Ray(bend.place, bend.direction));
+    interval.y = min(interval.y, water);
+    interval = water < tMax ? intervalUnion(interval, mirrored) : interval;
+    float t = interval.x, last = min(interval.y, tMax);
+    bool found = false, searching = t < last;
+    int steps = 0;
+    while (searching) {
+        float distance = thingsDistance(unmirrored(ray.origin + t * ray.direction));
+        found = distance < threshold + spread * t;
+        t += found ? 0.0 : distance;
+        steps++;
+        searching = !found && t < last && steps < 64;
+    }
+    return found ? t : -1.0;
+}
