@@ -203,7 +203,8 @@ vec2 moonPlace(vec3 seen, float radius)
 }
 
 // The light of the moon's face above the air, of the sun and of the earth.
-//   face, heights  textures/moon.png, textures/moon_height.png
+//   face     textures/moon.png, linear: the albedo / 0.40, and the slopes to the right and upwards, of which 0 stands
+//            for -0.30 and 1 for 0.30
 //   place    of moonPlace; outside of the disc as at its rim
 //   width    of the pixel, in radii
 //   toSun    in the moon's frame, length 1
@@ -211,19 +212,19 @@ vec2 moonPlace(vec3 seen, float radius)
 //   returns  linear light: about 1.3 at full moon
 //   formula  10.2 a (2 m / (m + n) exp(-0.94 g) + 1.2e-4 e), a the albedo, m and n the cosines of the ground to the
 //            sun and to the eye (Lommel and Seeliger), g the angle between the two, e the light of the earth's own
-//            phase: (sin b + (pi - b) cos b) / pi, b = pi - g. What a slope adds to m is the fall of the ground
-//            towards the sun, a difference of two heights
+//            phase: (sin b + (pi - b) cos b) / pi, b = pi - g. The slopes take from m the rise of the ground
+//            towards the sun
 // Source: H. Seeliger, 'Zur Photometrie zerstreut reflectirender Substanzen', Munich 1888; exp(-0.94 g) by eye after
 // the light of the whole moon in C. W. Allen, 'Astrophysical quantities' (1973), within 9 % from 0 to 150 degrees.
-vec3 moonFace(sampler2D face, sampler2D heights, vec2 place, float width, vec3 toSun, float relief)
+vec3 moonFace(sampler2D face, vec2 place, float width, vec3 toSun, float relief)
 {
     place /= max(length(place), 1.0);
     vec3 normal = vec3(place, sqrt(max(1.0 - dot(place, place), 0.0)));
-    float m = dot(normal, toSun), reach = max(width, 0.009);
-    vec2 at = 0.5 + 0.47 * place, along = 0.47 * reach * (toSun.xy - m * normal.xy), foot = vec2(0.47 * width, 0.0);
-    float albedo = 0.40 * textureGrad(face, at, foot.xy, foot.yx).x;
-    float fall = textureGrad(heights, at, foot.xy, foot.yx).x - textureGrad(heights, at + along, foot.xy, foot.yx).x;
-    m = clamp(m + relief * 0.012 / reach * fall * smoothstep(-0.05, 0.02, m), 0.0, 1.0);
+    vec2 foot = vec2(0.47 * width, 0.0);
+    vec3 ground = textureGrad(face, 0.5 + 0.47 * place, foot.xy, foot.yx).xyz;
+    float albedo = 0.40 * ground.x, m = dot(normal, toSun);
+    float rise = 0.30 * dot(2.0 * ground.yz - 1.00392, toSun.xy - m * normal.xy);
+    m = clamp(m - relief * rise * smoothstep(-0.05, 0.02, m), 0.0, 1.0);
     float phase = acos(clamp(toSun.z, -1.0, 1.0)), earth = sin(phase) - phase * toSun.z;
     float sunlit = 2.0 * m / (m + normal.z + 0.001) * exp(-0.94 * phase);
     return 10.2 * albedo * (sunlit * vec3(1.06, 1.0, 0.88) + 1.2e-4 / NIGHT_PI * earth * vec3(0.85, 1.0, 1.25));
