@@ -9,7 +9,7 @@ int main(int argc, char **argv)
         .stem = "17_glass",
         .title = "17 Glass",
         .shows = "A tumbler, a prism and a ball in low light: what is bent, mirrored and gathered.",
-        .camera = {.position = {0.05f, 1.35f, 3.25f}, .pan = 0.0f, .tilt = -13.0f},
+        .camera = {.position = {0.0f, 2.1f, 3.15f}, .pan = 0.0f, .tilt = -26.0f},
     };
     return chapter_run(&chapter, argc, argv);
 }

@@ -4,9 +4,9 @@
 #include "cone.glsl"       // perspectiveRay, pixelSpread
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere
-#include "solids.glsl"     // opExtrude, opRound, sdCappedCone
+#include "solids.glsl"     // opExtrude, opRound, sdCappedCone; sdTriangle of plane.glsl
 #include "combine.glsl"    // opSubtraction
-#include "glass.glsl"      // marchSide, leavingRay, absorbed, straightThrough, fresnelShare
+#include "glass.glsl"      // marchSide, partingAt, leavingRay, absorbed, straightThrough
 #include "spectrum.glsl"   // cauchyIndex, waveColour, meanColour, sampleWave
 #include "prism.glsl"      // prismBeam
 #include "caustic.glsl"    // ballCaustic
@@ -32,9 +32,9 @@ const vec3  LOW = vec3(-1.95, -0.01, -1.10), HIGH = vec3(1.65, 1.65, 1.15); // o
 const float FAR = 30.0;
 const vec4  BALL = vec4(1.10, 0.502, 0.0, 0.5);      // centre and radius
 const vec3  TUMBLER = vec3(-0.10, 0.802, -0.40);     // its middle
-const vec3  PRISM = vec3(-1.15, 0.502, 0.45);        // its middle
-const float PRISM_RADIUS = 0.26;                     // from its axis to a side
-const float PRISM_TURN = -0.18;                      // radians, of its base against the x axis
+const vec3  PRISM = vec3(-1.32, 0.322, 0.45);        // its middle
+const float PRISM_RADIUS = 0.32;                     // from its axis to a side
+const vec2  PRISM_BASE = vec2(0.9916, -0.1296);      // x and z along its base, length 1
 const vec2  CROWN = vec2(1.5046, 0.00420);           // Cauchy's numbers: BK7
 const vec2  FLINT = vec2(1.6894, 0.01341);           // SF10
 const vec3  AMBER = vec3(0.25, 0.9, 2.4);            // absorption per scene unit
@@ -56,15 +56,15 @@ Ray pixelRay(vec2 screen)
 vec2 prismPlan(vec2 p)
 {
     vec2 q = p - PRISM.xz;
-    return vec2(cos(PRISM_TURN) * q.x + sin(PRISM_TURN) * q.y, sin(PRISM_TURN) * q.x - cos(PRISM_TURN) * q.y);
+    return vec2(dot(PRISM_BASE, q), PRISM_BASE.y * q.x - PRISM_BASE.x * q.y);
 }
 
-// Three planes: the largest of their distances is exact inside.
+// A triangle with equal sides, drawn upwards and rounded: to be rounded its distance must be exact outside too.
 float prismDistance(vec3 p)
 {
-    vec2 q = prismPlan(p.xz);
-    float triangle = max(0.8660254 * abs(q.x) + 0.5 * q.y, -q.y) - PRISM_RADIUS;
-    return opExtrude(triangle, p.y - PRISM.y, 0.5);
+    const float r = PRISM_RADIUS - 0.015, corner = 1.7320508 * r;
+    float triangle = sdTriangle(prismPlan(p.xz), vec2(-corner, -r), vec2(corner, -r), vec2(0.0, 2.0 * r));
+    return opRound(opExtrude(triangle, p.y - PRISM.y, 0.305), 0.015);
 }
 
 float tumblerDistance(vec3 p)
@@ -182,15 +182,13 @@ Way wayThrough(Ray ray, float wave, int lot)
         if (hit.found) {
             vec3 from = way.ray.direction, p = way.ray.origin + hit.t * from, normal = normalAt(p, hitThreshold);
             Glass glass = glassAt(p);
-            float index = cauchyIndex(glass.cauchy, wave), eta = side > 0.0 ? 1.0 / index : index;
             way.share *= side > 0.0 ? vec3(1.0) : absorbed(glass.absorption, hit.t);
-            float mirrored = fresnelShare(clamp(-side * dot(normal, from), 0.0, 1.0), eta);
-            bool back = byLot ? pixelRandom(lot + met) < mirrored : mirrored >= 1.0;
-            vec3 away = reflect(from, normal), bent = refract(from, side * normal, eta);
-            way.light += byLot || back ? vec3(0.0) : way.share * mirrored * surroundings(away);
-            way.share *= byLot || back ? 1.0 : 1.0 - mirrored;
+            Parting parting = partingAt(from, normal, side, cauchyIndex(glass.cauchy, wave));
+            bool back = byLot ? pixelRandom(lot + met) < parting.mirrored : parting.mirrored >= 1.0;
+            way.light += byLot || back ? vec3(0.0) : way.share * parting.mirrored * surroundings(parting.away);
+            way.share *= byLot || back ? 1.0 : 1.0 - parting.mirrored;
             way.far += hit.t;
-            way.ray = leavingRay(p, normal, back ? away : bent, startOffset * hitThreshold);
+            way.ray = leavingRay(p, normal, back ? parting.away : parting.bent, startOffset * hitThreshold);
             side = back ? side : -side;
             met++;
         } else if (met == 0 && ground < FAR) { // the table: the views and the probe are told

@@ -30,6 +30,27 @@ Hit marchSide(Ray ray, float side, float tMin, float tMax, float threshold, int 
     return Hit(found, t);
 }
 
+// What a surface makes of a ray: two, and how much of the light each has.
+struct Parting {
+    float mirrored; // share of the light that is mirrored, in [0, 1]; the rest is let through
+    vec3  away;     // direction of what is mirrored, length 1
+    vec3  bent;     // direction of what is let through, length 1; the vector 0 where nothing is
+};
+
+// The two rays that a smooth surface makes of one.
+//   direction  of the ray, length 1
+//   normal     of the surface, outwards, length 1
+//   side       as of marchSide: from which the ray comes
+//   index      of the solid over that of what is around it, > 0
+//   formula    Snell's law, by refract of GLSL with the normal on the side of the ray, and with the index before the
+//              surface over that behind it; fresnelShare. A ray that comes from the other side than side says is
+//              taken to come along the surface: from inside it is mirrored as a whole
+Parting partingAt(vec3 direction, vec3 normal, float side, float index)
+{
+    float eta = side > 0.0 ? 1.0 / index : index, facing = clamp(-side * dot(normal, direction), 0.0, 1.0);
+    return Parting(fresnelShare(facing, eta), reflect(direction, normal), refract(direction, side * normal, eta));
+}
+
 // The ray that goes on from a surface, bent or mirrored: it starts off the surface, on the side to which it goes.
 //   p          where a march ended, scene units
 //   normal     of the surface there, outwards, length 1

@@ -56,12 +56,13 @@ struct Beam {
 //   q          point of the plan, from the triangle's middle: x along its base, in the direction of the green
 //              light inside, y towards the edge that the light passes
 //   radius     from the middle to a side, scene units
-//   glass      Cauchy's two numbers
+//   glass      Cauchy's two numbers; the plan's index of green must be below 2, or no light goes through so
 //   rise       as of planIndex
 //   halfWidth  of the beam, scene units, small against radius
 //   formula    at q light has left the second side at the place where its wavelength does: prismIndex for the direction
 //              from there, three times over, for the place depends on the index; once from either edge of the beam.
-//              The beam is taken to be as wide behind as before, which holds for green
+//              In its middle the wavelength is right to 0.0005. The beam is taken to be as wide behind as before,
+//              which holds for green
 Beam prismBeam(vec2 q, float radius, vec2 glass, float rise, float halfWidth)
 {
     const vec2 first = vec2(-0.8660254, 0.5), second = vec2(0.8660254, 0.5); // normals of the two sides

@@ -11,7 +11,10 @@ const float LONGEST_WAVE = 0.70;
 //               flint SF10 (1.6894, 0.01341), water (1.3240, 0.00310)
 //   wavelength  > 0
 //   formula     a + b / wavelength^2
-// Source: A.-L. Cauchy, 'Mémoire sur la dispersion de la lumière' (1836).
+// Off from Sellmeier's formula with the maker's six numbers by at most 0.0001 for BK7; for SF10 by 0.0004 from 0.486 to
+// 0.656, and by up to 0.005, too little, in the violet.
+// Sources: A.-L. Cauchy, 'Mémoire sur la dispersion de la lumière' (1836); the two numbers of SF10 are fitted to the
+// indices of the maker's catalogue (Schott, 'Optical Glass').
 float cauchyIndex(vec2 glass, float wavelength)
 {
     return glass.x + glass.y / (wavelength * wavelength);
@@ -34,7 +37,7 @@ float bell(float x, float middle, float below, float above)
 
 // The colour of one wavelength, as a weight: the mean over all wavelengths from SHORTEST_WAVE to LONGEST_WAVE is
 // white, (1, 1, 1).
-//   returns  linear red, green, blue, >= 0, up to about 5
+//   returns  linear red, green, blue, >= 0, up to 5.5
 //   formula  a bell a channel, and a second one for the red in violet: fitted to the eye's curves of 1931 in the
 //            screen's primaries. A pure colour has a negative channel there, which no screen can send: taken
 //            as 0, and each channel divided by its mean. Off from that by at most 0.4

@@ -28,7 +28,8 @@ enum {
     WAVES,
     DEPTH,
     BEAM,
-    INSIDE
+    INSIDE,
+    FOOT
 };
 
 // ---- A surface ----
@@ -286,18 +287,21 @@ static void a_straight_ray_meets_both_surfaces(void **unused)
 
 // ---- The light behind a ball ----
 
-// All the light that goes in comes out, less what is mirrored, whatever the plane.
+// All the light within 0.96 of the radius comes out, less what is mirrored, whatever the plane;
+// what passes farther out is the share that the header says.
 static void no_light_is_lost_behind_a_ball(void **unused)
 {
     (void)unused;
     static const float cases[][2] = {
         {1.05f, 0.02f}, {1.3f, 0.02f}, {2.0f, 0.02f}, {1.45f, 0.2f}}; // plane, blur
-    double truth = 0.0;
+    double truth = 0.0, whole = 0.0;
     for (int i = 0; i < 4000; i++) {
-        double b = 0.96 * (i + 0.5) / 4000.0,
+        double b = (i + 0.5) / 4000.0,
                passes = 1.0 - glass_fresnel(sqrt(1.0 - b * b), 1.0 / 1.5168);
-        truth += 2.0 * b * 0.96 / 4000.0 * passes * passes;
+        whole += 2.0 * b / 4000.0 * passes * passes;
+        truth += b < 0.96 ? 2.0 * b / 4000.0 * passes * passes : 0.0;
     }
+    assert_true(fabs(1.0 - truth / whole - 0.037) < 0.0005);
     for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
         const float numbers[4] = {1.5168f, cases[k][0], cases[k][1]};
         float *values = gpu_call(SHADER, 2048, 1, CAUSTIC, numbers);
@@ -306,11 +310,25 @@ static void no_light_is_lost_behind_a_ball(void **unused)
             sum += 2.0 * (double)values[4 * i] * (double)values[4 * i + 1] * 3.0 / 2048.0;
         free(values);
         print_message("# z = %.2f: %.4f of %.4f\n", (double)cases[k][0], sum, truth);
-        assert_true(fabs(sum - truth) < 0.04 * truth);
+        assert_true(fabs(sum - truth) < 0.005 * truth);
     }
 }
 
-// Rays traced one by one and counted in rings.
+// Beside the ball, and under it, no ray has come out yet: each leaves behind 0.98 radius.
+static void no_light_comes_before_it_has_left_the_ball(void **unused)
+{
+    (void)unused;
+    for (int k = 1; k < 10; k++) {
+        const float numbers[4] = {1.5168f, 0.1f * (float)k, 0.02f};
+        float *values = gpu_call(SHADER, 2048, 1, CAUSTIC, numbers);
+        for (int i = 0; i < 2048; i++)
+            assert_true(values[4 * i + 1] == 0.0f);
+        free(values);
+    }
+}
+
+// Rays traced one by one and counted in rings: where in its ring of b light falls is not known, and
+// the rings of r here are as wide as one of b at the edge.
 static void the_light_behind_a_ball_is_that_of_many_rays(void **unused)
 {
     (void)unused;
@@ -336,13 +354,14 @@ static void the_light_behind_a_ball_is_that_of_many_rays(void **unused)
     free(values);
     for (int k = 0; k < RINGS; k++) {
         print_message("# ring %d: %.4f of %.4f\n", k, seen[k], light[k]);
-        assert_true(fabs(seen[k] - light[k]) < 0.05);
+        assert_true(fabs(seen[k] - light[k]) < 0.02);
     }
 }
 
 // ---- Depths ----
 
-// Nothing of the surface is nearer than a shape claims, inside and outside: 40,000 points of it.
+// Nothing of the surface is nearer than a shape claims, inside and outside: then no two points
+// differ by more than the way between them. 4096 points against 2341.
 static void the_tumbler_bounds_the_depth(void **unused)
 {
     (void)unused;
@@ -354,7 +373,6 @@ static void the_tumbler_bounds_the_depth(void **unused)
     for (int i = 0; i < 128 * 128 * 4; i++)
         cloud[i] = others[i];
     free(others);
-    // Two points of different sign have the surface between them: 1-Lipschitz on a sample of pairs.
     for (int i = 0; i < 64 * 64; i++) {
         inside += values[4 * i + 3] < 0.0f;
         for (int k = 0; k < 128 * 128; k += 7) {
@@ -364,6 +382,31 @@ static void the_tumbler_bounds_the_depth(void **unused)
     }
     free(values);
     assert_true(inside > 300);
+}
+
+// And the depth is not less than that: from inside, the surface is met that far along the slope.
+// Where the slope is no unit vector two pieces of the surface are equally near.
+static void the_depth_is_exact_inside(void **unused)
+{
+    (void)unused;
+    static const float shapes[] = {0.0f, 1.0f, 2.0f, 4.0f};
+    for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++) {
+        const float numbers[4] = {shapes[k]};
+        float *values = gpu_call(SHADER, 64, 64, FOOT, numbers);
+        int inside = 0;
+        double worst = 0.0;
+        for (int i = 0; i < 64 * 64; i++) {
+            const float *v = values + 4 * i;
+            if (v[0] >= 0.0f || fabs((double)v[2] - 1.0) > 1e-3)
+                continue;
+            inside++;
+            worst = fmax(worst, fabs((double)v[1]));
+        }
+        free(values);
+        print_message("# shape %g: %d points inside, worst %.2g\n", (double)shapes[k], inside,
+                      worst);
+        assert_true(inside > 200 && worst < 2e-3);
+    }
 }
 
 // A block of two halves that touch claims a surface between them.
@@ -391,12 +434,12 @@ static void clear_glass_in_a_white_world_is_white(void **unused)
 {
     (void)unused;
     struct glass_rest before = {1.0, 1.0}, rest;
-    for (int surfaces = 4; surfaces <= 16; surfaces += 4) {
+    for (int surfaces = 4; surfaces <= 20; surfaces += 4) {
         assert_true(glass_furnace(surfaces, &rest));
         assert_true(rest.mean < before.mean);
         before = rest;
     }
-    assert_true(rest.mean < 0.01 && rest.pixels < 0.02);
+    assert_true(rest.mean < 0.015 && rest.pixels < 0.02); // go round and round in an edge
 }
 
 int main(void)
@@ -414,8 +457,10 @@ int main(void)
         cmocka_unit_test(ways_inside_multiply),
         cmocka_unit_test(a_straight_ray_meets_both_surfaces),
         cmocka_unit_test(no_light_is_lost_behind_a_ball),
+        cmocka_unit_test(no_light_comes_before_it_has_left_the_ball),
         cmocka_unit_test(the_light_behind_a_ball_is_that_of_many_rays),
         cmocka_unit_test(the_tumbler_bounds_the_depth),
+        cmocka_unit_test(the_depth_is_exact_inside),
         cmocka_unit_test(a_union_has_a_wall_where_its_parts_touch),
         cmocka_unit_test(clear_glass_in_a_white_world_is_white),
     };

@@ -26,7 +26,7 @@ static const double ball_radius = 0.5;
 
 static void prism_plan(struct d3 p, double plan[2])
 {
-    double x = p.x + 1.15, z = p.z - 0.45, c = cos(-0.18), s = sin(-0.18);
+    double x = p.x + 1.32, z = p.z - 0.45, c = 0.9916, s = -0.1296;
     plan[0] = c * x + s * z;
     plan[1] = s * x - c * z;
 }
@@ -37,12 +37,21 @@ static double extruded(double figure, double along)
     return sqrt(a * a + b * b) + fmin(fmax(figure, along), 0.0);
 }
 
+// The nearest of the three sides, each between its corners.
 static double prism(struct d3 p)
 {
-    double q[2];
+    const double r = 0.305, corner = sqrt(3.0) * r;
+    const double at[4][2] = {{-corner, -r}, {corner, -r}, {0.0, 2.0 * r}, {-corner, -r}};
+    double q[2], nearest = 9.0, outside = -9.0;
     prism_plan(p, q);
-    double slanted = cos(MIRROR_PI / 6.0) * fabs(q[0]) + 0.5 * q[1];
-    return extruded(fmax(slanted, -q[1]) - 0.26, fabs(p.y - 0.502) - 0.5);
+    for (int k = 0; k < 3; k++) {
+        double x = at[k + 1][0] - at[k][0], y = at[k + 1][1] - at[k][1], long_ = hypot(x, y);
+        double px = q[0] - at[k][0], py = q[1] - at[k][1];
+        double share = mirror_clamp((px * x + py * y) / (long_ * long_));
+        nearest = fmin(nearest, hypot(px - share * x, py - share * y));
+        outside = fmax(outside, (y * px - x * py) / long_);
+    }
+    return extruded(outside < 0.0 ? -nearest : nearest, fabs(p.y - 0.322) - 0.305) - 0.015;
 }
 
 // A cone with its tip cut off, by the corners of its outline.
@@ -164,12 +173,14 @@ static double caustic(double z, double r)
         double sine = 0.96 * k / RINGS, less = 0.96 * (k - 1) / RINGS, i = asin(sine);
         double turn = 2.0 * (i - asin(sine / 1.52));
         double after = (ball_radius * sine - z * sin(turn)) / fmax(cos(turn), 0.05);
-        double passes = 1.0 - glass_fresnel(cos(i), 1.0 / 1.52);
+        double passes = (1.0 - glass_fresnel(cos(i), 1.0 / 1.52)) *
+                        (1.0 - glass_fresnel(sqrt(1.0 - less * less), 1.0 / 1.52));
         double a = before * after > 0.0 ? fmin(fabs(before), fabs(after)) : 0.0;
         double b = fmax(fabs(before), fabs(after));
         double ring = disc_area(b, width) - (a > 0.0 ? disc_area(a, width) : 0.0);
         double lit = coverage(b - r, width) - (a > 0.0 ? coverage(a - r, width) : 0.0);
-        light += lit * passes * passes * 0.25 * (sine * sine - less * less) / fmax(ring, 2.5e-7);
+        if (z > ball_radius * cos(turn - i)) // the ring has left the ball
+            light += lit * passes * 0.25 * (sine * sine - less * less) / fmax(ring, 2.5e-7);
         before = after;
     }
     return light;
@@ -206,11 +217,11 @@ static int beam_at(struct d3 p)
         green = sqrt((pow(glass_index(1.6894, 0.01341, 0.55), 2.0) - 0.0196) / (1.0 - 0.0196));
     prism_plan(p, q);
     double entering = asin(0.5 * green), angle = entering - MIRROR_PI / 6.0;
-    double x = q[0] + 0.26 * cos(MIRROR_PI / 6.0), y = q[1] - 0.13,
+    double x = q[0] + 0.32 * cos(MIRROR_PI / 6.0), y = q[1] - 0.16,
            aside = cos(angle) * y - sin(angle) * x;
     if (0.5 * y - cos(MIRROR_PI / 6.0) * x > 0.0)
         return fabs(aside) < 0.02 ? 1 : (fabs(aside) < 0.06 ? 3 : 0);
-    x = q[0] - 0.26 * cos(MIRROR_PI / 6.0);
+    x = q[0] - 0.32 * cos(MIRROR_PI / 6.0);
     aside = cos(angle) * y + sin(angle) * x;
     return fabs(aside) < 0.2 * (cos(angle) * x - sin(angle) * y) + 0.12 ? 2 : 0;
 }
@@ -286,31 +297,33 @@ static struct mirror_sample sample_17(const struct mirror_eye *eye)
 // ---- Pixels ----
 
 static const struct pixel pixels[] = {
-    {CHAPTER, 520, 126, "table-"},   {CHAPTER, 520, 166, "table-"},
-    {CHAPTER, 202, 144, "prism-"},   {CHAPTER, 523, 196, "table-"},
-    {CHAPTER, 46, 82, "table#"},     {CHAPTER, 402, 183, "ball-"},
-    {CHAPTER, 618, 267, "room-"},    {CHAPTER, 77, 203, "table-"},
-    {CHAPTER, 423, 309, "room-"},    {CHAPTER, 133, 332, "room-"},
-    {CHAPTER, 55, 191, "table-"},    {CHAPTER, 500, 355, "room-"},
-    {CHAPTER, 122, 69, "table#"},    {CHAPTER, 408, 149, "ball-"},
-    {CHAPTER, 621, 173, "table-"},   {CHAPTER, 153, 146, "prism-"},
-    {CHAPTER, 210, 73, "table#"},    {CHAPTER, 277, 40, "table-"},
-    {CHAPTER, 322, 4, "table-"},     {CHAPTER, 144, 88, "prism-"},
-    {CHAPTER, 201, 199, "prism-"},   {CHAPTER, 270, 73, "table#"},
-    {CHAPTER, 437, 172, "ball-"},    {CHAPTER, 90, 64, "table#"},
-    {CHAPTER, 284, 144, "tumbler-"}, {CHAPTER, 457, 186, "ball-"},
-    {CHAPTER, 283, 144, "tumbler-"}, {CHAPTER, 190, 174, "prism-"},
-    {CHAPTER, 383, 104, "table#"},   {CHAPTER, 339, 283, "tumbler-"},
-    {CHAPTER, 275, 174, "tumbler-"}, {CHAPTER, 173, 159, "prism-"},
-    {CHAPTER, 319, 252, "tumbler-"}, {CHAPTER, 323, 183, "tumbler-"},
-    {CHAPTER, 284, 214, "tumbler-"}, {CHAPTER, 195, 159, "prism-"},
-    {CHAPTER, 391, 184, "ball-"},    {CHAPTER, 355, 167, "tumbler-"},
-    {CHAPTER, 303, 153, "tumbler-"}, {CHAPTER, 208, 114, "prism-"},
-    {CHAPTER, 150, 170, "prism-"},   {CHAPTER, 399, 120, "table#"},
-    {CHAPTER, 127, 129, "prism-"},   {CHAPTER, 293, 280, "tumbler-"},
-    {CHAPTER, 255, 57, "table#"},    {CHAPTER, 414, 198, "ball-"},
-    {CHAPTER, 483, 166, "ball-"},    {CHAPTER, 442, 213, "ball-"},
-    {CHAPTER, 421, 124, "ball-"},    {CHAPTER, 453, 139, "ball-"},
+    {CHAPTER, 162, 222, "table-"},   {CHAPTER, 500, 98, "table-"},
+    {CHAPTER, 26, 216, "table-"},    {CHAPTER, 290, 320, "table-"},
+    {CHAPTER, 516, 233, "table-"},   {CHAPTER, 97, 290, "table-"},
+    {CHAPTER, 562, 130, "table-"},   {CHAPTER, 184, 344, "room-"},
+    {CHAPTER, 482, 99, "table-"},    {CHAPTER, 267, 59, "table#"},
+    {CHAPTER, 340, 237, "tumbler-"}, {CHAPTER, 217, 338, "room-"},
+    {CHAPTER, 550, 263, "table-"},   {CHAPTER, 84, 325, "room-"},
+    {CHAPTER, 136, 354, "room-"},    {CHAPTER, 90, 44, "table#"},
+    {CHAPTER, 314, 332, "room-"},    {CHAPTER, 78, 49, "table#"},
+    {CHAPTER, 371, 130, "table#"},   {CHAPTER, 360, 339, "room-"},
+    {CHAPTER, 289, 294, "tumbler-"}, {CHAPTER, 319, 233, "tumbler-"},
+    {CHAPTER, 338, 220, "tumbler-"}, {CHAPTER, 419, 208, "ball-"},
+    {CHAPTER, 290, 296, "tumbler-"}, {CHAPTER, 238, 66, "table#"},
+    {CHAPTER, 329, 289, "tumbler-"}, {CHAPTER, 65, 89, "table#"},
+    {CHAPTER, 434, 170, "ball-"},    {CHAPTER, 248, 157, "table#"},
+    {CHAPTER, 450, 147, "ball-"},    {CHAPTER, 413, 182, "ball-"},
+    {CHAPTER, 147, 144, "prism-"},   {CHAPTER, 294, 294, "tumbler-"},
+    {CHAPTER, 329, 266, "tumbler-"}, {CHAPTER, 324, 239, "tumbler-"},
+    {CHAPTER, 218, 126, "prism-"},   {CHAPTER, 277, 251, "tumbler-"},
+    {CHAPTER, 297, 179, "tumbler-"}, {CHAPTER, 111, 80, "prism-"},
+    {CHAPTER, 449, 203, "ball-"},    {CHAPTER, 163, 179, "prism-"},
+    {CHAPTER, 198, 123, "prism-"},   {CHAPTER, 103, 104, "prism-"},
+    {CHAPTER, 477, 173, "ball-"},    {CHAPTER, 155, 116, "prism-"},
+    {CHAPTER, 221, 124, "prism-"},   {CHAPTER, 423, 130, "ball-"},
+    {CHAPTER, 392, 190, "ball-"},    {CHAPTER, 408, 170, "ball-"},
+    {CHAPTER, 189, 109, "prism-"},   {CHAPTER, 220, 130, "prism-"},
+    {CHAPTER, 112, 82, "prism-"},
 };
 
 static void test_pixels_agree_with_double(void **unused)

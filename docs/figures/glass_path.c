@@ -41,6 +41,27 @@ static struct d3 march(struct mirror_ray ray, double side, const char *colour)
     return mirror_at(ray, t);
 }
 
+// The angle between two directions at a point, degrees: an arc, and its letter outside it.
+static void angle(struct d3 at, double from, double to, double radius, const char *letter)
+{
+    enum { POINTS = 25 };
+    double point[POINTS][2], middle = 0.5 * (from + to) * MIRROR_PI / 180.0;
+    for (int k = 0; k < POINTS; k++) {
+        double a = (from + (to - from) * k / (POINTS - 1)) * MIRROR_PI / 180.0;
+        point[k][0] = px(at.x + radius * cos(a));
+        point[k][1] = py(at.y + radius * sin(a));
+    }
+    svg_path(POINTS, (const double(*)[2])point, (struct svg_pen){.stroke = SVG_INK, .width = 1.2});
+    radius += 0.11;
+    svg_text(px(at.x + radius * cos(middle)), py(at.y + radius * sin(middle)) + 5.0, 'm', 16.0,
+             SVG_INK, letter);
+}
+
+static double degrees(struct d3 direction)
+{
+    return atan2(direction.y, direction.x) * 180.0 / MIRROR_PI;
+}
+
 int main(void)
 {
     const double index = 1.5, height = 0.72;
@@ -59,7 +80,7 @@ int main(void)
     line(ray.origin, in, ray_pen);
     glass_refract(ray.direction, in, 1.0 / index, &bent);
     line(in, d3_add(in, d3_times(0.9, glass_reflect(ray.direction, in))), pale);
-    line(d3_times(0.45, in), d3_times(1.6, in), normal_pen);
+    line(d3_times(0.15, in), d3_times(1.6, in), normal_pen);
     struct mirror_ray inside = {d3_times(0.98, in), bent};
     struct d3 out = d3_unit(march(inside, -1.0, SVG_BLUE));
     line(in, out, ray_pen);
@@ -70,8 +91,9 @@ int main(void)
     svg_text(40.0, 350.0, 'l', 15.0, SVG_ORANGE, "outside: steps of the distance");
     svg_text(736.0, 350.0, 'r', 15.0, SVG_BLUE, "inside: steps of minus the distance");
     svg_text(px(-1.06), py(1.12), 'r', 15.0, SVG_INK, "normal");
-    svg_text(px(-1.30), py(0.79), 'm', 15.0, SVG_INK, "<tspan font-style='italic'>i</tspan>");
-    svg_text(px(-0.24), py(0.22), 'm', 15.0, SVG_INK, "<tspan font-style='italic'>j</tspan>");
+    angle(in, degrees(in), 180.0, 0.42, "<tspan font-style='italic'>i</tspan>");
+    angle(in, degrees(d3_times(-1.0, in)), degrees(bent), 0.62,
+          "<tspan font-style='italic'>j</tspan>");
     svg_end();
     return 0;
 }

@@ -17,7 +17,7 @@ out vec4 FragColor;
 #include "solids.glsl"
 #include "combine.glsl"
 
-// 0 a ball, 1 a slab across y, 2 the tumbler's kind of shape, 3 a block of two halves that touch
+// 0 a ball, 1 a slab across y, 2 the tumbler's kind of shape, 3 a block of two halves that touch, 4 a rounded prism
 int shape = 0;
 
 float sceneDistance(vec3 p)
@@ -29,6 +29,8 @@ float sceneDistance(vec3 p)
     if (shape == 2)
         return opSubtraction(opRound(sdCappedCone(p, 0.50, 0.58, 0.77), 0.03),
                              sdCappedCone(p - vec3(0.0, 0.30, 0.0), 0.455, 0.54, 0.8));
+    if (shape == 4)
+        return opRound(opExtrude(sdTriangle(p.xz, vec2(-0.6, -0.3), vec2(0.6, -0.3), vec2(0.0, 0.7)), p.y, 0.5), 0.05);
     return min(sdBox(p - vec3(0.5, 0.0, 0.0), vec3(0.5)), sdBox(p + vec3(0.5, 0.0, 0.0), vec3(0.5)));
 }
 
@@ -86,7 +88,7 @@ void main()
     } else if (function == 8) { // iMouse: the two wavelengths
         FragColor = vec4(meanColour(iMouse.x, iMouse.y), sampleWave(int(number), int(iMouse.z), iMouse.w));
     } else if (function == 10) { // the beam; iMouse: place, rise, half width
-        Beam beam = prismBeam(iMouse.xy, 0.26, vec2(1.6894, 0.01341), iMouse.z, iMouse.w);
+        Beam beam = prismBeam(iMouse.xy, 0.32, vec2(1.6894, 0.01341), iMouse.z, iMouse.w);
         FragColor = vec4(beam.white, beam.waves, 0.0);
     } else if (function == 11) { // from inside a slab; iMouse: index; degrees by a hundred pixels
         shape = 1;
@@ -95,6 +97,14 @@ void main()
         Hit hit = marchSide(ray, -1.0, 0.0, 9.0, 0.0001, 4096);
         vec3 left = refract(ray.direction, vec3(0.0, -1.0, 0.0), iMouse.x);
         FragColor = vec4(0.01 * number + iMouse.y, length(left), fresnelShare(cos(angle), iMouse.x), hit.t);
+    } else if (function == 12) { // from scattered points by the claimed distance along the slope: what is there?
+        shape = int(iMouse.x);
+        vec3 p = (fract((number + 131.0 * row) * vec3(0.8191725, 0.6710436, 0.5497005)) - 0.5) * vec3(1.9, 1.8, 1.4);
+        vec3 slope = vec3(sceneDistance(p + vec3(0.002, 0.0, 0.0)) - sceneDistance(p - vec3(0.002, 0.0, 0.0)),
+                          sceneDistance(p + vec3(0.0, 0.002, 0.0)) - sceneDistance(p - vec3(0.0, 0.002, 0.0)),
+                          sceneDistance(p + vec3(0.0, 0.0, 0.002)) - sceneDistance(p - vec3(0.0, 0.0, 0.002))) / 0.004;
+        float d = sceneDistance(p);
+        FragColor = vec4(d, sceneDistance(p - d * normalize(slope)), length(slope), 0.0);
     } else { // the depth that shapes claim, at scattered points
         shape = int(iMouse.x);
         vec3 p = (fract((number + 131.0 * row) * vec3(0.8191725, 0.6710436, 0.5497005)) - 0.5) * vec3(1.9, 1.8, 1.4);
