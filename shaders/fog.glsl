@@ -41,7 +41,8 @@ float skyFogDepth(float height, float climb, float density, float scale)
 // Where on a ray the optical depth from its start is a given one: fogDepth the other way round.
 //   depth    in [0, the depth of the whole piece]
 //   others   as of fogDepth
-//   returns  t, scene units
+//   returns  t, scene units. The density where the ray starts counts as at least 1e-12, so from some twenty scales
+//            up it is too short; and a ray that climbs is followed up to 1 - x = 1e-6, fourteen scales high
 //   formula  t = -(scale / climb) log(1 - x), x = depth climb / (density exp(-height / scale) scale); where
 //            |x| < 0.02, the first terms of the series, depth / b (1 + x / 2 + x^2 / 3 + x^3 / 4), b the
 //            density where the ray starts

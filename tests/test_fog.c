@@ -87,6 +87,28 @@ static void the_depth_is_the_sum_of_thin_slices(void **unused)
     assert_true(worst < 1e-5);
 }
 
+// From 200 scales up, where the density is 0 as a float, down to where it is not: counted from the
+// upper end it would be 0 times infinity. The lower end is known to 200 times a float's rounding.
+static void a_way_from_far_above_has_a_depth(void **unused)
+{
+    (void)unused;
+    const float numbers[4] = {200.0f, 0.5f, 1.0f};
+    float *values = gpu_call(SHADER, 32, 26, DEPTH, numbers);
+    int reached = 0;
+    for (int i = 0; i < 32 * 26; i++) {
+        const float *v = values + 4 * i;
+        double climb = (double)v[0], low = 200.0 + climb * (double)v[1];
+        assert_true(isfinite(v[2]) && v[2] >= 0.0f);
+        if (low > 80.0)
+            continue; // nothing that a float can hold
+        double right = 0.5 * (exp(-low) - exp(-200.0)) / -climb;
+        assert_true(fabs((double)v[2] / right - 1.0) < 1e-4);
+        reached++;
+    }
+    free(values);
+    assert_true(reached > 1);
+}
+
 // From 1 up the numbers are those of a ray so long that nothing of the fog is left.
 static void the_sky_is_seen_through_a_finite_fog(void **unused)
 {
@@ -165,6 +187,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(the_mean_of_a_decay_keeps_its_digits_near_0),
         cmocka_unit_test(the_depth_is_the_sum_of_thin_slices),
+        cmocka_unit_test(a_way_from_far_above_has_a_depth),
         cmocka_unit_test(the_sky_is_seen_through_a_finite_fog),
         cmocka_unit_test(a_place_has_the_depth_that_was_asked_for),
         cmocka_unit_test(light_in_fog_obeys_its_equation),
