@@ -71,10 +71,32 @@ static double even_share(double low, double high, int side)
     return count / (double)side;
 }
 
-double checkers_of_rectangle(const double low[2], const double high[2], int side)
+double checkers_of_grid(const double low[2], const double high[2], int side)
 {
     double x = even_share(low[0], high[0], side), y = even_share(low[1], high[1], side);
     return x * y + (1.0 - x) * (1.0 - y);
+}
+
+// A number from 0 to 63 with its six bits in reversed order, over 64.
+static double reversed(int i)
+{
+    double value = 0.0;
+    for (int bit = 0; bit < 6; bit++)
+        value += (i >> bit & 1) / (double)(2 << bit);
+    return value;
+}
+
+double checkers_of_samples(const double low[2], const double high[2])
+{
+    const double n = CHECKERS_SIDE, half = 0.5 / n;
+    int count = 0;
+    for (int i = 0; i < CHECKERS_SIDE; i++)
+        for (int k = 0; k < CHECKERS_SIDE; k++) {
+            double x = (i + reversed(k) + half) / n, y = (k + reversed(i) + half) / n;
+            double place[2] = {low[0] + (high[0] - low[0]) * x, low[1] + (high[1] - low[1]) * y};
+            count += even(place);
+        }
+    return count / (n * n);
 }
 
 double checkers_of_pixel(const struct checkers_view *view, int x, int y)

@@ -24,7 +24,15 @@ bool checkers_rectangle(const struct checkers_view *view, int x, int y, double l
 
 // The share of even squares among side x side samples of a rectangle, the middles of its cells. A
 // sample is even where both its coordinates are, or neither; so counting along each axis is enough.
-double checkers_of_rectangle(const double low[2], const double high[2], int side);
+// An edge along an axis is off by up to 1 / (2 side): the samples of a whole row fall on one side.
+double checkers_of_grid(const double low[2], const double high[2], int side);
+
+// The same among 64 x 64 samples that are better placed: one in each cell of a 64 x 64 grid, and no
+// two with a coordinate in common, so that an edge along an axis is off by at most 1 / 8192. Where
+// in its cell a sample stands, is the bits of the other axis' number in reversed order; so the
+// samples of a row of cells are even after each of its halves, quarters and so on, and a corner of
+// squares is off by little more.
+double checkers_of_samples(const double low[2], const double high[2]);
 
 // The same among 64 x 64 samples of the pixel itself; no two of a row or column of them share a
 // coordinate.
