@@ -80,22 +80,21 @@ Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float widt
     return Cloud(texel.x, texel.y, 2.0 * texel.z - 1.0);
 }
 
-// A thin layer of high clouds, drawn out by the wind from north to south.
-//   noise      a volume of value noise in [0, 1], as noise.png
-//   eye        over the ground, km; x and z grow with the way of the eye and against that of the wind
-//   direction, altitude  as of layerHit
-//   width      angle of a pixel, radians
-//   formula    cover = 0.6 smoothstep(0.5, 0.9, v), v two octaves of noise, 28 and 7 km to a period, where
-//              layerHit ends; side 0, for what is so thin is lit through
-Cloud cloudLayer(sampler3D noise, vec3 eye, vec3 direction, float altitude, float width)
+// The clouds of a thin layer over a round Earth.
+//   layer     its cover, seen from below; repeats in u, to the north, and in v, to the east
+//   eye       over the ground, km; x and z grow with the way of the eye and against that of the wind
+//   direction, altitude  as of layerHit; below the horizon as at it
+//   period    of the picture, km
+//   width     angle of a pixel, radians
+//   formula   the picture at eye + t direction, t of layerHit, averaged over width t / sin of the angle at which
+//             the ray meets the sphere, which is direction.y + t / EARTH_RADIUS, nearly; above = 9/10 cover and
+//             side = 0, for what is so thin is lit through
+Cloud cloudLayer(sampler2D layer, vec3 eye, vec3 direction, float altitude, float period, float width)
 {
-    float t = layerHit(eye.y, direction.y, altitude), reach = width * t / max(abs(direction.y), 0.05);
-    vec2 place = (eye.xz + t * direction.xz) * vec2(0.35, 1.0);
-    vec2 bend = place + 4.0 * sin(0.11 * place.yx);
-    vec3 across = vec3(reach, 0.0, 0.0), along = across.yxz;
-    float broad = textureGrad(noise, vec3(bend, 3.0) / 28.0, across / 28.0, along / 28.0).x;
-    float fine = textureGrad(noise, vec3(bend + 2.0, 2.0) / 7.0, across / 7.0, along / 7.0).x;
-    float cover = 0.6 * smoothstep(0.5, 0.9, 0.55 * broad + 0.45 * fine);
+    float climb = max(direction.y, 0.0), t = layerHit(eye.y, climb, altitude);
+    vec2 place = (eye.xz + t * direction.xz) / period;
+    float reach = width * t / (climb + t / EARTH_RADIUS) / period;
+    float cover = textureGrad(layer, place, vec2(reach, 0.0), vec2(0.0, reach)).x;
     return Cloud(cover, 0.9 * cover, 0.0);
 }
 
@@ -187,6 +186,14 @@ vec3 overcastSky(float sinHeight, vec3 white)
     return 3.0 / 7.0 * white * (1.0 + 2.0 * max(sinHeight, 0.0));
 }
 
+// What an overcast sky sends on by a level white surface: a fifth of what falls on the clouds, by eye, a
+// little blue.
+//   clear  what the clear sky and its sun send on together
+vec3 overcastWhite(vec3 clear)
+{
+    return vec3(0.17, 0.19, 0.22) * dot(clear, vec3(0.21, 0.72, 0.07));
+}
+
 // What haze and rain take of the light, per kilometre.
 //   weather  as of fairShare
 //   formula  0.02 in fair weather, growing to 0.2 in bad: Koschmieder's visual range, 3.9 over it, is 200 km
@@ -202,8 +209,8 @@ float rainShare(float weather)
     return 1.0 - smoothstep(0.5, 0.68, weather);
 }
 
-// How much of a pixel falling drops fill, drawn out to streaks by the time that the shutter is open: three
-// sheets of rain, each further away than the last.
+// How much of a pixel falling drops fill, drawn out to streaks by the time that the shutter is open: two
+// sheets of rain, one further away than the other.
 //   screen  y from -1 to 1, x from -aspect to aspect
 //   time    seconds
 //   pixel   height of a pixel, in the units of screen
@@ -211,8 +218,8 @@ float rainShare(float weather)
 float rainStreaks(vec2 screen, float time, float pixel)
 {
     float sum = 0.0;
-    for (int i = 1; i <= 3; i++) {
-        float near = 7.0 * float(i), wide = 0.02 + 0.25 * near * pixel;
+    for (int i = 1; i <= 2; i++) {
+        float near = 9.0 * float(i), wide = 0.02 + 0.25 * near * pixel;
         vec2 p = near * (screen + vec2(0.14 * screen.y, 0.0));
         float column = floor(p.x), lot = cellRandom(ivec3(int(column), i, 20));
         float fall = 0.35 * p.y + 5.0 * (1.0 + 0.3 * lot) * time + 31.0 * lot, drop = floor(fall);
