@@ -180,6 +180,8 @@ vec3 rayColour(Ray ray)
 {
 #if VIEW >= 1 && VIEW <= 5
     Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
+    if (VIEW == 2) // its greys change most around 6 units: on the sheet, at a quarter of that
+        traceMarch(trace.steps, 4.0 * hit.t, trace.end);
     if (VIEW < 4 && hit.found)
         normalAt(ray.origin + hit.t * ray.direction, hitThreshold);
     return PAPER;
