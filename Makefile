@@ -135,7 +135,8 @@ $(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/fig
 $(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-$(BUILD)/tests/test_paint: $(PAINT)
+# What the tables of the sky are computed by is tested as it is.
+$(TESTS) $(BUILD)/tests/measure $(BUILD)/tests/draw $(FIGURES:%=$(BUILD)/docs/figures/%): $(PAINT)
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)

@@ -10,12 +10,15 @@
 
 // Columns and rows of a table of the sky, in each of its two storeys: below the light that the air scatters, above
 // that of the dust. The lowest sun that has a column, -16.3 degrees.
-const vec2  SKY_TABLE = vec2(128.0, 64.0);
+const vec2  SKY_TABLE = vec2(192.0, 96.0);
 const float LOWEST_SUN = -0.28;
 
 // Columns and rows of the table of the sun, and how far it reaches, in radii of the sun.
 const float SUN_TABLE = 64.0;
 const float SUN_REACH = 12.0;
+
+// What a table's blue holds of the red.
+const float RED_LIFT = 0.03;
 
 // The mean cosine of the angle by which dust scatters, for phaseDust.
 const float DUST_FORWARD = 0.76;
@@ -55,7 +58,8 @@ float beyond(float x)
 vec2 skyScale(float sun, float row)
 {
     float high = max(sun, 0.0);
-    float air = 4.92 - 0.17 / (high + 0.06) - 60.0 * beyond(-sun - 0.04) - row * (1.65 + 45.0 * beyond(-sun - 0.05));
+    float air = 5.0 - 0.17 / (high + 0.06) - 60.0 * beyond(-sun - 0.04) - row * (1.65 + 45.0 * beyond(-sun - 0.05));
+    air -= (1.0 + 0.078 / (high + 0.06)) / (1.0 + 300.0 * row * row); // dim down at the horizon
     float dust = 5.05 - 0.22 / (high + 0.055) - 150.0 * beyond(-sun - 0.02) - 4.1 * row;
     return exp2(vec2(air, dust));
 }
@@ -95,7 +99,8 @@ float sunwardShare(vec3 direction, vec3 sun)
     return pow(0.5 + 0.5 * a, min(power, 64.0));
 }
 
-// The light of a table in a direction: air and dust, each with the share that goes this way.
+// The light of a table in a direction: air and dust, each with the share that goes this way. A low sun's light is redder
+// than the screen's red, its blue below 0, which no picture holds: the table's blue is lifted by RED_LIFT of the red.
 //   place  of skyPlace
 //   c      cosine of the angle to the sun
 //   scale  of skyScale
@@ -105,7 +110,8 @@ vec3 tableLight(sampler2D table, vec2 place, float c, vec2 scale)
     vec3 air = textureLod(table, texel / vec2(SKY_TABLE.x, 2.0 * SKY_TABLE.y), 0.0).rgb;
     texel.y += SKY_TABLE.y;
     vec3 dust = textureLod(table, texel / vec2(SKY_TABLE.x, 2.0 * SKY_TABLE.y), 0.0).rgb;
-    return scale.x * phaseAir(c) * air + scale.y * phaseDust(c) * dust;
+    vec3 light = scale.x * phaseAir(c) * air + scale.y * phaseDust(c) * dust;
+    return vec3(light.rg, light.b - RED_LIFT * light.r);
 }
 
 // The light of the clear sky, without the sun's disc: what the air of a round Earth scatters once.
@@ -118,7 +124,8 @@ vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 {
     vec2 place = skyPlace(sun.y, direction.y), scale = skyScale(sun.y, place.y);
     float c = dot(direction, sun);
-    return mix(tableLight(away, place, c, scale), tableLight(sunward, place, c, scale), sunwardShare(direction, sun));
+    vec3 far = tableLight(away, place, c, scale), near = tableLight(sunward, place, c, scale);
+    return max(mix(far, near, sunwardShare(direction, sun)), 0.0);
 }
 
 // ---- The sun ----
@@ -138,7 +145,7 @@ vec3 tableSunlight(vec3 sun)
 //   direction  of the ray, length 1
 //   sun        direction of the sun, length 1
 //   radius     of the disc, radians: 0.00466 is the real one. A larger disc sends as much light in all
-//   returns    linear light: 46,000 times tableSunlight for the real radius
+//   returns    linear light: 46,000 times tableSunlight in the mean of a disc of the real radius
 //   formula    the table by |direction - sun| / radius and by the direction's height, times the light of a
 //              disc so large, and outside of it times 0.004 (1 + 0.054 x^2)^(-3/2), x the distance in radii: the
 //              dust's coarsest grains scatter so, by phaseDust with 0.98 for DUST_FORWARD
@@ -149,18 +156,18 @@ vec3 tableSun(sampler2D table, vec3 direction, vec3 sun, float radius)
     vec3 share = textureLod(table, (0.5 + place * (SUN_TABLE - 1.0)) / SUN_TABLE, 0.0).rgb;
     float spread = inversesqrt(1.0 + 0.054 * x * x), inside = 1.0 - smoothstep(0.95, 1.1, x);
     float profile = mix(0.004 * spread * spread * spread, 1.0, inside) * smoothstep(-4.0 * radius, -radius, sun.y);
-    return 11.5 * exp(-0.1 * airMass(height)) / (radius * radius) * profile * share;
+    return 15.0 * exp(-0.1 * airMass(height)) / (radius * radius) * profile * share;
 }
 
 // ---- All the sky together, and how to expose ----
 
 // The logarithm to base 2 of the light of all the sky on a level white surface.
 //   sun      sine of the sun's height, >= -0.2
-//   formula  fitted to the integral: within 0.15 above -10 degrees
+//   formula  fitted to the integral: within 0.25 above -8 degrees
 float skyBrightness(float sun)
 {
     float high = max(sun, 0.0), deep = max(-sun, 0.0);
-    return -0.41 - 0.352 / (high + 0.1) - 36.0 * deep - 320.0 * deep * deep;
+    return -0.41 - 0.352 / (high + 0.1) - 36.0 * deep - 305.0 * deep * deep;
 }
 
 // The light of all the sky on a level white surface, without the sun's own.

@@ -9,21 +9,14 @@
 // above. Sources: E. Bruneton, F. Neyret, 'Precomputed atmospheric scattering', Computer Graphics
 // Forum 27 (2008), for the dust's height and, in Bruneton's implementation of 2017, the profile of
 // ozone.
-static const double EARTH = 6371.0, TOP = 80.0, AIR_HEIGHT = 8.4; // of the dust: a seventh, 1.2
+static const double EARTH = 6371.0, TOP = 120.0, AIR_HEIGHT = 8.4; // of the dust: a seventh, 1.2
 
-enum { WAVES = 16, VIEW_STEPS = 64, SUN_STEPS = 40 };
-
-// One wavelength, of 400 to 700 nm in steps of 20, and what belongs to it.
-struct wave {
-    double sun;    // W m^-2 nm^-1 above the air
-    double ozone;  // cross section, 1e-25 m^2
-    double eye[3]; // the eye's curves, x, y, z
-};
+enum { VIEW_STEPS = 80, SUN_STEPS = 40 };
 
 // Sources: sun: ASTM G-173 (2003), above the air; ozone: V. Gorshelev and others, 'High spectral
 // resolution ozone absorption cross-sections', Atmospheric Measurement Techniques 7 (2014), at 233
 // K; both as the means over 20 nm round the wavelength. The eye: CIE 1931.
-static const struct wave WAVE[WAVES] = {
+const struct air_wave air_waves[AIR_WAVES] = {
     {1.437, 0.011, {0.0143, 0.0004, 0.0679}}, {1.710, 0.041, {0.1344, 0.0040, 0.6456}},
     {1.762, 0.121, {0.3483, 0.0230, 1.7471}}, {2.028, 0.299, {0.2908, 0.0600, 1.6692}},
     {1.978, 0.634, {0.0956, 0.1390, 0.8130}}, {1.937, 1.191, {0.0049, 0.3230, 0.2720}},
@@ -71,7 +64,7 @@ static void add_wave(int wave, double light, double colour[3])
 {
     for (int c = 0; c < 3; c++)
         for (int k = 0; k < 3; k++)
-            colour[c] += UNIT * SCREEN[c][k] * WAVE[wave].eye[k] * WAVE[wave].sun * light;
+            colour[c] += UNIT * SCREEN[c][k] * air_waves[wave].eye[k] * air_waves[wave].sun * light;
 }
 
 // ---- Amounts on a way, as shares of what is overhead ----
@@ -144,7 +137,7 @@ static int amount_along(double radius, double sine, struct amount *amount)
 static double share_through(int wave, struct amount amount, double ozone)
 {
     return paint_exp(-air_depth(wave) * amount.air - dust_depth(wave) * amount.dust -
-                     ozone * OZONE * WAVE[wave].ozone * amount.ozone);
+                     ozone * OZONE * air_waves[wave].ozone * amount.ozone);
 }
 
 // ---- Light ----
@@ -156,7 +149,7 @@ struct air_light air_scattered(double sun, double view, double azimuth, double o
         sqrt((1.0 - sun * sun) * (1.0 - view * view)) * azimuth; // of the cosine of their angle
     double length = way_out(EARTH, view);
     struct amount passed = {0.0, 0.0, 0.0};
-    double air[WAVES] = {0.0}, dust[WAVES] = {0.0};
+    double air[AIR_WAVES] = {0.0}, dust[AIR_WAVES] = {0.0};
     for (int i = 0; i < VIEW_STEPS; i++) { // the middles of steps that grow
         double from = (double)i / VIEW_STEPS, to = (i + 1.0) / VIEW_STEPS, q = 0.5 * (from + to);
         double distance = length * q * q, step = length * (to * to - from * from);
@@ -172,7 +165,7 @@ struct air_light air_scattered(double sun, double view, double azimuth, double o
             way.air += beyond.air;
             way.dust += beyond.dust;
             way.ozone += beyond.ozone;
-            for (int w = 0; w < WAVES; w++) {
+            for (int w = 0; w < AIR_WAVES; w++) {
                 double share = step * share_through(w, way, ozone);
                 air[w] += share * here.air * air_depth(w);
                 dust[w] += share * here.dust * dust_depth(w) * DUST_KEPT;
@@ -182,7 +175,7 @@ struct air_light air_scattered(double sun, double view, double azimuth, double o
         passed.dust += step * here.dust;
         passed.ozone += step * here.ozone;
     }
-    for (int w = 0; w < WAVES; w++) {
+    for (int w = 0; w < AIR_WAVES; w++) {
         add_wave(w, air[w], light.air);
         add_wave(w, dust[w], light.dust);
     }
@@ -194,7 +187,7 @@ void air_sunlight(double sun, double colour[3])
     struct amount way;
     colour[0] = colour[1] = colour[2] = 0.0;
     if (amount_along(EARTH, sun, &way))
-        for (int w = 0; w < WAVES; w++)
+        for (int w = 0; w < AIR_WAVES; w++)
             add_wave(w, share_through(w, way, 1.0) / PI, colour);
 }
 
@@ -222,8 +215,9 @@ struct air_scale air_scale(double sun, double row)
 {
     const double log2 = 0.69314718055994531;
     double high = sun > 0.0 ? sun : 0.0;
-    double air = 4.92 - 0.17 / (high + 0.06) - 60.0 * beyond(-sun - 0.04) -
-                 row * (1.65 + 45.0 * beyond(-sun - 0.05));
+    double air = 5.0 - 0.17 / (high + 0.06) - 60.0 * beyond(-sun - 0.04) -
+                 row * (1.65 + 45.0 * beyond(-sun - 0.05)) -
+                 (1.0 + 0.078 / (high + 0.06)) / (1.0 + 300.0 * row * row);
     double dust = 5.05 - 0.22 / (high + 0.055) - 150.0 * beyond(-sun - 0.02) - 4.1 * row;
     return (struct air_scale){.air = paint_exp(log2 * air), .dust = paint_exp(log2 * dust)};
 }
@@ -257,6 +251,7 @@ void air_table(double u, double v, double azimuth, double value[3])
     struct air_scale scale = air_scale(sun, row);
     for (int c = 0; c < 3; c++)
         value[c] = y < AIR_ROWS ? light.air[c] / scale.air : light.dust[c] / scale.dust;
+    value[2] += AIR_LIFT * value[0];
 }
 
 // The air mass of chapter 09's even shell.
@@ -275,10 +270,12 @@ void air_sun_table(double u, double v, double value[3])
 {
     double q = floor(u * SUN_COLUMNS) / (SUN_COLUMNS - 1), x = SUN_REACH * q * q;
     double row = floor(v * SUN_ROWS) / (SUN_ROWS - 1), sine = air_drawn_back(row, AIR_SUN_WIDTH);
-    double mass = air_mass(sine), scale = 11.5 * paint_exp(-0.1 * mass), colour[3];
+    double mass = air_mass(sine), scale = 15.0 * paint_exp(-0.1 * mass), colour[3];
     double rim = x < 1.0 ? sqrt(1.0 - x * x) : 0.0, left = 1.0 - x * x / (SUN_REACH * SUN_REACH);
     air_sunlight(sine, colour);
-    for (int c = 0; c < 3; c++)
-        value[c] = colour[c] / scale *
-                   (x <= 1.0 ? 1.0 - DARK[c] * (1.0 - rim) : mass / 38.0 * left * left);
+    for (int c = 0; c < 3; c++) {
+        // The mean of the disc is 1 - DARK / 3 of its middle, and is to be the sun's light.
+        double middle = colour[c] / (1.0 - DARK[c] / 3.0) / scale;
+        value[c] = middle * (x <= 1.0 ? 1.0 - DARK[c] * (1.0 - rim) : mass / 38.0 * left * left);
+    }
 }

@@ -7,6 +7,15 @@
 #ifndef AIR_H
 #define AIR_H
 
+// One wavelength, of 400 to 700 nm in steps of 20, and what belongs to it.
+enum { AIR_WAVES = 16 };
+struct air_wave {
+    double sun;    // W m^-2 nm^-1 above the air
+    double ozone;  // cross section of a molecule, 1e-25 m^2
+    double eye[3]; // the eye's curves, x, y, z
+};
+extern const struct air_wave air_waves[AIR_WAVES];
+
 // What the air sends towards an eye at sea level, each kind without the share that its angle of
 // scattering has: multiply by air_rayleigh_phase and air_dust_phase, and add.
 struct air_light {
@@ -31,7 +40,7 @@ void air_sunlight(double sun, double colour[3]);
 // A table has a column for each height of the sun and two storeys of rows: below for what the air
 // scatters, above for the dust, in each a row for each height of the direction.
 // shaders/sky_table.glsl reads it.
-enum { AIR_COLUMNS = 128, AIR_ROWS = 64 };
+enum { AIR_COLUMNS = 192, AIR_ROWS = 96 };
 
 // Where a sine lies in a table: x from -1 to 1, drawn out round 0 by 1 / k.
 //   formula  the x with x (k + (1 - k) |x|) = sine
@@ -44,6 +53,10 @@ double air_drawn_back(double x, double k);
 #define AIR_SUN_WIDTH  0.15
 #define AIR_VIEW_WIDTH 0.05
 #define AIR_LOWEST_SUN (-0.28)
+
+// The light of a low sun is redder than a screen's red: its blue is a little less than nothing,
+// which a picture cannot hold. A table's blue is that of the light and this share of its red.
+#define AIR_LIFT 0.03
 
 // How much light a table's number 1 is: a smooth function of the sun's height and of the row, the
 // same in shaders/sky_table.glsl.
