@@ -20,7 +20,8 @@
 //              t: that place, or covered, where the march was given up or has passed tMax
 // Needs a lower bound of the distance: then no surface is stepped over, nor anything that comes nearer to
 // the ray than 0.86 r, and march promises no more. Where the distance is also 1-Lipschitz along the ray, at
-// most n + 1 evaluations where march takes n.
+// most n + 1 evaluations where march takes n; but a ray that only grazes, nearer than r and away again, may be
+// a hit for one of them and none for the other.
 // Source: B. Keinert and others, 'Enhanced sphere tracing', STAG 2014; docs/16_fewer_steps.md has the proofs
 // and what is different here.
 Hit marchRelaxed(Ray ray, float tMin, float tMax, float threshold, float spread, float omega,
