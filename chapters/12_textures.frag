@@ -144,12 +144,6 @@ Surface surfaceAt(vec3 p, float h, bool hit)
     return surface;
 }
 
-// A colour nearer to grey, as light as before.
-vec3 faded(vec3 colour, float kept)
-{
-    return mix(vec3(dot(colour, vec3(0.2, 0.7, 0.1))), colour, kept);
-}
-
 // Granite from as many sides as planes says.
 //   p, normal, f  as the stone sees them
 vec3 graniteAt(vec3 p, vec3 normal, Footprint f)
@@ -157,14 +151,7 @@ vec3 graniteAt(vec3 p, vec3 normal, Footprint f)
     vec3 weights = planeWeights(normal, sharpness);
     weights = planes == 2 ? twoPlaneWeights(weights) : (planes == 1 ? vec3(0.0, 1.0, 0.0) : weights);
     weights *= step(0.01, weights); // less would not be seen, and costs a lookup
-    vec3 stone = textureOnPlanes(granite, REPEATS * p, footprintSeen(f, mat3(1.0), REPEATS), weights).rgb;
-    return faded(stone, 0.45);
-}
-
-// Boards that have stood outside: their colour has faded.
-vec3 woodAt(vec3 p, Slide slide)
-{
-    return faded(textureOnSlide(plank, slide).rgb, 0.75);
+    return textureOnPlanes(granite, REPEATS * p, footprintSeen(f, mat3(1.0), REPEATS), weights).rgb;
 }
 
 struct Material {
@@ -201,7 +188,7 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     vec3 facing = abs(surface.normal);
     int axis = facing.y > 0.6 ? 1 : (facing.x > facing.z ? 0 : 2);
     Slide slide = slideAlong(WEAVE * p, footprintSeen(f, mat3(1.0), WEAVE), axis);
-    vec3 linen = 0.55 * textureOnSlide(cloth, slide).rgb, wood = woodAt(p, slide);
+    vec3 linen = 0.55 * textureOnSlide(cloth, slide).rgb, wood = textureOnSlide(plank, slide).rgb;
     vec3 earth = mix(vec3(0.016, 0.014, 0.012), vec3(0.10, 0.085, 0.07), pale);
     vec3 colour = isCloth ? linen : (isPlank ? wood : (hit ? stone : earth));
     float white = frost * smoothstep(0.3, 0.95, normal.y) * smoothstep(0.35, 0.6, pale + 0.25 * frost);

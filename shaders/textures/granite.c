@@ -1,4 +1,5 @@
-// granite.c - polished granite: rose feldspar, white plagioclase, smoky quartz and black mica.
+// granite.c - weathered granite: pale rose feldspar, white plagioclase, smoky quartz and black
+// mica.
 //
 // Large crystals of feldspar lie in a filling of small grains; mica keeps together in flakes.
 #include "paint.h"
@@ -11,10 +12,10 @@ struct mineral {
     double cleavage;   // how strongly the planes show along which it splits
     double cloud;      // how uneven it is inside
 };
-static const struct mineral rose = {{0x8a5f52, 0xbd8f80, 0xdfbeae}, 0.55, 0.34, 0.60},
-                            white = {{0x9c948a, 0xc9c2b8, 0xebe6dd}, 0.50, 0.26, 0.60},
-                            quartz = {{0x4b4a4d, 0x807e7f, 0xb5b2b0}, 0.55, 0.05, 0.95},
-                            mica = {{0x0c0b0d, 0x242122, 0x55504c}, 0.40, 0.50, 0.50};
+static const struct mineral rose = {{0x79645f, 0xaa948e, 0xd1c1ba}, 0.55, 0.34, 0.60},
+                            white = {{0x989490, 0xc5c2be, 0xe8e6e2}, 0.50, 0.26, 0.60},
+                            quartz = {{0x4b4a4c, 0x7f7e7f, 0xb4b2b1}, 0.55, 0.05, 0.95},
+                            mica = {{0x0c0b0c, 0x232122, 0x53504f}, 0.40, 0.50, 0.50};
 
 // The chances of a grain.
 static double chance(uint32_t name, int which)

@@ -1,4 +1,4 @@
-// plank.c - four oak boards, the grain along u, with gaps between them.
+// plank.c - four oak boards that have stood outside, the grain along u, with gaps between them.
 //
 // Each board is cut from a log of its own: its rings are the distance from the log's axis, which
 // leans against the cut, so that the board shows long pointed arches.
@@ -27,7 +27,7 @@ static double rings_at(double x, double y, int board)
 
 static void plank(double u, double v, double value[3])
 {
-    static const uint32_t oak[5] = {0x4a2b17, 0x7d4f2c, 0xab7848, 0xca9a66, 0xe2bc8e};
+    static const uint32_t oak[5] = {0x452d20, 0x75513b, 0xa27a5b, 0xc19c78, 0xdabd9d};
     double across = v * BOARDS;
     int board = (int)floor(across);
     double y = across - board;
