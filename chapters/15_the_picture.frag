@@ -10,7 +10,7 @@
 
 uniform float fogDensity;   // 0.09 in [0, 1] step 0.01, per scene unit: what the mist takes of the light at the floor
 uniform float fogScale;     // 1.6 in [0.1, 1000] step *1.1, scene units: height over which the mist thins to 1 / e
-uniform int   shafts;       // 6 in [0, 16]: places of a ray at which the mist asks for the sun; 0: it is in the sun
+uniform int   shafts;       // 3 in [0, 16]: places of a ray at which the mist asks for the sun; 0: it is in the sun
 uniform float sunElevation; // 15 in [3, 60] step 1, degrees: height of the sun over the horizon
 uniform float sunAzimuth;   // 66 in [0, 360] step 2, degrees: where the sun stands, from the right towards the viewer
 uniform float sunSpread;    // 0.012 in [0.001, 0.1] step *1.1: radius of the sun's disc, seen from one unit

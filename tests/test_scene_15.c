@@ -15,7 +15,7 @@
 
 #define CHAPTER "15_the_picture"
 
-enum { WIDTH = 640, HEIGHT = 360, MAX_STEPS = 96, MIST_DIMENSION = 6, SHAFTS = 6 };
+enum { WIDTH = 640, HEIGHT = 360, MAX_STEPS = 96, MIST_DIMENSION = 6, SHAFTS = 3 };
 
 static const double threshold = 0.001, density = 0.09, scale = 1.6;
 static const double pixel_spread = 1.0 / (HEIGHT * MIRROR_FOCAL_LENGTH);
