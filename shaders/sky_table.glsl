@@ -87,16 +87,19 @@ float phaseDust(float c)
 // ---- The sky ----
 
 // The share of the table of the sun's half in a direction.
-//   formula  ((1 + a) / 2)^p, a the cosine of the angle to the sun in the level plane; p = 1 while the sun is above -3
-//            degrees, and doubles with every 2 degrees of further depth, near the horizon: the glow of dusk draws
-//            together. At the zenith, where there is no such angle, 1/2: both tables agree there
+//   row      of skyPlace
+//   formula  ((1 + a) / 2)^p, a the cosine of the angle to the sun in the level plane, p = 1 + (q - 1) (1 - 0.4 a),
+//            log2 q = 0.45 + 0.4 d - 3.1 row, at least 0, d the degrees by which the sun is below the horizon. By day p
+//            is 1, for the light that is left when the phases are taken out is linear in a; in twilight the glow
+//            draws together, low down the most. At the zenith, where there is no such angle, any share will do: both
+//            tables agree there
 // Fitted; by how much it errs is measured in docs/18_sky_from_tables.md.
-float sunwardShare(vec3 direction, vec3 sun)
+float sunwardShare(vec3 direction, vec3 sun, float row)
 {
     float level = dot(direction.xz, sun.xz), size = length(direction.xz) * length(sun.xz);
     float a = clamp(level / max(size, 1e-6), -1.0, 1.0);
-    float power = exp2(28.65 * max(-sun.y - 0.0523, 0.0) * (1.0 - max(direction.y, 0.0)));
-    return pow(0.5 + 0.5 * a, min(power, 64.0));
+    float narrow = exp2(clamp(0.45 - 22.9 * sun.y - 3.1 * row, 0.0, 6.0)) - 1.0;
+    return pow(0.5 + 0.5 * a, 1.0 + narrow * (1.0 - 0.4 * a));
 }
 
 // The light of a table in a direction: air and dust, each with the share that goes this way. A low sun's light is redder
@@ -125,7 +128,7 @@ vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
     vec2 place = skyPlace(sun.y, direction.y), scale = skyScale(sun.y, place.y);
     float c = dot(direction, sun);
     vec3 far = tableLight(away, place, c, scale), near = tableLight(sunward, place, c, scale);
-    return max(mix(far, near, sunwardShare(direction, sun)), 0.0);
+    return max(mix(far, near, sunwardShare(direction, sun, place.y)), 0.0);
 }
 
 // ---- The sun ----
