@@ -11,6 +11,7 @@
 #include "fog.glsl"       // fogDepth, skyFogDepth, fogLight, throughFog
 #include "film.glsl"      // exposed, filmOfLargest
 #include "sky_table.glsl" // tableSky, tableSun, tableSunlight, tableAmbient, hourStops
+#include "night.glsl"     // skyTurn, starLight, airglow, the moon
 #include "clouds.glsl"    // cloudPanorama, cloudLight, and the weather
 #include "coarse.glsl"    // coarseStart
 
@@ -19,18 +20,23 @@ uniform sampler2D away;       // "sky_away.png" sRGB clamp: and opposite
 uniform sampler2D halo;       // "sun_halo.png" sRGB clamp: the sun and its halo
 uniform sampler2D fair;       // "clouds_fair.png" linear repeat: clouds of fair weather
 uniform sampler2D storm;      // "clouds_storm.png" linear repeat: and of bad
+uniform sampler2D moonAlbedo; // "moon.png" linear clamp: the moon's face
+uniform sampler2D moonRelief; // "moon_height.png" linear clamp: and its heights
 
 uniform float timeOfDay;      // 18 in [0, 24] step 0.25, hours: solar time at the start
 uniform float hoursPerSecond; // 0 in [0, 4] step 0.05, hours per second: how fast the time of day runs
 uniform float declination;    // 10 in [-23.44, 23.44] step 1, degrees: of the sun
 uniform float weather;        // 1 in [0.5, 1] step 0.05: 1 fair, 0.5 bad
+uniform float moonAge;        // 14.77 in [0, 29.53] step 1, days: since new moon; 14.77 is full
+uniform float turned;        // 0.1 in [0, 1] step 0.01, days: since new moon; 14.77 is full
 uniform float wind;           // 0.3 in [0, 1] step 0.05: how rough the water is
-uniform float omega;          // 1.8 in [1, 1.95] step 0.05, distances: length of a step
+uniform float omega;          // 1.5 in [1, 1.95] step 0.05, distances: length of a step
 uniform int   maxSteps;       // 160 in [1, 512]: steps before a ray is given up
 uniform float hitThreshold;   // 0.0002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 const float FAR = 160.0;
 const float LATITUDE = 43.6;
+const float MOON = 0.009;
 
 Ray pixelRay(vec2 screen)
 {
@@ -39,7 +45,9 @@ Ray pixelRay(vec2 screen)
 
 float sceneDistance(vec3 p)
 {
-    return landDistance(unmirrored(p));
+    bool below = p.y < 0.0;
+    float land = landDistance(unmirrored(p), below ? 2 : octavesAsked);
+    return land - (below ? mirrorBlur * length(p - bend.place) : 0.0);
 }
 
 float coarseMargin(float t)
@@ -50,30 +58,45 @@ float coarseMargin(float t)
 // ---- The hour ----
 
 struct Hour {
-    vec3 sun, toLight, beam, around;
+    vec3  sun, moon, toLight; // directions; the last to what is brighter
+    float turn;               // hours since the noon before
+    vec3  beam, cloudBeam, around; // light of sun or moon on the ground, on clouds, and of the whole sky
     float stops;
 };
 
 Hour hourNow()
 {
-    vec3 sun = sunDirection(timeOfDay + hoursPerSecond * iTime, LATITUDE, declination);
-    vec3 around = tableAmbient(sun), beam = tableSunlight(sun);
-    vec3 white = around + max(sun.y, 0.0) * beam;
-    around = mix(around, 0.4 * white, overcastShare(weather));
-    return Hour(sun, sun, beam * sunLeft(weather), around, hourStops(sun.y));
+    float turn = mod(timeOfDay + hoursPerSecond * iTime + 12.0, 24.0);
+    vec3 sun = sunDirection(turn + 12.0, LATITUDE, declination), moon = moonDirection(turn + 12.0, LATITUDE, declination, moonAge);
+    vec3 sunBeam = tableSunlight(sun), moonBeam = moonlight(-dot(sun, moon)) * 0.1 * tableSunlight(moon);
+    bool day = sun.y > -0.05 || sunBeam.g > moonBeam.g;
+    vec3 toLight = day ? sun : moon, beam = day ? sunBeam : moonBeam;
+    float high = cloudSunHeight(toLight.y, 3.0);
+    vec3 cloudBeam = tableSunlight(vec3(0.0, high, 0.0)) * (day ? vec3(1.0) : 0.1 * moonlight(-dot(sun, moon)));
+    vec3 around = tableAmbient(sun) + 0.15 * max(moon.y, 0.0) * moonBeam * vec3(0.8, 1.0, 1.3) + 6e-8 * vec3(0.8, 1.0, 1.2);
+    float bright = exp2(skyBrightness(max(sun.y, -0.3))) + 6e-8 + 0.2 * max(moon.y, 0.0) * moonBeam.g;
+    around = mix(around, 0.15 * (around + max(toLight.y, 0.0) * beam), overcastShare(weather));
+    return Hour(sun, moon, toLight, turn, beam * sunLeft(weather), cloudBeam, around, -2.3 - 0.85 * log2(bright));
 }
 
 vec3 skyLight(vec3 direction, Hour now, bool mirrored)
 {
     float width = 2.0 * pixelSpread();
-    vec3 clear = tableSky(sunward, away, direction, now.sun) * (1.0 - 0.0 * weather);
-    clear += mirrored ? vec3(0.0) : sunLeft(weather) * tableSun(halo, direction, now.sun, 0.0047);
+    vec3 clear = tableSky(sunward, away, direction, now.sun) + airglow(direction.y);
+    vec3 through = exp(-vec3(0.1, 0.148, 0.269) * airMass(direction.y));
+    vec3 stars = skyTurn(now.turn + 12.0, LATITUDE) * direction;
+    mat3 frame = moonFrame(now.moon, LATITUDE);
+    vec2 onMoon = moonPlace(frame * direction, MOON);
+    float disc_ = 1.0 - smoothstep(1.0 - width / MOON, 1.0 + width / MOON, length(onMoon));
+    vec3 far = starLight(stars, min(width, 0.0031)) + milkyWay(stars);
+    far = mix(far, moonFace(moonAlbedo, moonRelief, onMoon, width / MOON, frame * now.sun, 1.0), disc_);
+    clear += sunLeft(weather) * (through * far + (mirrored ? vec3(0.0) : tableSun(halo, direction, now.sun, 0.0047)));
     vec3 sky = mix(clear, overcastSky(direction.y, now.around), overcastShare(weather));
-    float turned = 0.0;
-    Cloud a = cloudShare(cloudPanorama(fair, direction, turned, width), fairShare(weather));
-    Cloud b = cloudShare(cloudPanorama(storm, direction, turned, width), stormShare(weather));
-    Cloud c = cloudOver(b, a);
-    return (1.0 - c.cover) * sky + cloudLight(c, direction, now.sun, now.beam, now.around);
+    float drift = turned + now.turn / 24.0;
+    Cloud low = cloudShare(cloudPanorama(fair, direction, drift, width), fairShare(weather));
+    Cloud dark = cloudShare(cloudPanorama(storm, direction, drift, width), stormShare(weather));
+    Cloud cloud = cloudOver(dark, low);
+    return (1.0 - cloud.cover) * sky + cloudLight(cloud, direction, now.toLight, sunLeft(weather) * now.cloudBeam, now.around);
 }
 
 struct Place {
@@ -95,7 +118,7 @@ vec3 thingNormal(vec3 p, float h, bool wanted)
 Place placeAt(vec3 p, float width, bool met, bool thing)
 {
     vec2 q = inValley(p.xz);
-    float octaves = clamp(log2(1.2 / (CELLS * width)) / log2(LACUNARITY), 1.0, 13.0);
+    float octaves = clamp(log2(1.2 / (CELLS * width)) / log2(LACUNARITY), 1.0, 11.0);
     vec4 land = landAt(q, octaves);
     vec2 g = fromValley(land.yz);
     vec3 normal = normalize(vec3(-g.x, 1.0, -g.y));
@@ -122,9 +145,10 @@ float lightSeen(Place place, Hour now, float radius)
     way = vec2(abs(now.toLight.y), length(now.toLight.xz));
     float top = (14.0 - place.p.y) / max(now.toLight.y, 0.02);
     float far = place.met ? shadowReach(place.normal, now.toLight, min(60.0, top)) : 0.0;
-    octavesAsked = 2;
+    octavesAsked = 1;
     bend.waves = false;
-    Hit hit = marchRelaxed(up, 0.0, far, 0.5 * radius, 0.002, 1.8, 40);
+    mirrorBlur = 0.0;
+    Hit hit = marchRelaxed(up, 0.0, far, 0.5 * radius, 0.005, 1.5, 24);
     return hit.found || thingsAlong(up, FAR, min(far, 3.0), hitThreshold, 0.0) > 0.0 ? 0.0 : 1.0;
 }
 
@@ -149,8 +173,9 @@ vec3 rayColour(Ray ray)
     vec3 facet = normalize(vec3(-waves.slope.x, 1.0, -waves.slope.y)), mirrored = reflect(ray.direction, facet);
     mirrored = normalize(vec3(mirrored.x, max(mirrored.y, 0.002), mirrored.z));
     bend = Bend(true, vec3(w.x, 0.0, w.z), mirrored);
+    mirrorBlur = 0.3 * sqrt(waves.variance);
     way = vec2(max(abs(ray.direction.y), mirrored.y), 1.0);
-    Hit hit = marchRelaxed(ray, min(coarseStart(ray), water), FAR, hitThreshold, pixelSpread(), omega, maxSteps);
+    Hit hit = marchRelaxed(ray, min(coarseStart(ray), water), FAR, hitThreshold, 2.5 * pixelSpread(), omega, maxSteps);
     hit.found = hit.t < FAR;
     float thing = thingsAlong(ray, water, hit.t, hitThreshold, pixelSpread());
     float t = thing > 0.0 ? thing : hit.t;
@@ -164,7 +189,7 @@ vec3 rayColour(Ray ray)
     vec3 light = met ? matt : skyLight(direction, now, lake);
     // fog
     float density = 2.0 * 0.1 * hazeDensity(weather), scale = 3.0;
-    vec3 fog = fogLight(direction, now.sun, 0.5 * now.around, 0.25 * now.beam, 0.7);
+    vec3 fog = fogLight(direction, now.toLight, 0.5 * now.around, 0.25 * now.beam, 0.7);
     float first = min(t, water), last = t - first;
     float depth = met ? fogDepth(lake ? 0.0 : ray.origin.y, direction.y, lake ? last : t, density, scale) : skyFogDepth(0.14, direction.y, density, scale) * 0.0;
     light = throughFog(light, fog, depth);
@@ -173,5 +198,5 @@ vec3 rayColour(Ray ray)
     vec3 ofLake = mix(deep, light + glitter(ray.direction, now.toLight, waves, now.beam), share);
     ofLake = throughFog(ofLake, fog, density * first);
     light = lake ? ofLake : light;
-    return encodeSRGB(filmOfLargest(exposed(light, now.stops), 1.3, 8.0));
+    return encodeSRGB(filmOfLargest(exposed(daylightFilm(light), now.stops), 1.3, 8.0));
 }

@@ -8,17 +8,15 @@
 #include "repetition.glsl"
 
 const vec2  AHEAD = vec2(-0.9063, -0.4226); // x and z of the way down the valley
-const int   OCTAVES = 5;                    // of ridges that are marched,
+const int   OCTAVES = 4;                    // of ridges that are marched,
 const float CELLS = 0.08;                   //   with so many cells a scene unit,
-const float GAIN = 0.48;                    //   each octave so much lower
+const float GAIN = 0.42;                    //   each octave so much lower
 const float LACUNARITY = 2.1;               //   and finer than the one before
 const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8);
 const vec2  SHIFT = vec2(17.17, 29.73);
 const vec2  SEED = vec2(31.2, 9.9);
 const float ROUGH = 3.6;                    // times its height over the shore, what the ridges add to a hill
-const float SOFT = 0.01;
 const float FOOT = 0.4; // ridges begin so high over the water
-const float LEAST = 0.01;
 const float BASE_SLOPE = 0.45;              // of the hills, no more
 
 // How the ray that is marched climbs (x) and how level it is (y): its distances are ways along it. A negative y:
@@ -59,31 +57,27 @@ vec3 shore(vec2 q)
 // The hills without ridges: height (x), gradient (yz).
 vec3 hills(vec2 q)
 {
-    vec3 h = hill(q - vec2(4.0, 46.0), vec2(34.0, 20.0), 7.4);
-    h = higherGround(h, hill(q - vec2(-24.0, 24.0), vec2(16.5, 18.0), 7.0), 1.5);
-    h = higherGround(h, hill(q - vec2(64.0, 90.0), vec2(46.0, 34.0), 6.4), 1.5);
-    h = higherGround(h, hill(q - vec2(15.0, 16.0), vec2(9.0, 5.0), 3.9), 1.0);
+    vec3 h = hill(q - vec2(4.0, 46.0), vec2(43.0, 25.5), 7.4);
+    h = higherGround(h, hill(q - vec2(-25.0, 24.0), vec2(24.0, 24.5), 7.1));
+    h = higherGround(h, hill(q - vec2(64.0, 90.0), vec2(58.0, 42.0), 6.4));
+    h = higherGround(h, hill(q - vec2(19.0, 22.0), vec2(13.0, 12.5), 3.6));
     h.x -= 3.0;
-    return higherGround(h, shore(q), 0.2);
+    return higherGround(h, shore(q));
 }
 
-// How high the ridges are, over the hills (x), and its slope with them (y).
+// How much of the ridges there is over the hills (x), and how fast it grows with their height (y).
 vec2 roughness(float height)
 {
-    height -= FOOT;
-    float root = sqrt(height * height + SOFT);
-    return vec2(LEAST + 0.5 * ROUGH * (height + root), 0.5 * ROUGH * (1.0 + height / root));
+    return height > FOOT ? vec2(ROUGH * (height - FOOT), ROUGH) : vec2(0.0);
 }
 
-// The height of the hills over which the land can reach y: the inverse of height + roughness(height).x
+// The height of the hills from which on the land can reach y: the inverse of height + roughness(height).x.
 float hillsUnder(float y)
 {
-    float m = 1.0 + 0.5 * ROUGH, n = 0.5 * ROUGH, square = 1.0 + ROUGH;
-    y -= LEAST + FOOT;
-    return (m * y - n * sqrt(y * y + SOFT * square)) / square + FOOT;
+    return min(y, FOOT + (y - FOOT) / (1.0 + ROUGH));
 }
 
-float landDistance(vec3 p)
+float landDistance(vec3 p, int octaves)
 {
     vec2 q = inValley(p.xz);
     float base = hills(q).x, over = p.y - base, high = roughness(base).x;
@@ -93,11 +87,11 @@ float landDistance(vec3 p)
     float hilly = way.x + way.y * BASE_SLOPE, growth = way.y * ROUGH * BASE_SLOPE;
     vec2 x = CELLS * q + SEED;
     bool counts = true;
-    for (int i = 0; i < octavesAsked && counts; i++) {
+    for (int i = 0; i < octaves && counts; i++) {
         float ridge = ridged(groundNoise(x)).x;
         first = i == 0 ? ridge : first;
         sum += weight * ridge;
-        rest = i + 1 < octavesAsked ? rest - weight : 0.0;
+        rest = i + 1 < octaves ? rest - weight : 0.0;
         float share = first * (sum + rest), level = way.y * slope;
         d = max(d, wayToClose(over - high * share, hilly + growth * share + high * level, 2.0 * growth * level));
         weight *= GAIN;
@@ -152,30 +146,36 @@ vec3 atCabin(vec3 p)
     return vec3(0.94 * p.x + 0.34 * p.z, p.y, 0.94 * p.z - 0.34 * p.x) / CABIN_SIZE;
 }
 
+// A lower bound of the distance to a box: exact beside its faces.
+float block(vec3 p, vec3 halfSize)
+{
+    vec3 q = abs(p) - halfSize;
+    return max(q.x, max(q.y, q.z));
+}
+
 float cabinDistance(vec3 p)
 {
     vec3 q = atCabin(p);
-    float walls = sdBox(q - vec3(0.0, 0.012, 0.0), vec3(0.042, 0.026, 0.03));
-    vec2 r = vec2(abs(q.z), q.y - 0.066);
-    float roof = max(abs(dot(r, vec2(0.64, 0.768))) - 0.003, abs(q.x) - 0.05);
-    roof = max(roof, r.x - 0.042);
-    float gable = max(max(dot(r, vec2(0.64, 0.768)), abs(q.x) - 0.042), max(r.x - 0.03, -q.y));
-    float chimney = sdBox(q - vec3(0.02, 0.06, 0.012), vec3(0.006, 0.018, 0.006));
-    return CABIN_SIZE * min(min(walls, gable), min(roof, chimney));
+    float slope = dot(vec2(abs(q.z), q.y - 0.066), vec2(0.64, 0.768)), low = -0.02 - q.y;
+    float walls = max(block(vec3(q.x, 0.0, q.z), vec3(0.042, 1.0, 0.03)), max(slope, low));
+    float roof = max(abs(slope) - 0.003, block(vec3(q.x, 0.0, q.z), vec3(0.05, 1.0, 0.042)));
+    float chimney = block(q - vec3(0.02, 0.062, 0.012), vec3(0.006, 0.018, 0.006));
+    return CABIN_SIZE * min(min(walls, roof), chimney);
 }
 
+// A pine: a stem, and a crown whose width goes up and down.
 float pineDistance(vec3 p, float height)
 {
-    float s = (height - p.y) / height, tier = abs(fract(7.0 * s) - 0.5);
-    float radius = 0.24 * height * clamp(s, 0.0, 1.0) * (0.62 + 0.76 * tier);
-    float crown = max((length(p.xz) - radius) / 1.9, max(0.16 * height - p.y, p.y - height));
-    return min(crown, max(length(p.xz) - 0.025 * height, abs(p.y - 0.1 * height) - 0.12 * height));
+    float s = height - p.y, tier = abs(fract(0.9 + 42.0 * s) - 0.5), across = length(p.xz);
+    float radius = 0.24 * max(s, 0.0) * (0.62 + 0.76 * tier);
+    float crown = max(0.6 * (across - radius), max(0.16 * height - p.y, -s));
+    return min(crown, max(across - 0.025 * height, abs(p.y - 0.1 * height) - 0.12 * height));
 }
 
 // A wood: one pine in every cell of a lattice, where there is one; so far from its cell's walls that no other is nearer.
 float pinesDistance(vec3 p)
 {
-    vec2 cell = floor(p.xz / CELL), middle = CELL * (cell + 0.5);
+    vec2 cell = floor(p.xz * (1.0 / CELL)), middle = CELL * (cell + 0.5);
     float lot = cellRandom(ivec3(cell, 5)), other = fract(64.0 * lot);
     vec2 at = middle + 0.02 * (2.0 * vec2(other, fract(64.0 * other)) - 1.0);
     bool grows = lot < 0.62 && at.y > 0.86 + 0.9 * max(at.x + 0.75, 0.0) && at.x < -0.2;
@@ -184,16 +184,14 @@ float pinesDistance(vec3 p)
     return min(free, grows ? pineDistance(vec3(p.x - at.x, p.y - foot, p.z - at.y), 0.13 + 0.13 * other) : 1.0);
 }
 
+// A hull, a mast and two sails.
 float boatDistance(vec3 p)
 {
     vec3 q = p - BOAT;
-    float hull = length(vec3(q.x * 0.35, q.y - 0.006, q.z)) - 0.010;
-    hull = max(hull, q.y - 0.008);
-    float mast = max(length(q.xz) - 0.0009, abs(q.y - 0.045) - 0.045);
-    vec2 s = vec2(q.x, q.y - 0.013);
-    float sail = max(max(-s.x - 0.028 + 0.0, -s.y), (s.x * 0.0) + dot(vec2(-s.x, s.y), vec2(0.943, 0.333)) - 0.0);
-    sail = max(max(s.x + 0.001, -s.y), dot(vec2(-s.x, s.y) , vec2(0.924, 0.383)) - 0.0275);
-    float jib = max(max(-s.x + 0.002, -s.y + 0.002), dot(s, vec2(0.943, 0.333)) - 0.0215);
+    float hull = max(length(vec3(0.35 * q.x, q.y - 0.006, q.z)) - 0.010, q.y - 0.008);
+    float mast = block(q - vec3(0.0, 0.045, 0.0), vec3(0.0009, 0.045, 0.0009));
+    float sail = max(max(q.x + 0.001, 0.013 - q.y), 0.924 * -q.x + 0.383 * (q.y - 0.013) - 0.0275);
+    float jib = max(max(0.002 - q.x, 0.015 - q.y), 0.943 * q.x + 0.333 * (q.y - 0.013) - 0.0215);
     return min(min(hull, mast), max(min(sail, jib), abs(q.z) - 0.0007));
 }
 
@@ -224,6 +222,7 @@ struct Bend {
     vec3  direction; // length 1, upwards
 };
 Bend bend = Bend(false, vec3(0.0), vec3(0.0));
+float mirrorBlur = 0.0; // how fast the waves widen what is mirrored
 
 // The point of the world in whose place p stands.
 vec3 unmirrored(vec3 p)

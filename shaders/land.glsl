@@ -29,31 +29,25 @@ vec3 ridged(vec3 noise)
     return vec3(1.0 - abs(s), -2.0 * sign(s) * noise.yz);
 }
 
-// A hill that nowhere ends: its top and its slope.
+// A round hill on a plain.
 //   p        scene units, from the top
-//   radius   along both axes, scene units, > 0
+//   radius   along both axes, scene units, > 0; outside it is 0
 //   height   scene units
 //   returns  height (x), gradient (yz), which is never longer than HILL_STRETCH height / the smaller radius
-//   formula  height / (1 + |p / radius|^2)^2
+//   formula  height max(1 - |p / radius|^2, 0)^2
 vec3 hill(vec2 p, vec2 radius, float height)
 {
     vec2 inverse = 1.0 / radius, r = p * inverse;
-    float w = 1.0 / (1.0 + dot(r, r));
-    return vec3(height * w * w, -4.0 * height * w * w * w * r * inverse);
+    float w = max(1.0 - dot(r, r), 0.0);
+    return vec3(height * w * w, -4.0 * height * w * r * inverse);
 }
 
-const float HILL_STRETCH = 1.0351853; // 50 sqrt(5) / 108: the slope of 1 / (1 + r^2)^2 at r = 1 / sqrt(5)
+const float HILL_STRETCH = 1.5396007; // 8 sqrt(3) / 9: the slope of (1 - r^2)^2 at r = 1 / sqrt(3)
 
-// The higher of two grounds, blended where they are nearly as high: the sum of their shares is 1.
-//   a, b     height (x), gradient (yz)
-//   k        scene units, > 0: how far apart they are where the blend ends
-//   returns  the same; no steeper than the steeper of the two
-//   formula  mix(b, a, s) + k s (1 - s), s = clamp(1/2 + (a - b) / (2 k), 0, 1); the gradient mix(b, a, s)
-// Source: the smooth union of combine.glsl, upside down; docs/04_hue_colour.md.
-vec3 higherGround(vec3 a, vec3 b, float k)
+// The higher of two grounds: height (x), gradient (yz). No steeper than the steeper of the two.
+vec3 higherGround(vec3 a, vec3 b)
 {
-    float s = clamp(0.5 + (0.5 / k) * (a.x - b.x), 0.0, 1.0);
-    return mix(b, a, s) + vec3(k * s * (1.0 - s), 0.0, 0.0);
+    return a.x > b.x ? a : b;
 }
 
 // How fast a ray can come nearer to a ground, per scene unit of its way: the stretch of y - h along it,
