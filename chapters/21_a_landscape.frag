@@ -20,11 +20,12 @@ uniform sampler2D away;       // "sky_away.png" sRGB clamp: and opposite
 uniform sampler2D halo;       // "sun_halo.png" sRGB clamp: the sun and its halo
 uniform sampler2D fair;       // "clouds_fair.png" linear repeat: clouds of fair weather
 uniform sampler2D storm;      // "clouds_storm.png" linear repeat: and of bad
-uniform sampler2D moonAlbedo; // "moon.png" linear clamp: the moon's face
-uniform sampler2D moonRelief; // "moon_height.png" linear clamp: and its heights
+uniform sampler2D moonMap;    // "moon.png" linear clamp: the moon's face
+uniform sampler2D turf;       // "turf.png" sRGB repeat: grass
+uniform sampler2D granite;    // "granite.png" sRGB repeat: rock
 
-uniform float timeOfDay;      // 18 in [0, 24] step 0.25, hours: solar time at the start
-uniform float hoursPerSecond; // 0 in [0, 4] step 0.05, hours per second: how fast the time of day runs
+uniform float timeOfDay;      // 18.4 in [0, 24] step 0.25, hours: solar time at the start
+uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: how fast the time of day runs
 uniform float declination;    // 10 in [-23.44, 23.44] step 1, degrees: of the sun
 uniform float weather;        // 1 in [0.5, 1] step 0.05: 1 fair, 0.5 bad
 uniform float moonAge;        // 14.77 in [0, 29.53] step 1, days: since new moon; 14.77 is full
@@ -37,6 +38,8 @@ uniform float hitThreshold;   // 0.0002 in [0.00001, 0.1] step *2, scene units: 
 const float FAR = 160.0;
 const float LATITUDE = 43.6;
 const float MOON = 0.009;
+const float TIDE = 0.2617994; // 2 pi / 24 s
+const vec3  LAMPLIGHT = 0.012 * vec3(1.0, 0.55, 0.2);
 
 Ray pixelRay(vec2 screen)
 {
@@ -75,8 +78,8 @@ Hour hourNow()
     vec3 cloudBeam = tableSunlight(vec3(0.0, high, 0.0)) * (day ? vec3(1.0) : 0.1 * moonlight(-dot(sun, moon)));
     vec3 around = tableAmbient(sun) + 0.15 * max(moon.y, 0.0) * moonBeam * vec3(0.8, 1.0, 1.3) + 6e-8 * vec3(0.8, 1.0, 1.2);
     float bright = exp2(skyBrightness(max(sun.y, -0.3))) + 6e-8 + 0.2 * max(moon.y, 0.0) * moonBeam.g;
-    around = mix(around, 0.15 * (around + max(toLight.y, 0.0) * beam), overcastShare(weather));
-    return Hour(sun, moon, toLight, turn, beam * sunLeft(weather), cloudBeam, around, -2.3 - 0.85 * log2(bright));
+    around = mix(around, overcastWhite(around + max(toLight.y, 0.0) * beam), overcastShare(weather));
+    return Hour(sun, moon, toLight, turn, beam * sunLeft(weather), cloudBeam, around, -2.0 - 0.85 * log2(bright));
 }
 
 vec3 skyLight(vec3 direction, Hour now, bool mirrored)
@@ -88,8 +91,8 @@ vec3 skyLight(vec3 direction, Hour now, bool mirrored)
     mat3 frame = moonFrame(now.moon, LATITUDE);
     vec2 onMoon = moonPlace(frame * direction, MOON);
     float disc_ = 1.0 - smoothstep(1.0 - width / MOON, 1.0 + width / MOON, length(onMoon));
-    vec3 far = starLight(stars, min(width, 0.0031)) + milkyWay(stars);
-    far = mix(far, moonFace(moonAlbedo, moonRelief, onMoon, width / MOON, frame * now.sun, 1.0), disc_);
+    vec3 far = starLight(stars, min(width, 0.0031));
+    far = mix(far, moonFace(moonMap, onMoon, width / MOON, frame * now.sun, 1.0), disc_);
     clear += sunLeft(weather) * (through * far + (mirrored ? vec3(0.0) : tableSun(halo, direction, now.sun, 0.0047)));
     vec3 sky = mix(clear, overcastSky(direction.y, now.around), overcastShare(weather));
     float drift = turned + now.turn / 24.0;
@@ -100,43 +103,37 @@ vec3 skyLight(vec3 direction, Hour now, bool mirrored)
 }
 
 struct Place {
-    vec3 p, normal, colour, glow;
+    vec3 p, normal, colour;
+    float lamp; // share of it that is a lit window
     bool met;
 };
 
-vec3 thingNormal(vec3 p, float h, bool wanted)
+// Grass, rock and snow by slope and height.
+//   land   of landAt: chance in w
+//   width  of the pixel there
+vec3 landColour(vec3 p, vec3 direction, vec3 normal, float chance, float width)
 {
-    vec3 sum = vec3(0.0);
-    int corners = wanted ? 4 : 1;
-    for (int i = 0; i < corners; i++) {
-        vec3 corner = 2.0 * vec3(i == 0 || i == 3, i == 1 || i == 3, i == 2 || i == 3) - 1.0;
-        sum += corner * thingsDistance(p + h * corner);
-    }
-    return normalize(sum);
+    Footprint f = footprintOn(direction, normal, 0.577 * width);
+    vec3 weights = twoPlaneWeights(planeWeights(normal, 4.0));
+    vec3 stone = textureOnPlanes(granite, 0.35 * p, footprintSeen(f, mat3(1.0), 0.35), weights).rgb;
+    vec3 meadow = textureFromAbove(turf, 9.0 * p, footprintSeen(f, mat3(1.0), 9.0)).rgb * mix(0.5, 1.6, chance);
+    vec3 wood = mix(vec3(0.010, 0.022, 0.010), vec3(0.045, 0.055, 0.02), chance);
+    vec3 rock = stone * mix(vec3(0.3, 0.28, 0.27), vec3(0.8, 0.74, 0.68), chance);
+    float uneven = chance - 0.5, level = normal.y + 0.3 * uneven, height = p.y + 2.0 * uneven;
+    vec3 green = mix(meadow, wood, smoothstep(0.25, 0.5, p.y + 0.3 * uneven));
+    vec3 colour = mix(rock, green, smoothstep(0.55, 0.70, level) * smoothstep(3.9, 2.3, height));
+    colour = mix(colour, vec3(0.85, 0.87, 0.9), smoothstep(0.48, 0.64, level) * smoothstep(3.6, 5.0, height));
+    return mix(0.6 * stone * mix(0.5, 1.0, chance), colour, smoothstep(0.002, 0.014, p.y + 0.01 * uneven));
 }
 
-Place placeAt(vec3 p, float width, bool met, bool thing)
+Place placeAt(vec3 p, vec3 direction, float width, bool met, bool thing)
 {
     vec2 q = inValley(p.xz);
-    float octaves = clamp(log2(1.2 / (CELLS * width)) / log2(LACUNARITY), 1.0, 11.0);
-    vec4 land = landAt(q, octaves);
-    vec2 g = fromValley(land.yz);
-    vec3 normal = normalize(vec3(-g.x, 1.0, -g.y));
-    vec3 ofThing = thingNormal(p, 0.5 * width + 0.0005, thing);
-    vec3 grass = mix(vec3(0.035, 0.06, 0.014), vec3(0.11, 0.11, 0.035), land.w);
-    vec3 forest = mix(vec3(0.012, 0.028, 0.012), vec3(0.05, 0.06, 0.02), land.w);
-    vec3 rock = mix(vec3(0.10, 0.09, 0.085), vec3(0.30, 0.27, 0.24), land.w), snow = vec3(0.85, 0.87, 0.9);
-    float level = normal.y + 0.25 * (land.w - 0.5);
-    vec3 green = mix(grass, forest, smoothstep(0.3, 0.6, p.y) * smoothstep(0.35, 0.5, land.w + 0.1));
-    vec3 colour = mix(rock, green, smoothstep(0.55, 0.72, level) * smoothstep(3.8, 2.2, p.y + 2.0 * (land.w - 0.5)));
-    colour = mix(colour, snow, smoothstep(0.50, 0.66, level) * smoothstep(3.6, 5.0, p.y + 2.0 * (land.w - 0.5)));
-    colour = mix(vec3(0.16, 0.14, 0.11), colour, smoothstep(0.0, 0.012, p.y));
-    vec3 local = atCabin(vec3(q.x, p.y, q.y));
-    bool isCabin = length(local) < 0.1 && abs(local.x) < 0.06, boat = q.x > 0.0;
-    vec2 pane = abs(vec2(abs(local.x) - 0.018, local.y - 0.016)) - vec2(0.007, 0.008);
-    bool window = isCabin && local.z < -0.029 && max(pane.x, pane.y) < 0.0;
-    vec3 ofThings = isCabin ? (local.y > 0.03 && abs(ofThing.y) > 0.3 ? vec3(0.09, 0.05, 0.04) : vec3(0.16, 0.085, 0.045)) : (boat ? vec3(0.8) : vec3(0.018, 0.035, 0.012));
-    return Place(p, thing ? ofThing : normal, thing ? ofThings : colour, thing && window ? vec3(1.0, 0.5, 0.15) * 0.02 : vec3(0.0), met);
+    vec4 land = landAt(q, clamp(log2(1.2 / (CELLS * width)) / log2(LACUNARITY), 1.0, 12.0));
+    vec3 normal = normalize(vec3(-fromValley(land.yz), 1.0)).xzy, ofThing = thingNormal(p);
+    vec4 paint = thingColour(p, ofThing);
+    vec3 colour = landColour(p, direction, normal, land.w, width);
+    return Place(p, thing ? ofThing : normal, thing ? paint.rgb : colour, thing ? paint.w : 0.0, met);
 }
 
 float lightSeen(Place place, Hour now, float radius)
@@ -159,8 +156,8 @@ Water waterAt(vec3 p, vec3 direction, float width)
     vec2 q = p.xz;
     float gust = smoothstep(0.35, 0.75, groundNoise(q * vec2(0.5, 0.5)).x);
     float strength = wind * (0.3 + 0.7 * gust);
-    Water a = fourWaves(q, f, vec4(55.0, -80.0, 120.0, 170.0), vec4(30.0, 70.0, -40.0, 90.0), strength * vec4(0.03, 0.03, 0.025, 0.025), vec4(1.0, 1.3, 1.6, 2.0) * iTime);
-    Water b = fourWaves(q, f, vec4(-250.0, 310.0, 480.0, -700.0), vec4(120.0, -300.0, 350.0, 250.0), strength * vec4(0.03, 0.025, 0.02, 0.02), vec4(2.4, 3.0, 3.6, 4.2) * iTime);
+    Water a = fourWaves(q, f, vec4(55.0, -80.0, 120.0, 170.0), vec4(30.0, 70.0, -40.0, 90.0), strength * vec4(0.03, 0.03, 0.025, 0.025), vec4(9.0, 12.0, 13.0, 17.0) * TIDE * iTime);
+    Water b = fourWaves(q, f, vec4(-250.0, 310.0, 480.0, -700.0), vec4(120.0, -300.0, 350.0, 250.0), strength * vec4(0.03, 0.025, 0.02, 0.02), vec4(20.0, 25.0, 29.0, 33.0) * TIDE * iTime);
     return Water(a.slope + b.slope, a.variance + b.variance + 0.00003);
 }
 
@@ -183,9 +180,9 @@ vec3 rayColour(Ray ray)
     vec3 direction = lake ? mirrored : ray.direction;
     vec3 p = unmirrored(ray.origin + t * ray.direction);
     float spread = pixelSpread() + (lake ? 0.5 * sqrt(waves.variance) * (t - water) / t : 0.0);
-    Place place = placeAt(p, 2.0 * spread * t, met, thing > 0.0);
+    Place place = placeAt(p, direction, 2.0 * spread * t, met, thing > 0.0);
     float seen = lightSeen(place, now, coarseMargin(t));
-    vec3 matt = place.colour * (seen * lambert(place.normal, now.toLight) * now.beam + (0.6 + 0.4 * place.normal.y) * now.around) + place.glow;
+    vec3 matt = place.colour * (seen * lambert(place.normal, now.toLight) * now.beam + (0.6 + 0.4 * place.normal.y) * now.around) + place.lamp * LAMPLIGHT;
     vec3 light = met ? matt : skyLight(direction, now, lake);
     // fog
     float density = 2.0 * 0.1 * hazeDensity(weather), scale = 3.0;

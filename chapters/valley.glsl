@@ -172,16 +172,22 @@ float pineDistance(vec3 p, float height)
     return min(crown, max(across - 0.025 * height, abs(p.y - 0.1 * height) - 0.12 * height));
 }
 
+// The pine of a cell: its place (x, y ahead), its foot (z) and its height (w), 0 where none grows.
+vec4 pineOf(vec2 cell)
+{
+    float lot = cellRandom(ivec3(cell, 5)), other = fract(64.0 * lot);
+    vec2 at = CELL * (cell + 0.5) + 0.02 * (2.0 * vec2(other, fract(64.0 * other)) - 1.0);
+    bool grows = lot < 0.62 && at.y > 0.86 + 0.9 * max(at.x + 0.75, 0.0) && at.x < -0.2;
+    return vec4(at, shore(at).x - 0.005, grows ? 0.13 + 0.13 * other : 0.0);
+}
+
 // A wood: one pine in every cell of a lattice, where there is one; so far from its cell's walls that no other is nearer.
 float pinesDistance(vec3 p)
 {
-    vec2 cell = floor(p.xz * (1.0 / CELL)), middle = CELL * (cell + 0.5);
-    float lot = cellRandom(ivec3(cell, 5)), other = fract(64.0 * lot);
-    vec2 at = middle + 0.02 * (2.0 * vec2(other, fract(64.0 * other)) - 1.0);
-    bool grows = lot < 0.62 && at.y > 0.86 + 0.9 * max(at.x + 0.75, 0.0) && at.x < -0.2;
-    vec2 wall = 0.5 * CELL - abs(p.xz - middle);
-    float foot = shore(at).x - 0.005, free = 0.008 + min(wall.x, wall.y);
-    return min(free, grows ? pineDistance(vec3(p.x - at.x, p.y - foot, p.z - at.y), 0.13 + 0.13 * other) : 1.0);
+    vec2 cell = floor(p.xz * (1.0 / CELL)), wall = 0.5 * CELL - abs(p.xz - CELL * (cell + 0.5));
+    vec4 pine = pineOf(cell);
+    float free = 0.008 + min(wall.x, wall.y);
+    return min(free, pine.w > 0.0 ? pineDistance(p - pine.xzy, pine.w) : 1.0);
 }
 
 // A hull, a mast and two sails.
@@ -210,6 +216,31 @@ float thingsDistance(vec3 p)
 {
     vec3 local = localOf(p);
     return min(min(cabinDistance(local), pinesDistance(local)), boatDistance(local));
+}
+
+// The normal of a thing near its surface, length 1: of roof or wall, of a cone for a pine, of the sail.
+vec3 thingNormal(vec3 p)
+{
+    vec3 local = localOf(p), q = atCabin(local);
+    vec3 wall = abs(q.x) > 0.0415 ? vec3(sign(q.x), 0.0, 0.0) : vec3(0.0, 0.0, sign(q.z));
+    vec3 house = 0.64 * abs(q.z) + 0.768 * (q.y - 0.066) > -0.006 ? vec3(0.0, 0.768, 0.64 * sign(q.z)) : wall;
+    vec2 aside = local.xz - pineOf(floor(local.xz * (1.0 / CELL))).xy;
+    vec3 n = local.x > 0.0 ? vec3(0.0, 0.0, -1.0) : vec3(aside.x, 0.4 * length(aside), aside.y);
+    n = normalize(length(q) < 0.1 ? vec3(0.94 * house.x - 0.34 * house.z, house.y, 0.34 * house.x + 0.94 * house.z) : n);
+    return vec3(fromValley(n.xz), n.y).xzy;
+}
+
+// What a thing is painted with (xyz), and the share that is a lit window (w).
+vec4 thingColour(vec3 p, vec3 normal)
+{
+    vec3 local = localOf(p), q = atCabin(local);
+    bool cabin = length(q) < 0.1, boat = local.x > 0.0;
+    vec2 pane = abs(vec2(abs(q.x) - 0.02, q.y - 0.012)) - vec2(0.008, 0.008);
+    bool window = cabin && q.z < -0.029 && max(pane.x, pane.y) < 0.0;
+    vec3 wood = vec3(0.17, 0.09, 0.05) * (0.8 + 0.2 * step(0.5, fract(160.0 * q.y)));
+    vec3 roof = vec3(0.10, 0.055, 0.045), leaf = vec3(0.016, 0.034, 0.012);
+    vec3 ofCabin = q.y > 0.03 && abs(normal.y) > 0.3 ? roof : (window ? vec3(0.02) : wood);
+    return vec4(cabin ? ofCabin : (boat ? vec3(0.8, 0.78, 0.72) : leaf), window);
 }
 
 // ---- The mirrored world ----
