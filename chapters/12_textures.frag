@@ -169,12 +169,13 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     bool isCloth = hit && surface.part.w < near, isBall = hit && surface.part.z < near;
     bool isPlank = hit && surface.part.y < near && !isCloth, isStone = hit && !(isCloth || isBall || isPlank);
 
-    // The gradient of the noise is known: of two octaves more than are marched. The ground is flat, and only
-    // shaded as if it were rough.
+    // The gradient of the noise is known: of two octaves more than are marched, on the ground, which comes nearer
+    // to the eye, of four. The ground is flat, and only shaded as if it were rough.
     float scale = hit ? 1.0 : 1.8, depth = isStone ? roughness : (hit ? 0.0 : bumps);
-    vec4 noise = stoneNoise(scale * p, OCTAVES + 2);
+    int octaves = OCTAVES + (hit ? 2 : 4);
+    vec4 noise = stoneNoise(scale * p, octaves);
     vec3 normal = bumpedNormal(surface.normal, -depth * scale * noise.yzw);
-    float pale = noise.x * geometricSum(GAIN, OCTAVES) / geometricSum(GAIN, OCTAVES + 2); // in [0, 1)
+    float pale = noise.x * geometricSum(GAIN, OCTAVES) / geometricSum(GAIN, octaves); // in [0, 1)
 
     Footprint f = footprintOn(direction, surface.normal, footprint * width);
     Pose pose = Pose(vec3(0.0), mat3(1.0));

@@ -225,12 +225,12 @@ static struct d3 sky_light(struct d3 direction)
                   d3_times(facing * facing, d3(0.55, 0.36, 0.18)));
 }
 
-// The ground: three octaves, whose gradient tilts the normal.
+// The ground: five octaves, whose gradient tilts the normal.
 static struct d3 ground_light(struct d3 p, struct mirror_sample *sample)
 {
     const double scale = 1.8, bumps = 0.02, frost = 0.45;
-    struct noise noise = noise_octaves(d3_times(cells * scale, p), 3, gain, 2.0);
-    struct d3 slope = d3_times(bumps * scale * cells * noise_sum(gain, 3), noise.gradient);
+    struct noise noise = noise_octaves(d3_times(cells * scale, p), 5, gain, 2.0);
+    struct d3 slope = d3_times(bumps * scale * cells * noise_sum(gain, 5), noise.gradient);
     struct d3 normal = d3_unit(d3(slope.x, 1.0, slope.z));
     double white = frost * mirror_smoothstep(0.3, 0.95, normal.y) *
                    mirror_smoothstep(0.35, 0.6, noise.value + 0.25 * frost);
