@@ -7,7 +7,7 @@
 
 #include "memory.h"
 
-enum { CHANNELS = 4, BYTES = 256 };
+enum { CHANNELS = 4, BYTES = 256, GUESSES = 1024 };
 
 // ---- Numbers and bytes ----
 
@@ -15,6 +15,7 @@ enum { CHANNELS = 4, BYTES = 256 };
 // one of sRGB, IEC 61966-2-1.
 struct code {
     float value[BYTES], above[BYTES];
+    unsigned char guess[GUESSES + 1]; // the byte of k / GUESSES
 };
 
 static double decode(double v, bool srgb)
@@ -30,16 +31,22 @@ static void make_code(struct code *code, bool srgb)
         code->value[i] = (float)decode(i / 255.0, srgb);
         code->above[i] = (float)decode((i + 0.5) / 255.0, srgb);
     }
+    int byte = 0;
+    for (int k = 0; k <= GUESSES; k++) {
+        while (byte < BYTES - 1 && (float)k / GUESSES >= code->above[byte])
+            byte++;
+        code->guess[k] = (unsigned char)byte;
+    }
 }
 
 // The byte whose number is nearest, seen as the code spaces them.
+//   value  in [0, 1]: a mean, which rounding may carry a little beyond 1
 static unsigned char encode(const struct code *code, float value)
 {
-    int low = 0;
-    for (int step = BYTES / 2; step > 0; step /= 2)
-        if (value >= code->above[low + step - 1])
-            low += step;
-    return (unsigned char)low;
+    int byte = code->guess[(int)(value * GUESSES)];
+    while (byte < BYTES - 1 && value >= code->above[byte])
+        byte++;
+    return (unsigned char)byte;
 }
 
 // ---- Levels ----
