@@ -196,11 +196,11 @@ vec3 overcastWhite(vec3 clear)
 
 // What haze and rain take of the light, per kilometre.
 //   weather  as of fairShare
-//   formula  0.02 in fair weather, growing to 0.2 in bad: Koschmieder's visual range, 3.9 over it, is 200 km
-//            and 20 km
+//   formula  0.02 in fair weather, growing to 0.1 in bad: Koschmieder's visual range, 3.9 over it, is 200 km
+//            and 39 km
 float hazeDensity(float weather)
 {
-    return 0.02 + 0.18 * overcastShare(weather);
+    return 0.02 + 0.08 * overcastShare(weather);
 }
 
 // How hard it rains, in [0, 1].

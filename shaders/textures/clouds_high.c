@@ -1,10 +1,11 @@
-// clouds_high.c - a layer of cirrus seen from below: how much of the light it takes. Fibres along u, bent
-// by what carries them, in fields with room between.
+// clouds_high.c - a layer of cirrus seen from below: how much of the light it takes. Fibres along
+// u, bent by what carries them, in fields with room between.
 #include "paint.h"
 
 static void clouds_high(double u, double v, double value[3])
 {
-    double bend = 0.16 * (paint_octaves(u, v, 3, 3, 2, 41) - 0.5) + 0.03 * (paint_octaves(u, v, 9, 9, 2, 43) - 0.5);
+    double bend = 0.16 * (paint_octaves(u, v, 3, 3, 2, 41) - 0.5) +
+                  0.03 * (paint_octaves(u, v, 9, 9, 2, 43) - 0.5);
     double comb = paint_octaves(u + 0.6 * bend, v + bend, 4, 26, 4, 47);
     double lace = paint_octaves(u + 0.5 * bend, v + 1.3 * bend, 20, 60, 3, 53);
     double field = paint_octaves(u, v + bend, 3, 4, 3, 59);

@@ -89,8 +89,10 @@ static double puffs_at(double x, double y, double z)
 
 // ---- The field ----
 
-// Optical depth of a kilometre at a place; x and z along the ground, y up from the eye.
-static double thickness_at(const struct cumulus *field, double x, double y, double z)
+// Optical depth of a kilometre at a place; x and z along the ground, y up from the eye. The small
+// puffs may be left out: inside a cloud nobody sees them.
+static double thickness_at(const struct cumulus *field, double x, double y, double z,
+                           bool small_too)
 {
     double altitude = y + (x * x + z * z) / (2.0 * earth), cell = field->cell;
     double height = (altitude - field->base) / field->depth;
@@ -102,7 +104,8 @@ static double thickness_at(const struct cumulus *field, double x, double y, doub
         return 0.0;
     double large = field->size, small = 0.23 * large;
     inside += field->puff * (puffs_at(x / large, altitude / large, z / large) - 0.62);
-    inside += field->fray * (puffs_at(x / small, altitude / small, z / small) - 0.6);
+    if (small_too)
+        inside += field->fray * (puffs_at(x / small, altitude / small, z / small) - 0.6);
     double edge = fmin(fmax(9.0 * inside, 0.0), 1.0), foot = fmin(height / 0.06, 1.0);
     return field->thickness * edge * foot;
 }
@@ -118,12 +121,12 @@ static double light_from(const struct cumulus *field, const double p[3], double 
                          double z)
 {
     double depth = 0.0, t = 0.0, step = 0.016 * field->size;
-    for (int i = 0; i < 6; i++) {
+    for (int i = 0; i < 5; i++) {
         double middle = t + 0.5 * step;
-        depth +=
-            step * thickness_at(field, p[0] + middle * x, p[1] + middle * y, p[2] + middle * z);
+        depth += step * thickness_at(field, p[0] + middle * x, p[1] + middle * y, p[2] + middle * z,
+                                     i < 2);
         t += step;
-        step *= 1.7;
+        step *= 2.0;
     }
     return diffused(depth);
 }
@@ -171,7 +174,7 @@ void cumulus_at(const struct cumulus *field, double u, double v, double value[3]
     while (t < end && seen > 0.02) {
         double fine = fmax(0.6 / field->thickness, 0.002 * t), stride = 5.0 * fine;
         const double p[3] = {t * level * north, t * climb, t * level * east};
-        double x = fine * thickness_at(field, p[0], p[1], p[2]);
+        double x = fine * thickness_at(field, p[0], p[1], p[2], true);
         if (x > 0.0 && !inside) { // a stride too far
             inside = true;
             t -= 0.8 * stride;

@@ -1,0 +1,25 @@
+// The article's clouds and its weather, in its own numbers, which are numbers of the screen.
+
+#include "main.glsl"
+#define rayColour chapterColour
+#include "20_clouds_and_weather.frag"
+#undef rayColour
+
+uniform bool positive; // false: its colour at night is kept above 0
+
+vec3 rayColour(Ray ray)
+{
+    float hour = timeOfDay + hoursPerSecond * iTime, height = sunDirection(hour, LATITUDE, DECLINATION).y;
+    Lights lights = lightsAt(hour);
+    Place place = placeAlong(ray);
+    vec3 direction = normalize(vec3(place.seen.direction.x, max(place.seen.direction.y, 0.0), place.seen.direction.z));
+    vec3 screen = encodeSRGB(filmOfLargest(exposed(skyLight(direction, lights) + discLight(direction, lights), lights.stops), 1.3, 6.0));
+    float turn = turned + drift * iTime, share = 2.0 * (weather - 0.5);
+    float fair = cloudPanorama(cloudsFair, direction, turn, skyWidth(place)).cover;
+    float storm = cloudPanorama(cloudsStorm, direction, turn, skyWidth(place)).cover;
+    float grey = min(1.5 * weather, 1.0) * (height > 0.0 ? 0.95 : 0.95 + 1.8 * height);
+    grey = positive ? max(grey, 0.0) : grey;
+    screen = mix(weather * screen, vec3(grey), clamp((2.0 - weather) * mix(storm, fair, share), 0.0, 1.0));
+    vec3 scene = encodeSRGB(filmOfLargest(exposed(placeLight(place, ray.direction, vec3(0.0), lights), lights.stops), 1.3, 6.0));
+    return place.land ? scene : (place.water ? 0.8 * screen : screen);
+}

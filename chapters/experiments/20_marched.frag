@@ -1,0 +1,64 @@
+// A layer of clouds that is marched: Beer's law along the ray, and one ray towards the sun from each place.
+
+#include "main.glsl"
+#include "random.glsl"
+#define rayColour chapterColour
+#include "20_clouds_and_weather.frag"
+#undef rayColour
+
+uniform sampler3D noise; // "noise.png" linear repeat 64: value noise
+
+uniform int   places;    // 32 in [4, 128]: on a ray's way through the layer
+uniform float amount;    // 0.5 in [0, 1] step 0.02: how much of the layer is cloud
+uniform float thickness; // 9 in [0, 40] step 1, per km: optical depth of a kilometre of cloud
+uniform bool  shaded;    // true: one ray to the sun from each place
+
+const float FOOT = 1.2, TOP = 2.6; // altitudes of the layer, km
+
+// Optical depth of a kilometre at a place over the eye; level: of the noise.
+float vapour(vec3 p, float level)
+{
+    float altitude = p.y + dot(p.xz, p.xz) / (2.0 * EARTH_RADIUS), height = (altitude - FOOT) / (TOP - FOOT);
+    vec3 q = vec3(p.x, altitude, p.z + 9.0);
+    float field = textureLod(noise, vec3(q.xz / 41.0, 0.3).xzy, level - 2.0).x;
+    float puffs = 0.45 * textureLod(noise, q / 11.0, level).x + 0.4 * abs(textureLod(noise, q / 4.1, level + 1.4).x - 0.5);
+    puffs += 0.3 * abs(textureLod(noise, q / 1.5, level + 2.9).x - 0.5);
+    float inside = 0.9 * field + 1.3 * puffs - mix(1.2, 0.7, amount) - 0.5 * max(height - 0.2, 0.0);
+    float within = smoothstep(0.0, 0.08, height) * smoothstep(1.0, 0.8, height);
+    return thickness * within * clamp(7.0 * inside, 0.0, 1.0);
+}
+
+// Light of the layer along a ray (rgb), times what it hides, and the share of what is behind that is left (a).
+vec4 marchedLayer(vec3 direction, Lights lights, float width)
+{
+    float near = layerHit(0.0, direction.y, FOOT), far = min(layerHit(0.0, direction.y, TOP), 80.0);
+    float stride = max(far - near, 0.0) / float(places), left = 1.0;
+    float level = max(log2(width * near * 64.0 / 13.0), 0.0), phase = 0.5 + 3.0 * glow(direction, lights.sun, 0.6);
+    vec3 light = vec3(0.0);
+    for (int i = 0; i < places; i++) {
+        vec3 p = (near + (float(i) + pixelRandom(0)) * stride) * direction;
+        float here = vapour(p, level), depth = 0.0;
+        if (shaded)
+            for (int k = 0; k < 4; k++) {
+                float reach = 0.06 * exp2(float(k));
+                depth += reach * vapour(p + 1.5 * reach * lights.sun, level + float(k));
+            }
+        float lost = left * (1.0 - exp(-here * stride)), height = clamp((p.y - FOOT) / (TOP - FOOT), 0.0, 1.0);
+        light += lost * (lights.high * phase * (0.7 * exp(-depth) + 0.3 * exp(-0.15 * depth)) * 0.5 + lights.sky * (0.35 + 0.65 * height));
+        left -= lost;
+    }
+    return vec4(light, left);
+}
+
+vec3 rayColour(Ray ray)
+{
+    Lights lights = lightsAt(timeOfDay + hoursPerSecond * iTime);
+    Place place = placeAlong(ray);
+    vec3 up = normalize(vec3(place.seen.direction.x, max(place.seen.direction.y, 0.002), place.seen.direction.z));
+    vec3 clear = mix(skyLight(up, lights), overcastSky(up.y, lights.sky), overcastShare(weather));
+    vec4 layer = marchedLayer(up, lights, skyWidth(place));
+    float haze = fogDepth(0.0, up.y, layerHit(0.0, up.y, FOOT), hazeDensity(weather), 1.5);
+    vec3 disc = sunLeft(weather) * discLight(place.seen.direction, lights);
+    vec3 sky = layer.a * (clear + disc) + throughFog(layer.rgb, (1.0 - layer.a) * clear, haze);
+    return developed(placeLight(place, ray.direction, sky, lights), place, lights);
+}

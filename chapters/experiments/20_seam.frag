@@ -1,0 +1,22 @@
+// What goes wrong when the hardware takes the footprint: a line where the panorama begins and ends.
+//
+// Two neighbouring pixels there differ by a whole turn in u. The hardware takes that for the size of the pixel
+// and reads the last level, which is the mean of the whole panorama.
+
+#include "main.glsl"
+#include "clouds.glsl"
+
+uniform int way; // 0 in [0, 2]: 0 the hardware's footprint, 1 the smaller of two, 2 the library's, from the ray
+
+Cloud panoramaByWay(sampler2D panorama, vec3 direction, float turned, float width)
+{
+    vec2 place = panoramaPlace(direction), other = vec2(fract(place.x), place.y); // jumps in the south; in the north
+    float size = fwidth(place.x), otherSize = fwidth(other.x);
+    vec2 at = way == 1 && otherSize < 0.5 * size ? other : place;
+    vec4 texel = texture(panorama, at + vec2(turned, 0.0));
+    Cloud hardware = Cloud(texel.x, texel.y, 2.0 * texel.z - 1.0), mended = cloudPanorama(panorama, direction, turned, width);
+    return way == 2 ? mended : hardware;
+}
+
+#define cloudPanorama panoramaByWay
+#include "20_clouds_and_weather.frag"

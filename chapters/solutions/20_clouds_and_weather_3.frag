@@ -1,0 +1,14 @@
+// Chapter 20, exercise 3: clouds before the sun throw a shadow on coast and sea.
+#include "main.glsl"
+#define rayColour chapterColour
+#include "20_clouds_and_weather.frag"
+#undef rayColour
+
+vec3 rayColour(Ray ray)
+{
+    Lights lights = lightsAt(timeOfDay + hoursPerSecond * iTime);
+    lights.low *= 1.0 - 0.85 * cloudsAt(lights.sun, 0.05).cover;
+    Place place = placeAlong(ray);
+    vec3 sky = skyWithClouds(place.seen.direction, lights, skyWidth(place));
+    return developed(placeLight(place, ray.direction, sky, lights), place, lights);
+}

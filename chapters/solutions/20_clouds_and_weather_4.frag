@@ -1,0 +1,22 @@
+// Chapter 20, exercise 4: a rainbow.
+#include "main.glsl"
+#define rayColour chapterColour
+#include "20_clouds_and_weather.frag"
+#undef rayColour
+
+// The light of the bow in a direction: bands round the point opposite the sun.
+vec3 rainbow(vec3 direction, Lights lights)
+{
+    float angle = degrees(acos(clamp(-dot(direction, lights.sun), -1.0, 1.0)));
+    vec3 off = (angle - vec3(42.4, 41.6, 40.7)) / 0.6;
+    return 0.06 * rainShare(weather) * lights.strength * tableSunlight(lights.sun) * exp(-off * off);
+}
+
+vec3 rayColour(Ray ray)
+{
+    Lights lights = lightsAt(timeOfDay + hoursPerSecond * iTime);
+    Place place = placeAlong(ray);
+    vec3 sky = skyWithClouds(place.seen.direction, lights, skyWidth(place));
+    vec3 light = placeLight(place, ray.direction, sky, lights) + rainbow(ray.direction, lights);
+    return developed(light, place, lights);
+}
