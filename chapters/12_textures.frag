@@ -94,11 +94,10 @@ vec4 partDistances(vec3 p)
     return vec4(smoothStones(p), board, sdSphere(p - ballPose().place, BALL), clothDistance(p));
 }
 
-// The noise that carves the stones: its value (x), in [0, 1) for OCTAVES, and its gradient (yzw).
+// The noise that carves the stones: its value (x), in [0, 1), and its gradient (yzw).
 vec4 stoneNoise(vec3 p, int count)
 {
-    float sum = geometricSum(GAIN, count) / geometricSum(GAIN, OCTAVES);
-    return sum * vec4(1.0, vec3(CELLS)) * octaveNoise(CELLS * p, count, GAIN, LACUNARITY);
+    return vec4(1.0, vec3(CELLS)) * octaveNoise(CELLS * p, count, GAIN, LACUNARITY);
 }
 
 // Its Lipschitz constant.
@@ -174,8 +173,9 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     float scale = hit ? 1.0 : 1.8, depth = isStone ? roughness : (hit ? 0.0 : bumps);
     int octaves = OCTAVES + (hit ? 2 : 4);
     vec4 noise = stoneNoise(scale * p, octaves);
+    depth *= geometricSum(GAIN, octaves) / geometricSum(GAIN, OCTAVES); // those that are marched stay as deep
     vec3 normal = bumpedNormal(surface.normal, -depth * scale * noise.yzw);
-    float pale = noise.x * geometricSum(GAIN, OCTAVES) / geometricSum(GAIN, octaves); // in [0, 1)
+    float pale = noise.x;
 
     Footprint f = footprintOn(direction, surface.normal, footprint * width);
     Pose pose = Pose(vec3(0.0), mat3(1.0));

@@ -156,14 +156,15 @@ float geometricSum(float ratio, int count)
 vec4 octaveNoise(vec3 p, int count, float gain, float lacunarity)
 {
     vec4 sum = vec4(0.0);
-    float weight = 1.0, scale = 1.0;
+    float weight = 1.0, weights = 0.0, scale = 1.0;
     for (int i = 0; i < count; i++) {
         sum += weight * vec4(1.0, vec3(scale)) * valueNoise(p);
         p = lacunarity * p + OCTAVE_SHIFT;
+        weights += weight;
         weight *= gain;
         scale *= lacunarity;
     }
-    return sum / geometricSum(gain, count);
+    return sum / weights;
 }
 
 // The Lipschitz constant of octaveNoise: a bound; it is reached where the steepest places of all octaves
