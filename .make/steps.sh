@@ -1,6 +1,7 @@
 #!/bin/sh
 # steps.sh - `make benchmark STEPS=1`: each chapter's scene by the means of chapter 16, one by one and together:
-# evaluations of a pixel, march / bound, and the frame's time as a share of the chapter's own.
+# evaluations of a pixel, march / bound, and the frame's time as a share of the chapter's own. Where there is an
+# experiment 16_frame_NN, its frame too.
 #
 # Environment: CHAPTER, one chapter; ROUNDS and FRAMES, how often each is measured and how many frames at a
 # time; WRITE=1 puts the table into docs/benchmark.md.
@@ -41,6 +42,17 @@ scene() { # STEM
     echo "$work/means_$1.frag"
 }
 
+# The same without longer steps: the loop of marchCone, which has less to compute in each.
+plain() { # STEM FILE
+    case $2 in "$work"/*) included=${2##*/} ;; *) included=${2#chapters/} ;; esac
+    {
+        printf '#include "main.glsl"\n#include "cone.glsl"\n#include "relaxed.glsl"\n'
+        echo '#define marchRelaxed(ray, from, to, threshold, spread, omega, steps) marchCone(ray, from, to, threshold, spread, steps)'
+        printf '#include "%s"\n' "$included"
+    } >"$work/plain_$1.frag"
+    echo "$work/plain_$1.frag"
+}
+
 value() { sed -n "s/^  \"$1\": \"\{0,1\}\(.*[^\",]\)\"\{0,1\},\{0,1\}\$/\1/p"; }
 middle() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 
@@ -74,23 +86,27 @@ done
 for round in $(seq "$rounds"); do
     for stem in $marched; do
         [ -t 2 ] && printf '%s, round %d of %d        \r' "$stem" "$round" "$rounds" >&2
-        file=
+        all=
+        plain=
         rest=
-        [ "$stem" = 16_fewer_steps ] || file=$(scene "$stem")
+        frame=chapters/experiments/16_frame_${stem%%_*}.frag
+        [ "$stem" = 16_fewer_steps ] || { all=$(scene "$stem") && plain=$(plain "$stem" "$all"); }
         case $stem in
-        16*) rest='-p boxes=false -p along=false -p footprint=0' ;;
-        *) [ -z "$file" ] || grep -q 'uniform bool own;' "$file" && rest='-p own=false' ;;
+        16*) rest='-p boxes=false -p along=false -p footprint=0 -p omega=1' ;;
+        *) [ -z "$all" ] || grep -q 'uniform bool own;' "$all" && rest='-p own=false' ;;
         esac
         # shellcheck disable=SC2086
-        compared "$stem" relaxed "$file" -p coarsePass=false $rest
+        compared "$stem" relaxed "$all" -p coarsePass=false ${rest% -p omega=1}
         # shellcheck disable=SC2086
-        compared "$stem" coarse "$file" -p omega=1 $rest
-        compared "$stem" all "$file"
+        compared "$stem" coarse "$plain" $rest
+        compared "$stem" all "$all"
+        [ ! -e "$frame" ] || compared "$stem" frame "$frame"
     done
 done
 [ -t 2 ] && printf '%40s\r' '' >&2
 
 cell() { # STEM KIND
+    [ -e "$work/$1.$2" ] || { printf -- '-'; return; }
     share=1
     [ "$2" = was ] || share=$(middle <"$work/$1.$2.share" | awk '{ printf "%.2f", $1 }')
     printf '%s, %s, %s' "$(value evaluations_mean <"$work/$1.$2" | awk '{ printf "%.1f", $1 }')" \
@@ -100,10 +116,10 @@ cell() { # STEM KIND
 {
     echo "$(value backend <"$work/${marched##* }.was"); 640x360, $rounds rounds of $frames frames"
     echo
-    echo '| chapter | as it is | relaxed | coarse pass | all |'
-    echo '| --- | --- | --- | --- | --- |'
+    echo '| chapter | as it is | relaxed | coarse pass | all | frame |'
+    echo '| --- | --- | --- | --- | --- | --- |'
     for stem in $marched; do
-        echo "| $stem | $(cell "$stem" was) | $(cell "$stem" relaxed) | $(cell "$stem" coarse) | $(cell "$stem" all) |"
+        echo "| $stem | $(cell "$stem" was) | $(cell "$stem" relaxed) | $(cell "$stem" coarse) | $(cell "$stem" all) | $(cell "$stem" frame) |"
     done
 } >"$work/table"
 cat "$work/table"

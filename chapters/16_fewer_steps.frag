@@ -185,6 +185,10 @@ vec3 rayColour(Ray ray)
     float place = (float(iPixel.x) + 0.5) / iResolution.x;
     Hit hit = marchPier(ray, ground, place >= divider);
     int steps = trace.steps;
+    if (trace.end == END_PASSED && ground < far) { // the views and the probe are shown the water too
+        traceNormal(vec3(0.0, 1.0, 0.0));
+        traceMarch(steps, ground, END_HIT);
+    }
     bool sunny = lit || VIEW == 1; // who looks at the normals asks for them
     return sunny ? encodeSRGB(sceneLight(ray, hit, ground)) : stepColour(steps);
 }

@@ -1,0 +1,47 @@
+#version 330 core
+// For test_crossing.c: marches towards things drawn by lot.
+//
+// Time chooses the function, iMouse holds numbers for it; x is the number of the case; the upper row is marchCone.
+
+in float Time;
+out vec4 FragColor;
+
+#define VIEW 0
+
+#include "crossing.glsl"
+#include "cone.glsl"
+#include "repetition.glsl"
+
+int function, number;
+
+float lot(int dimension)
+{
+    return cellRandom(ivec3(number, 0, dimension));
+}
+
+// Function 0: a point beside the ray. 1: a wall under an angle with the sine 0.05 to 1. 2: a ball. 3: a slope
+// up from a thing, to both sides.
+float sceneDistance(vec3 p)
+{
+    float middle = 6.0 + 4.0 * lot(0);
+    if (function == 0)
+        return length(p - vec3(middle, iMouse.z * cos(6.2831853 * lot(1)), iMouse.z * sin(6.2831853 * lot(1))));
+    if (function == 1)
+        return (0.05 + 0.95 * lot(1)) * (middle - p.x);
+    if (function == 2)
+        return length(p - vec3(middle, 0.0, 0.98 * lot(1))) - 1.0;
+    return (0.05 + 0.95 * lot(1)) * abs(p.x - middle) + 0.06 * (lot(2) - 0.3);
+}
+
+void main()
+{
+    function = int(Time);
+    number = int(gl_FragCoord.x);
+    traceReset(-1);
+    Ray ray = Ray(vec3(0.0), vec3(1.0, 0.0, 0.0));
+    float start = iMouse.w * lot(3); // threshold in x, its growth in y
+    start = function == 0 ? 6.0 + 4.0 * lot(0) - start : start;
+    Hit hit = gl_FragCoord.y > 1.0 ? marchCone(ray, start, 20.0, iMouse.x, iMouse.y, 512)
+                                   : marchCrossing(ray, start, 20.0, iMouse.x, iMouse.y, 512);
+    FragColor = vec4(hit.t, hit.found, trace.evaluations, trace.t);
+}
