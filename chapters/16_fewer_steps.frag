@@ -185,7 +185,7 @@ vec3 rayColour(Ray ray)
     float place = (float(iPixel.x) + 0.5) / iResolution.x;
     Hit hit = marchPier(ray, ground, place >= divider);
     int steps = trace.steps;
-    if (trace.end == END_PASSED && ground < far) { // the views and the probe are shown the water too
+    if ((VIEW == 1 || VIEW == 2) && trace.end == END_PASSED && ground < far) { // normals and depth: the water too
         traceNormal(vec3(0.0, 1.0, 0.0));
         traceMarch(steps, ground, END_HIT);
     }
