@@ -65,7 +65,7 @@ const float STAR_FAINTEST = 5.75e-13;
 //   direction  in the stars' frame: of skyTurn
 //   width      of the pixel, radians, > 0; 0.0031 at most: from there on the spot stays as wide as it is
 //   returns    linear light, above the air. The sum over the pixels of light times solid angle is the same wherever
-//              the stars stand between the pixels, within 0.6 %
+//              the stars stand between the pixels, within 0.7 %
 //   formula    the sum over the stars of flux colour (1 - d^2 / r^2)^3 4 / (pi r^2), d the distance to the star, r
 //              = 1.761 width. A share u of all stars is brighter than STAR_FAINTEST u^(-0.4 / 0.51): the number
 //              of stars grows as 10^(0.51 m) with the magnitude m. The colour is that of a black body,
@@ -106,7 +106,7 @@ vec3 starLight(vec3 direction, float width)
 
 // The light of the band of stars that are too faint to be told apart, with the dark clouds of dust in it.
 //   direction  in the stars' frame
-//   returns    linear light, above the air: up to about 2e-7
+//   returns    linear light, above the air: up to about 3e-7
 //   formula    a bell of the latitude to the band's plane, brighter towards the constellation Sagittarius, times noise
 // Source: the plane and the middle, 'The new I.A.U. system of galactic coordinates', Monthly Notices of the Royal
 // Astronomical Society 121 (1960), for 2000; the brightness is by eye.
@@ -118,14 +118,14 @@ vec3 milkyWay(vec3 direction)
     float wide = height + 0.10 * (noise.x - 0.5), dust = height + 0.02 + 0.16 * (noise.x - 0.5);
     float band = exp(-wide * wide / mix(0.012, 0.03, ahead)) * (0.25 + 1.5 * noise.x * noise.x);
     float dark = 1.0 - 0.75 * exp(-dust * dust / 0.0012) * smoothstep(0.35, 0.6, noise.x);
-    return (0.35 + 0.65 * ahead * ahead) * band * dark * vec3(1.9e-7, 1.75e-7, 1.8e-7);
+    return (0.35 + 0.65 * ahead * ahead) * band * dark * vec3(2.6e-7, 2.4e-7, 2.5e-7);
 }
 
 // ---- Dusk and dark ----
 
 // The light of the sky overhead by the sun's height, without moon.
 //   sinHeight  of the sun
-//   returns    about 0.6 at noon, 0.053 at sunset, 4.5e-8 when the sun is 18.3 degrees down and more
+//   returns    0.74 at noon, 0.051 at sunset, 4.5e-8 when the sun is 18.3 degrees down and more
 //   formula    27 10^(-0.4 m), m in magnitudes per square second of arc; with d the sun's depth in degrees less 5:
 //              m = 11.84 + 1.518 d - 0.057 d^2 for 0 <= d <= 13.32, the top of this parabola; for d < 0 the last
 //              factor is 0.102, so that the sun sets at 6.8; by day 3.9 + 2.9 exp(-height / 5.7)
@@ -142,7 +142,7 @@ float zenithLight(float sinHeight)
 // The magnitude of the faintest star that an eye sees against a sky.
 //   light    of the sky, as of zenithLight, > 0
 //   formula  7.93 - 5 log10(1 + 10^(4.316 - m / 5)), m = -2.5 log10(light / 27) the sky's magnitudes per square
-//            second of arc: 6.4 in the dark, 0 when the sun is 6 degrees down
+//            second of arc: 6.6 in the dark, -0.3 when the sun is 6 degrees down
 // Source: B. E. Schaefer, 'Telescopic limiting magnitudes', Publications of the Astronomical Society of the
 // Pacific 102 (1990), after S. Hecht (1947); the form with one term is common among observers.
 float faintestSeen(float light)
@@ -165,7 +165,7 @@ vec3 airglow(float sinHeight)
 
 // By how many stops to expose by the hour: of two stops of darkness an eye makes good one and a bit.
 //   light    of the sky overhead, of zenithLight with what the moon adds
-//   returns  0.5 at noon, about 14 on a dark night
+//   returns  0.25 at noon, 14.2 on a dark night
 //   formula  -0.58 log2(light)
 float nightStops(float light)
 {
@@ -215,7 +215,7 @@ vec2 moonPlace(vec3 seen, float radius)
 //            phase: (sin b + (pi - b) cos b) / pi, b = pi - g. The slopes take from m the rise of the ground
 //            towards the sun
 // Source: H. Seeliger, 'Zur Photometrie zerstreut reflectirender Substanzen', Munich 1888; exp(-0.94 g) by eye after
-// the light of the whole moon in C. W. Allen, 'Astrophysical quantities' (1973), within 9 % from 0 to 150 degrees.
+// the light of the whole moon in C. W. Allen, 'Astrophysical quantities' (1973), within 10 % from 0 to 150 degrees.
 vec3 moonFace(sampler2D face, vec2 place, float width, vec3 toSun, float relief)
 {
     place /= max(length(place), 1.0);
@@ -232,7 +232,7 @@ vec3 moonFace(sampler2D face, vec2 place, float width, vec3 toSun, float relief)
 
 // The light of the moon on a surface across its rays, above the air.
 //   cosPhase  as of moonShare
-//   returns   2.5e-5 at full moon (0.31 lx), a tenth of it at half moon
+//   returns   2.5e-5 at full moon (0.31 lx), 8.6 % of it at half moon
 //   formula   2.5e-5 exp(-0.94 g) (1 - sin(g/2) tan(g/2) ln cot(g/4)), what moonFace sends of an even ball
 // Source: as of moonFace.
 vec3 moonlight(float cosPhase)

@@ -1,0 +1,227 @@
+// 19 Moon and stars: a lake at dusk under a young moon, an observatory on its shore, and the sky that turns.
+
+#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
+#include "bounds.glsl"     // boxInterval, intervalUnion
+#include "repetition.glsl" // cellRandom
+#include "lighting.glsl"   // lambert, encodeSRGB
+#include "fresnel.glsl"    // schlickShare
+#include "coverage.glsl"   // coverage
+#include "sky.glsl"        // sunDirection, sunlitSky, transmittance, airMass
+#include "night.glsl"      // where stars and moon stand, and their light
+#include "film.glsl"       // exposed, filmOfLargest
+
+uniform sampler2D moon;       // "moon.png" linear clamp: how bright the moon's ground is, and how steep
+
+uniform float timeOfDay;      // 19.35 in [0, 24] step 0.25, hours: solar time at the start; at 12 the sun is highest
+uniform float hoursPerSecond; // 0.25 in [0, 4] step 0.05, hours per second: how fast the time of day runs
+uniform float moonAge;        // 2.9 in [0, 29.5] step 0.5, days: since new moon, at the start; 14.77 is full
+uniform float moonRadius;     // 2.6 in [0.1, 8] step *1.1, degrees: as it is drawn; the true one is 0.259, the article's 1.7
+uniform bool  lightKept;      // true: an enlarged moon sends as much light as the true one; false: it is as bright
+uniform float relief;         // 1.5 in [0, 6] step 0.5: how many times as steep as they are the moon's slopes stand
+uniform float exposure;       // 2 in [-16, 8] step 0.5, stops: to expose longer than the hour asks for
+uniform float softness;       // 0.6 in [0.2, 1] step 0.05: the power of the light that is shown; 1 shows it as it is
+uniform float latitude;       // 43.6 in [-89, 89] step 5, degrees: of the place
+uniform int   maxSteps;       // 90 in [1, 512]: steps before a ray is given up
+uniform float hitThreshold;   // 0.005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
+
+// x points north, y up, z east, as in chapter 09: the first look goes west. One scene unit is a metre.
+const float DECLINATION = 2.0;                // of the sun, degrees: at the end of March
+const vec3  DOME = vec3(17.0, 6.2, -57.0);    // the foot of the observatory
+const vec3  DOME_LOW = DOME + vec3(-3.1, -2.1, -3.1);
+const vec3  DOME_HIGH = DOME + vec3(7.0, 5.8, 3.1);
+const vec3  WOOD_LOW = vec3(-51.0, -0.2, -60.2);
+const vec3  WOOD_HIGH = vec3(1.4, 8.8, -55.6);
+const vec4  LAND[3] = vec4[](vec4(24.0, -83.7, -62.0, 90.0), vec4(-38.0, -150.4, -66.0, 152.0), vec4(-6.0, -498.1, -101.0, 500.0));
+
+Ray pixelRay(vec2 screen)
+{
+    return perspectiveRay(screen);
+}
+
+// ---- The shore ----
+
+// A spruce: a cone with branches. A lower bound: the saw's slope is at most 1, so 0.6 is safe.
+float spruce(vec3 p, float height)
+{
+    float y = p.y / height, tier = fract(9.0 * y);
+    float wide = 0.19 * height * (1.0 - y) * (0.78 + 0.3 * (1.0 - tier));
+    return 0.6 * max(length(p.xz) - max(wide, 0.04), max(p.y - height, -p.y));
+}
+
+// The row of trees: each cell has one, of its own height and place. To the trees of other cells it is at least
+// as far as to the wall of this cell and the rest of the way.
+float forest(vec3 p)
+{
+    const float PERIOD = 2.7;
+    float cell = clamp(round(p.x / PERIOD), -18.0, 0.0), random = cellRandom(ivec3(cell, 5, 0));
+    vec3 q = vec3(p.x - PERIOD * cell, p.y, p.z + 57.0 + 2.0 * fract(64.0 * random));
+    float height = mix(4.2, 9.0, random * random) * (1.0 - 0.03 * abs(cell + 10.0)), wall = 0.5 * PERIOD - abs(q.x);
+    return min(spruce(q, height), wall > 0.0 ? 0.6 * wall + 0.3 : 1e3);
+}
+
+// A drum and a half ball with a slit, which opens towards the moon.
+float observatory(vec3 p)
+{
+    vec3 q = p - DOME;
+    float drum = max(length(q.xz) - 2.7, max(q.y - 2.6, -2.0 - q.y)), ball = length(q - vec3(0.0, 2.7, 0.0)) - 3.0;
+    float house = max(max(abs(q.x - 4.2) - 2.6, abs(q.z) - 1.7), max(q.y + 0.4 * abs(q.z) - 2.0, -2.0 - q.y));
+    return min(min(drum, max(ball, 2.7 - q.y)), 0.92 * house);
+}
+
+// The slit of the dome and the window of the house: where their light comes from.
+float lampLight(vec3 p)
+{
+    vec3 q = p - DOME;
+    float slit = step(abs(q.x + 0.25 * (q.y - 3.0)), 0.34) * step(3.0, q.y) * step(q.z, 5.0);
+    float window = step(abs(q.x - 4.6), 0.35) * step(abs(q.y - 0.75), 0.4);
+    return slit + window;
+}
+
+float sceneDistance(vec3 p)
+{
+    return min(forest(p), observatory(p));
+}
+
+// ---- The sky ----
+
+// What is the same for all pixels.
+struct Hour {
+    float hour;       // solar time
+    vec3  sun, moon;  // the directions to them
+    vec3  moonlight;  // on a surface across its rays; none while the moon is down
+    float zenith;     // the light of the sky overhead
+};
+
+Hour hourNow()
+{
+    float hour = timeOfDay + hoursPerSecond * iTime, age = moonAge + hoursPerSecond * iTime / 24.0;
+    vec3 sun = sunDirection(hour, latitude, DECLINATION);
+    vec3 toMoon = moonDirection(hour, latitude, DECLINATION, age);
+    vec3 light = moonlight(-dot(toMoon, sun)) * smoothstep(-0.1, 0.1, toMoon.y);
+    return Hour(hour, sun, toMoon, light, zenithLight(sun.y));
+}
+
+// The light that the air sends on, of a sun above or below the horizon: by day that of chapter 09; at dusk its
+// sunset, as much weaker as the sky overhead has become, with an arch over the place where the sun went down.
+vec3 skyLight(vec3 direction, vec3 sun)
+{
+    vec3 raised = normalize(vec3(sun.x, max(sun.y, 0.02), sun.z));
+    float gone = min((zenithLight(sun.y) - 4.4e-8) / 0.053, 1.0), below = smoothstep(0.0, -0.1, sun.y);
+    vec2 level = normalize(direction.xz + vec2(1e-6, 0.0)), west = normalize(sun.xz);
+    float toward = 0.5 + 0.5 * dot(level, west), low = exp(-direction.y / mix(0.30, 0.075, below));
+    vec3 day = sunlitSky(direction, raised, RAYLEIGH + 0.03) * mix(1.0, 0.25 + 0.75 * toward, below);
+    vec3 arch = toward * toward * low * transmittance(RAYLEIGH + 0.02, 0.45 * airMass(direction.y));
+    vec3 blue = vec3(0.016, 0.043, 0.115) * (1.0 + 3.0 * toward * exp(-3.5 * direction.y));
+    return mix(day, blue + 6.0 * arch * vec3(1.0, 0.62, 0.36), below) * gone;
+}
+
+// The share of the moon's disc in a pixel (w) and its light.
+vec4 moonSeen(vec3 direction, Hour now, float width)
+{
+    mat3 frame = moonFrame(now.moon, latitude);
+    float radius = radians(moonRadius);
+    vec2 place = moonPlace(frame * direction, radius);
+    vec3 light = moonFace(moon, place, width / radius, frame * now.sun, relief);
+    float spread = lightKept ? min(radians(0.259) / radius, 1.0) : 1.0;
+    return vec4(spread * spread * light, coverage(1.0 - length(place), width / radius));
+}
+
+// What the air sends by itself: the sun's light or the dusk's, its own faint glow, and the moon's light, which it
+// scatters as it does the sun's.
+vec3 airLight(vec3 direction, Hour now, vec3 clear)
+{
+    vec3 moonlit = 0.10 * (1.0 - clear) + 0.25 * glow(direction, now.moon, 0.9);
+    return skyLight(direction, now.sun) + airglow(direction.y) + now.moonlight * moonlit;
+}
+
+// The light from beyond the air: stars, and the moon before them.
+vec3 heavens(vec3 direction, Hour now, float width)
+{
+    vec3 star = skyTurn(now.hour, latitude) * direction;
+    vec4 disc = moonSeen(direction, now, width);
+    return mix(starLight(star, width) + milkyWay(star), disc.rgb, disc.w);
+}
+
+// ---- Land and water ----
+
+// Two ranges of hills, too far to be marched: their outline is a function of the direction alone. The shares of the
+// pixel that they cover, the far one first.
+vec2 rangesSeen(vec3 direction, float width)
+{
+    float turn = atan(direction.x, -direction.z), up = direction.y / length(direction.xz);
+    vec2 wave = sin(vec2(5.0, 7.0) * turn + vec2(0.6, 2.9)) + 0.5 * sin(vec2(12.7, 19.0) * turn + vec2(0.0, 1.0));
+    vec2 top = vec2(0.072, 0.042) + vec2(0.019, 0.013) * wave;
+    return vec2(coverage(top.x - up, width), coverage(top.y - up, width));
+}
+
+// Where the ray meets the land: the nearest of three flat balls. 1e6: nowhere.
+float landAlong(Ray ray)
+{
+    float t = 1e6;
+    for (int i = 0; i < 3; i++) {
+        vec3 from = ray.origin - LAND[i].xyz;
+        float b = dot(from, ray.direction), rest = b * b - dot(from, from) + LAND[i].w * LAND[i].w, near = -b - sqrt(max(rest, 0.0));
+        t = rest > 0.0 && near > 0.0 ? min(t, near) : t;
+    }
+    return t;
+}
+
+// The ray that the lake sends on, which it meets at t, mirrored at water that is not quite still.
+Ray mirroredRay(Ray ray, float t)
+{
+    vec3 p = ray.origin + t * ray.direction;
+    float calm = 0.006 / (1.0 + 0.02 * t);
+    vec2 wave = cos(vec2(1.1, 2.6) * p.x + vec2(4.6, -3.1) * p.z + vec2(1.3, 2.1) * iTime);
+    vec3 away = reflect(ray.direction, normalize(vec3(0.3 * calm * (wave.x - wave.y), 1.0, calm * (wave.x + wave.y))));
+    return Ray(p, normalize(vec3(away.x, abs(away.y) + 1e-4, away.z)));
+}
+
+// What the shore sends to the eye: next to nothing, but for the dome, which is white, and its lamp.
+vec3 shoreLight(vec3 p, bool marched, Hour now)
+{
+    vec3 q = p - DOME;
+    bool dome = marched && p.x > DOME_LOW.x && p.y > DOME_LOW.y;
+    vec3 round = normalize(vec3(q.x, max(q.y - 2.7, 0.0), q.z)), normal = dome ? round : vec3(0.0, 1.0, 0.0);
+    vec3 colour = dome ? vec3(0.5, 0.52, 0.56) : vec3(0.05, 0.06, 0.045) * (marched ? 0.4 : 1.0);
+    vec3 received = (0.6 + 0.4 * normal.y) * now.zenith * vec3(0.7, 0.9, 1.3) + lambert(normal, now.moon) * now.moonlight;
+    return colour * received + (dome ? lampLight(p) : 0.0) * vec3(5.7e-5, 2.2e-5, 6e-6);
+}
+
+// All that stands behind the shore: the ranges, the air, and what is beyond it.
+vec3 skyAll(vec3 direction, Hour now, float width)
+{
+    vec3 above = vec3(direction.x, max(direction.y, 0.0), direction.z), clear = transmittance(RAYLEIGH, airMass(above.y));
+    vec3 air = airLight(above, now, clear);
+    vec2 ranges = rangesSeen(direction, 2.0 * width);
+    return mix(mix(air + clear * heavens(above, now, width), 0.45 * air, ranges.x), 0.22 * air, ranges.y);
+}
+
+// What a ray meets of the shore, or the sky behind.
+vec3 behindLake(Ray ray, vec3 sky, Hour now)
+{
+    float land = landAlong(ray);
+    vec2 interval = intervalUnion(boxInterval(ray, WOOD_LOW, WOOD_HIGH), boxInterval(ray, DOME_LOW, DOME_HIGH));
+    Hit hit = marchCone(ray, interval.x, min(interval.y, land), hitThreshold, pixelSpread(), maxSteps);
+    float t = hit.found ? hit.t : land;
+    return t < 1e5 ? shoreLight(ray.origin + t * ray.direction, hit.found, now) : sky;
+}
+
+// Light as it is shown: exposed by the hour, then as a power of itself, for no screen shows eight decades.
+vec3 shown(vec3 light, Hour now)
+{
+    vec3 x = exposed(light, nightStops(now.zenith + 0.1 * now.moonlight.y) + exposure);
+    x *= pow(max(max(x.r, max(x.g, x.b)), 1e-6), softness - 1.0);
+    return encodeSRGB(filmOfLargest(x, 1.4, 60.0));
+}
+
+vec3 rayColour(Ray ray)
+{
+    Hour now = hourNow();
+    float lake = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : 1e6;
+    bool water = lake < landAlong(ray);
+    Ray mirrored = mirroredRay(ray, lake), seen = Ray(water ? mirrored.origin : ray.origin, water ? mirrored.direction : ray.direction);
+    float width = 2.0 * pixelSpread() * pow(dot(ray.direction, iCameraForward), 1.5); // the pixel's, radians
+    vec3 light = behindLake(seen, skyAll(seen.direction, now, width), now);
+    return shown(water ? (0.03 + 0.95 * schlickShare(seen.direction.y, 0.02)) * light : light, now);
+}

@@ -1,0 +1,29 @@
+// Experiment of chapter 19: ten phases of the moon side by side, each with its light made up to a common brightness.
+#include "main.glsl"
+#include "lighting.glsl"
+#include "night.glsl"
+
+uniform sampler2D moon; // "moon.png" linear clamp: how bright the moon's ground is, and how steep
+uniform float relief;   // 1.5 in [0, 6] step 0.5: how many times as steep as they are the slopes stand
+
+Ray pixelRay(vec2 screen)
+{
+    return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0));
+}
+
+float sceneDistance(vec3 p)
+{
+    return p.z;
+}
+
+// The ages 1.5, 4.2, 7 and so on, from the left, then the lower row.
+vec3 rayColour(Ray ray)
+{
+    vec2 cell = vec2(ray.origin.x / 0.71, ray.origin.y < 0.0 ? 1.0 : 0.0);
+    float column = clamp(round(cell.x), -2.0, 2.0), age = 1.5 + 2.95 * (column + 2.0 + 5.0 * cell.y);
+    vec2 place = (ray.origin.xy - vec2(0.71 * column, 0.45 - 0.9 * cell.y)) / 0.32;
+    float angle = 2.0 * NIGHT_PI * age / MONTH, width = 2.0 / (iResolution.y * 0.32);
+    vec3 light = moonFace(moon, place, width, vec3(sin(angle), 0.0, -cos(angle)), relief);
+    float inside = clamp((1.0 - length(place)) / width + 0.5, 0.0, 1.0);
+    return encodeSRGB(inside * light * 0.55 * exp(0.94 * acos(-cos(angle)) * 0.8));
+}

@@ -1,0 +1,15 @@
+// Solution of exercise 19.2: a moon that the shadow of the earth crosses.
+#include "main.glsl"
+#include "night.glsl"
+
+// The shadow's middle lies opposite the sun; out there it is 2.65 moons wide.
+vec3 eclipsedFace(sampler2D face, vec2 place, float width, vec3 toSun, float relief)
+{
+    vec3 light = moonFace(face, place, width, toSun, relief);
+    vec2 middle = moonPlace(-toSun, radians(0.259));
+    float lit = smoothstep(2.55, 2.75, length(place - middle));
+    return light * mix(vec3(0.02, 0.005, 0.0025), vec3(1.0), lit);
+}
+
+#define moonFace eclipsedFace
+#include "19_moon_and_stars.frag"

@@ -1,0 +1,82 @@
+// star_cells.c - a hemisphere of stars seen from above its pole: rings of one width, cells of one
+// solid angle, one star in each; beside it how many cubes of a grid the sphere meets.
+#include <math.h>
+#include <stdint.h>
+
+#include "svg.h"
+
+#define TURN 6.283185307179586
+
+enum { RINGS = 5, SIZE = 150 };
+
+static const double middle[2] = {185.0, 190.0};
+
+// A number in [0, 1) for a cell.
+static double lot(int ring, int column, uint32_t seed)
+{
+    uint32_t v = (uint32_t)(ring * 97 + column) * 2654435761U + seed * 40503U;
+    v = (v ^ (v >> 16)) * 2146121005U;
+    v = (v ^ (v >> 15)) * 2221713035U;
+    return (v ^ (v >> 16)) / 4294967296.0;
+}
+
+static void cells(void)
+{
+    const struct svg_pen line = {.stroke = SVG_PALE, .width = 1.0};
+    svg_circle(middle[0], middle[1], SIZE, (struct svg_pen){.fill = SVG_SKY, .stroke = SVG_INK});
+    for (int ring = 0; ring < RINGS; ring++) {
+        int count = 8 * ring + 4;
+        double inner = (double)SIZE * ring / RINGS, outer = (double)SIZE * (ring + 1) / RINGS;
+        svg_circle(middle[0], middle[1], outer, line);
+        for (int k = 0; k < count; k++) {
+            double c = cos(TURN * k / count), s = sin(TURN * k / count);
+            svg_line(middle[0] + inner * c, middle[1] - inner * s, middle[0] + outer * c,
+                     middle[1] - outer * s, line);
+            double at = sqrt(ring * ring + lot(ring, k, 1) * (2.0 * ring + 1.0)) / RINGS * SIZE;
+            double turn = TURN * (k + lot(ring, k, 2)) / count;
+            svg_circle(middle[0] + at * cos(turn), middle[1] - at * sin(turn), 2.4,
+                       (struct svg_pen){.fill = SVG_INK});
+        }
+    }
+    svg_text(middle[0], 366.0, 'm', 14.0, SVG_INK, "one star in each cell of one solid angle");
+}
+
+// Along the great circle from an axis over a corner of the cube to the middle of an edge.
+static void cubes(void)
+{
+    struct svg_plot plot = {.left = 440.0,
+                            .top = 50.0,
+                            .width = 290.0,
+                            .height = 255.0,
+                            .x = {0.0, 90.0},
+                            .y = {0.0, 2.0}};
+    svg_plot_frame(&plot, 30.0, 0.5, "degrees from an axis of the grid", "");
+    double grid[181][2], even[2][2] = {{0.0, 1.0}, {90.0, 1.0}};
+    for (int i = 0; i <= 180; i++) {
+        double a = TURN / 720.0 * i, c = cos(a), s = sin(a) / sqrt(2.0);
+        grid[i][0] = 0.5 * i;
+        grid[i][1] = c + 2.0 * s;
+    }
+    svg_plot_curve(&plot, 181, (const double(*)[2])grid,
+                   (struct svg_pen){.stroke = SVG_ORANGE, .width = 2.5});
+    svg_plot_curve(&plot, 2, (const double(*)[2])even,
+                   (struct svg_pen){.stroke = SVG_BLUE, .width = 2.5});
+    svg_text(svg_plot_x(&plot, 54.7), svg_plot_y(&plot, 1.78), 'm', 14.0, SVG_INK,
+             "cubes that a sphere meets");
+    svg_text(svg_plot_x(&plot, 54.7), svg_plot_y(&plot, 0.84), 'm', 14.0, SVG_INK,
+             "cells of one solid angle");
+    svg_text(585.0, 366.0, 'm', 14.0, SVG_INK, "stars on a unit of area");
+}
+
+int main(void)
+{
+    svg_begin(
+        760.0, 390.0, "Cells for stars",
+        "Left a disc of five rings, cut into cells of one area with a dot in each. Right, from "
+        "an axis of the grid over its diagonal: the cubes that a sphere meets rise from 1 to "
+        "1.73 and fall to 1.41, cells of one solid angle stay at 1.");
+    cells();
+    cubes();
+    svg_end();
+    return 0;
+}
