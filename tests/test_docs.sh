@@ -204,6 +204,7 @@ bad_form() { # PAGE
     grep -q '^<!-- time -->$' "$1" || echo "has no reading time"
     wanted='From formula to code,What changed,Parameters,Experiments,Exercises,Proofs,What the report does,Pitfalls,Sources,'
     ! grep -q '^## What the workshop does$' "$1" || wanted=${wanted/report/workshop}
+    ! grep -q '^## What the article does$' "$1" || wanted=${wanted/report/article}
     [[ $1 != */00_* ]] || wanted='Experiments,Exercises,'
     awk -v wanted="$wanted" '
         /^ *```/ { fenced = !fenced }
