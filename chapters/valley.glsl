@@ -1,40 +1,34 @@
-// valley.glsl - the land of chapter 21: a lake between mountains, and what stands on its shore.
+// valley.glsl - the scene of chapter 21: a lake between mountains, and what stands on its shore.
 //
-// One scene unit is 100 metres; the lake's water is y = 0. x points north, z east; the valley looks south-south-west.
+// One scene unit is 100 metres. x points north, y up, z east; the water is y = 0. The valley looks south-south-west;
+// most of this file counts in its own axes: x right, y up, z ahead, and on the plane x right, y ahead.
 #include "land.glsl"
-#include "primitives.glsl"
-#include "transform.glsl"
-#include "bounds.glsl"
-#include "repetition.glsl"
+#include "water.glsl"      // fourWaves; the planes of chapter 12 come with it
+#include "bounds.glsl"     // boxInterval, intervalUnion
+#include "repetition.glsl" // cellRandom
 
-const vec2  AHEAD = vec2(-0.9063, -0.4226); // x and z of the way down the valley
-const int   OCTAVES = 4;                    // of ridges that are marched,
-const float CELLS = 0.08;                   //   with so many cells a scene unit,
-const float GAIN = 0.42;                    //   each octave so much lower
-const float LACUNARITY = 2.1;               //   and finer than the one before
-const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8);
-const vec2  SHIFT = vec2(17.17, 29.73);
-const vec2  SEED = vec2(31.2, 9.9);
-const float ROUGH = 3.6;                    // times its height over the shore, what the ridges add to a hill
-const float FOOT = 0.4; // ridges begin so high over the water
-const float BASE_SLOPE = 0.45;              // of the hills, no more
+const vec2  AHEAD = vec2(-0.9063, -0.4226); // north and east of the way ahead: 205 degrees
+const float CELLS = 0.08;                   // of the largest ridges, a scene unit,
+const vec2  SEED = vec2(31.2, 9.9);         //   counted from here: other numbers, other mountains
+const float GAIN = 0.42;                    // each octave so much lower
+const float LACUNARITY = 2.1;               //   and finer than the one before,
+const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8); // turned, so that no lattice is seen,
+const vec2  SHIFT = vec2(17.17, 29.73);     //   and elsewhere
+const float FOOT = 0.4;                     // height of the hills at which ridges begin, scene units,
+const float RIDGES = 3.6;                   //   and times the height over it they add at most
+const float HILL_SLOPE = 0.45;              // no hill is steeper
 
-// How the ray that is marched climbs (x) and how level it is (y): its distances are ways along it. A negative y:
-// distances hold in all directions.
+uniform sampler2D turf;    // "turf.png" sRGB repeat: a meadow
+uniform sampler2D granite; // "granite.png" sRGB repeat: rock
+
+uniform int octaves; // 4 in [1, 8]: of ridges that are marched
+
+// What a distance is divided by: of a ground with a slope s, way.x + way.y s. For one ray |climb| and the length of its
+// level part; for all directions (0.65, 1), which is never less than sqrt(1 + s^2) for s >= HILL_SLOPE.
 const vec2 ALL_WAYS = vec2(0.65, 1.0);
 vec2 way = ALL_WAYS;
-int  octavesAsked = OCTAVES;
 
-// How far it is, at least, to where a gap closes that a slope can close.
-//   gap     scene units
-//   slope   of the ground here, at most: climb + level slope
-//   growth  of that slope, per scene unit
-float wayToClose(float gap, float slope, float growth)
-{
-    return 2.0 * gap / (slope + sqrt(max(slope * slope + 2.0 * growth * gap, 1e-9)));
-}
-
-// x right, y ahead
+// From north and east to the valley's right and ahead, and back.
 vec2 inValley(vec2 xz)
 {
     return vec2(dot(xz, vec2(-AHEAD.y, AHEAD.x)), dot(xz, AHEAD));
@@ -68,57 +62,61 @@ vec3 hills(vec2 q)
 // How much of the ridges there is over the hills (x), and how fast it grows with their height (y).
 vec2 roughness(float height)
 {
-    return height > FOOT ? vec2(ROUGH * (height - FOOT), ROUGH) : vec2(0.0);
+    return height > FOOT ? vec2(RIDGES * (height - FOOT), RIDGES) : vec2(0.0);
 }
 
 // The height of the hills from which on the land can reach y: the inverse of height + roughness(height).x.
 float hillsUnder(float y)
 {
-    return min(y, FOOT + (y - FOOT) / (1.0 + ROUGH));
+    return min(y, FOOT + (y - FOOT) / (1.0 + RIDGES));
 }
 
-float landDistance(vec3 p, int octaves)
+// How far it is to the land, at least: the largest of several bounds. The first asks the hills alone: the land reaches
+// p.y nowhere before the hills reach hillsUnder(p.y). Each octave of ridges makes the next: what is still to come adds at
+// most the rest of the weights. Octaves are asked while they can still say more.
+//   count    octaves of the land that is meant
+//   returns  with ALL_WAYS a distance, 1-Lipschitz; else the way along a ray
+float landDistance(vec3 p, int count)
 {
-    vec2 q = inValley(p.xz);
+    vec2 q = inValley(p.xz), x = CELLS * q + SEED;
     float base = hills(q).x, over = p.y - base, high = roughness(base).x;
+    float hilly = way.x + way.y * HILL_SLOPE, growth = way.y * RIDGES * HILL_SLOPE;
     float weight = 1.0 - GAIN, rest = 1.0, sum = 0.0, first = 1.0;
-    float d = (hillsUnder(p.y) - base) / (way.x + way.y * BASE_SLOPE);
-    float steep = 2.0 * VALUE_STRETCH * CELLS, slope = (2.0 - GAIN) * steep;
-    float hilly = way.x + way.y * BASE_SLOPE, growth = way.y * ROUGH * BASE_SLOPE;
-    vec2 x = CELLS * q + SEED;
+    float steep = way.y * 2.0 * VALUE_STRETCH * CELLS, slope = (1.0 + weight) * steep;
+    float d = (hillsUnder(p.y) - base) / hilly;
     bool counts = true;
-    for (int i = 0; i < octaves && counts; i++) {
+    for (int i = 0; i < count && counts; i++) {
         float ridge = ridged(groundNoise(x)).x;
         first = i == 0 ? ridge : first;
         sum += weight * ridge;
-        rest = i + 1 < octaves ? rest - weight : 0.0;
-        float share = first * (sum + rest), level = way.y * slope;
-        d = max(d, wayToClose(over - high * share, hilly + growth * share + high * level, 2.0 * growth * level));
+        rest = i + 1 < count ? rest - weight : 0.0;
+        float most = first * (sum + rest), least = first * sum;
+        d = max(d, wayToClose(over - high * most, hilly + growth * most + high * slope, 2.0 * growth * slope));
         weight *= GAIN;
         steep *= LACUNARITY;
         slope += weight * steep;
-        level = way.y * slope;
-        share = first * sum;
-        counts = over - high * share > d * (hilly + growth * share + level * (high + growth * d));
+        counts = over - high * least > d * (hilly + growth * least + slope * (high + growth * d));
         x = LACUNARITY * TURN * x + SHIFT;
     }
     return d;
 }
 
-// The ground under a place: height (x), gradient (yz).
-vec4 landAt(vec2 q, float octaves)
+// The land under a place: height (x), gradient (yz), and for its colours a number in [0, 1] that varies from place to
+// place (w).
+//   count  octaves, any number >= 1: the last one counts by its fraction
+vec4 landAt(vec2 q, float count)
 {
     vec3 base = hills(q), sum = vec3(0.0), first = vec3(1.0, 0.0, 0.0);
     vec2 high = roughness(base.x), x = CELLS * q + SEED;
     float weight = 1.0 - GAIN, fine = 0.5, scale = CELLS;
     vec2 grain = vec2(0.0);
     mat2 turn = mat2(CELLS);
-    for (int i = 0; i < int(octaves) + 1; i++) {
+    for (int i = 0; i < int(count) + 1; i++) {
         vec3 noise = groundNoise(x);
         noise.yz = noise.yz * turn;
         vec3 ridge = ridged(noise);
         first = i == 0 ? ridge : first;
-        float share = clamp(octaves - float(i), 0.0, 1.0);
+        float share = clamp(count - float(i), 0.0, 1.0);
         sum += share * weight * ridge;
         fine = mix(fine, noise.x, 0.45 * share);
         grain += i > 3 ? share * noise.yz / scale : vec2(0.0);
@@ -129,6 +127,40 @@ vec4 landAt(vec2 q, float octaves)
     }
     vec3 rough = vec3(first.x * sum.x, first.yz * sum.x + first.x * sum.yz);
     return vec4(base.x + high.x * rough.x, base.yz * (1.0 + high.y * rough.x) + high.x * rough.yz + 0.16 * grain, fine);
+}
+
+// Grass, rock and snow by slope and height.
+//   chance  of landAt: without it all borders would be contour lines
+//   width   of the pixel there
+vec3 landColour(vec3 p, vec3 direction, vec3 normal, float chance, float width)
+{
+    Footprint f = footprintOn(direction, normal, 0.577 * width);
+    vec3 weights = twoPlaneWeights(planeWeights(normal, 4.0)), snow = vec3(0.85, 0.87, 0.90);
+    vec3 stone = textureOnPlanes(granite, 0.35 * p, footprintSeen(f, mat3(1.0), 0.35), weights).rgb;
+    vec3 grass = textureFromAbove(turf, 9.0 * p, footprintSeen(f, mat3(1.0), 9.0)).rgb * mix(0.5, 1.6, chance);
+    vec3 wood = mix(vec3(0.010, 0.022, 0.010), vec3(0.045, 0.055, 0.02), chance);
+    vec3 rock = stone * mix(vec3(0.30, 0.28, 0.27), vec3(0.80, 0.74, 0.68), chance);
+    float uneven = chance - 0.5, level = normal.y + 0.3 * uneven, height = p.y + 2.0 * uneven;
+    vec3 green = mix(grass, wood, smoothstep(0.25, 0.5, p.y + 0.3 * uneven));
+    vec3 colour = mix(rock, green, smoothstep(0.55, 0.70, level) * smoothstep(3.9, 2.3, height));
+    colour = mix(colour, snow, smoothstep(0.48, 0.64, level) * smoothstep(3.6, 5.0, height));
+    return mix(stone * mix(0.3, 0.6, chance), colour, smoothstep(0.002, 0.014, p.y + 0.01 * uneven));
+}
+
+// ---- The lake ----
+
+const float BEAT = 0.2617994; // 2 pi / 24 s: waves whose frequencies are multiples of it come back after 24 s
+
+// Eight waves in all directions, higher where a gust blows.
+//   wind  in [0, 1]
+Water wavesAt(vec2 p, Footprint f, float wind)
+{
+    float gust = wind * (0.3 + 0.7 * smoothstep(0.35, 0.75, groundNoise(0.5 * p).x)), beat = BEAT * iTime;
+    Water swell = fourWaves(p, f, vec4(55.0, -80.0, 120.0, 170.0), vec4(30.0, 70.0, -40.0, 90.0),
+                            gust * vec4(0.03, 0.03, 0.025, 0.025), beat * vec4(9.0, 12.0, 13.0, 17.0));
+    Water ripples = fourWaves(p, f, vec4(-250.0, 310.0, 480.0, -700.0), vec4(120.0, -300.0, 350.0, 250.0),
+                              gust * vec4(0.03, 0.025, 0.02, 0.02), beat * vec4(20.0, 25.0, 29.0, 33.0));
+    return Water(swell.slope + ripples.slope, swell.variance + ripples.variance + 3e-5);
 }
 
 // ---- What stands on the shore ----
@@ -225,7 +257,7 @@ vec3 thingNormal(vec3 p)
     vec3 wall = abs(q.x) > 0.0415 ? vec3(sign(q.x), 0.0, 0.0) : vec3(0.0, 0.0, sign(q.z));
     vec3 house = 0.64 * abs(q.z) + 0.768 * (q.y - 0.066) > -0.006 ? vec3(0.0, 0.768, 0.64 * sign(q.z)) : wall;
     vec2 aside = local.xz - pineOf(floor(local.xz * (1.0 / CELL))).xy;
-    vec3 n = local.x > 0.0 ? vec3(0.0, 0.0, -1.0) : vec3(aside.x, 0.4 * length(aside), aside.y);
+    vec3 n = local.x > 0.0 ? vec3(0.5, 0.2, -0.84) : vec3(aside.x, 0.4 * length(aside), aside.y);
     n = normalize(length(q) < 0.1 ? vec3(0.94 * house.x - 0.34 * house.z, house.y, 0.34 * house.x + 0.94 * house.z) : n);
     return vec3(fromValley(n.xz), n.y).xzy;
 }
@@ -253,7 +285,6 @@ struct Bend {
     vec3  direction; // length 1, upwards
 };
 Bend bend = Bend(false, vec3(0.0), vec3(0.0));
-float mirrorBlur = 0.0; // how fast the waves widen what is mirrored
 
 // The point of the world in whose place p stands.
 vec3 unmirrored(vec3 p)

@@ -1,28 +1,29 @@
-// land.glsl - mountains from noise: a ground of height h(x, z), its slope, and how far a ray may go over it.
+// land.glsl - mountains from noise: a ground of height h(x, z), how steep it is, and how far a ray may go over it.
 //
-// A ground is y = h(x, z). Its octaves of noise are at least 0, so each raises it; what is still to come is
-// at most the sum of their weights. docs/21_a_landscape.md proves what is claimed here.
+// Heights and places are scene units. A ground is given by its height (x) and its gradient (yz).
+// docs/21_a_landscape.md proves what is claimed here.
 #include "noise.glsl"
 
 // Value noise on the plane: the slice y = 0 of valueNoise, at half its price.
 //   p        scene units
-//   returns  value (x) in [0, 1), gradient (yz), which is never longer than VALUE_STRETCH
+//   returns  value in [0, 1), gradient, which is never longer than VALUE_STRETCH
 vec3 groundNoise(vec2 p)
 {
     vec2 corner = floor(p), x = p - corner;
     uvec2 steps = uvec2(ivec2(corner)) * LATTICE_STEP.xz;
-    uvec4 bits = stirredBits(steps.x + steps.y + uvec4(0u, LATTICE_STEP.x, LATTICE_STEP.z, LATTICE_STEP.x + LATTICE_STEP.z));
-    vec4 v = vec4(ivec4(bits >> 8u)) / 16777216.0;
+    uvec4 corners = uvec4(0u, LATTICE_STEP.x, LATTICE_STEP.z, LATTICE_STEP.x + LATTICE_STEP.z);
+    vec4 v = vec4(ivec4(stirredBits(steps.x + steps.y + corners) >> 8u)) / 16777216.0;
     vec2 q = x * (1.0 - x), u = x * x * x * (x * (6.0 * x - 15.0) + 10.0);
     vec2 rise = v.zw - v.xy, row = v.xy + u.y * rise;
     float growth = row.y - row.x;
     return vec3(row.x + u.x * growth, 30.0 * q * q * vec2(growth, rise.x + u.x * (rise.y - rise.x)));
 }
 
-// Ridges: the lines where noise is 1/2 become crests.
+// Ridges: the lines on which noise is 1/2 become crests.
 //   noise    of groundNoise
-//   returns  value (x) in [0, 1], gradient (yz), which is never longer than 2 VALUE_STRETCH
+//   returns  value in [0, 1], gradient, which is never longer than 2 VALUE_STRETCH
 //   formula  1 - |2 n - 1|
+// Source: F. K. Musgrave, in D. S. Ebert and others, 'Texturing and modeling' (1994), ridged multifractals.
 vec3 ridged(vec3 noise)
 {
     float s = 2.0 * noise.x - 1.0;
@@ -30,10 +31,10 @@ vec3 ridged(vec3 noise)
 }
 
 // A round hill on a plain.
-//   p        scene units, from the top
-//   radius   along both axes, scene units, > 0; outside it is 0
-//   height   scene units
-//   returns  height (x), gradient (yz), which is never longer than HILL_STRETCH height / the smaller radius
+//   p        from the top
+//   radius   along both axes, > 0; outside it the height is 0
+//   height   of the top
+//   returns  height, gradient, which is never longer than HILL_STRETCH height / the smaller radius
 //   formula  height max(1 - |p / radius|^2, 0)^2
 vec3 hill(vec2 p, vec2 radius, float height)
 {
@@ -44,20 +45,19 @@ vec3 hill(vec2 p, vec2 radius, float height)
 
 const float HILL_STRETCH = 1.5396007; // 8 sqrt(3) / 9: the slope of (1 - r^2)^2 at r = 1 / sqrt(3)
 
-// The higher of two grounds: height (x), gradient (yz). No steeper than the steeper of the two.
+// The higher of two grounds: no steeper than the steeper of the two.
 vec3 higherGround(vec3 a, vec3 b)
 {
     return a.x > b.x ? a : b;
 }
 
-// How fast a ray can come nearer to a ground, per scene unit of its way: the stretch of y - h along it,
-// forwards alone.
-//   slope      the largest |grad h|, >= 0
-//   direction  of the ray, length 1
-//   returns    > 0; (y - h) over it is a lower bound of the way to the ground, and of nothing else. A ray that
-//              climbs more steeply than slope never meets it: 0.001 then
-//   formula    max(slope |(v_x, v_z)| - v_y, 0.001)
-float approachStretch(float slope, vec3 direction)
+// How far it is at least to where a gap has closed, if it closes by at most slope + growth s after a way s.
+//   gap      between the ray and the ground now; negative below the ground, and so is what is returned
+//   slope    how much of the gap a unit of the way can take here, > 0
+//   growth   of that slope, per unit of the way, >= 0
+//   returns  scene units: the s with slope s + growth s^2 / 2 = gap; a lower bound of the way
+//   formula  2 gap / (slope + sqrt(slope^2 + 2 growth gap))
+float wayToClose(float gap, float slope, float growth)
 {
-    return max(slope * length(direction.xz) - direction.y, 0.001);
+    return 2.0 * gap / (slope + sqrt(max(slope * slope + 2.0 * growth * gap, 1e-9)));
 }

@@ -1,41 +1,56 @@
-// water.glsl - a lake: waves, what of them a pixel sees, and what it sees in them.
+// water.glsl - a lake: waves, what of them a pixel sees, and the sun in them.
+//
+// The water is level, y = 0, and its waves tilt its normal alone. docs/21_a_landscape.md proves what is claimed here.
 #include "texture.glsl"
 
-// The water where a ray meets it, as its pixel sees it.
+// What a pixel sees of the slope of the water.
 struct Water {
-    vec2  slope;    // of the waves, the mean over the pixel
-    float variance; // of the slope about that mean, along any one direction
+    vec2  slope;    // its mean, along x and z
+    float variance; // about that mean, along any one direction
 };
 
-// Four waves: wave numbers along x and z, amplitudes of their slope, phases.
-//   f        footprint of the pixel on the water
-//   formula  over a pixel that weighs as a Gaussian of the box's variance, the mean of cos(k . p) is
-//            cos(k . p) exp(-((k . across)^2 + (k . along)^2) / 24); what the mean loses of each wave's
-//            variance, slope^2 / 2, is left to the pixel
-Water fourWaves(vec2 p, Footprint f, vec4 kx, vec4 kz, vec4 slope, vec4 phase)
+// What a pixel covers of level water: footprintOn, without its limit.
+//   direction  of the ray, length 1, downwards
+//   width      of the ray there, scene units
+Footprint footprintOnWater(vec3 direction, float width)
+{
+    Footprint f = footprintOn(direction, vec3(0.0, 1.0, 0.0), width);
+    return Footprint(f.across, f.along * max(0.0625 / max(abs(direction.y), 1e-4), 1.0));
+}
+
+// Four waves, as a pixel sees them.
+//   p        place on the water, scene units
+//   f        of footprintOnWater; of size 0 for a point
+//   kx, kz   wave vectors, radians per scene unit
+//   steep    the largest slope of each
+//   phase    of each, radians
+//   returns  slope: sum of steep kept cos(k . p + phase) along each k; variance: half of what is lost
+//   formula  kept = exp(-((k . across)^2 + (k . along)^2) / 24), the mean of cos(k . x) over a Gaussian with the
+//            variance of the pixel, a twelfth of each axis squared; a wave's slope has the variance steep^2 / 2 over
+//            all places, and what the mean loses, steep^2 (1 - kept^2) / 2, is about the mean; half of it along x
+//            where the waves run in all directions
+Water fourWaves(vec2 p, Footprint f, vec4 kx, vec4 kz, vec4 steep, vec4 phase)
 {
     vec4 across = kx * f.across.x + kz * f.across.z, along = kx * f.along.x + kz * f.along.z;
     vec4 kept = exp(-(across * across + along * along) / 24.0);
-    vec4 tilt = slope * kept * cos(kx * p.x + kz * p.y + phase) * inversesqrt(kx * kx + kz * kz);
-    float lost = 0.25 * dot(slope * slope, 1.0 - kept * kept);
-    return Water(vec2(dot(kx, tilt), dot(kz, tilt)), lost);
+    vec4 tilt = steep * kept * cos(kx * p.x + kz * p.y + phase) * inversesqrt(kx * kx + kz * kz);
+    return Water(vec2(dot(kx, tilt), dot(kz, tilt)), 0.25 * dot(steep * steep, 1.0 - kept * kept));
 }
 
-// The sun in rough water: its light that facets of every slope send to the eye.
+// The lamp in rough water: its light that facets of every slope send to the eye, before Fresnel's share.
 //   direction  of the ray, to the water, length 1
-//   toLight    length 1
-//   water      its slope and variance, > 0
-//   light      on a white surface across its rays, linear
-//   formula    light pi P / (4 cos h_y^4), P the Gaussian density of the slope that mirrors toLight to the
-//              eye, h the normal of that facet, cos that of the angle between eye and the level. Times
-//              Fresnel's share
+//   toLight    length 1, upwards
+//   water      slope and variance, > 0
+//   light      of the lamp on a white surface across its rays, linear
+//   formula    light pi P / (4 cos h_y^4), P the Gaussian density of the slope that mirrors the lamp to the
+//              eye, h the normal of that facet, cos = -direction.y. Exact where no facet hides another
 // Source: C. Cox, W. Munk, 'Measurement of the roughness of the sea surface from photographs of the sun's
 // glitter', Journal of the Optical Society of America 44 (1954).
 vec3 glitter(vec3 direction, vec3 toLight, Water water, vec3 light)
 {
     vec3 h = normalize(toLight - direction);
-    vec2 off = -h.xz / max(h.y, 0.05) - water.slope;
+    float up = max(h.y, 0.05), square = up * up;
+    vec2 off = -h.xz / up - water.slope;
     float density = exp(-0.5 * dot(off, off) / water.variance) / (6.2831853 * water.variance);
-    float up = max(h.y * h.y, 0.05);
-    return light * 3.14159265 * density / (4.0 * max(-direction.y, 0.03) * up * up);
+    return light * (3.1415927 * density / (4.0 * max(-direction.y, 0.01) * square * square));
 }

@@ -1,0 +1,11 @@
+// Experiment of chapter 21: the waves are asked at one point of each pixel, in place of their mean over it.
+#include "main.glsl"
+#include "water.glsl"
+
+Footprint pointOfWater(vec3 direction, float width)
+{
+    return Footprint(vec3(0.0), vec3(0.0));
+}
+
+#define footprintOnWater pointOfWater
+#include "21_a_landscape.frag"

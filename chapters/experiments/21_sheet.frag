@@ -1,0 +1,28 @@
+// Experiment of chapter 21: the scene at every second hour, from top to bottom, in five weathers, from left to right:
+// a sheet of 5 x 12 pictures. Each picture has rays, an hour and a weather of its own.
+#include "main.glsl"
+#include "camera.glsl"
+
+const vec2 SHEET = vec2(5.0, 12.0); // pictures, across and down
+
+// A pixel is one of a small picture's.
+float sheetSpread()
+{
+    return SHEET.y / (iResolution.y * focalLength);
+}
+
+#include "cone.glsl"
+#include "coarse.glsl"
+#define pixelSpread sheetSpread
+#define pixelRay chapterPixelRay
+#include "21_a_landscape.frag"
+#undef pixelRay
+
+Ray pixelRay(vec2 screen)
+{
+    vec2 size = iResolution.xy / SHEET, pixel = 0.5 * (screen * iResolution.y + iResolution.xy);
+    vec2 tile = clamp(floor(pixel / size), vec2(0.0), SHEET - 1.0), place = pixel - tile * size;
+    theHour = 2.0 * (SHEET.y - 1.0 - tile.y);
+    theWeather = 1.0 - 0.125 * tile.x;
+    return perspectiveRay((2.0 * place - size) / size.y);
+}

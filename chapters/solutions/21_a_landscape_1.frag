@@ -1,0 +1,13 @@
+// Solution of exercise 21.1: Fresnel's own formula for water, in place of Schlick's.
+//
+// The chapter's call of schlickShare is turned into a call of waterShare.
+#include "main.glsl"
+#include "fresnel.glsl"
+
+float waterShare(float facing, float straight)
+{
+    return fresnelShare(facing, 1.0 / 1.333);
+}
+
+#define schlickShare waterShare
+#include "21_a_landscape.frag"

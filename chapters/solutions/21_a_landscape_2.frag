@@ -1,0 +1,16 @@
+// Solution of exercise 21.2: snow down to a height that can be set, as late in the year, and grass that ends below it.
+//
+// The chapter's call of landColour is turned into a call of winterColour.
+#include "main.glsl"
+#include "valley.glsl"
+
+uniform float snowLine; // 4.3 in [-1, 12] step 0.25, scene units: height in whose middle the rock turns white
+
+vec3 winterColour(vec3 p, vec3 direction, vec3 normal, float chance, float width)
+{
+    vec3 moved = vec3(p.x, p.y + 4.3 - snowLine, p.z), colour = landColour(moved, direction, normal, chance, width);
+    return p.y > 0.0 ? colour : landColour(p, direction, normal, chance, width);
+}
+
+#define landColour winterColour
+#include "21_a_landscape.frag"
