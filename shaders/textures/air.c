@@ -224,30 +224,32 @@ struct air_scale air_scale(double sun, double row)
 
 // The light of a place in a table. A table is drawn from its top row down, and each place of the
 // upper storey is asked for again in the lower one: it is kept.
-static struct air_light light_once(double sun, double row, double azimuth, int column)
+static struct air_light light_once(double sun, double row, double azimuth, double ozone, int column)
 {
     static struct {
         struct air_light light;
-        double azimuth;
+        double azimuth, ozone;
         int known;
     } kept[AIR_ROWS][AIR_COLUMNS];
     int i = (int)(row * (AIR_ROWS - 1) + 0.5);
-    if (!kept[i][column].known || kept[i][column].azimuth != azimuth) {
+    if (!kept[i][column].known || kept[i][column].azimuth != azimuth ||
+        kept[i][column].ozone != ozone) {
         kept[i][column].light =
-            air_scattered(sun, air_drawn_back(row, AIR_VIEW_WIDTH), azimuth, 1.0);
+            air_scattered(sun, air_drawn_back(row, AIR_VIEW_WIDTH), azimuth, ozone);
         kept[i][column].azimuth = azimuth;
+        kept[i][column].ozone = ozone;
         kept[i][column].known = 1;
     }
     return kept[i][column].light;
 }
 
-void air_table(double u, double v, double azimuth, double value[3])
+void air_table(double u, double v, double azimuth, double ozone, double value[3])
 {
     double lowest = air_drawn_out(AIR_LOWEST_SUN, AIR_SUN_WIDTH);
     double column = floor(u * AIR_COLUMNS) / (AIR_COLUMNS - 1), y = floor(v * 2 * AIR_ROWS);
     double row = (y >= AIR_ROWS ? y - AIR_ROWS : y) / (AIR_ROWS - 1);
     double sun = air_drawn_back(lowest + column * (1.0 - lowest), AIR_SUN_WIDTH);
-    struct air_light light = light_once(sun, row, azimuth, (int)(u * AIR_COLUMNS));
+    struct air_light light = light_once(sun, row, azimuth, ozone, (int)(u * AIR_COLUMNS));
     struct air_scale scale = air_scale(sun, row);
     for (int c = 0; c < 3; c++)
         value[c] = y < AIR_ROWS ? light.air[c] / scale.air : light.dust[c] / scale.dust;

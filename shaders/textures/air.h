@@ -69,7 +69,8 @@ struct air_scale air_scale(double sun, double row);
 
 // A table's colour at a point of it, for paint_texture.
 //   azimuth  1 for the half of the sky that holds the sun, -1 for the other one
-void air_table(double u, double v, double azimuth, double value[3]);
+//   ozone    1, or 0 for an air without
+void air_table(double u, double v, double azimuth, double ozone, double value[3]);
 
 // The table of the sun: a column for each distance from its middle, in radii of the sun, from 0 to
 // SUN_REACH as the square of the column's place; a row for each height of what is seen, from 0

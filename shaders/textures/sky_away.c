@@ -6,7 +6,7 @@
 
 static void table(double u, double v, double value[3])
 {
-    air_table(u, v, -1.0, value);
+    air_table(u, v, -1.0, 1.0, value);
 }
 
 int main(void)

@@ -1,0 +1,13 @@
+// sky_away.png of an air without ozone, for an experiment of chapter 18. Read with sRGB and clamp.
+#include "air.h"
+#include "paint.h"
+
+static void table(double u, double v, double value[3])
+{
+    air_table(u, v, -1.0, 0.0, value);
+}
+
+int main(void)
+{
+    return paint_texture(AIR_COLUMNS, 2 * AIR_ROWS, 1, PAINT_COLOUR, table);
+}
