@@ -13,6 +13,7 @@
 #include "support_measure.h"
 #include "support_occlusion.h"
 #include "support_report.h"
+#include "support_sky_table.h"
 #include "support_speed.h"
 
 static int print_normal(void)
@@ -319,6 +320,7 @@ static const struct measurement {
      print_checkers},
     {"levels", "error of a texture against the footprint that its level is chosen by", true,
      print_levels},
+    {"sky", "a sky from tables and by other ways, against the integral", true, sky_table_print},
     {"report", "three pictures of the report, drawn again, beside its engine", true, report_print},
 };
 enum { MEASUREMENTS = sizeof measurements / sizeof *measurements };

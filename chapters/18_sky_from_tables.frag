@@ -1,0 +1,166 @@
+// 18 A sky from tables: a pine on an islet in a calm sea, under a sky that a program has computed.
+
+#include "main.glsl"      // main(): asks for pixelRay, then for rayColour
+#include "cone.glsl"      // perspectiveRay, marchCone, pixelSpread
+#include "bounds.glsl"    // boxInterval
+#include "fresnel.glsl"   // schlickShare
+#include "lighting.glsl"  // lambert, encodeSRGB
+#include "film.glsl"      // exposed, filmOfLargest, ditherStep
+#include "sky_table.glsl" // sunDirection, tableSky, tableSun, tableSunlight, tableAmbient, hourStops
+
+uniform sampler2D sunward; // "sky_sunward.png" sRGB clamp: the half of the sky that holds the sun
+uniform sampler2D away;    // "sky_away.png" sRGB clamp: the other half
+uniform sampler2D halo;    // "sun_halo.png" sRGB clamp: the sun and what is round it
+
+uniform float timeOfDay;      // 18.4 in [0, 24] step 0.05, hours: solar time at the start
+uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: how fast the time of day runs
+uniform float sunRadius;      // 0.267 in [0.1, 5] step 0.1, degrees: 0.267 is the real one, the article's 2.9
+uniform float exposure;       // 0 in [-8, 8] step 0.5, stops: more or less than the hour asks for
+uniform float swell;          // 0.04 in [0, 0.2] step 0.01: slope of the waves
+uniform int   maxSteps;       // 96 in [1, 512]: steps before a ray is given up
+uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distance that counts as a hit at the eye
+
+// x points north, y up, z east: one looks out to the west. One scene unit is a metre.
+const float LATITUDE = 43.6;              // degrees
+const float DECLINATION = 2.0;            // of the sun, degrees: at the end of March
+const vec3  PINE = vec3(29.0, 2.4, -47.0); // its foot
+const vec3  HILL = vec3(33.0, -28.0, -48.0); // the middle of the ball whose top it is
+
+// Boxes round the land and round the pine, their mirror images included.
+const vec3 LAND_LOW = vec3(10.0, -4.0, -61.0), LAND_HIGH = vec3(47.0, 4.0, -35.0);
+const vec3 PINE_LOW = vec3(21.0, -12.0, -52.0), PINE_HIGH = vec3(33.5, 12.0, -42.0);
+
+// How the waves turn the light of this pixel aside: metres across for each metre below the water.
+vec2 bend = vec2(0.0);
+
+Ray pixelRay(vec2 screen)
+{
+    return perspectiveRay(screen);
+}
+
+// ---- The sky ----
+
+vec3 sunNow()
+{
+    return sunDirection(timeOfDay + hoursPerSecond * iTime, LATITUDE, DECLINATION);
+}
+
+// The sky, with the sun in it.
+vec3 skyLight(vec3 direction, vec3 sun)
+{
+    return tableSky(sunward, away, direction, sun) + tableSun(halo, direction, sun, radians(sunRadius));
+}
+
+// ---- The islet ----
+
+// A wave of straight lines, from -1 to 1 and back in one unit: slope at most 4.
+float zigzag(float x)
+{
+    return 4.0 * abs(fract(x) - 0.5) - 1.0;
+}
+
+// The pine: a leaning trunk, and a crown of three flat domes that is cut off below. A lower bound.
+float pineDistance(vec3 p)
+{
+    vec3 q = p - PINE;
+    q.x += (0.3 - 0.02 * q.y) * q.y;
+    float trunk = max(length(q.xz) - 0.45 + 0.035 * q.y, max(q.y - 6.6, -2.0 - q.y));
+    vec3 c = q - vec3(-0.4, 6.7, 0.0), flat1 = c * vec3(1.0, 1.9, 1.0);
+    float domes = length(flat1 - vec3(0.2, 0.4, 0.0)) - 3.7;
+    domes = min(domes, length(flat1 - vec3(-3.3, -0.6, 0.4)) - 2.2);
+    domes = min(domes, length(flat1 - vec3(3.1, -0.2, -0.3)) - 2.3);
+    float leaf = 0.13 * zigzag(0.83 * c.x + 0.5 * c.y + 0.6 * c.z);
+    return min(0.75 * trunk, max(0.4 * (domes - leaf), 0.55 * (leaf - 0.5 - c.y)));
+}
+
+// Three round hills, roughened. A lower bound.
+float landDistance(vec3 p)
+{
+    float land = length(p - HILL) - 31.0;
+    land = min(land, length(p - vec3(24.0, -4.2, -45.0)) - 6.0);
+    land = min(land, length(p - vec3(13.0, -1.9, -47.0)) - 2.5);
+    float rock = 0.3 * zigzag(0.13 * p.x + 0.06 * p.y + 0.05 * p.z) + 0.13 * zigzag(0.41 * p.x - 0.2 * p.y + 0.3 * p.z);
+    return 0.65 * (land + rock);
+}
+
+// Above the water the islet, below it its mirror image, drawn aside by the waves: what water mirrors is the world
+// upside down, and a ray goes straight on into that.
+float sceneDistance(vec3 p)
+{
+    float depth = max(-p.y, 0.0);
+    vec3 q = vec3(p.x + bend.x * depth, abs(p.y), p.z + bend.y * depth);
+    return min(landDistance(q), pineDistance(q));
+}
+
+// ---- The water ----
+
+// The slope of the water at a place: two trains of waves, each as far as a pixel of that width can tell them.
+vec2 waveSlope(vec2 at, float width)
+{
+    const vec2 LONG = vec2(0.08, 0.22), SHORT = vec2(-0.41, 0.77);
+    vec2 x = abs(fract(vec2(dot(LONG, at), dot(SHORT, at)) + iTime * vec2(0.6, 1.17)) - 0.5);
+    vec2 size = swell * (1.0 - 8.0 * x * x * (3.0 - 4.0 * x)) / (1.0 + width * width * vec2(2.0, 30.0));
+    return size.x * normalize(LONG) + size.y * normalize(SHORT);
+}
+
+// ---- Where a ray ends ----
+
+struct Place {
+    vec3  p;        // on the islet, if met
+    bool  met;      // the islet, or its mirror image
+    bool  mirrored; // the ray has been at the water before
+    vec3  leaves;   // where the ray goes if it meets nothing: what to ask the sky for
+    float down;     // sine of the angle between ray and water
+};
+
+Place placeAlong(Ray ray)
+{
+    vec3 d = ray.direction;
+    bool sea = d.y < 0.0;
+    float down = max(-d.y, 1e-4), toSea = sea ? ray.origin.y / down : 1e5;
+    vec2 slope = sea ? waveSlope(ray.origin.xz + toSea * d.xz, 2.0 * pixelSpread() * toSea / down) : vec2(0.0);
+    bend = 2.0 * slope;
+    vec2 interval = intervalUnion(boxInterval(ray, LAND_LOW, LAND_HIGH), boxInterval(ray, PINE_LOW, PINE_HIGH));
+    Hit hit = marchCone(ray, interval.x, interval.y, hitThreshold, pixelSpread(), maxSteps);
+    // Waves too small for a pixel lift what is mirrored a little.
+    vec3 leaves = sea ? normalize(vec3(d.x + bend.x * down, down + 0.02, d.z + bend.y * down)) : d;
+    return Place(ray.origin + hit.t * d, hit.found, sea && (!hit.found || hit.t > toSea), leaves, down);
+}
+
+// ---- Light ----
+
+// What a place of the islet sends on: the light of sun and sky on a matt surface, by a normal of the ball or the
+// dome that it lies on.
+vec3 isletLight(vec3 p, vec3 sun)
+{
+    p.y = abs(p.y);
+    bool leaf = p.y > PINE.y + 5.2;
+    vec3 normal = normalize(leaf ? (p - PINE - vec3(-1.4, 6.0, 0.0)) * vec3(1.0, 3.0, 1.0) : p - HILL);
+    vec3 colour = leaf ? vec3(0.04, 0.06, 0.03) : vec3(0.11, 0.1, 0.075);
+    return colour * ((0.6 + 0.4 * normal.y) * tableAmbient(sun) + lambert(normal, sun) * tableSunlight(sun));
+}
+
+// What comes along a ray. The sky was asked once, where the ray leaves.
+vec3 placeLight(Place place, vec3 sky, vec3 sun)
+{
+    vec3 light = place.met ? isletLight(place.p, sun) : sky;
+    vec3 water = vec3(0.01, 0.03, 0.04) * tableAmbient(sun);
+    float share = place.mirrored ? schlickShare(min(place.down + 0.04, 1.0), 0.02) : 1.0;
+    return mix(water, light, share);
+}
+
+// Light as the screen shows it: exposed as the hour asks, by a film that keeps hues but bleaches what is very bright.
+vec3 developed(vec3 light, vec3 sun)
+{
+    vec3 e = exposed(daylightFilm(light), hourStops(sun.y) + exposure);
+    vec3 film = filmOfLargest(e, 1.35, 6.0);
+    film = mix(film, vec3(max(film.r, max(film.g, film.b))), e.g / (e.g + 8.0));
+    return encodeSRGB(film) + ditherStep(iPixel) / 255.0;
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec3 sun = sunNow();
+    Place place = placeAlong(ray);
+    return developed(placeLight(place, skyLight(place.leaves, sun), sun), sun);
+}

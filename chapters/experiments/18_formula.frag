@@ -1,0 +1,14 @@
+// Chapter 18's picture under the sky of chapter 09: a formula in place of the tables.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "18_sky_from_tables.frag"
+#undef rayColour
+
+vec3 rayColour(Ray ray)
+{
+    vec3 sun = sunNow();
+    Place place = placeAlong(ray);
+    vec3 sky = 0.8 * (sunlitSky(place.leaves, sun, RAYLEIGH + 0.05) + nightSky(place.leaves, sun));
+    sky += tableSun(halo, place.leaves, sun, radians(sunRadius));
+    return developed(placeLight(place, sky, sun), sun);
+}

@@ -1,0 +1,15 @@
+// Chapter 18's picture under a sky of another way: way=1 the article's text, 2 its shader, 3 the formula of
+// chapter 09. With encoded=true the article's two colours are mixed as numbers of the screen.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "18_sky_from_tables.frag"
+#undef rayColour
+#include "experiments/18_ways.glsl"
+
+vec3 rayColour(Ray ray)
+{
+    vec3 sun = sunNow();
+    Place place = placeAlong(ray);
+    vec3 sky = skyByWay(place.leaves, sun) + tableSun(halo, place.leaves, sun, radians(sunRadius));
+    return developed(placeLight(place, sky, sun), sun);
+}

@@ -1,0 +1,41 @@
+// 18_ways.glsl - for the experiments of chapter 18: other ways to a sky. The chapter's shader stands before it.
+
+uniform int  way;      // 0 in [0, 3]: 0 the chapter's, 1 the article's mix by angle, 2 its shader's by dot product, 3 chapter 09's formula
+uniform bool encoded;  // false: the article's two colours are mixed as the screen's numbers
+uniform bool painted;  // false: the article's second table is a painter's, and differs from the first one at the zenith too
+
+// What a table that holds whole colours has in a direction: the light along the middle of its half of the sky.
+//   level  1 for the half that holds the sun, -1 for the other one
+vec3 halfColour(sampler2D table, vec3 direction, vec3 sun, float level)
+{
+    vec2 place = skyPlace(sun.y, direction.y);
+    float y = max(direction.y, 0.0), flat2 = (1.0 - y * y) * (1.0 - sun.y * sun.y);
+    return tableLight(table, place, y * sun.y + level * sqrt(max(flat2, 0.0)), skyScale(sun.y, place.y));
+}
+
+// The share of the first table, as the article's text has it: by the angle to the sun in the level plane, from 1 to 0.
+// At the zenith that is any number: here the angle of (0, 0), which is nothing.
+float shareByAngle(vec3 direction, vec3 sun)
+{
+    vec2 a = direction.xz, b = sun.xz;
+    return 1.0 - abs(atan(a.x * b.y - a.y * b.x, dot(a, b))) / 3.14159265;
+}
+
+vec3 decoded(vec3 v)
+{
+    return mix(v / 12.92, pow((v + 0.055) / 1.055, vec3(2.4)), step(0.04045, v));
+}
+
+// The light of the sky by that way, in the chapter's unit.
+vec3 skyByWay(vec3 direction, vec3 sun)
+{
+    if (way == 3)
+        return 0.8 * (sunlitSky(direction, sun, RAYLEIGH + 0.05) + nightSky(direction, sun));
+    vec3 first = halfColour(sunward, direction, sun, 1.0), second = halfColour(away, direction, sun, -1.0);
+    second *= painted ? vec3(0.7, 0.62, 0.6) : vec3(1.0);
+    float share = way == 1 ? shareByAngle(direction, sun) : 0.5 + 0.5 * dot(direction, sun);
+    float stops = hourStops(sun.y);
+    vec3 mixed = encoded ? exposed(decoded(mix(encodeSRGB(exposed(second, stops)), encodeSRGB(exposed(first, stops)), share)), -stops)
+                         : mix(second, first, share);
+    return way == 0 ? tableSky(sunward, away, direction, sun) : mixed;
+}

@@ -1,0 +1,41 @@
+// For test_sky_table.c and `build/tests/measure sky`: the functions of sky_table.glsl, and the other ways of chapter 18's
+// experiments. iTime chooses the function, iMouse.x is its number. What is drawn is cut off at 0 and 1: the logarithm is told.
+#include "main.glsl"
+#define rayColour chapterRayColour
+#include "18_sky_from_tables.frag"
+#undef rayColour
+#include "experiments/18_ways.glsl"
+
+
+vec3 answer()
+{
+    vec2 k = floor(gl_FragCoord.xy), end = iResolution.xy - 1.0;
+    float s = k.x / end.x, sine = -0.14 + 1.14 * s * s; // of the sun, from -8 degrees up
+    vec3 sun = vec3(sqrt(1.0 - sine * sine), sine, 0.0);
+    float y = k.y / end.y;
+    y = min(y * y, 1.0);
+    float level = sqrt(1.0 - y * y);
+    vec3 direction = vec3(level * iMouse.x, y, level * sqrt(max(1.0 - iMouse.x * iMouse.x, 0.0)));
+    if (iTime < 1.0)
+        return skyByWay(direction, sun);
+    if (iTime < 2.0)
+        return tableSunlight(sun);
+    if (iTime < 3.0)
+        return tableAmbient(sun);
+    if (iTime < 4.0) // how much longer to expose, and how bright the sky is, with the sun's sine from -0.3 on
+        return exp2(vec3(0.0, hourStops(-0.3 + 1.3 * s), skyBrightness(-0.3 + 1.3 * s)));
+    if (iTime < 5.0) { // the sun 20 degrees high, at a distance in radii from 0 to 14, above it
+        vec3 at = vec3(cos(radians(20.0)), sin(radians(20.0)), 0.0);
+        vec3 up = vec3(-at.y, at.x, 0.0);
+        float x = 14.0 * s * s, angle = x * iMouse.x;
+        return tableSun(halo, normalize(at * cos(angle) + up * sin(angle)), at, iMouse.x);
+    }
+    // How much goes into all directions, by the cosine.
+    float c = 2.0 * s - 1.0;
+    return vec3(1.0 + c, phaseAir(c), phaseDust(c));
+}
+
+vec3 rayColour(Ray ray)
+{
+    return (log2(max(answer(), 0.0) + 1e-9) + 30.0) / 60.0;
+}
