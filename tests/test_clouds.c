@@ -65,10 +65,18 @@ static void test_layer_is_where_the_ray_meets_it(void **unused)
     }
 }
 
-// Straight up it is the difference of heights; level from the ground the root of 2 R a + a^2.
+// Straight up it is the difference of heights; level from the ground the root of 2 R a + a^2. What
+// the page says of a layer 1.2 km up is printed.
 static void test_layer_at_its_ends(void **unused)
 {
     (void)unused;
+    static const double degrees[] = {0.5, 1.0, 2.0, 5.0, 30.0};
+    for (int i = 0; i < 5; i++) {
+        double y = sin(degrees[i] * MIRROR_PI / 180.0), round = hit_by_halving(0.0, y, 1.2);
+        print_message("# %4.1f degrees: flat %6.1f km, round %5.1f km\n", degrees[i], 1.2 / y,
+                      round);
+        assert_true(round < 1.2 / y);
+    }
     assert_true(fabs(hit_by_halving(0.0, 1.0, 1.2) - 1.2) < 1e-9);
     assert_true(fabs(hit_by_halving(0.0, 0.0, 1.2) - sqrt(2.0 * earth * 1.2 + 1.44)) < 1e-6);
 }
@@ -249,6 +257,13 @@ static void test_weather_runs_from_fair_to_bad(void **unused)
     assert_true(fair[0] == 1.0f && fair[1] == 0.0f && fair[2] == 0.0f && fair[3] == 1.0f);
     assert_true(more[1] == 1.0f && more[4 * 500 + 1] == 0.0f);
     assert_true(more[0] > 4.0f * more[4 * 500]);
+    for (int i = 0; i <= 500; i += 50) {
+        const float *v = shares + 4 * i, *w = more + 4 * i;
+        print_message("# weather %.2f: fair %.2f, storm %.2f, overcast %.2f, sun %.3f, haze %.3f, "
+                      "rain %.2f\n",
+                      0.5 + i / 1000.0, (double)v[0], (double)v[1], (double)v[2], (double)v[3],
+                      (double)w[0], (double)w[1]);
+    }
     for (int i = 1; i <= 500; i++) {
         const float *v = shares + 4 * i, *before = v - 4;
         assert_true(v[0] >= before[0] && v[1] <= before[1] && v[2] <= before[2]);

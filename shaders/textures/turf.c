@@ -1,5 +1,5 @@
-// turf.c - a mountain meadow from above: tufts of grass, green where they are thick and straw-coloured where they are
-// thin, with moss and a few flowers between.
+// turf.c - a mountain meadow from above: tufts of grass, green where they are thick and
+// straw-coloured where they are thin, with moss and a few flowers between.
 #include "paint.h"
 
 enum { TUFTS = 20, FLOWERS = 70 }; // across a period
@@ -13,7 +13,8 @@ static void turf(double u, double v, double value[3])
     double lean = paint_random((int)(tuft.name >> 4), 0, tuft.name);
     double fine = paint_octaves(u, v, 64, 32, 3, 9), cross = paint_octaves(u, v, 32, 64, 3, 11);
     double blade = lean < 0.5 ? fine : cross, thick = paint_octaves(u, v, 5, 5, 3, 3);
-    double tone = 0.15 + 0.5 * thick + 0.75 * (blade - 0.5) + 0.25 * paint_step(0.0, 0.12, tuft.edge) * (lean - 0.3);
+    double tone = 0.15 + 0.5 * thick + 0.75 * (blade - 0.5) +
+                  0.25 * paint_step(0.0, 0.12, tuft.edge) * (lean - 0.3);
     paint_scale(4, blades, tone, value);
     struct paint_grain flower = paint_grain(u, v, FLOWERS, FLOWERS, 2);
     double lot = paint_random((int)(flower.name >> 4), 1, flower.name);
