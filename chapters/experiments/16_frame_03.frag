@@ -17,13 +17,28 @@ const vec3  BLOCK = vec3(-1.6, 0.3, 0.1), BLOCK_HALF = vec3(0.35, 0.3, 0.55);
 const float MARGIN = 0.01;      // by which the boxes are larger than what they hold
 const float MET_BEFORE = 0.7;   // of the threshold: where a march ends before the stage, in the mean
 
-// All but the stage.
+float squareOutside(vec3 q)
+{
+    q = max(q, 0.0);
+    return dot(q, q);
+}
+
+float largest(vec3 q)
+{
+    return max(q.x, max(q.y, q.z));
+}
+
+// All but the stage, as chapter 03 has it. The frame is three boxes, the block one: of the four distances outside
+// the least has the least square, so one root will do; inside, depths have none.
 float sceneDistance(vec3 p)
 {
-    vec3 q = p - FRAME;
-    float framed = min(sdBoxFrame(q, vec3(0.8), 0.07), sdSphere(q, 0.36));
-    float balls = min(sdSphere(q - vec3(0.0, 1.25, 0.0), 0.28), sdSphere(p - BALL, 0.4));
-    return min(min(framed, balls), sdBox(p - BLOCK, BLOCK_HALF));
+    vec3 q = p - FRAME, outer = abs(q) - 0.8, inner = abs(outer + 0.07) - 0.07;
+    vec3 alongX = vec3(outer.x, inner.yz), alongY = vec3(inner.x, outer.y, inner.z), alongZ = vec3(inner.xy, outer.z);
+    vec3 block = abs(p - BLOCK) - BLOCK_HALF;
+    float square = min(min(squareOutside(alongX), squareOutside(alongY)), min(squareOutside(alongZ), squareOutside(block)));
+    float depth = min(min(largest(alongX), largest(alongY)), min(largest(alongZ), largest(block)));
+    float balls = min(sdSphere(q, 0.36), min(sdSphere(q - vec3(0.0, 1.25, 0.0), 0.28), sdSphere(p - BALL, 0.4)));
+    return min(sqrt(square) + min(depth, 0.0), balls);
 }
 
 // boxInterval of bounds.glsl from centre and half size, with one division for all the boxes of a ray.
@@ -81,7 +96,7 @@ vec3 rayColour(Ray ray)
         axis *= turn < 3 ? normalStep : -normalStep;
         float d = distanceAt(p + (tap ? axis : shadowOffset * hitThreshold * normal + t * toLight));
         gradient += tap ? d * axis : vec3(0.0);
-        normal = normalize(gradient);
+        normal = tap ? normalize(gradient) : normal;
         dark = !tap && d < hitThreshold;
         t += tap ? 0.0 : d;
         turn++;
