@@ -73,7 +73,7 @@ Lights lightsAt(float hour)
     vec3 low = strength * tableSunlight(sun), clear = strength * tableAmbient(sun) + 6e-8;
     vec3 high = strength * tableSunlight(vec3(0.0, cloudSunHeight(sun.y, CLOUD_TOPS), 0.0));
     vec3 sky = mix(clear, overcastWhite(clear + low * max(sun.y, 0.0)), overcastShare(weather));
-    float stops = -2.2 - 0.85 * log2(clear.y), left = sunLeft(weather);
+    float stops = 0.5 * overcastShare(weather) - 2.2 - 0.85 * log2(clear.y), left = sunLeft(weather);
     float dark = 1.0 - smoothstep(0.04, 0.15, sky.y);
     return Lights(sun, strength, left * low, left * high, sky, stops, dark * exp2(-stops));
 }
