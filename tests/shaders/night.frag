@@ -24,8 +24,8 @@ vec3 patchDirection(vec4 look)
 void main()
 {
     float number = floor(gl_FragCoord.x) + 1024.0 * floor(gl_FragCoord.y);
-    if (Time < 1.0) { // iMouse.x: width; places all over the sphere
-        float z = 1.0 - (number + 0.5) / 32768.0, turn = 6.2831853 * fract(number * 0.6180340);
+    if (Time < 1.0) { // iMouse.xy: width; how far down from the pole the places reach, 2 for all over the sphere
+        float z = 1.0 - iMouse.y * (number + 0.5) / 65536.0, turn = 6.2831853 * fract(number * 0.6180340);
         vec3 direction = vec3(sqrt(1.0 - z * z) * vec2(cos(turn), sin(turn)), z);
         FragColor = vec4(direction, 1e9 * starLight(direction, iMouse.x).g);
     } else if (Time < 2.0) {
