@@ -150,7 +150,7 @@ vec3 heavens(vec3 direction, Hour now, float width)
 vec2 rangesSeen(vec3 direction, float width)
 {
     float turn = atan(direction.x, -direction.z), up = direction.y / length(direction.xz);
-    vec2 wave = sin(vec2(5.0, 7.0) * turn + vec2(0.6, 2.9)) + 0.5 * sin(vec2(12.7, 19.0) * turn + vec2(0.0, 1.0));
+    vec2 wave = sin(vec2(5.0, 7.0) * turn + vec2(0.6, 2.9)) + 0.5 * sin(vec2(13.0, 19.0) * turn + vec2(0.0, 1.0));
     vec2 top = vec2(0.072, 0.042) + vec2(0.019, 0.013) * wave;
     return vec2(coverage(top.x - up, width), coverage(top.y - up, width));
 }

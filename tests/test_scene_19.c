@@ -159,7 +159,7 @@ static struct light sky_all(struct d3 direction, double width, const char **what
     struct light light = air_light(above), beyond = milky_way(star), air = light;
     double turn = atan2(direction.x, -direction.z),
            up = direction.y / hypot(direction.x, direction.z);
-    double far = 0.072 + 0.019 * (sin(5.0 * turn + 0.6) + 0.5 * sin(12.7 * turn));
+    double far = 0.072 + 0.019 * (sin(5.0 * turn + 0.6) + 0.5 * sin(13.0 * turn));
     double near = 0.042 + 0.013 * (sin(7.0 * turn + 2.9) + 0.5 * sin(19.0 * turn + 1.0));
     double share[2] = {coverage(far - up, 2.0 * width), coverage(near - up, 2.0 * width)};
     bool moon = d3_length(d3_sub(above, moon_now())) < 0.06;
