@@ -115,7 +115,8 @@ vec3 heavens(vec3 direction, Hour now, float width)
 
 // The sky of an hour and a weather.
 //   mirrored  seen in the water, whose waves do not mirror the sun's disc as one: glitter has it
-vec3 skyLight(vec3 direction, Hour now, bool mirrored)
+//   open      how much of the clear sky the weather leaves there
+vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
 {
     float width = min(2.0 * pixelSpread(), 0.003), noon = now.noon / 24.0;
     vec3 through = exp(-(RAYLEIGH + 0.05) * airMass(direction.y));
@@ -126,6 +127,7 @@ vec3 skyLight(vec3 direction, Hour now, bool mirrored)
     Cloud fair = cloudShare(cloudPanorama(cloudsFair, direction, turned + noon, width), clouds ? fairShare(theWeather) : 0.0);
     Cloud storm = cloudShare(cloudPanorama(cloudsStorm, direction, turned + noon, width), clouds ? stormShare(theWeather) : 0.0);
     Cloud cloud = cloudOver(fair, storm);
+    open = (1.0 - cloud.cover) * (1.0 - overcastShare(theWeather));
     return (1.0 - cloud.cover) * sky + cloudLight(cloud, direction, now.toLight, now.cloudBeam, now.sky);
 }
 
@@ -200,7 +202,9 @@ vec3 rayColour(Ray ray)
 
     // What sends light there, through the mist to the water, and off the water through the mist to the eye.
     Place place = placeAt(p, direction, 2.0 * spread * t + sqrt(waves.variance) * then, met, thing > 0.0);
-    vec3 light = met ? placeLight(place, now, lightSeen(place, now.toLight, coarseMargin(t))) : skyLight(direction, now, lake);
+    float open;
+    vec3 sky = skyLight(direction, now, lake, open);
+    vec3 light = met ? placeLight(place, now, lightSeen(place, now.toLight, coarseMargin(t))) : sky;
     traceNormal(place.normal);
     float density = mist + 0.1 * (hazeDensity(theWeather) - hazeDensity(1.0));
     vec3 fog = fogLight(direction, now.toLight, 0.5 * now.sky, 0.25 * now.beam, 0.7);
@@ -208,7 +212,7 @@ vec3 rayColour(Ray ray)
     light = throughFog(light, fog, met ? fogDepth(height, direction.y, last, density, MIST_SCALE) : 0.0);
     float share = schlickShare(clamp(-dot(ray.direction, facet), 0.0, 1.0), 0.02);
     vec3 deep = vec3(0.012, 0.035, 0.035) * (now.sky + 0.3 * max(now.toLight.y, 0.0) * now.beam);
-    vec3 ofLake = mix(deep, light + glitter(ray.direction, now.toLight, waves, now.beam), share);
+    vec3 ofLake = mix(deep, light + (met ? 0.0 : open) * glitter(ray.direction, now.toLight, waves, now.beam), share);
     ofLake = throughFog(ofLake, fog, fogDepth(ray.origin.y, ray.direction.y, first, density, MIST_SCALE));
     return encodeSRGB(filmOfLargest(exposed(nightFilm(daylightFilm(lake ? ofLake : light)), now.stops), 1.3, 8.0));
 }
