@@ -122,7 +122,7 @@ float lampHaze(Ray ray, float far)
 {
     vec3 from = ray.origin - LANTERN, beam = vec3(sin(1.2 * iTime + 0.5), 0.03, cos(1.2 * iTime + 0.5));
     float nearest = -dot(from, ray.direction), aside = length(from + nearest * ray.direction) + 0.05;
-    float round_ = (atan((far - nearest) / aside) + atan(nearest / aside)) / aside;
+    float round_ = atan(far * aside, aside * aside - (far - nearest) * nearest) / aside; // a difference of two angles
     float facing = dot(beam, ray.direction), across = max(1.0 - facing * facing, 0.002);
     float along = max((dot(from, beam) + facing * nearest) / across, 0.0), place = nearest + along * facing;
     float wide = 0.1 + 0.025 * along, off = length(from + place * ray.direction - along * beam) / wide;

@@ -5,7 +5,6 @@
 #include "combine.glsl"    // opUnion, opSmoothUnion
 #include "coverage.glsl"   // coverage
 #include "primitives.glsl" // sdBox, sdSphere
-#include "solids.glsl"     // sdCylinder, sdCappedCone
 
 const vec3 TOWER = vec3(-15.5, 1.5, -6.4);
 const vec3 HOUSE = vec3(-16.0, 2.0, -8.9);
@@ -23,13 +22,15 @@ float rockDistance(vec3 p)
     return (d - 0.2 + fold.x * fold.z + 0.2 * fold.y + 0.2 * fold.z) / 1.9;
 }
 
+// A tapered tower, a gallery, a lantern and a roof, all turned about one axis. Each is an intersection, so a lower
+// bound.
 float towerDistance(vec3 p)
 {
-    vec3 q = p - TOWER;
-    float d = sdCappedCone(q - vec3(0.0, 2.2, 0.0), 0.74, 0.46, 2.2);
-    d = opUnion(d, sdCylinder(q - vec3(0.0, 4.46, 0.0), 0.68, 0.06));
-    d = opUnion(d, sdCylinder(q - vec3(0.0, 4.9, 0.0), 0.36, 0.4));
-    return opUnion(d, sdCappedCone(q - vec3(0.0, 5.5, 0.0), 0.48, 0.04, 0.22));
+    float r = length(p.xz - TOWER.xz), y = p.y - TOWER.y;
+    float body = max(0.9979 * (r - 0.6 + 0.0636 * (y - 2.2)), abs(y - 2.2) - 2.2);
+    float gallery = max(r - 0.68, abs(y - 4.46) - 0.06), lantern = max(r - 0.36, abs(y - 4.9) - 0.4);
+    float roof = max(0.7071 * (r + y - 5.76), 5.28 - y);
+    return opUnion(opUnion(body, gallery), opUnion(lantern, roof));
 }
 
 float houseDistance(vec3 p)

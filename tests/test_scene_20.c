@@ -51,23 +51,14 @@ static double rock_distance(struct d3 p)
     return (d - 0.2 + a * c + 0.2 * b + 0.2 * c) / 1.9;
 }
 
-// A figure turned about the axis: below and above are the radii at its ends.
-static double turned(struct d3 q, double middle, double below, double above, double half)
-{
-    double x = hypot(q.x, q.z), y = q.y - middle, slope = (above - below) / (2.0 * half);
-    double along = (slope * (x - below) + (y + half)) / (1.0 + slope * slope);
-    along = fmin(fmax(along, 0.0), 2.0 * half);
-    double wall = hypot(x - below - slope * along, y + half - along);
-    double cap = hypot(fmax(x - (y < 0.0 ? below : above), 0.0), fabs(y) - half);
-    bool inside = fabs(y) < half && x < below + slope * (y + half);
-    return (inside ? -1.0 : 1.0) * fmin(wall, cap);
-}
-
 static double tower_distance(struct d3 p)
 {
-    struct d3 q = d3_sub(p, tower);
-    double d = fmin(turned(q, 2.2, 0.74, 0.46, 2.2), turned(q, 4.46, 0.68, 0.68, 0.06));
-    return fmin(d, fmin(turned(q, 4.9, 0.36, 0.36, 0.4), turned(q, 5.5, 0.48, 0.04, 0.22)));
+    double r = hypot(p.x - tower.x, p.z - tower.z), y = p.y - tower.y;
+    double body = fmax(0.9979 * (r - 0.6 + 0.0636 * (y - 2.2)), fabs(y - 2.2) - 2.2);
+    double gallery = fmax(r - 0.68, fabs(y - 4.46) - 0.06);
+    double lantern = fmax(r - 0.36, fabs(y - 4.9) - 0.4);
+    double roof = fmax(sqrt(0.5) * (r + y - 5.76), 5.28 - y);
+    return fmin(fmin(body, gallery), fmin(lantern, roof));
 }
 
 static double house_distance(struct d3 p)
@@ -251,15 +242,14 @@ static struct mirror_sample sample_20(const struct mirror_eye *eye)
 static const struct pixel pixels[] = {
     {CHAPTER, 432, 72, "rock-"},   {CHAPTER, 433, 73, "rock-"},   {CHAPTER, 449, 65, "rock#"},
     {CHAPTER, 462, 90, "tower-"},  {CHAPTER, 463, 91, "tower-"},  {CHAPTER, 464, 92, "tower-"},
-    {CHAPTER, 465, 93, "tower-"},  {CHAPTER, 470, 194, "tower-"}, {CHAPTER, 471, 195, "tower-"},
-    {CHAPTER, 472, 196, "tower-"}, {CHAPTER, 479, 167, "tower+"}, {CHAPTER, 483, 99, "tower#"},
-    {CHAPTER, 484, 100, "tower#"}, {CHAPTER, 491, 107, "house-"}, {CHAPTER, 492, 108, "house-"},
-    {CHAPTER, 493, 109, "house-"}, {CHAPTER, 494, 110, "house-"}, {CHAPTER, 495, 111, "house-"},
-    {CHAPTER, 496, 112, "house-"}, {CHAPTER, 497, 113, "house-"}, {CHAPTER, 551, 47, "rock-"},
-    {CHAPTER, 583, 67, "rock-"},   {CHAPTER, 584, 68, "rock-"},   {CHAPTER, 601, 61, "rock#"},
-    {CHAPTER, 602, 62, "rock#"},   {CHAPTER, 606, 78, "rock#"},   {CHAPTER, 607, 79, "rock#"},
-    {CHAPTER, 608, 80, "rock#"},   {CHAPTER, 609, 81, "rock#"},   {CHAPTER, 615, 87, "rock-"},
-    {CHAPTER, 616, 88, "rock-"},
+    {CHAPTER, 465, 93, "tower-"},  {CHAPTER, 469, 193, "tower-"}, {CHAPTER, 470, 194, "tower-"},
+    {CHAPTER, 471, 195, "tower-"}, {CHAPTER, 483, 99, "tower#"},  {CHAPTER, 484, 100, "tower#"},
+    {CHAPTER, 491, 107, "house-"}, {CHAPTER, 492, 108, "house-"}, {CHAPTER, 493, 109, "house-"},
+    {CHAPTER, 494, 110, "house-"}, {CHAPTER, 495, 111, "house-"}, {CHAPTER, 496, 112, "house-"},
+    {CHAPTER, 497, 113, "house-"}, {CHAPTER, 551, 47, "rock-"},   {CHAPTER, 583, 67, "rock-"},
+    {CHAPTER, 584, 68, "rock-"},   {CHAPTER, 601, 61, "rock#"},   {CHAPTER, 602, 62, "rock#"},
+    {CHAPTER, 606, 78, "rock#"},   {CHAPTER, 607, 79, "rock#"},   {CHAPTER, 608, 80, "rock#"},
+    {CHAPTER, 609, 81, "rock#"},   {CHAPTER, 615, 87, "rock-"},   {CHAPTER, 616, 88, "rock-"},
 };
 
 static void test_pixels_agree_with_double(void **unused)

@@ -210,6 +210,12 @@ static void draw_pixel(const struct picture *picture, int x, int y, double mean[
     }
 }
 
+// The byte that stores a number in [0, 1] as it is; others are clamped.
+static unsigned char number_byte(double number)
+{
+    return (unsigned char)lround(255.0 * fmin(fmax(number, 0.0), 1.0));
+}
+
 static void draw_row(const struct picture *picture, int y, unsigned char *row)
 {
     for (int x = 0; x < picture->width; x++) {
@@ -218,9 +224,7 @@ static void draw_row(const struct picture *picture, int y, unsigned char *row)
         int channels = picture->kind == PAINT_NUMBER ? 1 : 3;
         for (int c = 0; c < channels; c++)
             row[channels * x + c] =
-                picture->kind == PAINT_COLOUR
-                    ? paint_byte(mean[c])
-                    : (unsigned char)(fmin(fmax(mean[c], 0.0), 1.0) * 255.0 + 0.5);
+                picture->kind == PAINT_COLOUR ? paint_byte(mean[c]) : number_byte(mean[c]);
     }
 }
 
