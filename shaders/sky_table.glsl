@@ -187,7 +187,7 @@ vec3 tableAmbient(vec3 sun)
 // By how many stops to expose at an hour, for exposed() of film.glsl. An eye and a camera follow the light, but not all
 // the way: what is darker by 1 stop is shown darker by 0.15.
 //   sinSunHeight  any sine
-//   returns       -1.6 at noon, 1.0 at sunset, 7.2 with the sun at -6 degrees, 18.1 by night
+//   returns       -1.6 at noon, 1.0 at sunset, 7.1 with the sun at -6 degrees, 18.1 by night
 //   formula       -2.3 - 0.85 log2(2^skyBrightness + 6e-8), the last the light of a night without a moon
 float hourStops(float sinSunHeight)
 {
