@@ -65,7 +65,7 @@ static void cubes(void)
              "cubes that a sphere meets");
     svg_text(svg_plot_x(&plot, 54.7), svg_plot_y(&plot, 0.84), 'm', 14.0, SVG_INK,
              "cells of one solid angle");
-    svg_text(585.0, 366.0, 'm', 14.0, SVG_INK, "stars on a unit of area");
+    svg_text(585.0, 36.0, 'm', 14.0, SVG_INK, "stars on a unit of area");
 }
 
 int main(void)
