@@ -2,6 +2,7 @@
 //
 // One scene unit is 100 metres. x points north, y up, z east; the water is y = 0. The valley looks south-south-west;
 // most of this file counts in its own axes: x right, y up, z ahead, and on the plane x right, y ahead.
+#include "inputs.glsl"     // iTime
 #include "land.glsl"
 #include "water.glsl"      // fourWaves; the planes of chapter 12 come with it
 #include "bounds.glsl"     // boxInterval, intervalUnion

@@ -1,6 +1,7 @@
-// test_land.c - shaders/land.glsl and water.glsl against double precision: noise on the plane as a slice of noise in
-// space, slopes and the way to close a gap, waves averaged by sums over a pixel, the light of glitter all together;
-// and the land of chapter 21 told once more: its bounds against the nearest land, searched for.
+// test_land.c - shaders/land.glsl and water.glsl against double precision: noise on the plane as a
+// slice of noise in space, slopes and the way to close a gap, waves averaged by sums over a pixel,
+// the light of glitter all together; and the land of chapter 21 told once more: its bounds against
+// the nearest land, searched for.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -111,7 +112,8 @@ static double wave_slope(double x, double z)
 static void a_pixel_sees_the_mean_of_its_waves(void **unused)
 {
     (void)unused;
-    // The pixel's Gaussian as a sum over 81 x 81 places; its axes have a twelfth of their square as variance.
+    // The pixel's Gaussian as a sum over 81 x 81 places; its axes have a twelfth of their square as
+    // variance.
     const float axes[4] = {1.5f, 0.5f, -0.4f, 1.2f};
     float *values = gpu_call(SHADER, 24, 24, WAVES, axes);
     double worst = 0.0;
@@ -142,7 +144,8 @@ static void a_pixel_sees_the_mean_of_its_waves(void **unused)
 static void glitter_neither_makes_nor_loses_light(void **unused)
 {
     (void)unused;
-    // Over all directions of the upper half the light times the cosine adds up to pi times the light's own on the level.
+    // Over all directions of the upper half the light times the cosine adds up to pi times the
+    // light's own on the level.
     for (int k = 0; k < 2; k++) {
         const float numbers[4] = {k == 0 ? 0.8f : 0.5f, 1.0f, 0.004f, 0.0f};
         float *values = gpu_call(SHADER, 256, 256, GLITTER, numbers);
@@ -247,9 +250,10 @@ static void the_largest_bound_is_1_lipschitz(void **unused)
         double level = hypot(v.x, v.z);
         slopes = fmax(slopes, fabs(land(p.x, p.z) - land(q.x, q.z)) / (1e-3 * level));
     }
-    print_message("# %d pairs: the distance changes by at most %.4f of the way; the land is no steeper "
-                  "than %.2f, where the bound at the top is 14.8\n",
-                  PAIRS, most, slopes);
+    print_message(
+        "# %d pairs: the distance changes by at most %.4f of the way; the land is no steeper "
+        "than %.2f, where the bound at the top is 14.8\n",
+        PAIRS, most, slopes);
     assert_true(most <= 1.0 + 1e-6 && slopes < 14.8);
 }
 
@@ -269,8 +273,9 @@ static void no_land_is_nearer_than_the_distance(void **unused)
             nearest = fmin(nearest, low - height);
         }
     }
-    print_message("# %d balls of the distance: the land stays below each of them by at least %.2g\n",
-                  PLACES, nearest);
+    print_message(
+        "# %d balls of the distance: the land stays below each of them by at least %.2g\n", PLACES,
+        nearest);
     assert_true(nearest > -1e-9);
 }
 
