@@ -30,6 +30,9 @@ const vec3  HILL = vec3(33.0, -28.0, -48.0); // the middle of the ball whose top
 const vec3 LAND_LOW = vec3(10.0, -4.0, -61.0), LAND_HIGH = vec3(47.0, 4.0, -35.0);
 const vec3 PINE_LOW = vec3(21.0, -12.0, -52.0), PINE_HIGH = vec3(33.5, 12.0, -42.0);
 
+// What is left without sun and moon, 2e-4 cd/m^2: the air glows by itself, and stars add to it.
+const vec3 NIGHT = vec3(0.4e-7, 0.5e-7, 0.8e-7);
+
 // How the waves turn the light of this pixel aside: metres across for each metre below the water.
 vec2 bend = vec2(0.0);
 
@@ -45,10 +48,10 @@ vec3 sunNow()
     return sunDirection(timeOfDay + hoursPerSecond * iTime, LATITUDE, DECLINATION);
 }
 
-// The sky, with the sun in it.
+// The sky, with the sun in it, and what it has of its own by night.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
-    return tableSky(sunward, away, direction, sun) + tableSun(halo, direction, sun, radians(sunRadius));
+    return tableSky(sunward, away, direction, sun) + tableSun(halo, direction, sun, radians(sunRadius)) + NIGHT;
 }
 
 // ---- The islet ----
