@@ -14,6 +14,7 @@ static void draw_columns(const struct renderer *renderer, int from, int count)
     gl->Viewport(0, 0, PROBE_STEPS, PROBE_ROWS);
     gl->Enable(GL_SCISSOR_TEST);
     gl->Scissor(from, 0, count, PROBE_ROWS);
+    pass_clear(gl);
     pass_draw(renderer, NULL, 0);
     gl->Disable(GL_SCISSOR_TEST);
 }

@@ -84,6 +84,12 @@ void pass_use(struct renderer *renderer, const struct renderer_inputs *inputs,
     gl->BindVertexArray(renderer->vertex_array);
 }
 
+void pass_clear(const struct gl *gl)
+{
+    gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
+}
+
 // Each of several samples adds its share to what is there; one alone takes its place. That too is
 // left to blending: llvmpipe compiles a program that may have to read the target once, any other
 // twice, the second time for squares of pixels that the triangle covers whole.

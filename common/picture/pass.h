@@ -81,6 +81,11 @@ struct pass_sample {
     float jitter[2];   // from the pixel's centre, pixels
 };
 
+// Make what the scissor leaves of the target 0. Needed before the first draw of a picture: a shader
+// may discard its pixel, and blending multiplies what was there by 0, which leaves what is no
+// number.
+void pass_clear(const struct gl *gl);
+
 // One draw of the triangle, into the target, viewport and scissor that are set.
 //   sample  NULL: the only one, in the pixel's centre, whatever the picture's samples
 //   bottom  the row of the picture with which the target begins

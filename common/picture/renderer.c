@@ -140,12 +140,11 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
     // up in the same way whatever the part.
     gl->Viewport(0, -part->bottom, inputs->width, inputs->height);
     gl->Enable(GL_SCISSOR_TEST);
-    gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
     for (int y = part->from; y < part->to; y += TILE)
         for (int x = part->left; x < part->right; x += TILE) {
             gl->Scissor(x, y, part->right - x < TILE ? part->right - x : TILE,
                         part->to - y < TILE ? part->to - y : TILE);
-            gl->Clear(GL_COLOR_BUFFER_BIT); // a shader may discard its pixel
+            pass_clear(gl);
             draw_samples(renderer, inputs->samples, part->bottom);
             gl->Flush();
         }
