@@ -292,7 +292,10 @@ static bool open_loop(const struct run *run, struct context *context, struct ren
     if (options->shader != NULL)
         printf("%s: every save is shown at once\n", options->shader);
     fflush(stdout);
-    return window_run(context, renderer, &start);
+    struct window *window = window_open(context, renderer, &start);
+    bool done = window != NULL && window_run(window);
+    window_close(window);
+    return done;
 }
 
 // With a context and a renderer: load the shader, then carry out what was asked.

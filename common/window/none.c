@@ -3,10 +3,20 @@
 
 #include "report.h"
 
-bool window_run(struct context *context, struct renderer *renderer,
-                const struct window_start *start)
+struct window *window_open(struct context *context, struct renderer *renderer,
+                           const struct window_start *start)
 {
     (void)context, (void)renderer;
-    return report("%s: built without GLFW, which opens windows: run make setup, then make",
-                  start->title);
+    report("%s: built without GLFW, which opens windows: run make setup, then make", start->title);
+    return NULL;
+}
+
+bool window_run(struct window *window)
+{
+    return window != NULL;
+}
+
+void window_close(struct window *window)
+{
+    (void)window;
 }

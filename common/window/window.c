@@ -91,7 +91,7 @@ static void wait_for_turn(const struct window *window)
     }
 }
 
-static bool turn(struct window *window)
+bool window_turn(struct window *window)
 {
     double now = glfwGetTime();
     bool visible = take_size(window);
@@ -124,30 +124,13 @@ static bool turn(struct window *window)
     return true;
 }
 
-// Until the window is closed; false, reported, when drawing failed.
-static bool run(struct window *window)
-{
-    const struct renderer *renderer = window->renderer;
-    glfwSwapInterval(1);
-    window_input_open(&window->input, window->handle);
-    watch_add(&window->watch, window->start->shader);
-    watch_files(window, &renderer->fragment);
-    while (renderer->gl->GetError() != GL_NO_ERROR)
-        continue; // of what came before the first frame
-    window->pace.turn = glfwGetTime();
-    bool done = true;
-    while (done && !glfwWindowShouldClose(window->handle)) {
-        wait_for_turn(window);
-        done = turn(window);
-    }
-    watch_clear(&window->watch);
-    return done;
-}
+// ---- Open, run, close ----
 
-bool window_run(struct context *context, struct renderer *renderer,
-                const struct window_start *start)
+struct window *window_open(struct context *context, struct renderer *renderer,
+                           const struct window_start *start)
 {
-    struct window window = {
+    struct window *window = memory_zeros(1, sizeof *window);
+    *window = (struct window){
         .handle = context->window,
         .renderer = renderer,
         .start = start,
@@ -159,9 +142,37 @@ bool window_run(struct context *context, struct renderer *renderer,
         .ray = {.probe = memory_zeros(1, sizeof(struct probe))},
         .stale = true,
     };
-    bool done = overlay_open(&window.panel.overlay, renderer->gl) && run(&window);
-    renderer->overlay = NULL;
-    overlay_close(&window.panel.overlay);
-    free(window.ray.probe);
+    if (!overlay_open(&window->panel.overlay, renderer->gl)) {
+        window_close(window);
+        return NULL;
+    }
+    glfwSwapInterval(1);
+    window_input_open(&window->input, window->handle);
+    watch_add(&window->watch, start->shader);
+    watch_files(window, &renderer->fragment);
+    while (renderer->gl->GetError() != GL_NO_ERROR)
+        continue; // of what came before the first frame
+    window->pace.turn = glfwGetTime();
+    return window;
+}
+
+bool window_run(struct window *window)
+{
+    bool done = true;
+    while (done && !glfwWindowShouldClose(window->handle)) {
+        wait_for_turn(window);
+        done = window_turn(window);
+    }
     return done;
+}
+
+void window_close(struct window *window)
+{
+    if (window == NULL)
+        return;
+    watch_clear(&window->watch);
+    window->renderer->overlay = NULL;
+    overlay_close(&window->panel.overlay);
+    free(window->ray.probe);
+    free(window);
 }
