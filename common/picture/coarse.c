@@ -24,9 +24,9 @@ bool coarse_run(struct renderer *renderer, const struct renderer_inputs *inputs,
         return false;
     pass_use(renderer, inputs, SHADER_COARSE);
     gl->Viewport(0, 0, width, height);
+    pass_clear(gl);
     gl->Enable(GL_SCISSOR_TEST);
     gl->Scissor(left, bottom, blocks(high[0]) - left, blocks(high[1]) - bottom);
-    pass_clear(gl);
     pass_draw(renderer, NULL, 0);
     gl->Disable(GL_SCISSOR_TEST);
     return true;

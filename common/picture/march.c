@@ -14,7 +14,6 @@ static void draw_columns(const struct renderer *renderer, int from, int count)
     gl->Viewport(0, 0, PROBE_STEPS, PROBE_ROWS);
     gl->Enable(GL_SCISSOR_TEST);
     gl->Scissor(from, 0, count, PROBE_ROWS);
-    pass_clear(gl);
     pass_draw(renderer, NULL, 0);
     gl->Disable(GL_SCISSOR_TEST);
 }
@@ -31,6 +30,7 @@ bool march_pixel(struct renderer *renderer, const struct renderer_inputs *inputs
     pass_use(renderer, inputs, SHADER_PROBE);
     coarse_bind(renderer, SHADER_PROBE);
     gl->Uniform2f(pass_location(renderer, "iProbe"), (float)x + 0.5f, (float)y + 0.5f);
+    pass_clear(gl);
     draw_columns(renderer, 0, PROBE_FIRST);
     float steps[4];
     gl->ReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, steps);

@@ -81,9 +81,10 @@ struct pass_sample {
     float jitter[2];   // from the pixel's centre, pixels
 };
 
-// Make what the scissor leaves of the target 0. Needed before the first draw of a picture: a shader
-// may discard its pixel, and blending multiplies what was there by 0, which leaves what is no
-// number.
+// Make the whole target 0. Needed before the first draw of a picture: a shader may discard its
+// pixel, and blending multiplies what was there by 0, which leaves what is no number. To be called
+// without a scissor: to clear a part of a target llvmpipe compiles programs of its own, which takes
+// as long as those of a small shader.
 void pass_clear(const struct gl *gl);
 
 // One draw of the triangle, into the target, viewport and scissor that are set.

@@ -115,6 +115,7 @@ struct part {
     int bottom, height; // the rows of the picture that the target holds
     int from, to;       // the rows of the target to draw
     int left, right;    // and its columns
+    bool fresh;         // what the target held is of no use any more
 };
 
 static bool draw_part(struct renderer *renderer, const struct renderer_inputs *inputs,
@@ -136,6 +137,8 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
     else if (reads)
         march_tell_steps(renderer, &march);
     coarse_bind(renderer, renderer->view);
+    if (part->fresh)
+        pass_clear(gl);
     // The viewport is the whole picture, of which the target holds a part: so the triangle is set
     // up in the same way whatever the part.
     gl->Viewport(0, -part->bottom, inputs->width, inputs->height);
@@ -144,7 +147,6 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
         for (int x = part->left; x < part->right; x += TILE) {
             gl->Scissor(x, y, part->right - x < TILE ? part->right - x : TILE,
                         part->to - y < TILE ? part->to - y : TILE);
-            pass_clear(gl);
             draw_samples(renderer, inputs->samples, part->bottom);
             gl->Flush();
         }
@@ -155,14 +157,16 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *i
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows)
 {
-    struct part part = {&renderer->picture, bottom, rows, 0, rows, 0, inputs->width};
+    struct part part = {&renderer->picture, bottom, rows, 0, rows, 0, inputs->width, true};
     return draw_part(renderer, inputs, &part);
 }
 
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
                       int rows)
 {
-    struct part part = {&renderer->sharp, 0, inputs->height, from, from + rows, 0, inputs->width};
+    bool first = from + rows == inputs->height;
+    struct part part = {&renderer->sharp, 0, inputs->height, from,
+                        from + rows,      0, inputs->width,  first};
     return draw_part(renderer, inputs, &part);
 }
 
@@ -262,7 +266,7 @@ static bool colour_pixel(struct renderer *renderer, const struct renderer_inputs
                          int y, unsigned char colour[3])
 {
     int band = rows_of_band(inputs), row = y % band;
-    struct part part = {&renderer->single, y - row, band, row, row + 1, x, x + 1};
+    struct part part = {&renderer->single, y - row, band, row, row + 1, x, x + 1, true};
     struct image pixel = {1, 1, colour};
     float value[4];
     enum shader_view view = renderer->view;

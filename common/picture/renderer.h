@@ -33,7 +33,8 @@ bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inpu
                    int rows);
 
 // Draw rows [from, from + rows) of the picture into a target of its own, which keeps the other rows
-// as long as the picture's size stays. Rows drawn in parts are those of renderer_draw, to the bit.
+// as long as the picture's size stays. The top rows come first: with them the target is cleared.
+// Rows drawn in parts are those of renderer_draw, to the bit.
 // Returns false, reported.
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
                       int rows);
