@@ -6,6 +6,7 @@
 
 #include "support_bound.h"
 #include "support_checkers.h"
+#include "support_enlarge.h"
 #include "support_filter.h"
 #include "support_glass.h"
 #include "support_gloss.h"
@@ -321,6 +322,7 @@ static const struct measurement {
     {"levels", "error of a texture against the footprint that its level is chosen by", true,
      print_levels},
     {"sky", "a sky from tables and by other ways, against the integral", true, sky_table_print},
+    {"enlarge", "filters that enlarge a picture: their errors and costs", true, enlarge_print},
     {"report", "three pictures of the report, drawn again, beside its engine", true, report_print},
 };
 enum { MEASUREMENTS = sizeof measurements / sizeof *measurements };

@@ -89,12 +89,12 @@ static void the_status_is_told(void **unused)
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("view: picture    60 fps, 16.7 ms    time 20.0 s    paused"));
     assert_true(says("H: help"));
-    panel.divisor = 3;
+    panel.resolution = 35;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(says("1/3 resolution while moving") && !says("H: help"));
+    assert_true(says("35 % resolution while moving") && !says("H: help"));
     panel.sharp = 40;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(says("1/3 resolution; sharpening: 40 %"));
+    assert_true(says("35 % resolution; sharpening: 40 %"));
     panel.sharp = 100;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("H: help"));

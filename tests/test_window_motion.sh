@@ -23,12 +23,19 @@ heavy 2500
 # shellcheck disable=SC2086 # options are words
 start $chapter $still -s 480x300 --shader "$mine"
 key h
-# How the window shows rows 60 to 120, and 180 to 240: 'coarse' where at least every second row is the one above
-# it. They cross balls at the right, where no panel is, so that no two rows of a sharp picture are the same.
+# How the window shows rows 60 to 120, and 180 to 240, at the right, where no panel is: 'fine' where the outlines of
+# balls are steps from one pixel to the next, with next to no change on either side. A picture that is enlarged by a
+# filter takes several pixels for each; one that is enlarged by blocks would have such steps too.
 grain() {
-    import -window "$window" -crop 240x180+240+60 -depth 8 rgb:- | od -An -v -tx1 -w720 | awk '
-        $0 != last { rows[NR <= 60 ? 1 : NR <= 120 ? 2 : 3]++; last = $0 }
-        END { print (rows[1] <= 31 ? "coarse" : "fine"), (rows[3] <= 31 ? "coarse" : "fine") }'
+    import -window "$window" -crop 240x180+240+60 -colorspace gray -depth 8 gray:- | od -An -v -tu1 -w240 | awk '
+        function flat(i) { return $i - $(i - 1) <= 6 && $(i - 1) - $i <= 6 }
+        {
+            part = NR <= 60 ? 1 : NR <= 120 ? 2 : 3
+            for (i = 3; i < NF; i++)
+                if (($i - $(i - 1) > 30 || $(i - 1) - $i > 30) && flat(i - 1) && flat(i + 1))
+                    steps[part]++
+        }
+        END { print (steps[1] < 5 ? "coarse" : "fine"), (steps[3] < 5 ? "coarse" : "fine") }'
 }
 coarse_above() { [[ $(grain) == coarse* ]]; }
 fine_screen() { [ "$(grain)" = 'fine fine' ]; }

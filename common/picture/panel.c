@@ -110,10 +110,12 @@ static void status_text(const struct panel *panel, char *text, size_t size)
 // The last line: that the picture is coarse, or what to press.
 static void last_text(const struct panel *panel, char *text, size_t size)
 {
-    if (panel->divisor > 1 && panel->sharp == 0)
-        snprintf(text, size, "1/%d resolution while moving", panel->divisor);
-    else if (panel->divisor > 1 && panel->sharp < 100)
-        snprintf(text, size, "1/%d resolution; sharpening: %d %%", panel->divisor, panel->sharp);
+    bool coarse = panel->resolution > 0 && panel->resolution < 100;
+    if (coarse && panel->sharp == 0)
+        snprintf(text, size, "%d %% resolution while moving", panel->resolution);
+    else if (coarse && panel->sharp < 100)
+        snprintf(text, size, "%d %% resolution; sharpening: %d %%", panel->resolution,
+                 panel->sharp);
     else
         snprintf(text, size, "%s", panel->hint != NULL ? panel->hint : "");
 }

@@ -22,8 +22,8 @@ struct panel {
     double rate, milliseconds;       // frames a second, of one frame
     bool timed;                      // the picture depends on the time
     double time;                     // seconds
-    int divisor; // the picture is drawn at 1/divisor of each side; 0 and 1: full
-    int sharp;   // percent of it that is sharp all the same
+    int resolution; // percent of each side at which the picture is drawn; 0 and 100: full
+    int sharp;      // percent of it that is sharp all the same
     bool paused;
     bool ranges;      // range and unit of all parameters, where the picture has room for them
     bool folded;      // leave out all but the ray's march, in the slice that too, and the error

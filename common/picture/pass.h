@@ -7,6 +7,7 @@
 
 #include "camera.h"
 #include "context/context.h"
+#include "picture/enlarge.h"
 #include "picture/overlay.h"
 #include "picture/target.h"
 #include "picture/texture.h"
@@ -50,6 +51,7 @@ struct renderer {
     struct target table;           // of a probe, one column a step: the slice view reads it
     struct target single;          // of a probe: one pixel of the picture is drawn
     struct target coarse;          // of the coarse pass, one pixel a block
+    struct enlarge enlarge;        // what shows a small picture in a large window
     const struct overlay *overlay; // drawn over every written picture, not owned; NULL: none
 };
 

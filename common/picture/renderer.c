@@ -54,6 +54,7 @@ void renderer_close(struct renderer *renderer)
     textures_free(&renderer->textures, renderer->gl);
     for (int i = 0; i < TARGETS; i++)
         target_close(target_of(renderer, i), renderer->gl);
+    enlarge_close(&renderer->enlarge, renderer->gl);
     renderer->gl->DeleteVertexArrays(1, &renderer->vertex_array);
     shader_free(&renderer->vertex);
     shader_free(&renderer->fragment);
@@ -170,13 +171,16 @@ bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *i
     return draw_part(renderer, inputs, &part);
 }
 
-void renderer_present(struct renderer *renderer, int framebuffer_width, int framebuffer_height)
+bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int width, int height)
 {
     const struct gl *gl = renderer->gl;
-    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->picture.framebuffer);
+    const struct target *picture = &renderer->picture;
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, picture->framebuffer);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
-    gl->BlitFramebuffer(0, 0, renderer->picture.width, renderer->picture.height, 0, 0,
-                        framebuffer_width, framebuffer_height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    if (picture->width != width || picture->height != height)
+        return enlarge_draw(&renderer->enlarge, gl, filter, picture, width, height);
+    gl->BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    return true;
 }
 
 void renderer_present_sharp(struct renderer *renderer, int from, int rows)

@@ -39,8 +39,11 @@ bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inpu
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
                       int rows);
 
-// Copy what renderer_draw drew into the framebuffer of the window, scaled to its size.
-void renderer_present(struct renderer *renderer, int framebuffer_width, int framebuffer_height);
+// Copy what renderer_draw drew into the framebuffer of the window: pixel by pixel where the sizes
+// are the same, else through a filter.
+//   width, height  of the framebuffer, pixels
+// Returns false, reported: the driver does not take the filter.
+bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int width, int height);
 
 // Copy rows [from, from + rows) of what renderer_sharpen drew, pixel by pixel.
 void renderer_present_sharp(struct renderer *renderer, int from, int rows);

@@ -132,7 +132,7 @@ static void save(const struct window *window, struct image *image, bool made)
 
 bool window_shoots(const struct window *window)
 {
-    return window->shooting && (window->pace.divisor == 1 ||
+    return window->shooting && (window->pace.resolution.level == 0 ||
                                 window->sharpening.rows == window->sharpening.inputs.height);
 }
 
@@ -141,8 +141,9 @@ void window_shoot(struct window *window)
     struct image image = {0};
     window->shooting = false;
     save(window, &image,
-         window->pace.divisor > 1 ? renderer_sharp_picture(window->renderer, &image)
-                                  : renderer_picture(window->renderer, &window->inputs, &image));
+         window->pace.resolution.level > 0
+             ? renderer_sharp_picture(window->renderer, &image)
+             : renderer_picture(window->renderer, &window->inputs, &image));
     // The screenshot was drawn where the picture on the screen was; a sharpened one is elsewhere.
     window->stale |= window->sharpening.rows < window->sharpening.inputs.height;
 }

@@ -9,14 +9,13 @@
 #include "report.h"
 
 #define FIGURES_SECONDS 0.25 // between two changes of the overlay's rate
-#define SLOW_SECONDS                                                                               \
-    0.08 // a picture may take: 10 frames a second with what a frame needs beside it
-#define FINER_SECONDS 0.06 // below this a finer one is tried: without a gap the two would alternate
 #define REST_SECONDS                                                                               \
-    0.3 // without motion until the picture sharpens: longer than between two
-        // repeats of a held key
-#define DIVISOR_LIMIT 8
-#define BAND_SECONDS  0.05 // of sharpening between two looks at what the hands do
+    0.3                        // without motion until the picture sharpens: longer than between two
+                               // repeats of a held key
+#define BAND_SECONDS      0.05 // of sharpening between two looks at what the hands do
+#define ENLARGING_SECONDS 0.02 // that the edge filter may take; beyond, bilinear has to do
+#define TRIAL_WIDTH       256  // pixels
+#define TRIAL_HEIGHT      144
 
 void window_retitle(struct window *window)
 {
@@ -172,7 +171,7 @@ static void gather(struct window *window)
         .milliseconds = window->panel.figures[1],
         .timed = window_uses_time(window),
         .time = inputs->time,
-        .divisor = window->pace.divisor,
+        .resolution = (int)lround(100.0 / resolution_divisor(window->pace.resolution.level)),
         .sharp = window->sharpening.inputs.height > 0
                      ? 100 * window->sharpening.rows / window->sharpening.inputs.height
                      : 0,
@@ -195,25 +194,31 @@ static void gather(struct window *window)
 
 // ---- A frame ----
 
-// The finest resolution whose frame is quick enough.
-static int divisor_for(const struct window *window)
+static double pixels_of(const struct renderer_inputs *inputs)
 {
-    int divisor = window->pace.divisor > 1 ? window->pace.divisor : 1;
-    double cost = window->pace.cost * window->inputs.width * window->inputs.height;
-    while (divisor < DIVISOR_LIMIT && cost / (divisor * divisor) > SLOW_SECONDS)
-        divisor++;
-    while (divisor > 1 && cost / ((divisor - 1) * (divisor - 1)) < FINER_SECONDS)
-        divisor--;
-    return divisor;
+    return (double)inputs->width * inputs->height;
 }
 
-static bool draw_at(struct window *window, int divisor)
+// The filter that enlarges the picture, and the seconds that it takes: bilinear, which takes a
+// third of the time, where a window has too many pixels for the driver.
+static enum enlarge_filter filter_of(const struct window *window, double *seconds)
+{
+    *seconds = window->pace.enlarging * pixels_of(&window->inputs);
+    bool edge = *seconds <= ENLARGING_SECONDS;
+    *seconds *= edge ? 1.0 : 1.0 / 3.0;
+    return edge ? ENLARGE_EDGE : ENLARGE_BILINEAR;
+}
+
+// Draw the picture at a level of the resolution.
+//   cost  takes the seconds that a pixel took
+static bool draw_at(struct window *window, int level, double *cost)
 {
     struct renderer_inputs inputs = window->inputs;
-    inputs.width = (inputs.width + divisor - 1) / divisor;
-    inputs.height = (inputs.height + divisor - 1) / divisor;
+    double divisor = resolution_divisor(level);
+    inputs.width = resolution_side(level, inputs.width);
+    inputs.height = resolution_side(level, inputs.height);
     for (int i = 0; i < 2 && inputs.pixel[0] >= 0; i++)
-        inputs.pixel[i] /= divisor;
+        inputs.pixel[i] = (int)(inputs.pixel[i] / divisor);
     for (int i = 0; i < 4; i++)
         inputs.mouse[i] /= (float)divisor;
     double begin = glfwGetTime();
@@ -221,7 +226,22 @@ static bool draw_at(struct window *window, int divisor)
         return false;
     window->renderer->gl->Finish();
     window->pace.seconds = glfwGetTime() - begin;
-    window->pace.cost = window->pace.seconds / ((double)inputs.width * inputs.height);
+    *cost = window->pace.seconds / pixels_of(&inputs);
+    return true;
+}
+
+// Learn what the edge filter takes for a pixel, from the small picture that is there, into a corner
+// of the window that is drawn over. The driver compiles it in the first.
+static bool try_enlarging(struct window *window)
+{
+    struct renderer *renderer = window->renderer;
+    for (int i = 0; i < 2; i++) {
+        double begin = glfwGetTime();
+        if (!renderer_present(renderer, ENLARGE_EDGE, TRIAL_WIDTH, TRIAL_HEIGHT))
+            return false;
+        renderer->gl->Finish();
+        window->pace.enlarging = (glfwGetTime() - begin) / (TRIAL_WIDTH * TRIAL_HEIGHT);
+    }
     return true;
 }
 
@@ -235,14 +255,13 @@ static bool try_program(struct window *window)
     if (program == window->pace.tried)
         return true;
     window->pace.tried = program;
-    if (renderer->view == SHADER_SLICE) {
-        window->pace.cost = 0.0;
-        return true;
-    }
-    if (!draw_at(window, DIVISOR_LIMIT) || !draw_at(window, DIVISOR_LIMIT))
-        return false;
-    window->pace.cost *= 0.5;
-    return true;
+    double cost = 0.0;
+    bool slice = renderer->view == SHADER_SLICE;
+    for (int i = 0; i < 2 && !slice; i++)
+        if (!draw_at(window, RESOLUTION_COARSEST, &cost))
+            return false;
+    resolution_guess(&window->pace.resolution, 0.5 * cost);
+    return slice || window->pace.enlarging > 0.0 || try_enlarging(window);
 }
 
 // Draw the picture at the resolution that is due.
@@ -252,23 +271,26 @@ static bool draw_picture(struct window *window, double now)
         window->sharpening.rest_at = now + REST_SECONDS;
     if (!try_program(window))
         return false;
-    window->pace.divisor = divisor_for(window);
-    if (!draw_at(window, window->pace.divisor))
+    double beside, cost;
+    filter_of(window, &beside);
+    if (!draw_at(window,
+                 resolution_choose(&window->pace.resolution, pixels_of(&window->inputs), beside),
+                 &cost))
         return false;
+    resolution_learn(&window->pace.resolution, cost);
     window->sharpening.inputs = window->inputs;
     window->sharpening.rows = 0;
     window->sharpening.seconds = 0.0;
     window->sharpening.band =
-        (int)fmin(BAND_SECONDS / (window->pace.cost * window->sharpening.inputs.width + 1e-9),
-                  64.0) +
-        1;
+        (int)fmin(BAND_SECONDS / (cost * window->sharpening.inputs.width + 1e-9), 64.0) + 1;
     window->inputs.frame++;
     return true;
 }
 
 bool window_sharpens(const struct window *window, double now)
 {
-    return window->pace.divisor > 1 && window->sharpening.rows < window->sharpening.inputs.height &&
+    return window->pace.resolution.level > 0 &&
+           window->sharpening.rows < window->sharpening.inputs.height &&
            now >= window->sharpening.rest_at;
 }
 
@@ -291,19 +313,22 @@ static bool sharpen(struct window *window)
     if (window->sharpening.rows < inputs->height)
         return true;
     window->pace.seconds = window->sharpening.seconds;
-    window->pace.cost = window->pace.seconds / ((double)inputs->width * inputs->height);
+    resolution_learn(&window->pace.resolution, window->pace.seconds / pixels_of(inputs));
     return true;
 }
 
 // Show what there is: the picture, and over it what is sharp already.
-static void present(const struct window *window)
+static bool present(const struct window *window)
 {
     struct renderer *renderer = window->renderer;
     int height = window->sharpening.inputs.height, sharp = window->sharpening.rows;
-    if (sharp < height)
-        renderer_present(renderer, window->sharpening.inputs.width, height);
+    double seconds;
+    if (sharp < height && !renderer_present(renderer, filter_of(window, &seconds),
+                                            window->sharpening.inputs.width, height))
+        return false;
     if (sharp > 0)
         renderer_present_sharp(renderer, height - sharp, sharp);
+    return true;
 }
 
 // The rate of frames that follow each other; while nothing changes none is drawn.
@@ -335,7 +360,8 @@ bool window_draw(struct window *window, double now)
     if (draws || window->ray.follow)
         follow_ray(window);
     gather(window);
-    present(window);
+    if (!present(window))
+        return false;
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
     overlay_draw(&window->panel.overlay, 0);
     GLenum error = gl->GetError();

@@ -10,6 +10,7 @@
 #include "picture/renderer.h"
 #include "window/watch.h"
 #include "window/input.h"
+#include "window/resolution.h"
 #include "window/start.h"
 
 #define WINDOW_KEYS 20 // entries of the overlay's list of keys, at most
@@ -44,9 +45,9 @@ struct window {
         bool drew;          // the last turn drew a frame
         double rate;        // frames a second, 0 before it is known
         double seconds;     // that drawing the last picture took
-        double cost;        // seconds that a pixel takes, estimated
-        GLuint tried;       // the program of which that is known
-        int divisor;        // of the picture's sides, where it takes too long; 1 is sharp
+        GLuint tried;       // the program whose cost is known
+        struct resolution resolution; // at which the picture is drawn
+        double enlarging; // seconds that the edge filter takes for a pixel; 0 before it is known
     } pace;
     // At rest a picture that was drawn at a lower resolution is sharpened.
     struct {

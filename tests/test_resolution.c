@@ -1,0 +1,154 @@
+// test_resolution.c - the resolution of a window's picture, under a clock that is made up.
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+#include "../common/window/resolution.h"
+
+enum { FRAMES = 60 };
+static const double pixels = 960.0 * 540.0;
+
+// What a frame takes at a level: so much for itself, so much for each pixel, times what the clock
+// is off by.
+struct machine {
+    double fixed, cost, beside;
+};
+
+static double frame_seconds(const struct machine *machine, int level)
+{
+    return machine->fixed + machine->cost * pixels / pow(2.0, 0.5 * level);
+}
+
+static int draw_frame(struct resolution *resolution, const struct machine *machine, double off)
+{
+    int level = resolution_choose(resolution, pixels, machine->beside);
+    double here = pixels / pow(2.0, 0.5 * level);
+    resolution_learn(resolution, off * frame_seconds(machine, level) / here);
+    return level;
+}
+
+// Numbers from -1 to 1, the same in every run.
+static double chance(void)
+{
+    static uint32_t state = 1;
+    state = state * 1664525u + 1013904223u;
+    return (double)(state >> 8) / (double)(1u << 23) - 1.0;
+}
+
+static void sides_follow_the_level(void **unused)
+{
+    (void)unused;
+    assert_int_equal(resolution_side(0, 961), 961);
+    assert_int_equal(resolution_side(4, 961), 481);
+    assert_int_equal(resolution_side(8, 960), 240);
+    assert_int_equal(resolution_side(RESOLUTION_COARSEST, 1), 1);
+    for (int level = 0; level < RESOLUTION_COARSEST; level++) {
+        double more = resolution_divisor(level + 1) / resolution_divisor(level);
+        assert_true(fabs(more - 1.189207115) < 1e-6);
+    }
+    assert_true(fabs(resolution_divisor(RESOLUTION_COARSEST) - 8.0) < 1e-12);
+}
+
+// Whatever frames take, as long as it stays: the level goes in one direction, then it stays, at a
+// time between the limits, or at an end.
+static void it_comes_to_rest(void **unused)
+{
+    (void)unused;
+    for (double full = 1e-3; full < 20.0; full *= 1.07)
+        for (int begin = 0; begin <= RESOLUTION_COARSEST; begin += 3)
+            for (int i = 0; i < 9; i++) {
+                struct machine machine = {0.01 * (i % 3), full / pixels, 0.012 * (double)(i / 3)};
+                struct resolution resolution = {.level = begin};
+                resolution_guess(&resolution, 3.0 * machine.cost * (chance() + 1.0));
+                draw_frame(&resolution, &machine, 1.0);
+                int last = draw_frame(&resolution, &machine, 1.0), way = 0, changes = 0;
+                for (int frame = 0; frame < FRAMES; frame++) {
+                    int level = draw_frame(&resolution, &machine, 1.0);
+                    int step = (level > last) - (level < last);
+                    assert_true(step * way >= 0);
+                    way = step != 0 ? step : way;
+                    changes += step != 0;
+                    assert_true(frame < 20 || step == 0);
+                    last = level;
+                }
+                double seconds = frame_seconds(&machine, last) + (last > 0 ? machine.beside : 0.0);
+                assert_true(seconds <= RESOLUTION_SLOW || last == RESOLUTION_COARSEST);
+                double finer =
+                    sqrt(2.0) * frame_seconds(&machine, last) + (last > 1 ? machine.beside : 0.0);
+                assert_true(last == 0 || finer >= RESOLUTION_QUICK * (1.0 - 1e-9));
+            }
+}
+
+// A clock that trembles by 14 % moves the level once at most, and then in one direction.
+static void a_clock_that_trembles_makes_no_flicker(void **unused)
+{
+    (void)unused;
+    for (double full = 0.02; full < 5.0; full *= 1.03) {
+        struct machine machine = {0.0, full / pixels, 0.01};
+        struct resolution resolution = {0};
+        resolution_guess(&resolution, machine.cost);
+        int low = RESOLUTION_COARSEST, high = 0, way = 0, last = -1;
+        for (int frame = 0; frame < 400; frame++) {
+            int level = draw_frame(&resolution, &machine, 1.0 + 0.14 * chance());
+            int step = last < 0 ? 0 : (level > last) - (level < last);
+            assert_true(step * way >= 0);
+            way = step != 0 ? step : way;
+            low = frame < 3 || level > low ? low : level;
+            high = frame < 3 || level < high ? high : level;
+            last = level;
+        }
+        assert_true(high - low <= 1);
+    }
+}
+
+// One frame among three that takes ten times as long, or no time, is no matter.
+static void a_lone_slow_frame_is_no_matter(void **unused)
+{
+    (void)unused;
+    struct machine machine = {0.0, 0.4 / pixels, 0.01};
+    struct resolution resolution = {0};
+    resolution_guess(&resolution, machine.cost);
+    draw_frame(&resolution, &machine, 1.0);
+    draw_frame(&resolution, &machine, 1.0);
+    int level = draw_frame(&resolution, &machine, 1.0);
+    assert_in_range(level, 1, RESOLUTION_COARSEST - 1);
+    for (int frame = 0; frame < FRAMES; frame++) {
+        double off = frame % 3 != 0 ? 1.0 : frame % 2 == 0 ? 10.0 : 0.0;
+        assert_int_equal(draw_frame(&resolution, &machine, off), level);
+    }
+}
+
+// A change that lasts is followed in its second frame; the guess of a new program by the first.
+static void a_change_that_lasts_is_followed(void **unused)
+{
+    (void)unused;
+    struct machine quick = {0.0, 0.03 / pixels, 0.01}, slow = {0.0, 1.2 / pixels, 0.01};
+    struct resolution resolution = {0};
+    resolution_guess(&resolution, slow.cost);
+    int coarse = draw_frame(&resolution, &quick, 1.0);
+    assert_true(coarse > 6);
+    for (int frame = 0; frame < 5; frame++)
+        assert_int_equal(draw_frame(&resolution, &quick, 1.0), 0);
+    assert_int_equal(draw_frame(&resolution, &slow, 1.0), 0);
+    assert_int_equal(draw_frame(&resolution, &slow, 1.0), 0);
+    for (int frame = 0; frame < 5; frame++)
+        assert_int_equal(draw_frame(&resolution, &slow, 1.0), coarse);
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(sides_follow_the_level),
+        cmocka_unit_test(it_comes_to_rest),
+        cmocka_unit_test(a_clock_that_trembles_makes_no_flicker),
+        cmocka_unit_test(a_lone_slow_frame_is_no_matter),
+        cmocka_unit_test(a_change_that_lasts_is_followed),
+    };
+    return cmocka_run_group_tests(tests, NULL, NULL);
+}
