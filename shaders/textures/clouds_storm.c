@@ -1,4 +1,5 @@
-// clouds_storm.c - a panorama of bad weather: towers that grow together, over a dark base.
+// clouds_storm.c - a panorama of bad weather: columns that grow together over a dark base, and two
+// thunderheads in clearings of their own.
 #include "cumulus.h"
 
 #include "paint.h"
@@ -14,7 +15,21 @@ static void clouds_storm(double u, double v, double value[3])
                                          .fray = 0.3,
                                          .size = 8.0,
                                          .thickness = 25.0,
-                                         .seed = 9};
+                                         .seed = 9,
+                                         .tower = {{.north = 8.3,
+                                                    .east = -25.7,
+                                                    .width = 3.6,
+                                                    .top = 12.5,
+                                                    .anvil = 9.0,
+                                                    .drawn = 5.0,
+                                                    .clearing = 10.0},
+                                                   {.north = -17.3,
+                                                    .east = 31.5,
+                                                    .width = 3.8,
+                                                    .top = 11.5,
+                                                    .anvil = 8.0,
+                                                    .drawn = 4.0,
+                                                    .clearing = 7.0}}};
     cumulus_at(&storm, u, v, value);
 }
 

@@ -89,25 +89,71 @@ static double puffs_at(double x, double y, double z)
 
 // ---- The field ----
 
+// How far inside a tower a place is, as a share of the field's depth. The head is ice:
+// thinner, and smooth.
+static double inside_tower(const struct cumulus *field, const struct tower *tower,
+                           const double p[2], double altitude, double *ice)
+{
+    double rise = altitude / tower->top, spread = paint_step(0.7, 0.92, rise);
+    double x = p[0] - tower->north - tower->drawn * spread, z = p[1] - tower->east;
+    double radius = tower->width * (1.2 - 0.4 * rise) + (tower->anvil - tower->width) * spread;
+    double aside = radius - sqrt(x * x + z * z);
+    *ice = fmax(*ice, paint_step(0.6, 0.9, rise));
+    return fmin(aside, 0.5 * (tower->top - altitude)) / field->depth;
+}
+
+// How far a place is from the way between the eye and a tower, in clearings.
+static double beside_the_way(const struct tower *tower, double x, double z)
+{
+    if (tower->clearing <= 0.0)
+        return 1.0;
+    double way = tower->north * tower->north + tower->east * tower->east;
+    double along = fmin(fmax((x * tower->north + z * tower->east) / way, 0.0), 1.0);
+    double north = x - along * tower->north, east = z - along * tower->east;
+    return sqrt(north * north + east * east) / tower->clearing;
+}
+
+// The same of the ordinary columns, which keep away from towers.
+static double inside_column(const struct cumulus *field, double x, double z, double altitude)
+{
+    double period = MAP_CELLS * field->cell, height = (altitude - field->base) / field->depth;
+    double ground = ground_at(x / period, z / period);
+    for (int i = 0; i < TOWERS; i++)
+        ground -= 0.5 * (1.0 - paint_step(0.6, 1.0, beside_the_way(field->tower + i, x, z)));
+    return height < 1.0 ? field->slope * (ground - field->threshold) - height : -1.0;
+}
+
+static double ceiling_of(const struct cumulus *field)
+{
+    double highest = field->base + field->depth;
+    for (int i = 0; i < TOWERS; i++)
+        highest = fmax(highest, field->tower[i].top);
+    return highest;
+}
+
 // Optical depth of a kilometre at a place; x and z along the ground, y up from the eye. The small
 // puffs may be left out: inside a cloud nobody sees them.
 static double thickness_at(const struct cumulus *field, double x, double y, double z,
                            bool small_too)
 {
-    double altitude = y + (x * x + z * z) / (2.0 * earth), cell = field->cell;
-    double height = (altitude - field->base) / field->depth;
-    if (height <= 0.0 || height >= 1.0)
+    double altitude = y + (x * x + z * z) / (2.0 * earth), ice = 0.0;
+    if (altitude <= field->base || altitude >= ceiling_of(field))
         return 0.0;
-    double period = MAP_CELLS * cell;
-    double inside = field->slope * (ground_at(x / period, z / period) - field->threshold) - height;
+    const double at[2] = {x, z};
+    double inside = inside_column(field, x, z, altitude);
+    for (int i = 0; i < TOWERS; i++)
+        if (field->tower[i].width > 0.0)
+            inside = fmax(inside, inside_tower(field, field->tower + i, at, altitude, &ice));
     if (inside < -0.4 * (field->puff + field->fray))
         return 0.0;
     double large = field->size, small = 0.23 * large;
-    inside += field->puff * (puffs_at(x / large, altitude / large, z / large) - 0.62);
+    double rough = 1.0 - 0.8 * ice;
+    inside += rough * field->puff * (puffs_at(x / large, altitude / large, z / large) - 0.62);
     if (small_too)
-        inside += field->fray * (puffs_at(x / small, altitude / small, z / small) - 0.6);
-    double edge = fmin(fmax(9.0 * inside, 0.0), 1.0), foot = fmin(height / 0.06, 1.0);
-    return field->thickness * edge * foot;
+        inside += rough * field->fray * (puffs_at(x / small, altitude / small, z / small) - 0.6);
+    double edge = fmin(fmax(9.0 * inside, 0.0), 1.0);
+    double foot = fmin((altitude - field->base) / field->depth / 0.06, 1.0);
+    return field->thickness * (1.0 - 0.8 * ice) * edge * foot;
 }
 
 // What is left of a light that comes through a cloud, scattered many times: a model by eye. The
@@ -167,7 +213,7 @@ void cumulus_at(const struct cumulus *field, double u, double v, double value[3]
     turn(u, &north, &east);
     turn(0.25 * v * v, &level, &climb);
     double t = reach(climb, level * level / earth, field->base);
-    double end = fmin(reach(climb, level * level / earth, field->base + field->depth), farthest);
+    double end = fmin(reach(climb, level * level / earth, ceiling_of(field)), farthest);
     double seen = 1.0, above = 0.0, side = 0.0;
     int idle = 0;
     bool inside = false;

@@ -9,6 +9,18 @@
 
 #include <stdint.h>
 
+// A cumulonimbus: a column whose head has met the warm air that stops it, and spreads to an anvil.
+// Lengths in kilometres.
+struct tower {
+    double north, east; // where its foot stands, from the eye
+    double width;       // radius of the column
+    double top, anvil;  // height of its head over the ground, and how far that spreads
+    double drawn;       // how far the wind draws the head to the north
+    double clearing;    // so far from the way between the eye and it no other cloud stands
+};
+
+enum { TOWERS = 2 };
+
 // Lengths in kilometres. A column of cloud stands wherever the ground's noise is over the
 // threshold, and is the higher, the more it is over it; puffs of two sizes make it round.
 struct cumulus {
@@ -21,6 +33,7 @@ struct cumulus {
     double size;      // four times the width of a large puff
     double thickness; // optical depth of a kilometre of cloud
     uint32_t seed;
+    struct tower tower[TOWERS]; // those of width 0 are none
 };
 
 // What the panorama holds at a place: cover, the share of what is behind that the cloud hides;
