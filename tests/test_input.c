@@ -21,6 +21,7 @@ static struct {
     GLFWkeyfun key;
     GLFWmousebuttonfun button;
     GLFWcursorposfun pointed;
+    GLFWcursorenterfun entered;
     GLFWscrollfun wheel;
     GLFWwindowfocusfun focus;
     GLFWwindowrefreshfun damage;
@@ -73,6 +74,7 @@ void glfwSetInputMode(GLFWwindow *window, int mode, int value)
 TAKE(glfwSetKeyCallback, GLFWkeyfun, key)
 TAKE(glfwSetMouseButtonCallback, GLFWmousebuttonfun, button)
 TAKE(glfwSetCursorPosCallback, GLFWcursorposfun, pointed)
+TAKE(glfwSetCursorEnterCallback, GLFWcursorenterfun, entered)
 TAKE(glfwSetScrollCallback, GLFWscrollfun, wheel)
 TAKE(glfwSetWindowFocusCallback, GLFWwindowfocusfun, focus)
 TAKE(glfwSetWindowRefreshCallback, GLFWwindowrefreshfun, damage)

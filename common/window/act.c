@@ -8,10 +8,9 @@
 #include "report.h"
 #include "picture/slice.h"
 
-#define SPEED           2.0f  // scene units a second
-#define DEGREES         0.15f // of a turn, for each pixel of the pointer
-#define ZOOM            1.1   // focal length or slice, for each notch of the wheel
-#define FOCAL_MINIMUM   0.2   // of a shader that declares no focalLength
+#define SPEED           2.0f // scene units a second
+#define ZOOM            1.1  // focal length or slice, for each notch of the wheel
+#define FOCAL_MINIMUM   0.2  // of a shader that declares no focalLength
 #define FOCAL_MAXIMUM   10.0
 #define PASSAGE         0.5 // seconds from one projection to the other
 #define LAST_SCREENSHOT 9999
@@ -248,53 +247,6 @@ static void press(struct window *window, struct window_event event)
     }
 }
 
-// A click also drives a parameter of two numbers named aim, if the shader has one: it becomes the
-// place of the plane z = 0 that the pixel shows, as far as its range goes.
-static void take_aim(struct window *window, const int pixel[2])
-{
-    const struct renderer_inputs *inputs = &window->inputs;
-    struct parameters *all = &window->renderer->parameters;
-    struct parameter *aim = parameters_find(all, "aim");
-    const struct parameter *focal = parameters_find(all, "focalLength");
-    if (aim == NULL || aim->components != 2)
-        return;
-    struct camera_basis basis = camera_basis_of(&inputs->camera);
-    double length = focal != NULL ? focal->value[0] : (double)window->renderer->focal_length,
-           way[3];
-    double x = (2.0 * pixel[0] + 1.0 - inputs->width) / inputs->height;
-    double y = (2.0 * pixel[1] + 1.0 - inputs->height) / inputs->height;
-    for (int i = 0; i < 3; i++)
-        way[i] = x * (double)basis.right[i] + y * (double)basis.up[i] +
-                 length * (double)basis.forward[i];
-    double t = -(double)inputs->camera.position[2] / way[2];
-    if (!(t > 0.0 && t < 1e6)) // the plane is behind the eye, or nowhere in this direction
-        return;
-    for (int i = 0; i < 2; i++)
-        aim->value[i] =
-            fmin(fmax((double)inputs->camera.position[i] + t * way[i], aim->minimum), aim->maximum);
-    window->stale = true;
-}
-
-// A click chooses the pixel's ray, and again lets it go.
-//   place  in the window's units from its top left
-static void look_at_ray(struct window *window, const double place[2])
-{
-    int *pixel = window->inputs.pixel, size[2] = {0, 0}, at[2];
-    glfwGetWindowSize(window->handle, &size[0], &size[1]);
-    if (size[0] < 1 || size[1] < 1)
-        return;
-    renderer_pixel_at(&window->inputs, place, size, at);
-    take_aim(window, at);
-    bool same = at[0] == pixel[0] && at[1] == pixel[1];
-    for (int i = 0; i < 2; i++)
-        pixel[i] = same ? -1 : at[i];
-    window->ray.why[0] = '\0';
-    window->ray.tell = !same;
-    window->ray.follow = true;
-    window->stale |= window->renderer->view == SHADER_SLICE;
-}
-
-// A pointer that goes right turns the view right, dragging or captured.
 static void act(struct window *window, const struct window_event *event)
 {
     struct camera *camera = &window->inputs.camera;
@@ -303,18 +255,17 @@ static void act(struct window *window, const struct window_event *event)
         way[axis] = (float)event->way[axis];
         longest = fmaxf(longest, fabsf(way[axis]));
     }
-    if (event->action == WINDOW_LOOK)
-        camera_turn(camera, DEGREES * way[0], -DEGREES * way[1]);
-    else if (event->action == WINDOW_TRAVEL)
+    if (window_hand(window, event))
+        return;
+    if (event->action == WINDOW_TRAVEL)
         camera_move(camera, way, SPEED * longest);
     else if (event->action == WINDOW_ZOOM)
         zoom(window, event->way[0]);
-    else if (event->action == WINDOW_RAY)
-        look_at_ray(window, event->way);
     else
         press(window, *event);
     window->moved |= event->action >= WINDOW_ZOOM;
-    if (event->action < WINDOW_LOOK)
+    window->dirty = true;
+    if (event->action != WINDOW_TRAVEL)
         window->title.due = 0.0;
 }
 
@@ -323,9 +274,11 @@ void window_obey(struct window *window)
 {
     struct window_input *input = &window->input;
     window_input_count(input);
-    window_follow_mouse(window);
+    window->hand.pressed = false;
     for (int i = 0; i < input->events; i++)
         act(window, &input->event[i]);
-    window->dirty |= input->events > 0 || input->damaged;
+    window_let_go(window);
+    window_follow_mouse(window);
+    window->dirty = window->dirty || input->damaged;
     window_input_forget(input);
 }

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "shader/form.h"
 
@@ -9,6 +10,7 @@
 #define FASTER       4.0 // times the speed while Left Shift is held
 #define TEN_STEPS    10  // key presses that one press with Shift counts for
 #define DRAG_BEGINS  3.0 // pixels: a hand that clicks trembles less
+#define DOUBLE       0.4 // seconds between two presses that are one double click, at most
 
 // GLFW names positions by the American keyboard: GLFW_KEY_W is the key labelled Z on a French one.
 static const struct {
@@ -57,10 +59,11 @@ static struct window_input *input_of(GLFWwindow *window)
 static void add(struct window_input *input, struct window_event event)
 {
     struct window_event *last = input->events > 0 ? &input->event[input->events - 1] : NULL;
-    if (last != NULL && last->action == event.action && event.action >= WINDOW_ZOOM)
+    if (last != NULL && last->action == event.action && event.action >= WINDOW_ZOOM) {
         for (int axis = 0; axis < 3; axis++)
             last->way[axis] += event.way[axis];
-    else if (input->events < WINDOW_INPUT_EVENTS)
+        memcpy(last->place, event.place, sizeof event.place);
+    } else if (input->events < WINDOW_INPUT_EVENTS)
         input->event[input->events++] = event;
 }
 
@@ -93,8 +96,26 @@ bool window_input_moves(const struct window_input *input)
 
 void window_input_forget(struct window_input *input)
 {
-    input->damaged = input->pressed = false;
+    input->damaged = false;
     input->events = 0;
+}
+
+// An event where the pointer is.
+static void add_here(struct window_input *input, enum window_action action, int amount)
+{
+    struct window_event event = {.action = action, .amount = amount, .place = {-1.0, -1.0}};
+    if (input->seen)
+        memcpy(event.place, input->at, sizeof event.place);
+    add(input, event);
+}
+
+// The button is up, or counts as such.
+//   clicked  it was one press at one place
+static void let_go(struct window_input *input, bool clicked)
+{
+    if (input->state != WINDOW_POINTER_FREE)
+        add_here(input, WINDOW_RELEASE, clicked);
+    input->state = WINDOW_POINTER_FREE;
 }
 
 static void release_all(struct window_input *input)
@@ -102,14 +123,14 @@ static void release_all(struct window_input *input)
     window_input_count(input);
     for (int i = 0; i < WINDOW_KEY_COUNT; i++)
         input->held[i] = false;
-    input->state = WINDOW_POINTER_FREE;
+    let_go(input, false);
     input->jumped = true;
 }
 
 static void capture(struct window_input *input)
 {
+    let_go(input, false);
     input->captured = !input->captured;
-    input->state = WINDOW_POINTER_FREE;
     input->jumped = true;
     input->seen = false; // a captured pointer is anywhere
     glfwSetInputMode(input->window, GLFW_CURSOR,
@@ -146,24 +167,34 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
 {
     (void)modifiers;
     struct window_input *input = input_of(window);
-    if (button != GLFW_MOUSE_BUTTON_LEFT || input->captured)
+    bool right = button == GLFW_MOUSE_BUTTON_RIGHT, pressed = action == GLFW_PRESS;
+    if ((button != GLFW_MOUSE_BUTTON_LEFT && !right) || input->captured)
+        return;
+    // One button at a time: another one means nothing while it is held.
+    if (pressed ? input->state != WINDOW_POINTER_FREE : input->button != right)
         return;
     // Asked for now, the pointer may be further on than it was when the button went down.
     if (!input->seen)
         glfwGetCursorPos(window, &input->at[0], &input->at[1]);
     input->seen = true;
-    if (action == GLFW_RELEASE && input->state == WINDOW_POINTER_PRESSED)
-        add(input, (struct window_event){.action = WINDOW_RAY,
-                                         .way = {input->pointer[0], input->pointer[1]}});
-    input->pressed |= action == GLFW_PRESS;
-    for (int i = 0; i < 2; i++) {
-        if (action == GLFW_PRESS)
-            input->press[i] = input->held_at[i] = input->at[i];
-        if (input->jumped)
-            input->pointer[i] = input->at[i];
-    }
-    input->state = action == GLFW_PRESS ? WINDOW_POINTER_PRESSED : WINDOW_POINTER_FREE;
+    if (!pressed)
+        let_go(input, input->state == WINDOW_POINTER_PRESSED);
+    if (pressed || input->jumped)
+        memcpy(input->pointer, input->at, sizeof input->at);
     input->jumped = false;
+    if (!pressed)
+        return;
+    input->state = WINDOW_POINTER_PRESSED;
+    input->button = right;
+    add_here(input, WINDOW_PRESS, right);
+    double now = glfwGetTime(), *place = input->press.place;
+    bool again = !right && now - input->press.at <= DOUBLE &&
+                 hypot(input->at[0] - place[0], input->at[1] - place[1]) <= DRAG_BEGINS;
+    if (again)
+        add_here(input, WINDOW_DOUBLE, 0);
+    // A third press begins anew.
+    input->press.at = again || right ? -DOUBLE : now;
+    memcpy(place, input->at, sizeof input->at);
 }
 
 static void on_pointer(GLFWwindow *window, double x, double y)
@@ -172,28 +203,41 @@ static void on_pointer(GLFWwindow *window, double x, double y)
     input->seen = true;
     input->at[0] = x;
     input->at[1] = y;
-    if (input->state != WINDOW_POINTER_FREE) {
-        input->held_at[0] = x;
-        input->held_at[1] = y;
-    }
     double right = x - input->pointer[0], down = y - input->pointer[1];
-    if (input->state == WINDOW_POINTER_PRESSED) {
-        if (hypot(right, down) <= DRAG_BEGINS)
-            return;
+    if (input->state == WINDOW_POINTER_PRESSED && hypot(right, down) > DRAG_BEGINS)
         input->state = WINDOW_POINTER_DRAGS;
-    }
+    if (!input->captured && input->state != WINDOW_POINTER_DRAGS)
+        add_here(input, WINDOW_POINT, 0);
+    if (input->state == WINDOW_POINTER_PRESSED)
+        return; // what it went until now is a part of the drag
     if ((input->captured || input->state == WINDOW_POINTER_DRAGS) && !input->jumped)
-        add(input, (struct window_event){.action = WINDOW_LOOK, .way = {right, down}});
+        add(input, (struct window_event){.action = input->captured ? WINDOW_LOOK : WINDOW_DRAG,
+                                         .amount = input->button,
+                                         .way = {right, down},
+                                         .place = {x, y}});
     input->pointer[0] = x;
     input->pointer[1] = y;
     input->jumped = false;
 }
 
+static void on_leaving(GLFWwindow *window, int entered)
+{
+    struct window_input *input = input_of(window);
+    if (entered || input->captured || input->state != WINDOW_POINTER_FREE)
+        return;
+    input->seen = false;
+    add_here(input, WINDOW_POINT, 0);
+}
+
 static void on_wheel(GLFWwindow *window, double right, double up)
 {
     (void)right;
+    struct window_input *input = input_of(window);
+    struct window_event event = {.action = WINDOW_ZOOM, .way = {up}, .place = {-1.0, -1.0}};
+    if (input->seen && !input->captured)
+        memcpy(event.place, input->at, sizeof event.place);
     if (up != 0.0)
-        add(input_of(window), (struct window_event){.action = WINDOW_ZOOM, .way = {up}});
+        add(input, event);
 }
 
 static void on_focus(GLFWwindow *window, int focused)
@@ -209,11 +253,13 @@ static void on_damage(GLFWwindow *window)
 
 void window_input_open(struct window_input *input, GLFWwindow *window)
 {
-    *input = (struct window_input){.window = window, .counted = glfwGetTime(), .jumped = true};
+    *input = (struct window_input){
+        .window = window, .counted = glfwGetTime(), .jumped = true, .press.at = -DOUBLE};
     glfwSetWindowUserPointer(window, input);
     glfwSetKeyCallback(window, on_key);
     glfwSetMouseButtonCallback(window, on_button);
     glfwSetCursorPosCallback(window, on_pointer);
+    glfwSetCursorEnterCallback(window, on_leaving);
     glfwSetScrollCallback(window, on_wheel);
     glfwSetWindowFocusCallback(window, on_focus);
     glfwSetWindowRefreshCallback(window, on_damage);

@@ -17,7 +17,10 @@ enum window_action {
     WINDOW_CHOOSE, // amount: -1 the parameter before, 1 the next
     WINDOW_FOLD,   // the overlay
     WINDOW_HELP,   // all of it
-    WINDOW_RAY,    // way: where a click was, window coordinates from the top left
+    // The pointer, with its place; hand.c says whose it is:
+    WINDOW_PRESS,   // amount: 0 the left button, 1 the right one
+    WINDOW_DOUBLE,  // behind the second press of two that follow each other at one place
+    WINDOW_RELEASE, // amount: 1 a click, 0 the end of a drag, or the window lost the focus
     // What changes the picture:
     WINDOW_PAUSE,   // as time went on until now
     WINDOW_RESTART, // the time
@@ -27,15 +30,18 @@ enum window_action {
     WINDOW_RESET,
     WINDOW_VIEW, // amount: enum shader_view
     // What goes on: events of a kind that follow each other are one, their ways added up.
-    WINDOW_ZOOM,  // way: notches of the wheel, away from the person positive
-    WINDOW_LOOK,  // way: pixels that the pointer went right and down
-    WINDOW_TRAVEL // way: seconds of movement right, up, forward; more where faster is held
+    WINDOW_ZOOM,   // way: notches of the wheel, away from the person positive; place
+    WINDOW_LOOK,   // way: pixels that the captured pointer went right and down
+    WINDOW_TRAVEL, // way: seconds of movement right, up, forward; more where faster is held
+    WINDOW_DRAG,   // way: pixels that the pointer went right and down with a button held; place
+    WINDOW_POINT   // the pointer is there: no button, or not far enough for a drag
 };
 
 struct window_event {
     enum window_action action;
     int amount;
     double way[3];
+    double place[2]; // of the pointer, in the window's units from its top left; -1,-1: elsewhere
 };
 
 // Keys that act as long as they are held.
@@ -58,19 +64,20 @@ struct window_input {
     // Since the last window_input_forget:
     struct window_event event[WINDOW_INPUT_EVENTS];
     int events;
-    bool pressed;    // the button went down,
-    double press[2]; // there
-    bool damaged;    // the window must be drawn again
+    bool damaged; // the window must be drawn again
     // Kept from frame to frame:
     bool held[WINDOW_KEY_COUNT];
     double counted; // all movement up to this time of glfwGetTime is in the events
     enum window_pointer state;
+    int button; // that is held: 0 left, 1 right
+    struct {
+        double at, place[2]; // when and where the left button was pressed last
+    } press;
     bool captured;
     bool jumped;       // the next position of the pointer is no movement
     double pointer[2]; // where it was last
     bool seen;         // at is known
     double at[2];      // where it is
-    double held_at[2]; // where it was last with the button down
 };
 
 // Receive the events of a window from now on.

@@ -1,7 +1,8 @@
 // state.h - what the parts of the window share. For the files of this folder alone.
 //
-// window.c holds the loop, input.c gathers what the hands do, act.c carries it out, draw.c draws
-// frames, title bar and overlay, toy.c knows Shadertoy's inputs.
+// window.c holds the loop, input.c gathers what the hands do, hand.c says whose the pointer is,
+// act.c carries out what keys ask for, draw.c draws frames, title bar and overlay, keys.c lists the
+// keys, toy.c knows Shadertoy's inputs.
 #ifndef WINDOW_STATE_H
 #define WINDOW_STATE_H
 
@@ -15,6 +16,9 @@
 
 #define WINDOW_KEYS 20 // entries of the overlay's list of keys, at most
 
+// Who has the pointer, from a press to the release.
+enum window_hand { HAND_NONE, HAND_CAMERA };
+
 struct window {
     GLFWwindow *handle;
     struct renderer *renderer;
@@ -23,7 +27,12 @@ struct window {
     struct watch watch;
     struct renderer_inputs inputs; // of the frame on the screen
     char parameter[64];            // the one that the arrows change
-    int rectangle[4];              // x, y, width, height before full screen
+    struct {
+        enum window_hand who;
+        bool pressed;           // the picture was, in this turn,
+        double press[2], at[2]; // there; and where the pointer was last while it has the picture
+    } hand;
+    int rectangle[4];  // x, y, width, height before full screen
     bool has_keyboard; // the window had the focus: before that there may be no keyboard at all
     bool broken;       // the shader's last text: the picture is of the one before
     bool paused;
@@ -91,6 +100,20 @@ bool window_has_orthographic(struct window *window);
 //   seconds  since the last turn
 // Returns true when it changed the picture.
 bool window_pass(struct window *window, double seconds);
+
+// Carry out what the pointer did, for whoever has it.
+// Returns false for an event that is not the pointer's.
+bool window_hand(struct window *window, const struct window_event *event);
+
+// Nobody has the pointer whose button is up.
+void window_let_go(struct window *window);
+
+// A click chooses the pixel's ray, and again lets it go.
+//   place  in the window's units from its top left
+void window_look_at_ray(struct window *window, const double place[2]);
+
+// List the keys with the labels of the keyboard that is there, and the hint which one shows more.
+void window_name_keys(struct window *window);
 
 // Carry out what the hands did since the last turn.
 void window_obey(struct window *window);

@@ -19,17 +19,16 @@ static void pixel_of(const struct window *window, const double place[2], float p
 
 void window_follow_mouse(struct window *window)
 {
-    const struct window_input *input = &window->input;
     const struct renderer *renderer = window->renderer;
-    bool down = input->state != WINDOW_POINTER_FREE;
+    bool pressed = window->hand.pressed, down = window->hand.who == HAND_CAMERA;
     float *mouse = window->inputs.mouse;
     float now[4] = {mouse[0], mouse[1], fabsf(mouse[2]), fabsf(mouse[3])};
-    if (input->pressed)
-        pixel_of(window, input->press, now + 2);
-    if (input->pressed || down)
-        pixel_of(window, input->held_at, now);
+    if (pressed)
+        pixel_of(window, window->hand.press, now + 2);
+    if (pressed || down)
+        pixel_of(window, window->hand.at, now);
     now[2] = down ? now[2] : -now[2];
-    now[3] = input->pressed ? now[3] : -now[3];
+    now[3] = pressed ? now[3] : -now[3];
     bool changed = false;
     for (int i = 0; i < 4; i++) {
         changed |= now[i] < mouse[i] || now[i] > mouse[i];

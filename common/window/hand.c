@@ -1,0 +1,58 @@
+// Who has the pointer. The first that claims a press keeps it until the release, in this order: the
+// panel, then the picture, where a drag looks around and a click chooses a ray.
+#include <string.h>
+
+#include "window/state.h"
+
+#define DEGREES 0.15f // of a turn, for each pixel of the pointer
+
+static enum window_hand claim(const struct window_event *press)
+{
+    return press->amount == 0 ? HAND_CAMERA : HAND_NONE;
+}
+
+// A pointer that goes right turns the view right, dragging or captured.
+static void look_around(struct window *window, const double way[3])
+{
+    camera_turn(&window->inputs.camera, DEGREES * (float)way[0], -DEGREES * (float)way[1]);
+    window->moved = window->dirty = true;
+}
+
+// The pointer over the picture with its button down: Shadertoy's mouse follows it.
+static void hold_picture(struct window *window, const struct window_event *event)
+{
+    memcpy(window->hand.at, event->place, sizeof window->hand.at);
+    if (event->action == WINDOW_PRESS) {
+        window->hand.pressed = true;
+        memcpy(window->hand.press, event->place, sizeof window->hand.press);
+    } else if (event->action == WINDOW_DRAG) {
+        look_around(window, event->way);
+    } else if (event->action == WINDOW_RELEASE && event->amount == 1) {
+        window_look_at_ray(window, window->hand.press);
+        window->dirty = true;
+        window->title.due = 0.0;
+    }
+}
+
+bool window_hand(struct window *window, const struct window_event *event)
+{
+    if (event->action == WINDOW_LOOK) // a captured pointer reaches nothing but the camera
+        look_around(window, event->way);
+    else if (event->action == WINDOW_PRESS)
+        window->hand.who = claim(event);
+    bool pointer = event->action == WINDOW_PRESS || event->action == WINDOW_DOUBLE ||
+                   event->action == WINDOW_DRAG || event->action == WINDOW_POINT ||
+                   event->action == WINDOW_RELEASE;
+    if (pointer && window->hand.who == HAND_CAMERA)
+        hold_picture(window, event);
+    if (event->action == WINDOW_RELEASE)
+        window->hand.who = HAND_NONE;
+    return pointer || event->action == WINDOW_LOOK;
+}
+
+// Of too many events in one turn the last are lost, a release too.
+void window_let_go(struct window *window)
+{
+    if (window->input.state == WINDOW_POINTER_FREE)
+        window->hand.who = HAND_NONE;
+}
