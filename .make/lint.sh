@@ -56,7 +56,7 @@ check_views() { # EXPANDED NAME
         validate "$1" "$2"
         return
     fi
-    for view in 0 1 2 3 4 5 6 7; do
+    for view in 0 1 2 3 4 5 6 7 8 9; do
         sed "2s/.*/#define VIEW $view/" "$1" >"$glsl_folder/$2.$view.frag"
         validate "$glsl_folder/$2.$view.frag" "$2.$view" || failed=1
     done

@@ -178,7 +178,7 @@ vec3 marchColour(vec3 light, vec2 p, vec2 right, vec2 up, Ray ray)
 
 vec3 rayColour(Ray ray)
 {
-#if VIEW >= 1 && VIEW <= 5
+#if VIEW >= 1 && VIEW <= 6
     Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
     if (VIEW == 2) // its greys change most around 6 units: on the sheet, at a quarter of that
         traceMarch(trace.steps, 4.0 * hit.t, trace.end);

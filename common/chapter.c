@@ -1,6 +1,7 @@
 #include "chapter.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,6 +12,7 @@
 #include <mach-o/dyld.h>
 #endif
 
+#include "picture/aside.h"
 #include "picture/benchmark.h"
 #include "context/context.h"
 #include "context/guard.h"
@@ -24,6 +26,9 @@
 #include "report.h"
 #include "sequence.h"
 #include "window/window.h"
+
+// Of a film of a march, while it waits at the first step; twice as long at the last.
+#define WALK_WAIT 0.06
 
 enum { DONE = 0, NOT_DONE = 1, WRONG_COMMAND_LINE = 2, NO_WINDOW = 3 };
 
@@ -151,6 +156,7 @@ static bool add_overlay(const struct run *run, struct renderer *renderer,
                           .renderer = renderer,
                           .ranges = true,
                           .pixel = {inputs->pixel[0], inputs->pixel[1]},
+                          .shown = inputs->shown,
                           .probe = probe};
     if (!overlay_open(overlay, renderer->gl))
         return false;
@@ -187,7 +193,33 @@ static struct renderer_inputs still_inputs(const struct options *options)
         .date = {1970.0f, 0.0f, 1.0f, (float)options->time},
         .samples = options->samples,
         .pixel = {pixel != NULL ? pixel[0] : -1, pixel != NULL ? pixel[1] : -1},
-        .zoom = 1.0f};
+        .zoom = 1.0f,
+        .shown = (float)(options->step + 1)};
+}
+
+// March the ray that the pictures show, where its steps are counted.
+//   probe  receives it
+// Returns false, reported: --step is beyond its end.
+static bool march_shown(const struct run *run, struct renderer *renderer,
+                        const struct renderer_inputs *inputs, struct probe *probe)
+{
+    int x = inputs->pixel[0] < 0 ? inputs->width / 2 : inputs->pixel[0];
+    int y = inputs->pixel[0] < 0 ? inputs->height / 2 : inputs->pixel[1];
+    if (!renderer_probe(renderer, inputs, x, y, probe))
+        return false;
+    if (run->options.step < probe_rows(probe))
+        return true;
+    return report("--step %d: the march of pixel %d,%d has %d steps, from 0 on", run->options.step,
+                  x, y, probe_rows(probe));
+}
+
+// How much of a march the picture i of n shows. The walk goes from the first step to the last; it
+// waits at both for a while, so that a film that begins again shows where it is.
+static float shown_of(int i, int n, int steps)
+{
+    double share = n > 1 ? (double)i / (n - 1) : 1.0;
+    double walked = fmin(fmax((share - WALK_WAIT) / (1.0 - 3.0 * WALK_WAIT), 0.0), 1.0);
+    return (float)(1.0 + walked * (steps > 0 ? steps - 1 : 0));
 }
 
 // The pictures of --frames, with one context and one program.
@@ -196,18 +228,23 @@ static bool write_frames(const struct run *run, struct renderer *renderer)
     const struct options *options = &run->options;
     struct renderer_inputs inputs = still_inputs(options);
     char path[PATH_MAX];
-    bool done = true;
+    struct probe *probe = options->walk ? memory_zeros(1, sizeof *probe) : NULL;
+    bool done = probe == NULL || march_shown(run, renderer, &inputs, probe);
     for (int i = 0; i < options->frames && done; i++) {
         sequence_progress(i, options->frames);
         inputs.frame = i;
-        inputs.time = options->time + i / options->fps;
+        // A walk is along one march: its time stands still.
+        inputs.time = options->time + (options->walk ? 0.0 : i / options->fps);
         inputs.date[3] = (float)inputs.time;
         inputs.time_delta = i > 0 ? 1.0 / options->fps : 0.0;
+        if (probe != NULL)
+            inputs.shown = shown_of(i, options->frames, probe_rows(probe));
         done = sequence_path(options->output, i, path, sizeof path) &&
-               write_picture(run, renderer, &inputs, NULL, path);
+               write_picture(run, renderer, &inputs, probe, path);
     }
     if (done)
         sequence_progress(options->frames, options->frames);
+    free(probe);
     return done;
 }
 
@@ -246,8 +283,11 @@ static bool work_still(const struct run *run, struct renderer *renderer)
 {
     const struct options *options = &run->options;
     struct renderer_inputs inputs = still_inputs(options);
+    struct renderer_eye eye = aside_eye(renderer, &inputs);
     struct probe *probe = NULL;
     bool done = true;
+    eye.camera = options->from;
+    inputs.eye = options->has_from ? &eye : NULL;
     if (options->frames > 0)
         return write_frames(run, renderer);
     for (int i = 0; i < options->probe_count && done; i++) {
@@ -256,6 +296,10 @@ static bool work_still(const struct run *run, struct renderer *renderer)
         done = renderer_probe(renderer, &inputs, pixel[0], pixel[1], probe);
         if (done)
             probe_print(probe, stdout);
+    }
+    if (done && options->step >= 0) {
+        probe = probe != NULL ? probe : memory_zeros(1, sizeof *probe);
+        done = march_shown(run, renderer, &inputs, probe);
     }
     done = done && (options->output == NULL ||
                     write_picture(run, renderer, &inputs, probe, options->output));

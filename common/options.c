@@ -10,6 +10,7 @@
 #include "number.h"
 #include "picture/benchmark.h"
 #include "picture/overlay.h"
+#include "picture/probe.h"
 #include "report.h"
 #include "sequence.h"
 
@@ -99,27 +100,47 @@ static bool set_channel(struct options *options, const char *text)
     return true;
 }
 
-static bool set_camera(struct options *options, const char *text)
+// Read where an eye is and looks, X,Y,Z,PAN,TILT.
+static bool read_camera(const char *option, const char *text, struct camera *camera)
 {
     double value[5];
     const char *c = text;
     for (int i = 0; i < 5; i++) {
         size_t length = number_begin(c, &value[i]);
         if (length == 0 || c[length] != (i < 4 ? ',' : '\0'))
-            return refuse("camera", text,
-                          "must be X,Y,Z,PAN,TILT, five numbers, as in 0,1,4,0,-10");
+            return refuse(option, text, "must be X,Y,Z,PAN,TILT, five numbers, as in 0,1,4,0,-10");
         if (!(fabs(value[i]) <= LIMIT))
-            return refuse("camera", text, "each number must be from -1e9 to 1e9");
+            return refuse(option, text, "each number must be from -1e9 to 1e9");
         c += length + 1;
     }
-    options->camera =
-        (struct camera){.position = {(float)value[0], (float)value[1], (float)value[2]},
-                        .pan = (float)value[3],
-                        .tilt = (float)value[4]};
-    options->has_camera = true;
+    *camera = (struct camera){.position = {(float)value[0], (float)value[1], (float)value[2]},
+                              .pan = (float)value[3],
+                              .tilt = (float)value[4]};
     return fabs(value[4]) <= (double)CAMERA_TILT_LIMIT ||
-           refuse("camera", text, "the tilt must be from %g to %g degrees",
+           refuse(option, text, "the tilt must be from %g to %g degrees",
                   (double)-CAMERA_TILT_LIMIT, (double)CAMERA_TILT_LIMIT);
+}
+
+static bool set_camera(struct options *options, const char *text)
+{
+    options->has_camera = true;
+    return read_camera("camera", text, &options->camera);
+}
+
+static bool set_from(struct options *options, const char *text)
+{
+    options->has_from = true;
+    return read_camera("from", text, &options->from);
+}
+
+// A step's number, or the word walk.
+static bool set_step(struct options *options, const char *text)
+{
+    options->walk = strcmp(text, "walk") == 0;
+    options->step = -1;
+    return options->walk || number_read_int(text, 0, PROBE_STEPS - 1, &options->step) ||
+           refuse("step", text, "must be a whole number from 0 to %d, or walk with --frames",
+                  PROBE_STEPS - 1);
 }
 
 static bool set_samples(struct options *options, const char *text)
@@ -229,10 +250,14 @@ static const struct row {
     {"-c,", "camera", " X,Y,Z,PAN,TILT", set_camera, OPTIONS_RUN,
      "where the eye is, in scene units, and looks, in degrees", "the chapter's own"},
     {"-a,", "samples", " N", set_samples, OPTIONS_RUN, "N x N samples a pixel, 1 to 8", "1"},
-    {"-v,", "view", " NAME", set_view, OPTIONS_RUN, "picture, normals, depth, steps or slice",
+    {"-v,", "view", " NAME", set_view, OPTIONS_RUN, "picture, normals, depth, steps, slice or plot",
      "picture"},
     {"", "probe", " X,Y", set_probe, OPTIONS_RUN,
      "print a pixel's march and colour, 0,0 bottom left; repeatable", ""},
+    {"", "step", " K|walk", set_step, OPTIONS_RUN,
+     "show that ray's march up to step K, from 0; walk: all of --frames", ""},
+    {"", "from", " X,Y,Z,PAN,TILT", set_from, OPTIONS_RUN,
+     "where the ray of --probe starts; --camera looks at it", "the camera"},
     {"", "overlay", "[=SCALE]", set_overlay, OPTIONS_RUN,
      "scale of the overlay, 0.5 to 8; draws it into a file too", "by the picture's height"},
     {"-b,", "backend", " NAME", set_backend, OPTIONS_RUN, "glfw, egl or osmesa",
@@ -337,6 +362,27 @@ static bool check_probes(const struct options *options)
     return true;
 }
 
+// The ray that a picture shows: in a view of one ray's march, or in the overlay.
+static bool check_ray(const struct options *options)
+{
+    bool view = form_shows_ray(options->view);
+    bool overlaid = options->has_overlay && options->probe_count > 0;
+    bool stepped = options->step >= 0 || options->walk;
+    if (options->output == NULL && (stepped || options->has_from))
+        return report("--%s: goes with --output: in a window E and Q go from step to step",
+                      stepped ? "step" : "from");
+    if (stepped && !view && !overlaid)
+        return report("--step: goes with --view slice or plot, or with --probe and --overlay");
+    if (options->walk != (options->frames > 0) && stepped)
+        return report(options->walk
+                          ? "--step walk: goes with --frames N: how many pictures?"
+                          : "--step: one step of one picture: --frames wants --step walk");
+    if (options->has_from && (view || !overlaid))
+        return report("--from: a ray that is seen from elsewhere: goes with --probe and --overlay, "
+                      "and no --view of one ray");
+    return true;
+}
+
 // What one option asks of the others.
 static bool complete(struct options *options)
 {
@@ -359,7 +405,7 @@ static bool complete(struct options *options)
         report("--output '%s': with --frames the name must hold one %%d for the number, as in "
                "frame-%%04d.png",
                options->output);
-    else if (row && options->probe_count > 0 && options->view != SHADER_SLICE)
+    else if (row && options->probe_count > 0 && !form_shows_ray(options->view) && !options->walk)
         report("--probe: the march of one picture: leave --frames out");
     else if (row && fabs(options->time) + options->frames / options->fps > LIMIT)
         report("--frames: the last time must be from -1e9 to 1e9 seconds");
@@ -367,13 +413,13 @@ static bool complete(struct options *options)
         report("--print-shader=shadertoy: only the picture runs there: leave --view %s out",
                shader_view_name(options->view));
     else
-        return check_probes(options);
+        return check_probes(options) && check_ray(options);
     return false;
 }
 
 bool options_parse(struct options *options, int argc, char **argv)
 {
-    *options = (struct options){.samples = 1};
+    *options = (struct options){.samples = 1, .step = -1};
     options->settings = memory_zeros((size_t)argc, sizeof *options->settings);
     options->probe = memory_zeros((size_t)argc, sizeof *options->probe);
     options->textures = memory_zeros((size_t)argc, sizeof *options->textures);
@@ -399,11 +445,13 @@ static const char ending[] =
     "  Space, C           up, down (or Left Ctrl); Left Shift moves faster\n"
     "  drag               look; M captures and frees the mouse\n"
     "  click              choose a pixel's ray and show its march; again hides it\n"
-    "  wheel              focal length; in the slice its zoom\n"
+    "  E, Q               a step on along the ray, and back; held they run; also Page Down, Up\n"
+    "  Home, End          its first and last step\n"
+    "  wheel              focal length; in the slice and the plot their zoom\n"
     "  Tab                perspective or orthographic, where the shader has both\n"
-    "  1 2 3 4 5          views: picture, normals, depth, steps, slice\n"
+    "  1 2 3 4 5 6        views: picture, normals, depth, steps, slice, plot\n"
     "  up, down           choose a parameter\n"
-    "  left, right        change it, with Shift ten steps; Home resets it\n"
+    "  left, right        change it, with Shift ten steps; Delete resets it\n"
     "  Escape, R          pause and resume; restart the time, with Shift the camera too\n"
     "  H, K               hide and show the overlay; all keys and ranges in it\n"
     "  P, F11             write a screenshot; full screen\n"

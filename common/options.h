@@ -23,8 +23,10 @@ enum options_action {
 // What the command line asks for. Strings point into argv.
 struct options {
     enum options_action action;
-    bool window;           // the run needs one: it writes no picture, no march, no measurement
-    bool shadertoy;        // --print-shader=shadertoy
+    bool window;    // the run needs one: it writes no picture, no march, no measurement
+    bool shadertoy; // --print-shader=shadertoy
+    bool walk;      // --step walk: the pictures of --frames go from step to step
+    bool has_from;
     const char *output;    // PNG to write, its name ends so, or NULL
     int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT; defaults set by options_parse
     double time;           // seconds
@@ -45,7 +47,11 @@ struct options {
     int probe_count;
     enum context_backend backend;
     bool has_overlay;
-    double overlay;     // its scale; 0: by the height of the picture
+    double overlay; // its scale; 0: by the height of the picture
+    int step;       // of the ray's march: shown up to this one, from 0; -1: all
+    bool walk;      // --step walk: the pictures of --frames go from the first to the last
+    bool has_from;
+    struct camera from; // where the ray of --probe starts; meaningful when has_from
     const char *shader; // --shader, or NULL for the chapter's own
     const char *root;   // --root, or NULL: found from the program's own place
 };

@@ -1,7 +1,7 @@
 // coarse.glsl - the coarse pass: one march for a block of 8 x 8 pixels finds how far none of their rays
 // meets anything.
 //
-// Before each picture the harness marches a cone for each block (VIEW 7), and the pixels begin where it
+// Before each picture the harness marches a cone for each block (VIEW 8), and the pixels begin where it
 // ended. It runs where the program calls coarseStart, and only there.
 //
 // Why nothing is lost. The ball of radius r(t) = radius + t spread around the axis at t holds the points at
@@ -57,7 +57,7 @@ float coarseStart(Ray ray)
 }
 
 // Compiled only for the pass.
-#if VIEW == 7
+#if VIEW == 8
 
 const int   COARSE_STEPS = 64;    // of a block's march, at most
 const float COARSE_FAR = 100.0;   // where it ends at the latest, scene units

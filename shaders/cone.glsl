@@ -23,6 +23,7 @@ float pixelSpread()
 Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
     traceBegin(tMin, tMax);
+    traceThreshold(threshold, spread);
     float t = tMin;
     int steps = 0;
     bool found = false;

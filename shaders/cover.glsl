@@ -6,7 +6,7 @@
 #include "scene.glsl"
 
 // Compiled only where evaluations are counted.
-#if VIEW == 6
+#if VIEW == 7
 
 // The rays that are looked at: one from the middle of each cell of this grid over the picture.
 const vec2 COVER_GRID = vec2(32.0, 18.0);

@@ -22,6 +22,7 @@ const float CROSSING_SHORT = 0.7; // thresholds by which a step falls short of t
 Hit marchCrossing(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
     traceBegin(tMin, tMax);
+    traceThreshold(threshold, spread);
     float t = tMin, distance = 0.0, advance = 0.0;
     int steps = 0;
     bool found = false;

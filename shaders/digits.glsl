@@ -1,7 +1,7 @@
 // digits.glsl - numbers in a picture, on a grid of square cells.
 
 // Compiled only with the files that write numbers.
-#if VIEW >= 1 && VIEW <= 4
+#if VIEW >= 1 && VIEW <= 5
 
 // True on the strokes of a decimal digit drawn in a grid of 3 x 5 cells.
 //   digit  0 to 9

@@ -13,6 +13,7 @@
 Hit marchSide(Ray ray, float side, float tMin, float tMax, float threshold, int maxSteps)
 {
     traceBegin(tMin, tMax);
+    traceThreshold(threshold, 0.0);
     float t = tMin;
     int steps = 0;
     bool found = false;

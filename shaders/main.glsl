@@ -1,31 +1,40 @@
 // main.glsl - main(): runs the chapter's pixelRay and rayColour, then shows the colour, or what the
 // trace holds.
 //
-// The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice,
-// 5 the numbers of a probe, 6 evaluations of the scene, and how few of the march would do, 7 the
-// coarse pass of coarse.glsl, one pixel a block of the picture.
+// The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice, 5 a plot below it,
+// 6 the numbers of a probe, 7 evaluations of the scene, and how few of the march would do, 8 the
+// coarse pass of coarse.glsl, one pixel a block of the picture, 9 where a march is in the picture.
 
 #include "cover.glsl"
 #include "inputs.glsl"
+#include "places.glsl"
+#include "plot.glsl"
 #include "scene.glsl"
 #include "slice.glsl"
 #include "views.glsl"
 
 out vec4 fragColour;
 
-#if VIEW == 4
+#if VIEW == 4 || VIEW == 5
 
 void main()
 {
     iPixel = ivec2(floor(iMarchPixel));
-    fragColour = vec4(clamp(sliceView(gl_FragCoord.xy + iPixelOffset), 0.0, 1.0), 1.0);
+    vec2 pixel = gl_FragCoord.xy + iPixelOffset;
+#if VIEW == 4
+    vec3 colour = sliceView(pixel);
+#else
+    vec3 colour = plotView(pixel);
+#endif
+    fragColour = vec4(clamp(colour, 0.0, 1.0), 1.0);
 }
 
-#elif VIEW == 5
+#elif VIEW == 6
 
 uniform vec2 iProbe; // centre of the pixel whose ray is marched, in pixels
 
-// Column k, row 0: t, distance, steps of the first march, why it ended. Row 1: position.
+// Column k, row 0: t, distance, steps of the first march, why it ended. Row 1: position, and the
+// distance below which the surface would have counted as found there.
 // Row 2: steps of all marches, evaluations, where the first march was asked to look.
 void main()
 {
@@ -37,12 +46,13 @@ void main()
     if (row == 0)
         fragColour = vec4(trace.wantedT, trace.wantedDistance, float(trace.steps), float(trace.end));
     else if (row == 1)
-        fragColour = vec4(ray.origin + trace.wantedT * ray.direction, 0.0);
+        fragColour = vec4(ray.origin + trace.wantedT * ray.direction,
+                          trace.threshold + trace.spread * trace.wantedT);
     else
         fragColour = vec4(float(trace.allSteps), float(trace.evaluations), trace.interval);
 }
 
-#elif VIEW == 7
+#elif VIEW == 8
 
 vec2 coarseBlock(ivec2 block);
 
@@ -50,6 +60,13 @@ void main()
 {
     traceReset(-1);
     fragColour = vec4(coarseBlock(ivec2(gl_FragCoord.xy)), 0.0, 1.0);
+}
+
+#elif VIEW == 9
+
+void main()
+{
+    fragColour = placeOf(texelFetch(iMarch, ivec2(int(gl_FragCoord.x), 1), 0).xyz);
 }
 
 #else
@@ -68,7 +85,7 @@ void main()
 #elif VIEW == 3
     colour = stepView(pixel);
 #endif
-#if VIEW == 6
+#if VIEW == 7
     // What the march took and what would do, for the pixels of the grid: else 0, 0 and 0.
     bool looked = onCoverGrid(pixel);
     int steps = looked ? trace.steps : 0;

@@ -21,6 +21,7 @@ struct Hit {
 Hit march(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 {
     traceBegin(tMin, tMax);
+    traceThreshold(threshold, 0.0);
     float t = tMin;
     int steps = 0;
     bool found = false;

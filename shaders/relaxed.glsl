@@ -28,6 +28,7 @@ Hit marchRelaxed(Ray ray, float tMin, float tMax, float threshold, float spread,
                  int maxSteps)
 {
     traceBegin(tMin, tMax);
+    traceThreshold(threshold, spread);
     float t = tMin, covered = tMin, before = 1.0, factor = omega;
     int steps = 0;
     bool found = false;

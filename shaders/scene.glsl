@@ -30,6 +30,8 @@ struct Trace {
     int   allSteps;       // of all marches
     int   marches;        // begun
     vec2  interval;       // where the first march was asked to look: from tMin to tMax
+    float threshold;      // of the first march: a distance below threshold + spread t was a hit,
+    float spread;         // scene units, and scene units per scene unit; 0, 0: not said
     int   steps;          // of the first march
     float t;              // where the first march ended
     int   end;            // why it did
@@ -46,7 +48,7 @@ Trace trace;
 //   wanted  the step whose numbers a probe asks for, from 0; -1: none
 void traceReset(int wanted)
 {
-    trace = Trace(0, 0, 0, vec2(0.0), 0, 0.0, END_NONE, 0, vec3(0.0), wanted, 0.0, 0.0);
+    trace = Trace(0, 0, 0, vec2(0.0), 0.0, 0.0, 0, 0.0, END_NONE, 0, vec3(0.0), wanted, 0.0, 0.0);
 }
 
 // The scene's distance, counted. March, normal and shadow ask this function, never sceneDistance.
@@ -62,6 +64,15 @@ void traceBegin(float tMin, float tMax)
     if (trace.marches == 0)
         trace.interval = vec2(tMin, tMax);
     trace.marches++;
+}
+
+// Note which distance a march takes for a hit: one below threshold + spread t. The first march's is kept.
+void traceThreshold(float threshold, float spread)
+{
+    if (trace.marches == 1) {
+        trace.threshold = threshold;
+        trace.spread = spread;
+    }
 }
 
 // Note one step of a march.

@@ -7,12 +7,13 @@
 #include "inputs.glsl"
 #include "scene.glsl"
 
-// Compiled only for this view.
-#if VIEW == 4
+// Compiled only for this view, and for the plot, which has it above.
+#if VIEW == 4 || VIEW == 5
 
 uniform sampler2D iMarch;      // column k: t and distance of step k, as a probe wrote them
 uniform int   iMarchSteps;     // columns that hold a step
 uniform bool  iMarchHit;       // the last step found the surface
+uniform float iMarchStep;      // the step that is looked at, between two steps a part of the way; -1: all are shown
 uniform vec2  iMarchPixel;     // centre of the pixel whose ray it is, in pixels
 uniform vec3  iSliceFrame;     // (along, across) of the picture's bottom left corner; units a pixel
 uniform float iSliceTick;      // scene units from tick to tick, 1, 2 or 5 times a power of ten
@@ -22,6 +23,7 @@ uniform int   iSliceDecimals;
 
 const vec3 SLICE_INK   = vec3(0.05, 0.08, 0.20);
 const vec3 SLICE_PAPER = vec3(1.00, 0.985, 0.95);
+const vec3 SLICE_HERE  = vec3(0.80, 0.00, 0.28); // the step that is looked at
 
 // Outside the colours stay lighter than all those inside, so that nobody needs to see a hue.
 const vec3 SLICE_OUT_NEAR = vec3(0.97, 0.66, 0.32);
@@ -78,6 +80,26 @@ vec3 sliceField(float distance, float slope)
     return mix(colour, SLICE_PAPER, surface);
 }
 
+// The steps whose circles are there: all, or those up to the one that is looked at.
+int sliceSteps()
+{
+    return iMarchStep < 0.0 ? iMarchSteps : min(iMarchSteps, int(iMarchStep) + 1);
+}
+
+// Column k of the march: t and distance.
+vec2 sliceStep(int k)
+{
+    return texelFetch(iMarch, ivec2(k, 0), 0).xy;
+}
+
+// How far along the ray one is who looks at a step: at its place, or on the way to the next one.
+float sliceHere()
+{
+    int k = sliceSteps() - 1;
+    float way = smoothstep(0.0, 0.55, iMarchStep - float(k));
+    return mix(sliceStep(k).x, sliceStep(min(k + 1, iMarchSteps - 1)).x, way);
+}
+
 // The number of a step over its position, where there is room for it: 0 nothing, 1 the label's
 // ground, 2 a stroke.
 //   pixel     of the picture
@@ -97,17 +119,19 @@ int stepNumber(int step, vec2 pixel, vec2 position, float room)
 
 // Every step over a colour: what the circles prove empty, the circles, the positions, the numbers.
 // A circle whose middle lies off the picture is pale: such circles are large and crowd together.
+// The circle of the step that the way leads to grows as one arrives.
 //   point  (along, across)
 vec3 sliceMarch(vec3 colour, vec2 point, vec2 pixel)
 {
     float pen = slicePen();
     float unit = iSliceFrame.z;
     float empty = 0.0, circles = 0.0, dots = 0.0, before = 0.0;
-    int number = 0;
-    for (int k = 0; k < iMarchSteps; k++) {
-        vec2 step = texelFetch(iMarch, ivec2(k, 0), 0).xy; // t, distance
+    int number = 0, steps = sliceSteps();
+    float grown = iMarchStep < 0.0 ? 0.0 : smoothstep(0.5, 1.0, iMarchStep - float(steps - 1));
+    for (int k = 0; k < min(steps + (grown > 0.0 ? 1 : 0), iMarchSteps); k++) {
+        vec2 step = sliceStep(k);
         float from = length(point - vec2(step.x, 0.0)) / unit;
-        float radius = abs(step.y) / unit;
+        float radius = (k < steps ? 1.0 : grown) * abs(step.y) / unit;
         empty = max(empty, discCover(from, radius));
         vec2 position = (vec2(step.x, 0.0) - iSliceFrame.xy) / unit;
         bool shown = position.x >= 0.0 && position.x <= iResolution.x;
@@ -122,13 +146,14 @@ vec3 sliceMarch(vec3 colour, vec2 point, vec2 pixel)
     return mix(colour, SLICE_INK, number == 2 ? 1.0 : dots);
 }
 
-// The ray: a line as far as it was marched, beyond it dashes; the eye at its start, a ring where it
-// found the surface.
+// The ray: a line as far as it was marched, or one has walked along it, beyond it dashes; the eye at
+// its start, a ring where it found the surface.
 vec3 sliceRay(vec3 colour, vec2 point)
 {
     float pen = slicePen();
     float unit = iSliceFrame.z;
-    float end = iMarchSteps > 0 ? texelFetch(iMarch, ivec2(iMarchSteps - 1, 0), 0).x : 0.0;
+    int steps = sliceSteps();
+    float end = steps == 0 ? 0.0 : iMarchStep < 0.0 ? sliceStep(steps - 1).x : sliceHere();
     bool dash = fract(point.x / (unit * 12.0 * pen)) < 0.5;
     float ray = point.x < 0.0 || (point.x > end && !dash) ? 0.0 : lineCover(point.y / unit, pen);
     colour = mix(colour, SLICE_INK, point.x > end ? 0.5 * ray : ray);
@@ -137,7 +162,27 @@ vec3 sliceRay(vec3 colour, vec2 point)
     colour = mix(colour, SLICE_PAPER, discCover(eye, 4.2 * pen));
     colour = mix(colour, SLICE_INK, discCover(eye, 2.2 * pen));
     float hit = length(point - vec2(end, 0.0)) / unit;
-    return mix(colour, SLICE_INK, iMarchHit ? lineCover(hit - 5.5 * pen, 1.6 * pen) : 0.0);
+    bool found = iMarchHit && steps == iMarchSteps;
+    return mix(colour, SLICE_INK, found ? lineCover(hit - 5.5 * pen, 1.6 * pen) : 0.0);
+}
+
+// Where one is on the ray, a dot, and from there an arrow to the next step.
+vec3 sliceWalk(vec3 colour, vec2 point)
+{
+    float pen = slicePen();
+    int steps = sliceSteps();
+    if (iMarchStep < 0.0 || steps == 0)
+        return colour;
+    vec2 from = (point - vec2(sliceHere(), 0.0)) / iSliceFrame.z;
+    float way = steps < iMarchSteps ? (sliceStep(steps).x - sliceHere()) / iSliceFrame.z : 0.0;
+    float head = min(9.0 * pen, 0.6 * way);
+    // Its width, from the tail to the head's base, and from there to the tip.
+    float width = from.x < way - head ? min(3.0 * pen, 0.4 * head) : 0.9 * (way - from.x);
+    float arrow = from.x > 0.0 && from.x < way ? lineCover(from.y, width) : 0.0;
+    float edge = from.x > 0.0 && from.x < way + pen ? lineCover(from.y, width + 2.4 * pen) : 0.0;
+    float dot = length(from);
+    colour = mix(colour, SLICE_PAPER, 0.8 * max(way > 4.0 * pen ? edge : 0.0, discCover(dot, 5.6 * pen)));
+    return mix(colour, SLICE_HERE, max(way > 4.0 * pen ? arrow : 0.0, discCover(dot, 4.2 * pen)));
 }
 
 // The axis along the bottom: scene units along the ray, 0 at the eye.
@@ -165,11 +210,10 @@ vec3 sliceAxis(vec3 colour, vec2 point, vec2 pixel)
     return mix(colour, SLICE_INK, mark);
 }
 
-// The view.
+// The plane of the ray, and what is drawn in it.
 //   pixel  in pixels of the picture
-vec3 sliceView(vec2 pixel)
+vec3 slicePlane(Ray ray, vec2 pixel)
 {
-    Ray ray = pixelRay(screenPosition(iMarchPixel));
     vec3 across = iCameraUp - dot(iCameraUp, ray.direction) * ray.direction;
     if (length(across) < 0.001) // a ray straight up: any plane that holds it
         across = iCameraForward - dot(iCameraForward, ray.direction) * ray.direction;
@@ -178,7 +222,16 @@ vec3 sliceView(vec2 pixel)
     vec3 p = ray.origin + point.x * ray.direction + point.y * across;
     vec3 colour = sliceField(sceneDistance(p), sliceSlope(p, ray.direction, across));
     colour = sliceMarch(colour, point, pixel);
-    return sliceAxis(sliceRay(colour, point), point, pixel);
+    return sliceWalk(sliceRay(colour, point), point);
+}
+
+// The view.
+//   pixel  in pixels of the picture
+vec3 sliceView(vec2 pixel)
+{
+    Ray ray = pixelRay(screenPosition(iMarchPixel));
+    vec2 point = iSliceFrame.xy + pixel * iSliceFrame.z;
+    return sliceAxis(slicePlane(ray, pixel), point, pixel);
 }
 
 #endif

@@ -1,10 +1,64 @@
 #include "picture/inspector.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #include "picture/pen.h"
 
-void inspector_mark(struct overlay *overlay, const int pixel[2])
+// Right edges of the columns.
+enum { STEP_COLUMNS = 3 };
+static const float STEP_RIGHT[STEP_COLUMNS] = {28.0f, 92.0f, 172.0f};
+static const float INSPECTOR_WIDTH = 176.0f, WHY_WIDTH = 292.0f;
+
+// ---- What the table has ----
+
+// What a table shows: how many rows, from which on, and which lines beside them.
+struct table {
+    int rows, first;
+    bool titles; // over the columns
+    bool whole;  // what the ray cost, and its colour
+    float lines; // of all this
+};
+
+// The row that is looked at; -1: none.
+static int row_of(const struct inspector *inspector)
+{
+    int last = probe_rows(inspector->probe) - 1;
+    int row = (int)inspector->shown - 1;
+    return row > last ? last : row;
+}
+
+// Heading, titles, two rules and four lines of the outcome are left out one after the other where
+// lines are short.
+static struct table table_of(const struct inspector *inspector, const struct inspector_room *room)
+{
+    int all = probe_rows(inspector->probe), row = row_of(inspector);
+    int lines =
+        (int)((room->bottom - room->top - 2.0f * PEN_PADDING + 2.0f) / OVERLAY_LINE + 0.001f);
+    struct table table = {.whole = lines >= 7 + (all < 4 ? all : 4)};
+    table.titles = table.whole || lines >= 4 + (all < 2 ? all : 2);
+    float beside = table.whole ? 7.0f : table.titles ? 4.0f : 2.0f;
+    table.rows = lines - (int)beside < all ? lines - (int)beside : all;
+    if (table.rows < (all > 0 ? 1 : 0))
+        return (struct table){0};
+    // The row that is looked at in the middle; without one the last rows.
+    table.first = row < 0 ? all - table.rows : row - table.rows / 2;
+    table.first = table.first > all - table.rows ? all - table.rows : table.first;
+    table.first = table.first < 0 ? 0 : table.first;
+    table.lines = (float)table.rows + beside;
+    return table;
+}
+
+// ---- Marks in the picture ----
+
+// A place of the picture in units, from the top left.
+static void place_of(const struct overlay *overlay, const float pixel[2], float place[2])
+{
+    place[0] = pixel[0] / overlay->scale;
+    place[1] = ((float)overlay->height - pixel[1]) / overlay->scale;
+}
+
+static void mark_pixel(struct overlay *overlay, const int pixel[2])
 {
     // Four arms that leave the pixel itself free; a dark edge shows them on a bright picture.
     static const float arms[4][4] = {{-8, 0, 5, 1}, {4, 0, 5, 1}, {0, -8, 1, 5}, {0, 4, 1, 5}};
@@ -17,48 +71,69 @@ void inspector_mark(struct overlay *overlay, const int pixel[2])
     }
 }
 
-enum { STEP_COLUMNS = 3 };
-// Right edges of the columns.
-static const float STEP_RIGHT[STEP_COLUMNS] = {28.0f, 92.0f, 172.0f};
-static const float INSPECTOR_WIDTH = 176.0f, WHY_WIDTH = 292.0f;
-
-static void write_step(struct pen *pen, const char *const cell[STEP_COLUMNS],
-                       struct overlay_colour colour)
+static void edged(struct overlay *overlay, const float from[2], const float to[2], float width,
+                  struct overlay_colour colour)
 {
-    for (int k = 0; k < STEP_COLUMNS; k++)
-        overlay_text(pen->overlay, pen->left + STEP_RIGHT[k] - overlay_width(cell[k]), pen->top,
-                     cell[k], colour);
-    pen->top += OVERLAY_LINE;
+    overlay_line(overlay, from, to, width + 2.0f, PEN_DARK);
+    overlay_line(overlay, from, to, width, colour);
 }
 
-static void write_steps(struct pen *pen, const struct probe *probe, int most)
+static void mark_arrow(struct overlay *overlay, const float from[2], const float to[2])
 {
-    int rows = probe_rows(probe), first = rows > most ? rows - most : 0;
-    write_step(pen, (const char *const[]){"step", "t", "distance"}, PEN_DIM);
-    for (int i = first; i < rows; i++) {
-        char step[16], t[32], distance[32];
-        snprintf(step, sizeof step, "%d", i);
-        snprintf(t, sizeof t, "%.5f", (double)probe->step[i].t);
-        snprintf(distance, sizeof distance, "%.6f", (double)probe->step[i].distance);
-        write_step(pen, (const char *const[]){step, t, distance},
-                   i == rows - 1 ? PEN_BRIGHT : PEN_PLAIN);
+    float way[2] = {to[0] - from[0], to[1] - from[1]}, length = hypotf(way[0], way[1]);
+    float head = fminf(7.0f, 0.5f * length);
+    if (length < 4.0f) // a dot says as much
+        return;
+    edged(overlay, from, to, 2.0f, PEN_HERE);
+    for (int side = -1; side <= 1; side += 2) {
+        float turned[2] = {-0.87f * way[0] - (float)side * 0.5f * way[1],
+                           -0.87f * way[1] + (float)side * 0.5f * way[0]};
+        float barb[2] = {to[0] + head / length * turned[0], to[1] + head / length * turned[1]};
+        overlay_line(overlay, to, barb, 2.0f, PEN_HERE);
     }
 }
 
-static void write_outcome(struct pen *pen, const struct probe *probe)
+// The line of a ray as far as it is shown, and a dot for each step.
+static void mark_way(struct overlay *overlay, const struct probe *probe, int last)
 {
-    char text[80];
-    pen_write(pen, probe_outcome(probe), PEN_BRIGHT);
-    int others = probe->all_steps - probe->steps;
-    snprintf(text, sizeof text, others > 0 ? "steps %d, of further rays %d" : "steps %d",
-             probe->steps, others);
-    pen_write(pen, text, PEN_PLAIN);
-    snprintf(text, sizeof text, "evaluations of the scene %d", probe->evaluations);
-    pen_write(pen, text, PEN_PLAIN);
-    snprintf(text, sizeof text, "colour %d, %d, %d", probe->colour[0], probe->colour[1],
-             probe->colour[2]);
-    pen_write(pen, text, PEN_PLAIN);
+    float before[2], place[2];
+    for (int k = 0; k <= last; k++) {
+        const struct probe_step *step = &probe->step[k];
+        place_of(overlay, step->place, place);
+        if (step->seen && k > 0 && probe->step[k - 1].seen)
+            edged(overlay, before, place, 1.0f, PEN_BRIGHT);
+        before[0] = place[0];
+        before[1] = place[1];
+    }
+    for (int k = 0; k <= last; k++) {
+        place_of(overlay, probe->step[k].place, place);
+        if (probe->step[k].seen)
+            edged(overlay, place, place, 3.0f, PEN_BRIGHT);
+    }
 }
+
+void inspector_mark(struct overlay *overlay, const struct inspector *inspector)
+{
+    const struct probe *probe = inspector->probe;
+    int row = probe != NULL ? row_of(inspector) : -1;
+    if (form_shows_ray(inspector->view))
+        return;
+    if (probe == NULL || !probe->aside)
+        mark_pixel(overlay, inspector->pixel);
+    else
+        mark_way(overlay, probe, row >= 0 ? row : probe_rows(probe) - 1);
+    if (row < 0 || !probe->step[row].seen)
+        return;
+    float here[2], next[2];
+    place_of(overlay, probe->step[row].place, here);
+    if (row + 1 < probe_rows(probe) && probe->step[row + 1].seen) {
+        place_of(overlay, probe->step[row + 1].place, next);
+        mark_arrow(overlay, here, next);
+    }
+    edged(overlay, here, here, probe->aside ? 6.0f : 4.0f, PEN_HERE);
+}
+
+// ---- Where the table stands ----
 
 // Where a panel at the right edge begins.
 static float left_of(const struct overlay *overlay, float width)
@@ -71,25 +146,171 @@ float inspector_left(const struct overlay *overlay, bool marched)
     return left_of(overlay, marched ? INSPECTOR_WIDTH : WHY_WIDTH);
 }
 
-void inspector_march(struct overlay *overlay, const int pixel[2], const struct probe *probe,
-                     float bottom)
+float inspector_over(const struct overlay *overlay, float middle)
 {
-    // Heading, titles, four lines of the outcome, two rules.
-    int most = (int)((bottom - PEN_MARGIN - 2.0f * PEN_PADDING) / OVERLAY_LINE) - 7;
-    int rows = probe_rows(probe) < most ? probe_rows(probe) : most;
-    if (rows < 1 && probe_rows(probe) > 0)
-        return; // the keys take all the room
-    rows = rows < 0 ? 0 : rows;
+    return pen_picture_height(overlay) - middle / overlay->scale - 26.0f;
+}
+
+#define CLEAR 16.0f // units around a place of the ray, with its mark
+
+// Which heights the ray takes between two edges of a column: from span[0] to span[1]; the other way
+// round where it is not there.
+static void find_span(const struct overlay *overlay, const struct inspector *inspector, float left,
+                      float right, float span[2])
+{
+    const struct probe *probe = inspector->probe;
+    float height = pen_picture_height(overlay), place[2], before[2] = {0.0f, 0.0f};
+    span[0] = height;
+    span[1] = 0.0f;
+    if (form_shows_ray(inspector->view)) {
+        span[0] = inspector_over(overlay, inspector->middle);
+        span[1] = span[0] + 42.0f;
+        return;
+    }
+    for (int k = 0; k < probe_rows(probe); k++) {
+        if (!probe->step[k].seen)
+            continue;
+        place_of(overlay, probe->step[k].place, place);
+        bool joined = k > 0 && probe->step[k - 1].seen;
+        for (int i = 1; i <= 32; i++) { // places of the line to this step
+            float share = joined ? (float)i / 32.0f : 1.0f;
+            float x = before[0] + share * (place[0] - before[0]);
+            float y = before[1] + share * (place[1] - before[1]);
+            if (x < left - CLEAR || x > right + CLEAR)
+                continue;
+            span[0] = fminf(span[0], y - CLEAR);
+            span[1] = fmaxf(span[1], y + CLEAR);
+        }
+        before[0] = place[0];
+        before[1] = place[1];
+    }
+    if (!probe->aside || probe_rows(probe) == 0) {
+        float pixel[2] = {(float)inspector->pixel[0] + 0.5f, (float)inspector->pixel[1] + 0.5f};
+        place_of(overlay, pixel, place);
+        if (place[0] >= left - CLEAR && place[0] <= right + CLEAR) {
+            span[0] = fminf(span[0], place[1] - CLEAR);
+            span[1] = fmaxf(span[1], place[1] + CLEAR);
+        }
+    }
+}
+
+struct inspector_room inspector_place(const struct overlay *overlay,
+                                      const struct inspector *inspector,
+                                      const struct inspector_room *taken, float bottom)
+{
+    const float width = INSPECTOR_WIDTH + 2.0f * PEN_PADDING;
+    float right = inspector_left(overlay, true), beside = taken->right + PEN_MARGIN;
+    float under = taken->bottom > 0.0f ? taken->bottom + PEN_MARGIN : PEN_MARGIN;
+    float at_left[2], at_right[2], at_middle[2];
+    find_span(overlay, inspector, right, right + width, at_right);
+    find_span(overlay, inspector, beside, beside + width, at_middle);
+    find_span(overlay, inspector, PEN_MARGIN, PEN_MARGIN + width, at_left);
+    bool fits = taken->right > 0.0f && beside + width <= pen_picture_width(overlay) - PEN_MARGIN;
+    const struct {
+        struct inspector_room room;
+        bool free;
+    } choice[] = {
+        {{right, PEN_MARGIN, right + width, bottom}, at_right[0] > at_right[1]},
+        {{beside, PEN_MARGIN, beside + width, bottom}, fits && at_middle[0] > at_middle[1]},
+        {{right, PEN_MARGIN, right + width, fminf(bottom, at_right[0])}, true},
+        {{right, fmaxf(PEN_MARGIN, at_right[1]), right + width, bottom},
+         !form_shows_ray(inspector->view)}, // there is their axis
+        {{PEN_MARGIN, under, PEN_MARGIN + width, bottom}, at_left[0] > at_left[1]},
+    };
+    int best = 0;
+    float most = 0.0f;
+    for (int i = 0; i < (int)(sizeof choice / sizeof *choice); i++) {
+        float lines = choice[i].free ? table_of(inspector, &choice[i].room).lines : 0.0f;
+        if (lines >= 10.0f || lines >= (float)probe_rows(inspector->probe) + 7.0f)
+            return choice[i].room;
+        if (lines > most) {
+            most = lines;
+            best = i;
+        }
+    }
+    return most > 0.0f ? choice[best].room : (struct inspector_room){right, 0.0f, right, 0.0f};
+}
+
+// ---- The table ----
+
+static void write_step(struct pen *pen, const char *const cell[STEP_COLUMNS],
+                       struct overlay_colour colour)
+{
+    for (int k = 0; k < STEP_COLUMNS; k++)
+        overlay_text(pen->overlay, pen->left + STEP_RIGHT[k] - overlay_width(cell[k]), pen->top,
+                     cell[k], colour);
+    pen->top += OVERLAY_LINE;
+}
+
+// The row that is looked at has a band and a mark, so that no colour has to tell it.
+static void write_steps(struct pen *pen, const struct inspector *inspector,
+                        const struct table *table)
+{
+    const struct probe *probe = inspector->probe;
+    int row = row_of(inspector);
+    for (int i = table->first; i < table->first + table->rows; i++) {
+        char step[16], t[32], distance[32];
+        snprintf(step, sizeof step, "%d", i);
+        snprintf(t, sizeof t, "%.5f", (double)probe->step[i].t);
+        snprintf(distance, sizeof distance, "%.6f", (double)probe->step[i].distance);
+        bool bright = i == row || (row < 0 && i == probe_rows(probe) - 1);
+        if (i == row) {
+            overlay_box(pen->overlay, pen->left - 3.0f, pen->top - 1.0f, INSPECTOR_WIDTH + 6.0f,
+                        OVERLAY_LINE, PEN_BAND);
+            overlay_text(pen->overlay, pen->left, pen->top, ">", PEN_BRIGHT);
+        }
+        write_step(pen, (const char *const[]){step, t, distance}, bright ? PEN_BRIGHT : PEN_PLAIN);
+    }
+}
+
+static void write_cost(struct pen *pen, const struct probe *probe)
+{
+    char text[80];
+    int others = probe->all_steps - probe->steps;
+    snprintf(text, sizeof text, others > 0 ? "steps %d, of further rays %d" : "steps %d",
+             probe->steps, others);
+    pen_write(pen, text, PEN_PLAIN);
+    snprintf(text, sizeof text, "evaluations of the scene %d", probe->evaluations);
+    pen_write(pen, text, PEN_PLAIN);
+    snprintf(text, sizeof text, "colour %d, %d, %d", probe->colour[0], probe->colour[1],
+             probe->colour[2]);
+    pen_write(pen, text, PEN_PLAIN);
+}
+
+// What the table is of, and which of its rows are there.
+static void heading_of(const struct inspector *inspector, const struct table *table, char *text,
+                       size_t size)
+{
+    int all = probe_rows(inspector->probe), row = row_of(inspector);
+    const char *what = table->rows < all && row < 0 ? "last steps of pixel" : "ray of pixel";
+    if (row >= 0)
+        snprintf(text, size, "ray of pixel %d, %d: step %d of %d", inspector->pixel[0],
+                 inspector->pixel[1], row, all - 1);
+    else
+        snprintf(text, size, "%s %d, %d", what, inspector->pixel[0], inspector->pixel[1]);
+}
+
+void inspector_march(struct overlay *overlay, const struct inspector *inspector,
+                     const struct inspector_room *room)
+{
+    struct table table = table_of(inspector, room);
     char heading[80];
-    snprintf(heading, sizeof heading, "%s %d, %d",
-             rows < probe_rows(probe) ? "last steps of pixel" : "ray of pixel", pixel[0], pixel[1]);
-    struct pen pen = pen_open(overlay, inspector_left(overlay, true), PEN_MARGIN, INSPECTOR_WIDTH,
-                              OVERLAY_LINE * ((float)rows + 7.0f) - 2.0f);
+    if (table.lines < 1.0f)
+        return;
+    heading_of(inspector, &table, heading, sizeof heading);
+    struct pen pen = pen_open(overlay, room->left, room->top, INSPECTOR_WIDTH,
+                              OVERLAY_LINE * table.lines - 2.0f);
     pen_write(&pen, heading, PEN_BRIGHT);
-    pen_rule(&pen, INSPECTOR_WIDTH);
-    write_steps(&pen, probe, rows);
-    pen_rule(&pen, INSPECTOR_WIDTH);
-    write_outcome(&pen, probe);
+    if (table.titles) {
+        pen_rule(&pen, INSPECTOR_WIDTH);
+        write_step(&pen, (const char *const[]){"step", "t", "distance"}, PEN_DIM);
+    }
+    write_steps(&pen, inspector, &table);
+    if (table.titles)
+        pen_rule(&pen, INSPECTOR_WIDTH);
+    pen_write(&pen, probe_outcome(inspector->probe), PEN_BRIGHT);
+    if (table.whole)
+        write_cost(&pen, inspector->probe);
 }
 
 void inspector_why(struct overlay *overlay, const char *why)

@@ -1,8 +1,10 @@
 #include "picture/march.h"
 
+#include <math.h>
 #include <stdlib.h>
 
 #include "memory.h"
+#include "picture/aside.h"
 #include "picture/coarse.h"
 
 // Each column of a probe's table marches the ray again: most rays need only these.
@@ -46,15 +48,20 @@ bool march_pixel(struct renderer *renderer, const struct renderer_inputs *inputs
 bool march_chosen(struct renderer *renderer, const struct renderer_inputs *inputs,
                   struct march *march)
 {
+    const struct renderer_inputs from = aside_from_eye(inputs);
     const int size[2] = {inputs->width, inputs->height};
     for (int i = 0; i < 2; i++)
         march->pixel[i] = inputs->pixel[i] < 0 ? size[i] / 2 : inputs->pixel[i];
     struct probe *probe = memory_zeros(1, sizeof *probe);
-    bool done = march_pixel(renderer, inputs, march->pixel[0], march->pixel[1], probe);
+    bool done = march_pixel(renderer, &from, march->pixel[0], march->pixel[1], probe);
     if (done) {
         march->steps = probe_rows(probe);
+        march->at = fminf(inputs->shown, (float)march->steps) - 1.0f;
+        march->end = probe->end;
         march->hit = probe->end == PROBE_HIT;
         march->frame = slice_frame_of(probe, inputs->width, inputs->height, inputs->zoom);
+        if (renderer->view == SHADER_PLOT)
+            march->plot = plot_frame_of(probe, inputs->width, inputs->height, &march->frame);
         for (int k = 0; k < MARCH_STEPS && k < march->steps; k++) {
             march->step[k][0] = probe->step[k].t;
             march->step[k][1] = probe->step[k].distance;
@@ -71,6 +78,7 @@ void march_tell_slice(const struct renderer *renderer, const struct march *march
     gl->BindTexture(GL_TEXTURE_2D, renderer->table.texture);
     gl->Uniform1i(pass_location(renderer, "iMarchSteps"), march->steps);
     gl->Uniform1i(pass_location(renderer, "iMarchHit"), march->hit);
+    gl->Uniform1f(pass_location(renderer, "iMarchStep"), march->at);
     gl->Uniform2f(pass_location(renderer, "iMarchPixel"), (float)march->pixel[0] + 0.5f,
                   (float)march->pixel[1] + 0.5f);
     gl->Uniform3f(pass_location(renderer, "iSliceFrame"), frame->left, frame->bottom, frame->unit);
@@ -78,6 +86,12 @@ void march_tell_slice(const struct renderer *renderer, const struct march *march
     gl->Uniform1f(pass_location(renderer, "iSliceLine"), frame->line);
     gl->Uniform1i(pass_location(renderer, "iSliceTickScaled"), frame->digits[0]);
     gl->Uniform1i(pass_location(renderer, "iSliceDecimals"), frame->digits[1]);
+    const struct plot_frame *plot = &march->plot;
+    gl->Uniform3f(pass_location(renderer, "iPlotFrame"), plot->zero, plot->unit, plot->split);
+    gl->Uniform1f(pass_location(renderer, "iPlotTick"), plot->tick);
+    gl->Uniform1i(pass_location(renderer, "iPlotTickScaled"), plot->digits[0]);
+    gl->Uniform1i(pass_location(renderer, "iPlotDecimals"), plot->digits[1]);
+    gl->Uniform1i(pass_location(renderer, "iPlotEnd"), (int)march->end);
 }
 
 void march_tell_steps(const struct renderer *renderer, const struct march *march)

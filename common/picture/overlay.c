@@ -10,7 +10,7 @@
 #include "shader/compile.h"
 
 // What the program draws: pixels from the picture's top left, y down, and where a letter's image
-// begins in the table of letters; -1 for a box.
+// begins in the table of letters; -1 for a box; -2 for a line between two places, and its width.
 struct instance {
     float left, top, right, bottom;
     struct overlay_colour colour;
@@ -35,7 +35,13 @@ static const char vertex_text[] =
     "    colour = boxColour;\n"
     "    letter = boxLetter;\n"
     "    vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));\n"
-    "    vec2 place = mix(floor(edges.xy), ceil(edges.zw), corner);\n"
+    "    vec2 low = edges.xy, high = edges.zw;\n"
+    "    if (letter.x < -1.5) {\n"
+    "        edges = vec4(box.x, screen.y - box.y, box.z, screen.y - box.w);\n"
+    "        low = min(edges.xy, edges.zw) - 0.5 * letter.y - 1.0;\n"
+    "        high = max(edges.xy, edges.zw) + 0.5 * letter.y + 1.0;\n"
+    "    }\n"
+    "    vec2 place = mix(floor(low), ceil(high), corner);\n"
     "    gl_Position = vec4(2.0 * place / screen - 1.0, 0.0, 1.0);\n"
     "}\n";
 
@@ -52,6 +58,11 @@ static const char fragment_text[] =
     "    vec2 pixel = gl_FragCoord.xy + vec2(0.0, bottom);\n"
     "    vec2 covered = clamp(min(edges.zw, pixel + 0.5) - max(edges.xy, pixel - 0.5), 0.0, 1.0);\n"
     "    float share = covered.x * covered.y;\n"
+    "    if (letter.x < -1.5) {\n"
+    "        vec2 way = edges.zw - edges.xy, from = pixel - edges.xy;\n"
+    "        float along = clamp(dot(from, way) / max(dot(way, way), 1e-9), 0.0, 1.0);\n"
+    "        share = clamp(0.5 * letter.y + 0.5 - length(from - along * way), 0.0, 1.0);\n"
+    "    }\n"
     "    if (letter.x >= 0.0) {\n"
     "        vec2 inside = vec2(pixel.x - edges.x, edges.w - pixel.y);\n"
     "        share = texelFetch(letters, ivec2(letter + inside), 0).r;\n"
@@ -132,7 +143,13 @@ static void add(struct overlay *overlay, struct overlay_rectangle rectangle)
 void overlay_box(struct overlay *overlay, float left, float top, float width, float height,
                  struct overlay_colour colour)
 {
-    add(overlay, (struct overlay_rectangle){left, top, left + width, top + height, colour, 0});
+    add(overlay, (struct overlay_rectangle){left, top, left + width, top + height, colour, 0, 0});
+}
+
+void overlay_line(struct overlay *overlay, const float from[2], const float to[2], float width,
+                  struct overlay_colour colour)
+{
+    add(overlay, (struct overlay_rectangle){from[0], from[1], to[0], to[1], colour, 0, width});
 }
 
 float overlay_width(const char *text)
@@ -150,8 +167,8 @@ void overlay_text(struct overlay *overlay, float left, float top, const char *te
         uint32_t letter = letters_next(&at);
         float right = left + letters_advance(letter);
         if (letter != ' ')
-            add(overlay,
-                (struct overlay_rectangle){left, top, right, top + OVERLAY_LINE, colour, letter});
+            add(overlay, (struct overlay_rectangle){left, top, right, top + OVERLAY_LINE, colour,
+                                                    letter, 0});
         left = right;
     }
 }
@@ -167,7 +184,8 @@ static struct instance instance_of(const struct overlay *overlay,
         instance.top = scale * rectangle->top;
         instance.right = scale * rectangle->right;
         instance.bottom = scale * rectangle->bottom;
-        instance.letter[0] = instance.letter[1] = -1.0f;
+        instance.letter[0] = rectangle->width > 0.0f ? -2.0f : -1.0f;
+        instance.letter[1] = scale * rectangle->width;
         return instance;
     }
     int begin = (int)floorf(LETTERS_PHASES * scale * rectangle->left + 0.5f);

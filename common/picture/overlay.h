@@ -22,11 +22,12 @@ struct overlay_colour {
     unsigned char channel[4];
 };
 
-// One axis-parallel box, or the room of one letter in its line.
+// One axis-parallel box, the room of one letter in its line, or a straight line.
 struct overlay_rectangle {
-    float left, top, right, bottom; // units
+    float left, top, right, bottom; // units; of a line its ends
     struct overlay_colour colour;
-    uint32_t letter; // its code; 0 for a box
+    uint32_t letter; // its code; 0 for a box or a line
+    float width;     // of a line, units; 0: no line
 };
 
 struct overlay {
@@ -60,6 +61,11 @@ void overlay_begin(struct overlay *overlay, int width, int height, float scale);
 void overlay_box(struct overlay *overlay, float left, float top, float width, float height,
                  struct overlay_colour colour);
 void overlay_text(struct overlay *overlay, float left, float top, const char *text,
+                  struct overlay_colour colour);
+
+// Add a straight line with round ends, from one place to another; a disc where both are one.
+//   width  units, > 0
+void overlay_line(struct overlay *overlay, const float from[2], const float to[2], float width,
                   struct overlay_colour colour);
 
 // The width of a line of text in units.

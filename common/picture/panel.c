@@ -6,6 +6,7 @@
 
 #include "picture/inspector.h"
 #include "picture/pen.h"
+#include "picture/plot.h"
 
 #define GAP 12.0f // units of the overlay, between columns
 
@@ -284,16 +285,30 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
         right = inspector_left(overlay, marched) - PEN_MARGIN;
     struct chapter_panel form;
     float room = right - PEN_MARGIN - 2.0f * PEN_PADDING;
-    lay_chapter(panel, room, bottom, &form);
+    enum shader_view view = panel->renderer->view;
+    // A slice's ray runs in the middle of its part of the picture, and nothing covers it.
+    float middle = (view == SHADER_PLOT ? 0.5f + 0.5f * PLOT_SHARE : 0.5f) * (float)height;
+    float over = form_shows_ray(view) ? inspector_over(overlay, middle) : bottom;
+    lay_chapter(panel, room, over < bottom ? over : bottom, &form);
     // Where there is no room for both, the ray that was asked for is what is shown.
-    if (!panel->folded && (form.width <= room || !(marched || refused)))
+    bool chapter = !panel->folded && (form.width <= room || !(marched || refused));
+    if (chapter)
         write_chapter(panel, overlay, &form);
-    bool slice = panel->renderer->view == SHADER_SLICE;
-    if (marched && !(slice && panel->folded))
-        inspector_march(overlay, panel->pixel, panel->probe, bottom);
-    else if (refused)
+    const struct inspector inspector = {.pixel = {panel->pixel[0], panel->pixel[1]},
+                                        .probe = marched ? panel->probe : NULL,
+                                        .shown = panel->shown,
+                                        .view = view,
+                                        .middle = middle};
+    const struct inspector_room taken = {
+        PEN_MARGIN, PEN_MARGIN, PEN_MARGIN + form.width + 2.0f * PEN_PADDING,
+        PEN_MARGIN + OVERLAY_LINE * form.lines - 2.0f + 2.0f * PEN_PADDING};
+    static const struct inspector_room nothing = {0};
+    if (marched && !(form_shows_ray(view) && panel->folded)) {
+        const struct inspector_room place =
+            inspector_place(overlay, &inspector, chapter ? &taken : &nothing, bottom);
+        inspector_march(overlay, &inspector, &place);
+    } else if (refused)
         inspector_why(overlay, panel->why);
-    // The slice is another picture, in which the pixel is nowhere.
-    if (panel->pixel[0] >= 0 && !slice)
-        inspector_mark(overlay, panel->pixel);
+    if (panel->pixel[0] >= 0)
+        inspector_mark(overlay, &inspector);
 }

@@ -31,6 +31,7 @@ struct panel {
     const struct panel_key *keys;
     int key_count;
     int pixel[2];              // whose march is shown, 0,0 bottom left; -1,-1: none
+    float shown;               // how many of its steps, as renderer_inputs.shown
     const struct probe *probe; // its march, or NULL: then why says why there is none
     const char *why;
     const char *error; // its lines ended by '\n'; NULL or "": none

@@ -1,5 +1,7 @@
 #include "picture/pass.h"
 
+const char *const pass_lens[PASS_LENSES] = {"focalLength", "orthographic"};
+
 static bool reads(const struct renderer *renderer, const struct shader_source *source,
                   GLuint program, const char *name)
 {
@@ -16,7 +18,7 @@ bool pass_link(struct renderer *renderer, const struct shader_source *source, en
         program[view] = shader_link(renderer->gl, &renderer->vertex, source, view);
     if (program[view] == 0)
         return false;
-    return (view != SHADER_SLICE || pass_link(renderer, source, SHADER_PROBE, program)) &&
+    return (!form_shows_ray(view) || pass_link(renderer, source, SHADER_PROBE, program)) &&
            (!reads(renderer, source, program[view], "iCoarse") ||
             pass_link(renderer, source, SHADER_COARSE, program));
 }
@@ -54,6 +56,19 @@ static void set_parameter(const struct renderer *renderer, const struct paramete
         gl->Uniform4f(at, v[0], v[1], v[2], v[3]);
 }
 
+// Another value for one that has a parameter, or that a shader has without one.
+static void set_lens(const struct renderer *renderer, const char *name, double value)
+{
+    const struct parameter *own = parameters_find(&renderer->parameters, name);
+    if (own == NULL) {
+        renderer->gl->Uniform1f(pass_location(renderer, name), (float)value);
+        return;
+    }
+    struct parameter other = *own;
+    other.value[0] = value;
+    set_parameter(renderer, &other);
+}
+
 void pass_use(struct renderer *renderer, const struct renderer_inputs *inputs,
               enum shader_view view)
 {
@@ -80,6 +95,8 @@ void pass_use(struct renderer *renderer, const struct renderer_inputs *inputs,
     gl->Uniform1f(pass_location(renderer, "iOrthoView"), (float)renderer->orthographic);
     for (int i = 0; i < renderer->parameters.count; i++)
         set_parameter(renderer, &renderer->parameters.item[i]);
+    for (int i = 0; i < PASS_LENSES && inputs->lens != NULL; i++)
+        set_lens(renderer, pass_lens[i], inputs->lens[i]);
     textures_bind(&renderer->textures, gl, renderer->used);
     gl->BindVertexArray(renderer->vertex_array);
 }

@@ -16,6 +16,16 @@
 
 #define RENDERER_FOCAL_LENGTH 1.0f // for shaders that declare no focalLength of their own
 
+// The parameters that make a view of a camera, by name: focalLength and orthographic.
+#define PASS_LENSES 2
+extern const char *const pass_lens[PASS_LENSES];
+
+// Where rays start, and through which view.
+struct renderer_eye {
+    struct camera camera;
+    double lens[PASS_LENSES]; // values of pass_lens
+};
+
 // What a picture depends on, besides the shader and its parameters. Times come from here, never
 // from the clock, so that the same inputs give the same picture.
 struct renderer_inputs {
@@ -28,7 +38,11 @@ struct renderer_inputs {
     float date[4];        // Shadertoy's iDate: year, month from 0, day, seconds of the day
     int samples;          // along each side of a pixel
     int pixel[2]; // whose ray is looked at, 0,0 bottom left; -1,-1: none; the slice: the middle
-    float zoom;   // of the slice view; 1: the whole march, as does 0
+    const struct renderer_eye *eye; // where that ray starts; NULL: where the picture's rays do
+    const double *lens; // these values in place of pass_lens' parameters; NULL: the parameters' own
+    float zoom;         // of the slice view; 1: the whole march, as does 0
+    float shown; // how many steps of that ray's march are shown, with a part of the way to the
+                 // next one; 0: all
 };
 
 // Everything needed to draw one shader file. Opened once; a shader is loaded into it, and loaded
@@ -50,6 +64,7 @@ struct renderer {
     struct target sharp;           // a window's picture that is drawn in several frames
     struct target table;           // of a probe, one column a step: the slice view reads it
     struct target single;          // of a probe: one pixel of the picture is drawn
+    struct target places;          // where the steps of a ray are in the picture
     struct target coarse;          // of the coarse pass, one pixel a block
     struct enlarge enlarge;        // what shows a small picture in a large window
     const struct overlay *overlay; // drawn over every written picture, not owned; NULL: none

@@ -14,6 +14,7 @@ static const struct overlay_colour PEN_BAND = {{255, 255, 255, 38}};
 static const struct overlay_colour PEN_BRIGHT = {{250, 250, 250, 255}};
 static const struct overlay_colour PEN_PLAIN = {{226, 229, 234, 255}};
 static const struct overlay_colour PEN_DIM = {{190, 196, 206, 255}};
+static const struct overlay_colour PEN_HERE = {{255, 72, 128, 255}}; // the step that is looked at
 static const struct overlay_colour PEN_DARK = {{0, 0, 0, 200}};
 
 // Where the next line of a panel goes, in units.

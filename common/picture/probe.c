@@ -15,6 +15,7 @@ void probe_unpack(struct probe *probe, const float *values)
         probe->step[k].t = row[0][k][0];
         probe->step[k].distance = row[0][k][1];
         memcpy(probe->step[k].position, row[1][k], sizeof probe->step[k].position);
+        probe->step[k].threshold = row[1][k][3];
     }
 }
 

@@ -13,6 +13,9 @@ struct probe_step {
     float t;           // distance along the ray, scene units
     float distance;    // the scene's distance there
     float position[3]; // scene units
+    float threshold;   // below it the distance would have been a hit, scene units; 0: not said
+    float place[2];    // of the position in the picture, pixels; (0, 0) its bottom left corner
+    bool seen;         // it is before the camera, so that it has a place
 };
 
 enum probe_end { PROBE_NO_MARCH, PROBE_HIT, PROBE_PASSED, PROBE_GAVE_UP };
@@ -25,13 +28,15 @@ struct probe {
     int evaluations;    // of the scene's distance, the normal's included
     enum probe_end end; // why the first march stopped
     float interval[2];  // where it was asked to look, scene units along the ray; 0, 0: not said
+    bool aside;         // the picture's camera looks at the ray from elsewhere than it starts
     bool recorded;      // false: a file with a main of its own, of which the colour alone is known
     unsigned char colour[3]; // of the pixel in the picture
 };
 
-// Take over what shaders/main.glsl draws for a probe, all but the colour: in column k
+// Take over what shaders/main.glsl draws for a probe, all but the colour and the places: in column
+// k
 //   row 0  t, distance, steps of the first march, why it ended
-//   row 1  position x, y, z, -
+//   row 1  position x, y, z, threshold
 //   row 2  steps of all marches, evaluations, where the first march was asked to look
 //   values  PROBE_STEPS x PROBE_ROWS pixels of 4 floats, row 0 first
 void probe_unpack(struct probe *probe, const float *values);

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "report.h"
+#include "picture/aside.h"
 #include "picture/coarse.h"
 #include "picture/march.h"
 
@@ -15,12 +16,13 @@
 // A file is drawn in bands of at most this many pixels, so that the float target stays small.
 #define BAND_PIXELS (4 * 1024 * 1024)
 
-enum { TARGETS = 5 };
+enum { TARGETS = 6 };
 
 static struct target *target_of(struct renderer *renderer, int number)
 {
-    struct target *const targets[TARGETS] = {&renderer->picture, &renderer->sharp, &renderer->table,
-                                             &renderer->single, &renderer->coarse};
+    struct target *const targets[TARGETS] = {&renderer->picture, &renderer->sharp,
+                                             &renderer->table,   &renderer->single,
+                                             &renderer->coarse,  &renderer->places};
     return targets[number];
 }
 
@@ -119,12 +121,14 @@ struct part {
     bool fresh;         // what the target held is of no use any more
 };
 
-static bool draw_part(struct renderer *renderer, const struct renderer_inputs *inputs,
+static bool draw_part(struct renderer *renderer, const struct renderer_inputs *asked,
                       const struct part *part)
 {
     const struct gl *gl = renderer->gl;
     struct march march = {0};
-    bool slice = renderer->view == SHADER_SLICE;
+    bool slice = form_shows_ray(renderer->view);
+    // The plane of a slice is that of the ray, wherever the picture's camera is.
+    const struct renderer_inputs own = slice ? aside_from_eye(asked) : *asked, *inputs = &own;
     bool reads = slice || pass_reads(renderer, renderer->view, "iMarched");
     const int low[2] = {part->left, part->bottom + part->from};
     const int high[2] = {part->right, part->bottom + part->to};
@@ -274,10 +278,10 @@ static bool colour_pixel(struct renderer *renderer, const struct renderer_inputs
     struct image pixel = {1, 1, colour};
     float value[4];
     enum shader_view view = renderer->view;
-    if (view == SHADER_SLICE &&
+    if (form_shows_ray(view) &&
         !pass_link(renderer, &renderer->fragment, SHADER_PICTURE, renderer->program))
         return false;
-    if (view == SHADER_SLICE)
+    if (form_shows_ray(view))
         renderer->view = SHADER_PICTURE;
     bool done = draw_part(renderer, inputs, &part);
     renderer->view = view;
@@ -292,7 +296,9 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
                     struct probe *probe)
 {
     memset(probe, 0, sizeof *probe);
+    const struct renderer_inputs from = aside_from_eye(inputs);
     return (renderer->fragment.form != SHADER_COURSE ||
-            march_pixel(renderer, inputs, x, y, probe)) &&
-           colour_pixel(renderer, inputs, x, y, probe->colour);
+            (march_pixel(renderer, &from, x, y, probe) &&
+             aside_places(renderer, inputs, x, y, probe))) &&
+           colour_pixel(renderer, &from, x, y, probe->colour);
 }

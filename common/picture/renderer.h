@@ -71,10 +71,10 @@ bool renderer_sharp_picture(struct renderer *renderer, struct image *image);
 void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[2],
                        const int window[2], int pixel[2]);
 
-// March the ray of pixel (x, y), 0,0 bottom left, and bring back every step, and the colour that
-// the picture has there: in the view that is shown, but for the slice, in which the pixel is
-// nowhere. Of a file with a main of its own the colour alone. Returns false, reported: the driver
-// failed.
+// March the ray of pixel (x, y), 0,0 bottom left, from where inputs->eye says, and bring back every
+// step, where it is in the picture, and the colour that the picture has there: in the view that is
+// shown, but for slice and plot, in which the pixel is nowhere. Of a file with a main of its own
+// the colour alone. Returns false, reported: the driver failed.
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
 

@@ -17,8 +17,7 @@ static const struct probe_step *nearest_step(const struct probe *probe, int step
     return nearest;
 }
 
-// The least of 1, 2 or 5 times a power of ten that is not less than a length.
-static void round_tick(struct slice_frame *frame, double length)
+void slice_round_tick(double length, float *tick, int digits[2])
 {
     int power = (int)floor(log10(length));
     double share = length / pow(10.0, power);
@@ -27,11 +26,10 @@ static void round_tick(struct slice_frame *frame, double length)
         first = 1;
         power++;
     }
-    double tick = first * pow(10.0, power);
-    frame->tick = (float)tick;
-    frame->line = (float)(tick / (first == 2 ? 4.0 : 5.0));
-    frame->digits[0] = power < 0 ? first : (int)lround(tick);
-    frame->digits[1] = power < 0 ? -power : 0;
+    double rounded = first * pow(10.0, power);
+    *tick = (float)rounded;
+    digits[0] = power < 0 ? first : (int)lround(rounded);
+    digits[1] = power < 0 ? -power : 0;
 }
 
 struct slice_frame slice_frame_of(const struct probe *probe, int width, int height, float zoom)
@@ -61,6 +59,9 @@ struct slice_frame slice_frame_of(const struct probe *probe, int width, int heig
     shown /= times;
     struct slice_frame frame = {.left = (float)left, .unit = (float)(shown / width)};
     frame.bottom = -0.5f * (float)height * frame.unit;
-    round_tick(&frame, TICK_SHARE * shown);
+    slice_round_tick(TICK_SHARE * shown, &frame.tick, frame.digits);
+    // 1 and 10 are parted in fifths, 2 in fourths.
+    bool fourths = frame.digits[0] == 2 * (int)lround(pow(10.0, floor(log10(frame.digits[0]))));
+    frame.line = (float)((double)frame.tick / (fourths ? 4.0 : 5.0));
     return frame;
 }

@@ -16,6 +16,10 @@ struct slice_frame {
     int digits[2];      // the tick as digits[0] / 10^digits[1]
 };
 
+// The least of 1, 2 or 5 times a power of ten that is not less than a length.
+//   digits  receives it as digits[0] / 10^digits[1]
+void slice_round_tick(double length, float *tick, int digits[2]);
+
 // Frame a march: from behind the eye to a little past its end. A ray that passed the far limit is
 // shown to a little past the place where the scene was nearest, or to its last step where that is
 // the eye.

@@ -57,9 +57,9 @@ static void put_floats(struct export *e, const float *value, int components)
 // What only the harness needs: its main, the views and the probe.
 static bool is_left_out(const char *file)
 {
-    static const char *const names[] = {"shaders/main.glsl", "shaders/views.glsl",
-                                        "shaders/slice.glsl", "shaders/digits.glsl",
-                                        "shaders/cover.glsl"};
+    static const char *const names[] = {
+        "shaders/main.glsl",   "shaders/views.glsl",  "shaders/slice.glsl", "shaders/plot.glsl",
+        "shaders/places.glsl", "shaders/digits.glsl", "shaders/cover.glsl"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(file, names[i]) == 0)
             return true;

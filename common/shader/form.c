@@ -209,7 +209,13 @@ bool shader_read_asked(struct shader_source *source, const char *path, const cha
 
 // The first SHADER_VIEW_COUNT of them can be chosen.
 static const char *const view_names[SHADER_PROGRAM_COUNT] = {
-    "picture", "normals", "depth", "steps", "slice", "probe", "count", "coarse pass"};
+    "picture", "normals", "depth", "steps",       "slice",
+    "plot",    "probe",   "count", "coarse pass", "places"};
+
+bool form_shows_ray(enum shader_view view)
+{
+    return view == SHADER_SLICE || view == SHADER_PLOT;
+}
 
 const char *shader_view_name(enum shader_view view)
 {

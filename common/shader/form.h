@@ -14,10 +14,12 @@ enum shader_view {
     SHADER_DEPTH,   // where its first march ended
     SHADER_STEPS,   // the steps of all its marches
     SHADER_SLICE,   // the march of one ray, seen from the side
+    SHADER_PLOT,    // and below it the distance along that ray
     SHADER_VIEW_COUNT,
     SHADER_PROBE = SHADER_VIEW_COUNT, // the steps of one ray, as numbers; not a view to choose
     SHADER_COUNT,                     // evaluations of the scene for each pixel; not a view either
     SHADER_COARSE,                    // where the rays of a block of pixels may start; nor is this
+    SHADER_PLACES,                    // where a ray's steps are in the picture; nor is this
     SHADER_PROGRAM_COUNT
 };
 
@@ -36,6 +38,9 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
 // As shader_read, with what is asked besides.
 bool shader_read_asked(struct shader_source *source, const char *path, const char *root,
                        const struct shader_request *request);
+
+// True for the views of one ray's march, in which a pixel of the picture is nowhere.
+bool form_shows_ray(enum shader_view view);
 
 // The name of a view ("steps"), and the view of a name (false for an unknown one, not reported).
 const char *shader_view_name(enum shader_view view);

@@ -29,7 +29,7 @@ static void zoom(struct window *window, double notches)
     float *own = &window->renderer->focal_length, *slice = &window->inputs.zoom;
     struct parameter *parameter = parameters_find(&window->renderer->parameters, "focalLength");
     double factor = pow(ZOOM, notches);
-    if (window->renderer->view == SHADER_SLICE)
+    if (form_shows_ray(window->renderer->view))
         *slice = (float)fmin(fmax((double)*slice * factor, (double)SLICE_ZOOM_MINIMUM),
                              (double)SLICE_ZOOM_MAXIMUM);
     else if (parameter != NULL)
@@ -192,6 +192,14 @@ static void toggle_full_screen(struct window *window)
     glfwSetWindowMonitor(handle, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
+static void reset(struct window *window)
+{
+    struct parameter *parameter = window_chosen(window);
+    window->passage.on = false;
+    if (parameter != NULL)
+        parameter_reset(parameter);
+}
+
 static void press(struct window *window, struct window_event event)
 {
     struct parameter *parameter = window_chosen(window);
@@ -228,10 +236,20 @@ static void press(struct window *window, struct window_event event)
             parameter_change(parameter, event.amount);
         window->moved = true;
         break;
+    case WINDOW_STEP:
+        window_step(window, event.amount);
+        break;
+    case WINDOW_LAST:
+        window_step_to(window, true);
+        break;
+    case WINDOW_FIRST:
+        if (window_step_to(window, false))
+            break;
+        window->stale = true;
+        reset(window);
+        break;
     case WINDOW_RESET:
-        window->passage.on = false;
-        if (parameter != NULL)
-            parameter_reset(parameter);
+        reset(window);
         break;
     case WINDOW_FOLD:
         window->panel.folded = !window->panel.folded;

@@ -47,35 +47,13 @@ static bool program_uses_time(const struct window *window, GLuint program)
 bool window_uses_time(const struct window *window)
 {
     const struct renderer *renderer = window->renderer;
-    bool slice = renderer->view == SHADER_SLICE, chosen = window->inputs.pixel[0] >= 0;
+    bool slice = form_shows_ray(renderer->view), chosen = window->inputs.pixel[0] >= 0;
     return program_uses_time(window, renderer->program[renderer->view]) ||
            ((chosen || slice) && program_uses_time(window, renderer->program[SHADER_PROBE])) ||
            (chosen && slice && program_uses_time(window, renderer->program[SHADER_PICTURE]));
 }
 
 // ---- Overlay ----
-
-// March the chosen pixel's ray again, for this frame's camera and parameters.
-static void follow_ray(struct window *window)
-{
-    const struct renderer_inputs *inputs = &window->inputs;
-    int *pixel = window->inputs.pixel;
-    if (pixel[0] >= inputs->width || pixel[1] >= inputs->height || pixel[1] < 0)
-        pixel[0] = pixel[1] = -1;
-    if (pixel[0] < 0 || window->ray.why[0] != '\0')
-        return;
-    if (window->renderer->fragment.form != SHADER_COURSE) {
-        snprintf(window->ray.why, sizeof window->ray.why,
-                 "no march: a file with a main of its own keeps no trace of its rays");
-    } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->ray.probe)) {
-        snprintf(window->ray.why, sizeof window->ray.why, "%s", report_last());
-    } else if (window->ray.tell) {
-        printf("ray of pixel %d,%d\n", pixel[0], pixel[1]);
-        probe_print(window->ray.probe, stdout);
-        fflush(stdout);
-    }
-    window->ray.tell = false;
-}
 
 static void gather(struct window *window)
 {
@@ -101,6 +79,7 @@ static void gather(struct window *window)
         .keys = window->panel.keys,
         .key_count = window->panel.helps ? window->panel.key_count : 0,
         .pixel = {inputs->pixel[0], inputs->pixel[1]},
+        .shown = inputs->shown,
         .probe = window->ray.why[0] == '\0' ? window->ray.probe : NULL,
         .why = window->ray.why,
         .error = window->panel.error,
@@ -175,7 +154,7 @@ static bool try_program(struct window *window)
         return true;
     window->pace.tried = program;
     double cost = 0.0;
-    bool slice = renderer->view == SHADER_SLICE;
+    bool slice = form_shows_ray(renderer->view);
     for (int i = 0; i < 2 && !slice; i++)
         if (!draw_at(window, RESOLUTION_COARSEST, &cost))
             return false;
@@ -277,7 +256,7 @@ bool window_draw(struct window *window, double now)
     if (!draws && window_sharpens(window, now) && !sharpen(window))
         return false;
     if (draws || window->ray.follow)
-        follow_ray(window);
+        window_follow_ray(window);
     gather(window);
     if (!present(window))
         return false;

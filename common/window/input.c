@@ -41,12 +41,19 @@ static const struct {
     {GLFW_KEY_DOWN, WINDOW_CHOOSE, 1, true},
     {GLFW_KEY_LEFT, WINDOW_CHANGE, -1, true},
     {GLFW_KEY_RIGHT, WINDOW_CHANGE, 1, true},
-    {GLFW_KEY_HOME, WINDOW_RESET, 0, false},
+    {GLFW_KEY_DELETE, WINDOW_RESET, 0, false},
+    {GLFW_KEY_E, WINDOW_STEP, 1, true},
+    {GLFW_KEY_Q, WINDOW_STEP, -1, true},
+    {GLFW_KEY_PAGE_DOWN, WINDOW_STEP, 1, true}, // a presenter's remote has these two
+    {GLFW_KEY_PAGE_UP, WINDOW_STEP, -1, true},
+    {GLFW_KEY_HOME, WINDOW_FIRST, 0, false},
+    {GLFW_KEY_END, WINDOW_LAST, 0, false},
     {GLFW_KEY_1, WINDOW_VIEW, SHADER_PICTURE, false},
     {GLFW_KEY_2, WINDOW_VIEW, SHADER_NORMALS, false},
     {GLFW_KEY_3, WINDOW_VIEW, SHADER_DEPTH, false},
     {GLFW_KEY_4, WINDOW_VIEW, SHADER_STEPS, false},
     {GLFW_KEY_5, WINDOW_VIEW, SHADER_SLICE, false},
+    {GLFW_KEY_6, WINDOW_VIEW, SHADER_PLOT, false},
 };
 
 #define COUNT(array) (sizeof(array) / sizeof *(array))

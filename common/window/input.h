@@ -17,6 +17,9 @@ enum window_action {
     WINDOW_CHOOSE, // amount: -1 the parameter before, 1 the next
     WINDOW_FOLD,   // the overlay
     WINDOW_HELP,   // all of it
+    WINDOW_STEP,   // amount: steps on along the chosen ray
+    WINDOW_FIRST,  // its first step; without one what WINDOW_RESET does
+    WINDOW_LAST,   // its last step
     // The pointer, with its place; hand.c says whose it is:
     WINDOW_PRESS,   // amount: 0 the left button, 1 the right one
     WINDOW_DOUBLE,  // behind the second press of two that follow each other at one place

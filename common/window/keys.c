@@ -43,9 +43,10 @@ static void add_letter(struct window *window, const char *does, int key)
 void window_name_keys(struct window *window)
 {
     static const int moves[] = {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_C};
-    static const int views[] = {GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3, GLFW_KEY_4, GLFW_KEY_5};
+    static const int views[] = {GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3,
+                                GLFW_KEY_4, GLFW_KEY_5, GLFW_KEY_6};
     const struct parameters *parameters = &window->renderer->parameters;
-    char l[5][8], text[64];
+    char l[6][8], text[64];
     for (int i = 0; i < 5; i++)
         label_of(window, moves[i], l[i]);
     window->panel.key_count = 0;
@@ -57,15 +58,21 @@ void window_name_keys(struct window *window)
     add_key(window, "look", "drag");
     add_letter(window, "mouse look", GLFW_KEY_M);
     add_key(window, "ray", "click");
+    label_of(window, GLFW_KEY_Q, l[0]);
+    label_of(window, GLFW_KEY_E, l[1]);
+    snprintf(text, sizeof text, "%s %s", l[0], l[1]);
+    add_key(window, "step back, on", text);
+    if (window->inputs.pixel[0] >= 0)
+        add_key(window, "first, last step", "Home End");
     add_key(window, "zoom", "wheel");
-    for (int i = 0; i < 5; i++)
+    for (int i = 0; i < 6; i++)
         name_of(window, views[i], l[i]);
-    snprintf(text, sizeof text, "%s %s %s %s %s", l[0], l[1], l[2], l[3], l[4]);
+    snprintf(text, sizeof text, "%s %s %s %s %s %s", l[0], l[1], l[2], l[3], l[4], l[5]);
     add_key(window, "view", text);
     if (parameters->count > 0) {
         add_key(window, "choose", "↑ ↓");
         add_key(window, "change", "← →");
-        add_key(window, "reset", "Home");
+        add_key(window, "reset", "Delete");
     }
     if (window_has_orthographic(window))
         add_key(window, "orthographic", "Tab");

@@ -32,17 +32,15 @@ static void take_aim(struct window *window, const int pixel[2])
 
 void window_look_at_ray(struct window *window, const double place[2])
 {
-    int *pixel = window->inputs.pixel, size[2] = {0, 0}, at[2];
+    const int *pixel = window->inputs.pixel;
+    int size[2] = {0, 0}, at[2];
     glfwGetWindowSize(window->handle, &size[0], &size[1]);
     if (size[0] < 1 || size[1] < 1)
         return;
     renderer_pixel_at(&window->inputs, place, size, at);
     take_aim(window, at);
-    bool same = at[0] == pixel[0] && at[1] == pixel[1];
-    for (int i = 0; i < 2; i++)
-        pixel[i] = same ? -1 : at[i];
-    window->ray.why[0] = '\0';
-    window->ray.tell = !same;
-    window->ray.follow = true;
-    window->stale |= window->renderer->view == SHADER_SLICE;
+    if (at[0] == pixel[0] && at[1] == pixel[1])
+        window_leave_ray(window);
+    else
+        window_choose_ray(window, at);
 }

@@ -14,7 +14,7 @@
 #include "window/resolution.h"
 #include "window/start.h"
 
-#define WINDOW_KEYS 20 // entries of the overlay's list of keys, at most
+#define WINDOW_KEYS 24 // entries of the overlay's list of keys, at most
 
 // Who has the pointer, from a press to the release.
 enum window_hand { HAND_NONE, HAND_CAMERA };
@@ -79,10 +79,11 @@ struct window {
     } panel;
     // The ray that is looked at.
     struct {
-        struct probe *probe; // owned
-        bool follow;         // march it again
-        bool tell;           // print its table once it is there
-        char why[512];       // there is none because of this; "" when there is one
+        struct renderer_eye eye; // where it starts: it stays in space while the camera moves
+        struct probe *probe;     // owned
+        bool follow;             // march it again
+        bool tell;               // print its table once it is there
+        char why[512];           // there is none because of this; "" when there is one
     } ray;
 };
 
@@ -114,6 +115,23 @@ void window_look_at_ray(struct window *window, const double place[2]);
 
 // List the keys with the labels of the keyboard that is there, and the hint which one shows more.
 void window_name_keys(struct window *window);
+
+// Choose a pixel's ray, from the camera as it is now. In walk.c, as is all of the ray's.
+void window_choose_ray(struct window *window, const int pixel[2]);
+
+// Let the chosen ray go.
+void window_leave_ray(struct window *window);
+
+// Go along the chosen ray: the middle one where none is chosen and the shader keeps a trace.
+//   by  steps on, or back
+void window_step(struct window *window, int by);
+
+// Go to the chosen ray's first step, or to its last. Returns false where there is none.
+bool window_step_to(struct window *window, bool last);
+
+// March the chosen ray for this frame's parameters and time; one whose pixel the window has no
+// longer is let go.
+void window_follow_ray(struct window *window);
 
 // Carry out what the hands did since the last turn.
 void window_obey(struct window *window);

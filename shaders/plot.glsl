@@ -1,0 +1,196 @@
+// plot.glsl - the distance along one ray as a graph, below the slice, with the steps on it.
+//
+// Slice and graph share the axis along the ray. A step stands at (t, distance) and goes to the right by as much
+// as it stands high: so a march is a staircase. The slope behind a step falls by 1 for each unit of the ray, as
+// fast as a distance can: where the graph dips below it, the scene's function is no lower bound of a distance.
+#include "digits.glsl"
+#include "inputs.glsl"
+#include "scene.glsl"
+#include "slice.glsl"
+
+// Compiled only for this view.
+#if VIEW == 5
+
+uniform vec3 iPlotFrame;      // the picture's row of distance 0; distances a pixel; the slice's lowest row
+uniform float iPlotTick;      // distances from tick to tick, 1, 2 or 5 times a power of ten
+uniform int  iPlotTickScaled; // the tick as iPlotTickScaled / 10^iPlotDecimals
+uniform int  iPlotDecimals;
+uniform int  iPlotEnd; // why the march ended: END_HIT, ...
+
+const vec3 PLOT_CURVE     = vec3(0.10, 0.33, 0.70);
+const vec3 PLOT_EMPTY     = vec3(0.99, 0.88, 0.72);
+const vec3 PLOT_THRESHOLD = vec3(0.42, 0.12, 0.55);
+
+// Words, their letters in cells of 3 x 5 as the digits of digits.glsl.
+const int PLOT_LETTERS = 9;
+const int PLOT_T[9]         = int[9](11926, 0, 0, 0, 0, 0, 0, 0, 0);
+const int PLOT_DISTANCE[9]  = int[9](15211, 29847, 25251, 29842, 11245, 15213, 25166, 29391, 0);
+const int PLOT_WORD_THRESHOLD[9] = int[9](29842, 23533, 15085, 29391, 25251, 23533, 31599, 4687, 15211);
+const int PLOT_HIT[9]       = int[9](23533, 29847, 29842, 0, 0, 0, 0, 0, 0);
+const int PLOT_MISS[9]      = int[9](24557, 29847, 25251, 25251, 0, 0, 0, 0, 0);
+const int PLOT_GIVEN_UP[9]  = int[9](25454, 29847, 23402, 29391, 15213, 0, 23407, 15049, 0);
+
+// True on the strokes of a word.
+//   place  in cells, from the word's bottom left corner
+bool plotWord(int word[PLOT_LETTERS], vec2 place)
+{
+    ivec2 cell = ivec2(floor(place));
+    int letter = cell.x / 4;
+    if (cell.x < 0 || cell.y < 0 || cell.y > 4 || letter >= PLOT_LETTERS || cell.x % 4 == 3)
+        return false;
+    return ((word[letter] >> (3 * cell.y + cell.x % 4)) & 1) == 1;
+}
+
+// How far a place is from a straight line between two others, in pixels.
+float plotLine(vec2 place, vec2 from, vec2 to)
+{
+    vec2 way = to - from;
+    float along = clamp(dot(place - from, way) / max(dot(way, way), 1e-9), 0.0, 1.0);
+    return length(place - from - along * way);
+}
+
+// Where a distance at t stands, in pixels of the picture. What is far off the picture stays near it, so
+// that lines to it keep their precision.
+vec2 plotPlace(float t, float distance)
+{
+    float up = clamp(distance / iPlotFrame.y, -4.0 * iResolution.y, 4.0 * iResolution.y);
+    return vec2((t - iSliceFrame.x) / iSliceFrame.z, iPlotFrame.x + up);
+}
+
+// The height of the threshold at t: what the march told at its first and last step, and a straight line.
+float plotThreshold(float t)
+{
+    int last = max(iMarchSteps - 1, 0);
+    vec2 first = vec2(sliceStep(0).x, texelFetch(iMarch, ivec2(0, 1), 0).w);
+    vec2 end = vec2(sliceStep(last).x, texelFetch(iMarch, ivec2(last, 1), 0).w);
+    return mix(first.y, end.y, end.x > first.x ? (t - first.x) / (end.x - first.x) : 0.0);
+}
+
+// The graph of the scene's distance along the ray: how much of a pixel its line covers.
+float plotCurve(Ray ray, vec2 pixel)
+{
+    float pen = slicePen(), nearest = 1e9;
+    vec2 before = vec2(0.0);
+    for (int i = -2; i <= 2; i++) { // beside the pixel, as far as the line is wide
+        float t = iSliceFrame.x + (pixel.x + 0.7 * pen * float(i)) * iSliceFrame.z;
+        vec2 place = plotPlace(t, sceneDistance(ray.origin + t * ray.direction));
+        nearest = i == -2 ? nearest : min(nearest, plotLine(pixel, before, place));
+        before = place;
+    }
+    return lineCover(nearest, 2.2 * pen);
+}
+
+// What the steps promise to be empty, their stairs and their places.
+vec3 plotSteps(vec3 colour, vec2 pixel)
+{
+    float pen = slicePen(), promised = 0.0, slopes = 0.0, stairs = 0.0, here = 0.0, dots = 0.0;
+    int steps = sliceSteps();
+    for (int k = 0; k < steps; k++) {
+        vec2 step = sliceStep(k), next = sliceStep(min(k + 1, iMarchSteps - 1));
+        bool current = iMarchStep >= 0.0 && k == steps - 1;
+        bool goes = k + 1 < iMarchSteps, ends = k + 1 == iMarchSteps && iPlotEnd == END_HIT;
+        vec2 from = plotPlace(step.x, step.y), foot = plotPlace(step.x, 0.0);
+        vec2 end = plotPlace(step.x + abs(step.y), 0.0);
+        vec2 to = plotPlace(goes ? next.x : ends ? step.x : step.x + step.y, step.y);
+        float slope = from.y - (pixel.x - from.x) * (from.y - foot.y) / max(end.x - from.x, 1e-3);
+        bool below = pixel.x >= from.x && pixel.x < end.x && pixel.y > foot.y && pixel.y < slope;
+        promised = max(promised, below ? 1.0 : 0.0);
+        slopes = max(slopes, lineCover(plotLine(pixel, from, end), pen));
+        float stair = lineCover(plotLine(pixel, from, to), 1.5 * pen);
+        if (k + 1 < steps)
+            stair = max(stair, lineCover(plotLine(pixel, to, plotPlace(next.x, next.y)), 1.5 * pen));
+        float head = min(8.0 * pen, 0.6 * (to.x - from.x)), behind = to.x - pixel.x;
+        bool tip = current && to.x - from.x > 4.0 * pen && behind > 0.0 && behind < head;
+        stair = max(stair, tip ? lineCover(pixel.y - to.y, 0.9 * behind) : 0.0);
+        stairs = max(stairs, current ? 0.0 : stair);
+        here = max(here, current ? max(stair, discCover(length(pixel - from), 4.2 * pen)) : 0.0);
+        dots = max(dots, discCover(length(pixel - from), 2.4 * pen));
+    }
+    colour = mix(colour, PLOT_EMPTY, 0.75 * promised);
+    colour = mix(colour, SLICE_OUT_NEAR, 0.8 * slopes);
+    colour = mix(colour, SLICE_INK, max(stairs, dots));
+    return mix(colour, SLICE_HERE, here);
+}
+
+// Where the march ended, in a ring for a hit and a cross for none, and the word for it.
+vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
+{
+    float pen = slicePen();
+    if (iMarchSteps == 0 || sliceSteps() < iMarchSteps)
+        return colour;
+    vec2 last = sliceStep(iMarchSteps - 1), place = plotPlace(last.x, last.y), from = pixel - place;
+    float cross = max(abs(from.x), abs(from.y)) < 5.0 * pen ? lineCover((abs(from.x) - abs(from.y)) * 0.7, 1.8 * pen) : 0.0;
+    float mark = iPlotEnd == END_HIT ? lineCover(length(from) - 5.5 * pen, 1.8 * pen) : cross;
+    vec2 corner = floor(place / cell) + vec2(iPlotEnd == END_HIT ? -5.0 : -7.0, 7.0);
+    corner = min(corner, floor(vec2(iResolution.x / cell, iPlotFrame.z / cell)) - vec2(32.0, 8.0));
+    vec2 inside = floor(pixel / cell) - corner;
+    bool word = iPlotEnd == END_HIT ? plotWord(PLOT_HIT, inside)
+              : iPlotEnd == END_STEPS ? plotWord(PLOT_GIVEN_UP, inside) : plotWord(PLOT_MISS, inside);
+    return mix(colour, SLICE_INK, max(mark, word ? 1.0 : 0.0));
+}
+
+// The axis of the distance, at the eye or at the left edge: ticks, their numbers, its name; and lines across.
+vec3 plotAxis(vec3 colour, vec2 pixel, float cell)
+{
+    float pen = slicePen(), left = max(plotPlace(0.0, 0.0).x, 26.0 * cell);
+    float tick = floor((pixel.y - iPlotFrame.x) * iPlotFrame.y / iPlotTick + 0.5);
+    float off = pixel.y - plotPlace(0.0, tick * iPlotTick).y;
+    bool room = iPlotFrame.z - pixel.y + off > 12.0 * cell;
+    if (pixel.x < left)
+        colour = SLICE_PAPER;
+    else
+        colour = mix(colour, SLICE_INK, 0.16 * lineCover(off, pen));
+    float mark = lineCover(pixel.x - left, pen);
+    if (pixel.x > left - 3.0 * cell && pixel.x < left && room)
+        mark = max(mark, lineCover(off, 1.3 * pen));
+    if (pixel.x > left)
+        mark = max(mark, lineCover(pixel.y - iPlotFrame.x, 1.3 * pen));
+    int number = int(tick) * iPlotTickScaled;
+    vec2 corner = vec2(floor(left / cell) - 5.0 - float(numberWidth(number, iPlotDecimals)),
+                       floor((pixel.y - off) / cell) - 2.0);
+    if (room && numberCell(number, iPlotDecimals, floor(pixel / cell) - corner))
+        mark = 1.0;
+    vec2 name = vec2(floor(left / cell) + 3.0, floor(iPlotFrame.z / cell) - 8.0);
+    if (plotWord(PLOT_DISTANCE, floor(pixel / cell) - name))
+        mark = 1.0;
+    return mix(colour, SLICE_INK, mark);
+}
+
+// The line below which a distance is a hit, dashed, and its name where that stands clear of the axis.
+vec3 plotLimit(vec3 colour, vec2 pixel, float cell)
+{
+    float pen = slicePen();
+    float t = iSliceFrame.x + pixel.x * iSliceFrame.z, limit = plotThreshold(t);
+    bool dash = fract(pixel.x / (10.0 * pen)) < 0.6 && limit > 0.0 && t > 0.0;
+    float line = dash ? lineCover(pixel.y - plotPlace(t, limit).y, 1.4 * pen) : 0.0;
+    float right = iResolution.x - 38.0 * cell;
+    float up = plotPlace(0.0, plotThreshold(iSliceFrame.x + right * iSliceFrame.z)).y;
+    vec2 corner = vec2(floor(right / cell), floor(up / cell) + 2.0);
+    bool named = limit > 0.0 && up - iPlotFrame.x > 3.0 * pen && plotWord(PLOT_WORD_THRESHOLD, floor(pixel / cell) - corner);
+    return mix(colour, PLOT_THRESHOLD, max(line, named ? 1.0 : 0.0));
+}
+
+// The view: the slice above, the graph below it, and the axis along the ray at the bottom.
+//   pixel  in pixels of the picture
+vec3 plotView(vec2 pixel)
+{
+    float pen = slicePen(), cell = max(1.0, floor(iResolution.y / 180.0));
+    vec2 point = iSliceFrame.xy + pixel * iSliceFrame.z;
+    Ray ray = pixelRay(screenPosition(iMarchPixel));
+    vec3 slice = slicePlane(ray, pixel);
+    vec3 graph = SLICE_PAPER;
+    float tick = iSliceTick * floor(point.x / iSliceTick + 0.5);
+    graph = mix(graph, SLICE_INK, 0.16 * lineCover((point.x - tick) / iSliceFrame.z, pen));
+    graph = plotSteps(graph, pixel);
+    graph = mix(graph, PLOT_CURVE, (point.x < 0.0 ? 0.35 : 1.0) * plotCurve(ray, pixel));
+    graph = plotLimit(graph, pixel, cell);
+    graph = plotEnd(plotAxis(graph, pixel, cell), pixel, cell);
+    graph = pixel.y < 13.0 * cell ? SLICE_PAPER : graph;
+    vec3 colour = pixel.y > iPlotFrame.z ? slice : graph;
+    colour = mix(colour, SLICE_INK, lineCover(pixel.y - iPlotFrame.z, 1.6 * pen));
+    colour = sliceAxis(colour, point, pixel);
+    bool name = plotWord(PLOT_T, floor(pixel / cell) - vec2(floor(iResolution.x / cell) - 6.0, floor(iPlotFrame.x / cell) + 3.0));
+    return mix(colour, SLICE_INK, name ? 1.0 : 0.0);
+}
+
+#endif
