@@ -47,10 +47,8 @@ struct options {
     int probe_count;
     enum context_backend backend;
     bool has_overlay;
-    double overlay; // its scale; 0: by the height of the picture
-    int step;       // of the ray's march: shown up to this one, from 0; -1: all
-    bool walk;      // --step walk: the pictures of --frames go from the first to the last
-    bool has_from;
+    double overlay;     // its scale; 0: by the height of the picture
+    int step;           // of the ray's march: shown up to this one, from 0; -1: all
     struct camera from; // where the ray of --probe starts; meaningful when has_from
     const char *shader; // --shader, or NULL for the chapter's own
     const char *root;   // --root, or NULL: found from the program's own place

@@ -18,8 +18,9 @@ vec3 placeMissed(vec3 p, vec2 pixel, float along)
 // The place of the picture whose ray goes through a point.
 //   returns  x and y in pixels, 1 where there is such a ray in front of the camera, else 0
 //   formula  Gauss-Newton steps from the middle: with the way q from the ray to the point, and a, b what one
-//            pixel to the right and one up add to the ray there, all square to it, the least |q - x a - y b|.
-//            In a perspective or a parallel view the first step arrives.
+//            pixel to the right and one up add to the ray as far away as the point, all square to the ray, the
+//            least |q - x a - y b|. A parallel view is there at once; in others a step is as long as the sine of
+//            the angle that is left, which never leads beyond
 vec4 placeOf(vec3 p)
 {
     vec2 pixel = 0.5 * iResolution.xy;
@@ -27,8 +28,10 @@ vec4 placeOf(vec3 p)
     for (int i = 0; i < 12; i++) {
         Ray ray = pixelRay(screenPosition(pixel));
         t = dot(p - ray.origin, ray.direction);
-        vec3 q = placeMissed(p, pixel, t);
-        vec3 a = q - placeMissed(p, pixel + vec2(1.0, 0.0), t), b = q - placeMissed(p, pixel + vec2(0.0, 1.0), t);
+        float far = length(p - ray.origin);
+        vec3 q = placeMissed(p, pixel, t), there = placeMissed(p, pixel, far);
+        vec3 a = there - placeMissed(p, pixel + vec2(1.0, 0.0), far);
+        vec3 b = there - placeMissed(p, pixel + vec2(0.0, 1.0), far);
         a -= dot(a, ray.direction) * ray.direction;
         b -= dot(b, ray.direction) * ray.direction;
         float aa = dot(a, a), ab = dot(a, b), bb = dot(b, b), determinant = aa * bb - ab * ab;
