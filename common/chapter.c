@@ -23,6 +23,7 @@
 #include "picture/panel.h"
 #include "picture/probe.h"
 #include "picture/renderer.h"
+#include "picture/second.h"
 #include "report.h"
 #include "sequence.h"
 #include "window/window.h"
@@ -42,6 +43,7 @@ struct run {
     // What was read of it, until the renderer takes it over.
     struct shader_source source;
     struct parameters parameters;
+    struct second second; // of --compare
 };
 
 // The path of this program's own file; programs find the project from there, so that they run from
@@ -99,6 +101,22 @@ static const char *title_of(const struct run *run)
     return slash != NULL ? slash + 1 : run->options.shader;
 }
 
+// Read the shader of --compare; as read_shader.
+static int read_second(struct run *run)
+{
+    const struct options *options = &run->options;
+    const struct second_request request = {.file = options->compare,
+                                           .own = options->settings + options->shared_settings,
+                                           .own_count =
+                                               options->setting_count - options->shared_settings,
+                                           .divider = options->divider,
+                                           .gripped = options->window,
+                                           .reading = &run->request};
+    if (!second_read(&run->second, &request, run->shader, run->root))
+        return NOT_DONE;
+    return second_assign(&run->second) ? DONE : WRONG_COMMAND_LINE;
+}
+
 // Read the shader and its parameters, with values and pictures of the command line. Returns the
 // exit status.
 static int read_shader(struct run *run)
@@ -111,10 +129,10 @@ static int read_shader(struct run *run)
         return NOT_DONE;
     if (!samplers_fit(&run->parameters.samplers, &run->source))
         return WRONG_COMMAND_LINE;
-    for (int i = 0; i < run->options.setting_count; i++)
+    for (int i = 0; i < run->options.shared_settings; i++)
         if (!parameters_assign(&run->parameters, run->options.settings[i]))
             return WRONG_COMMAND_LINE;
-    return DONE;
+    return run->options.compares ? read_second(run) : DONE;
 }
 
 static int print_shader(const struct run *run)
@@ -145,13 +163,15 @@ static int print_version(const struct run *run)
     return DONE;
 }
 
-// Draw the overlay over a picture that is about to be written. The caller closes the overlay.
+// Draw the overlay over a picture that is about to be written, or of a pair the labels alone. The
+// caller closes the overlay.
 //   probe  of the pixel that --probe names, or NULL
 static bool add_overlay(const struct run *run, struct renderer *renderer,
                         const struct renderer_inputs *inputs, const struct probe *probe,
                         struct overlay *overlay)
 {
-    double scale = run->options.overlay;
+    double asked = run->options.overlay;
+    float scale = asked > 0.0 ? (float)asked : overlay_scale_of(inputs->height);
     struct panel panel = {.title = title_of(run),
                           .renderer = renderer,
                           .ranges = true,
@@ -160,8 +180,10 @@ static bool add_overlay(const struct run *run, struct renderer *renderer,
                           .probe = probe};
     if (!overlay_open(overlay, renderer->gl))
         return false;
-    panel_gather(&panel, overlay, inputs->width, inputs->height,
-                 scale > 0.0 ? (float)scale : overlay_scale_of(inputs->height));
+    if (run->options.has_overlay)
+        panel_gather(&panel, overlay, inputs->width, inputs->height, scale);
+    else
+        pair_gather(renderer, overlay, inputs->width, inputs->height, scale);
     renderer->overlay = overlay;
     return true;
 }
@@ -172,9 +194,9 @@ static bool write_picture(const struct run *run, struct renderer *renderer,
 {
     struct image image = {0};
     struct overlay overlay = {0};
-    bool done =
-        (!run->options.has_overlay || add_overlay(run, renderer, inputs, probe, &overlay)) &&
-        renderer_picture(renderer, inputs, &image) && image_write_png(&image, path);
+    bool wants = run->options.has_overlay || renderer->pair != NULL;
+    bool done = (!wants || add_overlay(run, renderer, inputs, probe, &overlay)) &&
+                renderer_picture(renderer, inputs, &image) && image_write_png(&image, path);
     renderer->overlay = NULL;
     overlay_close(&overlay);
     image_free(&image);
@@ -248,19 +270,28 @@ static bool write_frames(const struct run *run, struct renderer *renderer)
     return done;
 }
 
-// True when a file is none of those that this run has read: a picture in its place would destroy a
-// person's work. Reported.
-static bool check_unread(const struct run *run, const char *path)
+// True when a file is none of those that a shader was read from: a picture in its place would
+// destroy a person's work. Reported.
+static bool check_source(const struct shader_source *source, const char *path)
 {
     struct stat target, read;
-    char vertex[PATH_MAX + 32];
-    snprintf(vertex, sizeof vertex, "%s/shaders/screen.vert", run->root);
-    for (int i = -1; i < run->source.file_count && stat(path, &target) == 0; i++)
-        if (stat(i < 0 ? vertex : run->source.paths[i], &read) == 0 &&
-            read.st_dev == target.st_dev && read.st_ino == target.st_ino)
+    for (int i = 0; i < source->file_count && stat(path, &target) == 0; i++)
+        if (stat(source->paths[i], &read) == 0 && read.st_dev == target.st_dev &&
+            read.st_ino == target.st_ino)
             return report("--output '%s': is %s, which this run reads: choose another name", path,
-                          i < 0 ? vertex : run->source.files[i]);
+                          source->files[i]);
     return true;
+}
+
+// The same of all that this run has read.
+static bool check_unread(const struct run *run, const char *path)
+{
+    char vertex[PATH_MAX + 32];
+    char *files[] = {vertex};
+    const struct shader_source own = {.paths = files, .files = files, .file_count = 1};
+    snprintf(vertex, sizeof vertex, "%s/shaders/screen.vert", run->root);
+    return check_source(&own, path) && check_source(&run->source, path) &&
+           check_source(&run->second.source, path);
 }
 
 // True when every file of --output can be written, before the work of rendering. Reported.
@@ -328,6 +359,7 @@ static bool open_loop(const struct run *run, struct context *context, struct ren
                                        .stem = run->chapter->stem,
                                        .shader = run->shader,
                                        .request = &run->request,
+                                       .second = run->second.shader,
                                        .camera = options->camera,
                                        .time = options->time,
                                        .samples = options->samples,
@@ -348,7 +380,8 @@ static int work(struct run *run, struct context *context, struct renderer *rende
     renderer->view = run->options.view;
     if (run->options.benchmark > 0)
         return run_benchmark(run, context, renderer);
-    if (!renderer_load(renderer, &run->source, &run->parameters))
+    if (!renderer_load(renderer, &run->source, &run->parameters) ||
+        !second_load(&run->second, renderer))
         return NOT_DONE;
     bool done =
         context->window != NULL ? open_loop(run, context, renderer) : work_still(run, renderer);
@@ -370,6 +403,7 @@ static int open_and_work(struct run *run)
     int status = options->window && !opened ? NO_WINDOW : NOT_DONE;
     if (opened && renderer_open(&renderer, &context.gl, run->root))
         status = work(run, &context, &renderer);
+    second_close(&run->second);
     renderer_close(&renderer);
     context_close(&context);
     return status;
@@ -410,6 +444,7 @@ int chapter_run(const struct chapter *chapter, int argc, char **argv)
     if (!run.options.has_camera)
         run.options.camera = chapter->camera;
     int status = act(&run, argv[0]);
+    second_close(&run.second);
     shader_free(&run.source);
     parameters_free(&run.parameters);
     options_free(&run.options);

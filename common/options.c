@@ -84,6 +84,26 @@ static bool add_setting(struct options *options, const char *text)
            refuse("set", text, "must be NAME=VALUE; --list shows the names");
 }
 
+// The settings that follow are the second picture's alone.
+static bool set_compare(struct options *options, const char *text)
+{
+    if (options->compares)
+        return report("--compare: two pictures at most stand beside each other: give it once");
+    options->compares = true;
+    options->compare = text;
+    options->shared_settings = options->setting_count;
+    return text == NULL || text[0] != '\0' || refuse("compare", text, "must name a file");
+}
+
+static bool set_divider(struct options *options, const char *text)
+{
+    options->has_divider = true;
+    return (number_read(text, &options->divider) && options->divider >= 0.0 &&
+            options->divider <= 1.0) ||
+           refuse("divider", text, "must be a share of the width from 0 to 1, as in 0.3%s",
+                  number_hint(text));
+}
+
 static bool add_texture(struct options *options, const char *text)
 {
     const char *file = strchr(text, '=');
@@ -229,7 +249,8 @@ static bool set_print_shader(struct options *options, const char *text)
 }
 
 // Letter and value stand as help writes them: a value after a blank is needed, one in brackets may
-// be left out. An empty default is not printed.
+// be left out, and after a blank is a word of its own that does not begin with '-'. An empty
+// default is not printed.
 static const struct row {
     const char *letter, *name, *value;
     bool (*set)(struct options *options, const char *text);
@@ -264,6 +285,10 @@ static const struct row {
      "glfw for a window; egl, osmesa, glfw for a file"},
     {"-f,", "shader", " FILE", set_shader, OPTIONS_RUN,
      "run this fragment shader instead of the chapter's", ""},
+    {"", "compare", " [FILE]", set_compare, OPTIONS_RUN,
+     "a second shader beside it; --set behind this is for that alone", ""},
+    {"", "divider", " SHARE", set_divider, OPTIONS_RUN,
+     "where the second picture of --compare begins, 0 to 1", "0.5"},
     {"", "root", " DIR", set_root, OPTIONS_RUN, "the project's folder",
      "found from the program's place"},
     {"", "frames", " N", set_frames, OPTIONS_RUN,
@@ -291,7 +316,10 @@ static bool refuse_unknown(const char *word, size_t length)
 //   next  the words that follow, NULL at their end
 static bool apply(struct options *options, const struct row *row, const char *text, char ***next)
 {
-    bool needs = row->value[0] == ' ' && text == NULL;
+    bool may = strncmp(row->value, " [", 2) == 0;
+    if (may && text == NULL && **next != NULL && (**next)[0] != '-')
+        text = *(*next)++;
+    bool needs = row->value[0] == ' ' && !may && text == NULL;
     if (needs && **next == NULL)
         report("--%s: a value is missing: --help shows its form", row->name);
     else if (row->value[0] == '\0' && text != NULL)
@@ -388,6 +416,9 @@ static bool complete(struct options *options)
 {
     bool row = options->frames > 0, paced = options->fps > 0.0;
     options->fps = paced ? options->fps : FPS_DEFAULT;
+    options->divider = options->has_divider ? options->divider : 0.5;
+    if (!options->compares)
+        options->shared_settings = options->setting_count;
     options->window =
         options->output == NULL && options->probe_count == 0 && options->benchmark == 0;
     if (options->width == 0) {
@@ -397,6 +428,18 @@ static bool complete(struct options *options)
     if (options->benchmark > 0 && (options->output != NULL || options->probe_count > 0))
         report("--benchmark: writes no picture and probes no ray: leave --%s out",
                options->output != NULL ? "output" : "probe");
+    else if (options->has_divider && !options->compares)
+        report("--divider: goes with --compare: what stands on its other side?");
+    else if (options->compares && options->compare == NULL &&
+             options->shared_settings == options->setting_count)
+        report("--compare: with what? Give a shader's FILE, or --set NAME=VALUE behind it");
+    else if (options->compares &&
+             (options->benchmark > 0 || options->action == OPTIONS_PRINT_SHADER ||
+              options->action == OPTIONS_LIST))
+        report("--compare: goes with a window, a picture or --probe: leave --%s out",
+               options->benchmark > 0                    ? "benchmark"
+               : options->action == OPTIONS_PRINT_SHADER ? "print-shader"
+                                                         : "list");
     else if (!row && paced)
         report("--fps: goes with --frames N: how many pictures?");
     else if (row && options->output == NULL)
@@ -443,7 +486,7 @@ static const char ending[] =
     "In the window:\n"
     "  W A S D            move, by the keys' places on an American keyboard\n"
     "  Space, C           up, down (or Left Ctrl); Left Shift moves faster\n"
-    "  drag               look; M captures and frees the mouse\n"
+    "  drag               look, or the divider of --compare; M captures and frees the mouse\n"
     "  click              choose a pixel's ray and show its march; again hides it\n"
     "  E, Q               a step on along the ray, and back; held they run; also Page Down, Up\n"
     "  Home, End          its first and last step\n"

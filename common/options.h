@@ -36,6 +36,11 @@ struct options {
     bool json;             // --benchmark=json
     const char **settings; // NAME=VALUE, in the order given; owned, see options_free
     int setting_count;
+    bool compares;       // there is a second picture beside the first
+    const char *compare; // its shader's file; NULL: that of the first
+    int shared_settings; // the first of the settings, which are both pictures'
+    double divider;      // share of the width that the first one has, 0 to 1
+    bool has_divider;
     const char **textures; // NAME=FILE, in the order given; owned
     int texture_count;
     const char *channels[4]; // the files of Shadertoy's iChannel0 to 3, or NULL

@@ -381,6 +381,41 @@ static void test_values_missing_or_too_many(void **state)
     options_free(&o);
 }
 
+// --set before --compare is for both pictures, behind it for the second alone. The file is the next
+// word, unless that begins with '-'.
+static void test_compare(void **state)
+{
+    (void)state;
+    struct options o = parsed("-p a=1 --compare my.frag -p b=2 -p c=3 -o a.png");
+    assert_true(o.compares && o.divider == 0.5);
+    assert_string_equal(o.compare, "my.frag");
+    assert_int_equal(o.shared_settings, 1);
+    assert_int_equal(o.setting_count, 3);
+    options_free(&o);
+    o = parsed("--compare=my.frag --divider 0.25");
+    assert_string_equal(o.compare, "my.frag");
+    assert_true(o.divider == 0.25 && o.window && o.shared_settings == 0);
+    options_free(&o);
+    o = parsed("--divider=0 -f x.frag --compare -p b=2");
+    assert_true(o.compares && o.compare == NULL && o.divider == 0.0 && o.shared_settings == 0);
+    options_free(&o);
+    o = parsed("-p a=1 -p b=1");
+    assert_true(!o.compares && o.shared_settings == 2);
+    options_free(&o);
+    assert_refused("--compare", "--set NAME=VALUE behind it");
+    assert_refused("-p a=1 --compare", "--set NAME=VALUE behind it");
+    assert_refused("--compare ''", "must name a file");
+    assert_refused("--compare a.frag --compare b.frag", "give it once");
+    assert_refused("--divider 0.3", "goes with --compare");
+    assert_refused("--compare a.frag --divider 1.01", "from 0 to 1");
+    assert_refused("--compare a.frag --divider 0,3", "write 0.3");
+    assert_refused("--compare a.frag --divider x", "share of the width");
+    assert_refused("--compare a.frag --benchmark 3", "leave --benchmark out");
+    assert_refused("--compare a.frag --print-shader", "leave --print-shader out");
+    assert_refused("--compare a.frag --list", "leave --list out");
+    assert_refused("--compare a.frag b.frag", "unexpected argument 'b.frag'");
+}
+
 // A probe of the slice view chooses its ray: it must lie in the picture that is written.
 static void test_slice_takes_a_probe(void **state)
 {
@@ -445,7 +480,8 @@ static void test_help_names_every_option(void **state)
                                         "-f, --shader FILE",    "--root DIR",
                                         "--print-shader",       "--list",
                                         "-h, --help",           "-V, --version",
-                                        "Exit status: 0",       "W A S D"};
+                                        "Exit status: 0",       "W A S D",
+                                        "--compare [FILE]",     "--divider SHARE"};
     char help[8192];
     FILE *file = tmpfile();
     assert_non_null(file);
@@ -466,6 +502,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(test_defaults),
         cmocka_unit_test(test_overlay),
+        cmocka_unit_test(test_compare),
         cmocka_unit_test(test_every_option),
         cmocka_unit_test(test_actions),
         cmocka_unit_test(test_last_one_wins),

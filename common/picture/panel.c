@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "picture/inspector.h"
+#include "picture/pair.h"
 #include "picture/pen.h"
 #include "picture/plot.h"
 
@@ -279,7 +280,8 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     overlay_begin(overlay, width, height, scale);
     bool marched = panel->pixel[0] >= 0 && panel->probe != NULL;
     bool refused = panel->pixel[0] >= 0 && !marched && panel->why != NULL;
-    float bottom = write_error(panel, overlay, write_keys(panel, overlay));
+    float bottom = pair_write(panel->renderer, overlay,
+                              write_error(panel, overlay, write_keys(panel, overlay)));
     float right = pen_picture_width(overlay) - PEN_MARGIN;
     if (marched || refused)
         right = inspector_left(overlay, marched) - PEN_MARGIN;

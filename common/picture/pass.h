@@ -45,6 +45,8 @@ struct renderer_inputs {
                  // next one; 0: all
 };
 
+struct pair;
+
 // Everything needed to draw one shader file. Opened once; a shader is loaded into it, and loaded
 // again when its file changes.
 struct renderer {
@@ -67,6 +69,7 @@ struct renderer {
     struct target places;          // where the steps of a ray are in the picture
     struct target coarse;          // of the coarse pass, one pixel a block
     struct enlarge enlarge;        // what shows a small picture in a large window
+    struct pair *pair;             // the picture beside it: pair.h; not owned; NULL: none
     const struct overlay *overlay; // drawn over every written picture, not owned; NULL: none
 };
 

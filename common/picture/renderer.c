@@ -9,6 +9,7 @@
 #include "picture/aside.h"
 #include "picture/coarse.h"
 #include "picture/march.h"
+#include "picture/pair.h"
 
 // A tile is what one draw call covers: small enough that no single draw holds a GPU for seconds.
 #define TILE 512 // pixels
@@ -92,7 +93,9 @@ bool renderer_load(struct renderer *renderer, struct shader_source *source,
 
 bool renderer_set_view(struct renderer *renderer, enum shader_view view)
 {
-    if (!pass_link(renderer, &renderer->fragment, view, renderer->program))
+    struct renderer *other = renderer->pair != NULL ? renderer->pair->other : NULL;
+    if ((other != NULL && !renderer_set_view(other, view)) ||
+        !pass_link(renderer, &renderer->fragment, view, renderer->program))
         return false;
     renderer->view = view;
     return true;
@@ -159,11 +162,25 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
     return true;
 }
 
+// Draw a part, of a pair each side by its own renderer.
+static bool draw_sides(struct renderer *renderer, const struct renderer_inputs *inputs,
+                       const struct part *part)
+{
+    int split = pair_split(renderer, inputs->width);
+    struct part first = *part, second = *part;
+    first.right = split < part->right ? split : part->right;
+    second.left = split > part->left ? split : part->left;
+    second.fresh = part->fresh && first.left >= first.right;
+    pair_follow(renderer);
+    return (first.left >= first.right || draw_part(renderer, inputs, &first)) &&
+           (second.left >= second.right || draw_part(renderer->pair->other, inputs, &second));
+}
+
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows)
 {
     struct part part = {&renderer->picture, bottom, rows, 0, rows, 0, inputs->width, true};
-    return draw_part(renderer, inputs, &part);
+    return draw_sides(renderer, inputs, &part);
 }
 
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
@@ -172,7 +189,7 @@ bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *i
     bool first = from + rows == inputs->height;
     struct part part = {&renderer->sharp, 0, inputs->height, from,
                         from + rows,      0, inputs->width,  first};
-    return draw_part(renderer, inputs, &part);
+    return draw_sides(renderer, inputs, &part);
 }
 
 bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int width, int height)
@@ -296,6 +313,8 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
                     struct probe *probe)
 {
     memset(probe, 0, sizeof *probe);
+    pair_follow(renderer);
+    renderer = pair_at(renderer, inputs->width, x);
     const struct renderer_inputs from = aside_from_eye(inputs);
     return (renderer->fragment.form != SHADER_COURSE ||
             (march_pixel(renderer, &from, x, y, probe) &&

@@ -22,8 +22,8 @@ void renderer_close(struct renderer *renderer);
 bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters);
 
-// Choose what is shown; compiles the view when it is new. Returns false, reported, and keeps the
-// old view when the shader has no such view.
+// Choose what is shown, in both pictures of a pair; compiles the view when it is new. Returns
+// false, reported, and keeps the old view when a shader has no such view.
 bool renderer_set_view(struct renderer *renderer, enum shader_view view);
 
 // Draw rows [bottom, bottom + rows) of the picture into the float target, tile by tile, samples x

@@ -139,6 +139,7 @@ void window_shoot(struct window *window)
 {
     struct image image = {0};
     window->shooting = false;
+    window_label_pair(window);
     save(window, &image,
          window->pace.resolution.level > 0
              ? renderer_sharp_picture(window->renderer, &image)

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "picture/pair.h"
 #include "picture/probe.h"
 #include "report.h"
 
@@ -35,22 +36,23 @@ void window_retitle(struct window *window)
 }
 
 // The linker keeps only what is used.
-static bool program_uses_time(const struct window *window, GLuint program)
+static bool program_uses_time(const struct renderer *renderer, enum shader_view view)
 {
     static const char *const names[] = {"iTime", "iTimeDelta", "iFrame", "iFrameRate", "iDate"};
+    GLuint program = renderer->program[view];
     for (size_t i = 0; i < sizeof names / sizeof *names && program != 0; i++)
-        if (window->renderer->gl->GetUniformLocation(program, names[i]) >= 0)
+        if (renderer->gl->GetUniformLocation(program, names[i]) >= 0)
             return true;
-    return false;
+    return renderer->pair != NULL && program_uses_time(renderer->pair->other, view);
 }
 
 bool window_uses_time(const struct window *window)
 {
     const struct renderer *renderer = window->renderer;
     bool slice = form_shows_ray(renderer->view), chosen = window->inputs.pixel[0] >= 0;
-    return program_uses_time(window, renderer->program[renderer->view]) ||
-           ((chosen || slice) && program_uses_time(window, renderer->program[SHADER_PROBE])) ||
-           (chosen && slice && program_uses_time(window, renderer->program[SHADER_PICTURE]));
+    return program_uses_time(renderer, renderer->view) ||
+           ((chosen || slice) && program_uses_time(renderer, SHADER_PROBE)) ||
+           (chosen && slice && program_uses_time(renderer, SHADER_PICTURE));
 }
 
 // ---- Overlay ----

@@ -1,14 +1,17 @@
 // Who has the pointer. The first that claims a press keeps it until the release, in this order: the
-// panel, then the picture, where a drag looks around and a click chooses a ray.
+// panel, the divider between two pictures, then the picture, where a drag looks around and a click
+// chooses a ray.
 #include <string.h>
 
 #include "window/state.h"
 
 #define DEGREES 0.15f // of a turn, for each pixel of the pointer
 
-static enum window_hand claim(const struct window_event *press)
+static enum window_hand claim(const struct window *window, const struct window_event *press)
 {
-    return press->amount == 0 ? HAND_CAMERA : HAND_NONE;
+    if (press->amount != 0)
+        return HAND_NONE;
+    return window_at_divider(window, press->place) ? HAND_DIVIDER : HAND_CAMERA;
 }
 
 // A pointer that goes right turns the view right, dragging or captured.
@@ -39,12 +42,14 @@ bool window_hand(struct window *window, const struct window_event *event)
     if (event->action == WINDOW_LOOK) // a captured pointer reaches nothing but the camera
         look_around(window, event->way);
     else if (event->action == WINDOW_PRESS)
-        window->hand.who = claim(event);
+        window->hand.who = claim(window, event);
     bool pointer = event->action == WINDOW_PRESS || event->action == WINDOW_DOUBLE ||
                    event->action == WINDOW_DRAG || event->action == WINDOW_POINT ||
                    event->action == WINDOW_RELEASE;
     if (pointer && window->hand.who == HAND_CAMERA)
         hold_picture(window, event);
+    else if (event->action == WINDOW_DRAG && window->hand.who == HAND_DIVIDER)
+        window_drag_divider(window, event->place);
     if (event->action == WINDOW_RELEASE)
         window->hand.who = HAND_NONE;
     return pointer || event->action == WINDOW_LOOK;

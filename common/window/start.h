@@ -12,6 +12,7 @@ struct window_start {
     const char *title;  // of the chapter, for the title bar
     const char *stem;   // of the chapter: screenshots are STEM-0001.png, ... in the current folder
     const char *shader; // path of the shader's file: loaded again when it or an include changes
+    const char *second; // path of the file beside it, which is loaded again too; NULL or "": none
     const struct shader_request *request; // what its readings are asked besides
     struct camera camera;                 // where the eye starts
     double time;                          // seconds

@@ -17,7 +17,7 @@
 #define WINDOW_KEYS 24 // entries of the overlay's list of keys, at most
 
 // Who has the pointer, from a press to the release.
-enum window_hand { HAND_NONE, HAND_CAMERA };
+enum window_hand { HAND_NONE, HAND_DIVIDER, HAND_CAMERA };
 
 struct window {
     GLFWwindow *handle;
@@ -139,6 +139,17 @@ void window_obey(struct window *window);
 // True when the screenshot that was asked for can be written: the picture is sharp, or quick to
 // draw.
 bool window_shoots(const struct window *window);
+
+// True when a press there takes the divider between two pictures.
+//   place  in the window's units from its top left
+bool window_at_divider(const struct window *window, const double place[2]);
+
+// Bring the divider there.
+void window_drag_divider(struct window *window, const double place[2]);
+
+// Of two pictures: give the screenshot that is about to be written the divider and the labels of a
+// written picture. Where it has the whole overlay, it has them already.
+void window_label_pair(struct window *window);
 
 // Write it.
 void window_shoot(struct window *window);

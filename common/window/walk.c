@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
+#include "picture/pair.h"
 #include "picture/aside.h"
 #include "report.h"
 
@@ -81,7 +82,8 @@ void window_follow_ray(struct window *window)
         window_leave_ray(window);
     if (pixel[0] < 0 || window->ray.why[0] != '\0')
         return;
-    if (window->renderer->fragment.form != SHADER_COURSE) {
+    if (pair_at(window->renderer, inputs->width, inputs->pixel[0])->fragment.form !=
+        SHADER_COURSE) {
         snprintf(window->ray.why, sizeof window->ray.why,
                  "no march: a file with a main of its own keeps no trace of its rays");
     } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->ray.probe)) {

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "memory.h"
+#include "picture/pair.h"
 #include "report.h"
 #include "window/state.h"
 
@@ -27,33 +28,64 @@ static void see(void *window, const char *path)
     watch_add(&((struct window *)window)->watch, path);
 }
 
-// Load the shader again. One that is broken leaves the last good picture; then its files, and those
-// of the last good one, are all watched for the repair.
-static void reload(struct window *window)
+// Read one of the shaders again. Returns false, reported, and keeps what the renderer has.
+static bool load(struct window *window, struct renderer *renderer, const char *path)
 {
-    struct renderer *renderer = window->renderer;
     struct shader_source source = {0};
     struct parameters parameters = {0};
     struct shader_request request = *window->start->request;
     request.see = see;
     request.to = window;
-    bool loaded = shader_read_asked(&source, window->start->shader, renderer->root, &request) &&
+    bool loaded = shader_read_asked(&source, path, renderer->root, &request) &&
                   parameters_read(&parameters, &source) &&
                   renderer_load(renderer, &source, &parameters);
     shader_free(&source);
     parameters_free(&parameters);
+    if (loaded)
+        printf("%s: loaded again\n", path);
+    fflush(stdout);
+    return loaded;
+}
+
+// Watch what the shaders were read from, and nothing else.
+static void watch_again(struct window *window)
+{
+    const struct renderer *renderer = window->renderer;
+    const struct shader_source *first = &renderer->fragment;
+    const struct shader_source *second = renderer->pair ? &renderer->pair->other->fragment : NULL;
+    char **paths = NULL;
+    int count = 0;
+    for (int i = 0; i < first->file_count; i++) {
+        paths = memory_row(paths, count, sizeof *paths);
+        paths[count++] = first->paths[i];
+    }
+    for (int i = 0; second != NULL && i < second->file_count; i++) {
+        paths = memory_row(paths, count, sizeof *paths);
+        paths[count++] = second->paths[i];
+    }
+    watch_keep(&window->watch, window->start->shader, paths, count);
+    free(paths);
+    if (second != NULL)
+        watch_add(&window->watch, window->start->second);
+}
+
+// Load the shaders again. One that is broken leaves its last good picture; then its files, and
+// those of the last good one, are all watched for the repair.
+static void reload(struct window *window)
+{
+    const struct window_start *start = window->start;
+    const struct pair *pair = window->renderer->pair;
+    bool loaded = load(window, window->renderer, start->shader);
+    if (pair != NULL)
+        loaded = load(window, pair->other, start->second) && loaded;
     window->broken = !loaded;
     snprintf(window->panel.error, sizeof window->panel.error, "%s", loaded ? "" : report_last());
     window->ray.why[0] = '\0';
     window->dirty = true;
-    window->stale |= loaded;
+    window->stale |= loaded || pair != NULL;
     window->title.due = 0.0;
-    if (loaded) {
-        const struct shader_source *good = &renderer->fragment;
-        watch_keep(&window->watch, window->start->shader, good->paths, good->file_count);
-        printf("%s: loaded again\n", window->start->shader);
-        fflush(stdout);
-    }
+    if (loaded)
+        watch_again(window);
 }
 
 // ---- The loop ----
@@ -150,6 +182,10 @@ struct window *window_open(struct context *context, struct renderer *renderer,
     window_input_open(&window->input, window->handle);
     watch_add(&window->watch, start->shader);
     watch_files(window, &renderer->fragment);
+    if (renderer->pair != NULL) {
+        watch_add(&window->watch, start->second);
+        watch_files(window, &renderer->pair->other->fragment);
+    }
     while (renderer->gl->GetError() != GL_NO_ERROR)
         continue; // of what came before the first frame
     window->pace.turn = glfwGetTime();

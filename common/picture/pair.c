@@ -1,0 +1,142 @@
+#include "picture/pair.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "picture/pen.h"
+
+#define GAP         6.0f  // units from the divider to a label
+#define NARROW      24.0f // a label with less room than this is left out
+#define GRIP_WIDTH  5.0f
+#define GRIP_HEIGHT 22.0f
+
+int pair_split(const struct renderer *renderer, int width)
+{
+    return renderer->pair != NULL ? (int)lround(renderer->pair->divider * width) : width;
+}
+
+struct renderer *pair_at(struct renderer *renderer, int width, int x)
+{
+    return x < pair_split(renderer, width) ? renderer : renderer->pair->other;
+}
+
+// Does NAME=VALUE set the parameter of this name?
+static bool sets(const char *setting, const char *name)
+{
+    size_t length = strlen(name);
+    return strncmp(setting, name, length) == 0 && setting[length] == '=';
+}
+
+static bool is_own(const struct pair *pair, const char *name)
+{
+    for (int i = 0; i < pair->own_count; i++)
+        if (sets(pair->own[i], name))
+            return true;
+    return false;
+}
+
+void pair_follow(const struct renderer *renderer)
+{
+    const struct pair *pair = renderer->pair;
+    if (pair == NULL)
+        return;
+    struct renderer *other = pair->other;
+    other->view = renderer->view;
+    other->focal_length = renderer->focal_length;
+    other->orthographic = renderer->orthographic;
+    for (int i = 0; i < other->parameters.count; i++) {
+        struct parameter *to = &other->parameters.item[i];
+        const struct parameter *from = parameters_find(&renderer->parameters, to->name);
+        if (from == NULL || from->type != to->type || from->components != to->components ||
+            is_own(pair, to->name))
+            continue;
+        for (int k = 0; k < to->components; k++)
+            to->value[k] = fmin(fmax(from->value[k], to->minimum), to->maximum);
+    }
+}
+
+void pair_text(const struct renderer *renderer, int side, char *text, size_t size)
+{
+    const struct pair *pair = renderer->pair;
+    const struct renderer *drawn = side == 0 ? renderer : pair->other;
+    snprintf(text, size, "%s", pair->label[side] != NULL ? pair->label[side] : "");
+    for (int i = 0; i < drawn->parameters.count; i++) {
+        const struct parameter *parameter = &drawn->parameters.item[i];
+        char value[128];
+        size_t used = strlen(text);
+        if (!is_own(pair, parameter->name))
+            continue;
+        parameter_value_text(parameter, value, sizeof value);
+        snprintf(text + used, size - used, "%s%s=%s", used > 0 ? "  " : "", parameter->name, value);
+    }
+}
+
+// Cut a text that is too long for its room.
+static void fit(char *text, float room)
+{
+    size_t length = strlen(text);
+    if (overlay_width(text) <= room)
+        return;
+    while (length > 0 && overlay_width(text) + overlay_width("…") > room) {
+        length--;
+        while (length > 0 && ((unsigned char)text[length] & 0xc0) == 0x80)
+            length--; // the middle of a letter
+        text[length] = '\0';
+    }
+    strcat(text, "…");
+}
+
+// One label, whose edge beside the divider is at a place.
+//   room  units from there to the picture's edge
+static void write_label(const struct renderer *renderer, struct overlay *overlay, int side,
+                        float edge, float room, float top)
+{
+    char text[OVERLAY_TEXT + 8];
+    pair_text(renderer, side, text, OVERLAY_TEXT);
+    room -= PEN_MARGIN + 2.0f * PEN_PADDING;
+    if (text[0] == '\0' || room < NARROW)
+        return;
+    fit(text, room);
+    float width = ceilf(overlay_width(text));
+    float left = side == 0 ? edge - width - 2.0f * PEN_PADDING : edge;
+    struct pen pen = pen_open(overlay, left, top, width, OVERLAY_LINE - 2.0f);
+    pen_write(&pen, text, PEN_BRIGHT);
+}
+
+static void write_divider(struct overlay *overlay, float at, bool gripped)
+{
+    float height = pen_picture_height(overlay);
+    overlay_box(overlay, at - 1.5f, 0.0f, 3.0f, height, PEN_DARK);
+    overlay_box(overlay, at - 0.5f, 0.0f, 1.0f, height, PEN_BRIGHT);
+    if (!gripped)
+        return;
+    float top = 0.5f * (height - GRIP_HEIGHT), left = at - 0.5f * GRIP_WIDTH;
+    overlay_box(overlay, left - 1.0f, top - 1.0f, GRIP_WIDTH + 2.0f, GRIP_HEIGHT + 2.0f, PEN_DARK);
+    overlay_box(overlay, left, top, GRIP_WIDTH, GRIP_HEIGHT, PEN_BRIGHT);
+}
+
+float pair_write(const struct renderer *renderer, struct overlay *overlay, float bottom)
+{
+    const struct pair *pair = renderer->pair;
+    if (pair == NULL)
+        return bottom;
+    float width = pen_picture_width(overlay);
+    float at = (float)pair_split(renderer, overlay->width) / overlay->scale;
+    float top = bottom - (OVERLAY_LINE - 2.0f) - 2.0f * PEN_PADDING;
+    write_divider(overlay, at, pair->gripped);
+    write_label(renderer, overlay, 0, at - GAP, at - GAP, top);
+    write_label(renderer, overlay, 1, at + GAP, width - at - GAP, top);
+    return top - PEN_MARGIN;
+}
+
+void pair_gather(const struct renderer *renderer, struct overlay *overlay, int width, int height,
+                 float scale)
+{
+    struct pair still = *renderer->pair;
+    struct renderer shown = *renderer;
+    still.gripped = false;
+    shown.pair = &still;
+    overlay_begin(overlay, width, height, scale);
+    pair_write(&shown, overlay, pen_picture_height(overlay) - PEN_MARGIN);
+}

@@ -1,0 +1,48 @@
+// pair.h - two pictures beside each other: a divider parts the columns, what is left of it is drawn
+// by one renderer, what is right of it by another, into the same targets.
+//
+// Both have the same camera, time, view and samples. The second follows the first's parameters, but
+// for those that are its own.
+#ifndef PAIR_H
+#define PAIR_H
+
+#include "picture/pass.h"
+
+struct pair {
+    struct renderer *other; // of the second picture; its own pair is NULL. Not owned
+    double divider;         // share of the width that the first picture has, 0 to 1
+    const char *const *own; // NAME=VALUE: parameters in which the second does not follow. Not owned
+    int own_count;
+    const char *label[2]; // what to call them; NULL: by their own parameters alone. Not owned
+    bool gripped;         // the divider can be dragged: it shows where
+};
+
+// The first column of the second picture, in pictures of a width in pixels. The width where there
+// is no second.
+int pair_split(const struct renderer *renderer, int width);
+
+// The renderer that draws a column x of pictures of this width.
+struct renderer *pair_at(struct renderer *renderer, int width, int x);
+
+// Give the second renderer what it follows: view, focal length, projection, and the value of each
+// parameter that both have in the same type and that is not its own, within its own range. Nothing
+// where there is no second.
+void pair_follow(const struct renderer *renderer);
+
+// What stands on a side's label: its name, then the parameters in which the two differ by
+// themselves, with the values that they have now.
+//   side  0 the first, 1 the second
+void pair_text(const struct renderer *renderer, int side, char *text, size_t size);
+
+// Draw the divider, and beside its lower end both labels, as far as their sides have room.
+//   bottom  of the labels, in units of the overlay
+// Returns what is left for others: the place of the labels' top less a margin; bottom where there
+// is no second.
+float pair_write(const struct renderer *renderer, struct overlay *overlay, float bottom);
+
+// Gather the same alone into the overlay's new frame, as a written picture has it: without a grip.
+//   width, height, scale  as overlay_begin
+void pair_gather(const struct renderer *renderer, struct overlay *overlay, int width, int height,
+                 float scale);
+
+#endif

@@ -1,0 +1,104 @@
+#!/bin/bash
+# shellcheck disable=SC2086 # options are words
+# test_window_compare.sh - two pictures beside each other in a window: the divider is dragged, both follow
+# the camera, the keys and their files; a press elsewhere looks around as before.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/support.sh
+. tests/support_window.sh
+
+# The same by the command line; the divider is where the pointer was let go.
+pair='--compare --set normalStep=0.4'
+drawn_with() { # OPTION...: the screenshot is what the command line makes of it
+    shoot_as now && "$BUILD/$chapter" $still "$@" -o "$scratch/wanted.png" >/dev/null && matches wanted now
+}
+
+start $chapter $still $pair
+key h
+middle() { drawn_with $pair; }
+check 'a screenshot has both pictures, divider and labels, as a written one' middle
+drag_to() { # FROM TO: from one column to another, near the bottom
+    xdotool mousemove --window "$window" "$1" 150 mousedown 1 mousemove --window "$window" "$(($1 + ($2 - $1) / 2))" 150 \
+        mousemove --window "$window" "$2" 150 mouseup 1
+}
+dragged() { drag_to 160 96 && drawn_with $pair --divider 0.3; }
+check 'the divider is dragged, and the camera stays' dragged
+to_the_edge() { drag_to 96 319 && drag_to 318 64 && drawn_with $pair --divider 0.2; }
+check 'to the edge and back' to_the_edge
+beside() { drag_to 100 160 && shoot_as turned && differ now turned && key shift+r && shoot_as back && same now back; }
+check 'a drag beside it turns both pictures, and Shift+R brings them back' beside
+# A grip in the middle, which no written picture has.
+grip() { look screen && [ "$(convert "$scratch/screen.png" -crop 3x12+63+94 +repage -format '%[fx:mean > 0.8]' info:)" = 1 ]; }
+check 'the window shows where to take it' eventually grip
+views() { key 2 && shows ' - normals - ' && drawn_with $pair --divider 0.2 -v normals && key 1 && shows ' - picture - '; }
+check 'a view is that of both' views
+follows() {
+    key Right && shows 'focalLength = 2.' && value=$(title | sed 's/.*focalLength = //; s/ .*//') &&
+        drawn_with --set focalLength="$value" $pair --divider 0.2 && key Home
+}
+check 'both follow a parameter that is changed' follows
+own() { key Down Right && shows 'normalStep = 0.002' && drawn_with --set normalStep=0.002 $pair --divider 0.2 && key Home; }
+check 'but for the second in its own' own
+other_side() {
+    xdotool mousemove --window "$window" 170 100 click 1 && eventually says out 'ray of pixel 170,99' &&
+        sed -n '/^ray of pixel 170,99/,/^# /p' "$scratch/run/out" | tail -n +2 >"$scratch/told" &&
+        "$BUILD/$chapter" $still --set normalStep=0.4 --probe 170,99 >"$scratch/probed" && cmp "$scratch/told" "$scratch/probed"
+}
+check 'a click asks the side where it is' other_side
+check 'Backspace closes it' backspace
+check 'nothing was reported' [ ! -s "$scratch/run/err" ]
+
+# ---- Two files, each loaded again ----
+
+printf '%s\n' "$good" >"$scratch/first.frag"
+printf '%s\n' "${good/const vec3 SKY = vec3(/const vec3 SKY = 0.5 * vec3(}" >"$scratch/second.frag"
+start $chapter $still --shader "$scratch/first.frag" --compare "$scratch/second.frag"
+key h
+files() { drawn_with --shader "$scratch/first.frag" --compare "$scratch/second.frag"; }
+check 'two files stand beside each other' files
+rewrite() { # FILE FACTOR
+    printf '%s\n' "${good/const vec3 SKY = vec3(/const vec3 SKY = $2 * vec3(}" >"$scratch/new.frag" && mv "$scratch/new.frag" "$scratch/$1.frag"
+}
+loads_are() { [ "$(grep -c "$1.frag: loaded again" "$scratch/run/out")" = "$2" ]; }
+second_saved() { rewrite second 0.2 && eventually loads_are second 1 && files; }
+check 'the second is loaded again when it is saved' second_saved
+first_saved() { rewrite first 0.8 && eventually loads_are first 2 && files; }
+check 'so is the first' first_saved
+broken() {
+    shoot_as kept && echo 'float wrong() { return undeclared; }' >>"$scratch/second.frag" && shows 'error: see terminal' &&
+        grep -q 'second.frag:[0-9]*.*undeclared' "$scratch/run/err" && shoot_as still && same kept still
+}
+check 'a second that is broken keeps its last good picture and says so' broken
+recovers() { rewrite second 0.4 && eventually loads_are second 3 && files && [[ $(title) != *error* ]]; }
+check 'and recovers' recovers
+check 'Backspace closes it' backspace
+
+# ---- While it is coarse ----
+
+# Each side waits in a loop: the small picture has its divider where the large one has it.
+slow() { # FILE COLOUR
+    cat >"$scratch/$1.frag" <<GLSL
+void mainImage(out vec4 c, vec2 p)
+{
+    float sum = 0.0;
+    for (int i = 0; i < 2500; i++)
+        sum += sin(sum + float(i) + p.x);
+    c = vec4($2, 1.0) + 1e-9 * sum;
+}
+GLSL
+}
+slow left 'vec3(1.0, 0.0, 0.0)'
+slow right 'vec3(0.0, fract(iTime), 1.0)'
+start $chapter -s 480x300 --shader "$scratch/left.frag" --compare "$scratch/right.frag" --divider 0.4
+key h
+sides() {
+    look screen && [ "$(convert "$scratch/screen.png" -crop 180x200+4+40 +repage -format '%[fx:mean.r > 0.99 && mean.b < 0.01]' info:)" = 1 ] &&
+        [ "$(convert "$scratch/screen.png" -crop 270x200+204+40 +repage -format '%[fx:mean.b > 0.99 && mean.r < 0.01]' info:)" = 1 ]
+}
+check 'a coarse picture has its divider in the same place' eventually sides
+moves_on() { look before && eventually far_off before 300000; }
+check 'and moves on where one of the two does' moves_on
+check 'Backspace closes it' backspace
+
+close_window
+plan
