@@ -63,13 +63,18 @@ static bool find_picture(struct listed *listed, const char *name, char *output)
 static bool draw(const struct context *context, struct run *run, struct image *image)
 {
     struct renderer renderer = {0};
+    struct overlay overlay = {0}; // of a pair
     struct renderer_inputs inputs = still_inputs(&run->options);
     snprintf(run->root, sizeof run->root, ".");
     bool done = find_shader(run) && read_shader(run) == DONE &&
                 renderer_open(&renderer, &context->gl, run->root);
     renderer.view = run->options.view;
     done = done && renderer_load(&renderer, &run->source, &run->parameters) &&
+           second_load(&run->second, &renderer) &&
+           (renderer.pair == NULL || add_overlay(run, &renderer, &inputs, NULL, &overlay)) &&
            renderer_picture(&renderer, &inputs, image);
+    overlay_close(&overlay);
+    second_close(&run->second);
     renderer_close(&renderer);
     shader_free(&run->source);
     parameters_free(&run->parameters);
