@@ -10,7 +10,7 @@
 #include "texture.glsl"    // bumpedNormal
 #include "fresnel.glsl"    // schlickShare
 #include "film.glsl"       // exposed, filmOfLargest
-#include "fog.glsl"        // fogDepth, throughFog
+#include "fog.glsl"        // fogDepth, throughFog, lampInFog, beamInFog
 #include "sky_table.glsl"  // the clear sky, its sun, their light
 #include "clouds.glsl"     // panoramas, layer, light, weather
 
@@ -109,25 +109,11 @@ vec3 skyWithClouds(vec3 direction, Lights lights, float width)
     float grey = overcastShare(weather);
     vec3 up = vec3(direction.x, max(direction.y, 0.0), direction.z);
     vec3 sky = mix(skyLight(up, lights), overcastSky(up.y, lights.sky), grey);
-    vec3 disc = sunLeft(weather) * discLight(direction, lights);
+    vec3 disc = discLeft(weather) * discLight(direction, lights);
     Cloud cloud = cloudsAt(up, width);
     vec3 light = cloudLight(cloud, up, lights.sun, lights.high, lights.sky);
     float haze = fogDepth(0.0, up.y, layerHit(0.0, up.y, LOW_CLOUDS), hazeDensity(weather), 1.5);
     return (1.0 - cloud.cover) * (sky + disc) + throughFog(light, cloud.cover * sky, haze);
-}
-
-// The light of the lamp that haze sends to the eye: round the lamp, and along a beam that goes round.
-//   far  where the ray ends
-float lampHaze(Ray ray, float far)
-{
-    vec3 from = ray.origin - LANTERN, beam = vec3(sin(1.2 * iTime + 0.5), 0.03, cos(1.2 * iTime + 0.5));
-    float nearest = -dot(from, ray.direction), aside = length(from + nearest * ray.direction) + 0.05;
-    float round_ = atan(far * aside, aside * aside - (far - nearest) * nearest) / aside; // a difference of two angles
-    float facing = dot(beam, ray.direction), across = max(1.0 - facing * facing, 0.002);
-    float along = max((dot(from, beam) + facing * nearest) / across, 0.0), place = nearest + along * facing;
-    float wide = 0.1 + 0.025 * along, off = length(from + place * ray.direction - along * beam) / wide;
-    float ahead = smoothstep(0.0, 1.0, place) * smoothstep(-0.5, 0.5, far - place);
-    return 0.03 * round_ + 0.09 * exp(-off * off) / wide * ahead * inversesqrt(across);
 }
 
 // ---- Sea and land ----
@@ -199,11 +185,14 @@ vec3 placeLight(Place place, vec3 direction, vec3 sky, Lights lights)
     return place.land ? land : (place.water ? mix(deep, sky, share) : sky);
 }
 
-// The haze that the lamp lights and the rain before all that, and the film.
+// The haze that the lamp and its beam light, and the rain, before all that; and the film.
 vec3 developed(vec3 light, Place place, Lights lights)
 {
-    float hazy = (0.2 + overcastShare(weather)) * (place.water ? 0.3 : 1.0);
-    light += hazy * lampHaze(place.seen, place.land ? place.t : 1e4) * lights.lamp * LAMPLIGHT;
+    vec3 from = place.seen.origin - LANTERN, beam = vec3(sin(1.2 * iTime + 0.5), 0.03, cos(1.2 * iTime + 0.5));
+    float far = place.land ? place.t : 1e4, haze = 0.03 * lampInFog(from, place.seen.direction, far, 0.05);
+    haze += 0.09 * beamInFog(from, place.seen.direction, beam, vec2(0.1, 0.025), far);
+    haze *= (0.2 + overcastShare(weather)) * (place.water ? 0.3 : 1.0);
+    light += haze * lights.lamp * LAMPLIGHT;
     float drops = rainStreaks(screenPosition(vec2(iPixel) + 0.5), iTime, 2.0 / iResolution.y);
     light = mix(light, lights.sky, 0.35 * rainShare(weather) * drops);
     return encodeSRGB(filmOfLargest(exposed(light, lights.stops), 1.3, 6.0));

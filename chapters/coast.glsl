@@ -15,7 +15,7 @@ float rockDistance(vec3 p)
 {
     vec3 fold = abs(fract(vec3(0.47, 0.9, 0.61) * p + 0.21 * p.zxy) - 0.5);
     float cape = max(length(p.xz - vec2(-16.0, -8.6)) - 3.9, p.y - 1.5);
-    float hill = max(length(p.xz - vec2(-17.4, -14.4)) - 5.2, p.y - 2.4 + 0.12 * abs(p.z + 15.0));
+    float hill = max(length(p.xz - vec2(-16.6, -14.4)) - 5.4, p.y - 2.4 + 0.12 * abs(p.z + 15.0));
     float boulder = sdSphere(p - vec3(-13.6, -0.7, -4.9), 1.5);
     float d = opSmoothUnion(opSmoothUnion(cape, hill, 1.4), boulder, 0.6);
     d = opUnion(d, sdSphere(p - vec3(-13.9, -0.6, -2.3), 0.85));
@@ -50,7 +50,7 @@ vec3 coastDistances(vec3 p)
 // Where a ray may meet it: in a flat box round rocks and house, or in a slender one round the tower.
 vec2 coastInterval(Ray ray)
 {
-    vec2 rocks = boxInterval(ray, vec3(-22.5, -0.1, -21.0), vec3(-11.6, 3.4, -1.4));
+    vec2 rocks = boxInterval(ray, vec3(-22.5, -0.1, -21.0), vec3(-10.8, 3.4, -1.4));
     return intervalUnion(rocks, boxInterval(ray, TOWER - vec3(0.76, 0.5, 0.76), TOWER + vec3(0.76, 5.8, 0.76)));
 }
 

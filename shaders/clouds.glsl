@@ -167,12 +167,20 @@ float overcastShare(float weather)
     return 1.0 - smoothstep(0.5, 0.85, weather);
 }
 
-// The share of the light of sun, moon and stars that comes through what the weather puts before them.
+// The share of the light of sun and moon that arrives through what the weather puts before them.
 //   weather  as above
 //   formula  exp(-4 overcastShare)
 float sunLeft(float weather)
 {
     return exp(-4.0 * overcastShare(weather));
+}
+
+// The share of the disc of sun or moon that is seen through it. Cloud scatters straight light to all sides long before it
+// swallows it: in bad weather there is light, and no disc.
+//   formula  exp(-16 overcastShare)
+float discLeft(float weather)
+{
+    return exp(-16.0 * overcastShare(weather));
 }
 
 // The light of an overcast sky in a direction: three times as bright overhead as at the horizon.

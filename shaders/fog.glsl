@@ -78,3 +78,34 @@ vec3 throughFog(vec3 light, vec3 fog, float depth)
 {
     return mix(fog, light, exp(-depth));
 }
+
+// What thin fog round a lamp sends to the eye, for a lamp whose light falls off with the square of the way.
+//   from       where the ray begins, from the lamp, scene units
+//   direction  length 1
+//   far        length of the ray, scene units, >= 0
+//   size       added to the distance at which the ray passes the lamp, scene units, > 0: no lamp is a point
+//   returns    per scene unit, to be multiplied by the lamp's light and by what the fog scatters
+//   formula    (atan((far - n) / s) + atan(n / s)) / s as one atan, n where the ray is nearest to the lamp, s how
+//              near it is, and size: the integral of 1 / (s^2 + (t - n)^2) along the ray. Exact but for what
+//              the fog takes on the way
+float lampInFog(vec3 from, vec3 direction, float far, float size)
+{
+    float nearest = -dot(from, direction), aside = length(from + nearest * direction) + size;
+    return atan(far * aside, aside * aside - (far - nearest) * nearest) / aside;
+}
+
+// The same of a lamp whose light is a beam.
+//   beam     its direction, length 1
+//   wide     of the beam at the lamp (x), and what it gains for each scene unit (y)
+//   returns  per scene unit
+//   formula  exp(-q^2) / (w sin), w the beam's width where the ray is nearest to its axis, q how near that is, in
+//            widths, sin of the angle between the two, at least 0.045; fading out where that place lies before the
+//            eye or behind far. A model by eye
+float beamInFog(vec3 from, vec3 direction, vec3 beam, vec2 wide, float far)
+{
+    float nearest = -dot(from, direction), facing = dot(beam, direction), across = max(1.0 - facing * facing, 0.002);
+    float along = max((dot(from, beam) + facing * nearest) / across, 0.0), place = nearest + along * facing;
+    float width = wide.x + wide.y * along, off = length(from + place * direction - along * beam) / width;
+    float ahead = smoothstep(0.0, 1.0, place) * smoothstep(-0.5, 0.5, far - place);
+    return exp(-off * off) / width * ahead * inversesqrt(across);
+}

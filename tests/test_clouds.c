@@ -257,6 +257,9 @@ static void test_weather_runs_from_fair_to_bad(void **unused)
     assert_true(fair[0] == 1.0f && fair[1] == 0.0f && fair[2] == 0.0f && fair[3] == 1.0f);
     assert_true(more[1] == 1.0f && more[4 * 500 + 1] == 0.0f);
     assert_true(more[0] > 4.0f * more[4 * 500]);
+    // 46,000 times a white wall's light across the sun's rays: nothing of its disc is seen in the
+    // bad sky.
+    assert_true(more[2] < 1e-6f && more[4 * 500 + 2] == 1.0f);
     for (int i = 0; i <= 500; i += 50) {
         const float *v = shares + 4 * i, *w = more + 4 * i;
         print_message("# weather %.2f: fair %.2f, storm %.2f, overcast %.2f, sun %.3f, haze %.3f, "
@@ -269,6 +272,7 @@ static void test_weather_runs_from_fair_to_bad(void **unused)
         assert_true(v[0] >= before[0] && v[1] <= before[1] && v[2] <= before[2]);
         assert_true(v[3] >= before[3] && more[4 * i] <= more[4 * i - 4]);
         assert_true(more[4 * i + 1] <= more[4 * i - 3]);
+        assert_true(more[4 * i + 2] >= more[4 * i - 2] && more[4 * i + 2] <= v[3]);
         assert_true(v[0] + v[1] >= 0.99f); // never without clouds
     }
     free(shares);

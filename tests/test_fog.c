@@ -13,7 +13,7 @@
 
 #define SHADER "tests/shaders/fog.frag"
 
-enum { DECAY, DEPTH, SKY, PLACE, LIGHT, HORIZON };
+enum { DECAY, DEPTH, SKY, PLACE, LIGHT, HORIZON, LAMP, BEAM };
 
 // The density along a ray, and its integral by Simpson's rule over so many slices.
 struct air {
@@ -182,6 +182,52 @@ static void the_horizon_is_the_fog(void **unused)
     free(values);
 }
 
+// The sum of thin slices of 1 / (distance^2), the lamp being 0.05 farther aside than it is.
+static void the_light_round_a_lamp_is_the_sum_of_thin_slices(void **unused)
+{
+    (void)unused;
+    static const float rays[][4] = {
+        {0.0f, 0.3f, -4.0f, 3.0f}, {0.0f, 0.3f, -4.0f, 4.2f}, {2.0f, -1.0f, 3.0f, 1000.0f}};
+    double worst = 0.0;
+    for (int k = 0; k < 3; k++) {
+        float *values = gpu_call(SHADER, 63, 1, LAMP, rays[k]);
+        double x = (double)rays[k][0], y = (double)rays[k][1], z = (double)rays[k][2];
+        for (int i = 0; i < 63; i++) {
+            const float *v = values + 4 * i;
+            double a = (double)v[0], b = (double)v[1], c = (double)v[2];
+            double nearest = -(x * a + y * b + z * c);
+            double aside = sqrt(fmax(x * x + y * y + z * z - nearest * nearest, 0.0)) + 0.05;
+            // t - nearest = aside sinh s: slices that are thin where the lamp is near.
+            double from = asinh(-nearest / aside),
+                   to = asinh(((double)rays[k][3] - nearest) / aside);
+            double sum = 0.0, step = (to - from) / 4000.0;
+            for (int j = 0; j < 4000; j++)
+                sum += step / (aside * cosh(from + (j + 0.5) * step));
+            worst = fmax(worst, fabs((double)v[3] / sum - 1.0));
+        }
+        free(values);
+    }
+    print_message("# round a lamp: worst relative error %.2g\n", worst);
+    assert_true(worst < 2e-4);
+}
+
+// Where a ray crosses a beam at right angles, the light is a bell over the beam's width, and
+// nothing where the ray ends before it.
+static void a_beam_is_as_wide_as_it_says(void **unused)
+{
+    (void)unused;
+    const float far[4] = {9.0f}, near[4] = {4.4f};
+    float *values = gpu_call(SHADER, 40, 13, BEAM, far),
+          *before = gpu_call(SHADER, 40, 13, BEAM, near);
+    for (int i = 0; i < 40 * 13; i++) {
+        double width = (double)values[4 * i], off = (double)values[4 * i + 1];
+        assert_true(fabs((double)values[4 * i + 2] - exp(-off * off) / width) < 1e-3);
+        assert_true(before[4 * i + 2] == 0.0f);
+    }
+    free(values);
+    free(before);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -192,6 +238,8 @@ int main(void)
         cmocka_unit_test(a_place_has_the_depth_that_was_asked_for),
         cmocka_unit_test(light_in_fog_obeys_its_equation),
         cmocka_unit_test(the_horizon_is_the_fog),
+        cmocka_unit_test(the_light_round_a_lamp_is_the_sum_of_thin_slices),
+        cmocka_unit_test(a_beam_is_as_wide_as_it_says),
     };
     return cmocka_run_group_tests_name("fog", tests, gpu_setup, gpu_teardown);
 }

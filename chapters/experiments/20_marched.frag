@@ -58,7 +58,7 @@ vec3 rayColour(Ray ray)
     vec3 clear = mix(skyLight(up, lights), overcastSky(up.y, lights.sky), overcastShare(weather));
     vec4 layer = marchedLayer(up, lights, skyWidth(place));
     float haze = fogDepth(0.0, up.y, layerHit(0.0, up.y, FOOT), hazeDensity(weather), 1.5);
-    vec3 disc = sunLeft(weather) * discLight(place.seen.direction, lights);
+    vec3 disc = discLeft(weather) * discLight(place.seen.direction, lights);
     vec3 sky = layer.a * (clear + disc) + throughFog(layer.rgb, (1.0 - layer.a) * clear, haze);
     return developed(placeLight(place, ray.direction, sky, lights), place, lights);
 }

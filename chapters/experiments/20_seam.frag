@@ -6,13 +6,13 @@
 #include "main.glsl"
 #include "clouds.glsl"
 
-uniform int way; // 0 in [0, 2]: 0 the hardware's footprint, 1 the smaller of two, 2 the library's, from the ray
+uniform int way; // 0 in [0, 3]: 0 the hardware's footprint, 1 the smaller of two, 2 the library's, from the ray, 3 the smaller of two by however little
 
 Cloud panoramaByWay(sampler2D panorama, vec3 direction, float turned, float width)
 {
     vec2 place = panoramaPlace(direction), other = vec2(fract(place.x), place.y); // jumps in the south; in the north
     float size = fwidth(place.x), otherSize = fwidth(other.x);
-    vec2 at = way == 1 && otherSize < 0.5 * size ? other : place;
+    vec2 at = way == 1 && otherSize < 0.5 * size || way == 3 && otherSize < size ? other : place;
     vec4 texel = texture(panorama, at + vec2(turned, 0.0));
     Cloud hardware = Cloud(texel.x, texel.y, 2.0 * texel.z - 1.0), mended = cloudPanorama(panorama, direction, turned, width);
     return way == 2 ? mended : hardware;

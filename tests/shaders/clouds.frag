@@ -44,7 +44,7 @@ void main()
         FragColor = vec4(fairShare(w), stormShare(w), overcastShare(w), sunLeft(w));
     } else if (function == 5) {
         float w = 0.5 + number.x / 1000.0;
-        FragColor = vec4(hazeDensity(w), rainShare(w), 0.0, 0.0);
+        FragColor = vec4(hazeDensity(w), rainShare(w), discLeft(w), 0.0);
     } else if (function == 6) { // random clouds one before the other, and the light of both
         float a = lot(number, 0), b = lot(number, 1);
         Cloud near = Cloud(a, a * lot(number, 2), a * (2.0 * lot(number, 3) - 1.0));

@@ -33,6 +33,13 @@ void main()
         float t = 0.05 * number.x;
         vec3 light = throughFog(vec3(iMouse.x), vec3(iMouse.y), fogDepth(0.3, 0.0, t, iMouse.z, 2.0));
         FragColor = vec4(t, light);
+    } else if (function == 6) { // past a lamp; iMouse: where the ray begins, from the lamp; its length
+        float turn = 0.1 * number.x;
+        vec3 direction = normalize(vec3(sin(turn), 0.2, cos(turn)));
+        FragColor = vec4(direction, lampInFog(iMouse.xyz, direction, iMouse.w, 0.05));
+    } else if (function == 7) { // across a beam along x, at the way x from its lamp, so many of its widths beside its axis
+        float x = 1.0 + number.x, width = 0.1 + 0.02 * x, off = 0.25 * number.y;
+        FragColor = vec4(width, off, beamInFog(vec3(x, off * width, -5.0), vec3(0.0, 0.0, 1.0), vec3(1.0, 0.0, 0.0), vec2(0.1, 0.02), iMouse.x), 0.0);
     } else { // above and below the horizon, from the height 1.6: the sky's light 9, the ground's 0
         float climb = 1e-4 * (number.x + 0.5);
         float above = skyFogDepth(1.6, climb, 0.02, 3.0), below = fogDepth(1.6, -climb, 1.6 / climb, 0.02, 3.0);
