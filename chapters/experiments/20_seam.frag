@@ -6,7 +6,7 @@
 #include "main.glsl"
 #include "clouds.glsl"
 
-uniform int way; // 0 in [0, 3]: 0 the hardware's footprint, 1 the smaller of two, 2 the library's, from the ray, 3 the smaller of two by however little
+uniform int way; // 0 in [0, 3]: 0 the hardware's footprint, 1 the smaller of two, 2 the library's, from the ray, 3 the smaller by however little
 
 Cloud panoramaByWay(sampler2D panorama, vec3 direction, float turned, float width)
 {
