@@ -428,6 +428,11 @@ static int act(struct run *run, const char *program)
     case OPTIONS_LIST:
         parameters_print(&run->parameters, stdout);
         samplers_print(&run->parameters.samplers, &run->source, stdout);
+        if (run->options.compares) {
+            printf("\n# beside it\n");
+            parameters_print(&run->second.parameters, stdout);
+            samplers_print(&run->second.parameters.samplers, &run->second.source, stdout);
+        }
         return DONE;
     default:
         return open_and_work(run);

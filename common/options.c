@@ -434,12 +434,9 @@ static bool complete(struct options *options)
              options->shared_settings == options->setting_count)
         report("--compare: with what? Give a shader's FILE, or --set NAME=VALUE behind it");
     else if (options->compares &&
-             (options->benchmark > 0 || options->action == OPTIONS_PRINT_SHADER ||
-              options->action == OPTIONS_LIST))
+             (options->benchmark > 0 || options->action == OPTIONS_PRINT_SHADER))
         report("--compare: goes with a window, a picture or --probe: leave --%s out",
-               options->benchmark > 0                    ? "benchmark"
-               : options->action == OPTIONS_PRINT_SHADER ? "print-shader"
-                                                         : "list");
+               options->benchmark > 0 ? "benchmark" : "print-shader");
     else if (!row && paced)
         report("--fps: goes with --frames N: how many pictures?");
     else if (row && options->output == NULL)

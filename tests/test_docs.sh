@@ -278,6 +278,11 @@ bad_labs() { # PAGE
         END { judge(); if (last < 6) print "the last lab is " last + 0 }' "$1"
 }
 
+# A page sets two pictures beside each other, a wrong one and the right one, in a window.
+lacks_pair() { # PAGE
+    code_of "$1" | grep -qE '^build/[0-9].* --compare( |$)' || echo "$1: no command has --compare"
+}
+
 # Shaders that belong to a chapter and that its page never names.
 unnamed_shaders() { # STEM
     local file number=${1%%_*}
@@ -386,6 +391,7 @@ check_pages() {
         judge "docs/$stem.md: has its five lines in French" "$(bad_summary "docs/$stem.md")"
         judge "docs/$stem.md: its French terms are in the glossary" "$(untranslated "docs/$stem.md")"
         judge "docs/$stem.md: names every parameter" "$(unnamed_parameters "$stem")"
+        judge "docs/$stem.md: sets two pictures beside each other" "$(lacks_pair "docs/$stem.md")"
         judge "docs/$stem.md: names every shader that goes with it" "$(unnamed_shaders "$stem")"
         judge "docs/$stem.md: its exercises have checks, hints and solutions" "$(bad_exercises "docs/$stem.md")"
         judge "docs/$stem.md: its folds are those of all pages, and each question has its answer" \

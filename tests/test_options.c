@@ -412,7 +412,6 @@ static void test_compare(void **state)
     assert_refused("--compare a.frag --divider x", "share of the width");
     assert_refused("--compare a.frag --benchmark 3", "leave --benchmark out");
     assert_refused("--compare a.frag --print-shader", "leave --print-shader out");
-    assert_refused("--compare a.frag --list", "leave --list out");
     assert_refused("--compare a.frag b.frag", "unexpected argument 'b.frag'");
 }
 
