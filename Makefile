@@ -87,6 +87,8 @@ endif
 SOURCES := $(sort $(shell find common -name '*.c'))
 ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,common/context/$(name).c))
 ABSENT += $(if $(filter glfw,$(BACKENDS)),common/window/none.c,$(filter-out %/none.c %/watch.c,$(filter common/window/%,$(SOURCES))))
+# What each system does in its own way: platform_SYSTEM*.c.
+PLATFORM := $(patsubst common/%.c,%,$(filter common/platform_posix%,$(SOURCES)))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
@@ -116,7 +118,7 @@ $(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 $(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/support_compare.o \
-    $(patsubst %,$(BUILD)/common/%.o,picture/image picture/image_read shader/text_file memory report) $(EXTRA)
+    $(patsubst %,$(BUILD)/common/%.o,picture/image picture/image_read picture/image_write shader/text_file memory report $(PLATFORM)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 # It holds the source of common/chapter.c.

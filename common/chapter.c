@@ -1,16 +1,9 @@
 #include "chapter.h"
 
-#include <limits.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#ifdef __APPLE__
-#include <mach-o/dyld.h>
-#endif
 
 #include "picture/aside.h"
 #include "picture/benchmark.h"
@@ -21,6 +14,7 @@
 #include "memory.h"
 #include "options.h"
 #include "picture/panel.h"
+#include "platform.h"
 #include "picture/probe.h"
 #include "picture/renderer.h"
 #include "picture/second.h"
@@ -37,8 +31,8 @@ enum { DONE = 0, NOT_DONE = 1, WRONG_COMMAND_LINE = 2, NO_WINDOW = 3 };
 struct run {
     const struct chapter *chapter;
     struct options options;
-    char root[PATH_MAX];   // the project's folder
-    char shader[PATH_MAX]; // the shader to run
+    char root[PLATFORM_PATH];   // the project's folder
+    char shader[PLATFORM_PATH]; // the shader to run
     struct shader_request request;
     // What was read of it, until the renderer takes it over.
     struct shader_source source;
@@ -46,36 +40,35 @@ struct run {
     struct second second; // of --compare
 };
 
-// The path of this program's own file; programs find the project from there, so that they run from
-// any directory.
-static bool program_path(char path[PATH_MAX])
+static bool is_root(const char *folder)
 {
-#ifdef __APPLE__
-    char raw[PATH_MAX];
-    uint32_t size = sizeof raw;
-    return _NSGetExecutablePath(raw, &size) == 0 && realpath(raw, path) != NULL;
-#else
-    return realpath("/proc/self/exe", path) != NULL;
-#endif
+    char path[PLATFORM_PATH + 32];
+    struct platform_file file;
+    snprintf(path, sizeof path, "%s/shaders/screen.vert", folder);
+    return platform_look(path, &file) && file.regular;
 }
 
-// Find the project's folder: --root, or the nearest folder above the program that holds shaders/.
+static bool take_root(struct run *run, const char *given)
+{
+    char *resolved = platform_resolve(given);
+    bool fits = resolved != NULL &&
+                snprintf(run->root, sizeof run->root, "%s", resolved) < (int)sizeof run->root;
+    free(resolved);
+    return (fits && is_root(run->root)) ||
+           report("--root %s: no shaders/screen.vert in it: give the project's folder", given);
+}
+
+// Find the project's folder: --root, or the nearest folder above the program that holds shaders/,
+// so that programs run from any directory.
 static bool find_root(struct run *run)
 {
-    char probe[PATH_MAX + 32];
-    if (run->options.root != NULL) {
-        snprintf(probe, sizeof probe, "%s/shaders/screen.vert", run->options.root);
-        if (realpath(run->options.root, run->root) != NULL && access(probe, R_OK) == 0)
-            return true;
-        return report("--root %s: no shaders/screen.vert in it: give the project's folder",
-                      run->options.root);
-    }
+    if (run->options.root != NULL)
+        return take_root(run, run->options.root);
     char *slash = NULL;
-    if (program_path(run->root))
+    if (platform_program(run->root))
         while ((slash = strrchr(run->root, '/')) != NULL && slash != run->root) {
             *slash = '\0';
-            snprintf(probe, sizeof probe, "%s/shaders/screen.vert", run->root);
-            if (access(probe, R_OK) == 0)
+            if (is_root(run->root))
                 return true;
         }
     return report("shaders/screen.vert: not found above this program's folder: give --root DIR");
@@ -249,7 +242,7 @@ static bool write_frames(const struct run *run, struct renderer *renderer)
 {
     const struct options *options = &run->options;
     struct renderer_inputs inputs = still_inputs(options);
-    char path[PATH_MAX];
+    char path[PLATFORM_PATH];
     struct probe *probe = options->walk ? memory_zeros(1, sizeof *probe) : NULL;
     bool done = probe == NULL || march_shown(run, renderer, &inputs, probe);
     for (int i = 0; i < options->frames && done; i++) {
@@ -274,10 +267,9 @@ static bool write_frames(const struct run *run, struct renderer *renderer)
 // destroy a person's work. Reported.
 static bool check_source(const struct shader_source *source, const char *path)
 {
-    struct stat target, read;
-    for (int i = 0; i < source->file_count && stat(path, &target) == 0; i++)
-        if (stat(source->paths[i], &read) == 0 && read.st_dev == target.st_dev &&
-            read.st_ino == target.st_ino)
+    struct platform_file target, read;
+    for (int i = 0; i < source->file_count && platform_look(path, &target); i++)
+        if (platform_look(source->paths[i], &read) && platform_is_same(&read, &target))
             return report("--output '%s': is %s, which this run reads: choose another name", path,
                           source->files[i]);
     return true;
@@ -286,7 +278,7 @@ static bool check_source(const struct shader_source *source, const char *path)
 // The same of all that this run has read.
 static bool check_unread(const struct run *run, const char *path)
 {
-    char vertex[PATH_MAX + 32];
+    char vertex[PLATFORM_PATH + 32];
     char *files[] = {vertex};
     const struct shader_source own = {.paths = files, .files = files, .file_count = 1};
     snprintf(vertex, sizeof vertex, "%s/shaders/screen.vert", run->root);
@@ -298,7 +290,7 @@ static bool check_unread(const struct run *run, const char *path)
 static bool check_targets(const struct run *run)
 {
     const struct options *options = &run->options;
-    char path[PATH_MAX];
+    char path[PLATFORM_PATH];
     if (options->frames == 0)
         return options->output == NULL ||
                (image_check_target(options->output) && check_unread(run, options->output));

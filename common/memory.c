@@ -4,6 +4,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
+#include "platform.h"
 #include "report.h"
 
 static void need(bool there)
@@ -55,13 +56,12 @@ char *memory_list(int count, const char *(*name)(const void *of, int i), const v
 FILE *memory_open(char **text)
 {
     static size_t size; // which nobody asks for
-    FILE *stream = open_memstream(text, &size);
+    FILE *stream = platform_open_text(text, &size);
     need(stream != NULL);
     return stream;
 }
 
 void memory_close(FILE *stream)
 {
-    bool failed = ferror(stream) != 0;
-    need(fclose(stream) == 0 && !failed);
+    need(platform_close_text(stream));
 }

@@ -1,10 +1,10 @@
 #include "options.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <strings.h>
 
 #include "memory.h"
 #include "number.h"
@@ -46,13 +46,23 @@ static bool read_pair(const char *text, char separator, int pair[2])
     return true;
 }
 
+// True for a name that ends in .png, in letters of any size.
+static bool is_png(const char *name)
+{
+    static const char ending[] = ".png";
+    size_t length = strlen(name), own = sizeof ending - 1;
+    for (size_t i = 0; i < own && length > own; i++)
+        if (tolower((unsigned char)name[length - own + i]) != ending[i])
+            return false;
+    return length > own;
+}
+
 // A setter takes the text after its option, NULL where that is left out, and reports what is wrong
 // with it.
 static bool set_output(struct options *options, const char *text)
 {
-    size_t length = strlen(text);
     options->output = text;
-    return (length > 4 && strcasecmp(text + length - 4, ".png") == 0) ||
+    return is_png(text) ||
            refuse("output", text, "must name a file that ends in .png: no other kind is written");
 }
 

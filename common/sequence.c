@@ -2,8 +2,8 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <unistd.h>
 
+#include "platform.h"
 #include "report.h"
 
 // The end of the conversion that begins at a '%', or NULL for another conversion.
@@ -40,7 +40,7 @@ bool sequence_path(const char *name, int number, char *path, size_t size)
 
 void sequence_progress(int done, int count)
 {
-    if (!isatty(STDERR_FILENO))
+    if (!platform_is_terminal(stderr))
         return;
     fprintf(stderr, "%d of %d pictures\r", done, count);
     if (done == count)

@@ -10,6 +10,8 @@
 // A picture is made of its options as the programs make it: their code is this one's.
 #include "../common/chapter.c" // NOLINT(bugprone-suspicious-include)
 
+#include <unistd.h>
+
 #include "support_compare.h"
 #include "support_mirror.h"
 
@@ -88,7 +90,7 @@ static bool draw_in(const struct context *context, const char *name, const char 
     static struct listed listed;
     struct chapter chapter = {.stem = listed.stem};
     struct run run = {.chapter = &chapter};
-    char here[PATH_MAX], output[] = "picture.png";
+    char here[PLATFORM_PATH], output[] = "picture.png";
     if (!find_picture(&listed, name, output) || !mirror_camera(".", listed.stem, &chapter.camera) ||
         !options_parse(&run.options, listed.count, listed.word))
         return false;
@@ -107,7 +109,7 @@ static void answer(const struct context *context, const char *name, const char *
 {
     struct image drawn = {0}, stored = {0};
     struct image_difference difference;
-    char path[2 * PATH_MAX];
+    char path[2 * PLATFORM_PATH];
     bool done = draw_in(context, name, root, &drawn);
     if (done && folder != NULL) {
         snprintf(path, sizeof path, "%s/%s.%s.png", folder, name, backend);

@@ -83,8 +83,42 @@ check_empty 'no call leads upwards' "$scratch/up"
 tsort "$scratch/calls" >/dev/null 2>"$scratch/circle"
 check_empty 'no circle of calls' "$scratch/circle"
 
+# ---- Systems ----
+
+# What differs from system to system stands in platform_*.c, and what one backend or the table of OpenGL has
+# of its own, beside it.
+platform='^common/platform_[a-z_]*\.c:'
+
+# systems_in FILE...: the lines that ask which system this is.
+systems_in() {
+    grep -HnE '^[[:blank:]]*#.*\<(_WIN(32|64)|__(APPLE|MACH|linux|unix|FreeBSD|MINGW32|MINGW64|CYGWIN)__|__unix)\>' "$@"
+}
+
+# headers_in FILE...: the lines that include a header which C11 does not have.
+headers_in() {
+    grep -HnE '^[[:blank:]]*#[[:blank:]]*include <(sys/|mach|unistd|fcntl|signal|pthread|dirent|dlfcn|ftw|libgen|poll|pwd|spawn|strings|termios|windows|io\.|GL/)' "$@"
+}
+
+printf '#if defined(__APPLE__) || 0\n#ifdef _WIN32\n#  ifndef __linux__\n// #ifdef\n' >"$scratch/asks.c"
+check 'a question for the system is seen' [ "$(systems_in "$scratch/asks.c" | wc -l)" = 3 ]
+find common chapters docs shaders tests -name '*.[ch]' | sort | while read -r file; do
+    systems_in "$file"
+done | grep -v "$platform" >"$scratch/systems"
+check_empty 'no file but those of the platform asks which system it is on' "$scratch/systems"
+while read -r file; do headers_in "$file"; done <"$scratch/files" | grep -v "$platform" |
+    grep -v '^common/context/osmesa\.c:[0-9]*:#include <dlfcn\.h>$' >"$scratch/headers"
+check_empty "a system's headers are included by the platform alone" "$scratch/headers"
+check 'a header of a system is seen' [ "$(headers_in common/platform_posix.c | wc -l)" -gt 2 ]
+
+# A type or a constant that differed from Khronos' would be defined twice.
+agrees() {
+    printf '#include <GL/glcorearb.h>\n#include "context/opengl.h"\n' >"$scratch/both.c"
+    cc -std=c11 -pedantic-errors -Werror -Icommon -fsyntax-only "$scratch/both.c"
+}
+check "our types and constants of OpenGL are Khronos'" agrees
+
 # ---- Size ----
 
-find common -maxdepth 1 -type f >"$scratch/flat"
-check 'at most 14 files lie flat in common/' [ "$(wc -l <"$scratch/flat")" -le 14 ]
+find common -maxdepth 1 -type f ! -name 'platform*' >"$scratch/flat"
+check 'at most 14 files lie flat in common/, besides the platform' [ "$(wc -l <"$scratch/flat")" -le 14 ]
 plan

@@ -8,6 +8,7 @@
 #include <EGL/eglext.h>
 
 #include "memory.h"
+#include "platform.h"
 
 #define DEVICE_LIMIT 16
 
@@ -141,7 +142,7 @@ static void *open_offscreen(char why[CONTEXT_WHY])
 {
     struct egl_state *state = memory_zeros(1, sizeof *state);
     // Mesa would print lines of its own about each platform that it cannot serve.
-    setenv("EGL_LOG_LEVEL", "fatal", 0);
+    platform_set("EGL_LOG_LEVEL", "fatal", false);
     if (try_platforms(state, why))
         return state;
     free(state);

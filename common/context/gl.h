@@ -8,7 +8,7 @@
 
 #include <stdbool.h>
 
-#include <GL/glcorearb.h>
+#include "context/opengl.h"
 
 // X(type, name): one line for each function.
 #define GL_FUNCTIONS(X)                                                                            \

@@ -1,10 +1,11 @@
 #include "context/driver.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+
+#include "platform.h"
 
 #define HIDDEN_SIZE 16 // pixels; what is drawn goes into targets of our own
 
@@ -17,25 +18,20 @@ static void last_error(char why[CONTEXT_WHY], const char *step)
              (unsigned)code);
 }
 
-static bool is_set(const char *variable)
+static bool initialise(bool visible, char why[CONTEXT_WHY])
 {
-    const char *value = getenv(variable);
-    return value != NULL && value[0] != '\0';
-}
-
-static bool initialise(char why[CONTEXT_WHY])
-{
-#ifndef __APPLE__
+    enum platform_display display = platform_display();
     // Not asked then: what GLFW tries first, libwayland, may print a line of its own.
-    if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) {
+    if (display == PLATFORM_NO_DISPLAY) {
         snprintf(why, CONTEXT_WHY, "no display: DISPLAY and WAYLAND_DISPLAY are not set");
         return false;
     }
 #ifdef GLFW_PLATFORM // from 3.4 on it tries Wayland first, also where only DISPLAY is set
-    if (!is_set("WAYLAND_DISPLAY"))
+    if (display == PLATFORM_X11)
         glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
-#endif
+    // On macOS the menu comes with an icon in the Dock, which no hidden window should have.
+    glfwInitHint(GLFW_COCOA_MENUBAR, visible ? GLFW_TRUE : GLFW_FALSE);
     if (glfwInit())
         return true;
     last_error(why, "glfwInit");
@@ -45,15 +41,13 @@ static bool initialise(char why[CONTEXT_WHY])
 static GLFWwindow *open_window(bool visible, const char *title, int width, int height,
                                char why[CONTEXT_WHY])
 {
-    if (!initialise(why))
+    if (!initialise(visible, why))
         return NULL;
     glfwDefaultWindowHints();
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-#ifdef __APPLE__
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS has no other core profile
-#endif
     glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
     GLFWwindow *window = glfwCreateWindow(width, height, title, NULL, NULL);
     if (window != NULL) {

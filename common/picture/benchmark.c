@@ -3,9 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "memory.h"
+#include "platform.h"
 #include "report.h"
 #include "picture/coarse.h"
 
@@ -21,17 +21,9 @@ struct timer {
 
 // ---- Clocks ----
 
-static double clock_seconds(clockid_t clock)
-{
-    struct timespec now;
-    clock_gettime(clock, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
-}
-
 static struct benchmark_span now(void)
 {
-    return (struct benchmark_span){
-        {clock_seconds(CLOCK_PROCESS_CPUTIME_ID), clock_seconds(CLOCK_MONOTONIC), 0.0}};
+    return (struct benchmark_span){{platform_processor_seconds(), platform_seconds(), 0.0}};
 }
 
 static struct benchmark_span since(const struct benchmark_span *begin)

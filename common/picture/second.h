@@ -2,9 +2,9 @@
 #ifndef SECOND_H
 #define SECOND_H
 
-#include <limits.h>
 #include <stdbool.h>
 
+#include "platform.h"
 #include "picture/pair.h"
 #include "picture/renderer.h"
 
@@ -21,7 +21,7 @@ struct second_request {
 
 // One of zeros is closed: there is no second picture.
 struct second {
-    char shader[PATH_MAX];       // its file; "" where there is no second
+    char shader[PLATFORM_PATH];  // its file; "" where there is no second
     struct shader_source source; // of it, until the renderer takes it over
     struct parameters parameters;
     struct renderer renderer;

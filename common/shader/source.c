@@ -1,19 +1,19 @@
 #include "shader/source.h"
 
 #include <errno.h>
-#include <limits.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "memory.h"
+#include "platform.h"
 #include "report.h"
 #include "shader/text_file.h"
 
-#define TEXT_LIMIT  (8 * 1024 * 1024) // bytes of the expanded text
-#define DEPTH_LIMIT 64                // files open at once, the first one included
-#define WHERE_SIZE  (3 * PATH_MAX)    // FILE:LINE: #include "NAME"
+#define TEXT_LIMIT  (8 * 1024 * 1024)   // bytes of the expanded text
+#define DEPTH_LIMIT 64                  // files open at once, the first one included
+#define WHERE_SIZE  (3 * PLATFORM_PATH) // FILE:LINE: #include "NAME"
 
 // One expansion under way.
 struct expansion {
@@ -42,10 +42,10 @@ static const char *within(const char *path, const char *folder)
 }
 
 // The folder of a resolved path.
-static void folder_of(const char *path, char folder[PATH_MAX])
+static void folder_of(const char *path, char folder[PLATFORM_PATH])
 {
     int length = (int)(strrchr(path, '/') - path);
-    snprintf(folder, PATH_MAX, "%.*s", length > 0 ? length : 1, path);
+    snprintf(folder, PLATFORM_PATH, "%.*s", length > 0 ? length : 1, path);
 }
 
 static void tell(const struct shader_source *source, const char *path)
@@ -61,7 +61,7 @@ static char *resolve(const struct shader_source *source, int from, const char *n
                      const char *const folders[], const char *where, char why[TEXT_FILE_WHY])
 {
     const char *slash = strrchr(source->files[from], '/');
-    char beside[PATH_MAX], path[3 * PATH_MAX];
+    char beside[PLATFORM_PATH], path[3 * PLATFORM_PATH];
     folder_of(source->paths[from], beside);
     if (name[0] == '/') {
         snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from %s",
@@ -71,7 +71,7 @@ static char *resolve(const struct shader_source *source, int from, const char *n
     for (int i = 0; i == 0 || folders[i - 1] != NULL; i++) {
         snprintf(path, sizeof path, "%s%s/%s", i == 0 ? beside : source->root,
                  i == 0 ? "" : folders[i - 1], name);
-        char *resolved = realpath(path, NULL);
+        char *resolved = platform_resolve(path);
         tell(source, resolved != NULL ? resolved : path);
         if (resolved != NULL && (inside(resolved, source->root) || inside(resolved, source->own)))
             return resolved;
@@ -122,7 +122,7 @@ int shader_find_texture(struct shader_source *source, int from, const char *name
 
 int shader_take_texture(struct shader_source *source, const char *path, char why[TEXT_FILE_WHY])
 {
-    char *resolved = realpath(path, NULL);
+    char *resolved = platform_resolve(path);
     tell(source, resolved != NULL ? resolved : path);
     if (resolved != NULL)
         return add_file(source, memory_text("%s", path), resolved);
@@ -197,13 +197,13 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
 //   hash  where the directive begins, among the tokens
 //   line  the line in the text, and its end
 static bool quoted_name(const struct glsl *code, const struct glsl_token *hash, const char *line,
-                        const char *end, char name[PATH_MAX])
+                        const char *end, char name[PLATFORM_PATH])
 {
     const char *open = code->text + hash[1].begin + hash[1].length;
     open += strspn(open, " \t\v\f");
     size_t length = *open == '"' ? strcspn(open + 1, "\"\n") : 0;
     const char *close = open + length + 1;
-    if (length == 0 || length >= PATH_MAX || *close != '"' || end[-1] == '\\' ||
+    if (length == 0 || length >= PLATFORM_PATH || *close != '"' || end[-1] == '\\' ||
         (hash > code->item && hash[-1].begin + hash[-1].length > line - code->text &&
          hash[-1].line < hash->line))
         return false;
@@ -212,7 +212,7 @@ static bool quoted_name(const struct glsl *code, const struct glsl_token *hash, 
         if (begin > close && (t->kind < GLSL_COMMENT || begin + t->length > end))
             return false;
     }
-    snprintf(name, PATH_MAX, "%.*s", (int)length, open + 1);
+    snprintf(name, PLATFORM_PATH, "%.*s", (int)length, open + 1);
     return true;
 }
 
@@ -234,7 +234,7 @@ static bool check_version(struct expansion *e, struct shader_line from, bool fir
 static bool expand_line(struct expansion *e, struct shader_line from, const struct glsl *code,
                         const struct glsl_token *hash, const char *line, size_t length)
 {
-    char name[PATH_MAX];
+    char name[PLATFORM_PATH];
     bool includes = hash != NULL && glsl_is(code, hash + 1, "include");
     // An author's own #line would blame another line.
     bool comments = includes || (hash != NULL && glsl_is(code, hash + 1, "line"));
@@ -303,11 +303,11 @@ bool shader_expand(struct shader_source *source, const char *path, const char *r
                    const struct shader_request *request)
 {
     struct expansion e = {.source = source};
-    char own[PATH_MAX];
-    *source = (struct shader_source){.root = realpath(root, NULL)};
+    char own[PLATFORM_PATH];
+    *source = (struct shader_source){.root = platform_resolve(root)};
     if (request != NULL)
         source->request = *request;
-    char *resolved = source->root != NULL ? realpath(path, NULL) : NULL;
+    char *resolved = source->root != NULL ? platform_resolve(path) : NULL;
     if (resolved == NULL) {
         report("%s: cannot be read: %s", source->root != NULL ? path : root, strerror(errno));
         shader_free(source);

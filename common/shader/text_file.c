@@ -1,29 +1,22 @@
 #include "shader/text_file.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "memory.h"
+#include "platform.h"
 
-// Opening a device may have effects. O_NONBLOCK: a fifo put in the file's place must not hang the
-// program, it is empty.
 FILE *text_file_open(const char *path, char why[TEXT_FILE_WHY])
 {
-    struct stat status;
-    int file = -1;
-    if (stat(path, &status) == 0 && !S_ISREG(status.st_mode)) {
+    FILE *file = platform_open(path);
+    if (file == NULL && errno == 0)
         snprintf(why, TEXT_FILE_WHY, "not a regular file");
-        return NULL;
-    }
-    file = open(path, O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC);
-    if (file < 0)
+    else if (file == NULL)
         snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", strerror(errno));
-    return file < 0 ? NULL : fdopen(file, "r");
+    return file;
 }
 
 // Drop the byte-order mark, make every line end '\n' and see that the last line has one.

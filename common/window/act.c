@@ -2,9 +2,9 @@
 
 #include <math.h>
 #include <stdio.h>
-#include <unistd.h>
 
 #include "picture/image.h"
+#include "platform.h"
 #include "report.h"
 #include "picture/slice.h"
 
@@ -108,10 +108,11 @@ static void choose(struct window *window, int by)
 // The first name that is free. Returns false, reported, when there is none.
 static bool find_name(const struct window *window, char path[256])
 {
+    struct platform_file there;
     int number = 1;
     do
         snprintf(path, 256, "%.200s-%04d.png", window->start->stem, number);
-    while (access(path, F_OK) == 0 && ++number <= LAST_SCREENSHOT);
+    while (platform_look(path, &there) && ++number <= LAST_SCREENSHOT);
     if (number > LAST_SCREENSHOT)
         report("%s: all names up to this one are taken: move some screenshots away", path);
     return number <= LAST_SCREENSHOT;

@@ -1,8 +1,9 @@
 // What Shadertoy's inputs tell of the window: the mouse and the date.
-#include <math.h>
-#include <time.h>
-
 #include "window/state.h"
+
+#include <math.h>
+
+#include "platform.h"
 
 // A place of the pointer, from the top left of the window, in pixels of the picture from its bottom
 // left, as Shadertoy rounds it.
@@ -41,14 +42,11 @@ void window_follow_mouse(struct window *window)
 
 void window_tell_date(struct window *window)
 {
-    struct timespec now = {0};
     struct tm day = {0};
-    clock_gettime(CLOCK_REALTIME, &now);
-    localtime_r(&now.tv_sec, &day);
+    double fraction = platform_date(&day);
     float *date = window->inputs.date;
     date[0] = (float)(day.tm_year + 1900);
     date[1] = (float)day.tm_mon;
     date[2] = (float)day.tm_mday;
-    date[3] = (float)(3600 * day.tm_hour + 60 * day.tm_min + day.tm_sec) +
-              (float)((double)now.tv_nsec * 1e-9);
+    date[3] = (float)(3600 * day.tm_hour + 60 * day.tm_min + day.tm_sec) + (float)fraction;
 }

@@ -2,33 +2,17 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "memory.h"
 
 enum { LOOKS_WHEN_COMPLETE = 1, LOOKS_WHEN_MISSING = 5 };
 
-#ifdef __APPLE__
-#define MODIFIED(status) ((status).st_mtimespec)
-#else
-#define MODIFIED(status) ((status).st_mtim)
-#endif
-
 // Bring the record of a file up to date; true when it was not.
 static bool refresh(struct watch_file *file)
 {
-    struct stat status;
-    struct watch_file now = {.path = file->path};
-    if (stat(file->path, &status) == 0) {
-        now.changed = MODIFIED(status);
-        now.size = status.st_size;
-        now.inode = status.st_ino;
-    }
-    bool same = now.changed.tv_sec == file->changed.tv_sec &&
-                now.changed.tv_nsec == file->changed.tv_nsec && now.size == file->size &&
-                now.inode == file->inode;
-    *file = now;
-    return !same;
+    struct platform_file was = file->was, *now = &file->was;
+    platform_look(file->path, now);
+    return now->changed != was.changed || now->size != was.size || !platform_is_same(now, &was);
 }
 
 void watch_add(struct watch *watch, const char *path)
@@ -46,7 +30,7 @@ bool watch_look(struct watch *watch)
     bool news = false, complete = true;
     for (int i = 0; i < watch->count; i++) {
         news |= refresh(&watch->file[i]);
-        complete &= watch->file[i].size > 0;
+        complete &= watch->file[i].was.size > 0;
     }
     if (news) {
         watch->pending = true;

@@ -3,15 +3,13 @@
 #define WATCH_H
 
 #include <stdbool.h>
-#include <sys/types.h>
-#include <time.h>
 
-// One file as it was when last looked at; all zeros when it is not there.
+#include "platform.h"
+
+// One file.
 struct watch_file {
     char *path;
-    struct timespec changed;
-    off_t size;
-    ino_t inode;
+    struct platform_file was; // when last looked at
 };
 
 // A set of files. One of zeros is empty.
