@@ -10,12 +10,9 @@
 
 #define FIGURES_SECONDS 0.25 // between two changes of the overlay's rate
 #define REST_SECONDS                                                                               \
-    0.3                        // without motion until the picture sharpens: longer than between two
-                               // repeats of a held key
-#define BAND_SECONDS      0.05 // of sharpening between two looks at what the hands do
-#define ENLARGING_SECONDS 0.02 // that the edge filter may take; beyond, bilinear has to do
-#define TRIAL_WIDTH       256  // pixels
-#define TRIAL_HEIGHT      144
+    0.3                   // without motion until the picture sharpens: longer than between two
+                          // repeats of a held key
+#define BAND_SECONDS 0.05 // of sharpening between two looks at what the hands do
 
 void window_retitle(struct window *window)
 {
@@ -99,16 +96,6 @@ static double pixels_of(const struct renderer_inputs *inputs)
     return (double)inputs->width * inputs->height;
 }
 
-// The filter that enlarges the picture, and the seconds that it takes: bilinear, which takes a
-// third of the time, where a window has too many pixels for the driver.
-static enum enlarge_filter filter_of(const struct window *window, double *seconds)
-{
-    *seconds = window->pace.enlarging * pixels_of(&window->inputs);
-    bool edge = *seconds <= ENLARGING_SECONDS;
-    *seconds *= edge ? 1.0 : 1.0 / 3.0;
-    return edge ? ENLARGE_EDGE : ENLARGE_BILINEAR;
-}
-
 // Draw the picture at a level of the resolution.
 //   cost  takes the seconds that a pixel took
 static bool draw_at(struct window *window, int level, double *cost)
@@ -130,21 +117,6 @@ static bool draw_at(struct window *window, int level, double *cost)
     return true;
 }
 
-// Learn what the edge filter takes for a pixel, from the small picture that is there, into a corner
-// of the window that is drawn over. The driver compiles it in the first.
-static bool try_enlarging(struct window *window)
-{
-    struct renderer *renderer = window->renderer;
-    for (int i = 0; i < 2; i++) {
-        double begin = glfwGetTime();
-        if (!renderer_present(renderer, ENLARGE_EDGE, TRIAL_WIDTH, TRIAL_HEIGHT))
-            return false;
-        renderer->gl->Finish();
-        window->pace.enlarging = (glfwGetTime() - begin) / (TRIAL_WIDTH * TRIAL_HEIGHT);
-    }
-    return true;
-}
-
 // Learn what a pixel of a new program costs by a small picture that nobody sees, so that a heavy
 // one never holds the window up. Drivers finish compiling in the first. What each draw costs beside
 // its pixels counts much in so small a one: hence the half. A slice costs little in any scene.
@@ -161,7 +133,7 @@ static bool try_program(struct window *window)
         if (!draw_at(window, RESOLUTION_COARSEST, &cost))
             return false;
     resolution_guess(&window->pace.resolution, 0.5 * cost);
-    return slice || window->pace.enlarging > 0.0 || try_enlarging(window);
+    return true;
 }
 
 // Draw the picture at the resolution that is due.
@@ -171,11 +143,9 @@ static bool draw_picture(struct window *window, double now)
         window->sharpening.rest_at = now + REST_SECONDS;
     if (!try_program(window))
         return false;
-    double beside, cost;
-    filter_of(window, &beside);
-    if (!draw_at(window,
-                 resolution_choose(&window->pace.resolution, pixels_of(&window->inputs), beside),
-                 &cost))
+    double cost, pixels = pixels_of(&window->inputs);
+    double beside = enlarging_choose(&window->pace.enlarging, pixels);
+    if (!draw_at(window, resolution_choose(&window->pace.resolution, pixels, beside), &cost))
         return false;
     resolution_learn(&window->pace.resolution, cost);
     window->sharpening.inputs = window->inputs;
@@ -217,17 +187,31 @@ static bool sharpen(struct window *window)
     return true;
 }
 
-// Show what there is: the picture, and over it what is sharp already.
-static bool present(const struct window *window)
+// Fill the window from the picture, and learn what that takes where the picture is smaller.
+static bool enlarge(struct window *window)
 {
     struct renderer *renderer = window->renderer;
+    struct enlarging *enlarging = &window->pace.enlarging;
+    const struct renderer_inputs *inputs = &window->sharpening.inputs;
+    enum enlarge_filter filter = enlarging->plain ? ENLARGE_BILINEAR : ENLARGE_EDGE;
+    double begin = glfwGetTime();
+    if (!renderer_present(renderer, filter, inputs->width, inputs->height))
+        return false;
+    if (window->pace.resolution.level == 0)
+        return true;
+    renderer->gl->Finish();
+    enlarging_learn(enlarging, (glfwGetTime() - begin) / pixels_of(inputs));
+    return true;
+}
+
+// Show what there is: the picture, and over it what is sharp already.
+static bool present(struct window *window)
+{
     int height = window->sharpening.inputs.height, sharp = window->sharpening.rows;
-    double seconds;
-    if (sharp < height && !renderer_present(renderer, filter_of(window, &seconds),
-                                            window->sharpening.inputs.width, height))
+    if (sharp < height && !enlarge(window))
         return false;
     if (sharp > 0)
-        renderer_present_sharp(renderer, height - sharp, sharp);
+        renderer_present_sharp(window->renderer, height - sharp, sharp);
     return true;
 }
 

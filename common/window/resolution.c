@@ -2,6 +2,21 @@
 
 #include <math.h>
 
+// The middle one of three.
+static double middle(const double of[3])
+{
+    double low = fmin(of[0], of[1]), high = fmax(of[0], of[1]);
+    return fmax(low, fmin(high, of[2]));
+}
+
+// Let the newest of three in and the oldest go.
+static void push(double to[3], double newest)
+{
+    to[2] = to[1];
+    to[1] = to[0];
+    to[0] = newest;
+}
+
 double resolution_divisor(int level)
 {
     return exp2(0.25 * level);
@@ -24,16 +39,12 @@ void resolution_learn(struct resolution *resolution, double cost)
     if (resolution->guessed)
         resolution_guess(resolution, cost);
     resolution->guessed = false;
-    resolution->cost[2] = resolution->cost[1];
-    resolution->cost[1] = resolution->cost[0];
-    resolution->cost[0] = cost;
+    push(resolution->cost, cost);
 }
 
 double resolution_cost(const struct resolution *resolution)
 {
-    const double *cost = resolution->cost;
-    double low = fmin(cost[0], cost[1]), high = fmax(cost[0], cost[1]);
-    return fmax(low, fmin(high, cost[2]));
+    return middle(resolution->cost);
 }
 
 // What a frame of a level is foretold to take.
@@ -52,4 +63,16 @@ int resolution_choose(struct resolution *resolution, double pixels, double besid
         level--;
     resolution->level = level;
     return level;
+}
+
+void enlarging_learn(struct enlarging *enlarging, double cost)
+{
+    push(enlarging->cost, enlarging->plain ? ENLARGING_RATIO * cost : cost);
+}
+
+double enlarging_choose(struct enlarging *enlarging, double pixels)
+{
+    double edge = middle(enlarging->cost) * pixels;
+    enlarging->plain = edge > (enlarging->plain ? ENLARGING_QUICK : ENLARGING_SLOW);
+    return enlarging->plain ? edge / ENLARGING_RATIO : edge;
 }

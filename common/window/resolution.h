@@ -24,6 +24,10 @@
 
 #include <stdbool.h>
 
+#define ENLARGING_SLOW  0.02 // seconds that the edge filter may take
+#define ENLARGING_QUICK 0.013
+#define ENLARGING_RATIO 3.0 // of the times of the edge filter and the bilinear one
+
 #define RESOLUTION_SLOW                                                                            \
     0.08 // seconds that a picture may take: 10 frames a second with what a frame needs beside it
 #define RESOLUTION_QUICK    0.06
@@ -56,5 +60,23 @@ double resolution_cost(const struct resolution *resolution);
 //   beside  seconds that enlarging it takes
 // Returns it; resolution->level is it too.
 int resolution_choose(struct resolution *resolution, double pixels, double beside);
+
+// What enlarging takes, and by which filter it is done. One of zeros knows nothing and takes the
+// edge filter.
+struct enlarging {
+    double cost[3]; // seconds that the edge filter takes for a pixel of the window, as the last
+                    // three times foretell it; 0 before they are known
+    bool plain;     // the bilinear filter has to do
+};
+
+// Take what a pixel of the window took, in seconds, by the filter in use.
+void enlarging_learn(struct enlarging *enlarging, double cost);
+
+// Choose the filter of the next frame: the bilinear one where the edge filter would take longer
+// than ENLARGING_SLOW, until it would take less than ENLARGING_QUICK. So one time among three is no
+// matter, nor is a clock that is off by 20 %.
+//   pixels  of the window
+// Returns the seconds that it takes.
+double enlarging_choose(struct enlarging *enlarging, double pixels);
 
 #endif

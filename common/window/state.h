@@ -56,7 +56,7 @@ struct window {
         double seconds;     // that drawing the last picture took
         GLuint tried;       // the program whose cost is known
         struct resolution resolution; // at which the picture is drawn
-        double enlarging; // seconds that the edge filter takes for a pixel; 0 before it is known
+        struct enlarging enlarging;   // it to the window's size
     } pace;
     // At rest a picture that was drawn at a lower resolution is sharpened.
     struct {
