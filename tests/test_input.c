@@ -22,6 +22,7 @@ static struct {
     GLFWmousebuttonfun button;
     GLFWcursorposfun pointed;
     GLFWcursorenterfun entered;
+    GLFWcharfun letter;
     GLFWscrollfun wheel;
     GLFWwindowfocusfun focus;
     GLFWwindowrefreshfun damage;
@@ -74,6 +75,7 @@ void glfwSetInputMode(GLFWwindow *window, int mode, int value)
 TAKE(glfwSetKeyCallback, GLFWkeyfun, key)
 TAKE(glfwSetMouseButtonCallback, GLFWmousebuttonfun, button)
 TAKE(glfwSetCursorPosCallback, GLFWcursorposfun, pointed)
+TAKE(glfwSetCharCallback, GLFWcharfun, letter)
 TAKE(glfwSetCursorEnterCallback, GLFWcursorenterfun, entered)
 TAKE(glfwSetScrollCallback, GLFWscrollfun, wheel)
 TAKE(glfwSetWindowFocusCallback, GLFWwindowfocusfun, focus)

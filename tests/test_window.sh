@@ -333,6 +333,7 @@ aims() {
 }
 # shellcheck disable=SC2086 # options are words
 start 10_distance_in_the_plane $still_sheet
+key h # the place is below the panel
 check 'a click aims the ray of chapter 10' aims
 check 'Backspace closes it' backspace
 

@@ -52,3 +52,18 @@ bool pen_next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1])
     *text = *at == '\n' ? at + 1 : at;
     return true;
 }
+
+bool pen_next_words(const char **text, float limit, char line[OVERLAY_TEXT + 1])
+{
+    const char *begin = *text;
+    if (!pen_next_line(text, limit, line))
+        return false;
+    char *blank = strrchr(line, ' ');
+    bool whole = **text == '\0' || (*text)[-1] == '\n' || **text == ' ';
+    if (!whole && blank != NULL && blank > line) {
+        *blank = '\0';
+        *text = begin + (blank - line);
+    }
+    *text += strspn(*text, " ");
+    return true;
+}

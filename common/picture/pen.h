@@ -38,4 +38,7 @@ void pen_rule(struct pen *pen, float width);
 // the end.
 bool pen_next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1]);
 
+// The same, but a line ends between words where it can.
+bool pen_next_words(const char **text, float limit, char line[OVERLAY_TEXT + 1]);
+
 #endif

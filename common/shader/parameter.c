@@ -187,6 +187,33 @@ void parameter_change(struct parameter *parameter, int presses)
         parameter->value[i] = changed(parameter, parameter->value[i], presses);
 }
 
+double parameter_place(const struct parameter *parameter, int part)
+{
+    double low = parameter->minimum, high = parameter->maximum, value = parameter->value[part];
+    if (parameter->multiplies)
+        return log(value / low) / log(high / low);
+    return high > low ? (value - low) / (high - low) : 0.0;
+}
+
+void parameter_put(struct parameter *parameter, int part, double place)
+{
+    double low = parameter->minimum, high = parameter->maximum;
+    double at = clamp(place, 0.0, 1.0);
+    double value = parameter->multiplies ? low * pow(high / low, at) : low + (high - low) * at;
+    double unit = pow(10.0, floor(log10(parameter->multiplies ? value : high - low)) -
+                                (parameter->multiplies ? 2.0 : 3.0));
+    if (parameter->type != PARAMETER_FLOAT)
+        unit = 1.0;
+    // Divided by a whole number where there is one: 3 tenths are 3 / 10, and 3 * 0.1 is another.
+    value = unit < 1.0 ? round(value / unit) / round(1.0 / unit) : round(value / unit) * unit;
+    parameter->value[part] = clamp(value, low, high);
+}
+
+bool parameter_is_colour(const struct parameter *parameter)
+{
+    return parameter->components == 3 && strcmp(parameter->unit, "linear RGB") == 0;
+}
+
 void parameter_reset(struct parameter *parameter)
 {
     memcpy(parameter->value, parameter->initial, sizeof parameter->value);

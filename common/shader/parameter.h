@@ -72,6 +72,19 @@ void parameters_keep(const struct parameters *new_ones, const struct parameters 
 // Change every component by a number of key presses, stopping at the range; a bool toggles.
 void parameter_change(struct parameter *parameter, int presses);
 
+// Where a component lies between its ends, 0 to 1: by its size, or by its logarithm where the step
+// multiplies.
+//   part  0 to components - 1
+double parameter_place(const struct parameter *parameter, int part);
+
+// The other way: give a component the value at a place, which is clamped to [0, 1], rounded to what
+// a hand can tell apart: a thousandth of the range, or three figures where the step multiplies; an
+// int to a whole number, a bool to one of its two.
+void parameter_put(struct parameter *parameter, int part, double place);
+
+// True for three numbers whose unit is "linear RGB".
+bool parameter_is_colour(const struct parameter *parameter);
+
 // Back to the value in the shader's comment.
 void parameter_reset(struct parameter *parameter);
 

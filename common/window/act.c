@@ -15,13 +15,6 @@
 #define PASSAGE         0.5 // seconds from one projection to the other
 #define LAST_SCREENSHOT 9999
 
-struct parameter *window_chosen(const struct window *window)
-{
-    const struct parameters *all = &window->renderer->parameters;
-    struct parameter *parameter = parameters_find(all, window->parameter);
-    return parameter != NULL || all->count == 0 ? parameter : &all->item[0];
-}
-
 // ---- What keys and wheel do ----
 
 static void zoom(struct window *window, double notches)
@@ -259,6 +252,9 @@ static void press(struct window *window, struct window_event event)
     case WINDOW_HELP:
         window->panel.helps = !window->panel.helps;
         break;
+    case WINDOW_TYPED:
+        window_touch_type(window, event.amount);
+        break;
     case WINDOW_VIEW:
         show_view(window, (enum shader_view)event.amount);
         break;
@@ -298,6 +294,7 @@ void window_obey(struct window *window)
     for (int i = 0; i < input->events; i++)
         act(window, &input->event[i]);
     window_let_go(window);
+    window_touch_rest(window);
     window_follow_mouse(window);
     window->dirty = window->dirty || input->damaged;
     window_input_forget(input);

@@ -83,7 +83,10 @@ static void gather(struct window *window)
         .why = window->ray.why,
         .error = window->panel.error,
         .broken = window->broken,
+        .rows = &window->panel.rows,
     };
+    char tip[512];
+    window_touch_tell(window, &panel, tip);
     panel_gather(&panel, &window->panel.overlay, inputs->width, inputs->height,
                  scale > 0.0 ? (float)scale : overlay_scale_of(inputs->height));
     window->renderer->overlay = window->start->overlay_kept ? &window->panel.overlay : NULL;

@@ -9,6 +9,8 @@
 
 static enum window_hand claim(const struct window *window, const struct window_event *press)
 {
+    if (window_touch_claims(window, press->place))
+        return HAND_PANEL;
     if (press->amount != 0)
         return HAND_NONE;
     return window_at_divider(window, press->place) ? HAND_DIVIDER : HAND_CAMERA;
@@ -25,7 +27,7 @@ static void look_around(struct window *window, const double way[3])
 static void hold_picture(struct window *window, const struct window_event *event)
 {
     memcpy(window->hand.at, event->place, sizeof window->hand.at);
-    if (event->action == WINDOW_PRESS) {
+    if (event->action == WINDOW_PRESS || event->action == WINDOW_DOUBLE) {
         window->hand.pressed = true;
         memcpy(window->hand.press, event->place, sizeof window->hand.press);
     } else if (event->action == WINDOW_DRAG) {
@@ -41,7 +43,7 @@ bool window_hand(struct window *window, const struct window_event *event)
 {
     if (event->action == WINDOW_LOOK) // a captured pointer reaches nothing but the camera
         look_around(window, event->way);
-    else if (event->action == WINDOW_PRESS)
+    else if (event->action == WINDOW_PRESS || event->action == WINDOW_DOUBLE)
         window->hand.who = claim(window, event);
     bool pointer = event->action == WINDOW_PRESS || event->action == WINDOW_DOUBLE ||
                    event->action == WINDOW_DRAG || event->action == WINDOW_POINT ||
@@ -50,8 +52,14 @@ bool window_hand(struct window *window, const struct window_event *event)
         hold_picture(window, event);
     else if (event->action == WINDOW_DRAG && window->hand.who == HAND_DIVIDER)
         window_drag_divider(window, event->place);
+    else if (pointer && window->hand.who == HAND_PANEL)
+        window_touch(window, event);
+    else if (event->action == WINDOW_POINT)
+        window_touch_point(window, event);
     if (event->action == WINDOW_RELEASE)
         window->hand.who = HAND_NONE;
+    if (event->action == WINDOW_ZOOM)
+        return window_touch_wheel(window, event);
     return pointer || event->action == WINDOW_LOOK;
 }
 

@@ -144,10 +144,35 @@ static void capture(struct window_input *input)
                      input->captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
 }
 
+// While somebody types no key does what it does else.
+static void type_key(struct window_input *input, int key)
+{
+    int code = 0;
+    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER)
+        code = WINDOW_TYPED_ENTER;
+    else if (key == GLFW_KEY_ESCAPE)
+        code = WINDOW_TYPED_ESCAPE;
+    else if (key == GLFW_KEY_BACKSPACE)
+        code = WINDOW_TYPED_BACK;
+    if (code != 0)
+        add(input, (struct window_event){.action = WINDOW_TYPED, .amount = code});
+}
+
+static void on_letter(GLFWwindow *window, unsigned int code)
+{
+    struct window_input *input = input_of(window);
+    if (input->typing)
+        add(input, (struct window_event){.action = WINDOW_TYPED, .amount = (int)code});
+}
+
 static void on_key(GLFWwindow *window, int key, int scancode, int action, int modifiers)
 {
     (void)scancode;
     struct window_input *input = input_of(window);
+    if (input->typing && action != GLFW_RELEASE) {
+        type_key(input, key);
+        return;
+    }
     for (size_t i = 0; i < COUNT(held_keys); i++)
         if (held_keys[i].key == key && action != GLFW_REPEAT) {
             window_input_count(input);
@@ -193,14 +218,12 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
         return;
     input->state = WINDOW_POINTER_PRESSED;
     input->button = right;
-    add_here(input, WINDOW_PRESS, right);
     double now = glfwGetTime(), *place = input->press.place;
     bool again = !right && now - input->press.at <= DOUBLE &&
                  hypot(input->at[0] - place[0], input->at[1] - place[1]) <= DRAG_BEGINS;
-    if (again)
-        add_here(input, WINDOW_DOUBLE, 0);
+    add_here(input, again ? WINDOW_DOUBLE : WINDOW_PRESS, right);
     // A third press begins anew.
-    input->press.at = again || right ? -DOUBLE : now;
+    input->press.at = again || right ? -10.0 * DOUBLE : now;
     memcpy(place, input->at, sizeof input->at);
 }
 
@@ -261,9 +284,10 @@ static void on_damage(GLFWwindow *window)
 void window_input_open(struct window_input *input, GLFWwindow *window)
 {
     *input = (struct window_input){
-        .window = window, .counted = glfwGetTime(), .jumped = true, .press.at = -DOUBLE};
+        .window = window, .counted = glfwGetTime(), .jumped = true, .press.at = -10.0 * DOUBLE};
     glfwSetWindowUserPointer(window, input);
     glfwSetKeyCallback(window, on_key);
+    glfwSetCharCallback(window, on_letter);
     glfwSetMouseButtonCallback(window, on_button);
     glfwSetCursorPosCallback(window, on_pointer);
     glfwSetCursorEnterCallback(window, on_leaving);

@@ -22,7 +22,8 @@ enum window_action {
     WINDOW_LAST,   // its last step
     // The pointer, with its place; hand.c says whose it is:
     WINDOW_PRESS,   // amount: 0 the left button, 1 the right one
-    WINDOW_DOUBLE,  // behind the second press of two that follow each other at one place
+    WINDOW_DOUBLE,  // the second of two presses that follow each other at one place
+    WINDOW_TYPED,   // amount: a letter's code, or WINDOW_TYPED_ENTER, ..., while typing
     WINDOW_RELEASE, // amount: 1 a click, 0 the end of a drag, or the window lost the focus
     // What changes the picture:
     WINDOW_PAUSE,   // as time went on until now
@@ -39,6 +40,8 @@ enum window_action {
     WINDOW_DRAG,   // way: pixels that the pointer went right and down with a button held; place
     WINDOW_POINT   // the pointer is there: no button, or not far enough for a drag
 };
+
+enum { WINDOW_TYPED_BACK = 8, WINDOW_TYPED_ENTER = 13, WINDOW_TYPED_ESCAPE = 27 };
 
 struct window_event {
     enum window_action action;
@@ -69,6 +72,7 @@ struct window_input {
     int events;
     bool damaged; // the window must be drawn again
     // Kept from frame to frame:
+    bool typing; // keys are letters; others set it
     bool held[WINDOW_KEY_COUNT];
     double counted; // all movement up to this time of glfwGetTime is in the events
     enum window_pointer state;

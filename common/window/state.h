@@ -8,6 +8,7 @@
 
 #include "picture/overlay.h"
 #include "picture/panel.h"
+#include "picture/panel_rows.h"
 #include "picture/renderer.h"
 #include "window/watch.h"
 #include "window/input.h"
@@ -17,7 +18,10 @@
 #define WINDOW_KEYS 24 // entries of the overlay's list of keys, at most
 
 // Who has the pointer, from a press to the release.
-enum window_hand { HAND_NONE, HAND_DIVIDER, HAND_CAMERA };
+enum window_hand { HAND_NONE, HAND_PANEL, HAND_DIVIDER, HAND_CAMERA };
+
+// What of the panel a press took.
+enum window_touched { TOUCH_NOTHING, TOUCH_TITLE, TOUCH_MARK, TOUCH_SWITCH, TOUCH_VALUE };
 
 struct window {
     GLFWwindow *handle;
@@ -68,15 +72,35 @@ struct window {
     } sharpening;
     struct {
         struct overlay overlay;
-        bool folded;       // H was pressed
-        bool helps;        // K was pressed: all keys, all of the parameters
-        double figures[2]; // frames a second and milliseconds that it shows
-        double figures_at; // when they may change
-        char error[4096];  // of the last reload, or why a view is refused; "" when all is well
+        bool folded;            // H was pressed
+        struct panel_rows rows; // as they are shown
+        bool right, rolled;     // it stands at the right; it is folded to its title
+        bool helps;             // K was pressed: all keys, all of the parameters
+        double figures[2];      // frames a second and milliseconds that it shows
+        double figures_at;      // when they may change
+        char error[4096];       // of the last reload, or why a view is refused; "" when all is well
         struct panel_key keys[WINDOW_KEYS];
         int key_count;
         char hint[64]; // which key shows more
     } panel;
+    // The pointer on the panel.
+    struct {
+        enum window_touched what;
+        int button;        // that it was pressed by: 0 left, 1 right
+        int part;          // component of the parameter; -1: all
+        double place[4];   // of the components, as far as they are dragged
+        float width;       // of the row
+        char typed[128];   // while input.typing
+        bool fresh;        // the next letter replaces it
+        char refused[512]; // why it is not taken
+        double notches;    // of the wheel, what is less than one
+        int pointed;       // the parameter below the pointer; -1: none
+        float at[2];       // the pointer, units of the overlay
+        double rests_at;   // since when
+        bool tip;          // help is shown
+        int cursor;        // which shape the pointer has
+        GLFWcursor *cursors[3];
+    } touch;
     // The ray that is looked at.
     struct {
         struct renderer_eye eye; // where it starts: it stays in space while the camera moves
@@ -105,6 +129,19 @@ bool window_pass(struct window *window, double seconds);
 // Carry out what the pointer did, for whoever has it.
 // Returns false for an event that is not the pointer's.
 bool window_hand(struct window *window, const struct window_event *event);
+
+// The pointer on the panel: whether it is there; what it does from press to release; its wheel,
+// false where the panel is not; where it only points; whether it has rested until now; a letter.
+bool window_touch_claims(const struct window *window, const double place[2]);
+void window_touch(struct window *window, const struct window_event *event);
+bool window_touch_wheel(struct window *window, const struct window_event *event);
+void window_touch_point(struct window *window, const struct window_event *event);
+void window_touch_rest(struct window *window);
+void window_touch_type(struct window *window, int code);
+
+// What the panel shows of it.
+//   tip  room for the help's text, which the panel keeps
+void window_touch_tell(const struct window *window, struct panel *panel, char tip[512]);
 
 // Nobody has the pointer whose button is up.
 void window_let_go(struct window *window);

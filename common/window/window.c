@@ -172,6 +172,7 @@ struct window *window_open(struct context *context, struct renderer *renderer,
                    .pixel = {-1, -1},
                    .zoom = 1.0f},
         .ray = {.probe = memory_zeros(1, sizeof(struct probe))},
+        .touch = {.pointed = -1},
         .stale = true,
     };
     if (!overlay_open(&window->panel.overlay, renderer->gl)) {
@@ -209,6 +210,7 @@ void window_close(struct window *window)
     watch_clear(&window->watch);
     window->renderer->overlay = NULL;
     overlay_close(&window->panel.overlay);
+    panel_rows_free(&window->panel.rows);
     free(window->ray.probe);
     free(window);
 }

@@ -1,0 +1,376 @@
+#include "picture/panel_rows.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+#include "number.h"
+#include "picture/pen.h"
+
+#define GAP  12.0f // units of the overlay, between columns
+#define MARK 14.0f // the room of the mark that folds
+
+static const struct overlay_colour BAR = {{96, 160, 224, 84}};
+static const struct overlay_colour FIELD = {{0, 0, 0, 230}};
+
+static float larger(float a, float b)
+{
+    return a > b ? a : b;
+}
+
+// ---- Building ----
+
+static struct panel_row *add(struct panel_rows *rows, enum panel_row_kind kind, const char *text)
+{
+    rows->row = memory_row(rows->row, rows->count, sizeof *rows->row);
+    struct panel_row *row = &rows->row[rows->count++];
+    *row = (struct panel_row){.kind = kind, .parameter = -1, .part = -1, .place = -1.0};
+    snprintf(row->cell[0], PANEL_CELL, "%s", text);
+    return row;
+}
+
+static void status_text(const struct panel *panel, char *text, size_t size)
+{
+    snprintf(text, size, "view: %s", shader_view_name(panel->renderer->view));
+    size_t used = strlen(text);
+    if (panel->rate > 0.0)
+        snprintf(text + used, size - used, "    %.0f fps, %.1f ms", panel->rate,
+                 panel->milliseconds);
+    used = strlen(text);
+    if (panel->timed)
+        snprintf(text + used, size - used, "    time %.1f s", panel->time);
+    used = strlen(text);
+    // Where the time drives the hour of a chapter's sky.
+    const struct parameters *all = &panel->renderer->parameters;
+    const struct parameter *start = parameters_find(all, "timeOfDay");
+    const struct parameter *speed = parameters_find(all, "hoursPerSecond");
+    if (panel->timed && start != NULL && speed != NULL) {
+        double hour = start->value[0] + speed->value[0] * panel->time;
+        int minute = (int)floor(60.0 * (hour - 24.0 * floor(hour / 24.0)));
+        snprintf(text + used, size - used, ", hour %02d:%02d", minute / 60, minute % 60);
+        used = strlen(text);
+    }
+    if (panel->paused)
+        snprintf(text + used, size - used, "    paused");
+}
+
+// The last line: that the picture is coarse, or what to press.
+static void last_text(const struct panel *panel, char *text, size_t size)
+{
+    bool coarse = panel->resolution > 0 && panel->resolution < 100;
+    if (coarse && panel->sharp == 0)
+        snprintf(text, size, "%d %% resolution while moving", panel->resolution);
+    else if (coarse && panel->sharp < 100)
+        snprintf(text, size, "%d %% resolution; sharpening: %d %%", panel->resolution,
+                 panel->sharp);
+    else
+        snprintf(text, size, "%s", panel->hint != NULL ? panel->hint : "");
+}
+
+static void textures_text(const struct panel *panel, char text[PANEL_CELL])
+{
+    const struct textures *textures = &panel->renderer->textures;
+    text[0] = '\0';
+    for (int i = 0; i < textures->count; i++) {
+        size_t used = strlen(text);
+        snprintf(text + used, PANEL_CELL - used, "%s%s",
+                 i > 0 ? ", " : "textures: ", textures->item[i].name);
+    }
+}
+
+// Name, value, range and unit of a parameter.
+static void fill_cells(const struct parameter *parameter, char cell[PANEL_COLUMNS][PANEL_CELL])
+{
+    snprintf(cell[0], PANEL_CELL, "%s", parameter->name);
+    parameter_value_text(parameter, cell[1], PANEL_CELL);
+    parameter_range_text(parameter, cell[2], PANEL_CELL);
+    snprintf(cell[3], PANEL_CELL, "%s", parameter->unit);
+}
+
+static void detail_text(const struct parameter *parameter, char text[PANEL_CELL])
+{
+    char range[80];
+    parameter_range_text(parameter, range, sizeof range);
+    snprintf(text, PANEL_CELL, "%s %s", range, parameter->unit);
+}
+
+// The chosen vector is followed by its parts.
+static void add_parts(struct panel_rows *rows, const struct parameter *parameter, int index)
+{
+    const char *names = parameter_is_colour(parameter) ? "rgba" : "xyzw";
+    for (int k = 0; k < parameter->components && parameter->components > 1; k++) {
+        char name[8];
+        snprintf(name, sizeof name, "   %c", names[k]);
+        struct panel_row *row = add(rows, PANEL_ROW_PART, name);
+        number_text(parameter->value[k], row->cell[1], NUMBER_SIZE);
+        row->parameter = index;
+        row->part = k;
+        row->chosen = true;
+        row->place = parameter_place(parameter, k);
+    }
+}
+
+static void add_parameter(struct panel_rows *rows, const struct panel *panel, int index)
+{
+    const struct parameter *parameter = &panel->renderer->parameters.item[index];
+    struct panel_row *row = add(rows, PANEL_ROW_PARAMETER, "");
+    bool chosen = parameter == panel->chosen;
+    fill_cells(parameter, row->cell);
+    row->parameter = index;
+    row->chosen = chosen;
+    row->place = parameter->components == 1 ? parameter_place(parameter, 0) : -1.0;
+    if (!chosen)
+        return;
+    add_parts(rows, parameter, index);
+    if (!rows->ranges) {
+        row = add(rows, PANEL_ROW_DETAIL, "");
+        detail_text(parameter, row->cell[0]);
+        row->parameter = index;
+        row->chosen = true;
+    }
+}
+
+// Of the parameters' rows, from first to behind last, keep as many as there is room for: the chosen
+// one stays in sight with all that belongs to it. The last place says which are shown.
+static void cut(struct panel_rows *rows, int first, int room, int parameters)
+{
+    int count = rows->count - first, top = count, behind = 0, from = 0, to = -1;
+    if (count <= room)
+        return;
+    room = room > 1 ? room - 1 : 0;
+    for (int i = 0; i < count; i++)
+        if (rows->row[first + i].chosen) {
+            top = i < top ? i : top;
+            behind = i + 1;
+        }
+    int begin = behind <= room ? 0 : behind - room;
+    begin = begin > top ? top : begin;
+    memmove(&rows->row[first], &rows->row[first + begin], (size_t)room * sizeof *rows->row);
+    rows->count = first + room;
+    for (int i = first; i < rows->count; i++) {
+        from = to < 0 ? rows->row[i].parameter + 1 : from;
+        to = rows->row[i].parameter + 1;
+    }
+    char text[64];
+    snprintf(text, sizeof text, "%d to %d of %d", from, to < 0 ? 0 : to, parameters);
+    add(rows, PANEL_ROW_TEXT, text);
+}
+
+// ---- Measuring ----
+
+static float height_of(enum panel_row_kind kind)
+{
+    return kind == PANEL_ROW_RULE ? 0.5f * OVERLAY_LINE : OVERLAY_LINE;
+}
+
+static float height_from(const struct panel_rows *rows, int first)
+{
+    float height = 0.0f;
+    for (int i = first; i < rows->count; i++)
+        height += height_of(rows->row[i].kind);
+    return height;
+}
+
+// The width of the table of the first columns, or of the widest detail below one of its lines.
+static float measure_table(const struct parameters *parameters, int columns,
+                           float width[PANEL_COLUMNS])
+{
+    char cell[PANEL_COLUMNS][PANEL_CELL], detail[PANEL_CELL];
+    float sum = parameters->count > 0 ? GAP : 0.0f, widest = 0.0f;
+    memset(width, 0, PANEL_COLUMNS * sizeof *width);
+    for (int i = 0; i < parameters->count; i++) {
+        fill_cells(&parameters->item[i], cell);
+        detail_text(&parameters->item[i], detail);
+        widest = larger(widest, 2.0f * GAP + overlay_width(detail));
+        for (int k = 0; k < columns; k++)
+            width[k] = larger(width[k], overlay_width(cell[k]));
+    }
+    for (int k = 0; k < columns; k++)
+        sum += width[k] + (k > 0 && width[k] > 0.0f ? GAP : 0.0f);
+    return columns < PANEL_COLUMNS ? larger(sum, widest) : sum;
+}
+
+// The width of the texts, in steps, so that a panel does not tremble with its numbers.
+static float measure_texts(const struct panel_rows *rows)
+{
+    float texts = 0.0f;
+    for (int i = 0; i < rows->count; i++) {
+        const struct panel_row *row = &rows->row[i];
+        float mark = row->kind == PANEL_ROW_TITLE && row->cell[1][0] != '\0' ? MARK : 0.0f;
+        if (row->kind == PANEL_ROW_TITLE || row->kind == PANEL_ROW_TEXT)
+            texts = larger(texts, overlay_width(row->cell[0]) + mark);
+    }
+    return 20.0f * ceilf(texts / 20.0f);
+}
+
+void panel_rows_move(struct panel_rows *rows, float left, float top)
+{
+    float at = top + PEN_PADDING + 1.0f;
+    rows->left = left;
+    rows->top = top;
+    for (int i = 0; i < rows->count; i++) {
+        struct panel_row *row = &rows->row[i];
+        row->left = left + PEN_PADDING;
+        row->top = at;
+        row->width = rows->width - 2.0f * PEN_PADDING;
+        row->height = height_of(row->kind);
+        at += row->height;
+    }
+}
+
+// What stands below the parameters.
+static void add_last(struct panel_rows *rows, const char *last, const char *textures)
+{
+    if (textures[0] != '\0')
+        add(rows, PANEL_ROW_TEXT, textures);
+    if (last[0] != '\0') {
+        add(rows, PANEL_ROW_RULE, "");
+        add(rows, PANEL_ROW_TEXT, last);
+    }
+}
+
+void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float limit, float bottom)
+{
+    const struct parameters *parameters = &panel->renderer->parameters;
+    char text[PANEL_CELL], last[PANEL_CELL], textures[PANEL_CELL] = "";
+    float table = 0.0f;
+    rows->count = 0;
+    struct panel_row *title = add(rows, PANEL_ROW_TITLE, panel->title);
+    if (panel->rows != NULL)
+        snprintf(title->cell[1], PANEL_CELL, "%s", panel->rolled ? "▸" : "▾");
+    if (!panel->rolled) {
+        status_text(panel, text, sizeof text);
+        last_text(panel, last, sizeof last);
+        table = measure_table(parameters, PANEL_COLUMNS, rows->column);
+        rows->ranges = panel->chosen == NULL || (panel->ranges && table <= limit);
+        if (!rows->ranges)
+            table = measure_table(parameters, 2, rows->column);
+        if (rows->ranges)
+            textures_text(panel, textures);
+        add(rows, PANEL_ROW_TEXT, text);
+        // What stands below is measured first: the parameters have the room that is left.
+        add_last(rows, last, textures);
+        float room = bottom - PEN_MARGIN - 2.0f * PEN_PADDING + 2.0f - height_from(rows, 0);
+        rows->count = 2;
+        if (parameters->count > 0) {
+            add(rows, PANEL_ROW_RULE, "");
+            room -= height_of(PANEL_ROW_RULE);
+        }
+        int first = rows->count;
+        for (int i = 0; i < parameters->count; i++)
+            add_parameter(rows, panel, i);
+        cut(rows, first, (int)(room / OVERLAY_LINE), parameters->count);
+        add_last(rows, last, textures);
+    }
+    rows->width = ceilf(larger(measure_texts(rows), table)) + 2.0f * PEN_PADDING;
+    rows->height = height_from(rows, 0) - 2.0f + 2.0f * PEN_PADDING;
+    panel_rows_move(rows, PEN_MARGIN, PEN_MARGIN);
+}
+
+// ---- Drawing ----
+
+// The chosen parameter has a mark and a band, so that no colour has to tell it.
+//   handled  a pointer can reach it: then a bar shows where the value lies between its ends
+static void draw_band(const struct panel_row *row, bool handled, struct overlay *overlay)
+{
+    if (row->chosen)
+        overlay_box(overlay, row->left - 3.0f, row->top - 2.0f, row->width + 6.0f, row->height,
+                    PEN_BAND);
+    if (handled && row->place >= 0.0)
+        overlay_box(overlay, row->left - 3.0f, row->top - 1.5f,
+                    (float)row->place * (row->width + 6.0f), row->height - 1.0f, BAR);
+}
+
+// What is being typed stands in the value's place, with a bar where the next letter goes.
+static void draw_typed(const struct panel_rows *rows, const struct panel_row *row,
+                       const struct panel *panel, struct overlay *overlay)
+{
+    float left = row->left + GAP + rows->column[0] + GAP, width = overlay_width(panel->typed);
+    float room = larger(row->left + row->width - left, width + 4.0f);
+    overlay_box(overlay, left - 2.0f, row->top - 2.0f, room + 2.0f, row->height, FIELD);
+    overlay_text(overlay, left, row->top, panel->typed, PEN_BRIGHT);
+    overlay_box(overlay, left + width + 1.0f, row->top - 1.0f, 1.0f, row->height - 2.0f,
+                PEN_BRIGHT);
+}
+
+static void draw_parameter(const struct panel_rows *rows, const struct panel_row *row,
+                           const struct panel *panel, struct overlay *overlay)
+{
+    static const struct overlay_colour *const colours[PANEL_COLUMNS] = {&PEN_PLAIN, &PEN_BRIGHT,
+                                                                        &PEN_DIM, &PEN_DIM};
+    float left = row->left + GAP;
+    draw_band(row, panel->rows != NULL, overlay);
+    if (row->chosen && row->kind == PANEL_ROW_PARAMETER)
+        overlay_text(overlay, row->left, row->top, ">", PEN_BRIGHT);
+    for (int k = 0; k < (rows->ranges ? PANEL_COLUMNS : 2); k++) {
+        overlay_text(overlay, left, row->top, row->cell[k], row->chosen ? PEN_BRIGHT : *colours[k]);
+        left += rows->column[k] + (rows->column[k] > 0.0f ? GAP : 0.0f);
+    }
+    if (panel->typed != NULL && row->chosen && row->part == panel->typed_part)
+        draw_typed(rows, row, panel, overlay);
+}
+
+static void draw_row(const struct panel_rows *rows, int i, const struct panel *panel,
+                     struct overlay *overlay)
+{
+    const struct panel_row *row = &rows->row[i];
+    struct pen pen = {overlay, row->left, row->top};
+    switch (row->kind) {
+    case PANEL_ROW_TITLE:
+        overlay_text(overlay, row->left, row->top, row->cell[0], PEN_BRIGHT);
+        overlay_text(overlay, row->left + row->width - overlay_width(row->cell[1]), row->top,
+                     row->cell[1], PEN_DIM);
+        break;
+    case PANEL_ROW_RULE:
+        pen_rule(&pen, row->width);
+        break;
+    case PANEL_ROW_TEXT:
+        overlay_text(overlay, row->left, row->top, row->cell[0], i == 1 ? PEN_PLAIN : PEN_DIM);
+        break;
+    case PANEL_ROW_DETAIL:
+        draw_band(row, panel->rows != NULL, overlay);
+        overlay_text(overlay, row->left + 2.0f * GAP, row->top, row->cell[0], PEN_PLAIN);
+        break;
+    default:
+        draw_parameter(rows, row, panel, overlay);
+    }
+}
+
+void panel_rows_draw(const struct panel_rows *rows, const struct panel *panel,
+                     struct overlay *overlay)
+{
+    pen_open(overlay, rows->left, rows->top, rows->width - 2.0f * PEN_PADDING,
+             rows->height - 2.0f * PEN_PADDING);
+    for (int i = 0; i < rows->count; i++)
+        draw_row(rows, i, panel, overlay);
+}
+
+// ---- The pointer ----
+
+bool panel_rows_hold(const struct panel_rows *rows, float x, float y)
+{
+    return rows->count > 0 && x >= rows->left && x < rows->left + rows->width && y >= rows->top &&
+           y < rows->top + rows->height;
+}
+
+const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, float y)
+{
+    // A row's letters stand in its middle: it is touched from a little above them.
+    for (int i = 0; i < rows->count && panel_rows_hold(rows, x, y); i++)
+        if (y >= rows->row[i].top - 2.0f && y < rows->row[i].top - 2.0f + rows->row[i].height)
+            return &rows->row[i];
+    return NULL;
+}
+
+bool panel_row_is_mark(const struct panel_row *row, float x)
+{
+    return row->kind == PANEL_ROW_TITLE && x >= row->left + row->width - MARK;
+}
+
+void panel_rows_free(struct panel_rows *rows)
+{
+    free(rows->row);
+    *rows = (struct panel_rows){0};
+}
