@@ -14,6 +14,7 @@ PICTURES =
 FORCE =
 FRAMES =
 FPS =
+VIEW =
 ROUNDS =
 WRITE =
 DURATION =
@@ -21,7 +22,7 @@ SANITIZE =
 FUZZER =
 # What awk, sort and gcc read and print does not depend on the reader's language.
 export LC_ALL = C
-export CHAPTER SUITE NAME EXERCISE FILE FILES PICTURES FORCE FRAMES FPS ROUNDS WRITE DURATION
+export CHAPTER SUITE NAME EXERCISE FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE DURATION
 
 # Recursive makes run in parallel, unless the caller has said how.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -193,7 +194,7 @@ compare: ready ## by how much do two pictures differ? make compare PICTURES='one
 diff: ## show what changed since the chapter before: make diff CHAPTER=03
 	@.make/diff.sh
 
-film: ready ## make an MP4 and a GIF of a chapter by ffmpeg: make film CHAPTER=00 FRAMES=100 FPS=25
+film: ready ## make an MP4 and a GIF of a chapter by ffmpeg: make film CHAPTER=00 FRAMES=100 FPS=25 VIEW=slice
 	@.make/film.sh $(OPTIONS)
 
 gallery: ready ## render every picture of tests/images.txt into build/gallery/

@@ -2,7 +2,8 @@
 # film.sh [OPTION...] - `make film`: a chapter as an MP4 and a GIF, by ffmpeg.
 #
 # Environment: CHAPTER, "03" or a whole stem, the first one where it is empty; FRAMES and FPS, how
-# many pictures and how many a second. The pictures stay in build/film/STEM/. A film that is
+# many pictures and how many a second; VIEW, what they show. Slice and plot show one ray: in their films
+# it goes from its first step to its last. The pictures stay in build/film/STEM/. A film that is
 # interrupted leaves the old one as it was.
 set -u
 . .make/chapters.sh
@@ -10,6 +11,9 @@ set -u
 stem=$(stem_of "${CHAPTER-}") || exit 1
 frames=${FRAMES:-100}
 fps=${FPS:-25}
+view=${VIEW-}
+[ -z "$view" ] || set -- --view "$view" "$@"
+case $view in slice | plot) set -- --step walk "$@" ;; esac
 folder=build/film/$stem
 film=build/film/$stem
 part=$film.part

@@ -122,7 +122,9 @@ vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
     float cross = max(abs(from.x), abs(from.y)) < 5.0 * pen ? lineCover((abs(from.x) - abs(from.y)) * 0.7, 1.8 * pen) : 0.0;
     float mark = iPlotEnd == END_HIT ? lineCover(length(from) - 5.5 * pen, 1.8 * pen) : cross;
     vec2 corner = floor(place / cell) + vec2(iPlotEnd == END_HIT ? -5.0 : -7.0, 7.0);
-    corner = min(corner, floor(vec2(iResolution.x / cell, iPlotFrame.z / cell)) - vec2(32.0, 8.0));
+    // An end that is off the picture is told in the corner.
+    vec2 most = floor(vec2(iResolution.x / cell, iPlotFrame.z / cell)) - vec2(32.0, 8.0);
+    corner = place.x > iResolution.x ? most : min(corner, most);
     vec2 inside = floor(pixel / cell) - corner;
     bool word = iPlotEnd == END_HIT ? plotWord(PLOT_HIT, inside)
               : iPlotEnd == END_STEPS ? plotWord(PLOT_GIVEN_UP, inside) : plotWord(PLOT_MISS, inside);
@@ -189,7 +191,7 @@ vec3 plotView(vec2 pixel)
     vec3 colour = pixel.y > iPlotFrame.z ? slice : graph;
     colour = mix(colour, SLICE_INK, lineCover(pixel.y - iPlotFrame.z, 1.6 * pen));
     colour = sliceAxis(colour, point, pixel);
-    bool name = plotWord(PLOT_T, floor(pixel / cell) - vec2(floor(iResolution.x / cell) - 6.0, floor(iPlotFrame.x / cell) + 3.0));
+    bool name = plotWord(PLOT_T, floor(pixel / cell) - vec2(floor(iResolution.x / cell) - 6.0, 15.0));
     return mix(colour, SLICE_INK, name ? 1.0 : 0.0);
 }
 

@@ -322,6 +322,42 @@ static void test_frames(void **state)
     options_free(&o);
 }
 
+// One ray's march, up to a step, or step by step in a film; and from another camera.
+static void test_steps(void **state)
+{
+    (void)state;
+    struct options o = parsed("-v slice --step 3 -o a.png");
+    assert_int_equal(o.step, 3);
+    assert_false(o.walk);
+    options_free(&o);
+    o = parsed("-o a.png");
+    assert_int_equal(o.step, -1);
+    assert_false(o.has_from);
+    options_free(&o);
+    o = parsed("-v plot --step walk --frames 5 -o %d.png");
+    assert_true(o.walk);
+    assert_int_equal(o.step, -1);
+    options_free(&o);
+    o = parsed("--probe 1,1 --overlay --step walk --frames 5 -o %d.png");
+    options_free(&o);
+    o = parsed("--probe 1,1 --overlay --step 0 --from 1,2,3,40,-50 -c 0,0,0,0,0 -o a.png");
+    assert_true(o.has_from && o.from.position[2] == 3.0f && o.from.tilt == -50.0f);
+    assert_true(o.camera.tilt == 0.0f);
+    options_free(&o);
+    assert_refused("-v slice --step -1 -o a.png", "--step '-1': must be a whole number from 0");
+    assert_refused("-v slice --step 2048 -o a.png", "from 0 to 2047, or walk");
+    assert_refused("-v slice --step runs -o a.png", "or walk with --frames");
+    assert_refused("-v slice --step 1", "goes with --output");
+    assert_refused("--step 1 -o a.png", "goes with --view slice or plot, or with --probe");
+    assert_refused("--probe 1,1 --step 1 -o a.png", "--overlay");
+    assert_refused("-v slice --step walk -o a.png", "goes with --frames");
+    assert_refused("-v slice --step 1 --frames 2 -o %d.png", "--frames wants --step walk");
+    assert_refused("--from 0,0,0,0,90 -o a.png", "--from '0,0,0,0,90': the tilt");
+    assert_refused("--from 0,0,0,0,0", "goes with --output");
+    assert_refused("--from 0,0,0,0,0 -o a.png", "goes with --probe and --overlay");
+    assert_refused("-v slice --probe 1,1 --overlay --from 0,0,0,0,0 -o a.png", "no --view of one");
+}
+
 static void test_print_shader(void **state)
 {
     (void)state;
@@ -517,6 +553,7 @@ int main(void)
         cmocka_unit_test(test_pictures),
         cmocka_unit_test(test_help_names_every_option),
         cmocka_unit_test(test_slice_takes_a_probe),
+        cmocka_unit_test(test_steps),
         cmocka_unit_test(test_several_probes),
     };
     return cmocka_run_group_tests_name("options", tests, NULL, NULL);
