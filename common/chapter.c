@@ -181,17 +181,26 @@ static bool add_overlay(const struct run *run, struct renderer *renderer,
     return true;
 }
 
+// Draw a picture with what stands over it. The caller frees image.
+static bool draw_picture(const struct run *run, struct renderer *renderer,
+                         const struct renderer_inputs *inputs, const struct probe *probe,
+                         struct image *image)
+{
+    struct overlay overlay = {0};
+    bool wants = run->options.has_overlay || renderer->pair != NULL;
+    bool done = (!wants || add_overlay(run, renderer, inputs, probe, &overlay)) &&
+                renderer_picture(renderer, inputs, image);
+    renderer->overlay = NULL;
+    overlay_close(&overlay);
+    return done;
+}
+
 static bool write_picture(const struct run *run, struct renderer *renderer,
                           const struct renderer_inputs *inputs, const struct probe *probe,
                           const char *path)
 {
     struct image image = {0};
-    struct overlay overlay = {0};
-    bool wants = run->options.has_overlay || renderer->pair != NULL;
-    bool done = (!wants || add_overlay(run, renderer, inputs, probe, &overlay)) &&
-                renderer_picture(renderer, inputs, &image) && image_write_png(&image, path);
-    renderer->overlay = NULL;
-    overlay_close(&overlay);
+    bool done = draw_picture(run, renderer, inputs, probe, &image) && image_write_png(&image, path);
     image_free(&image);
     return done;
 }
@@ -210,6 +219,16 @@ static struct renderer_inputs still_inputs(const struct options *options)
         .pixel = {pixel != NULL ? pixel[0] : -1, pixel != NULL ? pixel[1] : -1},
         .zoom = 1.0f,
         .shown = (float)(options->step + 1)};
+}
+
+// Where the ray of --probe starts, if that is not at the camera.
+//   eye  must outlive the inputs
+static void start_ray(const struct options *options, const struct renderer *renderer,
+                      struct renderer_inputs *inputs, struct renderer_eye *eye)
+{
+    *eye = aside_eye(renderer, inputs);
+    eye->camera = options->from;
+    inputs->eye = options->has_from ? eye : NULL;
 }
 
 // March the ray that the pictures show, where its steps are counted.
@@ -242,8 +261,10 @@ static bool write_frames(const struct run *run, struct renderer *renderer)
 {
     const struct options *options = &run->options;
     struct renderer_inputs inputs = still_inputs(options);
+    struct renderer_eye eye;
     char path[PLATFORM_PATH];
     struct probe *probe = options->walk ? memory_zeros(1, sizeof *probe) : NULL;
+    start_ray(options, renderer, &inputs, &eye);
     bool done = probe == NULL || march_shown(run, renderer, &inputs, probe);
     for (int i = 0; i < options->frames && done; i++) {
         sequence_progress(i, options->frames);
@@ -306,11 +327,10 @@ static bool work_still(const struct run *run, struct renderer *renderer)
 {
     const struct options *options = &run->options;
     struct renderer_inputs inputs = still_inputs(options);
-    struct renderer_eye eye = aside_eye(renderer, &inputs);
+    struct renderer_eye eye;
     struct probe *probe = NULL;
     bool done = true;
-    eye.camera = options->from;
-    inputs.eye = options->has_from ? &eye : NULL;
+    start_ray(options, renderer, &inputs, &eye);
     if (options->frames > 0)
         return write_frames(run, renderer);
     for (int i = 0; i < options->probe_count && done; i++) {

@@ -25,8 +25,9 @@ struct options {
     enum options_action action;
     bool window;    // the run needs one: it writes no picture, no march, no measurement
     bool shadertoy; // --print-shader=shadertoy
+    bool compares;  // there is a second picture beside the first
     bool walk;      // --step walk: the pictures of --frames go from step to step
-    bool has_from;
+    bool has_from, has_divider, has_camera, has_overlay;
     const char *output;    // PNG to write, its name ends so, or NULL
     int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT; defaults set by options_parse
     double time;           // seconds
@@ -36,22 +37,18 @@ struct options {
     bool json;             // --benchmark=json
     const char **settings; // NAME=VALUE, in the order given; owned, see options_free
     int setting_count;
-    bool compares;       // there is a second picture beside the first
-    const char *compare; // its shader's file; NULL: that of the first
-    int shared_settings; // the first of the settings, which are both pictures'
-    double divider;      // share of the width that the first one has, 0 to 1
-    bool has_divider;
+    const char *compare;   // its shader's file; NULL: that of the first
+    int shared_settings;   // the first of the settings, which are both pictures'
+    double divider;        // share of the width that the first one has, 0 to 1
     const char **textures; // NAME=FILE, in the order given; owned
     int texture_count;
     const char *channels[4]; // the files of Shadertoy's iChannel0 to 3, or NULL
-    bool has_camera;
-    struct camera camera; // meaningful when has_camera
-    int samples;          // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel
+    struct camera camera;    // meaningful when has_camera
+    int samples;             // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel
     enum shader_view view;
     int (*probe)[2]; // pixels of the picture, 0,0 bottom left; the last one is the picture's
     int probe_count;
     enum context_backend backend;
-    bool has_overlay;
     double overlay;     // its scale; 0: by the height of the picture
     int step;           // of the ray's march: shown up to this one, from 0; -1: all
     struct camera from; // where the ray of --probe starts; meaningful when has_from

@@ -65,17 +65,23 @@ static bool find_picture(struct listed *listed, const char *name, char *output)
 static bool draw(const struct context *context, struct run *run, struct image *image)
 {
     struct renderer renderer = {0};
-    struct overlay overlay = {0}; // of a pair
     struct renderer_inputs inputs = still_inputs(&run->options);
+    struct renderer_eye eye;
+    bool probes = run->options.has_overlay && run->options.probe_count > 0;
+    struct probe *probe = probes ? memory_zeros(1, sizeof *probe) : NULL;
     snprintf(run->root, sizeof run->root, ".");
     bool done = find_shader(run) && read_shader(run) == DONE &&
                 renderer_open(&renderer, &context->gl, run->root);
     renderer.view = run->options.view;
     done = done && renderer_load(&renderer, &run->source, &run->parameters) &&
-           second_load(&run->second, &renderer) &&
-           (renderer.pair == NULL || add_overlay(run, &renderer, &inputs, NULL, &overlay)) &&
-           renderer_picture(&renderer, &inputs, image);
-    overlay_close(&overlay);
+           second_load(&run->second, &renderer);
+    if (done)
+        start_ray(&run->options, &renderer, &inputs, &eye);
+    done =
+        done &&
+        (!probes || renderer_probe(&renderer, &inputs, inputs.pixel[0], inputs.pixel[1], probe)) &&
+        draw_picture(run, &renderer, &inputs, probe, image);
+    free(probe);
     second_close(&run->second);
     renderer_close(&renderer);
     shader_free(&run->source);
@@ -83,20 +89,36 @@ static bool draw(const struct context *context, struct run *run, struct image *i
     return done;
 }
 
+// The title of a chapter, as its program has it.
+static bool find_title(const char *stem, char title[LINE])
+{
+    char path[PLATFORM_PATH], line[LINE];
+    snprintf(path, sizeof path, "chapters/%.200s.c", stem);
+    FILE *file = fopen(path, "r");
+    bool found = false;
+    while (file != NULL && !found && fgets(line, sizeof line, file) != NULL)
+        found = sscanf(line, " .title = \"%4000[^\"]\"", title) == 1;
+    if (file != NULL)
+        fclose(file);
+    return found || report("%s: has no title", path);
+}
+
 // The picture with the shaders of a folder.
 static bool draw_in(const struct context *context, const char *name, const char *root,
                     struct image *image)
 {
     static struct listed listed;
-    struct chapter chapter = {.stem = listed.stem};
+    char title[LINE];
+    struct chapter chapter = {.stem = listed.stem, .title = title};
     struct run run = {.chapter = &chapter};
     char here[PLATFORM_PATH], output[] = "picture.png";
-    if (!find_picture(&listed, name, output) || !mirror_camera(".", listed.stem, &chapter.camera) ||
+    if (!find_picture(&listed, name, output) || !find_title(listed.stem, title) ||
+        !mirror_camera(".", listed.stem, &chapter.camera) ||
         !options_parse(&run.options, listed.count, listed.word))
         return false;
     if (!run.options.has_camera)
         run.options.camera = chapter.camera;
-    bool alone = !run.options.has_overlay && run.options.frames == 0;
+    bool alone = run.options.frames == 0;
     bool moved = alone && getcwd(here, sizeof here) != NULL && chdir(root) == 0;
     bool done = moved ? draw(context, &run, image) : report("%s: not drawn in %s", name, root);
     options_free(&run.options);

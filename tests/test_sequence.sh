@@ -66,6 +66,18 @@ settings() {
 check 'samples, view and parameters as for one picture' settings
 slices() { "$BUILD/01_normal_colouring" "${small[@]}" -v slice --probe 30,18 --frames 2 -o "$out/v%d.png"; }
 check 'the slice of a chosen ray' slices
+walks() { # from the first step to the last, while the time stands still
+    local ray=(-v slice --probe '30,18')
+    clear_out
+    "$BUILD/01_normal_colouring" "${small[@]}" "${ray[@]}" --step walk --frames 20 -o "$out/w%d.png" >"$scratch/said" &&
+        "$BUILD/01_normal_colouring" "${small[@]}" "${ray[@]}" --step 0 -o "$scratch/first.png" >"$scratch/march" &&
+        "$BUILD/01_normal_colouring" "${small[@]}" "${ray[@]}" -o "$scratch/whole.png" >/dev/null &&
+        last=$(awk -F, '/^[0-9]/ { n = $1 } END { print n }' "$scratch/march") &&
+        "$BUILD/01_normal_colouring" "${small[@]}" "${ray[@]}" --step "$last" -o "$scratch/last.png" >/dev/null &&
+        cmp -s "$scratch/first.png" "$out/w0.png" && cmp -s "$scratch/last.png" "$out/w19.png" &&
+        ! cmp -s "$out/w0.png" "$out/w10.png" && ! cmp -s "$out/w10.png" "$out/w19.png"
+}
+check 'a film walks along a ray from its first step to its last' walks
 
 # ---- Names and numbers ----
 
@@ -182,5 +194,13 @@ keeps() {
         ! grep -q half "$scratch/project/build/film/"*.* && [ "$(find "$scratch/project/build/film" -maxdepth 1 -type f | wc -l)" = 2 ]
 }
 check 'a film that stops half way leaves the old one' keeps
+views() {
+    ln -sf "$root/$BUILD/01_normal_colouring" "$scratch/project/build/01_normal_colouring"
+    (cd "$scratch/project" && CHAPTER=01 FRAMES=6 FPS=10 VIEW=plot PATH=$scratch/bin:$PATH .make/film.sh -s 64x36 >"$scratch/said" 2>"$scratch/err")
+    # Its pictures are there, whatever ffmpeg makes of them.
+    "$BUILD/01_normal_colouring" -s 64x36 -v plot --step 0 -o "$scratch/first.png" &&
+        cmp -s "$scratch/first.png" "$scratch/project/build/film/01_normal_colouring/frame-0000.png"
+}
+check 'make film shows a view, and lets its ray walk' views
 
 plan

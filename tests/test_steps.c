@@ -172,6 +172,10 @@ static void the_places_are_those_of_the_other_camera(void **unused)
     inputs.eye = &eye;
     struct probe *probe = probe_of(&inputs), *from = probe_of(&own);
     assert_true(probe->aside && !from->aside);
+    own.eye = &eye; // whose camera is the picture's own
+    struct probe *again = probe_of(&own);
+    assert_false(again->aside);
+    free(again);
     assert_int_equal(probe->steps, from->steps);
     for (int k = 0; k < probe->steps; k++) { // the same ray, to the bit
         assert_memory_equal(&probe->step[k].t, &from->step[k].t, sizeof(float));
@@ -288,7 +292,7 @@ static void a_plot_has_room_for_every_step(void **unused)
 {
     (void)unused;
     static const int sizes[][2] = {{320, 180}, {640, 360}, {1280, 720}, {3840, 2160}};
-    const float t[] = {0.0f, 3.0f, 4.0f}, hit[] = {3.0f, 1.0f, -0.2f};
+    const float t[] = {0.0f, 3.0f, 4.0f}, hit[] = {3.0f, 1.0f, -1.5f};
     struct probe *probe = calloc(1, sizeof *probe);
     assert_non_null(probe);
     probe->steps = 3;

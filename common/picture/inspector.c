@@ -184,7 +184,7 @@ static void find_span(const struct overlay *overlay, const struct inspector *ins
         before[0] = place[0];
         before[1] = place[1];
     }
-    if (!probe->aside || probe_rows(probe) == 0) {
+    if (probe_rows(probe) == 0) { // there was no march
         float pixel[2] = {(float)inspector->pixel[0] + 0.5f, (float)inspector->pixel[1] + 0.5f};
         place_of(overlay, pixel, place);
         if (place[0] >= left - CLEAR && place[0] <= right + CLEAR) {
