@@ -124,7 +124,9 @@ Clearance clearanceAlong(Ray ray, float tMin, float tMax, float threshold, int m
         searching = !found && t < tMax && steps < maxSteps;
     }
     traceMarch(steps, t, found ? END_HIT : (t >= tMax ? END_PASSED : END_STEPS));
-    return found ? Clearance(0.0, 0.0) : clearance;
+    if (found)
+        clearance = Clearance(0.0, 0.0);
+    return clearance;
 }
 
 // ---- What many rays find ----

@@ -58,8 +58,11 @@ struct Slide {
 //   axis     0: along x, at (z, y); 1: along y, at (x, z); 2: along z, at (x, y): on walls y is up
 Slide slideAlong(vec3 p, Footprint f, int axis)
 {
-    return axis == 0 ? Slide(p.zy, f.across.zy, f.along.zy)
-                     : (axis == 1 ? Slide(p.xz, f.across.xz, f.along.xz) : Slide(p.xy, f.across.xy, f.along.xy));
+    if (axis == 0)
+        return Slide(p.zy, f.across.zy, f.along.zy);
+    if (axis == 1)
+        return Slide(p.xz, f.across.xz, f.along.xz);
+    return Slide(p.xy, f.across.xy, f.along.xy);
 }
 
 // The picture there, averaged over the footprint by its mipmaps.

@@ -71,8 +71,13 @@ Material tableAt(float number)
 {
     int n = int(floor(number + 0.5));
     vec3 colour = n == 1 ? vec3(0.02, 0.25, 0.06) : n == 3 ? vec3(0.7) : vec3(0.35, 0.02, 0.25);
-    Material other = Material(colour, vec3(0.04), 0.5);
-    return n == 0 ? LEMON : n == 2 ? CLAY : n == 5 ? COBALT : other;
+    if (n == 0)
+        return LEMON;
+    if (n == 2)
+        return CLAY;
+    if (n == 5)
+        return COBALT;
+    return Material(colour, vec3(0.04), 0.5);
 }
 
 Material ballMaterial(vec3 ball)
@@ -81,7 +86,11 @@ Material ballMaterial(vec3 ball)
     Material pair = mixMaterials(CLAY, COBALT, smoothUnionShare(ball.x, ball.y, blend));
     Material right = mixMaterials(pair, LEMON, smoothUnionShare(lower, ball.z, blend));
     Material line = Material(vec3(0.18 * number, 0.6 - 0.05 * number, 0.2), vec3(0.04), 0.5);
-    return way == 0 ? right : way == 1 ? line : tableAt(number);
+    if (way == 0)
+        return right;
+    if (way == 1)
+        return line;
+    return tableAt(number);
 }
 
 vec3 skyLight(vec3 direction)

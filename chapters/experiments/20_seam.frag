@@ -14,8 +14,10 @@ Cloud panoramaByWay(sampler2D panorama, vec3 direction, float turned, float widt
     float size = fwidth(place.x), otherSize = fwidth(other.x);
     vec2 at = way == 1 && otherSize < 0.5 * size || way == 3 && otherSize < size ? other : place;
     vec4 texel = texture(panorama, at + vec2(turned, 0.0));
-    Cloud hardware = Cloud(texel.x, texel.y, 2.0 * texel.z - 1.0), mended = cloudPanorama(panorama, direction, turned, width);
-    return way == 2 ? mended : hardware;
+    Cloud cloud = Cloud(texel.x, texel.y, 2.0 * texel.z - 1.0), mended = cloudPanorama(panorama, direction, turned, width);
+    if (way == 2)
+        cloud = mended;
+    return cloud;
 }
 
 #define cloudPanorama panoramaByWay
