@@ -17,6 +17,7 @@ FPS =
 VIEW =
 ROUNDS =
 WRITE =
+WEB =
 DURATION =
 SANITIZE =
 FUZZER =
@@ -48,6 +49,11 @@ HAVE := $(if $(filter glfw,$(BACKENDS)),-DHAVE_GLFW) $(if $(filter egl,$(BACKEND
         $(if $(filter osmesa,$(BACKENDS)),-DHAVE_OSMESA)
 # Other people's headers are not held to our warnings: -isystem.
 HEADERS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(LIBRARIES) cglm 2>/dev/null))
+ifneq ($(WEB),)
+HAVE := -DHAVE_GLFW
+HEADERS := -isystem build/web/objects/include
+CFLAGS = -Oz -flto -DNDEBUG
+endif
 LINK := $(shell pkg-config --libs $(LIBRARIES) 2>/dev/null) -ldl -lm -pthread
 CMOCKA := $(shell pkg-config --libs cmocka 2>/dev/null)
 
@@ -67,12 +73,18 @@ COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
 
 # The sanitizers: `make SANITIZE=1 programs tests` builds the same into build/sanitize/. Mesa unloads
 # its drivers, and a leak report from unloaded code has no names: so dlclose is empty there.
-# `make FUZZER=1 fuzzer` builds what libFuzzer watches into build/fuzz/.
+# `make FUZZER=1 fuzzer` builds what libFuzzer watches into build/fuzz/, `make WEB=1 module` the same
+# sources for a browser into build/web/.
 CHECKS = address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 ifneq ($(FUZZER),)
 CC = clang
 BUILD = build/fuzz
 INSTRUMENT = -fsanitize=fuzzer-no-link,$(CHECKS)
+EXTRA =
+else ifneq ($(WEB),)
+CC = emcc
+BUILD = build/web/objects
+INSTRUMENT =
 EXTRA =
 else ifeq ($(SANITIZE),)
 BUILD = build
@@ -90,6 +102,9 @@ ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,com
 ABSENT += $(if $(filter glfw,$(BACKENDS)),common/window/none.c,$(filter-out %/none.c %/watch.c,$(filter common/window/%,$(SOURCES))))
 # What each system does in its own way: platform_SYSTEM*.c.
 PLATFORM := $(patsubst common/%.c,%,$(filter common/platform_posix%,$(SOURCES)))
+# In a browser common/browser/ takes the place of some of them.
+BROWSER := $(filter common/browser/%,$(SOURCES))
+ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write window/none),$(BROWSER))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
@@ -140,6 +155,39 @@ $(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(EXTRA)
 
 # What the tables of the sky are computed by is tested as it is.
 $(TESTS) $(BUILD)/tests/measure $(BUILD)/tests/draw $(FIGURES:%=$(BUILD)/docs/figures/%): $(PAINT)
+
+# One module holds all chapters, so each main gets a name of its own; what it calls leaves the loop to the page.
+ifneq ($(WEB),)
+$(BUILD)/chapters/%.o: INSTRUMENT = -Dmain=main_$(notdir $*) -Dchapter_run=live_run
+EXPORTS := _malloc,_free,$(shell grep -oh '\<live_[a-z]*' common/browser/live.h common/browser/hands.h | sort -u | sed s/^/_/ | paste -sd , -)
+EMSCRIPTEN = -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sMODULARIZE -sEXPORT_ES6 \
+             -sUSE_ES6_IMPORT_META=1 -sENVIRONMENT=web -sEXPORT_NAME=loadHarness -sFORCE_FILESYSTEM \
+             -sEXPORTED_RUNTIME_METHODS=FS,ccall,UTF8ToString \
+             -sINCOMING_MODULE_JS_API=canvas,print,printErr,locateFile,noInitialRun
+# Debian's has its JavaScript tools there.
+export NODE_PATH = /usr/share/nodejs
+module: build/web/harness.js
+build/web/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COMMON) common/browser/page.js
+	$(call say,link $@) $(CC) $(CFLAGS) --no-entry $(EMSCRIPTEN) -sEXPORTED_FUNCTIONS=$(EXPORTS) \
+	    --js-library common/browser/page.js -o $@ $(filter %.o,$^)
+
+$(BUILD)/chapters.o: $(BUILD)/chapters.c
+	$(call say,$(CC) $<) $(CC) $(COMPILE) -c -o $@ $<
+
+$(BUILD)/chapters.c: Makefile $(STEMS:%=chapters/%.c)
+	@mkdir -p $(@D)
+	$(call say,echo $@) { echo '#include "browser/chapters.h"'; \
+	    for stem in $(STEMS); do echo "int main_$$stem(int argc, char **argv);"; done; \
+	    echo 'const struct live_chapter live_chapters[] = {'; \
+	    for stem in $(STEMS); do echo "    {\"$$stem\", main_$$stem},"; done; \
+	    echo '    {0, 0}};'; } > $@
+
+# The headers that are the same everywhere; emcc has its own of the rest.
+$(BUILD)/flags: $(BUILD)/include
+$(BUILD)/include:
+	@mkdir -p $@
+	@for name in cglm stb GLFW; do ln -sfn /usr/include/$$name $@/$$name; done
+endif
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -253,6 +301,20 @@ chapter: ## begin a chapter with the next number: make chapter NAME=soft_shadows
 docs: ready ## rewrite the listings and tables in docs/ from the sources that they show
 	@.make/listings.sh
 
+web: ## build the programs for a browser into build/web/ (Emscripten; a package set of its own)
+	@.make/setup.sh web
+	+@$(AGAIN) WEB=1 module
+	@.make/web.sh
+
+test-web: ready web build/node/package-lock.json ## draw, drive and measure the programs in Chromium, headless on Mesa's software renderer
+	@tests/web.sh
+
+# What docs/web/ takes from npm, as its lock file has it.
+build/node/package-lock.json: docs/web/package.json docs/web/package-lock.json
+	@mkdir -p $(@D) && cp $^ $(@D)/
+	$(call say,npm ci) npm ci --prefix $(@D) --ignore-scripts --no-audit --no-fund --silent
+	@touch $@
+
 figures: ## draw the diagrams of docs/figures/ again
 	@.make/setup.sh test
 	+@$(AGAIN) figure_programs
@@ -273,7 +335,7 @@ references: ready ## render the reference pictures again; those within tolerance
 always:
 .PHONY: all programs tests fuzzer ready run play check compare diff film gallery benchmark book setup clean help test \
         test-fresh test-gpu fuzz lint format chapter docs figures figure_programs textures texture_programs \
-        references always
+        references web test-web module always
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .SECONDARY:

@@ -1,7 +1,8 @@
 #!/bin/sh
 # setup.sh [--check|--all] SET... - see to it that what the sets need is on this machine.
 #
-# Sets: run (build and render), test, lint, fuzz, book, fresh (bare machines to test on). Where nothing is missing this asks only files and
+# Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), fresh (bare
+# machines to test on). Where nothing is missing this asks only files and
 # commands: no network, no package manager. Else, as root it installs; with a terminal and sudo it
 # says what it will install and lets sudo ask; otherwise it prints the one command and fails.
 #   --check  install nothing
@@ -141,6 +142,16 @@ need_book() {
     need 'pdfinfo (how many pages)' 'poppler-utils|poppler-utils|poppler|poppler' has_command pdfinfo
 }
 
+need_web() {
+    need_run
+    need 'Emscripten' 'emscripten|emscripten|emscripten|emscripten' has_command emcc
+    need 'Node.js' 'nodejs|nodejs|nodejs|node' has_command node
+    need 'npm' 'npm|nodejs-npm|npm|node' has_command npm
+    need 'Chromium' 'chromium|chromium|chromium|-' has_command chromium
+    need 'pandoc' 'pandoc|pandoc|pandoc|pandoc' has_command pandoc
+    need 'the letters of formulas' 'fonts-texgyre-math|texlive-tex-gyre-math|-|-' has_font 'TeX Gyre Pagella Math'
+}
+
 need_fresh() {
     need 'debootstrap' 'debootstrap|-|-|-' has_command debootstrap
     need 'git' 'git|git|git|git' has_command git
@@ -156,7 +167,8 @@ look() {
         fuzz) need_fuzz ;;
         book) need_book ;;
         fresh) need_fresh ;;
-        *) printf 'setup.sh: %s: no such set: run, test, lint, fuzz, book or fresh\n' "$set" >&2; exit 2 ;;
+        web) need_web ;;
+        *) printf 'setup.sh: %s: no such set: run, test, lint, fuzz, book, web or fresh\n' "$set" >&2; exit 2 ;;
         esac
     done
     # Two sets may name one package.

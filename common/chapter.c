@@ -38,6 +38,11 @@ struct run {
     struct shader_source source;
     struct parameters parameters;
     struct second second; // of --compare
+    // What works until chapter_close.
+    struct context context;
+    struct renderer renderer;
+    struct window_start start;
+    struct window *window; // NULL where none was asked for
 };
 
 static bool is_root(const char *folder)
@@ -114,9 +119,9 @@ static int read_second(struct run *run)
 // exit status.
 static int read_shader(struct run *run)
 {
-    run->request = (struct shader_request){.textures = run->options.textures,
-                                           .texture_count = run->options.texture_count,
-                                           .channels = run->options.channels};
+    run->request.textures = run->options.textures;
+    run->request.texture_count = run->options.texture_count;
+    run->request.channels = run->options.channels;
     if (!shader_read_asked(&run->source, run->shader, run->root, &run->request) ||
         !parameters_read(&run->parameters, &run->source))
         return NOT_DONE;
@@ -334,9 +339,8 @@ static bool work_still(const struct run *run, struct renderer *renderer)
     if (options->frames > 0)
         return write_frames(run, renderer);
     for (int i = 0; i < options->probe_count && done; i++) {
-        const int *pixel = options->probe[i];
         probe = probe != NULL ? probe : memory_zeros(1, sizeof *probe);
-        done = renderer_probe(renderer, &inputs, pixel[0], pixel[1], probe);
+        done = renderer_probe(renderer, &inputs, options->probe[i][0], options->probe[i][1], probe);
         if (done)
             probe_print(probe, stdout);
     }
@@ -364,10 +368,10 @@ static int run_benchmark(struct run *run, const struct context *context, struct 
     return DONE;
 }
 
-static bool open_loop(const struct run *run, struct context *context, struct renderer *renderer)
+static bool open_loop(struct run *run)
 {
     const struct options *options = &run->options;
-    const struct window_start start = {.title = title_of(run),
+    run->start = (struct window_start){.title = title_of(run),
                                        .stem = run->chapter->stem,
                                        .shader = run->shader,
                                        .request = &run->request,
@@ -380,10 +384,8 @@ static bool open_loop(const struct run *run, struct context *context, struct ren
     if (options->shader != NULL)
         printf("%s: every save is shown at once\n", options->shader);
     fflush(stdout);
-    struct window *window = window_open(context, renderer, &start);
-    bool done = window != NULL && window_run(window);
-    window_close(window);
-    return done;
+    run->window = window_open(&run->context, &run->renderer, &run->start);
+    return run->window != NULL;
 }
 
 // With a context and a renderer: load the shader, then carry out what was asked.
@@ -395,29 +397,24 @@ static int work(struct run *run, struct context *context, struct renderer *rende
     if (!renderer_load(renderer, &run->source, &run->parameters) ||
         !second_load(&run->second, renderer))
         return NOT_DONE;
-    bool done =
-        context->window != NULL ? open_loop(run, context, renderer) : work_still(run, renderer);
+    bool done = context->window != NULL ? open_loop(run) : work_still(run, renderer);
     return done ? DONE : NOT_DONE;
 }
 
 static int open_and_work(struct run *run)
 {
-    struct context context = {0};
-    struct renderer renderer = {0};
+    struct context *context = &run->context;
     const struct options *options = &run->options;
     if (options->benchmark > 0)
         guard_forget_caches();
     if (!check_targets(run))
         return NOT_DONE;
-    bool opened = options->window ? context_open_window(&context, options->backend, title_of(run),
+    bool opened = options->window ? context_open_window(context, options->backend, title_of(run),
                                                         options->width, options->height)
-                                  : context_open_offscreen(&context, options->backend);
+                                  : context_open_offscreen(context, options->backend);
     int status = options->window && !opened ? NO_WINDOW : NOT_DONE;
-    if (opened && renderer_open(&renderer, &context.gl, run->root))
-        status = work(run, &context, &renderer);
-    second_close(&run->second);
-    renderer_close(&renderer);
-    context_close(&context);
+    if (opened && renderer_open(&run->renderer, &context->gl, run->root))
+        status = work(run, context, &run->renderer);
     return status;
 }
 
@@ -451,23 +448,67 @@ static int act(struct run *run, const char *program)
     }
 }
 
-int chapter_run(const struct chapter *chapter, int argc, char **argv)
+// Read the command line. Returns the exit status.
+static int begin(struct run *run, const struct chapter *chapter, int argc, char **argv)
 {
-    struct run run = {.chapter = chapter};
+    run->chapter = chapter;
     if (!guard_stack())
         return NOT_DONE;
-    if (!options_parse(&run.options, argc, argv))
+    if (!options_parse(&run->options, argc, argv))
         return WRONG_COMMAND_LINE;
-    if (!run.options.has_camera)
-        run.options.camera = chapter->camera;
-    int status = act(&run, argv[0]);
-    second_close(&run.second);
-    shader_free(&run.source);
-    parameters_free(&run.parameters);
-    options_free(&run.options);
+    if (!run->options.has_camera)
+        run->options.camera = chapter->camera;
+    return DONE;
+}
+
+int chapter_open(struct run **run, const struct chapter *chapter, int argc, char **argv)
+{
+    *run = memory_zeros(1, sizeof **run);
+    int status = begin(*run, chapter, argc, argv);
+    return status == DONE ? act(*run, argv[0]) : status;
+}
+
+struct window *chapter_window(const struct run *run)
+{
+    return run->window;
+}
+
+void chapter_close(struct run *run)
+{
+    window_close(run->window);
+    second_close(&run->second);
+    renderer_close(&run->renderer);
+    context_close(&run->context);
+    shader_free(&run->source);
+    parameters_free(&run->parameters);
+    options_free(&run->options);
+    free(run);
+}
+
+int chapter_run(const struct chapter *chapter, int argc, char **argv)
+{
+    struct run *run;
+    int status = chapter_open(&run, chapter, argc, argv);
+    if (run->window != NULL && !window_run(run->window))
+        status = NOT_DONE;
+    chapter_close(run);
     if (fflush(stdout) != 0 || ferror(stdout)) {
         report("standard output: cannot be written: is the disk full?");
         return NOT_DONE;
     }
     return status;
+}
+
+void chapter_see(const struct chapter *chapter, int argc, char **argv,
+                 void (*see)(void *to, const char *path), void *to)
+{
+    struct run run = {.request = {.see = see, .to = to}};
+    if (begin(&run, chapter, argc, argv) == DONE && find_root(&run) && find_shader(&run)) {
+        see(to, run.shader); // also where it is missing
+        read_shader(&run);
+    }
+    second_close(&run.second);
+    shader_free(&run.source);
+    parameters_free(&run.parameters);
+    options_free(&run.options);
 }

@@ -25,4 +25,26 @@ struct chapter {
 // can be opened here. All but the first are reported.
 int chapter_run(const struct chapter *chapter, int argc, char **argv);
 
+// ---- For who has a loop of his own ----
+
+struct run;
+struct window;
+
+// Carry out the command line up to the window's loop.
+//   run       receives what chapter_close frees, whatever the status is
+//   chapter, argv  must outlive it
+// Returns the exit status so far, as chapter_run.
+int chapter_open(struct run **run, const struct chapter *chapter, int argc, char **argv);
+
+// The window that waits for its turns; NULL where none was asked for, or none could be opened.
+struct window *chapter_window(const struct run *run);
+
+void chapter_close(struct run *run);
+
+// Tell which files a command line asks for: every path that is looked at while its shader is read.
+// No picture is drawn.
+//   see  is called with each path, and with to
+void chapter_see(const struct chapter *chapter, int argc, char **argv,
+                 void (*see)(void *to, const char *path), void *to);
+
 #endif

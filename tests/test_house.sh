@@ -10,7 +10,7 @@ open_scratch
 # shellcheck disable=SC2154 # open_scratch sets scratch
 
 # From the ground up. A room knows itself and those below it.
-rooms='ground context shader picture window top'
+rooms='ground context shader picture window top browser'
 
 # room_of, in awk: of a path in common/. What lies flat is the ground, but for what stands on everything.
 room_of='

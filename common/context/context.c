@@ -8,8 +8,6 @@
 #include "memory.h"
 #include "report.h"
 
-enum { NEEDED_MAJOR = 3, NEEDED_MINOR = 3 };
-
 // The drivers that were built in, in the order in which CONTEXT_ANY tries them for a file: those
 // that need no display first.
 static const struct context_driver *const drivers[] = {
@@ -64,8 +62,8 @@ static bool version_suffices(const struct context_driver *driver, char why[CONTE
 {
     const char *version = version_of(driver);
     int major = 0, minor = 0;
-    if (version != NULL && sscanf(version, "%d.%d", &major, &minor) == 2 &&
-        (major > NEEDED_MAJOR || (major == NEEDED_MAJOR && minor >= NEEDED_MINOR)))
+    if (version != NULL && sscanf(version, GL_VERSION_READ, &major, &minor) == 2 &&
+        (major > GL_NEEDED_MAJOR || (major == GL_NEEDED_MAJOR && minor >= GL_NEEDED_MINOR)))
         return true;
     snprintf(why, CONTEXT_WHY, "the driver offers OpenGL %s", version != NULL ? version : "?");
     return false;
@@ -122,8 +120,8 @@ bool context_open_offscreen(struct context *context, enum context_backend wanted
     if (reasons[0] == '\0')
         report_not_built_in(wanted);
     else
-        report("OpenGL %d.%d: no context: %s: update the graphics driver or %s", NEEDED_MAJOR,
-               NEEDED_MINOR, reasons,
+        report("OpenGL %d.%d: no context: %s: update the graphics driver or %s", GL_NEEDED_MAJOR,
+               GL_NEEDED_MINOR, reasons,
                wanted == CONTEXT_ANY ? "install Mesa (make setup)" : "try another --backend");
     return false;
 }
@@ -155,7 +153,7 @@ bool context_open_window(struct context *context, enum context_backend wanted, c
     return report(
         "window with OpenGL %d.%d: cannot be opened: %s: try another display or driver, or render "
         "without a window with --output FILE.png",
-        NEEDED_MAJOR, NEEDED_MINOR, why);
+        GL_NEEDED_MAJOR, GL_NEEDED_MINOR, why);
 }
 
 void context_close(struct context *context)

@@ -10,6 +10,25 @@
 
 #include "context/opengl.h"
 
+// What a text for the driver begins with, what the driver calls itself, and the version that is
+// needed of it. A browser has OpenGL ES, whose fragment shaders have no precision of their own for
+// floats, and for samplers one that is too little for a table of numbers.
+//   directives  those that must come first, each with its line end; "" for none
+#ifdef __EMSCRIPTEN__
+#define GL_IS_ES 1
+#define GL_GLSL_WITH(directives)                                                                   \
+    "#version 300 es\n" directives "precision highp float;\nprecision highp int;\n"                \
+    "precision highp sampler2D;\nprecision highp sampler3D;\n"
+#define GL_VERSION_READ "OpenGL ES %d.%d"
+enum { GL_NEEDED_MAJOR = 3, GL_NEEDED_MINOR = 0 };
+#else
+#define GL_IS_ES                 0
+#define GL_GLSL_WITH(directives) "#version 330 core\n" directives
+#define GL_VERSION_READ          "%d.%d"
+enum { GL_NEEDED_MAJOR = 3, GL_NEEDED_MINOR = 3 };
+#endif
+#define GL_GLSL GL_GLSL_WITH("")
+
 // X(type, name): one line for each function.
 #define GL_FUNCTIONS(X)                                                                            \
     X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                       \

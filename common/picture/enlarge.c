@@ -7,22 +7,20 @@
 #include "report.h"
 #include "shader/compile.h"
 
-static const char vertex_text[] =
-    "#version 330 core\n"
+static const char vertex_text[] = GL_GLSL
     "void main()\n"
     "{\n"
     "    vec2 corner = vec2(float((gl_VertexID & 1) << 2), float((gl_VertexID & 2) << 1));\n"
     "    gl_Position = vec4(corner - 1.0, 0.0, 1.0);\n"
     "}\n";
 
-static const char begin_text[] = "#version 330 core\n"
-                                 "uniform sampler2D picture;\n"
-                                 "uniform vec2 step;\n" // from pixel to pixel, in texels
-                                 "out vec4 fragment;\n"
-                                 "vec3 texel(int x, int y)\n"
-                                 "{\n"
-                                 "    return texelFetch(picture, ivec2(x, y), 0).rgb;\n"
-                                 "}\n";
+static const char begin_text[] = GL_GLSL "uniform sampler2D picture;\n"
+                                         "uniform vec2 step;\n" // from pixel to pixel, in texels
+                                         "out vec4 fragment;\n"
+                                         "vec3 texel(int x, int y)\n"
+                                         "{\n"
+                                         "    return texelFetch(picture, ivec2(x, y), 0).rgb;\n"
+                                         "}\n";
 
 static const char end_text[] =
     "void main()\n"

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "context/gl.h"
 #include "shader/form_inputs.h"
 #include "shader/form_zero.h"
 #include "memory.h"
@@ -45,7 +46,7 @@ static bool blank_version(struct shader_source *source, bool only_es)
         return false;
     if (only_es && glsl_is(code, hash + 3, "compatibility"))
         form_blank(source, hash[3].begin, hash[3].begin + hash[3].length);
-    if (only_es && !glsl_is(code, hash + 3, "es") && !glsl_is(code, hash + 2, "100"))
+    if (only_es && !GL_IS_ES && !glsl_is(code, hash + 3, "es") && !glsl_is(code, hash + 2, "100"))
         return false;
     blank_directive(source, hash);
     return true;
@@ -273,9 +274,8 @@ static const struct glsl_token *parameters_of(const struct glsl *code)
 
 static char *toy_prelude(const struct shader_source *source)
 {
-    static const char begin[] = "#version 330 core\n"
-                                "#extension GL_ARB_shading_language_packing : enable\n"
-                                "#define HW_PERFORMANCE 1\n";
+    static const char begin[] = GL_GLSL_WITH(
+        "#extension GL_ARB_shading_language_packing : enable\n") "#define HW_PERFORMANCE 1\n";
     static const char end[] =
         "uniform vec2 harnessPixelOffset;\n"
         "out vec4 harnessColour;\n"
@@ -314,8 +314,8 @@ char *form_prelude(const struct shader_source *source, enum shader_view view)
     if (source->form == SHADER_SHADERTOY)
         return toy_prelude(source);
     if (source->form == SHADER_COURSE)
-        return memory_text("#version 330 core\n#define VIEW %d\n", (int)view);
-    return memory_text("%s", source->versioned ? "" : "#version 330 core\n");
+        return memory_text(GL_GLSL "#define VIEW %d\n", (int)view);
+    return memory_text("%s", source->versioned ? "" : GL_GLSL);
 }
 
 char *form_body(const struct shader_source *source)

@@ -221,6 +221,10 @@ static const struct {
     enum shader_form form;
     const char *word, *instead;
 } replaced[] = {{SHADER_SHADERTOY, "gl_FragCoord", "harnessFragCoord"},
+                {SHADER_SHADERTOY, "lowp", "highp"},
+                {SHADER_SHADERTOY, "mediump", "highp"},
+                {SHADER_WHOLE, "lowp", "highp"},
+                {SHADER_WHOLE, "mediump", "highp"},
                 {SHADER_WHOLE, "smooth", ""},
                 {SHADER_WHOLE, "flat", ""},
                 {SHADER_WHOLE, "noperspective", ""},

@@ -16,8 +16,9 @@
 // And some words in other words: in Shadertoy's form gl_FragCoord, for the renderer draws in parts
 // and samples, and the shader must see one picture; a whole file loses smooth, flat, noperspective
 // and centroid, which drivers want to find in the vertex shader too, and which change nothing on a
-// triangle that covers the screen.
-// Lines keep their numbers. Returns memory that the caller frees.
+// triangle that covers the screen. Every precision is the high one: a browser's driver links no
+// input that the vertex shader has in another, and the desktop has one only. Lines keep their
+// numbers. Returns memory that the caller frees.
 char *form_zero(const struct shader_source *source);
 
 #endif

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "context/gl.h"
 #include "memory.h"
 
 enum { ENDS = 4 }; // tokens of the kind GLSL_END behind a row
@@ -50,7 +51,7 @@ static enum glsl_truth is_defined(const struct glsl *code, const struct glsl_tok
         glsl_is(code, token, "HW_PERFORMANCE"))
         return GLSL_PERHAPS;
     if (glsl_is(code, token, "GL_ES"))
-        return GLSL_NEVER;
+        return GL_IS_ES ? GLSL_ALWAYS : GLSL_NEVER;
     bool drivers = strncmp(word, "GL_", 3) == 0 || strncmp(word, "__", 2) == 0;
     return drivers ? GLSL_PERHAPS : code->name[token->name].defined;
 }

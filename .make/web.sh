@@ -1,0 +1,21 @@
+#!/bin/bash
+# web.sh - lay beside the module what it reads, into build/web/. Called by make after the module is built.
+#
+# course.json holds the texts that every chapter needs, and the names of the files that only some ask for:
+# those lie in course/ and are loaded when a command line asks for them.
+set -eu
+export LC_ALL=C
+out=build/web
+
+rm -rf "$out/course"
+find chapters shaders/textures -name '*.frag' -o -name '*.glsl' -o -name '*.png' | sort >"$out/later.txt"
+while read -r file; do
+    mkdir -p "$out/course/$(dirname "$file")"
+    cp "$file" "$out/course/$file"
+done <"$out/later.txt"
+node docs/web/pack.mjs "$out/later.txt" "$out/course.json" shaders/*.glsl shaders/screen.vert
+rm "$out/later.txt"
+cp docs/web/program.js "$out/"
+for file in harness.wasm harness.js program.js course.json; do
+    printf '%-14s %7d bytes, %6d compressed\n' "$file" "$(wc -c <"$out/$file")" "$(gzip -9c "$out/$file" | wc -c)"
+done

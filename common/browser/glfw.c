@@ -1,0 +1,417 @@
+// glfw.c - the part of GLFW that the harness asks for, over the canvas of a page, which has one
+// window. What the page's script tells of the hands (hands.h), the callbacks of the harness hear.
+//
+// Nothing waits here: the page owns the loop. The clock stands still while nobody sees the page.
+#include "browser/hands.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "browser/page.h"
+#include "context/gl.h"
+#include "platform.h"
+
+// Emscripten's library has each by its own name.
+#define WEB_DECLARE(type, name) __typeof__(*(type)NULL) gl##name;
+GL_FUNCTIONS(WEB_DECLARE)
+#undef WEB_DECLARE
+
+struct GLFWwindow {
+    void *user;
+    GLFWkeyfun on_key;
+    GLFWcharfun on_type;
+    GLFWmousebuttonfun on_button;
+    GLFWcursorposfun on_pointer;
+    GLFWcursorenterfun on_enter;
+    GLFWscrollfun on_wheel;
+    GLFWwindowfocusfun on_focus;
+    GLFWwindowrefreshfun on_damage;
+    double pointer[2];
+    bool focused, ended;
+};
+
+struct GLFWcursor {
+    int shape;
+};
+
+static struct {
+    struct GLFWwindow window;
+    bool open, hidden, cleared, half;
+    int size[2], pixels[2]; // the canvas's, in the page's units and of its drawing buffer
+    double hidden_at, away; // seconds: when it was hidden last, and for how long before that
+    const char *why;        // of the last failure
+} web = {.size = {960, 540}, .pixels = {960, 540}, .why = ""};
+
+// ---- The functions of OpenGL ----
+
+// WebGL's own finish only flushes. To read a pixel waits for all that was drawn before it.
+static void finish(void)
+{
+    GLint target = 0;
+    float pixel[4];
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &target);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, target == 0 ? GL_UNSIGNED_BYTE : GL_FLOAT, pixel);
+}
+
+// A browser empties the canvas before the first drawing of a frame, and a blit is none to it: the
+// overlay, drawn after one, would find black.
+static void blit(GLint left, GLint bottom, GLint right, GLint top, GLint to_left, GLint to_bottom,
+                 GLint to_right, GLint to_top, GLbitfield mask, GLenum filter)
+{
+    GLint target = 0;
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
+    if (target == 0 && !web.cleared) {
+        glClear(GL_COLOR_BUFFER_BIT);
+        web.cleared = true;
+    }
+    glBlitFramebuffer(left, bottom, right, top, to_left, to_bottom, to_right, to_top, mask, filter);
+}
+
+// Every draw blends: where float targets do not, they are made of halves.
+static void tex_image(GLenum target, GLint level, GLint form, GLsizei width, GLsizei height,
+                      GLint border, GLenum format, GLenum type, const void *pixels)
+{
+    if (form == GL_RGBA32F && web.half)
+        form = GL_RGBA16F;
+    glTexImage2D(target, level, form, width, height, border, format, type, pixels);
+}
+
+GLFWglproc glfwGetProcAddress(const char *name)
+{
+    static const struct {
+        const char *name;
+        GLFWglproc function;
+    } ours[] = {{"glFinish", (GLFWglproc)finish},
+                {"glBlitFramebuffer", (GLFWglproc)blit},
+                {"glTexImage2D", (GLFWglproc)tex_image}};
+    for (size_t i = 0; i < sizeof ours / sizeof *ours; i++)
+        if (strcmp(name, ours[i].name) == 0)
+            return ours[i].function;
+#define WEB_FIND(type, function)                                                                   \
+    if (strcmp(name, "gl" #function) == 0)                                                         \
+        return (GLFWglproc)gl##function;
+    GL_FUNCTIONS(WEB_FIND)
+#undef WEB_FIND
+    return NULL;
+}
+
+int live_halves(void)
+{
+    return web.half;
+}
+
+// ---- The window ----
+
+GLFWwindow *glfwCreateWindow(int width, int height, const char *title, GLFWmonitor *monitor,
+                             GLFWwindow *share)
+{
+    static const char *const reasons[] = {
+        [PAGE_NO_WEBGL] = "the browser gives no WebGL 2",
+        [PAGE_NO_FLOATS] = "this device draws into no float targets (EXT_color_buffer_float)"};
+    (void)width, (void)height, (void)title, (void)monitor, (void)share;
+    int found = page_open_context();
+    web.open = found == PAGE_CONTEXT;
+    if (!web.open) {
+        web.why = reasons[found];
+        return NULL;
+    }
+    web.window = (struct GLFWwindow){.focused = web.window.focused};
+    web.half = !page_blends_floats();
+    return &web.window;
+}
+
+void glfwMakeContextCurrent(GLFWwindow *window)
+{
+    (void)window; // it is, from the beginning
+}
+
+GLFWwindow *glfwGetCurrentContext(void)
+{
+    return web.open ? &web.window : NULL;
+}
+
+void glfwDestroyWindow(GLFWwindow *window)
+{
+    (void)window;
+    page_close_context();
+    web.open = false;
+}
+
+int glfwGetError(const char **description)
+{
+    *description = web.why;
+    return GLFW_API_UNAVAILABLE;
+}
+
+int glfwInit(void)
+{
+    return GLFW_TRUE;
+}
+
+void glfwTerminate(void)
+{
+}
+
+void glfwDefaultWindowHints(void)
+{
+}
+
+void glfwInitHint(int hint, int value)
+{
+    (void)hint, (void)value;
+}
+
+void glfwWindowHint(int hint, int value)
+{
+    (void)hint, (void)value;
+}
+
+void glfwSwapInterval(int interval)
+{
+    (void)interval;
+}
+
+// The browser shows what was drawn once the turn ends.
+void glfwSwapBuffers(GLFWwindow *window)
+{
+    (void)window;
+    web.cleared = false;
+}
+
+void glfwGetWindowSize(GLFWwindow *window, int *width, int *height)
+{
+    (void)window;
+    *width = web.size[0];
+    *height = web.size[1];
+}
+
+void glfwGetFramebufferSize(GLFWwindow *window, int *width, int *height)
+{
+    (void)window;
+    *width = web.pixels[0];
+    *height = web.pixels[1];
+}
+
+void glfwGetWindowContentScale(GLFWwindow *window, float *x, float *y)
+{
+    (void)window;
+    *x = (float)web.pixels[0] / (float)web.size[0];
+    *y = (float)web.pixels[1] / (float)web.size[1];
+}
+
+int glfwGetWindowAttrib(GLFWwindow *window, int attribute)
+{
+    return attribute == GLFW_FOCUSED     ? window->focused
+           : attribute == GLFW_ICONIFIED ? web.hidden
+                                         : GLFW_FALSE;
+}
+
+void glfwSetWindowTitle(GLFWwindow *window, const char *title)
+{
+    (void)window;
+    page_title(title);
+}
+
+int glfwWindowShouldClose(GLFWwindow *window)
+{
+    return window->ended;
+}
+
+void glfwSetWindowShouldClose(GLFWwindow *window, int value)
+{
+    window->ended = value != GLFW_FALSE;
+}
+
+// Full screen is the page's to ask for: a browser allows it only where a hand has just done
+// something.
+GLFWmonitor **glfwGetMonitors(int *count)
+{
+    *count = 0;
+    return NULL;
+}
+
+GLFWmonitor *glfwGetPrimaryMonitor(void)
+{
+    return NULL;
+}
+
+GLFWmonitor *glfwGetWindowMonitor(GLFWwindow *window)
+{
+    (void)window;
+    return NULL;
+}
+
+const GLFWvidmode *glfwGetVideoMode(GLFWmonitor *monitor)
+{
+    (void)monitor;
+    return NULL;
+}
+
+void glfwGetMonitorPos(GLFWmonitor *monitor, int *x, int *y)
+{
+    (void)monitor;
+    *x = *y = 0;
+}
+
+void glfwGetWindowPos(GLFWwindow *window, int *x, int *y)
+{
+    (void)window;
+    *x = *y = 0;
+}
+
+void glfwSetWindowMonitor(GLFWwindow *window, GLFWmonitor *monitor, int x, int y, int width,
+                          int height, int rate)
+{
+    (void)window, (void)monitor, (void)x, (void)y, (void)width, (void)height, (void)rate;
+}
+
+// ---- Time ----
+
+double glfwGetTime(void)
+{
+    return (web.hidden ? web.hidden_at : platform_seconds()) - web.away;
+}
+
+void live_hide(int hidden)
+{
+    double now = platform_seconds();
+    if (hidden && !web.hidden)
+        web.hidden_at = now;
+    if (!hidden && web.hidden)
+        web.away += now - web.hidden_at;
+    web.hidden = hidden != 0;
+}
+
+void glfwPollEvents(void)
+{
+}
+
+void glfwWaitEventsTimeout(double timeout)
+{
+    (void)timeout;
+}
+
+// ---- What the hands do ----
+
+void *glfwGetWindowUserPointer(GLFWwindow *window)
+{
+    return window->user;
+}
+
+void glfwSetWindowUserPointer(GLFWwindow *window, void *pointer)
+{
+    window->user = pointer;
+}
+
+// glfwSet...Callback: each keeps a function and returns the one before.
+#define WEB_CALLBACK(name, type, member)                                                           \
+    type glfwSet##name##Callback(GLFWwindow *window, type callback)                                \
+    {                                                                                              \
+        type before = window->member;                                                              \
+        window->member = callback;                                                                 \
+        return before;                                                                             \
+    }
+WEB_CALLBACK(Key, GLFWkeyfun, on_key)
+WEB_CALLBACK(Char, GLFWcharfun, on_type)
+WEB_CALLBACK(MouseButton, GLFWmousebuttonfun, on_button)
+WEB_CALLBACK(CursorPos, GLFWcursorposfun, on_pointer)
+WEB_CALLBACK(CursorEnter, GLFWcursorenterfun, on_enter)
+WEB_CALLBACK(Scroll, GLFWscrollfun, on_wheel)
+WEB_CALLBACK(WindowFocus, GLFWwindowfocusfun, on_focus)
+WEB_CALLBACK(WindowRefresh, GLFWwindowrefreshfun, on_damage)
+#undef WEB_CALLBACK
+
+void glfwGetCursorPos(GLFWwindow *window, double *x, double *y)
+{
+    *x = window->pointer[0];
+    *y = window->pointer[1];
+}
+
+void glfwSetInputMode(GLFWwindow *window, int mode, int value)
+{
+    (void)window;
+    if (mode == GLFW_CURSOR)
+        page_capture(value == GLFW_CURSOR_DISABLED);
+}
+
+// A shape is one of six numbers in a row, from the arrow on.
+GLFWcursor *glfwCreateStandardCursor(int shape)
+{
+    static struct GLFWcursor cursors[GLFW_VRESIZE_CURSOR - GLFW_ARROW_CURSOR + 1];
+    if (shape < GLFW_ARROW_CURSOR || shape > GLFW_VRESIZE_CURSOR)
+        return NULL;
+    cursors[shape - GLFW_ARROW_CURSOR].shape = shape;
+    return &cursors[shape - GLFW_ARROW_CURSOR];
+}
+
+void glfwDestroyCursor(GLFWcursor *cursor)
+{
+    (void)cursor;
+}
+
+void glfwSetCursor(GLFWwindow *window, GLFWcursor *cursor)
+{
+    (void)window;
+    page_cursor(cursor != NULL ? cursor->shape : 0);
+}
+
+// The keyboard's own label, where the browser tells it; else the harness names the American key.
+const char *glfwGetKeyName(int key, int scancode)
+{
+    static char label[16];
+    (void)scancode;
+    page_key_label(key, label, sizeof label);
+    return label[0] != '\0' ? label : NULL;
+}
+
+void live_size(int width, int height, int across, int down)
+{
+    web.size[0] = width;
+    web.size[1] = height;
+    web.pixels[0] = across;
+    web.pixels[1] = down;
+    if (web.window.on_damage != NULL)
+        web.window.on_damage(&web.window); // a canvas of a new size is empty
+}
+
+void live_key(int key, int action, int modifiers)
+{
+    if (web.window.on_key != NULL)
+        web.window.on_key(&web.window, key, 0, action, modifiers);
+}
+
+void live_type(unsigned code)
+{
+    if (web.window.on_type != NULL)
+        web.window.on_type(&web.window, code);
+}
+
+void live_pointer(double x, double y)
+{
+    web.window.pointer[0] = x;
+    web.window.pointer[1] = y;
+    if (web.window.on_pointer != NULL)
+        web.window.on_pointer(&web.window, x, y);
+}
+
+void live_button(int button, int pressed, int modifiers)
+{
+    if (web.window.on_button != NULL)
+        web.window.on_button(&web.window, button, pressed ? GLFW_PRESS : GLFW_RELEASE, modifiers);
+}
+
+void live_wheel(double notches)
+{
+    if (web.window.on_wheel != NULL)
+        web.window.on_wheel(&web.window, 0.0, notches);
+}
+
+void live_focus(int focused)
+{
+    web.window.focused = focused != 0;
+    if (web.window.on_focus != NULL)
+        web.window.on_focus(&web.window, focused);
+}

@@ -1,0 +1,250 @@
+#include "browser/live.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "browser/chapters.h"
+#include "browser/state.h"
+#include "chapter.h"
+#include "memory.h"
+#include "platform.h"
+#include "report.h"
+#include "window/state.h"
+#include "window/window.h"
+
+#define ROOT      "/course" // where the page puts the course's files, and the current folder
+#define ARGUMENTS 64
+
+static struct {
+    struct chapter chapter;
+    struct run *run; // NULL before the first start and after a stop
+    const struct live_chapter *at;
+    char *line; // the command line, cut into arguments
+    char *argument[ARGUMENTS + 1];
+    int count;
+    bool only_sees; // the next main tells its files and does nothing else
+    char *answer;   // to the page, the last
+} live;
+
+// ---- A command line ----
+
+// Take one word off a line, as a shell does, without its quotes. Returns the rest; NULL: no word.
+static char *take_word(char *c, char **word)
+{
+    c += strspn(c, " \t\n");
+    if (*c == '\0')
+        return NULL;
+    char quote = '\0', *to = *word = c;
+    for (; *c != '\0' && (quote != '\0' || strchr(" \t\n", *c) == NULL); c++)
+        if (*c == quote)
+            quote = '\0';
+        else if (quote == '\0' && (*c == '\'' || *c == '"'))
+            quote = *c;
+        else
+            *to++ = *c;
+    char *rest = *c != '\0' ? c + 1 : c;
+    *to = '\0';
+    return rest;
+}
+
+// Cut a command line into what a main gets. Returns false, reported.
+static bool cut(const char *stem, const char *line)
+{
+    live.at = live_chapters;
+    while (live.at->stem != NULL && strcmp(live.at->stem, stem) != 0)
+        live.at++;
+    if (live.at->stem == NULL)
+        return report("%s: there is no such chapter", stem);
+    free(live.line);
+    live.line = memory_text("%s --root " ROOT " %s", stem, line);
+    live.count = 0;
+    for (char *rest = live.line, *word; (rest = take_word(rest, &word)) != NULL;) {
+        if (live.count == ARGUMENTS)
+            return report("%s: more than %d words", stem, ARGUMENTS);
+        live.argument[live.count++] = word;
+    }
+    live.argument[live.count] = NULL;
+    platform_set("DISPLAY", "canvas", true); // which glfw.c of the context looks for
+    return true;
+}
+
+static void see(void *stream, const char *path)
+{
+    fprintf(stream, "%s", ftell(stream) > 1 ? "," : "");
+    state_string(stream, path);
+}
+
+// What a chapter's main calls in place of chapter_run.
+int live_run(const struct chapter *chapter, int argc, char **argv)
+{
+    live.chapter = *chapter;
+    if (!live.only_sees)
+        return chapter_open(&live.run, &live.chapter, argc, argv);
+    FILE *stream = memory_open(&live.answer);
+    fputs("[", stream);
+    chapter_see(&live.chapter, argc, argv, see, stream);
+    fputs("]", stream);
+    memory_close(stream);
+    return 0;
+}
+
+static int start(void)
+{
+    int status = live.at->main(live.count, live.argument);
+    fflush(stdout);
+    return status;
+}
+
+int live_start(const char *stem, const char *line)
+{
+    live_stop();
+    return cut(stem, line) ? start() : 2;
+}
+
+const char *live_files(const char *stem, const char *line)
+{
+    free(live.answer);
+    live.answer = NULL;
+    live.only_sees = true;
+    if (cut(stem, line))
+        start();
+    live.only_sees = false;
+    return live.answer != NULL ? live.answer : "[]";
+}
+
+void live_stop(void)
+{
+    if (live.run != NULL)
+        chapter_close(live.run);
+    live.run = NULL;
+}
+
+// ---- The window ----
+
+static struct window *window(void)
+{
+    return live.run != NULL ? chapter_window(live.run) : NULL;
+}
+
+int live_runs(void)
+{
+    return window() != NULL;
+}
+
+int live_turn(void)
+{
+    bool done =
+        window() != NULL && window_turn(window()) && !glfwWindowShouldClose(window()->handle);
+    fflush(stdout);
+    return done;
+}
+
+int live_restore(void)
+{
+    struct window *before = window();
+    if (before == NULL)
+        return 2;
+    struct renderer_inputs inputs = before->inputs;
+    struct renderer_eye eye = before->ray.eye;
+    bool paused = before->paused, folded = before->panel.folded;
+    enum shader_view view = before->renderer->view;
+    struct parameters kept = before->renderer->parameters;
+    before->renderer->parameters = (struct parameters){0};
+    live_stop();
+    int status = start();
+    struct window *after = window();
+    if (after != NULL) {
+        parameters_keep(&after->renderer->parameters, &kept);
+        after->inputs = inputs;
+        after->ray.eye = eye;
+        after->inputs.eye = inputs.eye != NULL ? &after->ray.eye : NULL;
+        after->paused = paused;
+        after->panel.folded = folded;
+        after->ray.follow = inputs.pixel[0] >= 0;
+        live_view((int)view);
+    }
+    parameters_free(&kept);
+    return status;
+}
+
+// ---- What the page shows and sets ----
+
+const char *live_state(void)
+{
+    free(live.answer);
+    FILE *stream = memory_open(&live.answer);
+    state_write(stream, &live.chapter, window());
+    memory_close(stream);
+    return live.answer;
+}
+
+const char *live_report(void)
+{
+    return report_last();
+}
+
+const char *live_version(void)
+{
+    free(live.answer);
+    live.answer = NULL;
+    if (window() == NULL)
+        return "";
+    const struct gl *gl = window()->renderer->gl;
+    live.answer = memory_text("%s, %s", (const char *)gl->GetString(GL_VERSION),
+                              (const char *)gl->GetString(GL_RENDERER));
+    return live.answer;
+}
+
+static struct parameter *parameter(const char *name)
+{
+    return window() != NULL ? parameters_find(&window()->renderer->parameters, name) : NULL;
+}
+
+static void change(void)
+{
+    window()->stale = window()->moved = true;
+}
+
+void live_set(const char *name, int component, double value)
+{
+    struct parameter *p = parameter(name);
+    if (p == NULL || component < 0 || component >= p->components || !(value == value))
+        return;
+    p->value[component] = value < p->minimum ? p->minimum : value > p->maximum ? p->maximum : value;
+    change();
+}
+
+void live_reset(const char *name)
+{
+    struct parameter *p = parameter(name);
+    if (p == NULL)
+        return;
+    parameter_reset(p);
+    change();
+}
+
+int live_view(int view)
+{
+    if (window() == NULL || view < 0 || view >= SHADER_VIEW_COUNT ||
+        !renderer_set_view(window()->renderer, (enum shader_view)view))
+        return 0;
+    change();
+    return 1;
+}
+
+void live_pause(int paused)
+{
+    if (window() != NULL)
+        window()->paused = paused != 0;
+}
+
+void live_pixel(int x, int y)
+{
+    if (window() == NULL)
+        return;
+    if (x >= 0)
+        window_choose_ray(window(), (const int[]){x, y});
+    else
+        window_leave_ray(window());
+}

@@ -1,0 +1,46 @@
+// page.js - what page.h declares, for Emscripten's --js-library. Whoever loads the module may give it
+// onTitle, onCapture, onCursor, onPicture and keyLabel.
+mergeInto(LibraryManager.library, {
+    page_open_context__deps: ['$GL'],
+    page_open_context: function () {
+        const handle = GL.createContext(Module['canvas'], {
+            majorVersion: 2, minorVersion: 0, alpha: false, antialias: false, depth: false, stencil: false,
+            premultipliedAlpha: true, preserveDrawingBuffer: false, powerPreference: 'high-performance',
+            enableExtensionsByDefault: true
+        });
+        if (!handle) return 1;
+        GL.makeContextCurrent(handle);
+        Module['handle'] = handle;
+        return GLctx.getExtension('EXT_color_buffer_float') ? 0 : 2;
+    },
+    page_close_context__deps: ['$GL'],
+    page_close_context: function () {
+        if (Module['handle']) GL.deleteContext(Module['handle']);
+        Module['handle'] = 0;
+    },
+    page_blends_floats: function () {
+        return GLctx.getExtension('EXT_float_blend') ? 1 : 0;
+    },
+    page_title: function (text) {
+        if (Module['onTitle']) Module['onTitle'](UTF8ToString(text));
+    },
+    page_key_label: function (key, label, size) {
+        stringToUTF8(Module['keyLabel'] ? Module['keyLabel'](key) : '', label, size);
+    },
+    page_capture: function (captured) {
+        if (Module['onCapture']) Module['onCapture'](captured !== 0);
+    },
+    page_cursor: function (shape) {
+        if (Module['onCursor']) Module['onCursor'](shape);
+    },
+    page_picture: function (pixel, width, height, name) {
+        const picture = new ImageData(width, height);
+        for (let i = 0; i < picture.data.length; i += 4, pixel += 3) {
+            picture.data[i] = HEAPU8[pixel];
+            picture.data[i + 1] = HEAPU8[pixel + 1];
+            picture.data[i + 2] = HEAPU8[pixel + 2];
+            picture.data[i + 3] = 255;
+        }
+        if (Module['onPicture']) Module['onPicture'](picture, UTF8ToString(name));
+    }
+});

@@ -1,0 +1,261 @@
+// program.js - a chapter's program in a page: loads the module once, gives it the files that a command line
+// asks for, its turns, and what the hands do on its canvas. It makes no element of its own.
+import loadHarness from './harness.js';
+
+const ROOT = '/course/';
+const PRESS = 1, RELEASE = 0, REPEAT = 2;
+const PIXELS = 1280 * 720; // of the drawing buffer at most: the harness goes below where a picture takes long
+
+// GLFW's numbers of keys by their position. Tab is the browser's, and so are the function keys.
+const KEYS = {
+    Space: 32, Quote: 39, Comma: 44, Minus: 45, Period: 46, Slash: 47, Semicolon: 59, Equal: 61, BracketLeft: 91, Backslash: 92,
+    BracketRight: 93, Backquote: 96, Escape: 256, Enter: 257, Backspace: 259, Insert: 260, Delete: 261, ArrowRight: 262,
+    ArrowLeft: 263, ArrowDown: 264, ArrowUp: 265, PageUp: 266, PageDown: 267, Home: 268, End: 269, ShiftLeft: 340, ShiftRight: 344,
+};
+const CODES = Object.fromEntries(Object.entries(KEYS).map(([code, key]) => [key, code]));
+const CURSORS = {0x36002: 'text', 0x36003: 'crosshair', 0x36004: 'pointer', 0x36005: 'ew-resize', 0x36006: 'ns-resize'};
+
+// GLFW's number of an event's key; 0 for one that the page keeps. With Ctrl a key belongs to the browser: W would
+// close the page.
+function keyOf(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey) return 0;
+    const match = /^(?:Key([A-Z])|Digit([0-9]))$/.exec(event.code);
+    return match ? (match[1] || match[2]).charCodeAt(0) : KEYS[event.code] || 0;
+}
+
+function codeOf(key) {
+    return key >= 48 && key <= 57 ? `Digit${key - 48}` : key >= 65 && key <= 90 ? `Key${String.fromCharCode(key)}` : CODES[key];
+}
+
+// What the keyboard has on its keys, where the browser tells it.
+let labels = null;
+navigator.keyboard?.getLayoutMap?.().then((map) => { labels = map; }, () => {});
+
+async function fetched(url) {
+    const answer = await fetch(url);
+    if (!answer.ok) throw new Error(`${url}: ${answer.status} ${answer.statusText}`);
+    return answer;
+}
+
+export class Program {
+    // Load the module for a canvas, which stays its own. What is handed in besides is called:
+    //   onLine(text, isError)   the program prints a line
+    //   onPicture(data, name)   it writes a picture: ImageData
+    //   onEnd()                 no turn follows: state().error says why, or nothing
+    //   onLost(), onFound()     the browser takes the graphics context away, and gives it back
+    static async load(canvas, hooks = {}) {
+        const program = new Program();
+        program.canvas = canvas;
+        program.hooks = hooks;
+        program.visible = program.near = true;
+        program.later = new Set();
+        const [course, module] = await Promise.all([
+            fetched(new URL('course.json', import.meta.url)).then((answer) => answer.json()),
+            loadHarness({
+                canvas,
+                print: (text) => program.line(text, false),
+                printErr: (text) => program.line(text, true),
+                locateFile: (name) => new URL(name, import.meta.url).href,
+            }),
+        ]);
+        program.module = module;
+        Object.assign(module, {
+            onPicture: (data, name) => hooks.onPicture?.(data, name),
+            onTitle: (text) => { program.title = text; },
+            onCapture: (captured) => captured ? canvas.requestPointerLock() : document.exitPointerLock(),
+            onCursor: (shape) => { canvas.style.cursor = CURSORS[shape] || ''; },
+            keyLabel: (key) => labels?.get(codeOf(key)) || '',
+        });
+        for (const [name, text] of Object.entries(course.files)) program.write(name, text);
+        program.later = new Set(course.later);
+        module.FS.chdir(ROOT);
+        program.hear();
+        program.watch();
+        return program;
+    }
+
+    line(text, isError) {
+        if (!this.quiet) this.hooks.onLine?.(text, isError);
+    }
+
+    // ---- Files ----
+
+    // Put a file of the course: the shader that runs is loaded again when it is one of its own.
+    write(name, data) {
+        const path = ROOT + name, folder = path.slice(0, path.lastIndexOf('/'));
+        this.module.FS.mkdirTree(folder);
+        this.module.FS.writeFile(path, data);
+        this.later.delete(name);
+    }
+
+    read(name) {
+        return this.module.FS.readFile(ROOT + name, {encoding: 'utf8'});
+    }
+
+    // Load what a command line asks for and is not here: an experiment, then what that includes, then its textures.
+    async fetchFiles(stem, line) {
+        for (;;) {
+            this.quiet = true;
+            const asked = JSON.parse(this.call('live_files', stem, line))
+                .map((path) => path.startsWith(ROOT) ? path.slice(ROOT.length) : path);
+            this.quiet = false;
+            const missing = [...new Set(asked)].filter((name) => this.later.has(name));
+            if (missing.length === 0) return;
+            await Promise.all(missing.map(async (name) => {
+                const answer = await fetched(new URL(`course/${name}`, import.meta.url));
+                this.write(name, new Uint8Array(await answer.arrayBuffer()));
+            }));
+        }
+    }
+
+    // ---- A command line ----
+
+    // Call a function of live.h. A text is what the program's memory holds.
+    call(name, ...values) {
+        const texts = ['live_files', 'live_state', 'live_report', 'live_version'];
+        return this.module.ccall(name, texts.includes(name) ? 'string' : 'number', values.map((value) => typeof value), values);
+    }
+
+    // Carry out a command line as the chapter's program does. Returns its exit status.
+    async start(stem, line = '') {
+        const turn = this.starting = Symbol(stem);
+        await this.fetchFiles(stem, line);
+        if (this.starting !== turn) return 0; // another one was asked for meanwhile
+        const status = this.call('live_start', stem, line);
+        this.fit();
+        this.run();
+        return status;
+    }
+
+    state() {
+        return JSON.parse(this.call('live_state'));
+    }
+
+    stop() {
+        this.call('live_stop');
+    }
+
+    // Turns, as long as somebody can see what they draw.
+    run() {
+        const turn = () => {
+            this.asked = 0;
+            if (!this.visible || this.lost || !this.call('live_runs')) return;
+            if (this.module._live_turn()) this.asked = requestAnimationFrame(turn);
+            else if (!this.canvas.getContext('webgl2').isContextLost()) this.hooks.onEnd?.();
+        };
+        if (!this.asked) this.asked = requestAnimationFrame(turn);
+    }
+
+    // ---- The page ----
+
+    fit() {
+        const {canvas} = this, width = canvas.clientWidth, height = canvas.clientHeight;
+        if (width < 1 || height < 1) return;
+        const ratio = Math.min(devicePixelRatio, Math.sqrt(PIXELS / (width * height)));
+        const across = Math.max(1, Math.round(width * ratio)), down = Math.max(1, Math.round(height * ratio));
+        if (canvas.width !== across) canvas.width = across;
+        if (canvas.height !== down) canvas.height = down;
+        this.module._live_size(width, height, across, down);
+    }
+
+    show() {
+        const visible = !document.hidden && this.near;
+        if (visible === this.visible) return;
+        this.visible = visible;
+        this.module._live_hide(visible ? 0 : 1);
+        if (visible) this.run();
+    }
+
+    watch() {
+        const {canvas} = this;
+        new ResizeObserver(() => this.fit()).observe(canvas);
+        new IntersectionObserver((entries) => { this.near = entries.at(-1).isIntersecting; this.show(); }).observe(canvas);
+        document.addEventListener('visibilitychange', () => this.show());
+        canvas.addEventListener('webglcontextlost', (event) => {
+            event.preventDefault(); // or it never comes back
+            this.lost = true;
+            this.hooks.onLost?.();
+        });
+        canvas.addEventListener('webglcontextrestored', () => {
+            this.lost = false;
+            if (this.call('live_runs')) this.call('live_restore');
+            this.run();
+            this.hooks.onFound?.();
+        });
+    }
+
+    // ---- The hands ----
+
+    hear() {
+        const {canvas, module} = this;
+        const modifiers = (event) => (event.shiftKey ? 1 : 0) | (event.ctrlKey ? 2 : 0) | (event.altKey ? 4 : 0);
+        const key = (event, action) => {
+            const number = keyOf(event);
+            if (number === 0) return;
+            event.preventDefault();
+            module._live_key(number, action, modifiers(event));
+            if (action !== RELEASE && [...event.key].length === 1) module._live_type(event.key.codePointAt(0));
+        };
+        canvas.addEventListener('keydown', (event) => key(event, event.repeat ? REPEAT : PRESS));
+        canvas.addEventListener('keyup', (event) => key(event, RELEASE));
+        canvas.addEventListener('focus', () => module._live_focus(1));
+        canvas.addEventListener('blur', () => module._live_focus(0));
+        // The wheel scrolls the page until the picture is in use.
+        canvas.addEventListener('wheel', (event) => {
+            if (document.activeElement !== canvas) return;
+            event.preventDefault();
+            module._live_wheel(-event.deltaY / (event.deltaMode === 0 ? 100 : 3));
+        }, {passive: false});
+        this.hearPointer(modifiers);
+    }
+
+    // One finger or the mouse drags and clicks, two fingers are the wheel.
+    hearPointer(modifiers) {
+        const {canvas, module} = this;
+        const fingers = new Map(), locked = [0, 0];
+        let spread = 0;
+        const between = () => {
+            const [a, b] = [...fingers.values()];
+            return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
+        };
+        const place = (event) => {
+            const box = canvas.getBoundingClientRect();
+            module._live_pointer(event.clientX - box.left, event.clientY - box.top);
+        };
+        const button = (event) => [0, 2, 1][event.button] ?? 0;
+        canvas.addEventListener('pointerdown', (event) => {
+            canvas.focus({preventScroll: true});
+            fingers.set(event.pointerId, event);
+            canvas.setPointerCapture(event.pointerId);
+            if (fingers.size === 2) {
+                spread = between();
+                module._live_button(0, 0, 0);
+            } else if (fingers.size === 1) {
+                place(event);
+                module._live_button(button(event), 1, modifiers(event));
+            }
+        });
+        canvas.addEventListener('pointermove', (event) => {
+            if (document.pointerLockElement === canvas) {
+                locked[0] += event.movementX;
+                locked[1] += event.movementY;
+                module._live_pointer(...locked);
+                return;
+            }
+            if (fingers.has(event.pointerId)) fingers.set(event.pointerId, event);
+            if (fingers.size === 2) {
+                const now = between();
+                if (spread > 0 && now > 0) module._live_wheel(12 * Math.log(now / spread));
+                spread = now;
+            } else {
+                place(event);
+            }
+        });
+        const up = (event) => {
+            if (fingers.delete(event.pointerId)) module._live_button(button(event), 0, modifiers(event));
+        };
+        canvas.addEventListener('pointerup', up);
+        canvas.addEventListener('pointercancel', up);
+        canvas.addEventListener('contextmenu', (event) => event.preventDefault());
+    }
+}

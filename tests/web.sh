@@ -1,0 +1,28 @@
+#!/bin/bash
+# web.sh [PART [PATTERN]] - `make test-web`: the tests of the programs in a browser, tests/web_PART.mjs, in Chromium
+# without a screen. PATTERN picks pictures of tests/images.txt.
+set -u
+export LC_ALL=C
+cd "$(dirname "$0")/.." || exit 1
+export MESA_SHADER_CACHE_DIR=$PWD/build/shader-cache LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
+results=build/web-test
+mkdir -p "$results"
+
+passed=0 failed=0
+for part in ${1:-program pictures}; do
+    begun=$SECONDS
+    node "tests/web_$part.mjs" "${2-}" >"$results/$part.tap" 2>"$results/$part.err"
+    status=$?
+    right=$(grep -c '^ok ' "$results/$part.tap")
+    wrong=$(grep -c '^not ok ' "$results/$part.tap")
+    # Without its plan a part has died on the way.
+    if [ "$wrong" = 0 ] && { [ "$status" != 0 ] || ! grep -q "^1\\.\\.$right\$" "$results/$part.tap"; }; then
+        wrong=1
+    fi
+    echo "web_$part: $right passed, $wrong failed, $((SECONDS - begun)) s"
+    grep '^#' "$results/$part.tap" | sed 's/^/    /'
+    [ "$wrong" = 0 ] || { grep '^not ok ' "$results/$part.tap"; head -n 20 "$results/$part.err"; } | sed 's/^/    /'
+    passed=$((passed + right)) failed=$((failed + wrong))
+done
+echo "$passed passed, $failed failed"
+[ "$failed" = 0 ]

@@ -1,0 +1,290 @@
+// web_program.mjs - the program in a page: what the hands do, what the browser does to it, and the traps of WebGL.
+import {execFileSync} from 'node:child_process';
+import fs from 'node:fs';
+import {check, finish, launch, openPage, serve, start, state, until} from './web_browser.mjs';
+
+const server = await serve('build/web'), browser = await launch();
+const {page, said} = await openPage(browser, server.at);
+const canvas = page.locator('#canvas');
+const parameter = (now, name) => now.parameters.find((p) => p.name === name).value;
+
+// What the canvas shows, by the browser's own screenshot: the mean of its bytes, and whether a part is black.
+async function shown(of = page) {
+    const png = await of.locator('#canvas').screenshot();
+    return of.evaluate(async (data) => {
+        const picture = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+        const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
+        context.drawImage(picture, 0, 0);
+        const bytes = context.getImageData(0, 0, picture.width, picture.height).data;
+        let sum = 0;
+        for (let i = 0; i < bytes.length; i += 4) sum += bytes[i] + bytes[i + 1] + bytes[i + 2];
+        return {mean: sum / (0.75 * bytes.length), width: picture.width, height: picture.height};
+    }, png.toString('base64'));
+}
+
+// How often functions of WebGL are called from now on.
+const spy = (names) => page.evaluate((names) => {
+    window.calls = {};
+    for (const name of names) {
+        const own = WebGL2RenderingContext.prototype[name];
+        window.calls[name] = 0;
+        WebGL2RenderingContext.prototype[name] = function (...values) {
+            window.calls[name]++;
+            return own.apply(this, values);
+        };
+    }
+}, names);
+const calls = () => page.evaluate(() => ({...window.calls}));
+
+// ---- Command lines ----
+
+check('a wrong option is refused with status 2', await start(page, '03_shadows', '--nonsense') === 2);
+check('and the program says so in one line', (await page.evaluate(() => window.lines.filter((line) => line.startsWith('! ')))).length === 1);
+check('a chapter that there is not is refused', await start(page, '77_nothing') === 2);
+await page.evaluate(() => { window.lines.length = 0; });
+check('--help ends with status 0', await start(page, '03_shadows', '--help') === 0);
+check('and prints what the program prints', (await page.evaluate(() => window.lines.join('\n'))).trim() ===
+    execFileSync('build/03_shadows', ['--help'], {encoding: 'utf8'}).replaceAll('build/03_shadows', '03_shadows').trim());
+check('quotes hold words together', await start(page, '03_shadows', `--set "lampHeight=2.5" --size '320x180'`) === 0);
+check('a value of the command line is the parameter\'s', parameter(await state(page), 'lampHeight')[0] === 2.5);
+
+// The table of a probe, number by number.
+const probe = (text) => text.trim().split('\n').map((line) => line.split(/[ ,;:]+/));
+let worst = 0, compared = 0;
+for (const [stem, place] of [['01_normal_colouring', '340,140'], ['03_shadows', '320,180'], ['12_textures', '300,120'], ['16_fewer_steps', '200,150']]) {
+    await page.evaluate(() => { window.lines.length = 0; });
+    await start(page, stem, `--probe ${place}`);
+    const here = probe((await page.evaluate(() => window.lines)).join('\n'));
+    const there = probe(execFileSync(`build/${stem}`, ['--probe', place], {encoding: 'utf8', env: {...process.env, LIBGL_ALWAYS_SOFTWARE: '1'}}));
+    check(`${stem}: the table of a ray has the same shape`, here.length === there.length && here.every((line, i) => line.length === there[i].length), here.at(-1), there.at(-1));
+    there.forEach((line, i) => line.forEach((word, k) => {
+        const [a, b] = [Number(here[i]?.[k]), Number(word)];
+        if (Number.isNaN(b)) return;
+        compared++;
+        worst = Math.max(worst, Math.abs(a - b) / Math.max(1, Math.abs(b)));
+    }));
+}
+console.log(`# ${compared} numbers of probes, the worst differs by ${worst.toExponential(1)} of itself, or of 1`);
+check('the probe\'s numbers are those of the program', compared > 200 && worst < 5e-6, worst);
+
+// ---- The window ----
+
+check('a chapter starts', await start(page, '03_shadows') === 0);
+let now = await state(page);
+check('it takes the canvas\'s size', now.size[0] === 320 && now.size[1] === 180, now.size);
+check('the picture is there', (await shown()).mean > 20, await shown());
+const attributes = await page.evaluate(() => document.getElementById('canvas').getContext('webgl2').getContextAttributes());
+check('the canvas has neither antialiasing nor alpha nor depth', !attributes.antialias && !attributes.alpha && !attributes.depth, attributes);
+
+await canvas.focus();
+await page.keyboard.press('KeyH'); // folds the panel, which has the pointer where it stands
+await page.keyboard.press('Escape');
+now = await until(page, (s) => s.paused);
+check('Escape pauses', now.paused);
+const still = (await state(page)).time;
+await page.waitForTimeout(300);
+check('and the time stands', (await state(page)).time === still);
+await page.keyboard.press('Digit4');
+check('4 shows the steps', (await until(page, (s) => s.view === 'steps')).view === 'steps');
+await page.keyboard.press('Digit1');
+check('1 shows the picture', (await until(page, (s) => s.view === 'picture')).view === 'picture');
+
+const eye = (await state(page)).camera;
+await page.keyboard.down('KeyW');
+await until(page, (s) => Math.abs(s.camera[2] - eye[2]) > 0.05);
+await page.keyboard.up('KeyW');
+await page.waitForTimeout(200);
+now = await state(page);
+check('W moves the eye', Math.hypot(...now.camera.slice(0, 3).map((x, i) => x - eye[i])) > 0.05, eye, now.camera);
+const moved = now.camera;
+await page.evaluate(() => document.activeElement.blur());
+await page.keyboard.press('KeyW');
+await page.keyboard.press('Digit4');
+await page.waitForTimeout(200);
+now = await state(page);
+check('keys without the focus are the page\'s', now.view === 'picture' && now.camera.every((x, i) => x === moved[i]), now.view, now.camera);
+
+// Keys that belong to the browser are not taken from it.
+await canvas.focus();
+const taken = await page.evaluate(() => ['KeyW,ctrl', 'KeyR,ctrl', 'Tab', 'F5', 'F11', 'KeyW'].map((word) => {
+    const [code, ctrl] = word.split(',');
+    const event = new KeyboardEvent('keydown', {code, key: code, ctrlKey: ctrl !== undefined, cancelable: true});
+    document.getElementById('canvas').dispatchEvent(event);
+    document.getElementById('canvas').dispatchEvent(new KeyboardEvent('keyup', {code, key: code}));
+    return event.defaultPrevented;
+}));
+check('Ctrl+W, Ctrl+R, Tab and the function keys stay the browser\'s', taken.join() === 'false,false,false,false,false,true', taken);
+await page.keyboard.press('Tab');
+check('Tab leaves the canvas', await page.evaluate(() => document.activeElement.id !== 'canvas'));
+
+await canvas.focus();
+const before = (await state(page)).camera;
+await page.mouse.move(200, 90);
+await page.mouse.down();
+await page.mouse.move(240, 100, {steps: 5});
+await page.mouse.up();
+now = await until(page, (s) => s.camera[3] !== before[3]);
+check('a drag turns the eye', now.camera[3] !== before[3] && now.camera[4] !== before[4], before, now.camera);
+await page.mouse.click(160, 110);
+now = await until(page, (s) => s.probe !== undefined);
+check('a click marches the ray of its pixel', now.probe?.steps > 0 && now.pixel.join() === '160,69', now.pixel, now.probe?.steps);
+
+// ---- The wheel ----
+
+await page.evaluate(() => document.activeElement.blur());
+await page.mouse.move(160, 90);
+await page.mouse.wheel(0, 120);
+await page.waitForFunction(() => window.scrollY > 0, null, {timeout: 3000}).catch(() => {});
+check('without the focus the wheel scrolls the page', await page.evaluate(() => window.scrollY) > 0);
+await page.evaluate(() => window.scrollTo(0, 0));
+await page.waitForTimeout(300);
+await canvas.focus();
+const length = parameter(await state(page), 'focalLength')[0];
+await page.mouse.wheel(0, -300);
+now = await until(page, (s) => parameter(s, 'focalLength')[0] > length);
+check('with it the wheel is the program\'s', parameter(now, 'focalLength')[0] > length && await page.evaluate(() => window.scrollY) === 0, length);
+
+// ---- What the page sets ----
+
+await page.evaluate(() => window.program.call('live_set', 'lampHeight', 0, 1e9));
+now = await state(page);
+const lamp = now.parameters.find((p) => p.name === 'lampHeight');
+check('a value is kept within its range', lamp.value[0] === lamp.maximum, lamp.value);
+await page.evaluate(() => window.program.call('live_reset', 'lampHeight'));
+check('and goes back to the file\'s', parameter(await state(page), 'lampHeight')[0] === lamp.initial[0]);
+
+// ---- An edit ----
+
+const text = await page.evaluate(() => window.program.read('chapters/03_shadows.frag'));
+await page.evaluate((text) => window.program.write('chapters/03_shadows.frag', text), text.replace('vec3 rayColour', 'nonsense rayColour'));
+now = await until(page, (s) => s.error !== '');
+check('a mistake in the text is told with its line', /chapters\/03_shadows\.frag:\d+/.test(now.error), now.error);
+check('and the last good picture stays', (await shown()).mean > 20);
+await page.evaluate((text) => window.program.write('chapters/03_shadows.frag', text), text);
+now = await until(page, (s) => s.error === '');
+check('what is mended is shown again', now.error === '', now.error);
+
+// ---- WebGL's traps ----
+
+// An overlay alone is drawn again over a picture that is only copied. A browser has emptied the canvas by then.
+await page.evaluate(() => window.program.call('live_pause', 1));
+await until(page, (s) => s.divisor === 1);
+await page.waitForTimeout(700);
+const whole = (await shown()).mean;
+await page.evaluate(() => window.program.call('live_key', 72, 1, 0)); // H: the panel
+await page.waitForTimeout(400);
+const listed = (await shown()).mean;
+await page.evaluate(() => window.program.call('live_key', 72, 1, 0));
+await page.waitForTimeout(400);
+const again = (await shown()).mean;
+check('an overlay that is drawn again leaves the picture', Math.abs(again - whole) < 1 && again > 20 && listed > 0.2 * whole, whole, listed, again);
+
+// What a picture costs is known only once a pixel of it is read: WebGL's finish waits for nothing.
+await spy(['readPixels', 'drawArrays']);
+await page.evaluate(() => window.program.call('live_pause', 0));
+await page.waitForTimeout(600);
+let called = await calls();
+check('each picture is waited for by reading a pixel', called.drawArrays > 0 && called.readPixels > 0 && called.readPixels >= 0.3 * called.drawArrays, called);
+
+// ---- A page that nobody sees ----
+
+const hide = (hidden) => page.evaluate((hidden) => {
+    Object.defineProperty(document, 'hidden', {value: hidden, configurable: true});
+    document.dispatchEvent(new Event('visibilitychange'));
+}, hidden);
+await hide(true);
+await page.waitForTimeout(100);
+const hiddenAt = (await state(page)).time, drawnThen = await calls();
+await page.waitForTimeout(600);
+check('a hidden page draws nothing', (await calls()).drawArrays === drawnThen.drawArrays, drawnThen, await calls());
+await hide(false);
+now = await until(page, (s) => s.time > hiddenAt);
+check('and its time stood still', now.time > hiddenAt && now.time < hiddenAt + 0.5, hiddenAt, now.time);
+await page.evaluate(() => window.scrollTo(0, 2000));
+await page.waitForFunction(() => !window.program.visible);
+const away = await calls();
+await page.waitForTimeout(400);
+check('one that is scrolled away draws nothing either', (await calls()).drawArrays === away.drawArrays);
+await page.evaluate(() => window.scrollTo(0, 0));
+await page.waitForFunction(() => window.program.visible);
+await until(page, () => false || true);
+
+// ---- A context that is taken away ----
+
+await page.evaluate(() => {
+    window.program.call('live_pause', 1);
+    window.program.call('live_set', 'lampHeight', 0, 2);
+});
+await page.waitForTimeout(500);
+const kept = await state(page), keptMean = (await shown()).mean;
+await page.evaluate(() => {
+    window.taken = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+    window.taken.loseContext();
+});
+await page.waitForFunction(() => window.events.includes('lost'));
+check('a lost context is told', await page.evaluate(() => window.program.lost));
+await page.waitForTimeout(100);
+await page.evaluate(() => window.taken.restoreContext());
+await page.waitForFunction(() => window.events.includes('found'));
+await page.waitForTimeout(1500);
+now = await state(page);
+check('it is made again with its values, its eye and its time', now.runs && parameter(now, 'lampHeight')[0] === 2 && now.time === kept.time && now.camera.every((x, i) => x === kept.camera[i]), now.error);
+check('and its picture', Math.abs((await shown()).mean - keptMean) < 1, keptMean, await shown());
+
+// ---- Other people's files ----
+
+const drawText = (name, shader) => page.evaluate(async ([name, shader]) => {
+    window.program.write(name, shader);
+    window.pictures.length = window.lines.length = 0;
+    const status = await window.program.start('00_first_scene', `--shader ${name} --output picture.png --size 64x36`);
+    return {status, drawn: window.pictures.length, lines: window.lines};
+}, [name, shader]);
+for (const [name, shader] of Object.entries({
+    'a file with a low precision': '#version 300 es\nprecision mediump float;\nin vec2 FragCoord;\nin float Time;\nuniform float iTime;\nuniform vec3 iResolution;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, Time + iTime + iResolution.x, 1.0); }\n',
+    'a file of the desktop': '#version 330 core\nin vec2 FragCoord;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, 0.0, 1.0); }\n',
+    'a Shadertoy text': 'precision lowp float;\nvoid mainImage(out vec4 c, in vec2 p) { float t; c = vec4(p / iResolution.xy, t, 1.0); }\n',
+    'one that asks for GL_ES': 'void mainImage(out vec4 c, in vec2 p) {\n#ifdef GL_ES\nc = vec4(0, 1, 0, 1);\n#else\nc = nothing;\n#endif\n}\n',
+})) {
+    const got = await drawText(`x_${name.replaceAll(/\W/g, '_')}.frag`, shader);
+    check(`${name} is drawn`, got.status === 0 && got.drawn === 1, got.lines);
+}
+const implicit = await drawText('x_implicit.frag', 'void mainImage(out vec4 c, in vec2 p) {\n    float x = 1;\n    c = vec4(x);\n}\n');
+check('what ES refuses is told with its line', implicit.status === 1 && /x_implicit\.frag:2/.test(implicit.lines.join('\n')), implicit.lines);
+check('no error in the console', said.length === 0, said);
+
+// ---- A device whose float targets do not blend ----
+
+const poor = await openPage(browser, server.at, () => {
+    const own = WebGL2RenderingContext.prototype.getExtension, all = WebGL2RenderingContext.prototype.getSupportedExtensions;
+    WebGL2RenderingContext.prototype.getExtension = function (name) { return name === 'EXT_float_blend' ? null : own.call(this, name); };
+    WebGL2RenderingContext.prototype.getSupportedExtensions = function () { return all.call(this).filter((name) => name !== 'EXT_float_blend'); };
+    const image = WebGL2RenderingContext.prototype.texImage2D;
+    window.forms = [];
+    WebGL2RenderingContext.prototype.texImage2D = function (...values) { window.forms.push(values[2]); return image.apply(this, values); };
+});
+await start(poor.page, '03_shadows');
+now = await state(poor.page);
+const forms = await poor.page.evaluate(() => window.forms);
+check('without EXT_float_blend targets are made of half floats, and the page is told', now.halves && forms.includes(0x881A) && !forms.includes(0x8814), now.halves, forms);
+check('and the picture is there', (await shown(poor.page)).mean > 20);
+check('with it they are floats', !kept.halves);
+
+const none = await openPage(browser, server.at, () => {
+    const own = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...values) { return kind === 'webgl2' ? null : own.call(this, kind, ...values); };
+});
+check('without WebGL 2 there is no window: status 3', await start(none.page, '03_shadows') === 3);
+check('and one line says why', (await none.page.evaluate(() => window.lines.join('\n'))).includes('the browser gives no WebGL 2'));
+
+// ---- Size ----
+
+// What the first picture of any chapter loads, and with the texts of all chapters: gzip's bytes.
+const packed = (files) => files.reduce((sum, file) => sum + Number(execFileSync('bash', ['-c', `gzip -9c '${file}' | wc -c`], {encoding: 'utf8'})), 0);
+const module = packed(['harness.wasm', 'harness.js', 'program.js', 'course.json'].map((name) => `build/web/${name}`));
+const chapters = packed(fs.readdirSync('build/web/course/chapters').filter((name) => /\.(frag|glsl)$/.test(name)).map((name) => `build/web/course/chapters/${name}`));
+console.log(`# the module takes ${module} bytes compressed, the texts of all chapters ${chapters} more, one by one`);
+check('wasm, script and data of the module take at most 280 KB compressed', module <= 280e3, module);
+
+finish();
+await browser.close();
+server.close();
