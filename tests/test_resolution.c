@@ -67,13 +67,12 @@ static void it_comes_to_rest(void **unused)
                 struct resolution resolution = {.level = begin};
                 resolution_guess(&resolution, 3.0 * machine.cost * (chance() + 1.0));
                 draw_frame(&resolution, &machine, 1.0);
-                int last = draw_frame(&resolution, &machine, 1.0), way = 0, changes = 0;
+                int last = draw_frame(&resolution, &machine, 1.0), way = 0;
                 for (int frame = 0; frame < FRAMES; frame++) {
                     int level = draw_frame(&resolution, &machine, 1.0);
                     int step = (level > last) - (level < last);
                     assert_true(step * way >= 0);
                     way = step != 0 ? step : way;
-                    changes += step != 0;
                     assert_true(frame < 20 || step == 0);
                     last = level;
                 }
