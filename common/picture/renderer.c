@@ -122,7 +122,20 @@ struct part {
     int from, to;       // the rows of the target to draw
     int left, right;    // and its columns
     bool fresh;         // what the target held is of no use any more
+    // Of a pair: the march of the side that is drawn first, whose frame both sides of a slice have.
+    struct march *shared;
 };
+
+// Take over the frame of the first side; the first side leaves its own.
+static void share_frame(struct march *march, struct march *shared)
+{
+    if (shared == NULL)
+        return;
+    if (shared->frame.unit == 0.0f)
+        *shared = *march;
+    march->frame = shared->frame;
+    march->plot = shared->plot;
+}
 
 static bool draw_part(struct renderer *renderer, const struct renderer_inputs *asked,
                       const struct part *part)
@@ -139,6 +152,7 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
         !coarse_run(renderer, inputs, renderer->view, low, high) ||
         !target_bind(part->target, gl, inputs->width, part->height))
         return false;
+    share_frame(&march, part->shared);
     pass_use(renderer, inputs, renderer->view);
     if (slice)
         march_tell_slice(renderer, &march);
@@ -167,7 +181,9 @@ static bool draw_sides(struct renderer *renderer, const struct renderer_inputs *
                        const struct part *part)
 {
     int split = pair_split(renderer, inputs->width);
+    struct march shared = {0};
     struct part first = *part, second = *part;
+    first.shared = second.shared = &shared;
     first.right = split < part->right ? split : part->right;
     second.left = split > part->left ? split : part->left;
     second.fresh = part->fresh && first.left >= first.right;
@@ -179,7 +195,7 @@ static bool draw_sides(struct renderer *renderer, const struct renderer_inputs *
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows)
 {
-    struct part part = {&renderer->picture, bottom, rows, 0, rows, 0, inputs->width, true};
+    struct part part = {&renderer->picture, bottom, rows, 0, rows, 0, inputs->width, true, NULL};
     return draw_sides(renderer, inputs, &part);
 }
 
@@ -187,8 +203,8 @@ bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *i
                       int rows)
 {
     bool first = from + rows == inputs->height;
-    struct part part = {&renderer->sharp, 0, inputs->height, from,
-                        from + rows,      0, inputs->width,  first};
+    struct part part = {
+        &renderer->sharp, 0, inputs->height, from, from + rows, 0, inputs->width, first, NULL};
     return draw_sides(renderer, inputs, &part);
 }
 
@@ -291,7 +307,7 @@ static bool colour_pixel(struct renderer *renderer, const struct renderer_inputs
                          int y, unsigned char colour[3])
 {
     int band = rows_of_band(inputs), row = y % band;
-    struct part part = {&renderer->single, y - row, band, row, row + 1, x, x + 1, true};
+    struct part part = {&renderer->single, y - row, band, row, row + 1, x, x + 1, true, NULL};
     struct image pixel = {1, 1, colour};
     float value[4];
     enum shader_view view = renderer->view;
