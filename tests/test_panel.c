@@ -220,6 +220,98 @@ static void a_panel_fits_any_picture(void **unused)
         }
 }
 
+// The rows, from the top: what they say, where they stand, and that a place on one finds it.
+static void rows_stand_below_each_other(void **unused)
+{
+    (void)unused;
+    static const char *const texts[] = {"A title",     "view: picture", "", "long",   "wide",
+                                        "[0, 9] feet", "high",          "", "H: help"};
+    static const float tops[] = {16, 28, 40, 46, 58, 70, 82, 94, 100};
+    struct panel_rows rows = {0};
+    struct panel panel = {.renderer = &renderer,
+                          .title = "A title",
+                          .chosen = &parameters[1],
+                          .hint = "H: help",
+                          .pixel = {-1, -1},
+                          .rows = &rows};
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_int_equal(rows.count, 9);
+    for (int i = 0; i < rows.count; i++) {
+        const struct panel_row *row = &rows.row[i];
+        assert_string_equal(row->cell[0], texts[i]);
+        assert_true(row->top == tops[i] && row->left == 15.0f);
+        assert_ptr_equal(panel_rows_at(&rows, row->left, row->top), row);
+    }
+    assert_null(panel_rows_at(&rows, rows.left + rows.width, 50.0f));
+    panel.right = true;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(rows.left + rows.width == 632.0f && rows.row[3].left == rows.left + 7.0f);
+    panel.rolled = true;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_int_equal(rows.count, 1);
+    panel.folded = true;
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_int_equal(rows.count, 0);
+    panel_rows_free(&rows);
+}
+
+// A value at a place has that place again; by decades the middle of [0.01, 1] is 0.1.
+static void a_place_is_a_value(void **unused)
+{
+    (void)unused;
+    struct parameter linear = {.components = 1, .minimum = -2.0, .maximum = 6.0};
+    struct parameter decades = {
+        .components = 1, .minimum = 0.01, .maximum = 1.0, .step = 2.0, .multiplies = true};
+    parameter_put(&linear, 0, 0.25);
+    assert_true(linear.value[0] == 0.0 && parameter_place(&linear, 0) == 0.25);
+    parameter_put(&linear, 0, 7.0);
+    assert_true(linear.value[0] == 6.0);
+    parameter_put(&decades, 0, 0.5);
+    assert_true(decades.value[0] == 0.1 && fabs(parameter_place(&decades, 0) - 0.5) < 1e-12);
+    parameter_put(&decades, 0, -1.0);
+    assert_true(decades.value[0] == 0.01);
+}
+
+// With help, a field and a ray, at every scale, both sides and any size: nothing stands outside.
+static void rows_and_help_stay_inside(void **unused)
+{
+    (void)unused;
+    static const int sizes[][2] = {{320, 180}, {640, 360}, {960, 540}, {3840, 2160}};
+    static const float scales[] = {1.0f, 1.5f, 2.0f, 3.0f};
+    struct panel_rows rows = {0};
+    for (int i = 0; i < 4 * 4 * 2 * 2; i++) {
+        const int *size = sizes[i % 4];
+        float scale = scales[i / 4 % 4], width = (float)size[0] / scale;
+        float height = (float)size[1] / scale;
+        if (width < 320.0f || height < 180.0f)
+            continue;
+        struct panel panel = {.renderer = &renderer,
+                              .title = "A title",
+                              .chosen = &parameters[2],
+                              .right = i / 16 % 2 == 1,
+                              .pixel = {i / 32 % 2 == 1 ? 60 : -1, 60},
+                              .probe = &probe,
+                              .tip = "words that help whoever points at the row, in several lines",
+                              .tip_at = {-1.0f, -1.0f},
+                              .rows = &rows};
+        panel_gather(&panel, &overlay, size[0], size[1], scale);
+        for (int k = 0; k < 2 && rows.count > 4; k++) {
+            panel.tip_at[0] = rows.row[4].left + 1.0f;
+            panel.tip_at[1] = rows.row[4].top;
+            panel_gather(&panel, &overlay, size[0], size[1], scale);
+            assert_true(says("whoever"));
+        }
+        for (int k = 0; k < overlay.count; k++) {
+            const struct overlay_rectangle *r = &overlay.rectangle[k];
+            if (r->left < 0.0f || r->top < 0.0f || r->right > width || r->bottom > height)
+                fail_msg("%dx%d at %g, way %d: %g %g %g %g", size[0], size[1], (double)scale,
+                         i / 16, (double)r->left, (double)r->top, (double)r->right,
+                         (double)r->bottom);
+        }
+    }
+    panel_rows_free(&rows);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -231,6 +323,9 @@ int main(void)
         cmocka_unit_test(a_ray_comes_first_where_room_is_short),
         cmocka_unit_test(a_panel_does_not_tremble),
         cmocka_unit_test(a_panel_fits_any_picture),
+        cmocka_unit_test(rows_stand_below_each_other),
+        cmocka_unit_test(a_place_is_a_value),
+        cmocka_unit_test(rows_and_help_stay_inside),
     };
     return cmocka_run_group_tests_name("panel", tests, NULL, close_overlay);
 }
