@@ -7,7 +7,7 @@
 #include "water.glsl"     // footprintOnWater, glitter
 #include "fresnel.glsl"   // schlickShare
 #include "lighting.glsl"  // lambert, encodeSRGB
-#include "shadow.glsl"    // shadowRay, shadowReach
+#include "soft_shadow.glsl" // discBesideEdge; shadowRay, shadowReach come with it
 #include "fog.glsl"       // fogDepth, fogLight, throughFog; sunDirection and airMass come with it
 #include "film.glsl"      // exposed, filmOfLargest
 #include "sky_table.glsl" // tableSky, tableSun, tableSunlight, tableAmbient, daylightFilm
@@ -21,6 +21,7 @@ uniform sampler2D halo;        // "sun_halo.png" sRGB clamp: the sun
 uniform sampler2D moonMap;     // "moon.png" linear clamp: the moon's face
 uniform sampler2D cloudsFair;  // "clouds_fair.png" linear repeat: panorama of fair weather
 uniform sampler2D cloudsStorm; // "clouds_storm.png" linear repeat: panorama of bad weather
+uniform sampler2D cloudsHigh;  // "clouds_high.png" linear repeat: a layer from below
 
 uniform float timeOfDay;      // 18.4 in [0, 24] step 0.2, hours: solar time at the start
 uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: how fast the time of day runs
@@ -32,19 +33,20 @@ uniform float turned;         // 0.1 in [0, 1] step 0.02, turns: where the cloud
 uniform float wind;           // 0.3 in [0, 1] step 0.05: how rough the water is
 uniform float mist;           // 0.005 in [0, 0.1] step 0.001, per scene unit: what the clear air takes of the light over the lake
 uniform float exposure;       // 0 in [-6, 6] step 0.25, stops: beyond what the hour asks for
-uniform float omega;          // 1.5 in [1, 1.95] step 0.05, distances: length of a step
-uniform float footprint;      // 3 in [0, 8] step 0.25, half pixels: how fast the threshold grows along the ray
+uniform float omega;          // 1.3 in [1, 1.95] step 0.05, distances: length of a step
+uniform float footprint;      // 1 in [0, 8] step 0.25, half pixels: how fast the threshold grows along the ray
 uniform int   maxSteps;       // 160 in [1, 512]: steps before a ray is given up
 uniform float hitThreshold;   // 0.0002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 const float FAR = 160.0;       // a ray that has travelled so far sees the sky
-const float HIGHEST = 14.0;    // no land is higher
 const float SHADOW_FAR = 60.0; // how far a shadow ray looks
 const float MIST_SCALE = 3.0;  // the height over which the mist thins to 1 / e
 const float LATITUDE = 43.6;   // degrees
 const float SUN_RADIUS = 0.0047, MOON_RADIUS = 0.009; // radians: the moon's is twice the true one
-const float LOW_CLOUDS = 3.0;  // their altitude, km
-const vec3  LAMPLIGHT = vec3(0.20, 0.10, 0.035); // of the cabin's windows
+const float DISC = 0.0047;      // the true one of both, for shadows
+const float LOW_CLOUDS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
+const float HIGH_PERIOD = 70.0; // of the picture of the high clouds, km: they pass once a day
+const vec3  LAMPLIGHT = vec3(0.62, 0.24, 0.06);  // of the cabin's windows
 
 // The hour and the weather of the picture, found once for each pixel.
 float theHour, theWeather;
@@ -56,7 +58,8 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// By how much the waves widen what they mirror, per unit of its way; and the octaves that are asked for over the water.
+// By how much the waves widen what they mirror, per unit of its way; and the octaves that are asked for, 0 for those of
+// the parameter.
 float mirrorBlur = 0.0;
 int   asked = 0;
 
@@ -64,7 +67,7 @@ int   asked = 0;
 float sceneDistance(vec3 p)
 {
     bool below = p.y < 0.0;
-    float land = landDistance(unmirrored(p), below ? min(octaves, 2) : (asked > 0 ? asked : octaves));
+    float land = landDistance(unmirrored(p), asked > 0 ? asked : (below ? min(octaves, 2) : octaves));
     return land - (below ? mirrorBlur * length(p - bend.place) : 0.0);
 }
 
@@ -81,6 +84,8 @@ struct Hour {
     vec3  sun, moon, toLight; // directions; the last to that of both which counts
     vec3  beam, cloudBeam;  // its light on a surface across it: on the ground, and on the clouds
     vec3  sky;              // light of the whole sky on a level white surface
+    vec3  moonlit;          // of the clear night sky, the part that the moon lights
+    float lamp;             // how far the lamps are on
     float stops;            // of the exposure
 };
 
@@ -94,39 +99,48 @@ Hour hourNow()
     vec3 toLight = day ? sun : moon, beam = day ? sunBeam : moonBeam;
     vec3 high = tableSunlight(vec3(0.0, cloudSunHeight(toLight.y, LOW_CLOUDS), 0.0));
     float moonUp = max(moon.y, 0.0);
-    vec3 clear = tableAmbient(sun) + vec3(0.8, 1.0, 1.3) * (0.15 * moonUp * moonBeam + 6e-8);
+    vec3 moonlit = vec3(0.8, 1.0, 1.3) * (0.15 * moonUp * moonBeam), clear = tableAmbient(sun) + moonlit + 6e-8;
     vec3 sky = mix(clear, overcastWhite(clear + max(toLight.y, 0.0) * beam), overcastShare(theWeather));
     float left = sunLeft(theWeather), bright = exp2(skyBrightness(max(sun.y, -0.3))) + 6e-8 + 0.2 * moonUp * moonBeam.g;
-    return Hour(noon, sun, moon, toLight, left * beam, left * (day ? vec3(1.0) : full) * high, sky,
-                exposure - 2.0 - 0.9 * log2(bright));
+    return Hour(noon, sun, moon, toLight, left * beam, left * (day ? vec3(1.0) : full) * high, sky, moonlit,
+                1.0 - smoothstep(0.05, 0.3, sky.g), exposure - 2.0 - 0.9 * log2(bright));
 }
 
 // ---- The sky ----
 
-// What stands behind the air: stars and moon.
-vec3 heavens(vec3 direction, Hour now, float width)
+// The hour of the equinox of March at which the stars stand as they do now: the sun has gone on among them, by an angle
+// whose sine is the tangent of its declination over that of the obliquity.
+float hourOfStars(Hour now)
 {
-    vec3 stars = starLight(skyTurn(now.noon + 12.0, LATITUDE) * direction, width);
+    return now.noon + 12.0 + SIDEREAL_DAY / 360.0 * degrees(asin(tan(radians(declination)) / tan(radians(OBLIQUITY))));
+}
+
+// What stands behind the air: stars, the band of the Milky Way, and the moon.
+//   mirrored  seen in the water, whose waves do not mirror a disc as one: glitter has its light
+vec3 heavens(vec3 direction, Hour now, float width, bool mirrored)
+{
+    vec3 star = skyTurn(hourOfStars(now), LATITUDE) * direction, stars = starLight(star, width) + milkyWay(star);
     mat3 frame = moonFrame(now.moon, LATITUDE);
     vec2 place = moonPlace(frame * direction, MOON_RADIUS);
     float rim = width / MOON_RADIUS, inside = 1.0 - smoothstep(1.0 - rim, 1.0 + rim, length(place));
-    return mix(stars, moonFace(moonMap, place, rim, frame * now.sun, 1.0), inside);
+    return mix(stars, moonFace(moonMap, place, rim, frame * now.sun, 1.0), mirrored ? 0.0 : inside);
 }
 
 // The sky of an hour and a weather.
-//   mirrored  seen in the water, whose waves do not mirror the sun's disc as one: glitter has it
+//   mirrored  as of heavens
 //   open      how much of the clear sky the weather leaves there
 vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
 {
     float width = min(2.0 * pixelSpread(), 0.003), noon = now.noon / 24.0;
     vec3 through = exp(-(RAYLEIGH + 0.05) * airMass(direction.y));
-    vec3 clear = tableSky(sunward, away, direction, now.sun) + airglow(direction.y);
-    clear += sunLeft(theWeather) * through * heavens(direction, now, width);
+    vec3 clear = tableSky(sunward, away, direction, now.sun) + airglow(direction.y) + now.moonlit;
+    clear += sunLeft(theWeather) * through * heavens(direction, now, width, mirrored);
     clear += mirrored ? vec3(0.0) : sunLeft(theWeather) * tableSun(halo, direction, now.sun, SUN_RADIUS);
     vec3 sky = mix(clear, overcastSky(direction.y, now.sky), overcastShare(theWeather));
     Cloud fair = cloudShare(cloudPanorama(cloudsFair, direction, turned + noon, width), clouds ? fairShare(theWeather) : 0.0);
     Cloud storm = cloudShare(cloudPanorama(cloudsStorm, direction, turned + noon, width), clouds ? stormShare(theWeather) : 0.0);
-    Cloud cloud = cloudOver(fair, storm);
+    Cloud high = cloudLayer(cloudsHigh, vec3(0.0, 0.0, HIGH_PERIOD * noon), direction, HIGH_CLOUDS, HIGH_PERIOD, width);
+    Cloud cloud = cloudOver(fair, cloudOver(storm, cloudShare(high, clouds ? 0.7 : 0.0)));
     open = (1.0 - cloud.cover) * (1.0 - overcastShare(theWeather));
     return (1.0 - cloud.cover) * sky + cloudLight(cloud, direction, now.toLight, now.cloudBeam, now.sky);
 }
@@ -141,31 +155,49 @@ struct Place {
 
 Place placeAt(vec3 p, vec3 direction, float width, bool met, bool thing)
 {
-    float count = log2(1.2 / (CELLS * width)) / log2(LACUNARITY);
-    vec4 land = landAt(inValley(p.xz), clamp(count, 1.0, 12.0));
+    vec2 slope = higherGround(hills(inValley(p.xz)), shore(inValley(p.xz))).yz; // a pixel that sees it flat sees more of it
+    float facing = abs(dot(direction, normalize(vec3(-fromValley(slope), 1.0)).xzy));
+    float count = log2(1.2 * sqrt(facing) / (CELLS * width)) / log2(LACUNARITY);
+    vec4 land = landAt(inValley(p.xz), met ? clamp(count, 1.0, 12.0) : 0.0);
     vec3 normal = normalize(vec3(-fromValley(land.yz), 1.0)).xzy, ofThing = thingNormal(p);
     vec4 paint = thingColour(p, ofThing);
     vec3 colour = landColour(p, direction, normal, land.w, width);
     return Place(p, thing ? ofThing : normal, thing ? paint.rgb : colour, thing ? paint.w : 0.0, met);
 }
 
-// 1 where sun or moon is in sight, else 0: of the land's ridges the first octave alone is asked.
+// The share of the disc of sun or moon that is in sight. The ray goes to its upper rim; the skyline stands below the ray
+// by the smallest of gap / way, and hides the disc from below. Of the land's ridges the first octave alone is asked; the
+// things' shadows are hard.
 //   radius  of the pixel's footprint
 float lightSeen(Place place, vec3 toLight, float radius)
 {
-    Ray up = shadowRay(place.p, place.normal, toLight, 3.0 * radius);
-    float far = min((HIGHEST - place.p.y) / max(toLight.y, 0.02), SHADOW_FAR);
+    vec3 rim = normalize(toLight + vec3(0.0, DISC, 0.0));
+    Ray up = shadowRay(place.p, place.normal, rim, 3.0 * radius);
+    float far = min((HIGHEST - place.p.y) / max(rim.y, 0.02), SHADOW_FAR);
     far = place.met ? shadowReach(place.normal, toLight, far) : 0.0;
     asked = 1;
-    way = vec2(abs(toLight.y), length(toLight.xz));
-    bool land = marchRelaxed(up, 0.0, far, 0.5 * radius, 0.008, omega, 16).found;
-    return land || thingsAlong(up, FAR, min(far, 3.0), hitThreshold, 0.0) > 0.0 ? 0.0 : 1.0;
+    way = oneWay(abs(rim.y));
+    float t = 0.0, clear = 1e3;
+    int steps = 0;
+    bool searching = far > 0.0;
+    traceBegin(0.0, far);
+    while (searching) {
+        float distance = distanceAt(up.origin + t * rim);
+        traceStep(steps, t, distance);
+        steps++;
+        clear = min(clear, overLand * length(rim.xz) / max(t, 0.01));
+        t += max(distance, 0.05 * t + radius);
+        searching = clear > 0.0 && t < far && steps < 24;
+    }
+    traceMarch(steps, t, clear > 0.0 ? END_PASSED : END_HIT);
+    bool thing = thingsAlong(up, FAR, min(far, 3.0), hitThreshold, 0.0) > 0.0;
+    return thing ? 0.0 : discBesideEdge(clear / DISC - 1.0);
 }
 
 vec3 placeLight(Place place, Hour now, float seen)
 {
     vec3 open = (0.6 + 0.4 * place.normal.y) * now.sky + seen * lambert(place.normal, now.toLight) * now.beam;
-    return place.colour * open + place.lamp * LAMPLIGHT;
+    return place.colour * open + place.lamp * now.lamp * LAMPLIGHT;
 }
 
 // ---- The picture ----
@@ -174,7 +206,7 @@ vec3 placeLight(Place place, Hour now, float seen)
 vec3 nightFilm(vec3 light)
 {
     float rods = dot(light, vec3(0.05, 0.45, 0.5));
-    return mix(light, rods * vec3(0.62, 0.9, 1.35), 0.7 * (1.0 - smoothstep(-18.0, -9.0, log2(max(rods, 1e-9)))));
+    return mix(light, rods * vec3(0.62, 0.9, 1.35), 0.8 * (1.0 - smoothstep(-17.0, -13.5, log2(max(rods, 1e-9)))));
 }
 
 vec3 rayColour(Ray ray)
@@ -183,16 +215,18 @@ vec3 rayColour(Ray ray)
     Hour now = hourNow();
     float spread = pixelSpread(), water = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : 2.0 * FAR;
     vec3 on = ray.origin + water * ray.direction;
-    Water waves = wavesAt(on.xz, footprintOnWater(ray.direction, 2.0 * spread * water), wind);
+    Water waves = wavesAt(on.xz, footprintOnWater(ray.direction, 2.0 * spread * water), mix(wind, 1.0, 0.6 * rainShare(theWeather)));
     vec3 facet = normalize(vec3(-waves.slope.x, 1.0, -waves.slope.y)), mirrored = reflect(ray.direction, facet);
     bend = Bend(true, vec3(on.x, 0.0, on.z), normalize(vec3(mirrored.x, max(mirrored.y, 0.002), mirrored.z)));
 
     // One march, through the water into the mirrored world.
     mirrorBlur = 0.5 * sqrt(waves.variance);
-    way = vec2(max(abs(ray.direction.y), bend.direction.y), 1.0);
-    Hit hit = marchRelaxed(ray, min(coarseStart(ray), water), FAR, hitThreshold, footprint * spread, omega, maxSteps);
+    way = oneWay(max(abs(ray.direction.y), bend.direction.y));
+    float top = ray.direction.y < 0.0 ? water + HIGHEST / bend.direction.y : (HIGHEST - ray.origin.y) / max(ray.direction.y, 0.02);
+    float far = min(top, FAR);
+    Hit hit = marchRelaxed(ray, min(coarseStart(ray), water), far, hitThreshold, footprint * spread, omega, maxSteps);
     float thing = thingsAlong(ray, water, hit.t, hitThreshold, spread), t = thing > 0.0 ? thing : hit.t;
-    bool met = t < FAR, lake = t > water;
+    bool met = t < far, lake = t > water;
     vec3 p = unmirrored(ray.origin + t * ray.direction), direction = lake ? bend.direction : ray.direction;
     float first = min(t, water), then = t - first;
     if (lake) { // the views and the probe show what was met, the water too
@@ -214,5 +248,7 @@ vec3 rayColour(Ray ray)
     vec3 deep = vec3(0.012, 0.035, 0.035) * (now.sky + 0.3 * max(now.toLight.y, 0.0) * now.beam);
     vec3 ofLake = mix(deep, light + (met ? 0.0 : open) * glitter(ray.direction, now.toLight, waves, now.beam), share);
     ofLake = throughFog(ofLake, fog, fogDepth(ray.origin.y, ray.direction.y, first, density, MIST_SCALE));
-    return encodeSRGB(filmOfLargest(exposed(nightFilm(daylightFilm(lake ? ofLake : light)), now.stops), 1.3, 8.0));
+    float drops = rainStreaks(screenPosition(vec2(iPixel) + 0.5), iTime, 2.0 / iResolution.y);
+    vec3 seen = mix(lake ? ofLake : light, now.sky, 0.35 * rainShare(theWeather) * drops);
+    return encodeSRGB(filmOfLargest(exposed(nightFilm(daylightFilm(seen)), now.stops), 1.3, 8.0));
 }

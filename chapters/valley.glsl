@@ -17,17 +17,28 @@ const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8); // turned, so that no lattice is s
 const vec2  SHIFT = vec2(17.17, 29.73);     //   and elsewhere
 const float FOOT = 0.4;                     // height of the hills at which ridges begin, scene units,
 const float RIDGES = 3.6;                   //   and times the height over it they add at most
-const float HILL_SLOPE = 0.45;              // no hill is steeper
+const float HILL_SLOPE = 0.45;              // no hill is steeper,
+const float SHORE_SLOPE = 0.204;            //   nor the shore,
+const float HIGHEST = 18.8;                 //   and no land is higher: 4.4 + RIDGES (4.4 - FOOT), 4.4 the highest hill
 
 uniform sampler2D turf;    // "turf.png" sRGB repeat: a meadow
 uniform sampler2D granite; // "granite.png" sRGB repeat: rock
 
 uniform int octaves; // 4 in [1, 8]: of ridges that are marched
 
-// What a distance is divided by: of a ground with a slope s, way.x + way.y s. For one ray |climb| and the length of its
-// level part; for all directions (0.65, 1), which is never less than sqrt(1 + s^2) for s >= HILL_SLOPE.
-const vec2 ALL_WAYS = vec2(0.65, 1.0);
-vec2 way = ALL_WAYS;
+// What a distance is divided by: of a ground with a slope s, way.x + way.y s; of the shore, way.z. For one ray of a
+// climb c, oneWay(c). For all directions (0.65, 1, 1.03): never less than sqrt(1 + s^2) for s >= HILL_SLOPE, and for the
+// shore.
+const vec3 ALL_WAYS = vec3(0.65, 1.0, 1.03);
+vec3 way = ALL_WAYS;
+
+vec3 oneWay(float climb)
+{
+    return vec3(climb, 1.0, climb + SHORE_SLOPE);
+}
+
+// How high the point that landDistance was asked for last stands over the land, scene units.
+float overLand = 0.0;
 
 // From north and east to the valley's right and ahead, and back.
 vec2 inValley(vec2 xz)
@@ -49,15 +60,15 @@ vec3 shore(vec2 q)
     return vec3(0.26 - 0.17 * d, -0.17 * r * vec2(1.0, 1.2) / d);
 }
 
-// The hills without ridges: height (x), gradient (yz).
+// The hills without ridges and without the shore: height (x), gradient (yz).
 vec3 hills(vec2 q)
 {
     vec3 h = hill(q - vec2(4.0, 46.0), vec2(43.0, 25.5), 7.4);
-    h = higherGround(h, hill(q - vec2(-25.0, 24.0), vec2(24.0, 24.5), 7.1));
+    h = higherGround(h, hill(q - vec2(-25.0, 24.0), vec2(24.0, 24.5), 7.0));
     h = higherGround(h, hill(q - vec2(64.0, 90.0), vec2(58.0, 42.0), 6.4));
     h = higherGround(h, hill(q - vec2(19.0, 22.0), vec2(13.0, 12.5), 3.6));
     h.x -= 3.0;
-    return higherGround(h, shore(q));
+    return h;
 }
 
 // How much of the ridges there is over the hills (x), and how fast it grows with their height (y).
@@ -76,6 +87,7 @@ float hillsUnder(float y)
 // p.y nowhere before the hills reach hillsUnder(p.y). Each octave of ridges makes the next: what is still to come adds at
 // most the rest of the weights. Octaves are asked while they can still say more.
 //   count    octaves of the land that is meant
+// The shore has no ridges: the nearer of it and of the hills counts.
 //   returns  with ALL_WAYS a distance, 1-Lipschitz; else the way along a ray
 float landDistance(vec3 p, int count)
 {
@@ -84,14 +96,15 @@ float landDistance(vec3 p, int count)
     float hilly = way.x + way.y * HILL_SLOPE, growth = way.y * RIDGES * HILL_SLOPE;
     float weight = 1.0 - GAIN, rest = 1.0, sum = 0.0, first = 1.0;
     float steep = way.y * 2.0 * VALUE_STRETCH * CELLS, slope = (1.0 + weight) * steep;
-    float d = (hillsUnder(p.y) - base) / hilly;
+    float d = (hillsUnder(p.y) - base) / hilly, coast = p.y - shore(q).x, least = 0.0;
     bool counts = true;
     for (int i = 0; i < count && counts; i++) {
         float ridge = ridged(groundNoise(x)).x;
         first = i == 0 ? ridge : first;
         sum += weight * ridge;
         rest = i + 1 < count ? rest - weight : 0.0;
-        float most = first * (sum + rest), least = first * sum;
+        float most = first * (sum + rest);
+        least = first * sum;
         d = max(d, wayToClose(over - high * most, hilly + growth * most + high * slope, 2.0 * growth * slope));
         weight *= GAIN;
         steep *= LACUNARITY;
@@ -99,7 +112,8 @@ float landDistance(vec3 p, int count)
         counts = over - high * least > d * (hilly + growth * least + slope * (high + growth * d));
         x = LACUNARITY * TURN * x + SHIFT;
     }
-    return d;
+    overLand = min(over - high * least, coast);
+    return min(d, coast / way.z);
 }
 
 // The land under a place: height (x), gradient (yz), and for its colours a number in [0, 1] that varies from place to
@@ -107,7 +121,7 @@ float landDistance(vec3 p, int count)
 //   count  octaves, any number >= 1: the last one counts by its fraction
 vec4 landAt(vec2 q, float count)
 {
-    vec3 base = hills(q), sum = vec3(0.0), first = vec3(1.0, 0.0, 0.0);
+    vec3 base = higherGround(hills(q), shore(q)), sum = vec3(0.0), first = vec3(1.0, 0.0, 0.0);
     vec2 high = roughness(base.x), x = CELLS * q + SEED;
     float weight = 1.0 - GAIN, fine = 0.5, scale = CELLS;
     vec2 grain = vec2(0.0);
@@ -138,7 +152,7 @@ vec3 landColour(vec3 p, vec3 direction, vec3 normal, float chance, float width)
     Footprint f = footprintOn(direction, normal, 0.577 * width);
     vec3 weights = twoPlaneWeights(planeWeights(normal, 4.0)), snow = vec3(0.85, 0.87, 0.90);
     vec3 stone = textureOnPlanes(granite, 0.35 * p, footprintSeen(f, mat3(1.0), 0.35), weights).rgb;
-    vec3 grass = textureFromAbove(turf, 9.0 * p, footprintSeen(f, mat3(1.0), 9.0)).rgb * mix(0.5, 1.6, chance);
+    vec3 grass = textureFromAbove(turf, 9.0 * p, footprintSeen(f, mat3(1.0), 5.0)).rgb * mix(0.5, 1.6, chance);
     vec3 wood = mix(vec3(0.010, 0.022, 0.010), vec3(0.045, 0.055, 0.02), chance);
     vec3 rock = stone * mix(vec3(0.30, 0.28, 0.27), vec3(0.80, 0.74, 0.68), chance);
     float uneven = chance - 0.5, level = normal.y + 0.3 * uneven, height = p.y + 2.0 * uneven;
@@ -269,7 +283,8 @@ vec4 thingColour(vec3 p, vec3 normal)
     vec3 local = localOf(p), q = atCabin(local);
     bool cabin = length(q) < 0.1, boat = local.x > 0.0;
     vec2 pane = abs(vec2(abs(q.x) - 0.02, q.y - 0.012)) - vec2(0.008, 0.008);
-    bool window = cabin && q.z < -0.029 && max(pane.x, pane.y) < 0.0;
+    vec2 bar = abs(vec2(abs(q.x) - 0.02, q.y - 0.0125));
+    bool window = cabin && q.z < -0.029 && max(pane.x, pane.y) < 0.0 && min(bar.x, bar.y) > 0.0007;
     vec3 wood = vec3(0.17, 0.09, 0.05) * (0.8 + 0.2 * step(0.5, fract(160.0 * q.y)));
     vec3 roof = vec3(0.10, 0.055, 0.045), leaf = vec3(0.016, 0.034, 0.012);
     vec3 ofCabin = q.y > 0.03 && abs(normal.y) > 0.3 ? roof : (window ? vec3(0.02) : wood);

@@ -169,11 +169,16 @@ enum { OCTAVES = 4 };
 static double hills(double x, double z)
 {
     double h = bump(x - 4.0, z - 46.0, 43.0, 25.5, 7.4);
-    h = fmax(h, bump(x + 25.0, z - 24.0, 24.0, 24.5, 7.1));
+    h = fmax(h, bump(x + 25.0, z - 24.0, 24.0, 24.5, 7.0));
     h = fmax(h, bump(x - 64.0, z - 90.0, 58.0, 42.0, 6.4));
     h = fmax(h, bump(x - 19.0, z - 22.0, 13.0, 12.5, 3.6));
+    return h - 3.0;
+}
+
+static double shore(double x, double z)
+{
     double a = x + 1.45, b = 1.2 * (z - 0.5);
-    return fmax(h - 3.0, 0.26 - 0.17 * sqrt(a * a + b * b + 0.04));
+    return 0.26 - 0.17 * sqrt(a * a + b * b + 0.04);
 }
 
 // The sums over the first octaves, and with the rest of the weights.
@@ -199,7 +204,7 @@ static double land(double x, double z)
 {
     double base = hills(x, z), least, most;
     detail(x, z, OCTAVES, &least, &most);
-    return base + ridges * fmax(base - foot, 0.0) * most;
+    return fmax(base + ridges * fmax(base - foot, 0.0) * most, shore(x, z));
 }
 
 // The largest of all bounds, for all directions.
@@ -217,7 +222,7 @@ static double land_distance(struct d3 p)
         double g = 2.0 * ridges * hill_slope * slope, gap = p.y - base - high * most;
         d = fmax(d, 2.0 * gap / (s + sqrt(fmax(s * s + 2.0 * g * gap, 1e-9))));
     }
-    return d;
+    return fmin(d, (p.y - shore(p.x, p.z)) / 1.03);
 }
 
 static double random_in(double from, double to)
@@ -228,7 +233,8 @@ static double random_in(double from, double to)
 // A place over the land, up to three units above it.
 static struct d3 random_place(void)
 {
-    double x = random_in(-40.0, 40.0), z = random_in(0.0, 80.0);
+    double x = rand() % 4 ? random_in(-40.0, 40.0) : random_in(-4.0, 2.0);
+    double z = rand() % 4 ? random_in(0.0, 80.0) : random_in(-2.0, 3.0);
     return d3(x, fmax(land(x, z), 0.0) + random_in(0.0, 3.0), z);
 }
 
