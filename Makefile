@@ -41,14 +41,20 @@ endif
 # ---- What this machine has ----
 
 found = $(shell pkg-config --exists $(1) 2>/dev/null && echo yes)
-BACKENDS := $(if $(call found,glfw3),glfw) $(if $(call found,egl),egl) \
-            $(if $(call found,osmesa),osmesa)
+MAC := $(filter Darwin,$(shell uname -s))
+# A Mac has neither EGL nor OSMesa of its own: what calls itself so there is something else.
+BACKENDS := $(if $(call found,glfw3),glfw) $(if $(MAC),,$(if $(call found,egl),egl) \
+            $(if $(call found,osmesa),osmesa))
 LIBRARIES := libpng $(if $(filter glfw,$(BACKENDS)),glfw3) $(if $(filter egl,$(BACKENDS)),egl)
 
 HAVE := $(if $(filter glfw,$(BACKENDS)),-DHAVE_GLFW) $(if $(filter egl,$(BACKENDS)),-DHAVE_EGL) \
         $(if $(filter osmesa,$(BACKENDS)),-DHAVE_OSMESA)
 # Other people's headers are not held to our warnings: -isystem.
 HEADERS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(LIBRARIES) cglm 2>/dev/null))
+ifneq ($(MAC),)
+# No compiler searches Homebrew's folder by itself where the processor is Apple's.
+HEADERS += $(addprefix -isystem ,$(addsuffix /include,$(shell brew --prefix 2>/dev/null)))
+endif
 ifneq ($(WEB),)
 HAVE := -DHAVE_GLFW
 HEADERS := -isystem build/web/objects/include
@@ -65,6 +71,9 @@ say = $(if $(V),,@echo '$(1)' &&)
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
 # No product and sum are rounded in one: what a texture's program computes is the same everywhere.
 LANGUAGE = -std=c11 -ffp-contract=off -D_XOPEN_SOURCE=700 -Icommon
+ifneq ($(MAC),)
+LANGUAGE += -D_DARWIN_C_SOURCE
+endif
 COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
 
 .DEFAULT_GOAL = all
@@ -109,8 +118,8 @@ COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUIL
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
 PROGRAMS := $(STEMS:%=$(BUILD)/%)
-# Two whole programs that need one library each and nothing of common/.
-FIRST_STEPS := $(if $(filter glfw,$(BACKENDS)),window) $(if $(filter egl,$(BACKENDS)),picture)
+# Two whole programs that need one library each and nothing of common/; Khronos' header is no part of a Mac.
+FIRST_STEPS := $(if $(MAC),,$(if $(filter glfw,$(BACKENDS)),window)) $(if $(filter egl,$(BACKENDS)),picture)
 FIRST_STEPS := $(FIRST_STEPS:%=$(BUILD)/first_steps/%)
 FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
 # A source with a header of its own draws nothing: it helps the others.

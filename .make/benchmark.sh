@@ -54,9 +54,9 @@ done
 
 # ---- The table ----
 
-whole() { sed 's/^null$/-/' | awk '{ print $1 == "-" ? "-" : sprintf("%.0f", $1) }'; }
-tenth() { sed 's/^null$/-/' | awk '{ print $1 == "-" ? "-" : sprintf("%.1f", $1) }'; }
-hundredth() { sed 's/^null$/-/' | awk '{ print $1 == "-" ? "-" : sprintf("%.2f", $1) }'; }
+whole() { sed 's/^null$/-/' | awk '{ print ($1 == "-" ? "-" : sprintf("%.0f", $1)) }'; }
+tenth() { sed 's/^null$/-/' | awk '{ print ($1 == "-" ? "-" : sprintf("%.1f", $1)) }'; }
+hundredth() { sed 's/^null$/-/' | awk '{ print ($1 == "-" ? "-" : sprintf("%.2f", $1)) }'; }
 {
     echo "$(cat "$work/backend"); 640x360, $rounds rounds of $frames frames"
     echo

@@ -47,7 +47,7 @@ pandoc -s "${files[@]}" -o build/book.pdf --pdf-engine=xelatex --resource-path=d
     -V monofontoptions='Scale=0.8' -V colorlinks=true 2>"$folder/log"
 status=$?
 if [ "$status" != 0 ]; then
-    echo "make: the book could not be set: $(grep -m 1 -A 2 '^!\|Error' "$folder/log" | tr '\n' ' ')" >&2
+    echo "make: the book could not be set: $(grep -E -m 1 -A 2 '^!|Error' "$folder/log" | tr '\n' ' ')" >&2
     exit 1
 fi
 # What a font lacks would be a hole in the text.

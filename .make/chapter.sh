@@ -17,15 +17,15 @@ last=$(stems | tail -n 1)
 number=$(printf '%02d' $((10#${last%%_*} + 1)))
 [ "$number" -le 99 ] || fail 'there are a hundred chapters'
 stem=${number}_$NAME
-title=${NAME//_/ }
-title=${title^}
+small=${NAME//_/ }
+title=$(printf '%s' "${small:0:1}" | tr '[:lower:]' '[:upper:]')${small:1} # for the bash of a Mac
 for file in "chapters/$stem.c" "chapters/$stem.frag" "docs/$stem.md"; do
     [ ! -e "$file" ] || fail "$file exists"
 done
 
 # fill TEMPLATE: the template with this chapter's names in it.
 fill() {
-    sed "s/@number@/$number/g; s/@before@/${last%%_*}/g; s/@stem@/$stem/g; s/@title@/$title/g; s/@small@/${title,}/g" \
+    sed "s/@number@/$number/g; s/@before@/${last%%_*}/g; s/@stem@/$stem/g; s/@title@/$title/g; s/@small@/$small/g" \
         ".make/chapter/$1"
 }
 fill chapter.c >"chapters/$stem.c" || exit 1

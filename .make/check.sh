@@ -58,7 +58,7 @@ marches() { # SHADER OPTIONS X,Y...
     probes=("${@:3}")
     render "$options" "$1" "${probes[@]/#/--probe=}" 2>/dev/null | awk -F , '
         /^[0-9]/ { t = $2 }
-        /^# / { sub(/^# /, t == "" && /no march is/ ? "" : t + 0 " "); print; t = "" }'
+        /^# / { print (t == "" && $0 ~ /no march is/ ? "" : t + 0 " ") substr($0, 3); t = "" }'
 }
 
 # Nine rays of a shader, a line each: X,Y and the march.
@@ -113,7 +113,7 @@ part_of() { # X,Y OPTIONS
     awk -v x="${1%,*}" -v y="${1#*,}" -v w="$width" -v h="$height" 'BEGIN {
         row = 3 * y < h ? "lower" : 3 * y < 2 * h ? "middle" : "upper"
         column = 3 * x < w ? "left" : 3 * x < 2 * w ? "middle" : "right"
-        print row column == "middlemiddle" ? "in the middle" : "at the " row " " column
+        print (row column == "middlemiddle" ? "in the middle" : "at the " row " " column)
     }'
 }
 
@@ -122,8 +122,8 @@ differs() { # FILE OPTIONS WORDS DIFFERENCE
     local place=${3##* }
     echo "$3, $(part_of "$place" "$2"): see $4"
     echo "  look at yours: $program --shader $1${shown:+ $shown}"
-    echo "  your pixel $place: $(marches "$1" "$2" "$place" | sed 's/^[0-9]/t &/; s/ \(hit\|miss\)/, \1/')"
-    echo "  the solution's: $(marches "$solution" "$2" "$place" | sed 's/^[0-9]/t &/; s/ \(hit\|miss\)/, \1/')"
+    echo "  your pixel $place: $(marches "$1" "$2" "$place" | sed -E 's/^[0-9]/t &/; s/ (hit|miss)/, \1/')"
+    echo "  the solution's: $(marches "$solution" "$2" "$place" | sed -E 's/^[0-9]/t &/; s/ (hit|miss)/, \1/')"
 }
 
 # The solution's picture for line N of the options, and its nine rays; made when first asked for.

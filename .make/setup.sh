@@ -30,6 +30,21 @@ for candidate in apt-get dnf pacman brew; do
     column=$((column + 1))
 done
 
+# Without Apple's command line tools cc, make and git are names that open a dialogue.
+if [ "$(uname)" = Darwin ]; then
+    if ! xcode-select -p >/dev/null 2>&1; then
+        printf "setup: Apple's command line tools are missing: xcode-select --install\n" >&2
+        exit 1
+    fi
+    # Homebrew has no package of it, and needs none: it is a folder of headers.
+    includes=$(brew --prefix 2>/dev/null || echo /usr/local)/include
+    if [ ! -e "$includes/stb/stb_truetype.h" ]; then
+        printf 'setup: stb_truetype (the letters of the overlay) is missing: git clone --depth 1 %s %s\n' \
+            https://github.com/nothings/stb "$includes/stb" >&2
+        exit 1
+    fi
+fi
+
 packages='' purposes='' extra=''
 
 # names_here APT|DNF|PACMAN|BREW: the packages of this machine's column; '-' means there is none.
@@ -75,7 +90,7 @@ need_run() {
     need 'GLFW (opens windows)' 'libglfw3-dev|glfw-devel|glfw|glfw' has_library glfw3
     need 'EGL (renders without one)' 'libegl-dev libegl1|libglvnd-devel mesa-libEGL|libglvnd mesa|-' \
         has_library egl
-    need 'OpenGL headers' 'libgl-dev|libglvnd-devel|libglvnd|mesa' has_header GL/glcorearb.h
+    need 'OpenGL headers' 'libgl-dev|libglvnd-devel|libglvnd|-' has_header GL/glcorearb.h
     need 'the Mesa software renderer' 'libgl1-mesa-dri|mesa-dri-drivers|mesa|-' has_driver
     need 'libpng' 'libpng-dev|libpng-devel|libpng|libpng' has_library libpng
     need 'cglm' 'libcglm-dev|cglm-devel|cglm|cglm' has_library cglm
@@ -99,6 +114,8 @@ need_test() {
     need 'real key and mouse events' 'xdotool|xdotool|xdotool|-' has_command xdotool
     need 'a window manager' 'openbox|openbox|openbox|-' has_command openbox
     need 'wmctrl' 'wmctrl|wmctrl|wmctrl|-' has_command wmctrl
+    need "the BSDs' awk" 'original-awk|-|-|-' has_command original-awk
+    need 'busybox' 'busybox|busybox|busybox|-' has_command busybox
     need 'ImageMagick' 'imagemagick|ImageMagick|imagemagick|imagemagick' has_command import
 }
 

@@ -1,0 +1,119 @@
+#!/bin/bash
+# test_portable.sh - the commands that a reader types run on a Mac too: bash 3.2, GNU make 3.81, awk, sed and
+# grep of the BSDs. Words that these lack are looked for in what they read; and the commands are carried out
+# with the BSDs' awk and with busybox in place of GNU's tools, which must answer the same.
+set -u
+cd "$(dirname "$0")/.." || exit 1
+. tests/support.sh
+open_scratch
+# shellcheck disable=SC2154 # open_scratch sets scratch
+
+# ---- Words ----
+
+# What a newer bash than 3.2 knows, and GNU's sed, mktemp, date, readlink, stat, sort or find alone.
+cat >"$scratch/patterns" <<'END'
+\$\{[a-zA-Z_]+(\^|,|@[A-Z])
+(^|[ ;&(])(mapfile|readarray|coproc|nproc|tac|shuf|numfmt|realpath|md5sum|truncate) 
+(declare|local|typeset) -[a-zA-Z]*[Agn]
+\|&|&>>|;;?&( |$)|wait -n|printf '%\(|\$(EPOCH|BASHPID)|shopt -s (globstar|lastpipe)
+mktemp -[pt]|date [^|]*%[0-9]*N|date -d|readlink -f|stat -(c|-)|sort -[a-zA-Z]*V
+xargs (-d|-r|--)|(head|tail) -[nc] [-+]*-|grep -[a-zA-Z]*P|du -[a-z]*b|cp -[a-zA-Z]*[ad] 
+sed -i( |$)|sed [^|]*\\[|+?]|find [^|]*-(printf|regex)
+END
+
+# words_in FILE...: the lines that hold one, comments left out.
+words_in() {
+    grep -HnE -f "$scratch/patterns" "$@" | grep -vE '^[^:]*:[0-9]*:[[:blank:]]*#'
+}
+
+# Each of these lines holds one such word.
+cat >"$scratch/newer" <<'END'
+echo "${name^}"
+declare -A table
+mapfile -t lines <file
+one |& two
+date +%s%N
+mktemp -p folder
+readlink -f name
+sort -V names
+sed 's/a\|b/c/' file
+sed -i 's/a/b/' file
+grep -P 'a\d' file
+find . -printf '%f'
+head -n -1 file
+END
+: >"$scratch/missed"
+while IFS= read -r line; do
+    printf '%s\n' "$line" >"$scratch/one"
+    words_in "$scratch/one" >/dev/null || printf '%s\n' "$line" >>"$scratch/missed"
+done <"$scratch/newer"
+check 'each word that a Mac lacks is seen' [ ! -s "$scratch/missed" ] || sed 's/^/# /' "$scratch/missed"
+# fresh.sh makes bare machines of Debian, on Debian.
+find .make -name '*.sh' ! -name fresh.sh | sort | xargs grep -l . >"$scratch/scripts"
+printf '%s\n' tests/run.sh tests/support.sh tests/references.sh >>"$scratch/scripts"
+while read -r file; do words_in "$file"; done <"$scratch/scripts" >"$scratch/words"
+check 'no script that a reader runs has one' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
+
+# GNU make 3.81 knows no private, undefine, !=, ::=, .ONESHELL, &: or $(file ...).
+newer_make() { grep -nE '^(private|undefine) |^[A-Z_a-z]+ *(!=|::=)|^\.ONESHELL|&:|\$\((file|intcmp|let) ' "$@"; }
+# shellcheck disable=SC2016 # as make would read it
+printf '%s\n' 'X != date' 'X ::= a' 'undefine X' '.ONESHELL:' 'a b &: c' 'X = $(file >a,b)' >"$scratch/make"
+check 'each word that make 3.81 lacks is seen' [ "$(newer_make "$scratch/make" | wc -l)" = 6 ]
+newer_make Makefile >"$scratch/words"
+check 'the Makefile has none' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
+
+# ---- Tools ----
+
+if ! command -v original-awk >/dev/null || ! command -v busybox >/dev/null; then
+    skip "the commands with other tools than GNU's" 'no original-awk or no busybox: make setup'
+    plan
+    exit
+fi
+mkdir "$scratch/bsd" "$scratch/busybox"
+ln -s "$(command -v original-awk)" "$scratch/bsd/awk"
+for tool in awk basename cat cmp comm cp cut dirname grep head ls mkdir mktemp mv od paste rm sed seq sort tail tee tr \
+    uniq wc xargs; do
+    ln -s "$(command -v busybox)" "$scratch/busybox/$tool"
+done
+
+# answer TOOLS COMMAND...: what a command says and how it ends, with the tools of a folder before GNU's.
+answer() {
+    local path=$PATH
+    [ "$1" = gnu ] || path=$scratch/$1:$PATH
+    shift
+    PATH=$path "$@" 2>&1 </dev/null
+    echo "status $?"
+}
+# same NAME COMMAND...: the three answers are one.
+same() {
+    local name=$1
+    shift
+    answer gnu "$@" >"$scratch/gnu.said"
+    for tools in bsd busybox; do
+        answer $tools "$@" >"$scratch/said"
+        check "$name: $tools" cmp -s "$scratch/gnu.said" "$scratch/said" || diff "$scratch/gnu.said" "$scratch/said" | head -n 5 | sed 's/^/# /'
+    done
+}
+
+# A wrong answer, so that places, reasons and rays are said.
+sed 's/0\.5/0.6/' chapters/solutions/01_normal_colouring_2.frag >"$scratch/wrong.frag"
+export CHAPTER='' FILES='' NAME=''
+checks() { EXERCISE=01_2 FILE=$scratch/wrong.frag .make/check.sh; }
+lists() { ls -1 chapters/0[0-3]_*.c && (. .make/chapters.sh && stems); }
+marks() { .make/listings.sh --check; }
+same 'make help' make help
+same 'make check' checks
+same 'make docs' marks
+same 'the chapters' lists
+same 'the list of suites' tests/run.sh --find no_such_suite
+compares() { PICTURES='tests/references/01_normal_colouring.png tests/references/02_lighting.png' .make/compare.sh; }
+same 'make compare' compares
+# Its numbers are each time others.
+measures() { ROUNDS=1 FRAMES=2 CHAPTER=00 .make/benchmark.sh; }
+for tools in bsd busybox; do
+    answer $tools measures >"$scratch/said"
+    check "make benchmark: $tools" grep -q '^| 00_first_scene | [0-9.]* | [0-9.]* | [0-9.]* | [0-9]* | - |' "$scratch/said" ||
+        sed 's/^/# /' "$scratch/said"
+done
+check 'make check said something' grep -q 'your pixel' <(answer bsd checks)
+plan
