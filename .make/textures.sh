@@ -4,12 +4,18 @@
 set -u
 export LC_ALL=C
 
+same_pixels() { # A.png B.png
+    build/tests/compare "$1" "$2" 2>/dev/null | grep -q 'largest 0$'
+}
+
 for program in shaders/textures/*.c; do
     name=$(basename "$program" .c)
     [ -e "shaders/textures/$name.h" ] && continue # it helps the others
     file=shaders/textures/$name.png new=build/shaders/textures/$name.png
     "build/shaders/textures/$name" >"$new" || exit 1
-    if [ -e "$file" ] && build/tests/compare "$file" "$new" 2>/dev/null | grep -q 'largest 0$'; then
+    # compare does not look at a fourth number: a file that has one is the same if its bytes are.
+    [ "$(od -An -tu1 -j25 -N1 "$new")" -eq 6 ] && same=(cmp -s) || same=(same_pixels)
+    if [ -e "$file" ] && "${same[@]}" "$file" "$new"; then
         echo "same     $file"
     else
         mv "$new" "$file" || exit 1

@@ -10,15 +10,19 @@
 
 // Columns and rows of a table of the sky, in each of its two storeys: below the light that the air scatters, above
 // that of the dust. The lowest sun that has a column, -16.3 degrees.
-const vec2  SKY_TABLE = vec2(192.0, 96.0);
+const vec2  SKY_TABLE = vec2(288.0, 160.0);
 const float LOWEST_SUN = -0.28;
+
+// How far the axes are drawn out round 0: of the sun's height (x) and of the direction's (y).
+const vec2 SKY_WIDTH = vec2(0.1, 0.06);
 
 // Columns and rows of the table of the sun, and how far it reaches, in radii of the sun.
 const float SUN_TABLE = 64.0;
 const float SUN_REACH = 12.0;
 
-// What a table's blue holds of the red.
-const float RED_LIFT = 0.03;
+// What a table's fourth number adds to the blue, in this share of the red's scale; the byte NO_BLUE adds nothing.
+const float BLUE_FINE = 0.06;
+const float NO_BLUE = 128.0 / 255.0;
 
 // The mean cosine of the angle by which dust scatters, for phaseDust.
 const float DUST_FORWARD = 0.76;
@@ -40,8 +44,8 @@ float drawnOut(float sine, float k)
 //   direction  sine of its height; below 0 as at 0
 vec2 skyPlace(float sun, float direction)
 {
-    float lowest = drawnOut(LOWEST_SUN, 0.15);
-    return vec2((drawnOut(max(sun, LOWEST_SUN), 0.15) - lowest) / (1.0 - lowest), drawnOut(max(direction, 0.0), 0.05));
+    float lowest = drawnOut(LOWEST_SUN, SKY_WIDTH.x), column = drawnOut(max(sun, LOWEST_SUN), SKY_WIDTH.x);
+    return vec2((column - lowest) / (1.0 - lowest), drawnOut(max(direction, 0.0), SKY_WIDTH.y));
 }
 
 // x where it is far above 0, 0 where it is far below, smooth between.
@@ -50,18 +54,26 @@ float beyond(float x)
     return 0.5 * (x + sqrt(x * x + 0.0004));
 }
 
-// How much light the number 1 of a table is, of the air (x) and of the dust (y): by day as thick air takes it from
-// the sun, in twilight less by half for each degree that the sun sinks. Light spans decades, and a byte does not.
+// How much light the number 1 of a table is, of the air and of the dust.
+struct SkyScale {
+    vec3 air, dust;
+};
+
+// The scale of a place: by day as thick air takes the light from the sun, blue the most, and the more the lower one
+// looks; in twilight less by half for each degree that the sun sinks. Light spans decades, and a byte does not.
 //   sun      sine of the sun's height
 //   row      of skyPlace, in [0, 1]
 //   formula  fitted; what it leaves over is in the table, and lies in [0, 1]
-vec2 skyScale(float sun, float row)
+SkyScale skyScale(float sun, float row)
 {
-    float high = max(sun, 0.0);
-    float air = 5.0 - 0.17 / (high + 0.06) - 60.0 * beyond(-sun - 0.04) - row * (1.65 + 45.0 * beyond(-sun - 0.05));
-    air -= (1.0 + 0.078 / (high + 0.06)) / (1.0 + 300.0 * row * row); // dim down at the horizon
-    float dust = 5.05 - 0.22 / (high + 0.055) - 150.0 * beyond(-sun - 0.02) - 4.1 * row;
-    return exp2(vec2(air, dust));
+    float low = 1.0 / (max(sun, 0.0) + 0.068), foot = 1.0 / (1.0 + 114.0 * row * row);
+    float deep = beyond(-sun - 0.038), shaded = beyond(-sun - 0.008);
+    vec3 air = vec3(5.5, 5.34, 7.11) - low * vec3(0.152, 0.164, 0.244) - deep * vec3(52.6, 52.6, 60.9);
+    air -= row * (vec3(4.23, 3.5, 3.66) + deep * vec3(62.8, 54.9, 43.0));
+    air -= foot * (vec3(1.68, 0.8, 2.76) + low * vec3(0.118, 0.302, 0.339));
+    vec3 dust = vec3(4.95, 4.89, 4.95) - low * vec3(0.192, 0.294, 0.468) - shaded * vec3(186.0, 226.0, 167.0);
+    dust -= row * vec3(4.99, 4.7, 4.54) + foot * (vec3(-0.2, -0.06, 0.27) + low * vec3(0.048, 0.079, 0.168));
+    return SkyScale(exp2(air), exp2(dust));
 }
 
 // ---- How much goes which way ----
@@ -89,7 +101,7 @@ float phaseDust(float c)
 // The share of the table of the sun's half in a direction.
 //   row      of skyPlace
 //   formula  ((1 + a) / 2)^p, a the cosine of the angle to the sun in the level plane, p = 1 + (q - 1) (1 - 0.4 a),
-//            log2 q = 0.45 + 0.4 d - 3.1 row, at least 0, d the degrees by which the sun is below the horizon. By day p
+//            log2 q = 0.43 + 0.39 d - 2.9 row, at least 0, d the degrees by which the sun is below the horizon. By day p
 //            is 1, for the light that is left when the phases are taken out is linear in a; in twilight the glow
 //            draws together, low down the most. At the zenith, where there is no such angle, any share will do: both
 //            tables agree there
@@ -98,23 +110,25 @@ float sunwardShare(vec3 direction, vec3 sun, float row)
 {
     float level = dot(direction.xz, sun.xz), size = length(direction.xz) * length(sun.xz);
     float a = clamp(level / max(size, 1e-6), -1.0, 1.0);
-    float narrow = exp2(clamp(0.45 - 22.9 * sun.y - 3.1 * row, 0.0, 6.0)) - 1.0;
+    float narrow = exp2(clamp(0.43 - 22.2 * sun.y - 2.9 * row, 0.0, 6.0)) - 1.0;
     return pow(0.5 + 0.5 * a, 1.0 + narrow * (1.0 - 0.4 * a));
 }
 
 // The light of a table in a direction: air and dust, each with the share that goes this way. A low sun's light is redder
-// than the screen's red, its blue below 0, which no picture holds: the table's blue is lifted by RED_LIFT of the red.
+// than the screen's red, its blue a little below 0, which no colour of a picture holds; and near 0 a screen tells more
+// blues apart than a byte. The fourth number has what is missing.
 //   place  of skyPlace
 //   c      cosine of the angle to the sun
-//   scale  of skyScale
-vec3 tableLight(sampler2D table, vec2 place, float c, vec2 scale)
+vec3 tableLight(sampler2D table, vec2 place, float c, SkyScale scale)
 {
     vec2 texel = 0.5 + place * (SKY_TABLE - 1.0);
-    vec3 air = textureLod(table, texel / vec2(SKY_TABLE.x, 2.0 * SKY_TABLE.y), 0.0).rgb;
+    vec4 air = textureLod(table, texel / vec2(SKY_TABLE.x, 2.0 * SKY_TABLE.y), 0.0);
     texel.y += SKY_TABLE.y;
-    vec3 dust = textureLod(table, texel / vec2(SKY_TABLE.x, 2.0 * SKY_TABLE.y), 0.0).rgb;
-    vec3 light = scale.x * phaseAir(c) * air + scale.y * phaseDust(c) * dust;
-    return vec3(light.rg, light.b - RED_LIFT * light.r);
+    vec4 dust = textureLod(table, texel / vec2(SKY_TABLE.x, 2.0 * SKY_TABLE.y), 0.0);
+    air.rgb *= phaseAir(c) * scale.air;
+    dust.rgb *= phaseDust(c) * scale.dust;
+    float fine = phaseAir(c) * scale.air.r * (air.a - NO_BLUE) + phaseDust(c) * scale.dust.r * (dust.a - NO_BLUE);
+    return air.rgb + dust.rgb + vec3(0.0, 0.0, BLUE_FINE * fine);
 }
 
 // The light of the clear sky, without the sun's disc: what the air of a round Earth scatters once.
@@ -125,7 +139,8 @@ vec3 tableLight(sampler2D table, vec2 place, float c, vec2 scale)
 //   formula        the mix of both tables by sunwardShare
 vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 {
-    vec2 place = skyPlace(sun.y, direction.y), scale = skyScale(sun.y, place.y);
+    vec2 place = skyPlace(sun.y, direction.y);
+    SkyScale scale = skyScale(sun.y, place.y);
     float c = dot(direction, sun);
     vec3 far = tableLight(away, place, c, scale), near = tableLight(sunward, place, c, scale);
     return max(mix(far, near, sunwardShare(direction, sun, place.y)), 0.0);

@@ -74,6 +74,31 @@ static double depth(int wave, int kind)
                        : air_waves[wave].ozone * 1e-25 * 300.0 * 2.687e20;
 }
 
+// What the air leaves of the sun's light at a place, by wavelengths, with what lies between it and
+// the eye: the mean of level strips of the disc, as dark at its rim as a ball lit from the eye, of
+// those that stand above the Earth. Far from its edge the disc is a point.
+static void lit(double radius, double sine, double tall, struct column past, double ozone,
+                double share[AIR_WAVES])
+{
+    enum { STRIPS = 32 };
+    const double disc = 0.00466;
+    double angle = asin(fmin(fmax(sine, -1.0), 1.0)), edge = -acos(earth / radius);
+    int strips = fabs(angle - edge) < 5.0 * disc ? STRIPS : 1;
+    for (int i = 0; i < strips; i++) {
+        double x = strips == 1 ? 0.0 : 2.0 * (i + 0.5) / STRIPS - 1.0;
+        double part = strips == 1 ? 1.0 : 0.75 * (1.0 - x * x) * 2.0 / STRIPS;
+        struct column beyond;
+        if (!to_the_sun(radius, sin(angle + x * disc), tall, &beyond))
+            continue;
+        for (int w = 0; w < AIR_WAVES; w++) {
+            double lost = 0.0;
+            for (int j = 0; j < 3; j++)
+                lost += (j == 2 ? ozone : 1.0) * depth(w, j) * (past.of[j] + beyond.of[j]);
+            share[w] += part * exp(-lost);
+        }
+    }
+}
+
 void air_light_of(double sun, double view, double azimuth, double ozone, double tall,
                   double light[3])
 {
@@ -94,17 +119,12 @@ void air_light_of(double sun, double view, double azimuth, double ozone, double 
             double way = begin + size * place[k], radius = earth + height_of(lowest, climb + way);
             struct column here = density(radius - earth),
                           past = between(lowest, climb, climb + way);
-            struct column beyond;
-            if (!to_the_sun(radius, (earth * sun + way * c) / radius, tall, &beyond))
-                continue;
-            for (int w = 0; w < AIR_WAVES; w++) {
-                double lost = 0.0;
-                for (int j = 0; j < 3; j++)
-                    lost += (j == 2 ? ozone : 1.0) * depth(w, j) * (past.of[j] + beyond.of[j]);
-                shares[w] += weight[k] * size * exp(-lost) *
+            double share[AIR_WAVES] = {0.0};
+            lit(radius, (earth * sun + way * c) / radius, tall, past, ozone, share);
+            for (int w = 0; w < AIR_WAVES; w++)
+                shares[w] += weight[k] * size * share[w] *
                              (here.of[0] * depth(w, 0) * phase[0] +
                               0.92 * here.of[1] * depth(w, 1) * phase[1]);
-            }
         }
     }
     light[0] = light[1] = light[2] = 0.0;

@@ -72,6 +72,8 @@ struct sky_table_error sky_table_error(int way, double azimuth, bool encoded)
             }
             count++;
             over += largest > 1.0;
+            error.by_day =
+                sun >= sin(5.0 * MIRROR_PI / 180.0) ? fmax(error.by_day, largest) : error.by_day;
         }
     error.mean /= count > 0 ? count : 1;
     error.over = count > 0 ? (double)over / count : 1.0;
@@ -119,16 +121,17 @@ int sky_table_print(void)
     static const char *const names[] = {"tables", "angle", "dot product", "chapter 09"};
     if (!sky_table_open())
         return 1;
-    printf("# off the integral, steps of 255, exposed and encoded; sun from -8 to 90 degrees\n");
-    printf("azimuth,way,mean,most,over 1,at sun,at height\n");
+    printf("# off the integral, steps of 255, exposed and encoded; sun from -8 to 90 degrees, by "
+           "day from 5\n");
+    printf("azimuth,way,mean,most,over 1,at sun,at height,most by day\n");
     for (int azimuth = 0; azimuth <= 180; azimuth += 45)
         for (int way = 0; way < 4; way++) {
             struct sky_table_error e =
                 sky_table_error(way, cos(azimuth * MIRROR_PI / 180.0), false);
             if (e.most < 0.0)
                 return 1;
-            printf("%d,%s,%.2f,%.1f,%.1f %%,%.1f,%.1f\n", azimuth, names[way], e.mean, e.most,
-                   100.0 * e.over, e.sun, e.height);
+            printf("%d,%s,%.2f,%.1f,%.1f %%,%.1f,%.1f,%.1f\n", azimuth, names[way], e.mean, e.most,
+                   100.0 * e.over, e.sun, e.height, e.by_day);
         }
     print_hours();
     printf("# bytes on disk: sky_sunward %ld, sky_away %ld, sun_halo %ld\n",

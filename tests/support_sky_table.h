@@ -23,6 +23,7 @@ float *sky_table_read(int way, int function, double number, bool encoded);
 // Errors of the sky in steps of 255, light exposed as hourStops says, cut off at 1 and encoded.
 struct sky_table_error {
     double mean, most;  // most < 0 where nothing could be read
+    double by_day;      // the largest with the sun 5 degrees high or more
     double over;        // the share of directions in which a channel is off by more than 1
     double sun, height; // where it is largest, degrees
 };

@@ -97,7 +97,7 @@ int main(void)
               "towards the eye. A dashed "
               "line touches the Earth: below it lies its shadow. Right: the place in the table "
               "against the sine of the "
-              "sun's height, steep at 0: there the columns stand seven times as close.");
+              "sun's height, steep at 0: there the columns stand ten times as close.");
     shell();
     rays();
     columns();

@@ -11,7 +11,10 @@
 // ozone.
 static const double EARTH = 6371.0, TOP = 120.0, AIR_HEIGHT = 8.4; // of the dust: a seventh, 1.2
 
-enum { VIEW_STEPS = 80, SUN_STEPS = 40 };
+// Of the sun as it is seen: 0.267 degrees.
+static const double SUN_RADIUS = 0.00466;
+
+enum { VIEW_STEPS = 120, SUN_STEPS = 80 };
 
 // Sources: sun: ASTM G-173 (2003), above the air; ozone: V. Gorshelev and others, 'High spectral
 // resolution ozone absorption cross-sections', Atmospheric Measurement Techniques 7 (2014), at 233
@@ -73,14 +76,31 @@ struct amount {
     double air, dust, ozone;
 };
 
+// e^-x for x >= 0: a table of 32 places for each 1/e, and five terms of the series for the rest.
+// Off by at most a share of 3e-10; 0 from 64 on.
+static double fade(double x)
+{
+    enum { EACH = 32, COUNT = 64 * EACH };
+    static double known[COUNT];
+    if (known[0] == 0.0)
+        for (int i = 0; i < COUNT; i++)
+            known[i] = paint_exp(-(double)i / EACH);
+    double place = EACH * (x > 0.0 ? x : 0.0);
+    if (place >= COUNT)
+        return 0.0;
+    double rest = (place - (int)place) * (1.0 / EACH);
+    double series = 1.0 - rest * (1.0 / 3.0) * (1.0 - rest * 0.25);
+    return known[(int)place] * (1.0 - rest * (1.0 - rest * 0.5 * series));
+}
+
 // Of one kilometre at a height, upwards.
 static struct amount density(double height)
 {
-    double air = paint_exp(-height / AIR_HEIGHT), square = air * air;
+    double air = fade(height * (1.0 / AIR_HEIGHT)), square = air * air;
     double from = height > 25.0 ? height - 25.0 : 25.0 - height;
-    return (struct amount){.air = air / AIR_HEIGHT,
-                           .dust = square * square * square * air * 7.0 / AIR_HEIGHT,
-                           .ozone = from < 15.0 ? (1.0 - from / 15.0) / 15.0 : 0.0};
+    return (struct amount){.air = air * (1.0 / AIR_HEIGHT),
+                           .dust = square * square * square * air * (7.0 / AIR_HEIGHT),
+                           .ozone = from < 15.0 ? (15.0 - from) * (1.0 / 225.0) : 0.0};
 }
 
 // Height above the sea at a distance along a ray that begins at radius with that sine of its
@@ -115,32 +135,56 @@ static struct amount amount_up(double radius, double sine)
     return sum;
 }
 
-// The same for any ray. One that goes down rises again beyond its lowest place: what lies on it is
-// twice what lies beyond that place, less what lies behind the eye.
-//   returns  false where the Earth is in the way
-static int amount_along(double radius, double sine, struct amount *amount)
+// The same for any ray that does not meet the Earth. One that goes down rises again beyond its
+// lowest place: what lies on it is twice what lies beyond that place, less what lies behind the
+// eye.
+static struct amount amount_along(double radius, double sine)
 {
-    if (sine >= 0.0) {
-        *amount = amount_up(radius, sine);
-        return 1;
-    }
+    if (sine >= 0.0)
+        return amount_up(radius, sine);
     double lowest = radius * sqrt(1.0 - sine * sine);
-    if (lowest < EARTH)
-        return 0;
-    struct amount half = amount_up(lowest, 0.0), behind = amount_up(radius, -sine);
-    amount->air = 2.0 * half.air - behind.air;
-    amount->dust = 2.0 * half.dust - behind.dust;
-    amount->ozone = 2.0 * half.ozone - behind.ozone;
-    return 1;
+    struct amount half = amount_up(lowest > EARTH ? lowest : EARTH, 0.0);
+    struct amount behind = amount_up(radius, -sine);
+    return (struct amount){.air = 2.0 * half.air - behind.air,
+                           .dust = 2.0 * half.dust - behind.dust,
+                           .ozone = 2.0 * half.ozone - behind.ozone};
 }
 
 static double share_through(int wave, struct amount amount, double ozone)
 {
-    return paint_exp(-air_depth(wave) * amount.air - dust_depth(wave) * amount.dust -
-                     ozone * OZONE * air_waves[wave].ozone * amount.ozone);
+    return fade(air_depth(wave) * amount.air + dust_depth(wave) * amount.dust +
+                ozone * OZONE * air_waves[wave].ozone * amount.ozone);
 }
 
 // ---- Light ----
+
+// The sun's light at a place, as shares of what there is above the air: the sun is a disc, and near
+// the edge of the Earth's shadow a part of it is seen. What is seen is cut into level strips, by
+// Gauss's rule of three places; a strip at x, from -1 to 1, has the share 3 (1 - x^2) / 4 of the
+// light, that of a disc as dark at its rim as a ball lit from the eye.
+//   sine  of the height of the sun's middle
+//   way   what lies between the place and the eye
+static void add_sunlight(double radius, double sine, struct amount way, double ozone,
+                         double share[AIR_WAVES])
+{
+    static const double place[3] = {0.11270166537925831, 0.5, 0.88729833462074169};
+    static const double weight[3] = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
+    double cosine = sqrt(1.0 - sine * sine), level = EARTH / radius;
+    double dip = sqrt(1.0 - level * level), over = sine * level + cosine * dip; // the horizon
+    double lowest = -over / SUN_RADIUS, from = lowest > -1.0 ? lowest : -1.0;
+    int strips = from >= 1.0 ? 0 : over > 4.0 * SUN_RADIUS ? 1 : 3;
+    for (int i = 0; i < strips; i++) {
+        double x = strips == 1 ? 0.0 : from + (1.0 - from) * place[i];
+        double part = strips == 1 ? 1.0 : 0.75 * (1.0 - x * x) * (1.0 - from) * weight[i];
+        double to = sine + x * SUN_RADIUS * cosine;
+        struct amount all = amount_along(radius, to < 1.0 ? to : 1.0);
+        all.air += way.air;
+        all.dust += way.dust;
+        all.ozone += way.ozone;
+        for (int w = 0; w < AIR_WAVES; w++)
+            share[w] += part * share_through(w, all, ozone);
+    }
+}
 
 struct air_light air_scattered(double sun, double view, double azimuth, double ozone)
 {
@@ -154,22 +198,17 @@ struct air_light air_scattered(double sun, double view, double azimuth, double o
         double from = (double)i / VIEW_STEPS, to = (i + 1.0) / VIEW_STEPS, q = 0.5 * (from + to);
         double distance = length * q * q, step = length * (to * to - from * from);
         double height = height_at(EARTH, view, distance), radius = EARTH + height;
-        struct amount here = density(height), beyond, way;
+        struct amount here = density(height), way = passed;
         // The sun stands higher by the angle that the ray has gone round the Earth.
         double sine = (EARTH * sun + distance * (view * sun + level)) / radius;
-        way = passed;
+        double share[AIR_WAVES] = {0.0};
         way.air += 0.5 * step * here.air;
         way.dust += 0.5 * step * here.dust;
         way.ozone += 0.5 * step * here.ozone;
-        if (amount_along(radius, sine, &beyond)) {
-            way.air += beyond.air;
-            way.dust += beyond.dust;
-            way.ozone += beyond.ozone;
-            for (int w = 0; w < AIR_WAVES; w++) {
-                double share = step * share_through(w, way, ozone);
-                air[w] += share * here.air * air_depth(w);
-                dust[w] += share * here.dust * dust_depth(w) * DUST_KEPT;
-            }
+        add_sunlight(radius, sine, way, ozone, share);
+        for (int w = 0; w < AIR_WAVES; w++) {
+            air[w] += step * share[w] * here.air * air_depth(w);
+            dust[w] += step * share[w] * here.dust * dust_depth(w) * DUST_KEPT;
         }
         passed.air += step * here.air;
         passed.dust += step * here.dust;
@@ -184,11 +223,10 @@ struct air_light air_scattered(double sun, double view, double azimuth, double o
 
 void air_sunlight(double sun, double colour[3])
 {
-    struct amount way;
     colour[0] = colour[1] = colour[2] = 0.0;
-    if (amount_along(EARTH, sun, &way))
+    if (sun >= 0.0)
         for (int w = 0; w < AIR_WAVES; w++)
-            add_wave(w, share_through(w, way, 1.0) / PI, colour);
+            add_wave(w, share_through(w, amount_up(EARTH, sun), 1.0) / PI, colour);
 }
 
 // ---- The tables ----
@@ -213,13 +251,24 @@ static double beyond(double x)
 
 struct air_scale air_scale(double sun, double row)
 {
+    static const double air[3][7] = {{5.50, 0.152, 52.6, 4.23, 62.8, 1.68, 0.118},
+                                     {5.34, 0.164, 52.6, 3.50, 54.9, 0.80, 0.302},
+                                     {7.11, 0.244, 60.9, 3.66, 43.0, 2.76, 0.339}};
+    static const double dust[3][6] = {{4.95, 0.192, 186.0, 4.99, -0.20, 0.048},
+                                      {4.89, 0.294, 226.0, 4.70, -0.06, 0.079},
+                                      {4.95, 0.468, 167.0, 4.54, 0.27, 0.168}};
     const double log2 = 0.69314718055994531;
-    double high = sun > 0.0 ? sun : 0.0;
-    double air = 5.0 - 0.17 / (high + 0.06) - 60.0 * beyond(-sun - 0.04) -
-                 row * (1.65 + 45.0 * beyond(-sun - 0.05)) -
-                 (1.0 + 0.078 / (high + 0.06)) / (1.0 + 300.0 * row * row);
-    double dust = 5.05 - 0.22 / (high + 0.055) - 150.0 * beyond(-sun - 0.02) - 4.1 * row;
-    return (struct air_scale){.air = paint_exp(log2 * air), .dust = paint_exp(log2 * dust)};
+    double low = 1.0 / ((sun > 0.0 ? sun : 0.0) + 0.068), foot = 1.0 / (1.0 + 114.0 * row * row);
+    double deep = beyond(-sun - 0.038), shaded = beyond(-sun - 0.008);
+    struct air_scale scale;
+    for (int c = 0; c < 3; c++) {
+        const double *k = air[c], *d = dust[c];
+        scale.air[c] = paint_exp(log2 * (k[0] - k[1] * low - k[2] * deep -
+                                         row * (k[3] + k[4] * deep) - foot * (k[5] + k[6] * low)));
+        scale.dust[c] = paint_exp(
+            log2 * (d[0] - d[1] * low - d[2] * shaded - row * d[3] - foot * (d[4] + d[5] * low)));
+    }
+    return scale;
 }
 
 // The light of a place in a table. A table is drawn from its top row down, and each place of the
@@ -243,7 +292,7 @@ static struct air_light light_once(double sun, double row, double azimuth, doubl
     return kept[i][column].light;
 }
 
-void air_table(double u, double v, double azimuth, double ozone, double value[3])
+void air_table(double u, double v, double azimuth, double ozone, double value[4])
 {
     double lowest = air_drawn_out(AIR_LOWEST_SUN, AIR_SUN_WIDTH);
     double column = floor(u * AIR_COLUMNS) / (AIR_COLUMNS - 1), y = floor(v * 2 * AIR_ROWS);
@@ -251,9 +300,18 @@ void air_table(double u, double v, double azimuth, double ozone, double value[3]
     double sun = air_drawn_back(lowest + column * (1.0 - lowest), AIR_SUN_WIDTH);
     struct air_light light = light_once(sun, row, azimuth, ozone, (int)(u * AIR_COLUMNS));
     struct air_scale scale = air_scale(sun, row);
+    double *part = y < AIR_ROWS ? light.air : light.dust;
+    const double *one = y < AIR_ROWS ? scale.air : scale.dust;
+    double all = ozone > 0.0 ? 1.0 : 0.25; // without ozone there is up to three times as much light
     for (int c = 0; c < 3; c++)
-        value[c] = y < AIR_ROWS ? light.air[c] / scale.air : light.dust[c] / scale.dust;
-    value[2] += AIR_LIFT * value[0];
+        part[c] *= all;
+    double blue = part[2] / one[2];
+    int byte = paint_byte(blue); // the one below; the fourth number has the rest
+    byte -= byte > 0 && paint_light(byte) > blue ? 1 : 0;
+    value[0] = part[0] / one[0];
+    value[1] = part[1] / one[1];
+    value[2] = paint_light(byte);
+    value[3] = 128.0 / 255.0 + (blue - value[2]) * one[2] / (AIR_FINE * one[0]);
 }
 
 // The air mass of chapter 09's even shell.
@@ -271,7 +329,7 @@ static const double DARK[3] = {0.47, 0.60, 0.74};
 void air_sun_table(double u, double v, double value[3])
 {
     double q = floor(u * SUN_COLUMNS) / (SUN_COLUMNS - 1), x = SUN_REACH * q * q;
-    double row = floor(v * SUN_ROWS) / (SUN_ROWS - 1), sine = air_drawn_back(row, AIR_SUN_WIDTH);
+    double row = floor(v * SUN_ROWS) / (SUN_ROWS - 1), sine = air_drawn_back(row, SUN_ROW_WIDTH);
     double mass = air_mass(sine), scale = 15.0 * paint_exp(-0.1 * mass), colour[3];
     double rim = x < 1.0 ? sqrt(1.0 - x * x) : 0.0, left = 1.0 - x * x / (SUN_REACH * SUN_REACH);
     air_sunlight(sine, colour);

@@ -40,7 +40,7 @@ void air_sunlight(double sun, double colour[3]);
 // A table has a column for each height of the sun and two storeys of rows: below for what the air
 // scatters, above for the dust, in each a row for each height of the direction.
 // shaders/sky_table.glsl reads it.
-enum { AIR_COLUMNS = 192, AIR_ROWS = 96 };
+enum { AIR_COLUMNS = 288, AIR_ROWS = 160 };
 
 // Where a sine lies in a table: x from -1 to 1, drawn out round 0 by 1 / k.
 //   formula  the x with x (k + (1 - k) |x|) = sine
@@ -50,33 +50,36 @@ double air_drawn_out(double sine, double k);
 double air_drawn_back(double x, double k);
 
 // k for the sun's height and for the direction's; the lowest sun of a table.
-#define AIR_SUN_WIDTH  0.15
-#define AIR_VIEW_WIDTH 0.05
+#define AIR_SUN_WIDTH  0.10
+#define AIR_VIEW_WIDTH 0.06
 #define AIR_LOWEST_SUN (-0.28)
 
 // The light of a low sun is redder than a screen's red: its blue is a little less than nothing,
-// which a picture cannot hold. A table's blue is that of the light and this share of its red.
-#define AIR_LIFT 0.03
+// which a colour of a picture cannot hold; and of a blue near nothing a screen shows steps that a
+// byte has not. So a fourth number, stored as it is, has what is missing, in this share of the
+// red's scale; the byte 128 is nothing.
+#define AIR_FINE 0.06
 
 // How much light a table's number 1 is: a smooth function of the sun's height and of the row, the
 // same in shaders/sky_table.glsl.
 //   sun   sine of its height
 //   row   of the direction's height: air_drawn_out of its sine, 0 to 1
 struct air_scale {
-    double air, dust;
+    double air[3], dust[3];
 };
 struct air_scale air_scale(double sun, double row);
 
-// A table's colour at a point of it, for paint_texture.
+// A table's colour at a point of it, and what its blue misses, for paint_texture.
 //   azimuth  1 for the half of the sky that holds the sun, -1 for the other one
-//   ozone    1, or 0 for an air without
-void air_table(double u, double v, double azimuth, double ozone, double value[3]);
+//   ozone    1, or 0 for an air without, of whose light the table holds a quarter
+void air_table(double u, double v, double azimuth, double ozone, double value[4]);
 
 // The table of the sun: a column for each distance from its middle, in radii of the sun, from 0 to
 // SUN_REACH as the square of the column's place; a row for each height of what is seen, from 0
-// to 1.
+// to 1, drawn out by SUN_ROW_WIDTH.
 enum { SUN_COLUMNS = 64, SUN_ROWS = 64 };
-#define SUN_REACH 12.0
+#define SUN_REACH     12.0
+#define SUN_ROW_WIDTH 0.15
 
 // The disc and its halo at a point of the table, for paint_texture.
 void air_sun_table(double u, double v, double value[3]);

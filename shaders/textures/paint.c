@@ -171,6 +171,11 @@ unsigned char paint_byte(double light)
     return (unsigned char)byte;
 }
 
+double paint_light(int byte)
+{
+    return light_of_halves()[2 * byte];
+}
+
 void paint_colour(uint32_t code, double value[3])
 {
     for (int c = 0; c < 3; c++)
@@ -193,19 +198,19 @@ void paint_scale(int count, const uint32_t *code, double x, double value[3])
 struct picture {
     int width, height, samples;
     enum paint_kind kind;
-    void (*at)(double u, double v, double value[3]);
+    void (*at)(double u, double v, double *value);
 };
 
 // The mean of a pixel's samples.
-static void draw_pixel(const struct picture *picture, int x, int y, double mean[3])
+static void draw_pixel(const struct picture *picture, int x, int y, double mean[4])
 {
     int n = picture->samples;
-    mean[0] = mean[1] = mean[2] = 0.0;
+    mean[0] = mean[1] = mean[2] = mean[3] = 0.0;
     for (int i = 0; i < n * n; i++) {
-        double value[3] = {0.0, 0.0, 0.0};
+        double value[4] = {0.0, 0.0, 0.0, 0.0};
         picture->at((x + (i % n + 0.5) / n) / picture->width,
                     1.0 - (y + (i / n + 0.5) / n) / picture->height, value);
-        for (int c = 0; c < 3; c++)
+        for (int c = 0; c < 4; c++)
             mean[c] += value[c] / (n * n);
     }
 }
@@ -216,25 +221,32 @@ static unsigned char number_byte(double number)
     return (unsigned char)lround(255.0 * fmin(fmax(number, 0.0), 1.0));
 }
 
+static int channels_of(enum paint_kind kind)
+{
+    return kind == PAINT_NUMBER ? 1 : kind == PAINT_FOUR ? 4 : 3;
+}
+
 static void draw_row(const struct picture *picture, int y, unsigned char *row)
 {
     for (int x = 0; x < picture->width; x++) {
-        double mean[3];
+        double mean[4];
         draw_pixel(picture, x, y, mean);
-        int channels = picture->kind == PAINT_NUMBER ? 1 : 3;
+        int channels = channels_of(picture->kind);
+        bool light = picture->kind == PAINT_COLOUR || picture->kind == PAINT_FOUR;
         for (int c = 0; c < channels; c++)
-            row[channels * x + c] =
-                picture->kind == PAINT_COLOUR ? paint_byte(mean[c]) : number_byte(mean[c]);
+            row[channels * x + c] = light && c < 3 ? paint_byte(mean[c]) : number_byte(mean[c]);
     }
 }
 
 int paint_texture(int width, int height, int samples, enum paint_kind kind,
-                  void (*at)(double u, double v, double value[3]))
+                  void (*at)(double u, double v, double *value))
 {
+    const int colours[] = {
+        [1] = PNG_COLOR_TYPE_GRAY, [3] = PNG_COLOR_TYPE_RGB, [4] = PNG_COLOR_TYPE_RGB_ALPHA};
     const struct picture picture = {width, height, samples, kind, at};
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
     png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
-    unsigned char *row = malloc(3 * (size_t)width);
+    unsigned char *row = malloc(4 * (size_t)width);
     // libpng has said what is wrong.
     if (info == NULL || row == NULL || setjmp(png_jmpbuf(png)) != 0) {
         free(row);
@@ -243,10 +255,9 @@ int paint_texture(int width, int height, int samples, enum paint_kind kind,
     }
     png_init_io(png, stdout);
     png_set_compression_level(png, 9);
-    png_set_IHDR(png, info, (png_uint_32)width, (png_uint_32)height, 8,
-                 kind == PAINT_NUMBER ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
+    png_set_IHDR(png, info, (png_uint_32)width, (png_uint_32)height, 8, colours[channels_of(kind)],
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_BASE, PNG_FILTER_TYPE_BASE);
-    if (kind == PAINT_COLOUR)
+    if (kind == PAINT_COLOUR || kind == PAINT_FOUR)
         png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
     png_write_info(png, info);
     for (int y = 0; y < height; y++) {

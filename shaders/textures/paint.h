@@ -14,17 +14,18 @@
 // ---- The picture ----
 
 enum paint_kind {
-    PAINT_COLOUR, // three numbers, linear light in [0, 1]; stored as sRGB
-    PAINT_NUMBER, // one number in [0, 1]; stored as it is
-    PAINT_NUMBERS // three numbers in [0, 1]; stored as they are
+    PAINT_COLOUR,  // three numbers, linear light in [0, 1]; stored as sRGB
+    PAINT_NUMBER,  // one number in [0, 1]; stored as it is
+    PAINT_NUMBERS, // three numbers in [0, 1]; stored as they are
+    PAINT_FOUR     // a colour and a fourth number, which is stored as it is
 };
 
 // Draw a texture and write it. The file's top row is v = 1.
 //   samples  samples x samples points of a pixel are averaged
-//   at       the texture: fills in value at a point, 3 numbers or 1
+//   at       the texture: fills in value at a point, as many numbers as its kind has
 // Returns the program's exit status.
 int paint_texture(int width, int height, int samples, enum paint_kind kind,
-                  void (*at)(double u, double v, double value[3]));
+                  void (*at)(double u, double v, double *value));
 
 // ---- Chance ----
 
@@ -70,6 +71,9 @@ void paint_colour(uint32_t code, double value[3]);
 // The byte that stores a light as sRGB: the nearest to 255 times its sRGB value. What lies outside
 // of [0, 1] becomes 0 or 255.
 unsigned char paint_byte(double light);
+
+// The light that a byte stores: the inverse.
+double paint_light(int byte);
 
 // The colour at x in [0, 1] of a scale: count colours 0xRRGGBB at equal steps, joined by straight
 // lines in linear light.

@@ -4,12 +4,12 @@
 #include "air.h"
 #include "paint.h"
 
-static void table(double u, double v, double value[3])
+static void table(double u, double v, double value[4])
 {
     air_table(u, v, 1.0, 1.0, value);
 }
 
 int main(void)
 {
-    return paint_texture(AIR_COLUMNS, 2 * AIR_ROWS, 1, PAINT_COLOUR, table);
+    return paint_texture(AIR_COLUMNS, 2 * AIR_ROWS, 1, PAINT_FOUR, table);
 }
