@@ -139,13 +139,14 @@ static const char *printed(FILE *file)
 static void a_probe_has_a_row_for_each_step(void **unused)
 {
     (void)unused;
-    static const struct probe probe = {.step = {{0.0f, 1.5f, {1, 2, 3}}, {1.5f, -0.25f, {4, 5, 6}}},
-                                       .steps = 2,
-                                       .all_steps = 71,
-                                       .evaluations = 346,
-                                       .end = PROBE_GAVE_UP,
-                                       .recorded = true,
-                                       .colour = {7, 0, 255}};
+    static const struct probe probe = {
+        .step = {{0.0f, 1.5f, {1, 2, 3}, 0.0f}, {1.5f, -0.25f, {4, 5, 6}, 0.0f}},
+        .steps = 2,
+        .all_steps = 71,
+        .evaluations = 346,
+        .end = PROBE_GAVE_UP,
+        .recorded = true,
+        .colour = {7, 0, 255}};
     static struct probe other; // too large for the stack
     other = probe;
     FILE *file = tmpfile();

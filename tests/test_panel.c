@@ -19,13 +19,14 @@ static struct parameter parameters[] = {
     {.name = "high", .components = 1, .maximum = 7.0, .unit = "yards"},
 };
 static struct renderer renderer = {.parameters = {.item = parameters, .count = 3}};
-static const struct probe probe = {.step = {{.t = 0.0f, .distance = 1.5f}, {1.5f, 0.25f, {0}}},
-                                   .steps = 2,
-                                   .all_steps = 71,
-                                   .evaluations = 346,
-                                   .end = PROBE_PASSED,
-                                   .recorded = true,
-                                   .colour = {7, 0, 255}};
+static const struct probe probe = {
+    .step = {{.t = 0.0f, .distance = 1.5f}, {.t = 1.5f, .distance = 0.25f}},
+    .steps = 2,
+    .all_steps = 71,
+    .evaluations = 346,
+    .end = PROBE_PASSED,
+    .recorded = true,
+    .colour = {7, 0, 255}};
 
 static int close_overlay(void **unused)
 {

@@ -116,7 +116,7 @@ static void add_parameter(struct panel_rows *rows, const struct panel *panel, in
 {
     const struct parameter *parameter = &panel->renderer->parameters.item[index];
     struct panel_row *row = add(rows, PANEL_ROW_PARAMETER, "");
-    bool chosen = parameter == panel->chosen;
+    bool chosen = panel->chosen != NULL && parameter == panel->chosen;
     fill_cells(parameter, row->cell);
     row->parameter = index;
     row->chosen = chosen;

@@ -195,9 +195,26 @@ static void reset(struct window *window)
         parameter_reset(parameter);
 }
 
-static void press(struct window *window, struct window_event event)
+static void change(struct window *window, int presses)
 {
     struct parameter *parameter = window_chosen(window);
+    window->passage.on = false;
+    if (parameter != NULL)
+        parameter_change(parameter, presses);
+    window->moved = true;
+}
+
+// To the first step of the ray; without one the parameter's first value.
+static void go_first(struct window *window)
+{
+    if (window_step_to(window, false))
+        return;
+    window->stale = true;
+    reset(window);
+}
+
+static void press(struct window *window, struct window_event event)
+{
     window->stale |= event.action >= WINDOW_PAUSE;
     switch (event.action) {
     case WINDOW_END:
@@ -226,10 +243,7 @@ static void press(struct window *window, struct window_event event)
         choose(window, event.amount);
         break;
     case WINDOW_CHANGE:
-        window->passage.on = false;
-        if (parameter != NULL)
-            parameter_change(parameter, event.amount);
-        window->moved = true;
+        change(window, event.amount);
         break;
     case WINDOW_STEP:
         window_step(window, event.amount);
@@ -238,10 +252,7 @@ static void press(struct window *window, struct window_event event)
         window_step_to(window, true);
         break;
     case WINDOW_FIRST:
-        if (window_step_to(window, false))
-            break;
-        window->stale = true;
-        reset(window);
+        go_first(window);
         break;
     case WINDOW_RESET:
         reset(window);
