@@ -140,7 +140,8 @@ static void a_probe_has_a_row_for_each_step(void **unused)
 {
     (void)unused;
     static const struct probe probe = {
-        .step = {{0.0f, 1.5f, {1, 2, 3}, 0.0f}, {1.5f, -0.25f, {4, 5, 6}, 0.0f}},
+        .step = {{.t = 0.0f, .distance = 1.5f, .position = {1, 2, 3}},
+                 {.t = 1.5f, .distance = -0.25f, .position = {4, 5, 6}}},
         .steps = 2,
         .all_steps = 71,
         .evaluations = 346,
