@@ -167,13 +167,16 @@ float landAlong(Ray ray)
     return t;
 }
 
-// The ray that the lake sends on, which it meets at t, mirrored at water that is not quite still.
+// The ray that the lake sends on, which it meets at t, mirrored at water that is not quite still: two long waves, and
+// two short ones, which fade where a pixel holds several of them.
 Ray mirroredRay(Ray ray, float t)
 {
     vec3 p = ray.origin + t * ray.direction;
-    float calm = 0.006 / (1.0 + 0.02 * t);
-    vec2 wave = cos(vec2(1.1, 2.6) * p.x + vec2(4.6, -3.1) * p.z + vec2(1.3, 2.1) * iTime);
-    vec3 away = reflect(ray.direction, normalize(vec3(0.3 * calm * (wave.x - wave.y), 1.0, calm * (wave.x + wave.y))));
+    vec2 swell = cos(vec2(1.1, 2.6) * p.x + vec2(4.6, -3.1) * p.z + vec2(1.3, 2.1) * iTime);
+    vec2 ripple = cos(vec2(3.0, -6.5) * p.x + vec2(17.0, 29.0) * p.z + vec2(3.4, 4.6) * iTime);
+    vec2 tilt = 0.003 / (1.0 + 0.02 * t) * vec2(0.3 * (swell.x - swell.y), swell.x + swell.y);
+    tilt += 0.006 * exp(-0.02 * t) * vec2(0.5 * (ripple.x - ripple.y), ripple.x + ripple.y);
+    vec3 away = reflect(ray.direction, normalize(vec3(tilt.x, 1.0, tilt.y)));
     return Ray(p, normalize(vec3(away.x, abs(away.y) + 1e-4, away.z)));
 }
 

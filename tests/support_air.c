@@ -33,22 +33,20 @@ static double height_of(double lowest, double along)
     return sqrt(lowest * lowest + along * along) - earth;
 }
 
-// On a straight line whose lowest place has that radius, from one distance beyond it to another: in
-// pieces that grow.
-static struct column between(double lowest, double from, double to)
+// Add what lies on a straight line whose lowest place has that radius, from one distance beyond it
+// to another: in pieces that grow.
+static void add_between(struct column *sum, double lowest, double from, double to, int pieces)
 {
-    struct column sum = {{0.0, 0.0, 0.0}};
-    for (int i = 0; i < SUN_PIECES; i++) {
-        double a = (double)i / SUN_PIECES, b = (i + 1.0) / SUN_PIECES;
+    for (int i = 0; i < pieces; i++) {
+        double a = (double)i / pieces, b = (i + 1.0) / pieces;
         double begin = from + (to - from) * a * a * a,
                size = from + (to - from) * b * b * b - begin;
         for (int k = 0; k < NODES; k++) {
             struct column here = density(height_of(lowest, begin + size * place[k]));
             for (int c = 0; c < 3; c++)
-                sum.of[c] += weight[k] * size * here.of[c];
+                sum->of[c] += weight[k] * size * here.of[c];
         }
     }
-    return sum;
 }
 
 // Towards the sun from a radius. False where the Earth is in the way.
@@ -56,12 +54,11 @@ static bool to_the_sun(double radius, double sine, double tall, struct column *s
 {
     double lowest = radius * sqrt(fmax(1.0 - sine * sine, 0.0)), from = radius * sine;
     double end = sqrt(fmax((earth + tall) * (earth + tall) - lowest * lowest, 0.0));
-    *sum = between(lowest, fmax(from, 0.0), end);
+    *sum = (struct column){{0.0, 0.0, 0.0}};
+    add_between(sum, lowest, fmax(from, 0.0), end, SUN_PIECES);
     if (sine >= 0.0)
         return true;
-    struct column down = between(lowest, 0.0, -from);
-    for (int c = 0; c < 3; c++)
-        sum->of[c] += down.of[c];
+    add_between(sum, lowest, 0.0, -from, SUN_PIECES);
     // from above 0 to the end, and the part before the lowest place
     return lowest >= earth;
 }
@@ -111,14 +108,16 @@ void air_light_of(double sun, double view, double azimuth, double ozone, double 
     double climb = earth * view, out = (earth + tall) * (earth + tall) - earth * earth;
     double length = out / (sqrt(climb * climb + out) + climb),
            lowest = earth * sqrt(1.0 - view * view);
-    double shares[AIR_WAVES] = {0.0};
+    double shares[AIR_WAVES] = {0.0}, seen = 0.0;
+    struct column past = {{0.0, 0.0, 0.0}}; // from the eye on, place by place
     for (int i = 0; i < VIEW_PIECES; i++) {
         double a = (double)i / VIEW_PIECES, b = (i + 1.0) / VIEW_PIECES;
         double begin = length * a * a, size = length * b * b - begin;
         for (int k = 0; k < NODES; k++) {
             double way = begin + size * place[k], radius = earth + height_of(lowest, climb + way);
-            struct column here = density(radius - earth),
-                          past = between(lowest, climb, climb + way);
+            struct column here = density(radius - earth);
+            add_between(&past, lowest, climb + seen, climb + way, 1);
+            seen = way;
             double share[AIR_WAVES] = {0.0};
             lit(radius, (earth * sun + way * c) / radius, tall, past, ozone, share);
             for (int w = 0; w < AIR_WAVES; w++)

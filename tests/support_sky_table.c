@@ -48,16 +48,43 @@ static double shown(double light, double sun)
     return 255.0 * mirror_encode(fmin(fmax(exp2(stops(sun)) * light, 0.0), 1.0));
 }
 
+enum { EVERY_SUN = 3, EVERY_HEIGHT = 2 }; // of the places: they lie on all parts of the cells
+
+struct truth {
+    double azimuth;
+    double light[SKY_HEIGHTS / EVERY_HEIGHT][SKY_SUNS / EVERY_SUN + 1][3];
+};
+
+static double height_of(int row)
+{
+    double s = (double)row / (SKY_HEIGHTS - 1);
+    return s * s;
+}
+
+// The integral at an angle to the sun, kept for the next way to mix: it is what takes the time.
+static const struct truth *truth_at(double azimuth)
+{
+    static struct truth truth = {.azimuth = 2.0};
+    if (truth.azimuth == azimuth)
+        return &truth;
+    truth.azimuth = azimuth;
+    for (int i = 0; i < SKY_SUNS; i += EVERY_SUN)
+        for (int j = 0; j < SKY_HEIGHTS; j += EVERY_HEIGHT)
+            air_light_of(sky_table_sun(i), height_of(j), azimuth, 1.0, 120.0,
+                         truth.light[j / EVERY_HEIGHT][i / EVERY_SUN]);
+    return &truth;
+}
+
 struct sky_table_error sky_table_error(int way, double azimuth, bool encoded)
 {
     struct sky_table_error error = {.most = -1.0};
     float *values = sky_table_read(way, 0, azimuth, encoded);
     int count = 0, over = 0;
-    // Every third sun and second height: the places lie on all parts of the cells between texels.
-    for (int i = 0; values != NULL && i < SKY_SUNS; i += 3)
-        for (int j = 0; j < SKY_HEIGHTS; j += 2) {
-            double sun = sky_table_sun(i), s = (double)j / (SKY_HEIGHTS - 1), truth[3];
-            air_light_of(sun, s * s, azimuth, 1.0, 120.0, truth);
+    const struct truth *at = truth_at(azimuth);
+    for (int i = 0; values != NULL && i < SKY_SUNS; i += EVERY_SUN)
+        for (int j = 0; j < SKY_HEIGHTS; j += EVERY_HEIGHT) {
+            const double *truth = at->light[j / EVERY_HEIGHT][i / EVERY_SUN];
+            double sun = sky_table_sun(i);
             double largest = 0.0;
             for (int c = 0; c < 3; c++) {
                 double value = (double)values[4 * (SKY_SUNS * j + i) + c];
@@ -67,7 +94,7 @@ struct sky_table_error sky_table_error(int way, double azimuth, bool encoded)
                 if (off > error.most) {
                     error.most = off;
                     error.sun = asin(sun) * 180.0 / MIRROR_PI;
-                    error.height = asin(s * s) * 180.0 / MIRROR_PI;
+                    error.height = asin(height_of(j)) * 180.0 / MIRROR_PI;
                 }
             }
             count++;

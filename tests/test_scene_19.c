@@ -205,9 +205,11 @@ static bool in_boxes(struct mirror_ray ray, double far)
 static struct mirror_ray mirrored(struct mirror_ray ray, double t)
 {
     struct d3 p = mirror_at(ray, t), d = ray.direction;
-    double calm = 0.006 / (1.0 + 0.02 * t);
+    double calm = 0.003 / (1.0 + 0.02 * t), fine = 0.006 * exp(-0.02 * t);
     double a = cos(1.1 * p.x + 4.6 * p.z), b = cos(2.6 * p.x - 3.1 * p.z);
-    struct d3 n = d3_unit(d3(0.3 * calm * (a - b), 1.0, calm * (a + b)));
+    double e = cos(3.0 * p.x + 17.0 * p.z), f = cos(29.0 * p.z - 6.5 * p.x);
+    struct d3 n = d3_unit(
+        d3(0.3 * calm * (a - b) + 0.5 * fine * (e - f), 1.0, calm * (a + b) + fine * (e + f)));
     struct d3 away = d3_sub(d, d3_times(2.0 * d3_dot(d, n), n));
     return (struct mirror_ray){p, d3_unit(d3(away.x, fabs(away.y) + 1e-4, away.z))};
 }
@@ -264,13 +266,13 @@ static struct mirror_sample sample_19(const struct mirror_eye *eye)
 
 static const struct pixel pixels[] = {
     {CHAPTER, 95, 53, "sky+"},          {CHAPTER, 375, 175, "land-"},
-    {CHAPTER, 423, 141, "land+"},       {CHAPTER, 584, 66, "sky+"},
+    {CHAPTER, 423, 141, "land+"},       {CHAPTER, 572, 61, "sky+"},
     {CHAPTER, 482, 162, "land-"},       {CHAPTER, 413, 158, "land-"},
     {CHAPTER, 567, 178, "land-"},       {CHAPTER, 68, 351, "sky-"},
     {CHAPTER, 341, 152, "land+"},       {CHAPTER, 171, 322, "sky-"},
     {CHAPTER, 39, 31, "sky+"},          {CHAPTER, 543, 85, "sky+"},
     {CHAPTER, 43, 281, "sky-"},         {CHAPTER, 513, 226, "sky-"},
-    {CHAPTER, 493, 128, "land+"},       {CHAPTER, 418, 143, "land+"},
+    {CHAPTER, 493, 140, "land+"},       {CHAPTER, 418, 143, "land+"},
     {CHAPTER, 316, 199, "far range-"},  {CHAPTER, 615, 184, "near range-"},
     {CHAPTER, 631, 185, "near range-"}, {CHAPTER, 330, 201, "far range-"},
     {CHAPTER, 621, 190, "near range-"}, {CHAPTER, 330, 196, "far range-"},

@@ -132,7 +132,7 @@ static void test_sunlight_and_ambient_light(void **unused)
             off_direct = fmax(off_direct, fabs((double)direct[4 * i + c] - truth[c]) / truth[0]);
         for (int c = 0; c < 3 && sun < sine(-0.7); c++)
             assert_true(direct[4 * i + c] < 1e-8f);
-        if (i % 3 != 0)
+        if (i % 9 != 0)
             continue;
         air_ambient_of(sun, truth);
         for (int c = 0; c < 3; c++)
