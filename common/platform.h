@@ -30,7 +30,8 @@ bool platform_look(const char *path, struct platform_file *file);
 // True when two paths led to one file, by whatever names.
 bool platform_is_same(const struct platform_file *one, const struct platform_file *other);
 
-// The absolute path of something that exists, without links, "." and "..".
+// The absolute path of something that exists, without links, "." and "..", its letters capital or
+// small as the disk has them, with / between folders.
 // Returns memory that the caller frees, or NULL with errno set.
 char *platform_resolve(const char *path);
 

@@ -62,6 +62,25 @@ check 'each word that make 3.81 lacks is seen' [ "$(newer_make "$scratch/make" |
 newer_make Makefile >"$scratch/words"
 check 'the Makefile has none' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
 
+# ---- Line ends ----
+
+# A checkout of a git that writes carriage returns, as Windows' installer proposes: `make` and the scripts would
+# break on them.
+kept_by_git() {
+    local git=(git -c core.autocrlf=true -c core.eol=crlf -c core.safecrlf=false -c user.name=t -c user.email=t@t)
+    mkdir "$scratch/ours" && cp -R .gitattributes Makefile .make chapters tests/support.sh "$scratch/ours" &&
+        mkdir -p "$scratch/ours/tests/corpus" && cp -R tests/corpus "$scratch/ours/tests" &&
+        cp shaders/textures/noise.png docs/README.md common/picture/font/*.ttf "$scratch/ours" || return
+    (cd "$scratch/ours" && "${git[@]}" init -q && "${git[@]}" add . && "${git[@]}" commit -q -m all) || return
+    "${git[@]}" clone -q "$scratch/ours" "$scratch/theirs" && rm -rf "$scratch"/*/.git
+}
+if command -v git >/dev/null; then
+    check "a checkout with Windows' line ends" kept_by_git
+    check 'has the same bytes' diff -rq "$scratch/ours" "$scratch/theirs"
+else
+    skip "a checkout with Windows' line ends" 'no git on this machine'
+fi
+
 # ---- Tools ----
 
 if ! command -v original-awk >/dev/null || ! command -v busybox >/dev/null; then

@@ -272,6 +272,24 @@ static void test_climbing_out(void **state)
                 "// #include \"inner.glsl\"\nfloat leaf();\n// #include \"leaf.glsl\"\n");
 }
 
+// Here a link has the other letters, as a system does that does not tell them apart.
+static void test_letters_of_another_size(void **state)
+{
+    (void)state;
+    assert_refused("#include \"Leaf.glsl\"\n", "main.frag:1: #include \"Leaf.glsl\": ");
+    assert_int_equal(symlink("leaf.glsl", scratch_path("root/shaders/LEAF.glsl")), 0);
+    assert_refused("\n#include \"LEAF.glsl\"\n", "main.frag:2: #include \"LEAF.glsl\": ",
+                   "the disk has it as leaf.glsl: ");
+    scratch_write("root/shaders/deep/a.glsl", "a\n");
+    assert_int_equal(symlink("deep", scratch_path("root/shaders/Deep")), 0);
+    assert_refused("#include \"../shaders/Deep/a.glsl\"\n", "as deep/a.glsl: ");
+    assert_text("#include \"../shaders/deep/a.glsl\"\n",
+                "// #include \"../shaders/deep/a.glsl\"\na\n");
+    assert_int_equal(symlink("deep", scratch_path("root/shaders/Keep")), 0);
+    assert_text("#include \"Keep/a.glsl\"\n", "// #include \"Keep/a.glsl\"\na\n");
+    assert_refused("#include \"deep\\a.glsl\"\n", "on Windows alone: write /");
+}
+
 static void test_malformed_includes(void **state)
 {
     (void)state;
@@ -408,6 +426,7 @@ int main(void)
         UNIT(test_every_file_is_seen),
         UNIT(test_cycles),
         UNIT(test_climbing_out),
+        UNIT(test_letters_of_another_size),
         UNIT(test_malformed_includes),
         UNIT(test_tidy),
         UNIT(test_binary_and_empty),

@@ -1,5 +1,6 @@
 #include "shader/source.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -54,6 +55,67 @@ static void tell(const struct shader_source *source, const char *path)
         source->request.see(source->request.to, path);
 }
 
+// True for two names of the same letters, capital or small.
+static bool alike(const char *one, const char *other, size_t length)
+{
+    for (size_t i = 0; i < length; i++)
+        if (tolower((unsigned char)one[i]) != tolower((unsigned char)other[i]))
+            return false;
+    return true;
+}
+
+// Where a path ends otherwise than the name by which it was found, in capital or small letters
+// alone; NULL where it does not. Links lead elsewhere, and ".." is in no resolved path.
+static const char *otherwise(const char *name, const char *path)
+{
+    const char *found = NULL;
+    size_t left = strlen(name), rest = strlen(path);
+    while (left > 0 && left < rest) {
+        size_t length = 0;
+        while (length < left && name[left - length - 1] != '/')
+            length++;
+        left -= length;
+        rest -= length;
+        if (path[rest - 1] != '/' || !alike(name + left, path + rest, length))
+            break;
+        if (memcmp(name + left, path + rest, length) != 0)
+            found = path + rest;
+        left -= left > 0;
+        rest--;
+    }
+    return found;
+}
+
+// True for a name that means the same on every system; else why receives a phrase.
+static bool is_plain(const char *name, const char *folder, char why[TEXT_FILE_WHY])
+{
+    if (name[0] == '/')
+        snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from %s",
+                 folder);
+    else if (strchr(name, '\\') != NULL)
+        snprintf(why, TEXT_FILE_WHY, "a \\ stands between folders on Windows alone: write /");
+    else
+        return true;
+    return false;
+}
+
+// True for a path that a name may lead to; else why receives a phrase.
+static bool may_lead(const struct shader_source *source, const char *name, const char *path,
+                     char why[TEXT_FILE_WHY])
+{
+    const char *other = otherwise(name, path);
+    if (!inside(path, source->root) && !inside(path, source->own))
+        snprintf(why, TEXT_FILE_WHY, "lies outside the project and the shader's own folder");
+    else if (other != NULL)
+        snprintf(why, TEXT_FILE_WHY,
+                 "the disk has it as %.300s: write it so, for other systems tell capital letters "
+                 "from small ones",
+                 other);
+    else
+        return true;
+    return false;
+}
+
 // Resolve the name of a file that another one names: beside that, then in folders of the project.
 //   folders  in the project, each with a / in front; NULL after the last one
 //   where    the same in words
@@ -63,24 +125,19 @@ static char *resolve(const struct shader_source *source, int from, const char *n
     const char *slash = strrchr(source->files[from], '/');
     char beside[PLATFORM_PATH], path[3 * PLATFORM_PATH];
     folder_of(source->paths[from], beside);
-    if (name[0] == '/') {
-        snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from %s",
-                 folders[0] + 1);
+    if (!is_plain(name, folders[0] + 1, why))
         return NULL;
-    }
     for (int i = 0; i == 0 || folders[i - 1] != NULL; i++) {
         snprintf(path, sizeof path, "%s%s/%s", i == 0 ? beside : source->root,
                  i == 0 ? "" : folders[i - 1], name);
         char *resolved = platform_resolve(path);
         tell(source, resolved != NULL ? resolved : path);
-        if (resolved != NULL && (inside(resolved, source->root) || inside(resolved, source->own)))
-            return resolved;
         if (resolved == NULL && (errno == ENOENT || errno == ENOTDIR))
             continue;
         if (resolved == NULL)
             snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", strerror(errno));
-        else
-            snprintf(why, TEXT_FILE_WHY, "lies outside the project and the shader's own folder");
+        else if (may_lead(source, name, resolved, why))
+            return resolved;
         free(resolved);
         return NULL;
     }
