@@ -26,6 +26,7 @@ static struct {
     GLFWscrollfun wheel;
     GLFWwindowfocusfun focus;
     GLFWwindowrefreshfun damage;
+    int shown; // how often the window asked to be shown at once
 } hands;
 
 static struct window tested;
@@ -124,6 +125,11 @@ static struct gl gl = {.GetUniformLocation = always_there};
 static struct renderer renderer = {.gl = &gl};
 static const struct window_start start = {.camera = {.position = {1, 2, 3}, .pan = 10, .tilt = 20}};
 
+static void show(void *to)
+{
+    ++*(int *)to;
+}
+
 static int set_up(void **unused)
 {
     (void)unused;
@@ -133,7 +139,7 @@ static int set_up(void **unused)
     tested = (struct window){.renderer = &renderer, .start = &start};
     tested.inputs = (struct renderer_inputs){.width = 320, .height = 200, .pixel = {-1, -1}};
     tested.inputs.camera = start.camera;
-    window_input_open(&tested.input, NULL);
+    window_input_open(&tested.input, NULL, show, &hands.shown);
     point(100, 100);
     return 0;
 }
@@ -313,6 +319,7 @@ static void damage_is_shown_again(void **unused)
     window_obey(&tested);
     assert_false(tested.dirty);
     hands.damage(NULL);
+    assert_int_equal(hands.shown, 1);
     window_obey(&tested);
     assert_true(tested.dirty);
     tested.dirty = false;

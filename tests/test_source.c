@@ -278,8 +278,8 @@ static void test_letters_of_another_size(void **state)
     (void)state;
     assert_refused("#include \"Leaf.glsl\"\n", "main.frag:1: #include \"Leaf.glsl\": ");
     assert_int_equal(symlink("leaf.glsl", scratch_path("root/shaders/LEAF.glsl")), 0);
-    assert_refused("\n#include \"LEAF.glsl\"\n", "main.frag:2: #include \"LEAF.glsl\": ",
-                   "the disk has it as leaf.glsl: ");
+    assert_refused("\n#include \"LEAF.glsl\"\n",
+                   "main.frag:2: #include \"LEAF.glsl\": ", "the disk has it as leaf.glsl: ");
     scratch_write("root/shaders/deep/a.glsl", "a\n");
     assert_int_equal(symlink("deep", scratch_path("root/shaders/Deep")), 0);
     assert_refused("#include \"../shaders/Deep/a.glsl\"\n", "as deep/a.glsl: ");

@@ -278,13 +278,21 @@ static void on_focus(GLFWwindow *window, int focused)
 
 static void on_damage(GLFWwindow *window)
 {
-    input_of(window)->damaged = true;
+    struct window_input *input = input_of(window);
+    input->damaged = true;
+    if (input->show != NULL)
+        input->show(input->to);
 }
 
-void window_input_open(struct window_input *input, GLFWwindow *window)
+void window_input_open(struct window_input *input, GLFWwindow *window, void (*show)(void *to),
+                       void *to)
 {
-    *input = (struct window_input){
-        .window = window, .counted = glfwGetTime(), .jumped = true, .press.at = -10.0 * DOUBLE};
+    *input = (struct window_input){.window = window,
+                                   .show = show,
+                                   .to = to,
+                                   .counted = glfwGetTime(),
+                                   .jumped = true,
+                                   .press.at = -10.0 * DOUBLE};
     glfwSetWindowUserPointer(window, input);
     glfwSetKeyCallback(window, on_key);
     glfwSetCharCallback(window, on_letter);

@@ -67,6 +67,10 @@ enum window_pointer { WINDOW_POINTER_FREE, WINDOW_POINTER_PRESSED, WINDOW_POINTE
 
 struct window_input {
     GLFWwindow *window;
+    // Called, where it is not NULL, as soon as the window must be drawn again: a hand that resizes
+    // it may keep GLFW from returning.
+    void (*show)(void *to);
+    void *to; // its argument
     // Since the last window_input_forget:
     struct window_event event[WINDOW_INPUT_EVENTS];
     int events;
@@ -89,7 +93,9 @@ struct window_input {
 
 // Receive the events of a window from now on.
 //   input  must outlive the window's last event
-void window_input_open(struct window_input *input, GLFWwindow *window);
+//   show   NULL, or called with its argument
+void window_input_open(struct window_input *input, GLFWwindow *window, void (*show)(void *to),
+                       void *to);
 
 // Count the movement up to now. To be called before the events are read.
 void window_input_count(struct window_input *input);

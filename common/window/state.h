@@ -38,6 +38,8 @@ struct window {
     } hand;
     int rectangle[4];  // x, y, width, height before full screen
     bool has_keyboard; // the window had the focus: before that there may be no keyboard at all
+    bool turning;      // a turn of the loop is under way
+    bool failed;       // one did not succeed
     bool broken;       // the shader's last text: the picture is of the one before
     bool paused;
     bool moved;    // what makes the picture changed in this turn

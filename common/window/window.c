@@ -123,7 +123,7 @@ static void wait_for_turn(const struct window *window)
     }
 }
 
-bool window_turn(struct window *window)
+static bool turn(struct window *window)
 {
     double now = glfwGetTime();
     bool visible = take_size(window);
@@ -156,6 +156,27 @@ bool window_turn(struct window *window)
     return true;
 }
 
+bool window_turn(struct window *window)
+{
+    if (window->turning) // GLFW calls back while it carries out what a turn asks for
+        return true;
+    window->turning = true;
+    window->failed |= !turn(window);
+    window->turning = false;
+    return !window->failed;
+}
+
+// While a hand drags the window's edge, Windows and macOS keep GLFW from returning, and each size
+// on the way asks to be shown. At the same size the loop's next turn is soon enough.
+static void show_size(void *to)
+{
+    struct window *window = to;
+    int width = 0, height = 0;
+    glfwGetFramebufferSize(window->handle, &width, &height);
+    if (width != window->inputs.width || height != window->inputs.height)
+        window_turn(window);
+}
+
 // ---- Open, run, close ----
 
 struct window *window_open(struct context *context, struct renderer *renderer,
@@ -180,7 +201,7 @@ struct window *window_open(struct context *context, struct renderer *renderer,
         return NULL;
     }
     glfwSwapInterval(1);
-    window_input_open(&window->input, window->handle);
+    window_input_open(&window->input, window->handle, show_size, window);
     watch_add(&window->watch, start->shader);
     watch_files(window, &renderer->fragment);
     if (renderer->pair != NULL) {
