@@ -18,6 +18,7 @@ VIEW =
 ROUNDS =
 WRITE =
 WEB =
+WINDOWS =
 DURATION =
 SANITIZE =
 FUZZER =
@@ -38,19 +39,33 @@ ifneq ($(word 2,$(MAKECMDGOALS)),)
 endif
 endif
 
-# ---- What this machine has ----
+# ---- What the programs are for, and what this machine has ----
 
-found = $(shell pkg-config --exists $(1) 2>/dev/null && echo yes)
-MAC := $(filter Darwin,$(shell uname -s))
-# A Mac has neither EGL nor OSMesa of its own: what calls itself so there is something else.
-BACKENDS := $(if $(call found,glfw3),glfw) $(if $(MAC),,$(if $(call found,egl),egl) \
+# WINDOWS=1 asks a cross compiler for programs for Windows; on Windows itself they are for it anyway.
+SYSTEM := $(if $(WINDOWS)$(filter Windows_NT,$(OS)),Windows,$(shell uname -s))
+MAC := $(filter Darwin,$(SYSTEM))
+EXE := $(if $(filter Windows,$(SYSTEM)),.exe)
+PKG_CONFIG = pkg-config
+# As MSYS2's: it links the C library of Windows 10.
+WINDOWS_CC = x86_64-w64-mingw32-gcc -specs=build/windows/ucrt.specs -D_UCRT
+ifneq ($(WINDOWS),)
+CC = $(WINDOWS_CC)
+PKG_CONFIG = PKG_CONFIG_LIBDIR=build/windows/prefix/lib/pkgconfig pkg-config
+else ifneq ($(EXE),)
+CC = gcc
+endif
+
+comma := ,
+found = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo yes)
+# A Mac and Windows have neither EGL nor OSMesa of their own: what calls itself so there is something else.
+BACKENDS := $(if $(call found,glfw3),glfw) $(if $(MAC)$(EXE),,$(if $(call found,egl),egl) \
             $(if $(call found,osmesa),osmesa))
 LIBRARIES := libpng $(if $(filter glfw,$(BACKENDS)),glfw3) $(if $(filter egl,$(BACKENDS)),egl)
 
 HAVE := $(if $(filter glfw,$(BACKENDS)),-DHAVE_GLFW) $(if $(filter egl,$(BACKENDS)),-DHAVE_EGL) \
         $(if $(filter osmesa,$(BACKENDS)),-DHAVE_OSMESA)
 # Other people's headers are not held to our warnings: -isystem.
-HEADERS := $(patsubst -I%,-isystem %,$(shell pkg-config --cflags $(LIBRARIES) cglm 2>/dev/null))
+HEADERS := $(patsubst -I%,-isystem %,$(shell $(PKG_CONFIG) --cflags $(LIBRARIES) cglm 2>/dev/null))
 ifneq ($(MAC),)
 # No compiler searches Homebrew's folder by itself where the processor is Apple's.
 HEADERS += $(addprefix -isystem ,$(addsuffix /include,$(shell brew --prefix 2>/dev/null)))
@@ -60,8 +75,10 @@ HAVE := -DHAVE_GLFW
 HEADERS := -isystem build/web/objects/include
 CFLAGS = -Oz -flto -DNDEBUG
 endif
-LINK := $(shell pkg-config --libs $(LIBRARIES) 2>/dev/null) -ldl -lm -pthread
-CMOCKA := $(shell pkg-config --libs cmocka 2>/dev/null)
+# Windows: a stack as elsewhere, no file of the compiler's beside the program, and the same bytes at any time.
+LINK := $(shell $(PKG_CONFIG) --libs $(LIBRARIES) 2>/dev/null) $(if $(EXE),-municode -static-libgcc -lshell32 -lwinmm \
+        -Wl$(comma)--stack$(comma)8388608 -Wl$(comma)--no-insert-timestamp,-ldl -lm -pthread)
+CMOCKA := $(shell $(PKG_CONFIG) --libs cmocka 2>/dev/null)
 
 # Short lines; V=1 shows the whole commands.
 V =
@@ -71,9 +88,7 @@ say = $(if $(V),,@echo '$(1)' &&)
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
 # No product and sum are rounded in one: what a texture's program computes is the same everywhere.
 LANGUAGE = -std=c11 -ffp-contract=off -D_XOPEN_SOURCE=700 -Icommon
-ifneq ($(MAC),)
-LANGUAGE += -D_DARWIN_C_SOURCE
-endif
+LANGUAGE += $(if $(MAC),-D_DARWIN_C_SOURCE) $(if $(EXE),-D_WIN32_WINNT=0x0A00)
 COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
 
 .DEFAULT_GOAL = all
@@ -95,6 +110,10 @@ CC = emcc
 BUILD = build/web/objects
 INSTRUMENT =
 EXTRA =
+else ifneq ($(WINDOWS),)
+BUILD = build/windows
+INSTRUMENT =
+EXTRA =
 else ifeq ($(SANITIZE),)
 BUILD = build
 INSTRUMENT =
@@ -110,44 +129,46 @@ SOURCES := $(sort $(shell find common -name '*.c'))
 ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,common/context/$(name).c))
 ABSENT += $(if $(filter glfw,$(BACKENDS)),common/window/none.c,$(filter-out %/none.c %/watch.c,$(filter common/window/%,$(SOURCES))))
 # What each system does in its own way: platform_SYSTEM*.c.
-PLATFORM := $(patsubst common/%.c,%,$(filter common/platform_posix%,$(SOURCES)))
+PLATFORM := $(patsubst common/%.c,%,$(filter common/platform_$(if $(EXE),windows,posix)%,$(SOURCES)))
+ABSENT += $(filter-out $(PLATFORM:%=common/%.c),$(filter common/platform_%,$(SOURCES)))
 # In a browser common/browser/ takes the place of some of them.
 BROWSER := $(filter common/browser/%,$(SOURCES))
 ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write window/none),$(BROWSER))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
-PROGRAMS := $(STEMS:%=$(BUILD)/%)
-# Two whole programs that need one library each and nothing of common/; Khronos' header is no part of a Mac.
-FIRST_STEPS := $(if $(MAC),,$(if $(filter glfw,$(BACKENDS)),window)) $(if $(filter egl,$(BACKENDS)),picture)
+PROGRAMS := $(STEMS:%=$(BUILD)/%$(EXE))
+# Two whole programs that need one library each and nothing of common/; Khronos' header is no part of a Mac,
+# and not of Windows.
+FIRST_STEPS := $(if $(MAC)$(EXE),,$(if $(filter glfw,$(BACKENDS)),window)) $(if $(filter egl,$(BACKENDS)),picture)
 FIRST_STEPS := $(FIRST_STEPS:%=$(BUILD)/first_steps/%)
 FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
 # A source with a header of its own draws nothing: it helps the others.
 PAINT := $(patsubst %.h,$(BUILD)/%.o,$(wildcard shaders/textures/*.h))
 TEXTURES := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard shaders/textures/*.c)))
 TEXTURES := $(filter-out $(PAINT:%.o=%),$(TEXTURES))
-TESTS := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard tests/test_*.c)))
+TESTS := $(patsubst %.c,$(BUILD)/%$(EXE),$(sort $(wildcard tests/test_*.c)))
 
 programs: $(PROGRAMS) $(FIRST_STEPS)
-tests: $(TESTS) $(BUILD)/tests/compare $(BUILD)/tests/draw $(BUILD)/tests/measure $(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES)
+tests: $(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),compare draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
 fuzzer: $(BUILD)/tests/fuzz
 
-$(PROGRAMS): $(BUILD)/%: $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
+$(PROGRAMS): $(BUILD)/%$(EXE): $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 $(FIRST_STEPS): $(BUILD)/first_steps/%: $(BUILD)/chapters/first_steps/%.o $(EXTRA)
 	@mkdir -p $(@D)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-$(TESTS) $(BUILD)/tests/measure: $(BUILD)/tests/%: $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
+$(TESTS) $(BUILD)/tests/measure$(EXE): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
-$(BUILD)/tests/compare: $(BUILD)/tests/compare.o $(BUILD)/tests/support_compare.o \
+$(BUILD)/tests/compare$(EXE): $(BUILD)/tests/compare.o $(BUILD)/tests/support_compare.o \
     $(patsubst %,$(BUILD)/common/%.o,picture/image picture/image_read picture/image_write shader/text_file memory report $(PLATFORM)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 # It holds the source of common/chapter.c.
-$(BUILD)/tests/draw: $(BUILD)/tests/draw.o $(SUPPORT) $(filter-out %/chapter.o,$(COMMON)) $(EXTRA)
+$(BUILD)/tests/draw$(EXE): $(BUILD)/tests/draw.o $(SUPPORT) $(filter-out %/chapter.o,$(COMMON)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 # libFuzzer brings its own main.
@@ -163,7 +184,7 @@ $(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 # What the tables of the sky are computed by is tested as it is.
-$(TESTS) $(BUILD)/tests/measure $(BUILD)/tests/draw $(FIGURES:%=$(BUILD)/docs/figures/%): $(PAINT)
+$(TESTS) $(BUILD)/tests/measure$(EXE) $(BUILD)/tests/draw$(EXE) $(FIGURES:%=$(BUILD)/docs/figures/%): $(PAINT)
 
 # One module holds all chapters, so each main gets a name of its own; what it calls leaves the loop to the page.
 ifneq ($(WEB),)
@@ -229,7 +250,7 @@ $(LOCALE):
 # What most of the commands below begin with.
 ready:
 	@.make/setup.sh run
-	+@$(AGAIN) programs build/tests/compare
+	+@$(AGAIN) programs build/tests/compare$(EXE)
 
 all: ## build every chapter's program into build/ (the default)
 	@.make/setup.sh --check run
@@ -324,6 +345,11 @@ build/node/package-lock.json: docs/web/package.json docs/web/package-lock.json
 	$(call say,npm ci) npm ci --prefix $(@D) --ignore-scripts --no-audit --no-fund --silent
 	@touch $@
 
+windows: ## cross-compile the programs for Windows into build/windows/, on Debian (a package set of its own)
+	@.make/setup.sh windows
+	@CC='$(WINDOWS_CC)' .make/windows_libraries.sh
+	+@$(AGAIN) WINDOWS=1 programs
+
 figures: ## draw the diagrams of docs/figures/ again
 	@.make/setup.sh test
 	+@$(AGAIN) figure_programs
@@ -336,7 +362,7 @@ textures: ## draw the textures of shaders/textures/ again
 	+@$(AGAIN) texture_programs
 	@.make/textures.sh
 
-texture_programs: $(TEXTURES) $(BUILD)/tests/compare
+texture_programs: $(TEXTURES) $(BUILD)/tests/compare$(EXE)
 
 references: ready ## render the reference pictures again; those within tolerance stay (FORCE=1 rewrites all)
 	@tests/references.sh update
@@ -344,7 +370,7 @@ references: ready ## render the reference pictures again; those within tolerance
 always:
 .PHONY: all programs tests fuzzer ready run play check compare diff film gallery benchmark book setup clean help test \
         test-fresh test-gpu fuzz lint format chapter docs figures figure_programs textures texture_programs \
-        references web test-web module always
+        references web test-web module windows always
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .SECONDARY:

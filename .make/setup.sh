@@ -1,8 +1,8 @@
 #!/bin/sh
 # setup.sh [--check|--all] SET... - see to it that what the sets need is on this machine.
 #
-# Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), fresh (bare
-# machines to test on). Where nothing is missing this asks only files and
+# Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), windows (the cross
+# build), fresh (bare machines to test on). Where nothing is missing this asks only files and
 # commands: no network, no package manager. Else, as root it installs; with a terminal and sudo it
 # says what it will install and lets sudo ask; otherwise it prints the one command and fails.
 #   --check  install nothing
@@ -169,6 +169,15 @@ need_web() {
     need 'the letters of formulas' 'fonts-texgyre-math|texlive-tex-gyre-math|-|-' has_font 'TeX Gyre Pagella Math'
 }
 
+# The cross build for Windows, on Debian alone: the libraries are made from its source packages.
+need_windows() {
+    need_run
+    need 'a compiler for Windows' 'gcc-mingw-w64-x86-64-win32|-|-|-' has_command x86_64-w64-mingw32-gcc
+    need "Debian's source packages" 'dpkg-dev|-|-|-' has_command dpkg-source
+    need 'patch' 'patch|-|-|-' has_command patch
+    need 'zip' 'zip|-|-|-' has_command zip
+}
+
 need_fresh() {
     need 'debootstrap' 'debootstrap|-|-|-' has_command debootstrap
     need 'git' 'git|git|git|git' has_command git
@@ -185,7 +194,11 @@ look() {
         book) need_book ;;
         fresh) need_fresh ;;
         web) need_web ;;
-        *) printf 'setup.sh: %s: no such set: run, test, lint, fuzz, book, web or fresh\n' "$set" >&2; exit 2 ;;
+        windows) need_windows ;;
+        *)
+            printf 'setup.sh: %s: no such set: run, test, lint, fuzz, book, web, windows or fresh\n' "$set" >&2
+            exit 2
+            ;;
         esac
     done
     # Two sets may name one package.

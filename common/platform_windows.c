@@ -1,0 +1,376 @@
+// platform.h for Windows: files, the program, its surroundings. By the system's own calls: those of
+// its C library know neither UTF-8 nor a rename over a file, and they keep others from replacing a
+// file that is open. Paths have '/' between their parts here too; the system takes both.
+#include "platform.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <io.h>
+#include <stdlib.h>
+#include <string.h>
+
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+
+enum {
+    TRIES = 20,       // of what another program holds for a moment: a scanner of viruses, an editor
+    TRY_AGAIN = 50,   // ms
+    PLAIN_PATH = 240, // letters of a path that every call takes as it is
+    BESIDE = 40       // letters at most of a file's name that is written beside another
+};
+
+#define SHARED       (FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE)
+#define SINCE_1601   116444736000000000LL // of 1970, in steps of 100 ns
+#define POSIX_RENAME 3                    // FILE_RENAME_REPLACE_IF_EXISTS, _POSIX_SEMANTICS
+
+// ---- Text ----
+
+// A path as the system's calls take it: whole, and where it is long in the form that has no limit
+// of 260 letters. Returns false with errno when it is malformed, empty or too long.
+static bool widen(const char *path, wchar_t wide[PLATFORM_PATH])
+{
+    wchar_t given[PLATFORM_PATH], whole[PLATFORM_PATH];
+    if (MultiByteToWideChar(CP_UTF8, MB_ERR_INVALID_CHARS, path, -1, given, PLATFORM_PATH) == 0) {
+        errno = GetLastError() == ERROR_INSUFFICIENT_BUFFER ? ENAMETOOLONG : EILSEQ;
+        return false;
+    }
+    DWORD length = GetFullPathNameW(given, PLATFORM_PATH, whole, NULL);
+    if (length == 0 || length > PLATFORM_PATH - 8) {
+        errno = length == 0 ? ENOENT : ENAMETOOLONG;
+        return false;
+    }
+    bool network = wcsncmp(whole, L"\\\\", 2) == 0, device = network && wcschr(L"?.", whole[2]);
+    wcscpy(wide, length < PLAIN_PATH || device ? L"" : network ? L"\\\\?\\UNC" : L"\\\\?\\");
+    wcscat(wide, wide[0] != L'\0' && network ? whole + 1 : whole);
+    return true;
+}
+
+// Returns false with errno when it is too long.
+static bool narrow(const wchar_t *wide, char path[PLATFORM_PATH])
+{
+    if (WideCharToMultiByte(CP_UTF8, 0, wide, -1, path, PLATFORM_PATH, NULL, NULL) == 0) {
+        errno = ENAMETOOLONG;
+        return false;
+    }
+    for (char *at = path; *at != '\0'; at++)
+        if (*at == '\\')
+            *at = '/';
+    return true;
+}
+
+// The errno of what the system said last.
+static int last_errno(void)
+{
+    static const struct {
+        DWORD said;
+        int number;
+    } known[] = {{ERROR_FILE_NOT_FOUND, ENOENT},
+                 {ERROR_PATH_NOT_FOUND, ENOENT},
+                 {ERROR_INVALID_NAME, ENOENT},
+                 {ERROR_BAD_PATHNAME, ENOENT},
+                 {ERROR_BAD_NETPATH, ENOENT},
+                 {ERROR_BAD_NET_NAME, ENOENT},
+                 {ERROR_INVALID_DRIVE, ENOENT},
+                 {ERROR_NOT_READY, ENOENT},
+                 {ERROR_DIRECTORY, ENOTDIR},
+                 {ERROR_ACCESS_DENIED, EACCES},
+                 {ERROR_SHARING_VIOLATION, ETXTBSY},
+                 {ERROR_LOCK_VIOLATION, ETXTBSY},
+                 {ERROR_USER_MAPPED_FILE, ETXTBSY},
+                 {ERROR_WRITE_PROTECT, EROFS},
+                 {ERROR_FILE_EXISTS, EEXIST},
+                 {ERROR_ALREADY_EXISTS, EEXIST},
+                 {ERROR_DISK_FULL, ENOSPC},
+                 {ERROR_HANDLE_DISK_FULL, ENOSPC},
+                 {ERROR_FILENAME_EXCED_RANGE, ENAMETOOLONG},
+                 {ERROR_NOT_ENOUGH_MEMORY, ENOMEM},
+                 {ERROR_CANT_RESOLVE_FILENAME, ELOOP}};
+    DWORD said = GetLastError();
+    for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+        if (known[i].said == said)
+            return known[i].number;
+    return EIO;
+}
+
+// ---- Files that are read ----
+
+// Open whatever is there, a folder too; an editor that is about to save may let nobody else in.
+static HANDLE open_any(const char *path, DWORD access)
+{
+    wchar_t wide[PLATFORM_PATH];
+    if (!widen(path, wide))
+        return INVALID_HANDLE_VALUE;
+    for (int i = 0;; i++) {
+        HANDLE handle = CreateFileW(wide, access, SHARED, NULL, OPEN_EXISTING,
+                                    FILE_FLAG_BACKUP_SEMANTICS, NULL);
+        errno = handle != INVALID_HANDLE_VALUE ? 0 : last_errno();
+        if (errno != ETXTBSY || i == TRIES)
+            return handle;
+        Sleep(TRY_AGAIN);
+    }
+}
+
+bool platform_look(const char *path, struct platform_file *file)
+{
+    BY_HANDLE_FILE_INFORMATION is;
+    *file = (struct platform_file){0};
+    HANDLE handle = open_any(path, FILE_READ_ATTRIBUTES);
+    if (handle == INVALID_HANDLE_VALUE)
+        return false;
+    bool on_disk = GetFileType(handle) == FILE_TYPE_DISK;
+    bool known = !on_disk || GetFileInformationByHandle(handle, &is);
+    if (!known)
+        errno = last_errno();
+    CloseHandle(handle);
+    if (!known || !on_disk)
+        return known;
+    long long changed =
+        (long long)is.ftLastWriteTime.dwHighDateTime << 32 | is.ftLastWriteTime.dwLowDateTime;
+    *file = (struct platform_file){
+        .regular = (is.dwFileAttributes & FILE_ATTRIBUTE_DIRECTORY) == 0,
+        .size = (long long)is.nFileSizeHigh << 32 | is.nFileSizeLow,
+        .changed = 100 * (changed - SINCE_1601),
+        .place = {is.dwVolumeSerialNumber,
+                  (unsigned long long)is.nFileIndexHigh << 32 | is.nFileIndexLow}};
+    return true;
+}
+
+bool platform_is_same(const struct platform_file *one, const struct platform_file *other)
+{
+    return one->place[0] == other->place[0] && one->place[1] == other->place[1];
+}
+
+// "\\?\C:\folder" is C:/folder, "\\?\UNC\server\share" is //server/share.
+static char *plain(wchar_t *wide)
+{
+    char text[PLATFORM_PATH];
+    if (wcsncmp(wide, L"\\\\?\\UNC\\", 8) == 0)
+        (wide += 6)[0] = L'\\';
+    else if (wcsncmp(wide, L"\\\\?\\", 4) == 0)
+        wide += 4;
+    return narrow(wide, text) ? _strdup(text) : NULL;
+}
+
+char *platform_resolve(const char *path)
+{
+    wchar_t whole[PLATFORM_PATH];
+    HANDLE handle = open_any(path, 0);
+    if (handle == INVALID_HANDLE_VALUE)
+        return NULL;
+    DWORD length = GetFinalPathNameByHandleW(handle, whole, PLATFORM_PATH, VOLUME_NAME_DOS);
+    CloseHandle(handle);
+    // Drives that a program makes may have no final name.
+    bool told = (length > 0 && length < PLATFORM_PATH) || widen(path, whole);
+    return told ? plain(whole) : NULL;
+}
+
+// Others may replace the file while it is open here: fopen would forbid it.
+FILE *platform_open(const char *path)
+{
+    struct platform_file file;
+    if (platform_look(path, &file) && !file.regular) {
+        errno = 0;
+        return NULL;
+    }
+    HANDLE handle = open_any(path, GENERIC_READ);
+    if (handle == INVALID_HANDLE_VALUE)
+        return NULL;
+    int number = _open_osfhandle((intptr_t)handle, _O_RDONLY);
+    if (number < 0)
+        CloseHandle(handle);
+    return number < 0 ? NULL : _fdopen(number, "rb");
+}
+
+// ---- Files that are written ----
+
+static bool refuse(char why[PLATFORM_WHY], const char *phrase)
+{
+    snprintf(why, PLATFORM_WHY, "%s", phrase);
+    return false;
+}
+
+// Where a path's last name begins.
+static size_t name_at(const char *path)
+{
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? (size_t)(slash - path) + 1 : path[0] != '\0' && path[1] == ':' ? 2 : 0;
+}
+
+// Create a file with a name that nothing has, in the target's folder.
+//   flags  FILE_FLAG_DELETE_ON_CLOSE: only to try
+// Returns INVALID_HANDLE_VALUE with errno where that cannot be.
+static HANDLE create_beside(const char *target, wchar_t name[PLATFORM_PATH], DWORD flags)
+{
+    char path[PLATFORM_PATH + BESIDE];
+    HANDLE handle = INVALID_HANDLE_VALUE;
+    errno = EEXIST;
+    for (int i = 0; i < 100 && handle == INVALID_HANDLE_VALUE && errno == EEXIST; i++) {
+        snprintf(path, sizeof path, "%.*s.picture-%lu-%d.tmp", (int)name_at(target), target,
+                 GetCurrentProcessId(), i);
+        if (!widen(path, name))
+            break;
+        handle = CreateFileW(name, GENERIC_WRITE | DELETE, 0, NULL, CREATE_NEW,
+                             FILE_ATTRIBUTE_NORMAL | flags, NULL);
+        errno = handle == INVALID_HANDLE_VALUE ? last_errno() : 0;
+    }
+    return handle;
+}
+
+// True when what is there may be replaced: who write-protects a file expects it to stay.
+static bool may_replace(const char *path, const struct platform_file *file, char why[PLATFORM_WHY])
+{
+    wchar_t wide[PLATFORM_PATH];
+    DWORD attributes = widen(path, wide) ? GetFileAttributesW(wide) : INVALID_FILE_ATTRIBUTES;
+    bool known = attributes != INVALID_FILE_ATTRIBUTES;
+    if (!file->regular)
+        return refuse(why, known && (attributes & FILE_ATTRIBUTE_DIRECTORY) != 0
+                               ? "it is a folder: give the name of a file"
+                               : "it is a device: give the name of a file");
+    return !known || (attributes & FILE_ATTRIBUTE_READONLY) == 0 || refuse(why, strerror(EACCES));
+}
+
+// True when a name that nothing has may be given to a file.
+static bool may_create(const char *path, char why[PLATFORM_WHY])
+{
+    wchar_t wide[PLATFORM_PATH];
+    if (errno != ENOENT || path[0] == '\0')
+        return refuse(why, strerror(errno));
+    if (path[strlen(path) - 1] == '/')
+        return refuse(why, "a name that ends in / is a folder's: give the name of a file");
+    // What stands behind a colon would be a part of another file.
+    if (strpbrk(path + name_at(path), "<>:\"|?*") != NULL)
+        return refuse(why, "a name has none of < > : \" | ? * here: give another");
+    if (widen(path, wide) && GetFileAttributesW(wide) != INVALID_FILE_ATTRIBUTES)
+        return refuse(why, "it is a link that leads nowhere: give the name of a file");
+    return true;
+}
+
+static bool folder_writable(const char *target, char why[PLATFORM_WHY])
+{
+    wchar_t name[PLATFORM_PATH];
+    HANDLE handle = create_beside(target, name, FILE_FLAG_DELETE_ON_CLOSE);
+    if (handle != INVALID_HANDLE_VALUE)
+        return CloseHandle(handle);
+    int length = (int)name_at(target);
+    snprintf(why, PLATFORM_WHY, "folder %.*s: %s: choose another", length > 1 ? length - 1 : 1,
+             length > 0 ? target : ".", strerror(errno));
+    return false;
+}
+
+bool platform_target(const char *path, char target[PLATFORM_PATH], char why[PLATFORM_WHY])
+{
+    struct platform_file file;
+    if (snprintf(target, PLATFORM_PATH, "%s", path) >= PLATFORM_PATH)
+        return refuse(why, strerror(ENAMETOOLONG));
+    if (!platform_look(path, &file))
+        return may_create(path, why) && folder_writable(target, why);
+    if (!may_replace(path, &file, why))
+        return false;
+    char *resolved = platform_resolve(path); // a link stays, what it leads to is replaced
+    if (resolved != NULL)
+        strcpy(target, resolved);
+    free(resolved);
+    return folder_writable(target, why);
+}
+
+// Put a file in the place of one that others read, in the way in which they keep the old one.
+static bool rename_as_posix(const wchar_t *name, const wchar_t *target)
+{
+    struct {
+        DWORD flags;
+        HANDLE root;
+        DWORD length; // bytes
+        wchar_t name[PLATFORM_PATH];
+    } to = {.flags = POSIX_RENAME, .length = (DWORD)(wcslen(target) * sizeof *target)};
+    wcscpy(to.name, target);
+    HANDLE handle = CreateFileW(name, DELETE, SHARED, NULL, OPEN_EXISTING, 0, NULL);
+    bool done = handle != INVALID_HANDLE_VALUE &&
+                SetFileInformationByHandle(handle, (FILE_INFO_BY_HANDLE_CLASS)22, &to, sizeof to);
+    if (handle != INVALID_HANDLE_VALUE)
+        CloseHandle(handle);
+    return done;
+}
+
+// Returns 0 or an errno.
+static int put_in_place(const wchar_t *name, const wchar_t *target)
+{
+    for (int i = 0; !MoveFileExW(name, target, MOVEFILE_REPLACE_EXISTING); i++) {
+        int error = last_errno();
+        if ((error != EACCES && error != ETXTBSY) || rename_as_posix(name, target))
+            return error != EACCES && error != ETXTBSY ? error : 0;
+        if (i == TRIES)
+            return error;
+        Sleep(TRY_AGAIN);
+    }
+    return 0;
+}
+
+// Write data beside the target and rename it over. Returns 0 or an errno; then nothing is left.
+static int replace(const char *target, const char *data, size_t size)
+{
+    wchar_t name[PLATFORM_PATH], wide[PLATFORM_PATH];
+    HANDLE handle = widen(target, wide) ? create_beside(target, name, 0) : INVALID_HANDLE_VALUE;
+    if (handle == INVALID_HANDLE_VALUE)
+        return errno;
+    int error = 0;
+    while (size > 0 && error == 0) {
+        DWORD part = size < 1u << 20 ? (DWORD)size : 1u << 20, written = 0;
+        error = WriteFile(handle, data, part, &written, NULL) ? 0 : last_errno();
+        data += written;
+        size -= written;
+    }
+    if (!CloseHandle(handle) && error == 0)
+        error = last_errno();
+    error = error == 0 ? put_in_place(name, wide) : error;
+    if (error != 0)
+        DeleteFileW(name);
+    return error;
+}
+
+static CRITICAL_SECTION writing;
+
+// Ctrl+C comes in a thread of its own: it waits here until the file is whole.
+static BOOL WINAPI on_interrupt(DWORD event)
+{
+    (void)event;
+    EnterCriticalSection(&writing);
+    LeaveCriticalSection(&writing);
+    return FALSE; // to the next one, which ends the program
+}
+
+int platform_replace(const char *target, const char *data, size_t size)
+{
+    static bool ready;
+    if (!ready) {
+        InitializeCriticalSection(&writing);
+        SetConsoleCtrlHandler(on_interrupt, TRUE);
+        ready = true;
+    }
+    EnterCriticalSection(&writing);
+    int error = replace(target, data, size);
+    LeaveCriticalSection(&writing);
+    return error;
+}
+
+double platform_room(const char *folder)
+{
+    wchar_t wide[PLATFORM_PATH];
+    ULARGE_INTEGER room;
+    return widen(folder, wide) && GetDiskFreeSpaceExW(wide, &room, NULL, NULL)
+               ? (double)room.QuadPart
+               : -1.0;
+}
+
+// ---- The program and its surroundings ----
+
+bool platform_program(char path[PLATFORM_PATH])
+{
+    wchar_t wide[PLATFORM_PATH];
+    char given[PLATFORM_PATH];
+    DWORD length = GetModuleFileNameW(NULL, wide, PLATFORM_PATH);
+    bool fits = length > 0 && length < PLATFORM_PATH && narrow(wide, given);
+    char *resolved = fits ? platform_resolve(given) : NULL;
+    bool told = resolved != NULL && snprintf(path, PLATFORM_PATH, "%s", resolved) < PLATFORM_PATH;
+    free(resolved);
+    return told;
+}
