@@ -15,7 +15,7 @@ while read -r file; do
 done <"$out/later.txt"
 node docs/web/pack.mjs "$out/later.txt" "$out/course.json" shaders/*.glsl shaders/screen.vert
 rm "$out/later.txt"
-cp docs/web/program.js "$out/"
-for file in harness.wasm harness.js program.js course.json; do
+cp docs/web/{live,stage,values,ray,program}.js docs/web/live.css "$out/"
+for file in harness.wasm harness.js course.json {live,stage,values,ray,program}.js; do
     printf '%-14s %7d bytes, %6d compressed\n' "$file" "$(wc -c <"$out/$file")" "$(gzip -9c "$out/$file" | wc -c)"
 done

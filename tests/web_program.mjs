@@ -77,7 +77,6 @@ const attributes = await page.evaluate(() => document.getElementById('canvas').g
 check('the canvas has neither antialiasing nor alpha nor depth', !attributes.antialias && !attributes.alpha && !attributes.depth, attributes);
 
 await canvas.focus();
-await page.keyboard.press('KeyH'); // folds the panel, which has the pointer where it stands
 await page.keyboard.press('Escape');
 now = await until(page, (s) => s.paused);
 check('Escape pauses', now.paused);

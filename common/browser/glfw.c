@@ -111,7 +111,8 @@ GLFWwindow *glfwCreateWindow(int width, int height, const char *title, GLFWmonit
     static const char *const reasons[] = {
         [PAGE_NO_WEBGL] = "the browser gives no WebGL 2",
         [PAGE_NO_FLOATS] = "this device draws into no float targets (EXT_color_buffer_float)"};
-    (void)width, (void)height, (void)title, (void)monitor, (void)share;
+    (void)title, (void)monitor, (void)share;
+    page_size(width, height);
     int found = page_open_context();
     web.open = found == PAGE_CONTEXT;
     if (!web.open) {

@@ -89,9 +89,19 @@ int live_run(const struct chapter *chapter, int argc, char **argv)
     return 0;
 }
 
+static struct window *window(void)
+{
+    return live.run != NULL ? chapter_window(live.run) : NULL;
+}
+
+// The page says beside the picture what the window's panel says in it, which H brings back.
 static int start(void)
 {
     int status = live.at->main(live.count, live.argument);
+    if (window() != NULL) {
+        window()->panel.elsewhere = true;
+        window()->panel.folded = !window()->start->overlay_kept;
+    }
     fflush(stdout);
     return status;
 }
@@ -121,11 +131,6 @@ void live_stop(void)
 }
 
 // ---- The window ----
-
-static struct window *window(void)
-{
-    return live.run != NULL ? chapter_window(live.run) : NULL;
-}
 
 int live_runs(void)
 {
@@ -247,4 +252,20 @@ void live_pixel(int x, int y)
         window_choose_ray(window(), (const int[]){x, y});
     else
         window_leave_ray(window());
+}
+
+void live_step(int step)
+{
+    if (window() == NULL || !window_step_to(window(), false))
+        return;
+    window_step(window(), step);
+    window()->dirty = true;
+}
+
+void live_time(double time)
+{
+    if (window() == NULL || !(time == time))
+        return;
+    window()->inputs.time = time;
+    change();
 }

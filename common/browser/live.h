@@ -60,4 +60,10 @@ void live_pause(int paused);
 // Look at the ray of a pixel, (0, 0) bottom left; a negative x lets go of it.
 void live_pixel(int x, int y);
 
+// Show the steps of the chosen ray up to this one, 0 the first. Without a ray nothing happens.
+void live_step(int step);
+
+// Set the clock, seconds. It runs on from there, or stands.
+void live_time(double time);
+
 #endif

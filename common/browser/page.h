@@ -13,6 +13,9 @@ void page_close_context(void);
 // True when float targets blend: EXT_float_blend.
 int page_blends_floats(void);
 
+// The picture that a command line asks for: its sides, pixels.
+void page_size(int width, int height);
+
 void page_title(const char *text);
 
 // The label that the reader's keyboard has on a key, in UTF-8; "" where the browser does not say.

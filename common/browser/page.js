@@ -1,5 +1,5 @@
 // page.js - what page.h declares, for Emscripten's --js-library. Whoever loads the module may give it
-// onTitle, onCapture, onCursor, onPicture and keyLabel.
+// onSize, onTitle, onCapture, onCursor, onPicture and keyLabel.
 mergeInto(LibraryManager.library, {
     page_open_context__deps: ['$GL'],
     page_open_context: function () {
@@ -20,6 +20,9 @@ mergeInto(LibraryManager.library, {
     },
     page_blends_floats: function () {
         return GLctx.getExtension('EXT_float_blend') ? 1 : 0;
+    },
+    page_size: function (width, height) {
+        if (Module['onSize']) Module['onSize'](width, height);
     },
     page_title: function (text) {
         if (Module['onTitle']) Module['onTitle'](UTF8ToString(text));

@@ -93,6 +93,15 @@ static void write_probe(FILE *stream, const struct probe *probe)
     fputs("]}", stream);
 }
 
+static void write_views(FILE *stream)
+{
+    for (int view = 0; view < SHADER_VIEW_COUNT; view++) {
+        fputs(view > 0 ? "," : ",\"views\":[", stream);
+        state_string(stream, shader_view_name((enum shader_view)view));
+    }
+    fputs("]", stream);
+}
+
 static void write_window(FILE *stream, const struct window *window)
 {
     const struct renderer *renderer = window->renderer;
@@ -109,7 +118,10 @@ static void write_window(FILE *stream, const struct window *window)
     one(stream, "divisor", resolution_divisor(window->pace.resolution.level));
     numbers(stream, "size", 2, (const double[]){inputs->width, inputs->height});
     numbers(stream, "pixel", 2, (const double[]){inputs->pixel[0], inputs->pixel[1]});
+    one(stream, "shown", floor((double)inputs->shown));
+    text(stream, "why", inputs->pixel[0] >= 0 ? window->ray.why : "");
     yes(stream, "halves", live_halves() != 0);
+    write_views(stream);
     fputs(",\"files\":[", stream);
     for (int i = 0; i < renderer->fragment.file_count; i++) {
         fputs(i > 0 ? "," : "", stream);

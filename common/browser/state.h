@@ -16,7 +16,9 @@ struct window;
 //   camera                position, pan and tilt as the options have them
 //   rate, milliseconds    frames a second, and what the last picture took
 //   divisor, size, pixel  the picture's sides are divided by it; pixels; the chosen pixel or -1
+//   shown, why            how many of its ray's steps are shown, 0 for all; why it has no march
 //   halves                float targets are made of half floats here
+//   views                 their names, in the order of their numbers
 //   files                 of the shader, paths
 //   parameters            name, type, value, initial, minimum, maximum, step, multiplies, unit,
 //                         meaning

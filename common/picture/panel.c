@@ -73,7 +73,7 @@ static float write_error(const struct panel *panel, struct overlay *overlay, flo
     char line[OVERLAY_TEXT + 1];
     float limit = pen_picture_width(overlay) - 2.0f * (PEN_MARGIN + PEN_PADDING);
     int most = (int)(0.5f * pen_picture_height(overlay) / OVERLAY_LINE), lines = 0;
-    if (panel->error == NULL || panel->error[0] == '\0')
+    if (panel->error == NULL || panel->error[0] == '\0' || panel->bare)
         return bottom;
     for (const char *at = panel->error; lines < most && pen_next_line(&at, limit, line);)
         lines++;
@@ -157,11 +157,11 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     const struct inspector_room taken = {rows->left, rows->top, rows->left + rows->width,
                                          rows->top + rows->height};
     static const struct inspector_room nothing = {0};
-    if (marched && !(form_shows_ray(view) && panel->folded)) {
+    if (marched && !panel->bare && !(form_shows_ray(view) && panel->folded)) {
         const struct inspector_room place =
             inspector_place(overlay, &inspector, rows->count > 0 ? &taken : &nothing, bottom);
         inspector_march(overlay, &inspector, &place);
-    } else if (refused)
+    } else if (refused && !panel->bare)
         inspector_why(overlay, panel->why);
     if (panel->pixel[0] >= 0)
         inspector_mark(overlay, &inspector);

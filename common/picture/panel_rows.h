@@ -30,6 +30,7 @@ struct panel {
     bool paused;
     bool ranges;       // range and unit of all parameters, where the picture has room for them
     bool folded;       // leave out all but the ray's march, in the slice that too, and the error
+    bool bare;         // leave out all words but a pair's labels: somebody else says them
     bool right;        // it stands at the right
     bool rolled;       // it is folded to its title
     const char *typed; // letters that stand in place of the chosen parameter's value

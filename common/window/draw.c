@@ -73,6 +73,7 @@ static void gather(struct window *window)
                      : 0,
         .paused = window->paused,
         .folded = window->panel.folded,
+        .bare = window->panel.folded && window->panel.elsewhere,
         .ranges = window->panel.helps,
         .hint = window->panel.hint,
         .keys = window->panel.keys,

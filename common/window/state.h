@@ -75,6 +75,7 @@ struct window {
     struct {
         struct overlay overlay;
         bool folded;            // H was pressed
+        bool elsewhere;         // while it is folded, its words stand beside the picture: in a page
         struct panel_rows rows; // as they are shown
         bool right, rolled;     // it stands at the right; it is folded to its title
         bool helps;             // K was pressed: all keys, all of the parameters

@@ -41,6 +41,7 @@ export class Program {
     // Load the module for a canvas, which stays its own. What is handed in besides is called:
     //   onLine(text, isError)   the program prints a line
     //   onPicture(data, name)   it writes a picture: ImageData
+    //   onSize(width, height)   it asks for a window or a picture of that size
     //   onEnd()                 no turn follows: state().error says why, or nothing
     //   onLost(), onFound()     the browser takes the graphics context away, and gives it back
     static async load(canvas, hooks = {}) {
@@ -61,6 +62,7 @@ export class Program {
         program.module = module;
         Object.assign(module, {
             onPicture: (data, name) => hooks.onPicture?.(data, name),
+            onSize: (width, height) => hooks.onSize?.(width, height),
             onTitle: (text) => { program.title = text; },
             onCapture: (captured) => captured ? canvas.requestPointerLock() : document.exitPointerLock(),
             onCursor: (shape) => { canvas.style.cursor = CURSORS[shape] || ''; },

@@ -1,0 +1,93 @@
+// live.js - <live-chapter stem="03_shadows" line="--time 3">: a chapter's program in a page. Before a reader asks for
+// it there is its poster and a button; the module, the controls and the editor are loaded by the click.
+//
+// Beside the elements that a page has, a button.run opens one below its command, and a form.check judges an exercise.
+// A page has one program: it moves to where it was asked for last.
+
+let stage = null; // the one that runs, once it was asked for
+
+const part = (name, properties = {}, ...children) => {
+    const made = Object.assign(document.createElement(name), properties);
+    made.append(...children);
+    return made;
+};
+
+class LiveChapter extends HTMLElement {
+    connectedCallback() {
+        if (this.screen) return; // it was moved
+        const poster = this.querySelector('img');
+        this.button = part('button', {type: 'button', className: 'live-start', textContent: '▶ Run'});
+        this.button.setAttribute('aria-label', `Run the program of chapter ${this.stem.slice(0, 2)}`);
+        this.button.addEventListener('click', () => this.run());
+        this.screen = part('div', {className: 'live-screen'}, ...(poster ? [poster] : []), this.button);
+        this.prepend(this.screen);
+        if (this.isFirst && location.hash.startsWith('#edit=')) {
+            this.button.textContent = '▶ Run what this link holds';
+            this.button.removeAttribute('aria-label');
+        }
+    }
+
+    get stem() { return this.getAttribute('stem') || ''; }
+    get isFirst() { return document.querySelector('live-chapter') === this; }
+
+    // Run a command line here: what options.c reads behind the program's name. Returns the exit status once it is
+    // done, or the window's first picture is there. The page's program moves here if it is elsewhere.
+    async run(line = this.getAttribute('line') || '') {
+        this.button.disabled = true;
+        this.setAttribute('aria-busy', 'true');
+        try {
+            stage ??= import('./stage.js').then(({Stage}) => Stage.load(part));
+            this.stage = await stage;
+            return await this.stage.start(this, line);
+        } catch (error) {
+            stage = null;
+            this.say(`The program cannot be loaded: ${error.message}`);
+            return 1;
+        } finally {
+            this.button.disabled = false;
+            this.removeAttribute('aria-busy');
+        }
+    }
+
+    // A line in place of the program.
+    say(text) {
+        this.said ??= part('p', {className: 'live-said'});
+        this.said.setAttribute('role', 'alert');
+        this.said.textContent = text;
+        this.append(this.said);
+    }
+
+    // The program in it, once it runs: for pages with files of their own.
+    get program() { return this.stage?.at === this ? this.stage.program : null; }
+}
+
+customElements.define('live-chapter', LiveChapter);
+
+// ---- Beside the text ----
+
+const beside = new WeakMap(); // a command's button: the chapter below it
+
+function runBeside(button) {
+    let chapter = beside.get(button);
+    if (!chapter?.isConnected) {
+        chapter = part('live-chapter', {className: 'live-beside'});
+        chapter.setAttribute('stem', button.dataset.stem || document.querySelector('live-chapter')?.stem || '');
+        chapter.opener = button;
+        (button.closest('.command') || button).after(chapter);
+        beside.set(button, chapter);
+    }
+    return chapter.run(button.dataset.line || '');
+}
+
+document.addEventListener('click', (event) => {
+    const button = event.target.closest?.('button.run');
+    if (button) runBeside(button);
+});
+
+document.addEventListener('submit', async (event) => {
+    const form = event.target.closest?.('form.check');
+    if (!form) return;
+    event.preventDefault();
+    const [{check}, running] = await Promise.all([import('./check.js'), stage]);
+    check(form, running, part);
+});

@@ -1,0 +1,68 @@
+// ray.js - the ray of the pixel that was clicked: what became of it, its steps, the way along it.
+const VIEWS = {Slice: 'slice', Graph: 'plot'};
+
+export class Ray {
+    constructor(stage) {
+        const {part} = stage;
+        this.stage = stage;
+        this.title = part('summary', {textContent: 'Ray'});
+        this.outcome = part('p', {className: 'live-outcome'});
+        this.body = part('tbody');
+        this.table = part('table', {}, part('thead', {}, part('tr', {}, ...['step', 't', 'distance', 'x', 'y', 'z'].map((text) => part('th', {textContent: text, scope: 'col'})))), this.body);
+        this.scroll = part('div', {className: 'live-table', tabIndex: 0}, this.table);
+        this.scroll.setAttribute('role', 'region');
+        this.scroll.setAttribute('aria-label', 'The steps of the ray');
+        this.body.addEventListener('click', (event) => {
+            const row = event.target.closest('tr');
+            if (row) stage.call('live_step', row.sectionRowIndex);
+        });
+        const to = (step) => stage.call('live_step', Math.max(0, step));
+        const view = (name) => () => stage.call('live_view', Math.max(0, stage.state.views.indexOf(stage.state.view === name ? 'picture' : name)));
+        this.ways = Object.entries(VIEWS).map(([text, name]) => Object.assign(stage.button(text, view(name)), {view: name}));
+        this.tools = part('div', {className: 'live-steps'},
+            stage.button('First', () => to(0)), stage.button('Back', () => to(this.shown === 0 ? this.steps : this.shown - 2)),
+            stage.button('On', () => to(this.shown)), stage.button('Last', () => to(this.steps)),
+            ...this.ways, stage.button('Let go', () => stage.call('live_pixel', -1, -1)));
+        this.tools.setAttribute('role', 'group');
+        this.tools.setAttribute('aria-label', 'Along the ray');
+        this.middle = stage.button('The middle pixel', () => {
+            const [width, height] = stage.state.size;
+            stage.call('live_pixel', Math.floor(width / 2), Math.floor(height / 2));
+        });
+        this.none = part('p', {className: 'live-outcome'}, 'Click or tap the picture: the ray of that pixel is followed step by step. ', this.middle);
+        this.element = part('details', {className: 'live-ray', open: !matchMedia('(max-width: 640px)').matches}, this.title, this.none, this.outcome, this.tools, this.scroll);
+    }
+
+    show({pixel, probe, why, shown, view}) {
+        const chosen = pixel[0] >= 0;
+        this.none.hidden = chosen;
+        this.outcome.hidden = this.tools.hidden = !chosen;
+        this.scroll.hidden = !probe?.recorded;
+        this.title.textContent = chosen ? `Ray of pixel ${pixel.join(', ')}` : 'Ray';
+        for (const button of this.ways) button.setAttribute('aria-pressed', button.view === view);
+        if (!chosen) return;
+        this.outcome.textContent = why || !probe ? why
+            : `${probe.outcome}; steps: ${probe.steps}; of further rays: ${probe.all_steps - probe.steps}; evaluations of the scene: ${probe.evaluations}; colour: ${probe.colour.join(', ')}`;
+        if (!probe) return;
+        this.steps = probe.march.length;
+        this.shown = shown;
+        const text = JSON.stringify(probe.march);
+        if (text !== this.text) {
+            this.text = text;
+            this.body.replaceChildren(...probe.march.map(([t, distance, ...place], i) => this.stage.part('tr', {},
+                ...[i, t?.toFixed(4), distance?.toPrecision(3), ...place.map((x) => x?.toFixed(3))].map((cell) => this.stage.part('td', {textContent: cell ?? '–'})))));
+        }
+        this.mark(shown - 1);
+    }
+
+    mark(at) {
+        if (this.marked === at && this.body.children[at]?.classList.contains('live-at')) return;
+        this.marked = at;
+        for (const row of this.body.querySelectorAll('.live-at')) row.classList.remove('live-at');
+        const row = this.body.children[at];
+        if (!row) return;
+        row.classList.add('live-at');
+        const top = row.offsetTop - this.scroll.clientHeight / 2;
+        this.scroll.scrollTop = Math.max(0, top);
+    }
+}
