@@ -73,7 +73,9 @@ function runBeside(button) {
         chapter = part('live-chapter', {className: 'live-beside'});
         chapter.setAttribute('stem', button.dataset.stem || document.querySelector('live-chapter')?.stem || '');
         chapter.opener = button;
-        (button.closest('.command') || button).after(chapter);
+        const block = button.closest('div.command, table, p, li, dd') || button;
+        if (block.matches('li, dd')) block.append(chapter);
+        else block.after(chapter);
         beside.set(button, chapter);
     }
     return chapter.run(button.dataset.line || '');
