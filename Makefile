@@ -19,6 +19,7 @@ ROUNDS =
 WRITE =
 WEB =
 WINDOWS =
+PORT = 8000
 DURATION =
 SANITIZE =
 FUZZER =
@@ -285,6 +286,12 @@ book: ## set all pages as one PDF, build/book.pdf (pandoc and XeLaTeX, a package
 	@.make/setup.sh book
 	@.make/book.sh
 
+site: web build/node/package-lock.json ## set all pages as a web site with their programs alive: build/site/ and build/site.zip
+	@.make/site.sh
+
+serve: site ## show that site on this machine alone: http://127.0.0.1:8000/, or another PORT
+	@node docs/web/serve.mjs build/site $(PORT)
+
 setup: ## install what run, test and lint need
 	@.make/setup.sh --all run test lint
 
@@ -370,7 +377,7 @@ references: ready ## render the reference pictures again; those within tolerance
 always:
 .PHONY: all programs tests fuzzer ready run play check compare diff film gallery benchmark book setup clean help test \
         test-fresh test-gpu fuzz lint format chapter docs figures figure_programs textures texture_programs \
-        references web test-web module windows always
+        references web test-web site serve module windows always
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .SECONDARY:

@@ -3,6 +3,7 @@
 -- chapter's end, comments go.
 -- Metadata: page, the file's name such as 03_shadows.md.
 
+local pages = dofile('.make/pages.lua')
 local page = 'page'
 
 local function anchor(file, id)
@@ -22,30 +23,23 @@ local function header(element)
 end
 
 local function link(element)
-    local target = element.target
-    if target:match('^%a+:') then
-        return element
-    elseif target:match('^#') then
-        element.target = '#' .. anchor(page, target:sub(2))
-    elseif target:match('^[%w_]+%.md') then
-        local file, id = target:match('^([%w_]+%.md)#?(.*)$')
-        element.target = '#' .. anchor(file, id)
-    else
-        return element.content -- a file of the project: its name stands in the text
+    local kind, file, id = pages.target(element.target)
+    if kind == 'file' then
+        return element.content -- its name stands in the text
+    elseif kind ~= 'outside' then
+        element.target = '#' .. anchor(kind == 'here' and page or file, id)
     end
     return element
 end
 
--- A paragraph that holds a picture alone: its words become the caption.
 local function picture(element)
     element.attributes.width = element.attributes.width or '95%'
     return element
 end
 
 local function paragraph(element)
-    if #element.content == 1 and element.content[1].t == 'Image' then
-        local image = element.content[1]
-        image.title = 'fig:' .. image.title
+    local image = pages.figure(element)
+    if image then
         image.attributes.width = '88%'
         return pandoc.Para({image})
     end
@@ -160,11 +154,8 @@ local function raw(element)
     end
 end
 
--- A diagram in Mermaid is for the screen; on paper the table before it says the same.
 local function block(element)
-    if element.classes:includes('mermaid') then
-        return {}
-    end
+    return pages.mermaid(element) and {} or nil
 end
 
 -- ---- What is folded ----
@@ -186,7 +177,7 @@ local function unfolded(blocks)
     local title, number, into, count, reference = '', nil, nil, 0, nil
     for _, element in ipairs(blocks) do
         local html = element.t == 'RawBlock' and element.text or ''
-        local kind = html:match('^<details><summary>(%a+)</summary>')
+        local kind = pages.fold(html)
         if kind and folds[kind] then
             count = count + 1
             local label = anchor(page, 'fold-' .. count)

@@ -3,18 +3,14 @@
 # and listings. pandoc reads the pages, XeLaTeX sets them.
 set -u
 export LC_ALL=C
+. .make/pages.sh
 
 folder=build/book
 rm -rf "$folder"
 mkdir -p "$folder" || exit 1
 
-# The order of the book: how to read it, the chapters, what stands behind them, how the house is built.
-pages=() files=()
-for page in docs/README.md docs/[0-9][0-9]_*.md docs/{using,benchmark,errata,errata_workshop,errata_sky,glossary,teaching,architecture,contributing}.md; do
-    [ ! -e "$page" ] || pages+=("$page")
-done
-
-for page in "${pages[@]}"; do
+files=()
+for page in $(pages); do
     name=$(basename "$page")
     pandoc -f gfm+tex_math_dollars -t json -M page="$name" --lua-filter .make/book.lua "$page" \
         -o "$folder/${name%.md}.json" || exit 1

@@ -166,7 +166,12 @@ need_web() {
     need 'npm' 'npm|nodejs-npm|npm|node' has_command npm
     need 'Chromium' 'chromium|chromium|chromium|-' has_command chromium
     need 'pandoc' 'pandoc|pandoc|pandoc|pandoc' has_command pandoc
+    need 'the letters of the pages' 'fonts-texgyre fontconfig|texlive-tex-gyre|-|-' has_font 'TeX Gyre Pagella'
     need 'the letters of formulas' 'fonts-texgyre-math|texlive-tex-gyre-math|-|-' has_font 'TeX Gyre Pagella Math'
+    need 'pyftsubset (only the letters that are used)' 'fonttools python3-brotli|fonttools python3-brotli|python-fonttools python-brotli|fonttools' \
+        has_command pyftsubset
+    need 'cwebp (small pictures)' 'webp|libwebp-tools|libwebp|webp' has_command cwebp
+    need 'zip' 'zip|zip|zip|zip' has_command zip
 }
 
 # The cross build for Windows, on Debian alone: the libraries are made from its source packages.

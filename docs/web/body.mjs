@@ -1,0 +1,116 @@
+// body.mjs - finishes what pandoc and filter.lua make of a page: formulas, listings, commands, pictures, tables.
+import fs from 'node:fs';
+import path from 'node:path';
+import {coloured, escaped, plain, sizeOf} from './colour.mjs';
+import {commandOf, isCommand, piecesOf} from './commands.mjs';
+
+const temml = (await import(new URL('../../build/node/node_modules/temml/dist/temml.mjs', import.meta.url))).default;
+
+// ---- Formulas ----
+
+// A formula that is wider than the page scrolls in its own box; in a line it may break after a sign.
+function mathml(tex, display) {
+    const formula = temml.renderToString(tex, {displayMode: display, wrap: display ? 'none' : 'tex', throwOnError: true});
+    return display ? `<span class="formula">${formula}</span>` : formula;
+}
+
+const formulas = (html) => html.replace(/<span class="math (inline|display)">\\[[(](.*?)\\[\])]<\/span>/gs,
+    (_, kind, tex) => mathml(plain(tex), kind === 'display'));
+
+// ---- Listings and commands ----
+
+const button = ({stem, line, tail}, command) => `<button type="button" class="run" data-stem="${stem}" data-line="${escaped(line)}"`
+    + `${tail ? ` data-tail="${tail}"` : ''} aria-label="Run ${escaped(command.replace(/\s+/g, ' '))}">Run</button>`;
+
+function commandBlock({text, command}) {
+    const listing = `<pre><code>${coloured(text, 'sh')}</code></pre>`;
+    if (!command) return `<div class="command">${listing}</div>`;
+    const what = commandOf(command);
+    if (what.check) {
+        const exercise = what.check.replace('_', '-');
+        return `<div class="command">${listing}<form class="check" data-exercise="${exercise}"><button type="submit" aria-label="Check exercise ${exercise}">Check</button></form></div>`;
+    }
+    return what.reason ? `<div class="command">${listing}<p class="reason">In a terminal: ${escaped(what.reason)}.</p></div>`
+        : `<div class="command">${listing}${button(what, command)}</div>`;
+}
+
+// A listing, below the name of its file; `sources` knows where the file and this place of it are shown.
+function listing(language, text, file, symbol, sources) {
+    const code = `<pre><code>${coloured(text, language)}</code></pre>`;
+    if (!file) return `<div class="listing">${code}</div>`;
+    const address = sources.place(file, text);
+    const name = symbol === '*' ? '' : ` <span class="symbol">${escaped(symbol)}</span>`;
+    return `<figure class="listing"><figcaption><a href="${address}">${escaped(file)}</a>${name}</figcaption>${code}</figure>`;
+}
+
+function blocks(html, sources) {
+    return html.replace(/<pre(?: class="(\w+)")?([^>]*)><code>(.*?)<\/code><\/pre>/gs, (_, language, more, code) => {
+        const text = plain(code).replace(/\n$/, '');
+        if (language === 'sh') return `<div class="commands">${piecesOf(text).map(commandBlock).join('')}</div>`;
+        return listing(language, text, /data-file="([^"]*)"/.exec(more)?.[1], plain(/data-symbol="([^"]*)"/.exec(more)?.[1] ?? ''), sources);
+    });
+}
+
+// A command in a line or in a table has its button behind it.
+const inlineCommands = (html) => html.replace(/<code>([^<]*)<\/code>/g, (whole, code) => {
+    const command = plain(code);
+    if (!isCommand(command)) return whole;
+    const what = commandOf(command);
+    return what.stem ? `<span class="command">${whole} ${button(what, command)}</span>` : whole;
+});
+
+// ---- Pictures, tables, links ----
+
+// Where the site has a picture that a page takes from ../tests/references/ or figures/; it goes into `pictures`.
+function pictureOf(source, pictures) {
+    const file = path.join('docs', source);
+    const name = path.basename(file);
+    pictures.set(name, file);
+    const [width, height] = sizeOf(file);
+    return `src="pictures/${name}" width="${width}" height="${height}"`;
+}
+
+const images = (html, pictures) => html.replace(/<img src="([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) =>
+    `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`);
+
+// The first picture of a chapter is its program, at rest.
+const live = (html, stem) => html.replace(/<figure>\s*<img ([^>]*) loading="lazy"([^>]*)>.*?<\/figure>/s,
+    (_, more, rest) => `<live-chapter stem="${stem}"><img ${more}${rest}></live-chapter>`);
+
+// In a table of pictures each cell is a share of the width; one of words scrolls where it is wider than the page.
+const tables = (html) => html.replace(/<table>(.*?)<\/table>/gs, (whole, inside) => {
+    const kind = /<td[^>]*>\s*<img/.test(inside) ? ' pictures' : '';
+    const clean = inside.replace(/<tr class="[^"]*">/g, '<tr>').replace(/<th([^>]*)><\/th>/g, '<td$1></td>');
+    return `<div class="table${kind}"><table>${clean}</table></div>`;
+});
+
+const links = (html, sources) => html.replace(/<a href="source:([^"#]*)(#[^"]*)?"([^>]*)>(.*?)<\/a>/gs, (_, file, id, more, text) => {
+    const address = sources.place(file);
+    return address ? `<a href="${address}"${more}>${text}</a>` : text;
+});
+
+// The body of a page from pandoc's HTML.
+//   stem      its chapter, or nothing
+//   sources   shows files of the project (sources.mjs)
+//   pictures  receives what it shows: name in the site -> file
+export function bodyOf(html, {stem, sources, pictures}) {
+    html = links(images(inlineCommands(blocks(formulas(html), sources)), pictures), sources);
+    html = tables(html).replaceAll(' />', '>');
+    return stem ? live(html, stem) : html;
+}
+
+// The sections of a body: [{level, id, html, text}], text being the words below its heading.
+export function sectionsOf(html) {
+    const parts = html.split(/<h([1-3])((?: [\w-]+="[^"]*")*)>(.*?)<\/h\1>/s);
+    const sections = [];
+    for (let i = 1; i < parts.length; i += 4) {
+        const words = parts[i + 3].replace(/<math.*?<\/math>|<pre.*?<\/pre>|<figcaption aria.*?<\/figcaption>|<button.*?<\/button>/gs, ' ');
+        sections.push({
+            level: Number(parts[i]), id: /id="([^"]*)"/.exec(parts[i + 1])[1], html: parts[i + 2],
+            lang: /lang="(\w+)"/.exec(parts[i + 1])?.[1], text: plain(words.replace(/<[^>]*>/g, ' ')).replace(/\s+/g, ' ').trim(),
+        });
+    }
+    return sections;
+}
+
+export const read = (file) => fs.readFileSync(file, 'utf8');

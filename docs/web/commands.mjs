@@ -1,0 +1,80 @@
+// commands.mjs - what a command of a page is in the browser: a line for the live program, an exercise to be checked, or
+// a reason why it stays in the terminal (commands.txt).
+import fs from 'node:fs';
+
+const REASONS = fs.readFileSync(new URL('commands.txt', import.meta.url), 'utf8').split('\n')
+    .filter((line) => line && !line.startsWith('#'))
+    .map((line) => {
+        const [pattern, reason] = line.split(' | ').map((part) => part.trim());
+        return {pattern: new RegExp(pattern), reason};
+    });
+const STEMS = fs.readdirSync('chapters').filter((name) => /^\d\d_.*\.c$/.test(name)).map((name) => name.slice(0, -2)).sort();
+// Where one of these stands too, --output names a picture that no window can show.
+const STILL = ['--probe', '--step', '--from', '--overlay', '--list', '--print-shader'];
+
+// The words of a command as a shell reads them; a comment behind it ends it.
+function wordsOf(command) {
+    const words = [];
+    for (const [word] of command.matchAll(/(?:'[^']*'|[^\s'])+/g)) {
+        if (word.startsWith('#')) break;
+        words.push(word.replaceAll("'", ''));
+    }
+    return words;
+}
+
+// A chapter's stem from what CHAPTER says, as .make/chapters.sh reads it.
+function stemOf(name) {
+    const stem = STEMS.find((stem) => !name || stem === name || stem.startsWith(`${name.padStart(2, '0')}_`));
+    if (!stem) throw new Error(`no chapter is named ${name}`);
+    return stem;
+}
+
+// The line for a program whose window a page has: a picture that it could show is not written.
+function lineOf(words) {
+    const at = words.findIndex((word) => word === '--output' || word === '-o');
+    if (at >= 0 && !words.some((word) => STILL.some((still) => word === still || word.startsWith(`${still}=`)))) words.splice(at, 2);
+    return words.join(' ');
+}
+
+// What a command is, as it stands in a page:
+//   {stem, line, tail}  the chapter's program and its line; of what it prints the page speaks of the last `tail` lines, or all
+//   {check}             an exercise, "03_2"
+//   {reason}            why it has no button
+// Throws where it is none of these: then commands.txt lacks a line.
+export function commandOf(command) {
+    const rule = REASONS.find(({pattern}) => pattern.test(command));
+    if (rule) return {reason: rule.reason};
+    const tail = /\|\s*tail -n (\d+)\s*$/.exec(command);
+    const words = wordsOf(tail ? command.slice(0, tail.index) : command.replaceAll('\\\n', ' '));
+    const [program, ...rest] = words;
+    const chapter = /^build\/(\d\d_\w+)$/.exec(program);
+    if (chapter && STEMS.includes(chapter[1])) return {stem: chapter[1], line: lineOf(rest), ...(tail && {tail: tail[1]})};
+    if (program === 'make') {
+        const values = Object.fromEntries(rest.slice(1).map((word) => /^(\w+)=(.*)$/s.exec(word)?.slice(1) ?? [word, '']));
+        if (rest[0] === 'run') return {stem: stemOf(values.CHAPTER), line: lineOf((values.OPTIONS ?? '').split(/\s+/).filter(Boolean))};
+        if (rest[0] === 'check' && values.EXERCISE) return {check: values.EXERCISE};
+    }
+    throw new Error(`docs/web/commands.txt: no reason why this has no button: ${command}`);
+}
+
+// The commands of a block, each with the comments above it: [{text, command}]. A command goes on behind a backslash and
+// within quotes or braces.
+export function piecesOf(block) {
+    const pieces = [];
+    let text = '', command = '';
+    for (const line of block.split('\n')) {
+        text += (text ? '\n' : '') + line;
+        if (!command && /^\s*(#|$)/.test(line)) continue;
+        command += (command ? '\n' : '') + line;
+        if (/\\$/.test(line) || (command.match(/'/g) ?? []).length % 2 === 1 || (/\(\) \{/.test(command) && !/\}$/.test(command))) continue;
+        pieces.push({text, command});
+        text = command = '';
+    }
+    if (text.trim()) pieces.push({text, command: ''});
+    return pieces;
+}
+
+// Is this inline code a command, and not only the name of one?
+export function isCommand(code) {
+    return /^build\/\d\d_\w+ -/.test(code) || /^make run CHAPTER=/.test(code);
+}

@@ -1,0 +1,71 @@
+-- filter.lua - prepares a page of docs/ for site.mjs: links between pages, figures with captions, listings that know
+-- their file, French that says so. What it leaves as data-… site.mjs finishes.
+
+local pages = dofile('.make/pages.lua')
+
+-- The front page of the site stands for the project's README, so how to read the course has a name of its own.
+local function address(file)
+    return (file:gsub('^README%.md$', 'reading.md'):gsub('%.md$', '.html'))
+end
+
+local function link(element)
+    local kind, file, id = pages.target(element.target)
+    if kind == 'page' then
+        element.target = address(file) .. (id ~= '' and '#' .. id or '')
+    elseif file == 'README.md' then
+        element.target = 'index.html'
+    elseif kind == 'file' then
+        element.target = 'source:' .. file
+    end
+    return element
+end
+
+local function paragraph(element)
+    local image = pages.figure(element)
+    return image and pandoc.Para({image})
+end
+
+local function block(element)
+    return pages.mermaid(element) and {} or nil
+end
+
+-- A French term stands in brackets after the English one, (*distance signée*), or before a bracket or a semicolon that
+-- ends it; what is said in English is stressed without a bracket.
+local function french(inlines)
+    for i = 2, #inlines do
+        local before, here = inlines[i - 1], inlines[i]
+        if here.t == 'Emph' and before.t == 'Str' and before.text:match('%($') then
+            inlines[i] = pandoc.Span({here}, pandoc.Attr('', {}, {lang = 'fr'}))
+        end
+    end
+    return inlines
+end
+
+local function raw(element)
+    return element.format:match('html') and element.text:match('^<!%-%-') and {} or nil
+end
+
+-- A listing below its marker, and the summary in French below its heading.
+local function neighbours(blocks)
+    for i = 1, #blocks - 1 do
+        local here, after = blocks[i], blocks[i + 1]
+        local file, name
+        if here.t == 'RawBlock' then
+            file, name = pages.marker(here.text)
+        end
+        if file and after.t == 'CodeBlock' then
+            after.attributes.file, after.attributes.symbol = file, name
+        elseif here.t == 'Header' and after.t == 'BlockQuote' and pandoc.utils.stringify(here) :match("^L.*essentiel$") then
+            here.attributes.lang = 'fr'
+            blocks[i + 1] = pandoc.Div(after.content, pandoc.Attr('', {'essential'}, {lang = 'fr'}))
+        end
+    end
+    return blocks
+end
+
+function Pandoc(document)
+    local blocks = pandoc.walk_block(pandoc.Div(neighbours(document.blocks)), {
+        Link = link, Para = paragraph, CodeBlock = block, RawBlock = raw, RawInline = raw, Inlines = french,
+    }).content
+    return pandoc.Pandoc(blocks, pandoc.Meta({}))
+end
