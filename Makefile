@@ -87,6 +87,9 @@ say = $(if $(V),,@echo '$(1)' &&)
 
 # A warning stops `make lint` and CI, not a reader whose compiler knows more of them.
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
+# What a format may hold is judged on Windows by its old C library, which is not the one that is linked.
+# Its isfinite and the like are macros that convert.
+WARNINGS += $(if $(EXE),-Wno-format -Wno-float-conversion)
 # No product and sum are rounded in one: what a texture's program computes is the same everywhere.
 LANGUAGE = -std=c11 -ffp-contract=off -D_XOPEN_SOURCE=700 -Icommon
 LANGUAGE += $(if $(MAC),-D_DARWIN_C_SOURCE) $(if $(EXE),-D_WIN32_WINNT=0x0A00)
@@ -154,8 +157,14 @@ programs: $(PROGRAMS) $(FIRST_STEPS)
 tests: $(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),compare draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
 fuzzer: $(BUILD)/tests/fuzz
 
-$(PROGRAMS): $(BUILD)/%$(EXE): $(BUILD)/chapters/%.o $(COMMON) $(EXTRA)
+# What is packed for others has what all programs do once, in a library beside them.
+SHARED := $(if $(WINDOWS),$(BUILD)/harness.dll)
+ENTRY := $(BUILD)/common/platform_windows_main.o
+$(PROGRAMS): $(BUILD)/%$(EXE): $(BUILD)/chapters/%.o $(if $(SHARED),$(ENTRY) $(SHARED),$(COMMON)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
+
+$(BUILD)/harness.dll: $(filter-out $(ENTRY),$(COMMON))
+	$(call say,link $@) $(CC) -shared $(LDFLAGS) -o $@ $^ $(filter-out -municode,$(LINK))
 
 $(FIRST_STEPS): $(BUILD)/first_steps/%: $(BUILD)/chapters/first_steps/%.o $(EXTRA)
 	@mkdir -p $(@D)

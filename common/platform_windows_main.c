@@ -1,0 +1,84 @@
+// Where a program for Windows begins: it hands main the command line in UTF-8. What is packed for
+// others has this file in every program, and all the rest once, in a library beside them.
+#include "platform_windows.h"
+
+#include <fcntl.h>
+#include <io.h>
+#include <stdlib.h>
+
+#define WIN32_LEAN_AND_MEAN
+#include <windows.h>
+// Behind it, for they need it.
+#include <shellapi.h>
+#include <timeapi.h>
+
+// Laptops with two graphics cards give a program that exports these the faster one.
+__declspec(dllexport) extern const DWORD NvOptimusEnablement, AmdPowerXpressRequestHighPerformance;
+const DWORD NvOptimusEnablement = 1, AmdPowerXpressRequestHighPerformance = 1;
+
+static struct {
+    UINT code_page; // of the console, before
+    bool done;      // main has come to a good end
+} state;
+
+static void leave_console(void)
+{
+    fflush(stdout);
+    if (!state.done)
+        platform_wait_for_reader();
+    if (state.code_page != 0)
+        SetConsoleOutputCP(state.code_page);
+}
+
+int main(int argc, char **argv);
+
+static void *need(void *memory)
+{
+    if (memory == NULL) {
+        platform_say("not enough memory: close other programs\n");
+        exit(1);
+    }
+    return memory;
+}
+
+// A word of the command line in UTF-8, with '/' between the parts of a path: of all that can be
+// said there only paths have a '\'. Lives as long as the program.
+static char *word_of(const wchar_t *wide)
+{
+    int size = WideCharToMultiByte(CP_UTF8, 0, wide, -1, NULL, 0, NULL, NULL);
+    char *word = need(malloc((size_t)size + 1));
+    WideCharToMultiByte(CP_UTF8, 0, wide, -1, word, size, NULL, NULL);
+    for (char *at = word; *at != '\0'; at++)
+        if (*at == '\\')
+            *at = '/';
+    return word;
+}
+
+// The words of the command line as the shell gave them: the C library would look for files that *
+// and ? stand for.
+static char **words_of(int *count)
+{
+    wchar_t **wide = need(CommandLineToArgvW(GetCommandLineW(), count));
+    char **words = need(calloc((size_t)*count + 1, sizeof *words));
+    for (int i = 0; i < *count; i++)
+        words[i] = word_of(wide[i]);
+    LocalFree(wide);
+    return words;
+}
+
+// The C library begins here. Output is written as it stands, in UTF-8.
+int wmain(void)
+{
+    int count = 0;
+    char **words = words_of(&count);
+    _setmode(_fileno(stdout), _O_BINARY);
+    _setmode(_fileno(stderr), _O_BINARY);
+    SetErrorMode(SEM_FAILCRITICALERRORS); // a drive without a disk is a file that is not there
+    timeBeginPeriod(1);                   // else a wait may be as long as a picture, 16 ms
+    state.code_page = GetConsoleOutputCP();
+    SetConsoleOutputCP(CP_UTF8);
+    atexit(leave_console);
+    int status = main(count, words);
+    state.done = status == 0;
+    return status;
+}
