@@ -9,8 +9,10 @@ program='' window='' manager='' shots=0 picture='' stem=''
 # ---- Tools ----
 
 # eventually COMMAND...: wait until the command succeeds. Only what never comes is given up.
-eventually() {
-    local tries=1200
+eventually() { tries=1200 attempt "$@"; }
+# soon COMMAND...: the same for a few seconds, for what may never come.
+soon() { tries=60 attempt "$@"; }
+attempt() {
     while ! "$@"; do
         tries=$((tries - 1))
         [ "$tries" -gt 0 ] || return 1
@@ -64,6 +66,7 @@ opens() {
 }
 focus() { xdotool windowfocus "$window" 2>/dev/null && focused; }
 focused() { [ "$(xdotool getwindowfocus 2>/dev/null)" = $((window)) ]; }
+unfocused() { ! focused; }
 
 # The first frame is there: the pixels in the middle are no longer all of one colour.
 drawn() {

@@ -66,12 +66,12 @@ key 1
 shows ' - picture - '
 mark() { # the cross, and in it the dot; far from the panels
     xdotool mousemove --window "$window" 170 70 click 1 && eventually says out 'ray of pixel 170,129' && shoot_as bare &&
-        key h && eventually hidden bare && sleep 0.3 && look crossed && key Home && eventually dotted
+        key h && eventually hidden bare && look crossed && key Home && eventually dotted
 }
 dotted() { look dot && [ "$(apart dot crossed 5x5+168+68)" -gt 0 ]; }
 check 'the picture marks the point of a step in its pixel' mark
 aside() { # the ray stays while the camera moves, and is seen as a line
-    key End && xdotool keydown d sleep 0.5 keyup d && key h && sleep 0.2 && shoot_as moved && differ bare moved && key h &&
+    key End && walk d && key h && shoot_as moved && differ bare moved && key h &&
         eventually hidden moved && key 5 && shows ' - slice - ' && key h && eventually is_kept
 }
 is_kept() { shoot_as kept && render wanted "${ray[@]}" -v slice --step "$last" && matches wanted kept; }
