@@ -70,6 +70,7 @@ has_command() { command -v "$1"; }
 has_library() { pkg-config --exists "$1"; }
 has_header() { printf '#include <%s>\n' "$1" | cc -E - ; }
 has_font() { fc-list ":family=$1" | grep -q . ; }
+has_firefox() { command -v firefox-esr || command -v firefox; }
 has_french() { [ -e /usr/share/i18n/locales/fr_FR ] || locale -a | grep -qi '^fr_FR[.]utf'; }
 has_frames() { ls /usr/lib*/libdecor/plugins-1/* || ls /usr/lib/*/libdecor/plugins-1/*; }
 has_sanitizers() {
@@ -165,6 +166,8 @@ need_web() {
     need 'Node.js' 'nodejs|nodejs|nodejs|node' has_command node
     need 'npm' 'npm|nodejs-npm|npm|node' has_command npm
     need 'Chromium' 'chromium|chromium|chromium|-' has_command chromium
+    need 'Firefox' 'firefox-esr|firefox|firefox|-' has_firefox
+    need 'a virtual display' 'xvfb xauth|xorg-x11-server-Xvfb|xorg-server-xvfb|-' has_command xvfb-run
     need 'pandoc' 'pandoc|pandoc|pandoc|pandoc' has_command pandoc
     need 'the letters of the pages' 'fonts-texgyre fontconfig|texlive-tex-gyre|-|-' has_font 'TeX Gyre Pagella'
     need 'the letters of formulas' 'fonts-texgyre-math|texlive-tex-gyre-math|-|-' has_font 'TeX Gyre Pagella Math'

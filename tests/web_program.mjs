@@ -1,7 +1,7 @@
 // web_program.mjs - the program in a page: what the hands do, what the browser does to it, and the traps of WebGL.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
-import {check, finish, launch, openPage, serve, start, state, until} from './web_browser.mjs';
+import {check, finish, frames, launch, openPage, rest, serve, start, state, until} from './web_browser.mjs';
 
 const server = await serve('build/web'), browser = await launch();
 const {page, said} = await openPage(browser, server.at);
@@ -22,18 +22,6 @@ async function shown(of = page) {
     }, png.toString('base64'));
 }
 
-// How often functions of WebGL are called from now on.
-const spy = (names) => page.evaluate((names) => {
-    window.calls = {};
-    for (const name of names) {
-        const own = WebGL2RenderingContext.prototype[name];
-        window.calls[name] = 0;
-        WebGL2RenderingContext.prototype[name] = function (...values) {
-            window.calls[name]++;
-            return own.apply(this, values);
-        };
-    }
-}, names);
 const calls = () => page.evaluate(() => ({...window.calls}));
 
 // ---- Command lines ----
@@ -81,7 +69,7 @@ await page.keyboard.press('Escape');
 now = await until(page, (s) => s.paused);
 check('Escape pauses', now.paused);
 const still = (await state(page)).time;
-await page.waitForTimeout(300);
+await frames(page, 20);
 check('and the time stands', (await state(page)).time === still);
 await page.keyboard.press('Digit4');
 check('4 shows the steps', (await until(page, (s) => s.view === 'steps')).view === 'steps');
@@ -92,14 +80,14 @@ const eye = (await state(page)).camera;
 await page.keyboard.down('KeyW');
 await until(page, (s) => Math.abs(s.camera[2] - eye[2]) > 0.05);
 await page.keyboard.up('KeyW');
-await page.waitForTimeout(200);
+await rest(page);
 now = await state(page);
 check('W moves the eye', Math.hypot(...now.camera.slice(0, 3).map((x, i) => x - eye[i])) > 0.05, eye, now.camera);
 const moved = now.camera;
 await page.evaluate(() => document.activeElement.blur());
 await page.keyboard.press('KeyW');
 await page.keyboard.press('Digit4');
-await page.waitForTimeout(200);
+await frames(page, 20);
 now = await state(page);
 check('keys without the focus are the page\'s', now.view === 'picture' && now.camera.every((x, i) => x === moved[i]), now.view, now.camera);
 
@@ -133,15 +121,54 @@ check('a click marches the ray of its pixel', now.probe?.steps > 0 && now.pixel.
 await page.evaluate(() => document.activeElement.blur());
 await page.mouse.move(160, 90);
 await page.mouse.wheel(0, 120);
-await page.waitForFunction(() => window.scrollY > 0, null, {timeout: 3000}).catch(() => {});
+await page.waitForFunction((before) => window.scrollY > 0 || window.program.state().parameters.find((p) => p.name === 'focalLength').value[0] !== before, parameter(await state(page), 'focalLength')[0]);
 check('without the focus the wheel scrolls the page', await page.evaluate(() => window.scrollY) > 0);
-await page.evaluate(() => window.scrollTo(0, 0));
-await page.waitForTimeout(300);
+await page.waitForFunction(() => { window.scrollTo(0, 0); return window.scrollY === 0; });
+await frames(page, 20); // a wheel's smooth scrolling has an end
+await page.waitForFunction(() => { window.scrollTo(0, 0); return window.scrollY === 0; });
 await canvas.focus();
 const length = parameter(await state(page), 'focalLength')[0];
 await page.mouse.wheel(0, -300);
 now = await until(page, (s) => parameter(s, 'focalLength')[0] > length);
 check('with it the wheel is the program\'s', parameter(now, 'focalLength')[0] > length && await page.evaluate(() => window.scrollY) === 0, length);
+
+// ---- Fingers ----
+
+const phone = await openPage(browser, server.at, {context: {hasTouch: true, isMobile: true, viewport: {width: 390, height: 700}, deviceScaleFactor: 2}});
+const fingers = await phone.page.context().newCDPSession(phone.page);
+const touch = (type, ...points) => fingers.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
+await start(phone.page, '03_shadows');
+now = await state(phone.page);
+check('a phone\'s canvas has its screen\'s pixels', now.size.join() === '640,360', now.size);
+await phone.page.evaluate(() => { window.program.call('live_pause', 1); window.program.call('live_key', 72, 1, 0); });
+await rest(phone.page);
+const turned = (await state(phone.page)).camera;
+await touch('touchStart', [100, 90]);
+for (let x = 105; x <= 150; x += 5) await touch('touchMove', [x, 90]);
+await touch('touchEnd');
+now = await until(phone.page, (s) => s.camera[3] !== turned[3]);
+check('a finger that is drawn over the picture turns the eye', now.camera[3] !== turned[3] && now.pixel[0] < 0, turned, now.camera, now.pixel);
+await rest(phone.page);
+const spread = await state(phone.page);
+await touch('touchStart', [150, 90], [170, 90]);
+for (let x = 0; x <= 60; x += 6) await touch('touchMove', [150 - x, 90], [170 + x, 90]);
+now = await until(phone.page, (s) => parameter(s, 'focalLength')[0] !== parameter(spread, 'focalLength')[0]);
+check('two that part come nearer', parameter(now, 'focalLength')[0] > parameter(spread, 'focalLength')[0]);
+for (let x = 60; x >= 0; x -= 6) await touch('touchMove', [150 - x, 90], [170 + x, 90]);
+await touch('touchEnd');
+await rest(phone.page);
+const nearer = parameter(now, 'focalLength')[0];
+now = await state(phone.page);
+check('two that meet go back', parameter(now, 'focalLength')[0] < nearer, nearer, parameter(now, 'focalLength'));
+check('and choose no ray', now.pixel[0] < 0, now.pixel);
+check('and the eye does not turn', now.camera.every((x, i) => x === spread.camera[i]), spread.camera, now.camera);
+await touch('touchStart', [160, 110]);
+await touch('touchEnd');
+now = await until(phone.page, (s) => s.probe !== undefined);
+check('a tap marches the ray of its pixel', now.probe?.steps > 0 && Math.abs(now.pixel[0] - 320) <= 1 && Math.abs(now.pixel[1] - 139) <= 1, now.pixel);
+check('the page has not moved under them', await phone.page.evaluate(() => window.scrollY === 0 && visualViewport.scale === 1));
+check('no error in the phone\'s console', phone.said.length === 0, phone.said);
+await phone.page.close();
 
 // ---- What the page sets ----
 
@@ -167,49 +194,50 @@ check('what is mended is shown again', now.error === '', now.error);
 
 // An overlay alone is drawn again over a picture that is only copied. A browser has emptied the canvas by then.
 await page.evaluate(() => window.program.call('live_pause', 1));
-await until(page, (s) => s.divisor === 1);
-await page.waitForTimeout(700);
+await rest(page);
 const whole = (await shown()).mean;
 await page.evaluate(() => window.program.call('live_key', 72, 1, 0)); // H: the panel
-await page.waitForTimeout(400);
+await rest(page);
 const listed = (await shown()).mean;
 await page.evaluate(() => window.program.call('live_key', 72, 1, 0));
-await page.waitForTimeout(400);
+await rest(page);
 const again = (await shown()).mean;
 check('an overlay that is drawn again leaves the picture', Math.abs(again - whole) < 1 && again > 20 && listed > 0.2 * whole, whole, listed, again);
 
 // What a picture costs is known only once a pixel of it is read: WebGL's finish waits for nothing.
 // A chosen ray reads pixels of its own, so it is let go.
 await page.evaluate(() => window.program.call('live_pixel', -1, -1));
-await page.waitForTimeout(300);
-await spy(['readPixels', 'drawArrays']);
+await rest(page);
+const drawnAt = await calls();
 await page.evaluate(() => window.program.call('live_pause', 0));
-await page.waitForTimeout(600);
-let called = await calls();
-check('each picture is waited for by reading a pixel', called.drawArrays > 0 && called.readPixels > 0 && called.readPixels >= 0.3 * called.drawArrays, called);
+await page.waitForFunction((at) => window.calls.drawArrays > at + 12, drawnAt.drawArrays);
+const drawn = await calls();
+for (const name in drawn) drawn[name] -= drawnAt[name];
+check('each picture is waited for by reading a pixel', drawn.readPixels >= 0.3 * drawn.drawArrays, drawn);
 
 // ---- A page that nobody sees ----
 
 const hide = (hidden) => page.evaluate((hidden) => {
     Object.defineProperty(document, 'hidden', {value: hidden, configurable: true});
     document.dispatchEvent(new Event('visibilitychange'));
+    return [performance.now() / 1000, window.program.state().time];
 }, hidden);
-await hide(true);
-await page.waitForTimeout(100);
-const hiddenAt = (await state(page)).time, drawnThen = await calls();
-await page.waitForTimeout(600);
+const [hiddenAt, hiddenTime] = await hide(true), drawnThen = await calls();
+await frames(page, 45);
 check('a hidden page draws nothing', (await calls()).drawArrays === drawnThen.drawArrays, drawnThen, await calls());
-await hide(false);
-now = await until(page, (s) => s.time > hiddenAt);
-check('and its time stood still', now.time > hiddenAt && now.time < hiddenAt + 0.5, hiddenAt, now.time);
+check('and its time stands still', (await state(page)).time === hiddenTime);
+const [shownAt] = await hide(false);
+now = await until(page, (s) => s.time > hiddenTime);
+const shownFor = (await page.evaluate(() => performance.now() / 1000)) - shownAt;
+// Up to a turn had passed since the last one when the page was hidden.
+check('what it was hidden for is not made up', now.time - hiddenTime < shownFor + 0.5 * (shownAt - hiddenAt), hiddenTime, now.time, hiddenAt, shownAt, shownFor);
 await page.evaluate(() => window.scrollTo(0, 2000));
 await page.waitForFunction(() => !window.program.visible);
 const away = await calls();
-await page.waitForTimeout(400);
+await frames(page, 25);
 check('one that is scrolled away draws nothing either', (await calls()).drawArrays === away.drawArrays);
 await page.evaluate(() => window.scrollTo(0, 0));
 await page.waitForFunction(() => window.program.visible);
-await until(page, () => false || true);
 
 // ---- A context that is taken away ----
 
@@ -217,7 +245,7 @@ await page.evaluate(() => {
     window.program.call('live_pause', 1);
     window.program.call('live_set', 'lampHeight', 0, 2);
 });
-await page.waitForTimeout(500);
+await rest(page);
 const kept = await state(page), keptMean = (await shown()).mean;
 await page.evaluate(() => {
     window.taken = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
@@ -225,10 +253,9 @@ await page.evaluate(() => {
 });
 await page.waitForFunction(() => window.events.includes('lost'));
 check('a lost context is told', await page.evaluate(() => window.program.lost));
-await page.waitForTimeout(100);
 await page.evaluate(() => window.taken.restoreContext());
 await page.waitForFunction(() => window.events.includes('found'));
-await page.waitForTimeout(1500);
+await rest(page);
 now = await state(page);
 check('it is made again with its values, its eye and its time', now.runs && parameter(now, 'lampHeight')[0] === 2 && now.time === kept.time && now.camera.every((x, i) => x === kept.camera[i]), now.error);
 check('and its picture', Math.abs((await shown()).mean - keptMean) < 1, keptMean, await shown());
@@ -256,14 +283,14 @@ check('no error in the console', said.length === 0, said);
 
 // ---- A device whose float targets do not blend ----
 
-const poor = await openPage(browser, server.at, () => {
+const poor = await openPage(browser, server.at, {before: () => {
     const own = WebGL2RenderingContext.prototype.getExtension, all = WebGL2RenderingContext.prototype.getSupportedExtensions;
     WebGL2RenderingContext.prototype.getExtension = function (name) { return name === 'EXT_float_blend' ? null : own.call(this, name); };
     WebGL2RenderingContext.prototype.getSupportedExtensions = function () { return all.call(this).filter((name) => name !== 'EXT_float_blend'); };
     const image = WebGL2RenderingContext.prototype.texImage2D;
     window.forms = [];
     WebGL2RenderingContext.prototype.texImage2D = function (...values) { window.forms.push(values[2]); return image.apply(this, values); };
-});
+}});
 await start(poor.page, '03_shadows');
 now = await state(poor.page);
 const forms = await poor.page.evaluate(() => window.forms);
@@ -271,10 +298,10 @@ check('without EXT_float_blend targets are made of half floats, and the page is 
 check('and the picture is there', (await shown(poor.page)).mean > 20);
 check('with it they are floats', !kept.halves);
 
-const none = await openPage(browser, server.at, () => {
+const none = await openPage(browser, server.at, {before: () => {
     const own = HTMLCanvasElement.prototype.getContext;
     HTMLCanvasElement.prototype.getContext = function (kind, ...values) { return kind === 'webgl2' ? null : own.call(this, kind, ...values); };
-});
+}});
 check('without WebGL 2 there is no window: status 3', await start(none.page, '03_shadows') === 3);
 check('and one line says why', (await none.page.evaluate(() => window.lines.join('\n'))).includes('the browser gives no WebGL 2'));
 

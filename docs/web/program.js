@@ -211,11 +211,12 @@ export class Program {
         this.hearPointer(modifiers);
     }
 
-    // One finger or the mouse drags and clicks, two fingers are the wheel.
+    // One finger or the mouse drags and clicks, two fingers are the wheel. A finger that comes down is held back until
+    // it moves or goes up, for a second one may follow: two that are laid down and lifted are no click.
     hearPointer(modifiers) {
         const {canvas, module} = this;
         const fingers = new Map(), locked = [0, 0];
-        let spread = 0;
+        let spread = 0, held = null;
         const between = () => {
             const [a, b] = [...fingers.values()];
             return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
@@ -225,16 +226,22 @@ export class Program {
             module._live_pointer(event.clientX - box.left, event.clientY - box.top);
         };
         const button = (event) => [0, 2, 1][event.button] ?? 0;
+        const press = (event) => {
+            held = null;
+            place(event);
+            module._live_button(button(event), 1, modifiers(event));
+        };
         canvas.addEventListener('pointerdown', (event) => {
             canvas.focus({preventScroll: true});
             fingers.set(event.pointerId, event);
             canvas.setPointerCapture(event.pointerId);
             if (fingers.size === 2) {
                 spread = between();
-                module._live_button(0, 0, 0);
+                if (!held) module._live_button(0, 0, 0);
+                held = null;
             } else if (fingers.size === 1) {
-                place(event);
-                module._live_button(button(event), 1, modifiers(event));
+                if (event.pointerType === 'touch') held = event;
+                else press(event);
             }
         });
         canvas.addEventListener('pointermove', (event) => {
@@ -250,14 +257,17 @@ export class Program {
                 if (spread > 0 && now > 0) module._live_wheel(12 * Math.log(now / spread));
                 spread = now;
             } else {
-                place(event);
+                if (held && Math.hypot(event.clientX - held.clientX, event.clientY - held.clientY) > 3) press(held);
+                if (!held) place(event);
             }
         });
         const up = (event) => {
-            if (fingers.delete(event.pointerId)) module._live_button(button(event), 0, modifiers(event));
+            if (!fingers.delete(event.pointerId)) return;
+            if (held) press(held);
+            module._live_button(button(event), 0, modifiers(event));
         };
         canvas.addEventListener('pointerup', up);
-        canvas.addEventListener('pointercancel', up);
+        canvas.addEventListener('pointercancel', (event) => { held = null; up(event); });
         canvas.addEventListener('contextmenu', (event) => event.preventDefault());
     }
 }
