@@ -349,6 +349,7 @@ docs: ready ## rewrite the listings and tables in docs/ from the sources that th
 
 web: ## build the programs for a browser into build/web/ (Emscripten; a package set of its own)
 	@.make/setup.sh web
+	+@$(AGAIN) build/node/package-lock.json
 	+@$(AGAIN) WEB=1 module
 	@.make/web.sh
 

@@ -15,7 +15,14 @@ while read -r file; do
 done <"$out/later.txt"
 node docs/web/pack.mjs "$out/later.txt" "$out/course.json" shaders/*.glsl shaders/screen.vert
 rm "$out/later.txt"
-cp docs/web/{live,stage,values,ray,program}.js docs/web/live.css "$out/"
-for file in harness.wasm harness.js course.json {live,stage,values,ray,program}.js; do
-    printf '%-14s %7d bytes, %6d compressed\n' "$file" "$(wc -c <"$out/$file")" "$(gzip -9c "$out/$file" | wc -c)"
+cp docs/web/live.css "$out/"
+# What is loaded together is one file, without comments. What others import too stays a file of its own.
+NODE_PATH=build/node/node_modules build/node/node_modules/.bin/esbuild docs/web/{live,stage,program,editor}.js --bundle --minify \
+    --format=esm --external:./{harness,program,stage,check,editor}.js --log-level=warning --outdir="$out"
+total=0
+for file in harness.wasm harness.js course.json {live,stage,program}.js editor.js; do
+    packed=$(gzip -9c "$out/$file" | wc -c)
+    printf '%-14s %7d bytes, %6d compressed\n' "$file" "$(wc -c <"$out/$file")" "$packed"
+    [ "$file" = editor.js ] || total=$((total + packed))
 done
+echo "together $total without the editor"

@@ -21,6 +21,11 @@ class LiveChapter extends HTMLElement {
         this.button.addEventListener('click', () => this.run());
         this.screen = part('div', {className: 'live-screen'}, ...(poster ? [poster] : []), this.button);
         this.prepend(this.screen);
+        this.prepare();
+    }
+
+    // What the button says where there are changes to see.
+    prepare() {
         if (this.isFirst && location.hash.startsWith('#edit=')) {
             this.button.textContent = '▶ Run what this link holds';
             this.button.removeAttribute('aria-label');

@@ -50,6 +50,7 @@ export class Program {
         program.hooks = hooks;
         program.visible = program.near = true;
         program.later = new Set();
+        program.originals = new Map();
         const [course, module] = await Promise.all([
             fetched(new URL('course.json', import.meta.url)).then((answer) => answer.json()),
             loadHarness({
@@ -68,8 +69,12 @@ export class Program {
             onCursor: (shape) => { canvas.style.cursor = CURSORS[shape] || ''; },
             keyLabel: (key) => labels?.get(codeOf(key)) || '',
         });
-        for (const [name, text] of Object.entries(course.files)) program.write(name, text);
+        for (const [name, text] of Object.entries(course.files)) {
+            program.originals.set(name, text);
+            program.write(name, text);
+        }
         program.later = new Set(course.later);
+        program.course = new Set([...Object.keys(course.files), ...course.later]);
         module.FS.chdir(ROOT);
         program.hear();
         program.watch();
@@ -92,6 +97,13 @@ export class Program {
 
     read(name) {
         return this.module.FS.readFile(ROOT + name, {encoding: 'utf8'});
+    }
+
+    // The text of a file as the course has it; null for one that it has not.
+    async original(name) {
+        if (!this.course.has(name)) return null;
+        if (!this.originals.has(name)) this.originals.set(name, await fetched(new URL(`course/${name}`, import.meta.url)).then((answer) => answer.text()));
+        return this.originals.get(name);
     }
 
     // Load what a command line asks for and is not here: an experiment, then what that includes, then its textures.

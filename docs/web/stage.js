@@ -1,6 +1,7 @@
 // stage.js - a running program with its controls: canvas, views, time, values, the ray of a pixel, the editor. There is
 // one in a page; it stands in the <live-chapter> that asked for it last.
 import {Program} from './program.js';
+import {Changes} from './changes.js';
 import {Values} from './values.js';
 import {Ray} from './ray.js';
 
@@ -52,16 +53,17 @@ export class Stage {
         this.time = part('input', {type: 'number', step: 'any', className: 'live-time'});
         this.time.setAttribute('aria-label', 'Time, seconds');
         this.time.addEventListener('change', () => this.call('live_time', Number(this.time.value)));
+        this.changes = new Changes(this);
         this.bar = part('div', {className: 'live-bar'}, this.views,
             part('span', {className: 'live-clock'}, this.pause, this.button('Restart', () => this.press(RESTART)), part('label', {}, this.time, ' s')),
-            part('span', {className: 'live-tools'}, this.button('Full screen', () => this.full(), {className: 'live-full'}), this.button('Close', () => this.close())));
+            part('span', {className: 'live-tools'}, this.changes.open, this.button('Full screen', () => this.full(), {className: 'live-full'}), this.button('Close', () => this.close())));
         this.bar.setAttribute('role', 'toolbar');
         this.bar.setAttribute('aria-label', 'The program');
         this.error = part('pre', {className: 'live-error', hidden: true});
         this.error.setAttribute('role', 'alert');
         this.values = new Values(this);
         this.ray = new Ray(this);
-        this.controls = part('div', {className: 'live-controls'}, this.pad, this.bar, this.error, this.values.element, this.ray.element);
+        this.controls = part('div', {className: 'live-controls'}, this.pad, this.bar, this.changes.line, this.error, this.changes.element, this.values.element, this.ray.element);
     }
 
     // A button that is a key for as long as it is held.
@@ -108,12 +110,27 @@ export class Stage {
         // The browser paints what is said before the program takes the processor.
         at.classList.add('live-waits');
         await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
-        const status = this.turn === turn ? await this.program.start(at.stem, line) : 0;
+        this.line = await this.changes.begin(at) ?? line;
+        const status = this.turn === turn ? await this.carry(at.stem, this.line) : 0;
         if (this.turn !== turn) return 0;
         at.classList.remove('live-waits');
         this.starting = false;
         this.tell(at, status);
         return status;
+    }
+
+    // Carry out a command line. Where a reader's changes let nothing start, the picture is the one without them, and
+    // the error is that of a change to a program that runs.
+    async carry(stem, line) {
+        const status = await this.program.start(stem, line);
+        if (status !== 1 || !this.changes.any) return status;
+        const lines = this.lines;
+        this.lines = [];
+        await this.changes.lay(true);
+        const without = await this.program.start(stem, line);
+        if (!this.program.call('live_runs')) this.lines = lines; // no window: what they say is the result
+        await this.changes.lay(false);
+        return this.program.call('live_runs') ? without : status;
     }
 
     // Stand in an element; the one before goes back to its poster.
@@ -124,6 +141,7 @@ export class Stage {
         at.screen.append(this.canvas, this.status, this.notice);
         at.screen.after(this.controls);
         at.classList.add('live-on');
+        at.classList.toggle('live-editing', !this.changes.element.hidden);
     }
 
     // What an element without a poster has printed or drawn stays; else it goes.
@@ -131,7 +149,7 @@ export class Stage {
         const {at} = this;
         if (!at) return;
         this.program?.stop();
-        at.classList.remove('live-on', 'live-window', 'live-waits');
+        at.classList.remove('live-on', 'live-window', 'live-waits', 'live-editing', 'live-wide');
         this.controls.remove();
         for (const made of [this.canvas, this.status, this.notice]) made.remove();
         this.at = null;
@@ -179,7 +197,7 @@ export class Stage {
 
     heard(text, isError) {
         if (this.starting) this.lines.push(text);
-        else if (isError && !this.state?.error) this.note(text);
+        else if (isError) this.wrong = text;
     }
 
     // A picture that the program has written: of its command line it stands on the page, of a key it is saved.
@@ -241,6 +259,9 @@ export class Stage {
         const error = state.error.replaceAll('/course/', '');
         if (this.error.textContent !== error) this.error.textContent = error;
         this.error.hidden = error === '';
+        if (this.wrong && error === '') this.note(this.wrong.replaceAll('/course/', ''));
+        this.wrong = '';
+        this.changes.show(state);
         this.values.show(state.parameters);
         this.ray.show(state);
     }

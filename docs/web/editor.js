@@ -1,0 +1,160 @@
+// editor.js - the texts of the shader that runs, a tab each, with the errors at their lines. esbuild makes one file of
+// this and of CodeMirror; it is loaded when a reader asks for it.
+import {EditorState} from '@codemirror/state';
+import {EditorView, keymap, lineNumbers, highlightActiveLine, highlightActiveLineGutter, drawSelection} from '@codemirror/view';
+import {defaultKeymap, history, historyKeymap} from '@codemirror/commands';
+import {HighlightStyle, StreamLanguage, bracketMatching, indentUnit, syntaxHighlighting} from '@codemirror/language';
+import {searchKeymap, highlightSelectionMatches} from '@codemirror/search';
+import {lintGutter, lintKeymap, setDiagnostics} from '@codemirror/lint';
+import {shader} from '@codemirror/legacy-modes/mode/clike';
+import {tags} from '@lezer/highlight';
+
+const REST = 300; // milliseconds without a key until a text is tried
+
+const colours = syntaxHighlighting(HighlightStyle.define([
+    {tag: [tags.keyword, tags.controlKeyword, tags.modifier], class: 'live-keyword'},
+    {tag: [tags.typeName, tags.standard(tags.variableName), tags.standard(tags.name)], class: 'live-type'},
+    {tag: tags.comment, class: 'live-comment'},
+    {tag: [tags.meta, tags.processingInstruction], class: 'live-meta'},
+    {tag: [tags.number, tags.bool, tags.atom, tags.string], class: 'live-number'},
+]));
+
+// The program's lines "FILE:LINE: error: TEXT", as {name, line, severity, message}.
+export function problemsOf(error) {
+    const found = [];
+    for (const text of error.split('\n')) {
+        const match = /^(\S+?):(\d+): (?:(error|warning): )?(.*)$/.exec(text);
+        if (match) found.push({name: match[1], line: Number(match[2]), severity: match[3] || 'error', message: match[4]});
+    }
+    return found;
+}
+
+function diagnostics(state, name, problems) {
+    return problems.filter((problem) => problem.name === name).map(({line, severity, message}) => {
+        const at = state.doc.line(Math.max(1, Math.min(line, state.doc.lines)));
+        const from = at.from + /^\s*/.exec(at.text)[0].length;
+        return {from, to: Math.max(from, at.to), severity, message};
+    });
+}
+
+export class Editor {
+    //   parent   takes the tabs and the text
+    //   read     gives the text of a file by its name
+    //   changed  is told a file's name and its new text, once the hands rest
+    constructor(parent, {read, changed}) {
+        this.read = read;
+        this.changed = changed;
+        this.states = new Map(); // of each file that was looked at
+        this.problems = [];
+        this.timer = 0;
+        this.tabs = document.createElement('div');
+        this.tabs.className = 'live-tabs';
+        this.tabs.setAttribute('role', 'tablist');
+        this.tabs.setAttribute('aria-label', 'Files of the shader');
+        this.tabs.addEventListener('keydown', (event) => this.walk(event));
+        this.page = document.createElement('div');
+        this.page.id = 'live-text';
+        this.page.setAttribute('role', 'tabpanel');
+        parent.append(this.tabs, this.page);
+        this.view = new EditorView({parent: this.page});
+    }
+
+    state(name) {
+        return EditorState.create({
+            doc: this.read(name),
+            extensions: [
+                lineNumbers(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), highlightActiveLineGutter(), highlightSelectionMatches(),
+                StreamLanguage.define(shader), colours, lintGutter(), EditorState.tabSize.of(4), indentUnit.of('    '),
+                // Tab stays the page's: who uses the keyboard alone gets out again.
+                keymap.of([...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
+                EditorView.contentAttributes.of({'aria-label': `Text of ${name}`, 'spellcheck': 'false', 'autocapitalize': 'off'}),
+                EditorView.updateListener.of((update) => {
+                    if (!update.docChanged) return;
+                    clearTimeout(this.timer);
+                    this.timer = setTimeout(() => this.flush(), REST);
+                    this.waits = true;
+                }),
+            ],
+        });
+    }
+
+    // Hand on at once what still waits for the hands to rest. Returns when that is done.
+    async flush() {
+        clearTimeout(this.timer);
+        if (!this.waits) return;
+        this.waits = false;
+        await this.changed(this.name, this.text());
+    }
+
+    text() { return this.view.state.doc.toString(); }
+
+    // Show these files, the first where none of them is shown now.
+    open(names) {
+        const list = names.join();
+        if (list === this.list) return;
+        this.list = list;
+        this.names = names;
+        this.tabs.replaceChildren(...names.map((name) => {
+            const tab = document.createElement('button');
+            tab.type = 'button';
+            tab.textContent = name.slice(name.lastIndexOf('/') + 1);
+            tab.title = name;
+            tab.setAttribute('role', 'tab');
+            tab.setAttribute('aria-controls', 'live-text');
+            tab.addEventListener('click', () => this.show(name));
+            return tab;
+        }));
+        this.show(names.includes(this.name) ? this.name : names[0]);
+        this.mark();
+    }
+
+    show(name) {
+        if (name !== this.name) {
+            this.flush();
+            if (this.name) this.states.set(this.name, this.view.state);
+            this.name = name;
+            this.view.setState(this.states.get(name) || this.state(name));
+        }
+        this.names.forEach((one, i) => {
+            this.tabs.children[i].setAttribute('aria-selected', one === name);
+            this.tabs.children[i].tabIndex = one === name ? 0 : -1;
+        });
+        this.lint();
+    }
+
+    walk(event) {
+        const way = {ArrowRight: 1, ArrowLeft: -1}[event.key];
+        if (!way) return;
+        event.preventDefault();
+        const at = (this.names.indexOf(this.name) + way + this.names.length) % this.names.length;
+        this.show(this.names[at]);
+        this.tabs.children[at].focus();
+    }
+
+    // A file has another text, which the hands did not type: one step of undo brings it back.
+    put(name, text) {
+        if (name === this.name) {
+            this.view.dispatch({changes: {from: 0, to: this.view.state.doc.length, insert: text}});
+            this.flush();
+        } else {
+            this.states.delete(name);
+        }
+    }
+
+    // Mark the lines that the program complains of, and the tabs where they are.
+    complain(error) {
+        if (error === this.error) return;
+        this.error = error;
+        this.problems = problemsOf(error);
+        this.lint();
+        this.mark();
+    }
+
+    lint() {
+        if (this.name) this.view.dispatch(setDiagnostics(this.view.state, diagnostics(this.view.state, this.name, this.problems)));
+    }
+
+    mark() {
+        this.names?.forEach((name, i) => this.tabs.children[i].classList.toggle('live-faulty', this.problems.some((problem) => problem.name === name)));
+    }
+}
