@@ -140,7 +140,8 @@ BROWSER := $(filter common/browser/%,$(SOURCES))
 ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write window/none),$(BROWSER))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
-SUPPORT := $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/support_*.c))
+SUPPORT := $(filter-out tests/support_system_$(if $(EXE),posix,windows).c,$(wildcard tests/support_*.c))
+SUPPORT := $(SUPPORT:%.c=$(BUILD)/%.o)
 PROGRAMS := $(STEMS:%=$(BUILD)/%$(EXE))
 # Two whole programs that need one library each and nothing of common/; Khronos' header is no part of a Mac,
 # and not of Windows.
@@ -151,7 +152,10 @@ FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard 
 PAINT := $(patsubst %.h,$(BUILD)/%.o,$(wildcard shaders/textures/*.h))
 TEXTURES := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard shaders/textures/*.c)))
 TEXTURES := $(filter-out $(PAINT:%.o=%),$(TEXTURES))
-TESTS := $(patsubst %.c,$(BUILD)/%$(EXE),$(sort $(wildcard tests/test_*.c)))
+TESTS := $(sort $(wildcard tests/test_*.c))
+# What asks for processes and limits of POSIX cannot be built for Windows.
+TESTS := $(filter-out $(if $(EXE),$(shell grep -l '<sys/\|<glob' $(TESTS))),$(TESTS))
+TESTS := $(TESTS:%.c=$(BUILD)/%$(EXE))
 
 programs: $(PROGRAMS) $(FIRST_STEPS)
 tests: $(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),compare draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
@@ -173,6 +177,9 @@ $(FIRST_STEPS): $(BUILD)/first_steps/%: $(BUILD)/chapters/first_steps/%.o $(EXTR
 $(TESTS) $(BUILD)/tests/measure$(EXE): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
+# It has functions of its own in the place of GLFW's, which is no library by itself on Windows.
+$(BUILD)/tests/test_input.exe: LDFLAGS += -Wl,--allow-multiple-definition
+
 $(BUILD)/tests/compare$(EXE): $(BUILD)/tests/compare.o $(BUILD)/tests/support_compare.o \
     $(patsubst %,$(BUILD)/common/%.o,picture/image picture/image_read picture/image_write shader/text_file memory report $(PLATFORM)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
@@ -182,7 +189,7 @@ $(BUILD)/tests/draw$(EXE): $(BUILD)/tests/draw.o $(SUPPORT) $(filter-out %/chapt
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 # libFuzzer brings its own main.
-$(BUILD)/tests/fuzz: $(BUILD)/tests/fuzz.o $(BUILD)/tests/support_fuzz.o $(BUILD)/tests/support_scratch.o $(COMMON)
+$(BUILD)/tests/fuzz: $(patsubst %,$(BUILD)/tests/%.o,fuzz support_fuzz support_scratch support_system_posix) $(COMMON)
 	$(call say,link $@) $(CC) -fsanitize=fuzzer,$(CHECKS) $(LDFLAGS) -o $@ $^ $(LINK)
 
 # A figure may ask the mathematics that the tests ask.

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "../common/platform.h"
 #include "support_bound.h"
 #include "support_checkers.h"
 #include "support_enlarge.h"
@@ -353,7 +354,7 @@ int main(int argc, char **argv)
         return wanted->print();
     // A cold start is one without the driver's own store of compiled shaders.
     if (speed)
-        setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+        platform_set("MESA_SHADER_CACHE_DISABLE", "true", true);
     int status = !gpu_open() ? 1 : speed ? speed_print(argc, argv) : wanted->print();
     gpu_close();
     return status;

@@ -4,8 +4,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "../common/platform.h"
 #include "../common/report.h"
 
 enum { WIDTH = 640, HEIGHT = 360, FRAMES = 15 };
@@ -94,9 +94,7 @@ bool enlarge_measure(const struct enlarge_scene *scene, double divisor,
 
 static double cpu_time(void)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+    return platform_processor_seconds();
 }
 
 // The annex scene's picture and the filters in turn: the least of several frames each, seconds.

@@ -1,9 +1,9 @@
 #include "support_report.h"
 
 #include <stdio.h>
-#include <time.h>
 
 #include "../common/picture/benchmark.h"
+#include "../common/platform.h"
 
 enum { FRAMES = 25, WARM_UP = 3 };
 
@@ -65,9 +65,7 @@ struct runner {
 
 static double cpu_time(void)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+    return platform_processor_seconds();
 }
 
 static bool run_frame(struct runner *runner, bool counts)

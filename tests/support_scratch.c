@@ -1,19 +1,18 @@
 #include "support_scratch.h"
 
-#include <ftw.h>
-#include <limits.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <unistd.h>
+
+#include "support_system.h"
 
 #define CAPTURE_SIZE 65536
 
 static struct {
-    char folder[PATH_MAX];
-    char path[8][2 * PATH_MAX];
+    char folder[PLATFORM_PATH];
+    char path[8][2 * PLATFORM_PATH];
     int next;
     int saved_stderr;
     FILE *captured;
@@ -30,24 +29,13 @@ static void need(bool done, const char *what)
 
 const char *scratch_make(void)
 {
-    const char *parent = getenv("TMPDIR");
-    char template[PATH_MAX];
-    snprintf(template, sizeof template, "%s/march-test-XXXXXX",
-             parent != NULL && parent[0] != '\0' ? parent : "/tmp");
-    need(mkdtemp(template) != NULL, template);
-    need(realpath(template, state.folder) != NULL, template);
+    need(system_make_scratch(state.folder), state.folder);
     return state.folder;
-}
-
-static int remove_one(const char *path, const struct stat *status, int type, struct FTW *walk)
-{
-    (void)status, (void)type, (void)walk;
-    return remove(path);
 }
 
 void scratch_remove(void)
 {
-    need(nftw(state.folder, remove_one, 16, FTW_DEPTH | FTW_PHYS) == 0, state.folder);
+    need(system_remove_folder(state.folder), state.folder);
 }
 
 int scratch_setup(void **unused)
@@ -86,7 +74,7 @@ const char *scratch_write_bytes(const char *name, const void *bytes, size_t size
     for (char *slash = strchr(path + strlen(state.folder) + 1, '/'); slash != NULL;
          slash = strchr(slash + 1, '/')) {
         *slash = '\0';
-        mkdir(path, 0700);
+        system_make_folder(path);
         *slash = '/';
     }
     FILE *file = fopen(path, "wb");

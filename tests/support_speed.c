@@ -2,9 +2,9 @@
 
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
 #include "../common/picture/benchmark.h"
+#include "../common/platform.h"
 #include "support_gpu.h"
 
 enum { FRAMES = 15, COLD_RUNS = 5 };
@@ -36,9 +36,7 @@ static bool read_contender(struct contender *contender, const char *argument, in
 // Time of the process, all its threads together: another program on the other core does not count.
 static double cpu_seconds(void)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+    return platform_processor_seconds();
 }
 
 static double frame_seconds(struct contender *contender, const struct gl *gl)

@@ -9,12 +9,12 @@
 
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "../common/picture/image.h"
 #include "support_image.h"
 #include "support_png.h"
 #include "support_scratch.h"
+#include "support_system.h"
 
 #define PIXELS (16384 * 1024) // of a picture, at most
 
@@ -92,10 +92,10 @@ static void what_is_no_picture_is_refused(void **state)
     assert_refused("empty.png", "cannot be read");
     scratch_write_bytes("text.png", (const unsigned char *)"P6 1 1 255 and more text", 24);
     assert_refused("text.png", "cannot be read: Not a PNG file: save it again as a PNG");
-    assert_int_equal(mkdir(scratch_path("folder.png"), 0700), 0);
+    assert_true(system_make_folder(scratch_path("folder.png")));
     assert_refused("folder.png", "not a regular file");
-    assert_int_equal(mkfifo(scratch_path("fifo.png"), 0600), 0);
-    assert_refused("fifo.png", "not a regular file");
+    if (system_make_pipe(scratch_path("fifo.png")))
+        assert_refused("fifo.png", "not a regular file");
 }
 
 // Each beginning of a file, and a file with one byte changed. The last four are the checksum of the

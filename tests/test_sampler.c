@@ -10,15 +10,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include "../common/shader/export.h"
 #include "../common/shader/form.h"
 #include "../common/shader/parameter.h"
 #include "support_scratch.h"
+#include "support_system.h"
 
 static struct shader_source source;
 static struct parameters parameters;
+static bool has_link; // the system has links
 
 // No sampler asks whether its file is a picture.
 static int set_up(void **state)
@@ -32,7 +33,8 @@ static int set_up(void **state)
     scratch_write("own/both.png", "");
     scratch_write("own/deep/far.png", "");
     scratch_write("outside.png", "");
-    return symlink(scratch_path("outside.png"), scratch_path("own/link.png"));
+    has_link = system_make_link(scratch_path("outside.png"), scratch_path("own/link.png"));
+    return 0;
 }
 
 static void forget(void)
@@ -173,6 +175,8 @@ static void test_malformed(void **state)
 {
     (void)state;
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        if (!has_link && strstr(wrong[i][0], "link.png") != NULL)
+            continue;
         char text[1024];
         snprintf(text, sizeof text, "%s%s\n", strstr(wrong[i][0], "\n") == NULL ? "\n" : "",
                  wrong[i][0]);

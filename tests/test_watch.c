@@ -6,7 +6,6 @@
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
-#include <unistd.h>
 
 #include <cmocka.h>
 
@@ -82,14 +81,14 @@ static void a_file_that_is_missing_is_waited_for(void **unused)
         if (emptied)
             write_file(0, "");
         else
-            unlink(path[0]);
+            remove(path[0]);
         for (int i = 0; i < 4; i++)
             assert_false(watch_look(&watch));
         write_file(0, emptied ? "back once more" : "back");
         assert_int_equal(looks(), 2);
         assert_int_equal(looks(), MANY);
     }
-    unlink(path[0]);
+    remove(path[0]);
     int until_missed = looks();
     assert_true(until_missed >= 4 && until_missed < MANY);
     assert_int_equal(looks(), MANY);

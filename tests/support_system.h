@@ -1,0 +1,24 @@
+// support_system.h - what tests do to files that no program does: support_system_posix.c, and
+// support_system_windows.c where the tests are built for Windows.
+#ifndef SUPPORT_SYSTEM_H
+#define SUPPORT_SYSTEM_H
+
+#include <stdbool.h>
+
+#include "../common/platform.h"
+
+// Make a folder with a name that nothing has, where this machine keeps what is thrown away.
+//   path  receives it, resolved
+bool system_make_scratch(char path[PLATFORM_PATH]);
+
+bool system_make_folder(const char *path);
+
+// Remove a folder with all that it holds.
+bool system_remove_folder(const char *path);
+
+// Make a symbolic link, or a named pipe; the test ends where that fails.
+// Returns false on a system that has none for everybody: nothing of them can be tested there.
+bool system_make_link(const char *to, const char *path);
+bool system_make_pipe(const char *path);
+
+#endif

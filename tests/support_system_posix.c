@@ -1,0 +1,54 @@
+#include "support_system.h"
+
+#include <ftw.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+bool system_make_scratch(char path[PLATFORM_PATH])
+{
+    const char *parent = getenv("TMPDIR");
+    snprintf(path, PLATFORM_PATH, "%s/march-test-XXXXXX",
+             parent != NULL && parent[0] != '\0' ? parent : "/tmp");
+    char *resolved = mkdtemp(path) != NULL ? realpath(path, NULL) : NULL;
+    if (resolved != NULL)
+        snprintf(path, PLATFORM_PATH, "%s", resolved);
+    free(resolved);
+    return resolved != NULL;
+}
+
+bool system_make_folder(const char *path)
+{
+    return mkdir(path, 0700) == 0;
+}
+
+static int remove_one(const char *path, const struct stat *status, int type, struct FTW *walk)
+{
+    (void)status, (void)type, (void)walk;
+    return remove(path);
+}
+
+bool system_remove_folder(const char *path)
+{
+    return nftw(path, remove_one, 16, FTW_DEPTH | FTW_PHYS) == 0;
+}
+
+static bool need(bool made, const char *path)
+{
+    if (!made) {
+        perror(path);
+        abort();
+    }
+    return true;
+}
+
+bool system_make_link(const char *to, const char *path)
+{
+    return need(symlink(to, path) == 0, path);
+}
+
+bool system_make_pipe(const char *path)
+{
+    return need(mkfifo(path, 0600) == 0, path);
+}
