@@ -46,15 +46,18 @@ const float SUN_RADIUS = 0.0047, MOON_RADIUS = 0.009; // radians: the moon's is 
 const float DISC = 0.0047;      // the true one of both, for shadows
 const float LOW_CLOUDS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
 const float HIGH_PERIOD = 70.0; // of the picture of the high clouds, km: they pass once a day
+const float MOON_STOPS = 3.5;   // an eye that looks at the moon is used to its light: it is exposed by no more
 const vec3  LAMPLIGHT = vec3(0.62, 0.24, 0.06);  // of the cabin's windows
 
-// The hour and the weather of the picture, found once for each pixel.
+// The hour, the weather and the place on the screen, found once for each pixel.
 float theHour, theWeather;
+vec2  theScreen;
 
 Ray pixelRay(vec2 screen)
 {
     theHour = timeOfDay + hoursPerSecond * iTime;
     theWeather = weather;
+    theScreen = screen;
     return perspectiveRay(screen);
 }
 
@@ -87,6 +90,7 @@ struct Hour {
     vec3  moonlit;          // of the clear night sky, the part that the moon lights
     float lamp;             // how far the lamps are on
     float stops;            // of the exposure
+    float dimmed;           // what is shown of the light of the moon's disc, and of its image in the water
 };
 
 Hour hourNow()
@@ -102,8 +106,9 @@ Hour hourNow()
     vec3 moonlit = vec3(0.8, 1.0, 1.3) * (0.15 * moonUp * moonBeam), clear = tableAmbient(sun) + moonlit + 6e-8;
     vec3 sky = mix(clear, overcastWhite(clear + max(toLight.y, 0.0) * beam), overcastShare(theWeather));
     float left = sunLeft(theWeather), bright = exp2(skyBrightness(max(sun.y, -0.3))) + 6e-8 + 0.2 * moonUp * moonBeam.g;
+    float stops = exposure - 2.0 - 0.9 * log2(bright);
     return Hour(noon, sun, moon, toLight, left * beam, left * (day ? vec3(1.0) : full) * high, sky, moonlit,
-                1.0 - smoothstep(0.05, 0.3, sky.g), exposure - 2.0 - 0.9 * log2(bright));
+                1.0 - smoothstep(0.05, 0.3, sky.g), stops, exp2(min(MOON_STOPS - stops, 0.0)));
 }
 
 // ---- The sky ----
@@ -123,25 +128,25 @@ vec3 heavens(vec3 direction, Hour now, float width, bool mirrored)
     mat3 frame = moonFrame(now.moon, LATITUDE);
     vec2 place = moonPlace(frame * direction, MOON_RADIUS);
     float rim = width / MOON_RADIUS, inside = 1.0 - smoothstep(1.0 - rim, 1.0 + rim, length(place));
-    return mix(stars, moonFace(moonMap, place, rim, frame * now.sun, 1.0), mirrored ? 0.0 : inside);
+    return mix(stars, now.dimmed * moonFace(moonMap, place, rim, frame * now.sun, 1.0), mirrored ? 0.0 : inside);
 }
 
 // The sky of an hour and a weather.
 //   mirrored  as of heavens
-//   open      how much of the clear sky the weather leaves there
+//   open      how much of a disc there the clouds and the weather leave
 vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
 {
-    float width = min(2.0 * pixelSpread(), 0.003), noon = now.noon / 24.0;
+    float width = min(2.0 * pixelSpread(), 0.003), noon = now.noon / 24.0, disc = discLeft(theWeather);
     vec3 through = exp(-(RAYLEIGH + 0.05) * airMass(direction.y));
     vec3 clear = tableSky(sunward, away, direction, now.sun) + airglow(direction.y) + now.moonlit;
-    clear += sunLeft(theWeather) * through * heavens(direction, now, width, mirrored);
-    clear += mirrored ? vec3(0.0) : sunLeft(theWeather) * tableSun(halo, direction, now.sun, SUN_RADIUS);
+    clear += disc * through * heavens(direction, now, width, mirrored);
+    clear += mirrored ? vec3(0.0) : disc * tableSun(halo, direction, now.sun, SUN_RADIUS);
     vec3 sky = mix(clear, overcastSky(direction.y, now.sky), overcastShare(theWeather));
     Cloud fair = cloudShare(cloudPanorama(cloudsFair, direction, turned + noon, width), clouds ? fairShare(theWeather) : 0.0);
     Cloud storm = cloudShare(cloudPanorama(cloudsStorm, direction, turned + noon, width), clouds ? stormShare(theWeather) : 0.0);
     Cloud high = cloudLayer(cloudsHigh, vec3(0.0, 0.0, HIGH_PERIOD * noon), direction, HIGH_CLOUDS, HIGH_PERIOD, width);
     Cloud cloud = cloudOver(fair, cloudOver(storm, cloudShare(high, clouds ? 0.7 : 0.0)));
-    open = (1.0 - cloud.cover) * (1.0 - overcastShare(theWeather));
+    open = (1.0 - cloud.cover) * disc;
     return (1.0 - cloud.cover) * sky + cloudLight(cloud, direction, now.toLight, now.cloudBeam, now.sky);
 }
 
@@ -246,9 +251,9 @@ vec3 rayColour(Ray ray)
     light = throughFog(light, fog, met ? fogDepth(height, direction.y, last, density, MIST_SCALE) : 0.0);
     float share = schlickShare(clamp(-dot(ray.direction, facet), 0.0, 1.0), 0.02);
     vec3 deep = vec3(0.012, 0.035, 0.035) * (now.sky + 0.3 * max(now.toLight.y, 0.0) * now.beam);
-    vec3 ofLake = mix(deep, light + (met ? 0.0 : open) * glitter(ray.direction, now.toLight, waves, now.beam), share);
+    vec3 ofLake = mix(deep, light + (met ? 0.0 : open) * glitter(ray.direction, now.toLight, waves, now.sun.y > -0.05 ? now.beam : now.dimmed * now.beam), share);
     ofLake = throughFog(ofLake, fog, fogDepth(ray.origin.y, ray.direction.y, first, density, MIST_SCALE));
-    float drops = rainStreaks(screenPosition(vec2(iPixel) + 0.5), iTime, 2.0 / iResolution.y);
+    float drops = rainStreaks(theScreen, iTime, 2.0 * spread * focalLength);
     vec3 seen = mix(lake ? ofLake : light, now.sky, 0.35 * rainShare(theWeather) * drops);
     return encodeSRGB(filmOfLargest(exposed(nightFilm(daylightFilm(seen)), now.stops), 1.3, 8.0));
 }

@@ -218,21 +218,22 @@ float rainShare(float weather)
 }
 
 // How much of a pixel falling drops fill, drawn out to streaks by the time that the shutter is open: two
-// sheets of rain, one further away than the other.
+// sheets of rain, one further away than the other. A streak is a pixel wide or wider; the wider, the fainter, so that
+// a picture of few pixels has as much rain as one of many.
 //   screen  y from -1 to 1, x from -aspect to aspect
 //   time    seconds
 //   pixel   height of a pixel, in the units of screen
-//   returns in [0, 1]; an average over the pixel's width
+//   returns in [0, 1]; its mean over a picture is the same for all pixels from 0.0022 to 0.028
 float rainStreaks(vec2 screen, float time, float pixel)
 {
     float sum = 0.0;
     for (int i = 1; i <= 2; i++) {
-        float near = 9.0 * float(i), wide = 0.02 + 0.25 * near * pixel;
+        float near = 9.0 * float(i), wide = clamp(near * pixel, 0.02, 0.5);
         vec2 p = near * (screen + vec2(0.14 * screen.y, 0.0));
         float column = floor(p.x), lot = cellRandom(ivec3(int(column), i, 20));
-        float fall = 0.35 * p.y + 5.0 * (1.0 + 0.3 * lot) * time + 31.0 * lot, drop = floor(fall);
-        float place = fract(7.31 * lot + 0.618 * drop), there = fract(fall);
-        float streak = clamp((wide - abs(p.x - column - 0.1 - 0.8 * place)) / wide, 0.0, 1.0);
+        float fall = 0.35 * p.y + 5.0 * (1.0 + 0.3 * lot) * time + 31.0 * lot, drop = floor(fall), there = fract(fall);
+        float place = column + mix(wide, 1.0 - wide, fract(7.31 * lot + 0.618 * drop));
+        float streak = max(1.0 - abs(p.x - place) / wide, 0.0);
         sum += streak * 0.02 / wide * smoothstep(0.3, 0.6, there) * smoothstep(1.0, 0.9, there);
     }
     return min(sum, 1.0);

@@ -122,9 +122,10 @@ vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
     float cross = max(abs(from.x), abs(from.y)) < 5.0 * pen ? lineCover((abs(from.x) - abs(from.y)) * 0.7, 1.8 * pen) : 0.0;
     float mark = iPlotEnd == END_HIT ? lineCover(length(from) - 5.5 * pen, 1.8 * pen) : cross;
     vec2 corner = floor(place / cell) + vec2(iPlotEnd == END_HIT ? -5.0 : -7.0, 7.0);
-    // An end that is off the picture is told in the corner.
+    // An end that is off the picture is told in the corner, where any word has room.
     vec2 most = floor(vec2(iResolution.x / cell, iPlotFrame.z / cell)) - vec2(32.0, 8.0);
-    corner = place.x > iResolution.x ? most : min(corner, most);
+    float shorter = iPlotEnd == END_HIT ? 20.0 : iPlotEnd == END_STEPS ? 0.0 : 15.0;
+    corner = place.x > iResolution.x ? most : min(corner, most + vec2(shorter, 0.0));
     vec2 inside = floor(pixel / cell) - corner;
     bool word = iPlotEnd == END_HIT ? plotWord(PLOT_HIT, inside)
               : iPlotEnd == END_STEPS ? plotWord(PLOT_GIVEN_UP, inside) : plotWord(PLOT_MISS, inside);

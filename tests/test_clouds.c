@@ -283,7 +283,7 @@ static void test_weather_runs_from_fair_to_bad(void **unused)
 static void test_rain_falls(void **unused)
 {
     (void)unused;
-    const float first[4] = {0.0f}, later[4] = {0.1f};
+    const float first[4] = {0.0f, 90.0f}, later[4] = {0.1f, 90.0f};
     float *a = gpu_call(SHADER, 160, 90, RAIN, first), *b = gpu_call(SHADER, 160, 90, RAIN, later);
     double sum = 0.0, moved = 0.0;
     for (int i = 0; i < 160 * 90; i++) {
@@ -295,6 +295,27 @@ static void test_rain_falls(void **unused)
     free(b);
     print_message("# rain: mean %.3f, change %.3f\n", sum, moved);
     assert_true(sum > 0.005 && sum < 0.1 && moved > 0.5 * sum);
+}
+
+// A picture of few pixels has as much rain as one of many, for a streak is a pixel wide at least,
+// and the fainter. Over eight moments what is cut off at the picture's rim is a thousandth.
+static void test_rain_keeps_its_light(void **unused)
+{
+    (void)unused;
+    static const int rows[] = {72, 108, 180, 360, 720};
+    double mean[5] = {0.0};
+    for (int i = 0; i < 5; i++) {
+        int width = rows[i] * 16 / 9;
+        for (int moment = 0; moment < 8; moment++) {
+            const float when[4] = {0.37f * (float)moment, (float)rows[i]};
+            float *v = gpu_call(SHADER, width, rows[i], RAIN, when);
+            for (int j = 0; j < width * rows[i]; j++)
+                mean[i] += (double)v[4 * j] / (8.0 * width * rows[i]);
+            free(v);
+        }
+        print_message("# rain, %d rows: mean %.5f\n", rows[i], mean[i]);
+        assert_true(fabs(mean[i] / mean[0] - 1.0) < 0.002);
+    }
 }
 
 int main(void)
@@ -311,6 +332,7 @@ int main(void)
         cmocka_unit_test(test_overcast_sky_keeps_its_light),
         cmocka_unit_test(test_weather_runs_from_fair_to_bad),
         cmocka_unit_test(test_rain_falls),
+        cmocka_unit_test(test_rain_keeps_its_light),
     };
     return cmocka_run_group_tests_name("clouds", tests, gpu_setup, gpu_teardown);
 }

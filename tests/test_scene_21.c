@@ -1,6 +1,6 @@
 // test_scene_21.c - chapter 21 in double precision: pixels of the cabin and of the sail in the
 // evening sun, how much of the sun the land leaves to be seen, how steep and how high the land is,
-// and the two ends of a day.
+// the moon behind clouds, and the two ends of a day.
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -341,6 +341,25 @@ static void test_the_sun_sets_behind_land_by_shares(void **unused)
 }
 
 // What is shown at 0 and at 24 hours is one picture.
+// Where the full moon is mirrored at four in the morning, and five degrees beside it: clouds before
+// the moon take its image away, and the water is as bright here as there.
+static void test_clouds_hide_the_image_of_the_moon(void **unused)
+{
+    (void)unused;
+    float *clouded = numbers_of("theHour = 4.0; return chapterColour(ray);");
+    float *worse = numbers_of("theHour = 4.0; theWeather = 0.75; return chapterColour(ray);");
+    double here = (double)clouded[4 * (40 * WIDTH + 591) + 1],
+           beside = (double)clouded[4 * (40 * WIDTH + 561) + 1];
+    double here2 = (double)worse[4 * (40 * WIDTH + 591) + 1],
+           beside2 = (double)worse[4 * (40 * WIDTH + 561) + 1];
+    free(clouded);
+    free(worse);
+    print_message(
+        "# the moon's image behind clouds: %.3f, beside it %.3f; in worse weather %.3f, %.3f\n",
+        here, beside, here2, beside2);
+    assert_true(here < beside + 0.25 && here2 < beside2 + 0.25);
+}
+
 static void test_a_day_is_a_circle(void **unused)
 {
     (void)unused;
@@ -367,6 +386,7 @@ int main(void)
         cmocka_unit_test(test_pixels_agree_with_double),
         cmocka_unit_test(test_no_land_is_steeper_or_higher_than_is_said),
         cmocka_unit_test(test_the_sun_sets_behind_land_by_shares),
+        cmocka_unit_test(test_clouds_hide_the_image_of_the_moon),
         cmocka_unit_test(test_a_day_is_a_circle),
     };
     return cmocka_run_group_tests_name("scene_21", tests, gpu_setup, gpu_teardown);

@@ -1,12 +1,13 @@
 // The whole sky as one sees it lying on one's back: the zenith in the middle, the horizon at the rim, the sun's side below.
-// sheet=true: twelve hours; else two ways side by side with the sun at a height, and the difference where asked.
+// sheet=true: twelve hours; else the chapter's way and another one side by side; with encoded=true that one as light and as
+// numbers.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"
 #undef rayColour
 #include "experiments/18_ways.glsl"
 
-uniform bool  sheet;     // true: twelve hours, from noon to night; false: on the left way 0, on the right the chosen way
+uniform bool  sheet;     // true: twelve hours, from noon to night; false: on the right the chosen way
 uniform float sunHeight; // 48 in [-18, 90] step 1, degrees: of the sun, where it is no sheet
 
 // The heights of the sun on the sheet, degrees: from the upper left to the lower right.
@@ -22,7 +23,8 @@ vec3 rayColour(Ray ray)
     float r = min(length(at), 1.0), angle = 1.57079633 * r;
     vec2 way2 = at / max(length(at), 1e-6);
     vec3 direction = vec3(way2.x * sin(angle), cos(angle), way2.y * sin(angle));
-    vec3 sky = sheet || cell.x < 0.5 ? tableSky(sunward, away, direction, sun) : skyByWay(direction, sun);
+    bool left = cell.x < 0.5;
+    vec3 sky = sheet || left && !encoded ? tableSky(sunward, away, direction, sun) : skyByWay(direction, sun, encoded && !left);
     sky += tableSun(halo, direction, sun, radians(sunRadius));
     return developed(sky, sun) * (1.0 - smoothstep(0.985, 1.0, length(at)));
 }

@@ -10,6 +10,6 @@ vec3 rayColour(Ray ray)
 {
     vec3 sun = sunNow();
     Place place = placeAlong(ray);
-    vec3 sky = skyByWay(place.leaves, sun) + tableSun(halo, place.leaves, sun, radians(sunRadius));
+    vec3 sky = skyByWay(place.leaves, sun, encoded) + tableSun(halo, place.leaves, sun, radians(sunRadius));
     return developed(placeLight(place, sky, sun), sun);
 }

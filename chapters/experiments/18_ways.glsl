@@ -27,15 +27,16 @@ vec3 decoded(vec3 v)
 }
 
 // The light of the sky by that way, in the chapter's unit.
-vec3 skyByWay(vec3 direction, vec3 sun)
+//   numbers  the article's colours are mixed as the screen's numbers
+vec3 skyByWay(vec3 direction, vec3 sun, bool numbers)
 {
     if (way == 3)
         return 0.8 * (sunlitSky(direction, sun, RAYLEIGH + 0.05) + nightSky(direction, sun));
     vec3 first = halfColour(sunward, direction, sun, 1.0), second = halfColour(away, direction, sun, -1.0);
-    second *= painted ? vec3(0.7, 0.62, 0.6) : vec3(1.0);
+    second *= painted ? vec3(0.4, 0.32, 0.3) : vec3(1.0);
     float share = way == 1 ? shareByAngle(direction, sun) : 0.5 + 0.5 * dot(direction, sun);
     float stops = hourStops(sun.y);
-    vec3 mixed = encoded ? exposed(decoded(mix(encodeSRGB(exposed(second, stops)), encodeSRGB(exposed(first, stops)), share)), -stops)
+    vec3 mixed = numbers ? exposed(decoded(mix(encodeSRGB(exposed(second, stops)), encodeSRGB(exposed(first, stops)), share)), -stops)
                          : mix(second, first, share);
     return way == 0 ? tableSky(sunward, away, direction, sun) : mixed;
 }

@@ -24,5 +24,6 @@ Ray pixelRay(vec2 screen)
     vec2 tile = clamp(floor(pixel / size), vec2(0.0), SHEET - 1.0), place = pixel - tile * size;
     theHour = 2.0 * (SHEET.y - 1.0 - tile.y);
     theWeather = 1.0 - 0.125 * tile.x;
-    return perspectiveRay((2.0 * place - size) / size.y);
+    theScreen = (2.0 * place - size) / size.y;
+    return perspectiveRay(theScreen);
 }

@@ -2,7 +2,7 @@
 #include "main.glsl"
 #include "sky.glsl"
 
-uniform float ring; // 0.06 in [0, 0.2] step 0.01: how bright the ring is, as a share of the light round the moon
+uniform float ring; // 0.2 in [0, 0.5] step 0.02: how bright the ring is, as a share of the light round the moon
 
 // Two faces of a crystal stand at 60 degrees, and no ray is bent by less than 2 asin(n / 2) - 60 degrees.
 vec3 ringedGlow(vec3 direction, vec3 moon, float g)

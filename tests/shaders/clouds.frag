@@ -64,8 +64,8 @@ void main()
     } else if (function == 9) { // the sun's height at a cloud
         float height = (number.x - 256.0) / 256.0;
         FragColor = vec4(height, cloudSunHeight(height, iMouse.x), 0.0, 0.0);
-    } else { // rain on 160 x 90 places of the screen
-        vec2 screen = (2.0 * (number + 0.5) - vec2(160.0, 90.0)) / 90.0;
-        FragColor = vec4(rainStreaks(screen, iMouse.x, 2.0 / 90.0), screen, 0.0);
+    } else { // rain in each pixel of a screen of 16 : 9; iMouse: seconds, the rows of pixels
+        vec2 screen = (2.0 * (number + 0.5) - vec2(16.0 / 9.0, 1.0) * iMouse.y) / iMouse.y;
+        FragColor = vec4(rainStreaks(screen, iMouse.x, 2.0 / iMouse.y), screen, 0.0);
     }
 }

@@ -17,7 +17,7 @@ vec3 answer()
     float level = sqrt(1.0 - y * y);
     vec3 direction = vec3(level * iMouse.x, y, level * sqrt(max(1.0 - iMouse.x * iMouse.x, 0.0)));
     if (iTime < 1.0)
-        return skyByWay(direction, sun);
+        return skyByWay(direction, sun, encoded);
     if (iTime < 2.0)
         return tableSunlight(sun);
     if (iTime < 3.0)
