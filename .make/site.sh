@@ -28,10 +28,10 @@ subset() {
     esac
     pyftsubset "$file" --text-file="$out.parts/$2.txt" --flavor=woff2 --layout-features="$4" --output-file="$out/fonts/$1.woff2" --drop-tables+=FFTM
 }
-subset regular text 'TeX Gyre Pagella:style=Regular' kern,liga,onum,lnum,tnum,pnum
-subset italic text 'TeX Gyre Pagella:style=Italic' kern,liga,onum,lnum,tnum,pnum
-subset bold text 'TeX Gyre Pagella:style=Bold' kern,liga,onum,lnum,tnum,pnum
-subset formula formula 'TeX Gyre Pagella Math' ssty
+subset regular text 'TeX Gyre Pagella:style=Regular' kern,liga,tnum
+subset italic text 'TeX Gyre Pagella:style=Italic' kern,liga,tnum
+subset bold text 'TeX Gyre Pagella:style=Bold' kern,liga,tnum
+subset formula formula 'TeX Gyre Pagella Math' kern # ssty, half as much again, is what no browser asks for by itself
 rm -r "$out.parts"
 
 # No times, no owners, one order: the archive depends on the files alone.

@@ -8,14 +8,60 @@ const temml = (await import(new URL('../../build/node/node_modules/temml/dist/te
 
 // ---- Formulas ----
 
-// A formula that is wider than the page scrolls in its own box; in a line it may break after a sign.
-function mathml(tex, display) {
-    const formula = temml.renderToString(tex, {displayMode: display, wrap: display ? 'none' : 'tex', throwOnError: true});
-    return display ? `<span class="formula">${formula}</span>` : formula;
+// What a browser knows by itself is left out: forms of operators by their place, groups of one.
+function compact(mathml) {
+    return mathml.replaceAll(' separator="true"', '').replaceAll(' fence="true"', '').replaceAll('></mspace>', '/>')
+        .replace(/(?<=<mrow>|<math>)<mo form="prefix" stretchy="false">/g, '<mo stretchy="false">').replace(/<mo form="prefix" stretchy="false">(?=[([{⌈⌊])/g, '<mo stretchy="false">')
+        .replace(/<mo form="postfix" stretchy="false">([^<]*<\/mo>)(?=<\/mrow>)/g, '<mo stretchy="false">$1')
+        .replace(/<mo form="postfix" stretchy="false">(?=[)\]}⌉⌋])/g, '<mo stretchy="false">').replace(/<mo stretchy="false">(?=[−+±])/g, '<mo>')
+        .replace(/<mrow>(<(m[in])(?: [^>]*)?>[^<]*<\/\2>)<\/mrow>/g, '$1').replace(/ class="tml-display" style="display:block math;"/, '')
+        // Pagella's prime hangs high already: it stands in the line.
+        .replace(/<msup>(<(m[in])(?: [^>]*)?>[^<]*<\/\2>)<mo [^>]*tml-prime[^>]*>([^<]*)<\/mo><\/msup>/g, '<mrow>$1<mo lspace="0" rspace="0">$3</mo></mrow>');
 }
 
-const formulas = (html) => html.replace(/<span class="math (inline|display)">\\[[(](.*?)\\[\])]<\/span>/gs,
-    (_, kind, tex) => mathml(plain(tex), kind === 'display'));
+// TeX sets no space around the signs of an index or an exponent; a browser does.
+function tightened(mathml) {
+    const open = []; // of each element that is open: is it a script, does it stand in one, how many children it had
+    return mathml.replace(/<(\/?)(\w+)([^>]*?)(\/?)>/g, (tag, end, name, attributes, empty) => {
+        if (end) { open.pop(); return tag; }
+        const parent = open.at(-1), inside = Boolean(parent && (parent.inside || (parent.script && parent.count > 0)));
+        if (parent) parent.count++;
+        if (!empty) open.push({script: /^msu/.test(name), inside, count: 0});
+        return name === 'mo' && inside && !attributes ? '<mo lspace="0" rspace="0">' : tag;
+    });
+}
+
+// The children of a formula: [text of an element].
+function childrenOf(mathml) {
+    const children = [];
+    let depth = 0, from = 0;
+    for (const tag of mathml.matchAll(/<(\/?)[^>]*?(\/?)>/g)) {
+        if (depth === 0) from = tag.index;
+        depth += tag[1] ? -1 : tag[2] ? 0 : 1;
+        if (depth === 0) children.push(mathml.slice(from, tag.index + tag[0].length));
+    }
+    return children;
+}
+
+const ungrouped = (child) => child.startsWith('<mrow>') ? child.slice(6, -7) : child;
+const LONG = 24; // letters of a formula in a line that a phone's line may not hold
+
+// A formula that is wider than the page scrolls in its own box. In a line a long one breaks behind its signs: no browser
+// breaks a <math>, so it becomes one for each part that TeX would not break.
+function mathml(tex, display) {
+    const render = (wrap) => tightened(compact(temml.renderToString(tex, {displayMode: display, wrap, throwOnError: true})));
+    const whole = render('none');
+    if (display) return `<span class="formula">${whole}</span>`;
+    const [, inside] = /^<math>(.*)<\/math>$/s.exec(whole);
+    const children = childrenOf(inside);
+    if (plain(inside).length <= LONG) return `<math>${children.length === 1 ? ungrouped(inside) : inside}</math>`;
+    const parts = childrenOf(/^<math>(.*)<\/math>$/s.exec(render('tex'))[1]);
+    return parts.every((part) => !part.startsWith('<mspace')) ? parts.map((part) => `<math>${ungrouped(part)}</math>`).join('') : `<math>${inside}</math>`;
+}
+
+// What ends a sentence stays with its formula.
+const formulas = (html) => html.replace(/<span class="math (inline|display)">\\[[(](.*?)\\[\])]<\/span>([.,;:)?!’”]?)/gs,
+    (_, kind, tex, sign) => mathml(plain(tex), kind === 'display') + (sign && kind === 'inline' ? `\u2060${sign}` : sign));
 
 // ---- Listings and commands ----
 
@@ -52,7 +98,7 @@ function blocks(html, sources) {
 }
 
 // A command in a line or in a table has its button behind it.
-const inlineCommands = (html) => html.replace(/<code>([^<]*)<\/code>/g, (whole, code) => {
+const inlineCommands = (html) => html.replace(/(?<!<pre>)<code>([^<]*)<\/code>/g, (whole, code) => {
     const command = plain(code);
     if (!isCommand(command)) return whole;
     const what = commandOf(command);
@@ -67,7 +113,7 @@ function pictureOf(source, pictures) {
     const name = path.basename(file);
     pictures.set(name, file);
     const [width, height] = sizeOf(file);
-    return `src="pictures/${name}" width="${width}" height="${height}"`;
+    return `src="pictures/${name}" width="${width}" height="${height}"${width >= 600 ? ' class="wide"' : ''}`;
 }
 
 const images = (html, pictures) => html.replace(/<img src="([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) =>

@@ -26,7 +26,7 @@
 
     if (location.protocol === 'file:') {
         root.classList.add('opened-as-file');
-        const note = document.querySelector('.note.file');
+        const note = document.querySelector('.note.opened');
         if (note && document.querySelector('live-chapter, .run')) note.hidden = false;
     }
 
@@ -186,8 +186,8 @@
         }
     });
     for (const box of document.querySelectorAll('main pre, .table, .formula')) wide.observe(box);
-    const folded2 = () => [...document.querySelectorAll('main details:not([open])')];
+    const closed = () => [...document.querySelectorAll('main details:not([open])')];
     let opened = [];
-    addEventListener('beforeprint', () => { opened = folded2(); for (const fold of opened) fold.open = true; });
+    addEventListener('beforeprint', () => { opened = closed(); for (const fold of opened) fold.open = true; });
     addEventListener('afterprint', () => { for (const fold of opened) fold.open = false; });
 })();

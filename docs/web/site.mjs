@@ -108,7 +108,7 @@ function write(page, pages) {
         root: '', kind: page.stem ? 'chapter' : page.address.replace('.html', ''),
         title: escaped(page.address === 'index.html' ? TITLE : `${page.title} · ${TITLE}`),
         description: escaped(words.length > 155 ? `${words.slice(0, words.lastIndexOf(' ', 155))} …` : words),
-        head: alive ? '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' : '',
+        head: alive ? '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '') : '',
         menu: list ? '<button type="button" class="menu at" popovertarget="sections">Sections</button>\n' : '',
         contents: contents(pages, page), body: page.body,
         note: alive ? '<noscript><p class="note">Without JavaScript the programs stand still; text, formulas and pictures are all here.</p></noscript>\n' : '',
@@ -141,8 +141,8 @@ function whereFrom() {
     return section.replaceAll('](docs/', '](').trim();
 }
 
-const drop = '<div class="drop"><p><label for="file">Choose a file, or drop one here:</label> <input type="file" id="file" accept=".frag,.glsl,.fs,.txt"></p>'
-    + '<live-chapter stem="00_first_scene" play></live-chapter><p><button type="button" class="export" disabled>Export for Shadertoy</button> <span class="said" role="status"></span></p></div>';
+const drop = (poster) => `<div class="drop"><p><label for="file">Choose a file, or drop one here:</label> <input type="file" id="file" accept=".frag,.glsl,.fs,.txt"></p>`
+    + `<live-chapter stem="00_first_scene" play><img ${poster}></live-chapter><p><button type="button" class="export" disabled>Export for Shadertoy</button> <span class="said" role="status"></span></p></div>`;
 
 // A page of docs/web/ with what the project says elsewhere put in.
 function prepared(name) {
@@ -157,7 +157,7 @@ function prepared(name) {
 
 // The letters that each font needs: a browser makes single letters of a formula italic by itself.
 function letters(pages) {
-    const text = new Set(), formula = new Set('0123456789𝜕𝜖𝜗𝜙');
+    const text = new Set(), formula = new Set('0123456789𝜕𝜖𝜗𝜙√'); // a root's sign is drawn, and stands in no text
     const add = (set, html) => { for (const letter of plain(html)) if (letter > ' ') set.add(letter); };
     for (const {body} of pages) {
         for (const [found] of body.matchAll(/<math.*?<\/math>/gs)) add(formula, found);
@@ -172,9 +172,10 @@ function letters(pages) {
     for (const [name, set] of Object.entries({text, formula})) fs.writeFileSync(`${out}.parts/${name}.txt`, [...set].sort().join(''));
 }
 
-// In a dark theme the pen's colours change (docs/figures/svg.h); a picture follows the colour scheme of the page that shows it.
+// In a dark theme the pen's colours change (docs/figures/svg.h), and what figures have besides for words and grounds; a picture follows the colour scheme of the page that shows it.
 const DARK = {'#0d1433': '#e9e5dc', '#9aa0b5': '#7f8494', '#d9731a': '#f2954a', '#fce1b8': '#5d4420', '#2f6fc0': '#7fb2f5', '#cfe0f5': '#22395a',
-    '#0b7f73': '#4cc4b5', '#fffbf2': '#1e2024'};
+    '#0b7f73': '#4cc4b5', '#fffbf2': '#1e2024', '#ffffff': '#141518', '#e4e2dd': '#34363c', '#f0c9a8': '#6b4628', '#b3261e': '#f0776c',
+    '#1b7f3b': '#5cc47f', '#2446b8': '#8aa2ff'};
 
 function figure(text) {
     const used = Object.entries(DARK).filter(([light]) => text.includes(`"${light}"`));
@@ -188,7 +189,8 @@ const pages = await pagesOf(order);
 const at = (address) => pages.find((page) => page.address === address);
 at('index.html').body = at('index.html').body.replace('<div data-insert="gallery"></div>', gallery);
 at('index.html').sections = sectionsOf(at('index.html').body);
-at('play.html').body = at('play.html').body.replace('<div data-insert="play"></div>', drop);
+at('play.html').body = at('play.html').body.replace('<div data-insert="play"></div>',
+    drop(/<live-chapter[^>]*><img ([^>]*)>/.exec(at('00_first_scene.html').body)[1]));
 for (const page of pages) write(page, pages);
 
 for (const file of sources.texts.keys()) {
