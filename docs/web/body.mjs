@@ -68,16 +68,18 @@ const formulas = (html) => html.replace(/<span class="math (inline|display)">\\[
 const button = ({stem, line, tail}, command) => `<button type="button" class="run" data-stem="${stem}" data-line="${escaped(line)}"`
     + `${tail ? ` data-tail="${tail}"` : ''} aria-label="Run ${escaped(command.replace(/\s+/g, ' '))}">Run</button>`;
 
-function commandBlock({text, command}) {
-    const listing = `<pre><code>${coloured(text, 'sh')}</code></pre>`;
+function commandBlock({text, command}, i, pieces) {
+    const listing = `<pre><code>${escaped(text).replace(/^#.*$| # .*$/gm, '<i class="c">$&</i>')}</code></pre>`;
     if (!command) return `<div class="command">${listing}</div>`;
     const what = commandOf(command);
     if (what.check) {
         const exercise = what.check.replace('_', '-');
         return `<div class="command">${listing}<form class="check" data-exercise="${exercise}"><button type="submit" aria-label="Check exercise ${exercise}">Check</button></form></div>`;
     }
-    return what.reason ? `<div class="command">${listing}<p class="reason">In a terminal: ${escaped(what.reason)}.</p></div>`
-        : `<div class="command">${listing}${button(what, command)}</div>`;
+    if (!what.reason) return `<div class="command">${listing}${button(what, command)}</div>`;
+    // Of several with one reason the last one says it.
+    const next = pieces[i + 1]?.command, said = next && commandOf(next).reason === what.reason;
+    return `<div class="command" data-reason="${escaped(what.reason)}">${listing}${said ? '' : `<p class="reason">For a terminal: ${escaped(what.reason)}.</p>`}</div>`;
 }
 
 // A listing, below the name of its file; `sources` knows where the file and this place of it are shown.
@@ -97,12 +99,13 @@ function blocks(html, sources) {
     });
 }
 
-// A command in a line or in a table has its button behind it.
-const inlineCommands = (html) => html.replace(/(?<!<pre>)<code>([^<]*)<\/code>/g, (whole, code) => {
+// Code in a line stays together, unless it is long: then an option stays so. A command has its button behind it.
+const LONG_CODE = 24;
+const inline = (html) => html.replace(/(?<!<pre>)<code>([^<]*)<\/code>/g, (whole, code) => {
     const command = plain(code);
-    if (!isCommand(command)) return whole;
-    const what = commandOf(command);
-    return what.stem ? `<span class="command">${whole} ${button(what, command)}</span>` : whole;
+    const shown = command.length > LONG_CODE ? `<code class="long">${code.replace(/--\w[\w-]*/g, '<span>$&</span>')}</code>` : whole;
+    const what = isCommand(command) ? commandOf(command) : {};
+    return what.stem ? `<span class="command">${shown} ${button(what, command)}</span>` : shown;
 });
 
 // ---- Pictures, tables, links ----
@@ -126,7 +129,8 @@ const live = (html, stem) => html.replace(/<figure>\s*<img ([^>]*) loading="lazy
 // In a table of pictures each cell is a share of the width; one of words scrolls where it is wider than the page.
 const tables = (html) => html.replace(/<table>(.*?)<\/table>/gs, (whole, inside) => {
     const kind = /<td[^>]*>\s*<img/.test(inside) ? ' pictures' : '';
-    const clean = inside.replace(/<tr class="[^"]*">/g, '<tr>').replace(/<th([^>]*)><\/th>/g, '<td$1></td>');
+    const clean = inside.replace(/<tr class="[^"]*">/g, '<tr>').replace(/<th([^>]*)><\/th>/g, '<td$1></td>')
+        .replace(/<th([^>]*)>(<math>(?:(?!<\/th>).)*<\/math>)<\/th>/gs, (_, more, formula) => `<th${more} aria-label="${escaped(plain(formula))}">${formula}</th>`);
     return `<div class="table${kind}"><table>${clean}</table></div>`;
 });
 
@@ -140,8 +144,10 @@ const links = (html, sources) => html.replace(/<a href="source:([^"#]*)(#[^"]*)?
 //   sources   shows files of the project (sources.mjs)
 //   pictures  receives what it shows: name in the site -> file
 export function bodyOf(html, {stem, sources, pictures}) {
-    html = links(images(inlineCommands(blocks(formulas(html), sources)), pictures), sources);
+    html = links(images(inline(blocks(formulas(html), sources)), pictures), sources);
     html = tables(html).replaceAll(' />', '>');
+    // What stands above the first section is no part of one: small to the eye, but no level is left out.
+    html = html.replace(/^.*?(?=<h2|$(?![^]))/s, (head) => head.replace(/<h3( [^>]*)>(.*?)<\/h3>/gs, '<h2 class="minor"$1>$2</h2>'));
     return stem ? live(html, stem) : html;
 }
 
@@ -150,10 +156,11 @@ export function sectionsOf(html) {
     const parts = html.split(/<h([1-3])((?: [\w-]+="[^"]*")*)>(.*?)<\/h\1>/s);
     const sections = [];
     for (let i = 1; i < parts.length; i += 4) {
-        const words = parts[i + 3].replace(/<math.*?<\/math>|<pre.*?<\/pre>|<figcaption aria.*?<\/figcaption>|<button.*?<\/button>/gs, ' ');
+        const words = parts[i + 3].replace(/<math.*?<\/math>|<pre.*?<\/pre>|<figcaption.*?<\/figcaption>|<button.*?<\/button>|<summary>.*?<\/summary>/gs, ' ')
+            .replace(/<\/?(?:p|li|t[hdr]|div|h\d|[uo]l|br)\b[^>]*>/g, ' ');
         sections.push({
             level: Number(parts[i]), id: /id="([^"]*)"/.exec(parts[i + 1])[1], html: parts[i + 2],
-            lang: /lang="(\w+)"/.exec(parts[i + 1])?.[1], text: plain(words.replace(/<[^>]*>/g, ' ')).replace(/\s+/g, ' ').trim(),
+            lang: /lang="(\w+)"/.exec(parts[i + 1])?.[1], text: plain(words).replace(/\s+/g, ' ').trim(),
         });
     }
     return sections;

@@ -66,7 +66,8 @@ export function piecesOf(block) {
         text += (text ? '\n' : '') + line;
         if (!command && /^\s*(#|$)/.test(line)) continue;
         command += (command ? '\n' : '') + line;
-        if (/\\$/.test(line) || (command.match(/'/g) ?? []).length % 2 === 1 || (/\(\) \{/.test(command) && !/\}$/.test(command))) continue;
+        const said = command.replace(/(^|\s)#.*$/gm, ''); // an apostrophe of a comment opens nothing
+        if (/\\$/.test(line) || (said.match(/'/g) ?? []).length % 2 === 1 || (/\(\) \{/.test(command) && !/\}$/.test(command))) continue;
         pieces.push({text, command});
         text = command = '';
     }
