@@ -1,19 +1,13 @@
 #!/bin/bash
 # web.sh [PART [PATTERN]] - `make test-web`: the tests of the programs in browsers, tests/web_PART.mjs, in Chromium
-# and in Firefox, without a screen. PATTERN picks pictures of tests/images.txt. For each part: how long it took, and
-# how much time of processors, which says more where other programs run.
+# and in Firefox, without a screen. PATTERN picks pictures of tests/images.txt. A part also says what time of
+# processors it took, which says more where other programs run.
 set -u
 export LC_ALL=C
 cd "$(dirname "$0")/.." || exit 1
 export MESA_SHADER_CACHE_DIR=$PWD/build/shader-cache LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
 results=build/web-test
 mkdir -p "$results"
-
-# Seconds of processors that ended children of this shell took.
-processors() {
-    times >"$results/times" # of this shell: behind a pipe it would be another's
-    awk 'NR == 2 { for (i = 1; i <= 2; i++) { split($i, part, /[ms]/); sum += 60 * part[1] + part[2] } printf "%.0f", sum }' "$results/times"
-}
 
 # Firefox gives WebGL only where there is a display.
 run_part() {
@@ -25,17 +19,15 @@ run_part() {
 passed=0 failed=0
 for part in ${1:-program pictures firefox swiftshader speed}; do
     begun=$SECONDS
-    processors >"$results/before"
     run_part "$part" "${2-}"
     status=$?
-    processors >"$results/after"
     right=$(grep -c '^ok ' "$results/$part.tap")
     wrong=$(grep -c '^not ok ' "$results/$part.tap")
     # Without its plan a part has died on the way.
     if [ "$wrong" = 0 ] && { [ "$status" != 0 ] || ! grep -q "^1\\.\\.$right\$" "$results/$part.tap"; }; then
         wrong=1
     fi
-    echo "web_$part: $right passed, $wrong failed, $((SECONDS - begun)) s, of processors $(($(cat "$results/after") - $(cat "$results/before"))) s"
+    echo "web_$part: $right passed, $wrong failed, $((SECONDS - begun)) s"
     grep '^#' "$results/$part.tap" | sed 's/^/    /'
     [ "$wrong" = 0 ] || { grep '^not ok ' "$results/$part.tap"; head -n 20 "$results/$part.err"; } | sed 's/^/    /'
     passed=$((passed + right)) failed=$((failed + wrong))

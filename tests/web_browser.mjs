@@ -29,7 +29,9 @@ export function check(name, right, ...more) {
     return right;
 }
 
+// To be called while the browsers still live, for they are counted.
 export function finish() {
+    console.log(`# ${(processors() + process.cpuUsage().user / 1e6).toFixed(0)} s of processors`);
     console.log(`1..${count}`);
     process.exitCode = failed > 0 ? 1 : 0;
 }
@@ -174,6 +176,26 @@ export const rest = (page) => page.evaluate((patience) => new Promise((done) => 
 }), PATIENCE);
 
 // ---- Files and processes ----
+
+// Seconds of processor time of all processes that descend from this one and have not ended.
+export function processors() {
+    const all = fs.readdirSync('/proc').filter((name) => /^\d+$/.test(name)).flatMap((name) => {
+        try {
+            const text = fs.readFileSync(`/proc/${name}/stat`, 'utf8');
+            const field = text.slice(text.lastIndexOf(')') + 2).split(' ');
+            return [{process: Number(name), parent: Number(field[1]), seconds: (Number(field[11]) + Number(field[12])) / 100}];
+        } catch {
+            return []; // it has just ended
+        }
+    });
+    const ours = new Set([process.pid]);
+    for (let size = 0; size !== ours.size;) {
+        size = ours.size;
+        for (const one of all) if (ours.has(one.parent)) ours.add(one.process);
+    }
+    ours.delete(process.pid);
+    return all.reduce((sum, one) => sum + (ours.has(one.process) ? one.seconds : 0), 0);
+}
 
 // Write a picture that a page has drawn.
 export function keep(picture, file) {

@@ -29,9 +29,10 @@ async function work() {
     for (let chapter; (chapter = chapters.pop()) !== undefined;)
         for (const row of chapter) judged.push(judge(row, await draw(page, row.stem, row.line), said));
     check('the browser reports no error', said.length === 0, said.slice(0, 5));
-    await browser.close();
+    return browser;
 }
-await Promise.all([work(), work()]);
+const browsers = await Promise.all([work(), work()]);
 await Promise.all(judged);
 finish();
+for (const browser of browsers) await browser.close();
 server.close();

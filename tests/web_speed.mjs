@@ -2,27 +2,7 @@
 // programs hardly touch; and, told and not judged, how long a reader waits for a first picture.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
-import {blankPage, check, finish, launch, loadProgram, openPage, serve} from './web_browser.mjs';
-
-// Seconds of processor time of all processes that descend from this one.
-function processors() {
-    const all = fs.readdirSync('/proc').filter((name) => /^\d+$/.test(name)).flatMap((name) => {
-        try {
-            const text = fs.readFileSync(`/proc/${name}/stat`, 'utf8');
-            const field = text.slice(text.lastIndexOf(')') + 2).split(' ');
-            return [{process: Number(name), parent: Number(field[1]), seconds: (Number(field[11]) + Number(field[12])) / 100}];
-        } catch {
-            return []; // it has just ended
-        }
-    });
-    const ours = new Set([process.pid]);
-    for (let size = 0; size !== ours.size;) {
-        size = ours.size;
-        for (const one of all) if (ours.has(one.parent)) ours.add(one.process);
-    }
-    ours.delete(process.pid);
-    return all.reduce((sum, one) => sum + (ours.has(one.process) ? one.seconds : 0), 0);
-}
+import {blankPage, check, finish, launch, loadProgram, openPage, processors, serve} from './web_browser.mjs';
 
 const server = await serve('build/web'), browser = await launch();
 const {page} = await openPage(browser, server.at);
