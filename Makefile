@@ -360,7 +360,7 @@ web: ## build the programs for a browser into build/web/ (Emscripten; a package 
 	+@$(AGAIN) WEB=1 module
 	@.make/web.sh
 
-test-web: ready web build/node/package-lock.json ## draw, drive and measure the programs in Chromium and Firefox, without a screen, on Mesa's software renderer
+test-web: ready site build/tests/compare ## draw, drive and measure the programs in Chromium and Firefox, without a screen, on Mesa's software renderer
 	@tests/web.sh
 
 # What docs/web/ takes from npm, as its lock file has it.

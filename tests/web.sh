@@ -1,6 +1,6 @@
 #!/bin/bash
-# web.sh [PART [PATTERN]] - `make test-web`: the tests of the programs in browsers, tests/web_PART.mjs, in Chromium
-# and in Firefox, without a screen. PATTERN picks pictures of tests/images.txt. A part also says what time of
+# web.sh [PART [PATTERN]] - `make test-web`: the tests of the programs and of the site in browsers, tests/web_PART.mjs, in
+# Chromium and in Firefox, without a screen. PATTERN picks pictures of tests/images.txt. A part also says what time of
 # processors it took, which says more where other programs run.
 set -u
 export LC_ALL=C
@@ -17,7 +17,7 @@ run_part() {
 }
 
 passed=0 failed=0
-for part in ${1:-program pictures firefox swiftshader speed}; do
+for part in ${1:-program pictures firefox swiftshader speed pages look live}; do
     begun=$SECONDS
     run_part "$part" "${2-}"
     status=$?

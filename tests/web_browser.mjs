@@ -11,7 +11,8 @@ import {chromium} from '../build/node/node_modules/playwright-core/index.mjs';
 
 const TYPES = {
     '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm',
-    '.json': 'application/json', '.png': 'image/png',
+    '.json': 'application/json', '.png': 'image/png', '.webp': 'image/webp', '.svg': 'image/svg+xml', '.woff2': 'font/woff2',
+    '.txt': 'text/plain; charset=utf-8', '.zip': 'application/zip',
 };
 const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>test</title><link rel="icon" href="data:,">
 <style>body { margin: 0 } canvas { display: block; width: 320px; height: 180px; touch-action: none }</style>

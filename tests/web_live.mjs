@@ -1,0 +1,192 @@
+// web_live.mjs - the live chapter in a page of the site: the click, a command beside the text, the editor, a mistake and
+// its repair, a page that nobody sees, a telephone, the check of an exercise, and the line of every button.
+import fs from 'node:fs';
+import {blankPage, check, finish, frames, launch, openPage, serve} from './web_browser.mjs';
+
+const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
+const server = await serve('build/site'), browser = await launch();
+
+// A chapter's page; asked gathers what it loads.
+async function chapter(stem, context = {}) {
+    const opened = await blankPage(browser, {context: {viewport: {width: 1280, height: 900}, reducedMotion: 'reduce', ...context}});
+    const asked = opened.asked = [];
+    opened.page.on('request', (request) => asked.push(request.url()));
+    await opened.page.goto(`${server.at}/${stem}.html`);
+    await opened.page.waitForFunction(() => document.querySelector('live-chapter button.live-start'));
+    return opened;
+}
+// The program that runs in the page: its state, once `right` holds of it.
+const stateOf = (page) => page.evaluate(() => [...document.querySelectorAll('live-chapter')].map((one) => one.program).find(Boolean)?.state() ?? null);
+async function until(page, right) {
+    for (let begun = Date.now(); ;) {
+        const now = await stateOf(page);
+        if ((now?.runs && right(now)) || Date.now() - begun > 180e3) return now;
+        await frames(page, 2);
+    }
+}
+const findings = async (page) => {
+    await page.evaluate(AXE);
+    return page.evaluate(async () => (await window.axe.run(document, {resultTypes: ['violations']})).violations
+        .map((one) => `${one.id}: ${one.nodes.slice(0, 3).map((node) => node.target.join(' ')).join(', ')}`));
+};
+
+// ---- The click ----
+
+let {page, said, asked} = await chapter('03_shadows');
+check('before the click there is the poster, and nothing of the program is loaded', await page.locator('live-chapter img').first().isVisible() && !asked.some((url) => /harness|course|stage|editor/.test(url)), asked);
+const wait = await page.evaluate(() => new Promise((done) => {
+    const begun = performance.now();
+    document.querySelector('live-chapter .live-start').click();
+    const turn = () => document.querySelector('live-chapter')?.program?.state().rate > 0 ? done(performance.now() - begun) : requestAnimationFrame(turn);
+    turn();
+}));
+console.log(`# from the click to the first picture of 03_shadows: ${wait.toFixed(0)} ms, of which 500 are allowed on two free processors; ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]} programs want them`);
+let now = await until(page, (s) => s.runs);
+check('the click runs the chapter', now.runs && now.view === 'picture', now.error);
+check('and loads nothing from elsewhere, and no editor', asked.every((url) => url.startsWith(server.at) || /^(data|blob):/.test(url)) && !asked.some((url) => /editor/.test(url)), asked.filter((url) => !url.startsWith(server.at)));
+const bar = page.getByRole('toolbar', {name: 'The program'});
+await bar.getByRole('button', {name: 'Pause'}).click();
+check('Pause pauses', (await until(page, (s) => s.paused)).paused);
+await bar.getByRole('button', {name: 'steps', exact: true}).click();
+check('the button of a view shows it', (await until(page, (s) => s.view === 'steps')).view === 'steps');
+await bar.getByRole('button', {name: 'picture', exact: true}).click();
+await until(page, (s) => s.view === 'picture');
+const value = (s, name) => s.parameters.find((one) => one.name === name).value[0];
+const slider = page.getByRole('slider', {name: 'lampHeight'});
+const lamp = value(await stateOf(page), 'lampHeight');
+await slider.focus();
+await page.keyboard.press('ArrowRight');
+now = await until(page, (s) => value(s, 'lampHeight') !== lamp);
+check('a slider sets its value by a key', value(now, 'lampHeight') > lamp, lamp, value(now, 'lampHeight'));
+await page.getByRole('button', {name: 'Reset lampHeight'}).click();
+check('and its button takes it back', value(await until(page, (s) => value(s, 'lampHeight') === lamp), 'lampHeight') === lamp);
+await page.locator('canvas.live-canvas').click();
+now = await until(page, (s) => s.probe !== undefined);
+check('a click on the picture marches a ray', now.probe?.steps > 0, now.pixel);
+
+// ---- The editor ----
+
+const before = await stateOf(page);
+await bar.getByRole('button', {name: 'Edit'}).click();
+const text = page.locator('.cm-content');
+await text.waitFor();
+check('the editor opens with the chapter\'s text', /sceneDistance|pixelRay/.test(await page.locator('.live-editor').innerText()));
+await page.keyboard.press('Control+Home');
+await page.keyboard.type('// wasd 4 h \n');
+await frames(page, 30);
+now = await stateOf(page);
+check('typing in the editor moves nothing in the program', now.view === before.view && now.paused && now.time === before.time && now.camera.every((x, i) => x === before.camera[i]), before.camera, now.camera, now.view);
+await page.keyboard.type('nonsense here;\n');
+now = await until(page, (s) => s.error !== '');
+check('a mistake is told with its line', /chapters\/03_shadows\.frag:\d+/.test(now.error), now.error);
+await page.waitForFunction(() => !document.querySelector('.live-error').hidden);
+check('in the page, and the line is marked', await page.locator('.live-error').innerText() !== '' && await page.locator('.cm-lint-marker-error').count() > 0);
+const drawn = await page.evaluate(() => { const canvas = document.querySelector('canvas.live-canvas'); return canvas.isConnected && canvas.width > 0; });
+check('and the last good picture stays', drawn);
+await page.reload();
+await page.waitForFunction(() => document.querySelector('live-chapter button.live-start'));
+await page.locator('live-chapter .live-start').first().click();
+await until(page, () => true);
+await page.waitForFunction(() => /With your changes/.test(document.body.innerText));
+check('a reload loses nothing of it', /With your changes in chapters\/03_shadows\.frag/.test(await page.locator('.live-changes').innerText()));
+await page.getByRole('button', {name: 'Undo all'}).click();
+now = await until(page, (s) => s.error === '');
+check('what is taken back is mended', now.error === '', now.error);
+
+// ---- A command beside the text ----
+
+const command = page.locator('.command button.run[data-line]:not([data-line=""])').first();
+const line = await command.getAttribute('data-line');
+await command.scrollIntoViewIfNeeded();
+await command.click();
+await page.waitForFunction(() => document.querySelector('.live-beside:not(.live-waits) canvas, .live-beside .live-result'));
+check(`a command runs below itself: ${line}`, await page.evaluate(() => {
+    const made = document.querySelector('.live-beside');
+    return made.previousElementSibling?.querySelector('button.run') !== null && document.querySelectorAll('canvas.live-canvas').length <= 1;
+}));
+check('no error in the console', said.length === 0, said);
+await page.close();
+
+// ---- A page that nobody sees ----
+
+({page, said} = await chapter('03_shadows'));
+await page.locator('live-chapter .live-start').first().click();
+await until(page, (s) => s.rate > 0);
+await page.evaluate(() => window.scrollTo(0, document.body.scrollHeight));
+await page.waitForFunction(() => !document.querySelector('live-chapter').program.visible);
+const away = await stateOf(page);
+await frames(page, 30);
+check('a program that is scrolled away stands still', (await stateOf(page)).time === away.time);
+await page.evaluate(() => window.scrollTo(0, 0));
+now = await until(page, (s) => s.time > away.time);
+check('and goes on where it stood', now.time > away.time);
+await page.evaluate(() => {
+    window.taken = document.querySelector('canvas.live-canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+    window.taken.loseContext();
+});
+await page.waitForFunction(() => !document.querySelector('.live-notice').hidden);
+check('a context that the browser takes is told', /graphics driver/.test(await page.locator('.live-notice').innerText()));
+await page.evaluate(() => window.taken.restoreContext());
+await page.waitForFunction(() => document.querySelector('.live-notice').hidden);
+now = await until(page, (s) => s.runs && s.rate > 0);
+check('and made again', now.runs && now.error === '', now.error);
+for (const scheme of ['light', 'dark']) {
+    await page.emulateMedia({colorScheme: scheme});
+    const found = await findings(page);
+    check(`axe-core finds nothing in a page whose program runs, ${scheme}`, found.length === 0, found);
+}
+check('no error in the console', said.length === 0, said);
+await page.close();
+
+// ---- A telephone ----
+
+({page, said} = await chapter('02_lighting', {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2}));
+await page.locator('live-chapter .live-start').first().tap();
+now = await until(page, (s) => s.rate > 0);
+check('on a telephone a tap runs it', now?.runs);
+const across = () => page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
+check('nothing to scroll sideways', await across() <= 0, await across());
+check('the values are folded', await page.locator('details.live-values').evaluate((one) => !one.open));
+const touched = page.locator('canvas.live-canvas');
+await touched.tap();
+now = await until(page, (s) => s.probe !== undefined);
+check('a tap on the picture marches a ray', now.probe?.steps > 0);
+check('and still nothing scrolls sideways', await across() <= 0, await across());
+const pad = page.getByRole('button', {name: 'Move forwards'});
+const stood = (await stateOf(page)).camera;
+const box = await pad.boundingBox();
+const fingers = await page.context().newCDPSession(page);
+await fingers.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: [{x: box.x + box.width / 2, y: box.y + box.height / 2, id: 0}]});
+now = await until(page, (s) => s.camera.some((x, i) => x !== stood[i]));
+await fingers.send('Input.dispatchTouchEvent', {type: 'touchEnd', touchPoints: []});
+check('the pad moves the eye', now.camera.some((x, i) => x !== stood[i]), stood, now.camera);
+await page.getByRole('toolbar', {name: 'The program'}).getByRole('button', {name: 'Edit'}).tap();
+await page.locator('.cm-content').waitFor();
+check('with the editor neither', await across() <= 0, await across());
+check('no error in the console', said.length === 0, said);
+await page.close();
+
+// ---- The line of every button ----
+
+// options.c reads each as the program would, and prints what the shader has; it draws nothing.
+const plain = (html) => html.replaceAll('&quot;', '"').replaceAll('&#39;', '\'').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&');
+const lines = new Map();
+for (const name of fs.readdirSync('build/site').filter((name) => name.endsWith('.html')))
+    for (const [, stem, line, label] of fs.readFileSync(`build/site/${name}`, 'utf8').matchAll(/<button[^>]*class="run" data-stem="([^"]*)" data-line="([^"]*)"[^>]* aria-label="([^"]*)"/g))
+        lines.set(`${stem} ${plain(line)}`, /# refused/.test(label) ? 2 : 0); // what a page shows to be refused is
+({page, said} = await openPage(browser, server.at));
+const refused = await page.evaluate(async (lines) => {
+    const wrong = [];
+    for (const [one, right] of lines) {
+        const at = one.indexOf(' ');
+        window.lines.length = 0;
+        const status = await window.program.start(one.slice(0, at), `${one.slice(at + 1)} --list`);
+        if (status !== right) wrong.push(`${one}: ${status}: ${window.lines.find((line) => line.startsWith('! '))}`);
+    }
+    return wrong;
+}, [...lines]);
+check(`the program takes the line of every button, ${lines.size} of them`, lines.size > 300 && refused.length === 0, refused.length, refused.slice(0, 5));
+
+finish();
+await browser.close();
+server.close();

@@ -1,0 +1,53 @@
+// web_look.mjs [PATTERN] - every page of the site in Chromium: what axe-core finds, in light and in dark; nothing to
+// scroll sideways on a telephone's 390 pixels; no error in the console, no request that fails or leaves the site, and
+// none before a click for the module, the editor or the course's files. PATTERN picks pages.
+import fs from 'node:fs';
+import {blankPage, check, finish, launch, serve} from './web_browser.mjs';
+
+const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
+const LATER = /harness|course|stage\.js|program\.js|editor\.js|check\.js|exercises|search\.js/; // what only a click or a search loads
+const pattern = new RegExp(process.argv[2] || '');
+const server = await serve('build/site'), browser = await launch();
+// A file's page differs from another in its text alone.
+const sources = fs.readdirSync('build/site/source', {recursive: true}).filter((name) => name.endsWith('.html')).map((name) => `source/${name}`).sort();
+const names = [...fs.readdirSync('build/site').filter((name) => name.endsWith('.html')), ...sources.filter((_, i) => i % 40 === 0)].filter((name) => pattern.test(name));
+check('there are pages', names.length > (process.argv[2] ? 0 : 30), names.length);
+
+// What axe-core finds: [rule: the elements]. By day every rule; in the dark those of colour, which alone can change.
+const findings = (page, only) => page.evaluate(async (only) => {
+    const found = await window.axe.run(document, {resultTypes: ['violations'], ...(only && {runOnly: only})});
+    return found.violations.map((one) => `${one.id}: ${one.nodes.length}: ${one.nodes.slice(0, 2).map((node) => node.target.join(' ')).join(', ')}`);
+}, only);
+
+async function look(work) {
+    const {page, said} = await blankPage(browser, {context: {viewport: {width: 390, height: 844}, colorScheme: 'light', reducedMotion: 'reduce'}});
+    const asked = [], failed = [];
+    page.on('request', (request) => { if (!request.url().startsWith('data:') && !request.url().startsWith('blob:')) asked.push(request.url()); });
+    page.on('response', (answer) => { if (answer.status() >= 400) failed.push(answer.url()); });
+    for (let name; (name = work.pop()) !== undefined;) {
+        said.length = asked.length = failed.length = 0;
+        await page.emulateMedia({colorScheme: 'light'});
+        await page.setViewportSize({width: 390, height: 844});
+        await page.goto(`${server.at}/${name}`, {waitUntil: 'load'});
+        const wide = await page.evaluate(() => {
+            for (const one of document.querySelectorAll('details')) one.open = true;
+            const most = document.documentElement.clientWidth;
+            if (document.documentElement.scrollWidth <= most) return [];
+            return [document.documentElement.scrollWidth, ...[...document.body.querySelectorAll('*')].filter((one) => one.getBoundingClientRect().right > most + 1).slice(0, 4).map((one) => `${one.tagName}.${one.className}`)];
+        });
+        check(`${name}: nothing to scroll sideways at 390 pixels`, wide.length === 0, wide);
+        await page.setViewportSize({width: 1280, height: 900});
+        await page.evaluate(AXE);
+        const light = await findings(page);
+        await page.emulateMedia({colorScheme: 'dark'});
+        const dark = await findings(page, ['color-contrast', 'link-in-text-block']);
+        check(`${name}: axe-core finds nothing, in light and in dark`, light.length + dark.length === 0, light, 'dark:', dark);
+        check(`${name}: no error, no request that fails or leaves the site`, said.length === 0 && failed.length === 0 && asked.every((url) => url.startsWith(server.at)), said, failed, asked.filter((url) => !url.startsWith(server.at)));
+        check(`${name}: nothing is loaded that a click asks for`, !asked.some((url) => LATER.test(new URL(url).pathname.replace(/^\/source\//, ''))) || /^(index|play)\.html$/.test(name) && !asked.some((url) => /harness/.test(url)), asked.filter((url) => LATER.test(url)));
+    }
+}
+const work = [...names];
+await Promise.all([look(work), look(work)]);
+finish();
+await browser.close();
+server.close();

@@ -1,0 +1,93 @@
+// web_pages.mjs - the site's files as they lie, without a browser: every page is there, no link is dead, no formula
+// failed, nothing comes from elsewhere, every command has its button or its reason, no page is too heavy.
+import fs from 'node:fs';
+import path from 'node:path';
+import zlib from 'node:zlib';
+import {check, finish} from './web_browser.mjs';
+
+const SITE = 'build/site';
+const walk = (folder) => fs.readdirSync(folder, {withFileTypes: true}).flatMap((one) => one.isDirectory() ? walk(`${folder}/${one.name}`) : [`${folder}/${one.name}`]);
+const files = new Set(walk(SITE).map((file) => path.relative(SITE, file)));
+const pages = [...files].filter((name) => name.endsWith('.html')).sort();
+const plain = (html) => html.replace(/<[^>]*>/g, '').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&quot;', '"').replaceAll('&#39;', '\'').replaceAll('&amp;', '&');
+const text = new Map(pages.map((name) => [name, fs.readFileSync(`${SITE}/${name}`, 'utf8')]));
+const top = pages.filter((name) => !name.includes('/'));
+check('there are pages', top.length >= 30, top.length);
+const lacking = fs.readdirSync('docs').filter((name) => name.endsWith('.md') && name !== 'README.md' && !text.has(name.replace(/md$/, 'html')));
+check('every page of docs/ is one of the site', lacking.length === 0, lacking);
+
+// ---- Links and what a page loads ----
+
+const ids = new Map([...text].map(([name, html]) => [name, new Set([...html.matchAll(/\sid="([^"]*)"/g)].map((match) => plain(match[1])))]));
+const dead = [], foreign = [], doubled = [];
+for (const [name, html] of text) {
+    const all = [...html.matchAll(/\sid="([^"]*)"/g)].map((match) => match[1]);
+    if (new Set(all).size !== all.length) doubled.push(`${name}: ${all.find((id, i) => all.indexOf(id) !== i)}`);
+    for (const [, tag, attributes] of html.matchAll(/<(\w[\w-]*)((?:\s[\w-]+(?:="[^"]*")?)*)\s*\/?>/g)) {
+        for (const [, attribute, value] of attributes.matchAll(/\s(href|src|data-index|poster)="([^"]*)"/g)) {
+            const address = plain(value);
+            if (/^(data|mailto):/.test(address)) continue;
+            if (/^[a-z]+:|^\/\//i.test(address)) {
+                if (tag !== 'a') foreign.push(`${name}: ${address}`);
+                continue;
+            }
+            const [file, id] = address.split('#');
+            const target = file === '' ? name : path.join(path.dirname(name), file.split('?')[0]);
+            if (!files.has(target) || (id && ids.has(target) && !ids.get(target).has(decodeURIComponent(id)))) dead.push(`${name}: ${address}`);
+        }
+    }
+}
+for (const name of [...files].filter((name) => name.endsWith('.css')))
+    for (const [, address] of fs.readFileSync(`${SITE}/${name}`, 'utf8').matchAll(/url\(["']?([^"')]+)/g))
+        if (!address.startsWith('data:') && !files.has(path.join(path.dirname(name), address.split(/[?#]/)[0]))) dead.push(`${name}: ${address}`);
+check('no link is dead', dead.length === 0, dead.length, dead.slice(0, 8));
+check('no page loads anything from elsewhere', foreign.length === 0, foreign.slice(0, 8));
+check('no page has two places of one name', doubled.length === 0, doubled.slice(0, 8));
+
+// ---- Formulas ----
+
+const failed = [...text].filter(([, html]) => /<merror|temml-error|katex-error|class="math (inline|display)"/.test(html)).map(([name]) => name);
+check('no formula failed', failed.length === 0, failed);
+const formulas = [...text.values()].reduce((sum, html) => sum + html.split('<math').length - 1, 0);
+check('and there are formulas', formulas > 3000, formulas);
+
+// ---- Commands ----
+
+// Read from the sources, not from what the builder made of them: each command that a block shows to the shell stands
+// in the page, in a block with a button, a form or a reason.
+const squeezed = (words) => words.replace(/\s+/g, ' ').trim();
+const mute = [];
+let commands = 0;
+for (const name of top.filter((name) => fs.existsSync(`docs/${name.replace(/html$/, 'md')}`))) {
+    const blocks = text.get(name).split('<div class="command">').slice(1).map((html) => {
+        const [listing, rest] = [html.slice(0, html.indexOf('</pre>')), html.slice(html.indexOf('</pre>'), html.indexOf('</div>'))];
+        return {shown: squeezed(plain(listing)), answered: /<button[^>]*class="run"|<form class="check"|class="reason"/.test(rest)};
+    });
+    const source = fs.readFileSync(`docs/${name.replace(/html$/, 'md')}`, 'utf8');
+    for (const [, block] of source.matchAll(/^[ >]*```sh\n([\s\S]*?)^[ >]*```/gm)) {
+        for (const line of block.replace(/\\\n/g, '\\ ').split('\n').map((line) => squeezed(line)).filter((line) => /^(make|build\/)/.test(line))) {
+            commands++;
+            if (!blocks.some((one) => one.answered && one.shown.includes(line))) mute.push(`${name}: ${line}`);
+        }
+    }
+}
+check('every command has a button or a reason', commands > 400 && mute.length === 0, commands, mute.slice(0, 8));
+
+// ---- Weight ----
+
+const packed = (data) => zlib.gzipSync(data, {level: 9}).length;
+const weight = (name) => packed(fs.readFileSync(`${SITE}/${name}`));
+const weights = top.map((name) => {
+    const loaded = [...text.get(name).matchAll(/<(?:script|link)[^>]*\s(?:src|href)="([^"]*\.(?:js|css))"/g)].map((match) => match[1]);
+    return {name, raw: Buffer.byteLength(text.get(name)), sent: weight(name) + loaded.reduce((sum, file) => sum + weight(file), 0)};
+}).sort((a, b) => b.sent - a.sent);
+const fonts = [...files].filter((name) => name.endsWith('.woff2')).reduce((sum, name) => sum + fs.statSync(`${SITE}/${name}`).size, 0);
+const kilo = (bytes) => (bytes / 1000).toFixed(0);
+console.log(`# the heaviest pages, with script and style, compressed: ${weights.slice(0, 3).map((one) => `${one.name} ${kilo(one.sent)} KB`).join(', ')}; all fonts ${kilo(fonts)} KB more, once`);
+console.log(`# not compressed, text alone, more than 150 KB: ${weights.filter((one) => one.raw > 150e3).map((one) => `${one.name} ${kilo(one.raw)} KB`).join(', ') || 'none'}`);
+check('no page is heavier than 150 KB, compressed, without pictures and fonts', weights[0].sent <= 150e3, weights[0]);
+const module = ['harness.wasm', 'harness.js', 'program.js', 'stage.js', 'live.js', 'values.js', 'ray.js', 'course.json'].filter((name) => files.has(name));
+const sum = module.reduce((total, name) => total + weight(name), 0);
+console.log(`# what a click on Run loads: ${kilo(sum)} KB compressed`);
+check('what a click on Run loads is at most 280 KB, compressed', sum <= 280e3, sum);
+finish();
