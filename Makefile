@@ -142,6 +142,7 @@ COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUIL
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(filter-out tests/support_system_$(if $(EXE),posix,windows).c,$(wildcard tests/support_*.c))
 SUPPORT := $(SUPPORT:%.c=$(BUILD)/%.o)
+JUDGE := $(BUILD)/tests/support_compare.o $(BUILD)/tests/support_judge.o
 PROGRAMS := $(STEMS:%=$(BUILD)/%$(EXE))
 # Two whole programs that need one library each and nothing of common/; Khronos' header is no part of a Mac,
 # and not of Windows.
@@ -158,7 +159,7 @@ TESTS := $(filter-out $(if $(EXE),$(shell grep -l '<sys/\|<glob' $(TESTS))),$(TE
 TESTS := $(TESTS:%.c=$(BUILD)/%$(EXE))
 
 programs: $(PROGRAMS) $(FIRST_STEPS)
-tests: $(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),compare draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
+tests: $(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),compare judge draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
 fuzzer: $(BUILD)/tests/fuzz
 
 # What is packed for others has what all programs do once, in a library beside them.
@@ -180,7 +181,8 @@ $(TESTS) $(BUILD)/tests/measure$(EXE): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.
 # It has functions of its own in the place of GLFW's, which is no library by itself on Windows.
 $(BUILD)/tests/test_input.exe: LDFLAGS += -Wl,--allow-multiple-definition
 
-$(BUILD)/tests/compare$(EXE): $(BUILD)/tests/compare.o $(BUILD)/tests/support_compare.o \
+# What says how far two pictures are apart, and what judges an answer to an exercise by that.
+$(BUILD)/tests/compare$(EXE) $(BUILD)/tests/judge$(EXE): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(JUDGE) \
     $(patsubst %,$(BUILD)/common/%.o,picture/image picture/image_read picture/image_write shader/text_file memory report $(PLATFORM)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
@@ -206,7 +208,7 @@ $(TESTS) $(BUILD)/tests/measure$(EXE) $(BUILD)/tests/draw$(EXE) $(FIGURES:%=$(BU
 # One module holds all chapters, so each main gets a name of its own; what it calls leaves the loop to the page.
 ifneq ($(WEB),)
 $(BUILD)/chapters/%.o: INSTRUMENT = -Dmain=main_$(notdir $*) -Dchapter_run=live_run
-EXPORTS := _malloc,_free,$(shell grep -oh '\<live_[a-z]*' common/browser/live.h common/browser/hands.h | sort -u | sed s/^/_/ | paste -sd , -)
+EXPORTS := _malloc,_free,$(shell grep -oh '\<live_[a-z]*' common/browser/live.h common/browser/hands.h | sort -u | sed s/^/_/ | paste -sd , -),$(shell grep -oh '\<judge_[a-z]*' tests/support_judge.h | sort -u | sed s/^/_/ | paste -sd , -)
 EMSCRIPTEN = -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sMODULARIZE -sEXPORT_ES6 \
              -sUSE_ES6_IMPORT_META=1 -sENVIRONMENT=web -sEXPORT_NAME=loadHarness -sFORCE_FILESYSTEM \
              -sEXPORTED_RUNTIME_METHODS=FS,ccall,UTF8ToString \
@@ -214,7 +216,7 @@ EMSCRIPTEN = -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH -
 # Debian's has its JavaScript tools there.
 export NODE_PATH = /usr/share/nodejs
 module: build/web/harness.js
-build/web/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COMMON) common/browser/page.js
+build/web/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COMMON) $(JUDGE) common/browser/page.js
 	$(call say,link $@) $(CC) $(CFLAGS) --no-entry $(EMSCRIPTEN) -sEXPORTED_FUNCTIONS=$(EXPORTS) \
 	    --js-library common/browser/page.js -o $@ $(filter %.o,$^)
 
@@ -267,7 +269,7 @@ $(LOCALE):
 # What most of the commands below begin with.
 ready:
 	@.make/setup.sh run
-	+@$(AGAIN) programs build/tests/compare$(EXE)
+	+@$(AGAIN) programs build/tests/compare$(EXE) build/tests/judge$(EXE)
 
 all: ## build every chapter's program into build/ (the default)
 	@.make/setup.sh --check run

@@ -9,36 +9,14 @@
 set -u
 export LC_ALL=C
 
+# shellcheck source=exercises.sh
+. .make/exercises.sh
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
 limit=${CHECK_LIMIT:-30} # seconds for one picture
 
 fail() {
     printf 'make: %s\n' "$*" >&2
     exit 2
-}
-
-# NN_K of every exercise that has a solution.
-exercises() {
-    awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2) "_" $2 }' \
-        tests/images.txt | sort -t _ -k 1,1 -k 2,2n
-}
-
-# The options of each picture of the exercise, a line each, as the pages spell them, without the solution's
-# own file.
-pictures_of() { # STEM NUMBER
-    awk -v stem="$1" -v number="$2" '
-        BEGIN {
-            n = split("-s --size -t --time -p --set -c --camera -a --samples -v --view", word)
-            for (i = 1; i < n; i += 2) long[word[i]] = word[i + 1]
-        }
-        { first = $1 == substr(stem, 1, 2) "_" number ? 2 : $1 == stem && $2 ~ "^solution-" number "(-|$)" ? 3 : 0 }
-        first {
-            options = / (-s|--size) / ? "" : "--size 640x360"
-            for (i = first; i <= NF; i++)
-                if ($i == "-f" || $i == "--shader") i++
-                else options = options " " ($i in long ? long[$i] : $i)
-            print options
-        }' tests/images.txt tests/checks.txt
 }
 
 # The program with some options as one word; what is handed in for at most so long, for a loop of it may never end.
@@ -50,80 +28,23 @@ render() { # OPTIONS SHADER OPTION...
     ${guard[@]+"${guard[@]}"} "$program" $options -f "$shader" "$@"
 }
 
-# The marches of some pixels' rays, and their colours in the picture, a line each: the last t and the last line
-# of --probe, or that line alone where a file with a main of its own records no march.
-marches() { # SHADER OPTIONS X,Y...
-    local options probes
-    options=$(sed -E 's/(--view|--probe) +[^ ]+//g' <<<"$2")
-    probes=("${@:3}")
-    render "$options" "$1" "${probes[@]/#/--probe=}" 2>/dev/null | awk -F , '
-        /^[0-9]/ { t = $2 }
-        /^# / { print (t == "" && $0 ~ /no march is/ ? "" : t + 0 " ") substr($0, 3); t = "" }'
+# What --probe prints of some pixels, in the picture's options.
+probes() { # SHADER OPTIONS X,Y...
+    local probes=("${@:3}")
+    render "$(options_of_rays "$2")" "$1" "${probes[@]/#/--probe=}" 2>/dev/null
 }
 
-# Nine rays of a shader, a line each: X,Y and the march.
-nine_rays() { # SHADER OPTIONS
-    local place places=() width height
-    read -r width height <<<"$(size_of "$2")"
-    for place in {3,5,7},{2,4,6}; do
-        places+=("$((${place%,*} * width / 10)),$((${place#*,} * height / 10))")
-    done
-    paste -d ' ' <(printf '%s\n' "${places[@]}") <(marches "$1" "$2" "${places[@]}")
+# One ray in words.
+told() { # SHADER OPTIONS X,Y
+    probes "$@" >"$scratch/ray"
+    build/tests/judge ray "$scratch/ray"
 }
 
-size_of() { # OPTIONS: width and height
-    sed -E 's/.*--size +([0-9]+)x([0-9]+).*/\1 \2/' <<<"$1"
-}
-
-# Do two marches end alike: both on the surface at one distance, or both not?
-same_march() { # A B
-    awk -v a="$1" -v b="$2" 'BEGIN {
-        split(a, x, "[ ;:]"); split(b, y, "[ ;:]")
-        far = x[1] - y[1] > 0 ? x[1] - y[1] : y[1] - x[1]
-        exit !(x[2] == y[2] && (x[2] != "hit" || far < 0.02 * (1 + y[1])))
-    }'
-}
-
-# Two rays or more of nine that end elsewhere: prints the first of them. One may lie on an edge. A file
-# with a main of its own, such as Shadertoy's, records none; where the solution is one, none are compared.
-different_rays() { # FILE OPTIONS RAYS
-    local place mine right first='' count=0
-    grep -q '^[0-9,]* [0-9]' "$3" || return 0
-    while IFS='|' read -r right mine; do
-        place=${right%% *} right=${right#* } mine=${mine#* }
-        [[ $mine =~ ^[0-9] ]] || { echo 'none is recorded: include main.glsl, as the chapter does'; return; }
-        if ! same_march "$mine" "$right"; then
-            count=$((count + 1))
-            first=${first:-"pixel $place: $(told "$mine"), the solution's $(told "$right")"}
-        fi
-    done < <(nine_rays "$1" "$2" | paste -d '|' "$3" -)
-    [ "$count" -lt 2 ] || echo "$first, and $((count - 1)) more of nine"
-}
-
-# A march in words: 'hit at t 3.2'.
-told() { # MARCH
-    local end=${1#* }
-    echo "'${end%%;*}' at t ${1%% *}"
-}
-
-# Where in the picture a pixel is.
-part_of() { # X,Y OPTIONS
-    local width height
-    read -r width height <<<"$(size_of "$2")"
-    awk -v x="${1%,*}" -v y="${1#*,}" -v w="$width" -v h="$height" 'BEGIN {
-        row = 3 * y < h ? "lower" : 3 * y < 2 * h ? "middle" : "upper"
-        column = 3 * x < w ? "left" : 3 * x < 2 * w ? "middle" : "right"
-        print (row column == "middlemiddle" ? "in the middle" : "at the " row " " column)
-    }'
-}
-
-# What is wrong in one picture, in lines.
-differs() { # FILE OPTIONS WORDS DIFFERENCE
-    local place=${3##* }
-    echo "$3, $(part_of "$place" "$2"): see $4"
+# Where to look, below what is wrong in a picture.
+look() { # FILE OPTIONS PLACE
     echo "  look at yours: $program --shader $1${shown:+ $shown}"
-    echo "  your pixel $place: $(marches "$1" "$2" "$place" | sed -E 's/^[0-9]/t &/; s/ (hit|miss)/, \1/')"
-    echo "  the solution's: $(marches "$solution" "$2" "$place" | sed -E 's/^[0-9]/t &/; s/ (hit|miss)/, \1/')"
+    echo "  your pixel $3: $(told "$1" "$2" "$3")"
+    echo "  the solution's: $(told "$solution" "$2" "$3")"
 }
 
 # The solution's picture for line N of the options, and its nine rays; made when first asked for.
@@ -132,8 +53,9 @@ right_picture() { # N OPTIONS
         render "$2" "$solution" -o "$scratch/$1.png" >/dev/null 2>"$scratch/errors" ||
         fail "$solution: $(head -n 1 "$scratch/errors")"
 }
-right_rays() { # OPTIONS
-    [ -e "$scratch/rays" ] || nine_rays "$solution" "$1" >"$scratch/rays"
+right_rays() { # OPTIONS PLACES
+    # shellcheck disable=SC2086 # places are words
+    [ -e "$scratch/rays" ] || probes "$solution" "$1" $2 >"$scratch/rays"
 }
 
 # Why a file gave no picture, from the status and what was said.
@@ -146,7 +68,7 @@ why_not() { # STATUS
 
 # One file: prints its verdict, in the first line what a table has room for.
 judge() { # FILE
-    local file=$1 options numbers status rays shown number=0 worst=0 mine=$scratch/mine.png
+    local file=$1 options status said place share shown places number=0 worst=0 mine=$scratch/mine.png
     local difference=${file%.frag}.difference.png
     difference=$folder/$(sed -E 's|^([.]{0,2}/)*||; s|/[.]{1,2}/|/|g' <<<"$difference")
     [ -f "$file" ] || { echo 'is no file'; return 1; }
@@ -154,25 +76,24 @@ judge() { # FILE
     mkdir -p "$(dirname "$difference")" || return 1
     while read -r options; do
         number=$((number + 1))
-        shown=$(sed -E 's/^--size 640x360 ?//' <<<"$options")
+        shown=$(shown_of "$options")
         right_picture "$number" "$options"
         render "$options" "$file" -o "$mine" >/dev/null 2>"$scratch/errors"
         status=$?
         [ "$status" = 0 ] || { why_not "$status"; return 1; }
-        if ! numbers=$(build/tests/compare "$scratch/$number.png" "$mine" "$difference"); then
-            echo "${shown:+with $shown, }$(differs "$file" "$options" \
-                "$(build/tests/compare --words "$scratch/$number.png" "$mine")" "$difference")"
-            return 1
-        fi
-        rm -f "$difference"
-        worst=$(printf '%s\n' "$worst" "$(cut -d ' ' -f 2 <<<"$numbers")" | sort -g | tail -n 1)
+        said=$(build/tests/judge picture "$shown" "$scratch/$number.png" "$mine" "$difference")
+        status=$?
+        { read -r place; read -r share; read -r said; } <<<"$said"
+        [ "$status" = 0 ] || { echo "$said: see $difference"; look "$file" "$options" "$place"; return 1; }
+        worst=$(printf '%s\n' "$worst" "$share" | sort -g | tail -n 1)
         [ "$number" = 1 ] || continue
-        right_rays "$options"
-        rays=$(different_rays "$file" "$options" "$scratch/rays")
-        [ -z "$rays" ] || { echo "the picture${shown:+ with $shown} is right, its rays are not: $rays"; return 1; }
+        places=$(places_of "$options")
+        right_rays "$options" "$places"
+        # shellcheck disable=SC2086 # places are words
+        probes "$file" "$options" $places >"$scratch/mine"
+        build/tests/judge rays "$shown" "$places" "$scratch/rays" "$scratch/mine" || return 1
     done <<<"$wanted"
-    echo "as the solution in $number picture$([ "$number" = 1 ] || echo s):" \
-        "$(sed 's/^0\(.0*\)*$/no pixel differs/; t; s/$/ % of the pixels differ at most/' <<<"$worst") by more than 2 of 255"
+    build/tests/judge right "$number" "$worst"
 }
 
 # Set files to those that FILE or FILES asks for. A pattern whose folder has spaces is tried whole first.

@@ -16,13 +16,14 @@ done <"$out/later.txt"
 node docs/web/pack.mjs "$out/later.txt" "$out/course.json" shaders/*.glsl shaders/screen.vert
 rm "$out/later.txt"
 cp docs/web/live.css "$out/"
+.make/exercises.sh >"$out/exercises.txt"
 # What is loaded together is one file, without comments. What others import too stays a file of its own.
-NODE_PATH=build/node/node_modules build/node/node_modules/.bin/esbuild docs/web/{live,stage,program,editor}.js --bundle --minify \
+NODE_PATH=build/node/node_modules build/node/node_modules/.bin/esbuild docs/web/{live,stage,check,program,editor}.js --bundle --minify \
     --format=esm --external:./{harness,program,stage,check,editor}.js --log-level=warning --outdir="$out"
 total=0
-for file in harness.wasm harness.js course.json {live,stage,program}.js editor.js; do
+for file in harness.wasm harness.js course.json {live,stage,check,program}.js editor.js exercises.txt; do
     packed=$(gzip -9c "$out/$file" | wc -c)
     printf '%-14s %7d bytes, %6d compressed\n' "$file" "$(wc -c <"$out/$file")" "$packed"
-    [ "$file" = editor.js ] || total=$((total + packed))
+    [[ $file =~ ^(editor|exercises) ]] || total=$((total + packed))
 done
-echo "together $total without the editor"
+echo "together $total without the editor and the list of exercises"

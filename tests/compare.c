@@ -13,29 +13,6 @@
 
 enum { SAME = 0, DIFFERENT = 1, NOT_COMPARED = 2 };
 
-// Shares have two digits, or three from 1 % on.
-static void print_words(const struct image_difference *difference)
-{
-    double share = 100.0 * difference->f2;
-    int largest = difference->largest;
-    if (share >= 0.001)
-        printf("%.*g", share < 1.0 ? 2 : 3, share);
-    else if (share > 0.0)
-        printf("less than 0.001");
-    if (share > 0.0)
-        printf(" %% of the pixels differ by more than 2 of 255, at most by %d, most around %d,%d",
-               largest, difference->x, difference->y);
-    else if (!image_same(difference))
-        printf("no pixel differs by more than %d of 255, but a whole part does, most around %d,%d",
-               largest, difference->x, difference->y);
-    else if (largest > 0)
-        printf("the pictures are the same: no pixel differs by more than 2 of 255, at most by %d",
-               largest);
-    else
-        printf("the pictures are the same: no pixel differs");
-    printf("\n");
-}
-
 // Cut a picture down to the part that is asked for, where any is. Returns false, reported.
 static bool cut(struct image *image, const char *text)
 {
@@ -63,7 +40,11 @@ static int compare(const struct image *a, const struct image *b, bool words, con
     struct image_difference difference;
     if (!image_compare(a, b, &difference))
         return NOT_COMPARED;
-    (words ? print_words : image_print_difference)(&difference);
+    char sentence[256];
+    if (words)
+        puts(image_difference_words(&difference, sentence));
+    else
+        image_print_difference(&difference);
     if (picture != NULL) {
         struct image shown = {0};
         bool written = image_difference_picture(a, b, &shown) && image_write_png(&shown, picture);

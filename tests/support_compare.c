@@ -114,6 +114,34 @@ bool image_same(const struct image_difference *difference)
     return difference->f2 <= IMAGE_F2_TOLERANCE && difference->b8 <= IMAGE_B8_TOLERANCE;
 }
 
+// Shares have two digits, or three from 1 % on.
+const char *image_difference_words(const struct image_difference *difference, char words[256])
+{
+    double share = 100.0 * difference->f2;
+    int largest = difference->largest, x = difference->x, y = difference->y;
+    char part[32] = "less than 0.001";
+    if (share >= 0.001)
+        snprintf(part, sizeof part, "%.*g", share < 1.0 ? 2 : 3, share);
+    if (share > 0.0)
+        snprintf(words, 256,
+                 "%s %% of the pixels differ by more than 2 of 255, at most by %d, most around "
+                 "%d,%d",
+                 part, largest, x, y);
+    else if (!image_same(difference))
+        snprintf(words, 256,
+                 "no pixel differs by more than %d of 255, but a whole part does, most around "
+                 "%d,%d",
+                 largest, x, y);
+    else if (largest > 0)
+        snprintf(words, 256,
+                 "the pictures are the same: no pixel differs by more than 2 of 255, at most by "
+                 "%d",
+                 largest);
+    else
+        snprintf(words, 256, "the pictures are the same: no pixel differs");
+    return words;
+}
+
 void image_print_difference(const struct image_difference *difference)
 {
     printf("F2 %.4f %% B8 %.3f largest %d", 100.0 * difference->f2, difference->b8,

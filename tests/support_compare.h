@@ -30,6 +30,9 @@ bool image_compare(const struct image *a, const struct image *b, struct image_di
 // True when f2 and b8 are both within tolerance.
 bool image_same(const struct image_difference *difference);
 
+// The numbers in a sentence for a student. Returns words.
+const char *image_difference_words(const struct image_difference *difference, char words[256]);
+
 // Print the numbers in a line.
 void image_print_difference(const struct image_difference *difference);
 

@@ -37,13 +37,14 @@ class LiveChapter extends HTMLElement {
 
     // Run a command line here: what options.c reads behind the program's name. Returns the exit status once it is
     // done, or the window's first picture is there. The page's program moves here if it is elsewhere.
-    async run(line = this.getAttribute('line') || '') {
+    //   tail  how many of the last lines that it prints are shown; 0: all
+    async run(line = this.getAttribute('line') || '', tail = 0) {
         this.button.disabled = true;
         this.setAttribute('aria-busy', 'true');
         try {
             stage ??= import('./stage.js').then(({Stage}) => Stage.load(part));
             this.stage = await stage;
-            return await this.stage.start(this, line);
+            return await this.stage.start(this, line, tail);
         } catch (error) {
             stage = null;
             this.say(`The program cannot be loaded: ${error.message}`);
@@ -62,6 +63,19 @@ class LiveChapter extends HTMLElement {
         this.append(this.said);
     }
 
+    // Put a text into the course's files as chapters/NAME and run it, in the editor. Returns the exit status.
+    async play(name, text) {
+        stage ??= import('./stage.js').then(({Stage}) => Stage.load(part));
+        const {program} = this.stage = await stage;
+        program.write(`chapters/${name}`, text);
+        const status = await this.run(`--shader chapters/${name}`);
+        if (program.call('live_runs')) await this.stage.changes.toggle(true);
+        return status;
+    }
+
+    // The text that runs as a file for Shadertoy; '' where it runs none. Nothing else changes.
+    async exported() { return this.program ? this.stage.exported() : ''; }
+
     // The program in it, once it runs: for pages with files of their own.
     get program() { return this.stage?.at === this ? this.stage.program : null; }
 }
@@ -72,29 +86,36 @@ customElements.define('live-chapter', LiveChapter);
 
 const beside = new WeakMap(); // a command's button: the chapter below it
 
-function runBeside(button) {
+// The one that belongs to a button, below the button's block.
+function chapterOf(button, stem) {
     let chapter = beside.get(button);
     if (!chapter?.isConnected) {
         chapter = part('live-chapter', {className: 'live-beside'});
-        chapter.setAttribute('stem', button.dataset.stem || document.querySelector('live-chapter')?.stem || '');
+        chapter.setAttribute('stem', stem || document.querySelector('live-chapter')?.stem || '');
         chapter.opener = button;
-        const block = button.closest('div.command, table, p, li, dd') || button;
+        const block = button.closest('div.command, form, table, p, li, dd') || button;
         if (block.matches('li, dd')) block.append(chapter);
         else block.after(chapter);
         beside.set(button, chapter);
     }
-    return chapter.run(button.dataset.line || '');
+    return chapter;
 }
 
 document.addEventListener('click', (event) => {
     const button = event.target.closest?.('button.run');
-    if (button) runBeside(button);
+    if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', Number(button.dataset.tail) || 0);
 });
+
+// The chapter's file in the editor, below a form.
+async function edit(form, stem) {
+    const chapter = chapterOf(form.querySelector('button'), stem);
+    if (await chapter.run('') === 0) chapter.stage.changes.toggle(true);
+}
 
 document.addEventListener('submit', async (event) => {
     const form = event.target.closest?.('form.check');
     if (!form) return;
     event.preventDefault();
     const [{check}, running] = await Promise.all([import('./check.js'), stage]);
-    check(form, running, part);
+    check(form, running, part, edit);
 });

@@ -97,7 +97,7 @@ export class Stage {
     // ---- A command line ----
 
     // Run one in an element, which gets the program. Returns its exit status.
-    async start(at, line) {
+    async start(at, line, tail = 0) {
         const turn = this.turn = Symbol(line);
         this.move(at);
         this.lines = [];
@@ -115,6 +115,7 @@ export class Stage {
         if (this.turn !== turn) return 0;
         at.classList.remove('live-waits');
         this.starting = false;
+        this.tail = tail;
         this.tell(at, status);
         return status;
     }
@@ -179,7 +180,7 @@ export class Stage {
         const {part} = this;
         const result = part('div', {className: 'live-result'}, ...this.pictures);
         if (this.lines.length > 0 || this.pictures.length === 0) {
-            const printed = part('pre', {className: 'live-printed', tabIndex: 0, textContent: this.lines.join('\n').replaceAll('/course/', '') || '(it prints nothing)'});
+            const printed = part('pre', {className: 'live-printed', tabIndex: 0, textContent: this.lines.slice(-this.tail).join('\n').replaceAll('/course/', '') || '(it prints nothing)'});
             printed.setAttribute('role', 'region');
             printed.setAttribute('aria-label', 'What the program prints');
             printed.classList.toggle('live-wrong', status !== 0);
@@ -242,6 +243,16 @@ export class Stage {
         else if (at.requestFullscreen) at.requestFullscreen();
         else at.classList.toggle('live-wide'); // a telephone that has none
         this.canvas.focus({preventScroll: true});
+    }
+
+    // What runs as a file for Shadertoy, by a program of its own; the one in the page goes on.
+    async exported() {
+        const lines = [], names = this.state.files.map((path) => path.replace('/course/', ''));
+        const other = await Program.load(this.part('canvas'), {onLine: (text) => lines.push(text)});
+        for (const name of names) if (/\.(frag|glsl)$/.test(name)) other.write(name, this.program.read(name));
+        const status = await other.start(this.at.stem, `--shader ${names[0]} --print-shader=shadertoy`);
+        if (status !== 0) throw new Error(lines.join('\n').replaceAll('/course/', ''));
+        return lines.join('\n') + '\n';
     }
 
     // ---- The state ----

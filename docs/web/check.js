@@ -1,0 +1,155 @@
+// check.js - `make check` in a page: the reader's edit of the chapter against the solution of an exercise, pictures and
+// rays. What is compared is tests/images.txt's and tests/checks.txt's; numbers and words are tests/support_judge.c's.
+import {Program} from './program.js';
+import {kept} from './edits.js';
+
+const SOLUTION = (stem, number) => `chapters/solutions/${stem}_${number}.frag`;
+const MINE = 'my.frag';
+
+// What is compared for an exercise, "03_2": {stem, number, pictures: [{options, shown, rays, places}]}.
+async function exercise(name) {
+    const answer = await fetch(new URL('exercises.txt', import.meta.url));
+    if (!answer.ok) throw new Error(`the list of exercises: ${answer.status} ${answer.statusText}`);
+    const rows = (await answer.text()).trim().split('\n').map((line) => line.split('|')).filter(([one]) => one === name);
+    if (rows.length === 0) throw new Error(`no exercise ${name} has a solution to compare with`);
+    return {stem: rows[0][1], number: name.slice(3), pictures: rows.map(([, , options, shown, rays, places]) => ({options, shown, rays, places}))};
+}
+
+// A program of its own, which nobody sees: the one in the page goes on as it is.
+class Judge {
+    static async load() {
+        const judge = new Judge();
+        judge.canvas = document.createElement('canvas');
+        judge.program = await Program.load(judge.canvas, {
+            onLine: (text, isError) => (isError ? judge.errors : judge.lines).push(text),
+            onPicture: (data) => { judge.picture = data; },
+        });
+        return judge;
+    }
+
+    close() {
+        this.program.stop();
+        this.canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
+    }
+
+    async run(stem, options, file) {
+        this.lines = [];
+        this.errors = [];
+        this.picture = null;
+        await new Promise((painted) => setTimeout(painted)); // the page says how far it is
+        const status = await this.program.start(stem, `${options} --shader ${file}`);
+        this.program.stop();
+        if (status === 0 && !this.program.lost) return '';
+        return this.program.lost ? 'does not end: the graphics driver gave up on it' : `does not run: ${this.errors.find((line) => /:\d+: /.test(line)) || this.errors[0] || `status ${status}`}`.replaceAll('/course/', '');
+    }
+
+    async draw(stem, options, file) {
+        const why = await this.run(stem, `${options} --output picture.png`, file);
+        return {why, data: this.picture};
+    }
+
+    async march(stem, rays, places, file) {
+        await this.run(stem, `${rays} ${places.split(' ').map((place) => `--probe ${place}`).join(' ')}`, file);
+        return this.lines.join('\n');
+    }
+
+    // ---- What support_judge.c says ----
+
+    call(name, ...values) {
+        return this.program.module.ccall(name, name === 'judge_share' ? 'number' : 'string', values.map((value) => typeof value), values);
+    }
+
+    // Returns what is wrong, and the picture of the difference.
+    compare(shown, right, mine) {
+        const {module} = this.program, size = 3 * right.width * right.height;
+        const at = [right, mine, null].map((picture) => {
+            const start = module._malloc(size);
+            if (picture) for (let i = 0, to = start; i < picture.data.length; i += 4)
+                for (let c = 0; c < 3; c++) module.HEAPU8[to++] = picture.data[i + c];
+            return start;
+        });
+        const words = this.call('judge_picture', shown, right.width, right.height, ...at);
+        const difference = new ImageData(right.width, right.height);
+        for (let i = 0, from = at[2]; i < difference.data.length; i += 4) {
+            for (let c = 0; c < 3; c++) difference.data[i + c] = module.HEAPU8[from++];
+            difference.data[i + 3] = 255;
+        }
+        for (const start of at) module._free(start);
+        return {words, difference, share: this.call('judge_share'), place: this.call('judge_place')};
+    }
+}
+
+// Judge a text. Returns {right, words, place?, rays?, pictures?: {mine, difference}}.
+//   told  is called with how far it is
+export async function judge(name, text, told = () => {}) {
+    const {stem, number, pictures} = await exercise(name);
+    const solution = SOLUTION(stem, number), own = await Judge.load();
+    try {
+        own.program.write(MINE, text);
+        let worst = 0;
+        for (const [i, {options, shown, rays, places}] of pictures.entries()) {
+            told(`Picture ${i + 1} of ${pictures.length} …`);
+            const right = await own.draw(stem, options, solution);
+            if (right.why) throw new Error(`the solution ${right.why}`);
+            const mine = await own.draw(stem, options, MINE);
+            if (mine.why) return {right: false, words: mine.why};
+            const {words, difference, share, place} = own.compare(shown, right.data, mine.data);
+            if (words) {
+                const told = [];
+                for (const file of [MINE, solution]) told.push(own.call('judge_ray', await own.march(stem, rays, place, file)));
+                return {right: false, words, place, rays: told, pictures: {mine: mine.data, difference}};
+            }
+            worst = Math.max(worst, share);
+            if (i > 0) continue;
+            const wrong = own.call('judge_rays', shown, places, await own.march(stem, rays, places, solution), await own.march(stem, rays, places, MINE));
+            if (wrong) return {right: false, words: wrong, pictures: {mine: mine.data, difference}};
+        }
+        return {right: true, words: own.call('judge_right', pictures.length, worst)};
+    } finally {
+        own.close();
+    }
+}
+
+// ---- In a page ----
+
+function shown(part, data, words) {
+    const canvas = part('canvas', {width: data.width, height: data.height});
+    canvas.getContext('2d').putImageData(data, 0, 0);
+    canvas.setAttribute('role', 'img');
+    canvas.setAttribute('aria-label', words);
+    return part('figure', {}, canvas, part('figcaption', {textContent: words}));
+}
+
+// Carry out a form.check.
+//   edit  opens the editor on the chapter's file, for who has changed nothing yet
+export async function check(form, stage, part, edit) {
+    if (form.getAttribute('aria-busy') === 'true') return;
+    const verdict = form.querySelector('.live-verdict') || form.appendChild(part('div', {className: 'live-verdict'}));
+    verdict.setAttribute('role', 'status');
+    const say = (...words) => verdict.replaceChildren(part('p', {}, ...words));
+    form.setAttribute('aria-busy', 'true');
+    try {
+        const name = (form.dataset.exercise || '').replace('-', '_');
+        const {stem} = await exercise(name);
+        await stage?.changes.editor?.flush();
+        const files = {...kept(), ...stage?.changes.files}, own = `chapters/${stem}.frag`;
+        if (files[own] === undefined) {
+            const button = part('button', {type: 'button', className: 'live-open', textContent: 'Open the editor'});
+            button.addEventListener('click', () => edit(form, stem));
+            say('You have not changed the shader yet: change it as the exercise asks, here, and check it then. ', button);
+            return;
+        }
+        say('Loading …');
+        const {right, words, place, rays, pictures} = await judge(name, files[own], (text) => say(text));
+        say(part('strong', {textContent: right ? 'Right: ' : 'Wrong: '}), `${words}.`);
+        verdict.classList.toggle('live-right', right);
+        if (place) verdict.append(part('p', {}, `Your pixel ${place}: ${rays[0]}`, part('br'), `The solution's: ${rays[1]}`));
+        if (pictures) verdict.append(part('div', {className: 'live-two'}, shown(part, pictures.mine, 'Yours'), shown(part, pictures.difference, 'The difference: grey where both are alike')));
+        const others = Object.keys(files).filter((one) => one !== own);
+        if (others.length > 0) verdict.append(part('p', {textContent: `Your changes in ${others.join(', ')} are no part of it.`}));
+    } catch (error) {
+        say(`It cannot be checked: ${error.message}.`);
+    } finally {
+        form.removeAttribute('aria-busy');
+    }
+}
