@@ -9,7 +9,7 @@
 set -u
 export LC_ALL=C
 
-# shellcheck source=exercises.sh
+# shellcheck source=.make/exercises.sh
 . .make/exercises.sh
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
 limit=${CHECK_LIMIT:-30} # seconds for one picture

@@ -1,9 +1,9 @@
 // judge - the words of support_judge.h for a shell.
 //
-//   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png  place, share and what is wrong, a line each
-//   judge rays WITH PLACES RIGHT MINE                     what is wrong; two files of what --probe prints
-//   judge ray PROBE                                       a march in words, from such a file
-//   judge right COUNT SHARE                               the sentence for an answer that is right
+//   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png  place, share, what is wrong: a line each
+//   judge rays WITH PLACES RIGHT MINE  what is wrong; files of what --probe prints
+//   judge ray PROBE                    a march in words, from such a file
+//   judge right COUNT SHARE            the sentence for an answer that is right
 //
 // Exit status: 0 right, 1 wrong, 2 when it could not judge.
 #include <stdio.h>
@@ -31,8 +31,8 @@ static int judge_files(const char *with, char **path)
         if (right.width != mine.width || right.height != mine.height)
             report("%s: is no picture of %dx%d", path[1], right.width, right.height);
         else if (image_create(&shown, right.width, right.height)) {
-            const char *words =
-                judge_picture(with, right.width, right.height, right.pixel, mine.pixel, shown.pixel);
+            const char *words = judge_picture(with, right.width, right.height, right.pixel,
+                                              mine.pixel, shown.pixel);
             printf("%s\n%.9f\n", judge_place(), judge_share());
             status = say(words);
             if (status == WRONG && !image_write_png(&shown, path[2]))
@@ -91,7 +91,8 @@ int main(int argc, char **argv)
         puts(judge_right(atoi(argv[2]), strtod(argv[3], NULL)));
         return RIGHT;
     }
-    fprintf(stderr, "usage: judge picture WITH RIGHT.png MINE.png DIFFERENCE.png | rays WITH PLACES "
-                    "RIGHT MINE | ray PROBE | right COUNT SHARE\n");
+    fprintf(stderr,
+            "usage: judge picture WITH RIGHT.png MINE.png DIFFERENCE.png | rays WITH PLACES "
+            "RIGHT MINE | ray PROBE | right COUNT SHARE\n");
     return NOT_JUDGED;
 }

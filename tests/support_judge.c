@@ -133,8 +133,8 @@ const char *judge_rays(const char *with, const char *places, const char *right, 
         places += strspn(places, " ");
         rays++;
     }
-    static const char *const numbers[] = {"none", "one",   "two",   "three", "four",
-                                          "five", "six",   "seven", "eight", "nine"};
+    static const char *const numbers[] = {"none", "one", "two",   "three", "four",
+                                          "five", "six", "seven", "eight", "nine"};
     if (count < 2)
         return "";
     snprintf(why, sizeof why, "%s, and %d more of %s", first, count - 1,
@@ -159,7 +159,8 @@ const char *judge_right(int pictures, double share)
     char most[64] = "no pixel differs";
     if (share >= 0.5e-6)
         snprintf(most, sizeof most, "%.4f %% of the pixels differ at most", 100.0 * share);
-    snprintf(judge.text, sizeof judge.text, "as the solution in %d picture%s: %s by more than 2 of 255",
-             pictures, pictures == 1 ? "" : "s", most);
+    snprintf(judge.text, sizeof judge.text,
+             "as the solution in %d picture%s: %s by more than 2 of 255", pictures,
+             pictures == 1 ? "" : "s", most);
     return judge.text;
 }
