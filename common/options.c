@@ -504,6 +504,7 @@ static const char ending[] =
     "  left, right        change it, with Shift ten steps; Delete resets it\n"
     "  Escape, R          pause and resume; restart the time, with Shift the camera too\n"
     "  H, K               hide and show the overlay; all keys and ranges in it\n"
+    "  O, T               its panel to the other side; to its title alone, and back\n"
     "  P, F11             write a screenshot; full screen\n"
     "  Backspace          end\n\n"
     "Exit status: 0 done; 1 it could not be done; 2 the command line is wrong;\n"

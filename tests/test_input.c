@@ -359,6 +359,110 @@ static void tab_passes_through_what_lies_between(void **unused)
     assert_true(renderer.orthographic == 1.0);
 }
 
+// What is typed in a field of a number; a French keyboard's comma is the point, its accents and
+// signs are told about.
+static void a_field_takes_a_number_alone(void **unused)
+{
+    (void)unused;
+    struct parameter item[] = {{.name = "size", .components = 1, .maximum = 9.0, .value = {5.0}},
+                               {.name = "way", .components = 2, .maximum = 9.0}};
+    struct renderer typed_into = {.gl = &gl, .parameters = {.item = item, .count = 2}};
+    tested.renderer = &typed_into;
+    tested.touch.what = TOUCH_VALUE;
+    tested.touch.part = -1;
+    window_field_open(&tested);
+    for (const char *c = "\xe9&_(wE"; *c != '\0'; c++) { // keys that do something else do nothing
+        press(GLFW_KEY_H, 0);
+        hands.letter(NULL, (unsigned char)*c);
+        window_obey(&tested);
+        assert_true((tested.touch.refused[0] != '\0') == (*c != 'E'));
+    }
+    assert_string_equal(tested.touch.typed, "E");
+    assert_false(tested.panel.folded);
+    press(GLFW_KEY_BACKSPACE, 0);
+    for (const char *c = "7,25"; *c != '\0'; c++)
+        hands.letter(NULL, (unsigned char)*c);
+    press(GLFW_KEY_ENTER, 0);
+    window_obey(&tested);
+    assert_true(item[0].value[0] == 7.25 && !tested.input.typing);
+    // Of a vector the comma parts the numbers, but not in a part's own field.
+    snprintf(tested.parameter, sizeof tested.parameter, "way");
+    window_field_open(&tested);
+    for (const char *c = "1,2.5"; *c != '\0'; c++)
+        hands.letter(NULL, (unsigned char)*c);
+    press(GLFW_KEY_ENTER, 0);
+    window_obey(&tested);
+    assert_true(item[1].value[0] == 1.0 && item[1].value[1] == 2.5);
+    tested.touch.part = 1;
+    window_field_open(&tested);
+    for (const char *c = "3,5"; *c != '\0'; c++)
+        hands.letter(NULL, (unsigned char)*c);
+    press(GLFW_KEY_ENTER, 0);
+    window_obey(&tested);
+    assert_true(item[1].value[0] == 1.0 && item[1].value[1] == 3.5);
+    // A press in the picture leaves a field, and looks around.
+    window_field_open(&tested);
+    drag(40, 0);
+    assert_turned(16, 20);
+    assert_false(tested.input.typing);
+}
+
+static void the_panel_has_its_keys(void **unused)
+{
+    (void)unused;
+    for (int i = 0; i < 4; i++) {
+        assert_true(tested.panel.right == (i % 2 == 1) && tested.panel.rolled == (i % 2 == 1));
+        press(GLFW_KEY_O, 0);
+        press(GLFW_KEY_T, 0);
+        window_obey(&tested);
+        assert_true(tested.dirty && !tested.stale);
+    }
+}
+
+// An open picker: Escape closes it and pauses nothing, a press elsewhere closes it and chooses no
+// ray, a second Escape pauses.
+static void a_picker_closes(void **unused)
+{
+    (void)unused;
+    struct parameter colour = {.name = "tint",
+                               .components = 3,
+                               .maximum = 1.0,
+                               .unit = "linear RGB",
+                               .value = {0.5, 0.25, 0.125}};
+    struct renderer coloured = {.gl = &gl, .parameters = {.item = &colour, .count = 1}};
+    tested.renderer = &coloured;
+    tested.panel.overlay.scale = 1.0f;
+    window_pick_open(&tested);
+    assert_true(tested.input.picking);
+    press(GLFW_KEY_ESCAPE, 0);
+    window_obey(&tested);
+    assert_false(tested.input.picking || tested.paused);
+    window_pick_open(&tested);
+    drag(2, 1);
+    assert_turned(10, 20);
+    assert_false(tested.input.picking);
+    assert_int_equal(tested.inputs.pixel[0], -1);
+    window_pick_open(&tested);
+    tested.touch.picker = (struct picker){
+        .left = 50, .top = 50, .width = 104, .height = 86, .side = 72, .value = {-1.0}};
+    drag(-200, -200); // from (102, 101), in the square
+    window_obey(&tested);
+    assert_true(tested.input.picking && tested.moved);
+    for (int k = 0; k < 3; k++)
+        assert_true(colour.value[k] == 1.0);
+    assert_turned(10, 20);
+    tested.dirty = false; // drawn, and its row was not there
+    tested.touch.picker.width = 0.0f;
+    window_obey(&tested);
+    assert_false(tested.input.picking);
+    press(GLFW_KEY_ESCAPE, 0);
+    window_obey(&tested);
+    assert_true(tested.paused);
+    // Once it is closed a drag in the picture turns the eye again.
+    drag(40, 0);
+    assert_turned(16, 20);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -377,6 +481,9 @@ int main(void)
         cmocka_unit_test_setup(damage_is_shown_again, set_up),
         cmocka_unit_test_setup(any_number_of_keys_can_wait, set_up),
         cmocka_unit_test_setup(tab_passes_through_what_lies_between, set_up),
+        cmocka_unit_test_setup(a_field_takes_a_number_alone, set_up),
+        cmocka_unit_test_setup(the_panel_has_its_keys, set_up),
+        cmocka_unit_test_setup(a_picker_closes, set_up),
     };
     return cmocka_run_group_tests_name("input", tests, NULL, NULL);
 }

@@ -7,6 +7,7 @@
 #include "picture/inspector.h"
 #include "picture/pair.h"
 #include "picture/pen.h"
+#include "picture/picker.h"
 #include "picture/plot.h"
 
 #define GAP       12.0f  // units of the overlay, between keys
@@ -165,6 +166,10 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
         inspector_why(overlay, panel->why);
     if (panel->pixel[0] >= 0)
         inspector_mark(overlay, &inspector);
+    if (panel->picker != NULL) {
+        picker_place(panel->picker, rows, overlay);
+        picker_draw(panel->picker, overlay);
+    }
     write_tip(panel, rows, overlay);
     panel_rows_free(&own);
 }

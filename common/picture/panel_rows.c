@@ -5,12 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "colour.h"
 #include "memory.h"
 #include "number.h"
 #include "picture/pen.h"
 
-#define GAP  12.0f // units of the overlay, between columns
-#define MARK 14.0f // the room of the mark that folds
+#define GAP           12.0f // units of the overlay, between columns
+#define MARK          14.0f // the room of the mark that folds
+#define SWATCH        10.0f // width of a colour's own colour, in front of its value
+#define WIDEST_COLOUR "0.000,0.000,0.000"
 
 static const struct overlay_colour BAR = {{96, 160, 224, 84}};
 static const struct overlay_colour FIELD = {{0, 0, 0, 230}};
@@ -112,6 +115,12 @@ static void add_parts(struct panel_rows *rows, const struct parameter *parameter
     }
 }
 
+// A colour shows itself to whoever has a pointer.
+static bool has_swatch(const struct panel *panel, const struct parameter *parameter)
+{
+    return panel->rows != NULL && parameter_is_colour(parameter);
+}
+
 static void add_parameter(struct panel_rows *rows, const struct panel *panel, int index)
 {
     const struct parameter *parameter = &panel->renderer->parameters.item[index];
@@ -121,6 +130,11 @@ static void add_parameter(struct panel_rows *rows, const struct panel *panel, in
     row->parameter = index;
     row->chosen = chosen;
     row->place = parameter->components == 1 ? parameter_place(parameter, 0) : -1.0;
+    if (has_swatch(panel, parameter)) {
+        row->swatch = GAP + rows->column[0] + GAP;
+        for (int k = 0; k < 3; k++)
+            row->share[k] = parameter_place(parameter, k);
+    }
     if (!chosen)
         return;
     add_parts(rows, parameter, index);
@@ -174,9 +188,9 @@ static float height_from(const struct panel_rows *rows, int first)
 }
 
 // The width of the table of the first columns, or of the widest detail below one of its lines.
-static float measure_table(const struct parameters *parameters, int columns,
-                           float width[PANEL_COLUMNS])
+static float measure_table(const struct panel *panel, int columns, float width[PANEL_COLUMNS])
 {
+    const struct parameters *parameters = &panel->renderer->parameters;
     char cell[PANEL_COLUMNS][PANEL_CELL], detail[PANEL_CELL];
     float sum = parameters->count > 0 ? GAP : 0.0f, widest = 0.0f;
     memset(width, 0, PANEL_COLUMNS * sizeof *width);
@@ -186,6 +200,11 @@ static float measure_table(const struct parameters *parameters, int columns,
         widest = larger(widest, 2.0f * GAP + overlay_width(detail));
         for (int k = 0; k < columns; k++)
             width[k] = larger(width[k], overlay_width(cell[k]));
+        // Its numbers are dragged: the panel does not tremble with them.
+        if (has_swatch(panel, &parameters->item[i]))
+            width[1] =
+                larger(width[1], SWATCH + 4.0f +
+                                     larger(overlay_width(cell[1]), overlay_width(WIDEST_COLOUR)));
     }
     for (int k = 0; k < columns; k++)
         sum += width[k] + (k > 0 && width[k] > 0.0f ? GAP : 0.0f);
@@ -243,10 +262,10 @@ void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float 
     if (!panel->rolled) {
         status_text(panel, text, sizeof text);
         last_text(panel, last, sizeof last);
-        table = measure_table(parameters, PANEL_COLUMNS, rows->column);
+        table = measure_table(panel, PANEL_COLUMNS, rows->column);
         rows->ranges = panel->chosen == NULL || (panel->ranges && table <= limit);
         if (!rows->ranges)
-            table = measure_table(parameters, 2, rows->column);
+            table = measure_table(panel, 2, rows->column);
         if (rows->ranges)
             textures_text(panel, textures);
         add(rows, PANEL_ROW_TEXT, text);
@@ -295,6 +314,16 @@ static void draw_typed(const struct panel_rows *rows, const struct panel_row *ro
                 PEN_BRIGHT);
 }
 
+static void draw_swatch(const struct panel_row *row, struct overlay *overlay)
+{
+    struct overlay_colour colour = {{0, 0, 0, 255}};
+    float left = row->left + row->swatch;
+    for (int k = 0; k < 3; k++)
+        colour.channel[k] = (unsigned char)lround(255.0 * colour_encode(row->share[k]));
+    overlay_box(overlay, left, row->top, SWATCH, 8.0f, PEN_BRIGHT);
+    overlay_box(overlay, left + 1.0f, row->top + 1.0f, SWATCH - 2.0f, 6.0f, colour);
+}
+
 static void draw_parameter(const struct panel_rows *rows, const struct panel_row *row,
                            const struct panel *panel, struct overlay *overlay)
 {
@@ -305,9 +334,13 @@ static void draw_parameter(const struct panel_rows *rows, const struct panel_row
     if (row->chosen && row->kind == PANEL_ROW_PARAMETER)
         overlay_text(overlay, row->left, row->top, ">", PEN_BRIGHT);
     for (int k = 0; k < (rows->ranges ? PANEL_COLUMNS : 2); k++) {
-        overlay_text(overlay, left, row->top, row->cell[k], row->chosen ? PEN_BRIGHT : *colours[k]);
+        float beside = k == 1 && row->swatch > 0.0f ? SWATCH + 4.0f : 0.0f;
+        overlay_text(overlay, left + beside, row->top, row->cell[k],
+                     row->chosen ? PEN_BRIGHT : *colours[k]);
         left += rows->column[k] + (rows->column[k] > 0.0f ? GAP : 0.0f);
     }
+    if (row->swatch > 0.0f)
+        draw_swatch(row, overlay);
     if (panel->typed != NULL && row->chosen && row->part == panel->typed_part)
         draw_typed(rows, row, panel, overlay);
 }
@@ -367,6 +400,12 @@ const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, fl
 bool panel_row_is_mark(const struct panel_row *row, float x)
 {
     return row->kind == PANEL_ROW_TITLE && x >= row->left + row->width - MARK;
+}
+
+bool panel_row_is_swatch(const struct panel_row *row, float x)
+{
+    float from = row->left + row->swatch;
+    return row->swatch > 0.0f && x >= from - 2.0f && x < from + SWATCH + 2.0f;
 }
 
 void panel_rows_free(struct panel_rows *rows)

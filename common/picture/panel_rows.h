@@ -16,6 +16,7 @@ struct panel_key {
 };
 
 struct panel_rows; // below
+struct picker;
 
 // NULL, 0 and "" leave a part out.
 struct panel {
@@ -39,6 +40,7 @@ struct panel {
     bool refused;      // it says why what was typed is not taken
     float tip_at[2];   // where the pointer is, units from the picture's top left
     struct panel_rows *rows; // takes the rows as they stand, for whoever has a pointer
+    struct picker *picker;   // of the chosen colour, which takes its place; NULL: it is not open
     const char *hint;        // what to press; NULL or "": none
     const struct panel_key *keys;
     int key_count;
@@ -68,7 +70,9 @@ struct panel_row {
     int parameter;                        // its index; -1: none
     int part;                             // of a vector; -1: all of them
     bool chosen;
-    double place; // of the value between its ends, 0 to 1; below 0: nothing to drag
+    double place;    // of the value between its ends, 0 to 1; below 0: nothing to drag
+    float swatch;    // of a colour that a pointer can reach: from the row's left to it; 0: none
+    double share[3]; // that colour, as shares of the range
     float left, top, width, height;
 };
 
@@ -102,6 +106,9 @@ bool panel_rows_hold(const struct panel_rows *rows, float x, float y);
 
 // True at the mark of a title that folds the panel.
 bool panel_row_is_mark(const struct panel_row *row, float x);
+
+// True at the swatch of a colour, which opens its picker.
+bool panel_row_is_swatch(const struct panel_row *row, float x);
 
 void panel_rows_free(struct panel_rows *rows);
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "colour.h"
 #include "memory.h"
 
 enum { CHANNELS = 4, BYTES = 256, GUESSES = 1024 };
@@ -20,9 +21,7 @@ struct code {
 
 static double decode(double v, bool srgb)
 {
-    if (!srgb)
-        return v;
-    return v <= 0.04045 ? v / 12.92 : pow((v + 0.055) / 1.055, 2.4);
+    return srgb ? colour_decode(v) : v;
 }
 
 static void make_code(struct code *code, bool srgb)

@@ -263,8 +263,14 @@ static void press(struct window *window, struct window_event event)
     case WINDOW_HELP:
         window->panel.helps = !window->panel.helps;
         break;
+    case WINDOW_SIDE:
+        window->panel.right = !window->panel.right;
+        break;
+    case WINDOW_ROLL:
+        window->panel.rolled = !window->panel.rolled;
+        break;
     case WINDOW_TYPED:
-        window_touch_type(window, event.amount);
+        window_field_type(window, event.amount);
         break;
     case WINDOW_VIEW:
         show_view(window, (enum shader_view)event.amount);

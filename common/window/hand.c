@@ -7,10 +7,12 @@
 
 #define DEGREES 0.15f // of a turn, for each pixel of the pointer
 
-static enum window_hand claim(const struct window *window, const struct window_event *press)
+static enum window_hand claim(struct window *window, const struct window_event *press)
 {
-    if (window_touch_claims(window, press->place))
+    // What closes a picker does nothing else.
+    if (window_touch_claims(window, press->place) || window->input.picking)
         return HAND_PANEL;
+    window_field_leave(window);
     if (press->amount != 0)
         return HAND_NONE;
     return window_at_divider(window, press->place) ? HAND_DIVIDER : HAND_CAMERA;

@@ -35,6 +35,8 @@ static const struct {
     {GLFW_KEY_P, WINDOW_SCREENSHOT, 0, false},
     {GLFW_KEY_H, WINDOW_FOLD, 0, false},
     {GLFW_KEY_K, WINDOW_HELP, 0, false},
+    {GLFW_KEY_O, WINDOW_SIDE, 0, false},
+    {GLFW_KEY_T, WINDOW_ROLL, 0, false},
     {GLFW_KEY_F11, WINDOW_FULL_SCREEN, 0, false},
     {GLFW_KEY_TAB, WINDOW_ORTHOGRAPHIC, 0, false},
     {GLFW_KEY_UP, WINDOW_CHOOSE, -1, true},
@@ -169,7 +171,8 @@ static void on_key(GLFWwindow *window, int key, int scancode, int action, int mo
 {
     (void)scancode;
     struct window_input *input = input_of(window);
-    if (input->typing && action != GLFW_RELEASE) {
+    bool closes = input->picking && key == GLFW_KEY_ESCAPE;
+    if ((input->typing || closes) && action != GLFW_RELEASE) {
         type_key(input, key);
         return;
     }

@@ -17,13 +17,15 @@ enum window_action {
     WINDOW_CHOOSE, // amount: -1 the parameter before, 1 the next
     WINDOW_FOLD,   // the overlay
     WINDOW_HELP,   // all of it
+    WINDOW_SIDE,   // the panel to the other side
+    WINDOW_ROLL,   // the panel to its title, or back
     WINDOW_STEP,   // amount: steps on along the chosen ray
     WINDOW_FIRST,  // its first step; without one what WINDOW_RESET does
     WINDOW_LAST,   // its last step
     // The pointer, with its place; hand.c says whose it is:
     WINDOW_PRESS,   // amount: 0 the left button, 1 the right one
     WINDOW_DOUBLE,  // the second of two presses that follow each other at one place
-    WINDOW_TYPED,   // amount: a letter's code, or WINDOW_TYPED_ENTER, ..., while typing
+    WINDOW_TYPED,   // amount: a letter's code, or WINDOW_TYPED_ENTER, ..., while typing or picking
     WINDOW_RELEASE, // amount: 1 a click, 0 the end of a drag, or the window lost the focus
     // What changes the picture:
     WINDOW_PAUSE,   // as time went on until now
@@ -76,7 +78,8 @@ struct window_input {
     int events;
     bool damaged; // the window must be drawn again
     // Kept from frame to frame:
-    bool typing; // keys are letters; others set it
+    bool typing;  // keys are letters; others set it
+    bool picking; // a colour's picker is open, which Escape closes; others set it
     bool held[WINDOW_KEY_COUNT];
     double counted; // all movement up to this time of glfwGetTime is in the events
     enum window_pointer state;

@@ -81,6 +81,8 @@ void window_name_keys(struct window *window)
     add_letter(window, "screenshot", GLFW_KEY_P);
     add_letter(window, "hide all", GLFW_KEY_H);
     add_letter(window, "fewer", GLFW_KEY_K);
+    add_letter(window, "other side", GLFW_KEY_O);
+    add_letter(window, window->panel.rolled ? "unfold panel" : "title alone", GLFW_KEY_T);
     add_key(window, "full screen", "F11");
     add_key(window, "end", "Backspace");
     label_of(window, GLFW_KEY_K, l[0]);

@@ -9,6 +9,7 @@
 #include "picture/overlay.h"
 #include "picture/panel.h"
 #include "picture/panel_rows.h"
+#include "picture/picker.h"
 #include "picture/renderer.h"
 #include "window/watch.h"
 #include "window/input.h"
@@ -21,7 +22,15 @@
 enum window_hand { HAND_NONE, HAND_PANEL, HAND_DIVIDER, HAND_CAMERA };
 
 // What of the panel a press took.
-enum window_touched { TOUCH_NOTHING, TOUCH_TITLE, TOUCH_MARK, TOUCH_SWITCH, TOUCH_VALUE };
+enum window_touched {
+    TOUCH_NOTHING,
+    TOUCH_TITLE,
+    TOUCH_MARK,
+    TOUCH_SWATCH,
+    TOUCH_PICKER,
+    TOUCH_SWITCH,
+    TOUCH_VALUE
+};
 
 struct window {
     GLFWwindow *handle;
@@ -102,7 +111,9 @@ struct window {
         double rests_at;   // since when
         bool tip;          // help is shown
         int cursor;        // which shape the pointer has
-        GLFWcursor *cursors[3];
+        GLFWcursor *cursors[4];
+        struct picker picker;    // of the chosen colour, while input.picking
+        enum picker_part picked; // of it, by TOUCH_PICKER
     } touch;
     // The ray that is looked at.
     struct {
@@ -134,17 +145,43 @@ bool window_pass(struct window *window, double seconds);
 bool window_hand(struct window *window, const struct window_event *event);
 
 // The pointer on the panel: whether it is there; what it does from press to release; its wheel,
-// false where the panel is not; where it only points; whether it has rested until now; a letter.
+// false where the panel is not; where it only points; whether it has rested until now.
 bool window_touch_claims(const struct window *window, const double place[2]);
 void window_touch(struct window *window, const struct window_event *event);
 bool window_touch_wheel(struct window *window, const struct window_event *event);
 void window_touch_point(struct window *window, const struct window_event *event);
 void window_touch_rest(struct window *window);
-void window_touch_type(struct window *window, int code);
+
+// The parameter that the last press took, and which of its components: from first to behind last.
+// NULL where it took none.
+struct parameter *window_touch_taken(const struct window *window, int *first, int *behind);
+
+// The field in which a value is typed: open it for what the last press took, leave it, type a
+// letter; what the panel shows of it.
+void window_field_open(struct window *window);
+void window_field_leave(struct window *window);
+void window_field_type(struct window *window, int code);
+void window_field_tell(const struct window *window, struct panel *panel, char tip[512]);
 
 // What the panel shows of it.
 //   tip  room for the help's text, which the panel keeps
-void window_touch_tell(const struct window *window, struct panel *panel, char tip[512]);
+void window_touch_tell(struct window *window, struct panel *panel, char tip[512]);
+
+// From the window's units to the overlay's; -1,-1 where there is none yet.
+void window_overlay_place(const struct window *window, const double place[2], float at[2]);
+
+// A parameter has another value.
+void window_changed(struct window *window);
+
+// The picker of the chosen colour, while it is open: open it, close it; whether a place is on it;
+// what a press, a double one or a drag does there; what the panel shows. One whose colour is no
+// longer shown is closed.
+void window_pick_open(struct window *window);
+void window_pick_close(struct window *window);
+bool window_pick_at(const struct window *window, const double place[2]);
+void window_pick(struct window *window, const struct window_event *event);
+void window_pick_tell(struct window *window, struct panel *panel);
+void window_pick_rest(struct window *window);
 
 // Nobody has the pointer whose button is up.
 void window_let_go(struct window *window);

@@ -6,16 +6,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "number.h"
-#include "report.h"
-
 #define TIP_SECONDS 0.5 // the pointer rests before help appears
 #define FINE        0.1 // of a drag's way, while Left Shift is held
 
 // ---- Where the pointer is ----
 
-// From the window's units to the overlay's.
-static void overlay_place(const struct window *window, const double place[2], float at[2])
+void window_overlay_place(const struct window *window, const double place[2], float at[2])
 {
     const struct renderer_inputs *inputs = &window->inputs;
     float scale = window->panel.overlay.scale;
@@ -28,18 +24,21 @@ static void overlay_place(const struct window *window, const double place[2], fl
     at[1] = (float)(place[1] * inputs->height / height) / scale;
 }
 
+// None below an open picker.
 static const struct panel_row *row_at(const struct window *window, const double place[2])
 {
     float at[2];
-    overlay_place(window, place, at);
+    window_overlay_place(window, place, at);
+    if (window_pick_at(window, place))
+        return NULL;
     return panel_rows_at(&window->panel.rows, at[0], at[1]);
 }
 
 bool window_touch_claims(const struct window *window, const double place[2])
 {
     float at[2];
-    overlay_place(window, place, at);
-    return panel_rows_hold(&window->panel.rows, at[0], at[1]);
+    window_overlay_place(window, place, at);
+    return window_pick_at(window, place) || panel_rows_hold(&window->panel.rows, at[0], at[1]);
 }
 
 static struct parameter *parameter_of(const struct window *window, const struct panel_row *row)
@@ -57,15 +56,14 @@ static bool is_switch(const struct parameter *parameter)
 
 // ---- What is changed ----
 
-static void changed(struct window *window)
+void window_changed(struct window *window)
 {
     window->passage.on = false;
     window->moved = window->dirty = true;
     window->title.due = 0.0;
 }
 
-// The parameter that the last press took, and which of its components: from first to behind last.
-static struct parameter *taken(const struct window *window, int *first, int *behind)
+struct parameter *window_touch_taken(const struct window *window, int *first, int *behind)
 {
     struct parameter *parameter = window_chosen(window);
     int part = window->touch.part;
@@ -76,25 +74,20 @@ static struct parameter *taken(const struct window *window, int *first, int *beh
     return parameter;
 }
 
-static void leave_field(struct window *window)
-{
-    window->dirty |= window->input.typing;
-    window->input.typing = false;
-    window->touch.refused[0] = '\0';
-}
-
 static void press(struct window *window, const struct window_event *event)
 {
     const struct panel_row *row = row_at(window, event->place);
     const struct parameter *parameter = parameter_of(window, row);
     float at[2];
-    overlay_place(window, event->place, at);
+    window_overlay_place(window, event->place, at);
     window->touch.what = TOUCH_NOTHING;
     if (row != NULL && row->kind == PANEL_ROW_TITLE)
         window->touch.what = panel_row_is_mark(row, at[0]) ? TOUCH_MARK : TOUCH_TITLE;
     if (parameter == NULL)
         return;
     window->touch.what = is_switch(parameter) ? TOUCH_SWITCH : TOUCH_VALUE;
+    if (panel_row_is_swatch(row, at[0]))
+        window->touch.what = TOUCH_SWATCH;
     window->touch.part = row->part;
     snprintf(window->parameter, sizeof window->parameter, "%s", parameter->name);
     for (int k = 0; k < parameter->components; k++)
@@ -106,12 +99,12 @@ static void press(struct window *window, const struct window_event *event)
 static void reset(struct window *window)
 {
     int first, behind;
-    struct parameter *parameter = taken(window, &first, &behind);
-    if (parameter == NULL || window->touch.what < TOUCH_SWITCH)
+    struct parameter *parameter = window_touch_taken(window, &first, &behind);
+    if (parameter == NULL || window->touch.what < TOUCH_SWATCH)
         return;
     for (int k = first; k < behind; k++)
         parameter->value[k] = parameter->initial[k];
-    changed(window);
+    window_changed(window);
 }
 
 static void drag(struct window *window, const struct window_event *event)
@@ -122,100 +115,32 @@ static void drag(struct window *window, const struct window_event *event)
         window->panel.right = event->place[0] > 0.5 * width;
         window->dirty = true;
     }
-    struct parameter *parameter = taken(window, &first, &behind);
+    struct parameter *parameter = window_touch_taken(window, &first, &behind);
     if (parameter == NULL || window->touch.what != TOUCH_VALUE || event->amount != 0)
         return;
     const double way[2] = {event->way[0], 0.0};
     float right[2];
-    overlay_place(window, way, right);
+    window_overlay_place(window, way, right);
     double fine = window->input.held[WINDOW_KEY_FASTER] ? FINE : 1.0;
     for (int k = first; k < behind; k++) {
         window->touch.place[k] += fine * (double)(right[0] / window->touch.width);
         parameter_put(parameter, k, window->touch.place[k]);
     }
-    changed(window);
+    window_changed(window);
 }
 
 static void click(struct window *window)
 {
     int first, behind;
-    struct parameter *parameter = taken(window, &first, &behind);
+    struct parameter *parameter = window_touch_taken(window, &first, &behind);
     if (window->touch.what == TOUCH_MARK)
         window->panel.rolled = !window->panel.rolled;
+    if (window->touch.what == TOUCH_SWATCH)
+        window_pick_open(window);
     if (window->touch.what != TOUCH_SWITCH || parameter == NULL)
         return;
     parameter_put(parameter, 0, parameter_place(parameter, 0) < 0.5 ? 1.0 : 0.0);
-    changed(window);
-}
-
-// ---- Typing ----
-
-static void open_field(struct window *window)
-{
-    int first, behind;
-    const struct parameter *parameter = taken(window, &first, &behind);
-    if (parameter == NULL || window->touch.what != TOUCH_VALUE)
-        return;
-    if (window->touch.part < 0)
-        parameter_value_text(parameter, window->touch.typed, sizeof window->touch.typed);
-    else
-        number_text(parameter->value[first], window->touch.typed, NUMBER_SIZE);
-    window->touch.fresh = true;
-    window->input.typing = true;
-}
-
-// Take what was typed, as --set does; what is refused is said beside the row.
-static void take_field(struct window *window)
-{
-    int first, behind;
-    const struct parameter *parameter = taken(window, &first, &behind);
-    char text[512] = "";
-    if (parameter == NULL) {
-        leave_field(window);
-        return;
-    }
-    int used = snprintf(text, sizeof text, "%s=", parameter->name);
-    for (int k = 0; window->touch.part >= 0 && k < parameter->components; k++) {
-        char number[NUMBER_SIZE];
-        number_text(parameter->value[k], number, sizeof number);
-        used += snprintf(text + used, sizeof text - (size_t)used, "%s%s", k > 0 ? "," : "",
-                         k == first ? window->touch.typed : number);
-    }
-    if (window->touch.part < 0)
-        snprintf(text + used, sizeof text - (size_t)used, "%s", window->touch.typed);
-    if (parameters_assign(&window->renderer->parameters, text)) {
-        leave_field(window);
-        changed(window);
-        return;
-    }
-    // "--set NAME=VALUE: why": the reader sees name and value.
-    size_t known = strlen("--set : ") + strlen(text);
-    const char *why = report_last();
-    snprintf(window->touch.refused, sizeof window->touch.refused, "%s",
-             strlen(why) > known ? why + known : why);
-}
-
-void window_touch_type(struct window *window, int code)
-{
-    char *typed = window->touch.typed;
-    size_t length = strlen(typed);
-    if (!window->input.typing)
-        return;
-    window->dirty = true;
-    window->touch.refused[0] = '\0';
-    if (code == WINDOW_TYPED_ENTER)
-        take_field(window);
-    else if (code == WINDOW_TYPED_ESCAPE)
-        leave_field(window);
-    else if (code == WINDOW_TYPED_BACK && length > 0)
-        typed[length - 1] = '\0';
-    else if (code > ' ' && code < 127 && (window->touch.fresh || length < 40)) {
-        // The first letter takes the place of the value that stands there.
-        length = window->touch.fresh ? 0 : length;
-        typed[length] = (char)code;
-        typed[length + 1] = '\0';
-    }
-    window->touch.fresh = false;
+    window_changed(window);
 }
 
 // ---- The wheel, and a pointer that only points ----
@@ -237,17 +162,20 @@ bool window_touch_wheel(struct window *window, const struct window_event *event)
     for (int k = 0; k < parameter->components; k++)
         if (row->part < 0 || row->part == k)
             parameter->value[k] = next.value[k];
-    changed(window);
+    window_changed(window);
     return true;
 }
 
-static void show_cursor(struct window *window, const struct panel_row *row, float x, bool divider)
+static void show_cursor(struct window *window, const struct panel_row *row, float x, bool picker,
+                        bool divider)
 {
-    static const int shapes[] = {0, GLFW_HAND_CURSOR, GLFW_HRESIZE_CURSOR};
+    static const int shapes[] = {0, GLFW_HAND_CURSOR, GLFW_HRESIZE_CURSOR, GLFW_CROSSHAIR_CURSOR};
     const struct parameter *parameter = parameter_of(window, row);
     int which = 0;
-    if (parameter != NULL)
-        which = is_switch(parameter) ? 1 : 2;
+    if (picker)
+        which = 3;
+    else if (parameter != NULL)
+        which = is_switch(parameter) || panel_row_is_swatch(row, x) ? 1 : 2;
     else if (row != NULL && row->kind == PANEL_ROW_TITLE)
         which = panel_row_is_mark(row, x) ? 1 : 2;
     else if (row == NULL && divider)
@@ -265,8 +193,8 @@ void window_touch_point(struct window *window, const struct window_event *event)
     const struct panel_row *row = row_at(window, event->place);
     int parameter = row != NULL ? row->parameter : -1;
     float at[2];
-    overlay_place(window, event->place, at);
-    show_cursor(window, row, at[0],
+    window_overlay_place(window, event->place, at);
+    show_cursor(window, row, at[0], window_pick_at(window, event->place),
                 !window_touch_claims(window, event->place) &&
                     window_at_divider(window, event->place));
     window->touch.rests_at = glfwGetTime();
@@ -280,10 +208,40 @@ void window_touch_point(struct window *window, const struct window_event *event)
 
 void window_touch_rest(struct window *window)
 {
+    window_pick_rest(window);
     bool due = window->touch.pointed >= 0 && !window->touch.tip && window->hand.who == HAND_NONE &&
                !window->input.captured && glfwGetTime() >= window->touch.rests_at + TIP_SECONDS;
     window->touch.tip |= due;
     window->dirty |= due;
+}
+
+// A press outside of an open picker closes it, and does nothing else, but in the panel. A second
+// press of a double one on the swatch leaves it open. Returns false for what is the panel's.
+static bool press_picker(struct window *window, const struct window_event *event)
+{
+    const struct panel_row *row = row_at(window, event->place);
+    bool again = event->action == WINDOW_DOUBLE && window->touch.what == TOUCH_SWATCH;
+    float at[2];
+    window_overlay_place(window, event->place, at);
+    if (!window->input.picking || again)
+        return false;
+    window->touch.what = TOUCH_NOTHING;
+    if (window_pick_at(window, event->place)) {
+        window->touch.what = TOUCH_PICKER;
+        return true;
+    }
+    window_pick_close(window);
+    return row == NULL || (row->chosen && panel_row_is_swatch(row, at[0]));
+}
+
+static bool touch_picker(struct window *window, const struct window_event *event)
+{
+    bool down = event->action == WINDOW_PRESS || event->action == WINDOW_DOUBLE;
+    if (down ? !press_picker(window, event) : window->touch.what != TOUCH_PICKER)
+        return false;
+    if (window->touch.what == TOUCH_PICKER && event->action != WINDOW_RELEASE)
+        window_pick(window, event);
+    return true;
 }
 
 void window_touch(struct window *window, const struct window_event *event)
@@ -291,13 +249,15 @@ void window_touch(struct window *window, const struct window_event *event)
     window->dirty = true;
     window->touch.tip = false;
     window->touch.rests_at = glfwGetTime();
+    if (touch_picker(window, event))
+        return;
     if (event->action == WINDOW_PRESS) {
-        leave_field(window);
+        window_field_leave(window);
         press(window, event);
         if (event->amount == 1)
             reset(window);
     } else if (event->action == WINDOW_DOUBLE) {
-        open_field(window);
+        window_field_open(window);
     } else if (event->action == WINDOW_DRAG) {
         drag(window, event);
     } else if (event->action == WINDOW_RELEASE && event->amount == 1 && window->touch.button == 0) {
@@ -308,20 +268,17 @@ void window_touch(struct window *window, const struct window_event *event)
 }
 
 // What the panel is told of all this.
-void window_touch_tell(const struct window *window, struct panel *panel, char tip[512])
+void window_touch_tell(struct window *window, struct panel *panel, char tip[512])
 {
     const struct parameters *all = &window->renderer->parameters;
     int pointed = window->touch.pointed;
     panel->right = window->panel.right;
     panel->rolled = window->panel.rolled;
-    panel->typed = window->input.typing ? window->touch.typed : NULL;
-    panel->typed_part = window->touch.part;
-    panel->refused = window->input.typing && window->touch.refused[0] != '\0';
     panel->tip = tip;
-    tip[0] = '\0';
-    if (panel->refused)
-        snprintf(tip, 512, "%s", window->touch.refused);
-    else if (window->touch.tip && pointed >= 0 && pointed < all->count)
-        snprintf(tip, 512, "%s", all->item[pointed].meaning);
     memcpy(panel->tip_at, window->touch.at, sizeof panel->tip_at);
+    tip[0] = '\0';
+    if (window->touch.tip && !window->input.picking && pointed >= 0 && pointed < all->count)
+        snprintf(tip, 512, "%s", all->item[pointed].meaning);
+    window_field_tell(window, panel, tip);
+    window_pick_tell(window, panel);
 }
