@@ -9,7 +9,7 @@
 
 #include <cmocka.h>
 
-#include "../common/colour.h"
+#include "../common/picture/colour.h"
 #include "../common/picture/panel.h"
 #include "../common/picture/picker.h"
 

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "colour.h"
+#include "picture/colour.h"
 #include "memory.h"
 #include "number.h"
 #include "picture/pen.h"

@@ -3,14 +3,14 @@
 #include <math.h>
 #include <string.h>
 
-#include "colour.h"
+#include "picture/colour.h"
 #include "picture/pen.h"
 
 #define SIDE   72.0f // of the square, at most
 #define LEAST  24.0f // and at least
 #define BAR    12.0f // width
 #define GAP    6.0f
-#define APART  4.0f // from the panel
+#define APART  4.0f                             // from the panel
 #define BEYOND (2.0f * PEN_PADDING + GAP + BAR) // how much wider it is than its square
 
 // ---- Where it stands ----

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "colour.h"
+#include "picture/colour.h"
 #include "memory.h"
 
 enum { CHANNELS = 4, BYTES = 256, GUESSES = 1024 };

@@ -17,7 +17,7 @@ void window_field_leave(struct window *window)
 void window_field_open(struct window *window)
 {
     int first, behind;
-    const struct parameter *parameter = window_touch_taken(window, &first, &behind);
+    const struct parameter *parameter = window_taken(window, &first, &behind);
     if (parameter == NULL || window->touch.what != TOUCH_VALUE)
         return;
     if (window->touch.part < 0)
@@ -32,7 +32,7 @@ void window_field_open(struct window *window)
 static void take_field(struct window *window)
 {
     int first, behind;
-    const struct parameter *parameter = window_touch_taken(window, &first, &behind);
+    const struct parameter *parameter = window_taken(window, &first, &behind);
     char text[512] = "";
     if (parameter == NULL) {
         window_field_leave(window);

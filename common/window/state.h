@@ -154,7 +154,7 @@ void window_touch_rest(struct window *window);
 
 // The parameter that the last press took, and which of its components: from first to behind last.
 // NULL where it took none.
-struct parameter *window_touch_taken(const struct window *window, int *first, int *behind);
+struct parameter *window_taken(const struct window *window, int *first, int *behind);
 
 // The field in which a value is typed: open it for what the last press took, leave it, type a
 // letter; what the panel shows of it.

@@ -11,19 +11,6 @@
 
 // ---- Where the pointer is ----
 
-void window_overlay_place(const struct window *window, const double place[2], float at[2])
-{
-    const struct renderer_inputs *inputs = &window->inputs;
-    float scale = window->panel.overlay.scale;
-    int width = 0, height = 0;
-    glfwGetWindowSize(window->handle, &width, &height);
-    at[0] = at[1] = -1.0f;
-    if (width < 1 || height < 1 || scale <= 0.0f)
-        return;
-    at[0] = (float)(place[0] * inputs->width / width) / scale;
-    at[1] = (float)(place[1] * inputs->height / height) / scale;
-}
-
 // None below an open picker.
 static const struct panel_row *row_at(const struct window *window, const double place[2])
 {
@@ -56,24 +43,6 @@ static bool is_switch(const struct parameter *parameter)
 
 // ---- What is changed ----
 
-void window_changed(struct window *window)
-{
-    window->passage.on = false;
-    window->moved = window->dirty = true;
-    window->title.due = 0.0;
-}
-
-struct parameter *window_touch_taken(const struct window *window, int *first, int *behind)
-{
-    struct parameter *parameter = window_chosen(window);
-    int part = window->touch.part;
-    if (parameter == NULL || part >= parameter->components)
-        return NULL;
-    *first = part < 0 ? 0 : part;
-    *behind = part < 0 ? parameter->components : part + 1;
-    return parameter;
-}
-
 static void press(struct window *window, const struct window_event *event)
 {
     const struct panel_row *row = row_at(window, event->place);
@@ -99,7 +68,7 @@ static void press(struct window *window, const struct window_event *event)
 static void reset(struct window *window)
 {
     int first, behind;
-    struct parameter *parameter = window_touch_taken(window, &first, &behind);
+    struct parameter *parameter = window_taken(window, &first, &behind);
     if (parameter == NULL || window->touch.what < TOUCH_SWATCH)
         return;
     for (int k = first; k < behind; k++)
@@ -115,7 +84,7 @@ static void drag(struct window *window, const struct window_event *event)
         window->panel.right = event->place[0] > 0.5 * width;
         window->dirty = true;
     }
-    struct parameter *parameter = window_touch_taken(window, &first, &behind);
+    struct parameter *parameter = window_taken(window, &first, &behind);
     if (parameter == NULL || window->touch.what != TOUCH_VALUE || event->amount != 0)
         return;
     const double way[2] = {event->way[0], 0.0};
@@ -132,7 +101,7 @@ static void drag(struct window *window, const struct window_event *event)
 static void click(struct window *window)
 {
     int first, behind;
-    struct parameter *parameter = window_touch_taken(window, &first, &behind);
+    struct parameter *parameter = window_taken(window, &first, &behind);
     if (window->touch.what == TOUCH_MARK)
         window->panel.rolled = !window->panel.rolled;
     if (window->touch.what == TOUCH_SWATCH)

@@ -1,4 +1,4 @@
-#include "colour.h"
+#include "picture/colour.h"
 
 #include <math.h>
 
