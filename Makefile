@@ -336,6 +336,11 @@ test-fresh: ## type `make run` and `make test` on bare Debian machines made for 
 test-gpu: ready ## compare the references with this machine's own GPU; reports, does not judge
 	@tests/references.sh gpu
 
+test-windows: ready windows ## try the programs for Windows under Wine: units, pictures, failures, windows; some minutes
+	@.make/setup.sh wine
+	+@$(AGAIN) WINDOWS=1 tests
+	@tests/windows.sh $(SUITE)
+
 fuzz: ## feed made-up bytes to the readers of shaders, parameters and command lines; DURATION=60 seconds each
 	@.make/setup.sh run fuzz
 	+@$(AGAIN) FUZZER=1 fuzzer
@@ -396,7 +401,7 @@ references: ready ## render the reference pictures again; those within tolerance
 always:
 .PHONY: all programs tests fuzzer ready run play check compare diff film gallery benchmark book setup clean help test \
         test-fresh test-gpu fuzz lint format chapter docs figures figure_programs textures texture_programs \
-        references web test-web site serve module windows always
+        references web test-web test-windows site serve module windows always
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .SECONDARY:

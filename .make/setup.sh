@@ -2,7 +2,7 @@
 # setup.sh [--check|--all] SET... - see to it that what the sets need is on this machine.
 #
 # Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), windows (the cross
-# build), fresh (bare machines to test on). Where nothing is missing this asks only files and
+# build), wine (to try it), fresh (bare machines to test on). Where nothing is missing this asks only files and
 # commands: no network, no package manager. Else, as root it installs; with a terminal and sudo it
 # says what it will install and lets sudo ask; otherwise it prints the one command and fails.
 #   --check  install nothing
@@ -114,6 +114,7 @@ need_test() {
     need 'a virtual display' 'xvfb|xorg-x11-server-Xvfb|xorg-server-xvfb|-' has_command Xvfb
     need 'real key and mouse events' 'xdotool|xdotool|xdotool|-' has_command xdotool
     need 'a window manager' 'openbox|openbox|openbox|-' has_command openbox
+    need 'xprop' 'x11-utils|xprop|xorg-xprop|-' has_command xprop
     need 'wmctrl' 'wmctrl|wmctrl|wmctrl|-' has_command wmctrl
     need "the BSDs' awk" 'original-awk|-|-|-' has_command original-awk
     need 'busybox' 'busybox|busybox|busybox|-' has_command busybox
@@ -186,6 +187,13 @@ need_windows() {
     need 'zip' 'zip|-|-|-' has_command zip
 }
 
+# Its programs are tried by Wine.
+need_wine() {
+    need_windows
+    need_test
+    need 'Wine' 'wine64 wine|-|-|-' has_command wine
+}
+
 need_fresh() {
     need 'debootstrap' 'debootstrap|-|-|-' has_command debootstrap
     need 'git' 'git|git|git|git' has_command git
@@ -203,8 +211,9 @@ look() {
         fresh) need_fresh ;;
         web) need_web ;;
         windows) need_windows ;;
+        wine) need_wine ;;
         *)
-            printf 'setup.sh: %s: no such set: run, test, lint, fuzz, book, web, windows or fresh\n' "$set" >&2
+            printf 'setup.sh: %s: no such set: run, test, lint, fuzz, book, web, windows, wine or fresh\n' "$set" >&2
             exit 2
             ;;
         esac
