@@ -13,6 +13,17 @@ mkdir "$out" "$shaders"
 chapter=$root/$BUILD/03_shadows
 lighting=$root/$BUILD/02_lighting # its parameters include vectors
 unset DISPLAY WAYLAND_DISPLAY
+pipe='pipe'
+# On Windows (windows.sh) what stands in BUILD hands its words on, and a pipe is a device like others.
+[ "${SYSTEM-}" != Windows ] || pipe='device'
+copy_program() { # FOLDER
+    if [ "${SYSTEM-}" = Windows ]; then
+        cp build/windows/03_shadows.exe build/windows/*.dll "$1"
+        printf '#!/bin/sh\nexec %s "%s" "$@"\n' "${loader-}" "$1/03_shadows.exe" >"$1/03_shadows" && chmod +x "$1/03_shadows"
+    else
+        cp "$chapter" "$1"
+    fi
+}
 
 # ---- How one run is judged ----
 
@@ -147,7 +158,9 @@ refuse 'a device for a shader' 1 '/dev/null' "$chapter" "${to[@]}" -f /dev/null
 refuse 'an empty shader' 1 'empty.frag.*empty' "$chapter" "${to[@]}" -f "$shaders/empty.frag"
 printf 'void main()\n{\0}\n' >"$shaders/binary.frag"
 refuse 'a binary shader' 1 'binary.frag' "$chapter" "${to[@]}" -f "$shaders/binary.frag"
-cp "$chapter" "$shaders/program.frag"
+mkdir "$scratch/alone"
+copy_program "$scratch/alone"
+find "$scratch/alone" -name '03_shadows*' -size +1 -exec cp {} "$shaders/program.frag" \;
 refuse 'a program for a shader' 1 'program.frag' "$chapter" "${to[@]}" -f "$shaders/program.frag"
 printf '// nothing here\n' >"$shaders/comment.frag"
 refuse_at_length 'a shader of comments alone' 1 'comment.frag' \
@@ -270,8 +283,6 @@ sed 's/FragColor = /FragColour = /' "$whole" >"$shaders/m.frag"
 refuse_at_length 'an error in a whole file' 1 'm.frag:[0-9]*.*FragColour' \
     "$chapter" "${to[@]}" -f "$shaders/m.frag"
 refuse '--root without shaders' 1 '--root' "$chapter" "${to[@]}" --root "$shaders"
-mkdir -p "$scratch/alone"
-cp "$chapter" "$scratch/alone/"
 refuse 'a program far from its shaders' 1 '--root' "$scratch/alone/03_shadows" "${to[@]}"
 mkdir -p "$scratch/empty root/shaders"
 : >"$scratch/empty root/shaders/screen.vert"
@@ -295,14 +306,14 @@ with_target() { # NAME PATTERN
 mkdir "$out/target.png"
 with_target 'an output that is a folder' 'folder'
 mkfifo "$out/target.png"
-with_target 'an output that is a pipe' 'pipe'
+with_target 'an output that is a pipe' "$pipe"
 # Who may not make a device may not harm the one that a link leads to.
 mknod "$out/target.png" c 1 3 2>/dev/null || ln -s /dev/null "$out/target.png"
 with_target 'an output that is a device' 'device'
 mkfifo "$out/pipe"
 ln -s pipe "$out/link.png"
 expected_listing='./link.png ./old.png ./pipe '
-refuse 'an output that is a link to a pipe' 1 'pipe' "$chapter" "${small[@]}" -o "$out/link.png"
+refuse 'an output that is a link to a pipe' 1 "$pipe" "$chapter" "${small[@]}" -o "$out/link.png"
 fill
 ln -s loop.png "$out/loop.png"
 expected_listing='./loop.png ./old.png '

@@ -72,6 +72,7 @@ suite() {
     echo "$ok $not $skipped" >"$file.counts"
     printf '%s\n' "$(
         printf 'windows/%-24s %4d passed, %d failed, %d skipped  %d s\n' "$name" "$ok" "$not" "$skipped" $((SECONDS - begin))
+        [ "$status" = 0 ] || echo "    ended with status $status"
         [ "$not" = 0 ] || { grep -A 3 '^not ok' "$file.tap" | grep -v SKIP | head -n 60; tail -n 5 "$file.err"; }
     )"
 }
