@@ -59,14 +59,20 @@ function mathml(tex, display) {
     return parts.every((part) => !part.startsWith('<mspace')) ? parts.map((part) => `<math>${ungrouped(part)}</math>`).join('') : `<math>${inside}</math>`;
 }
 
+// A column's head that is a formula alone says it in words too: reading programs look for text there.
+const heads = (html) => html.replace(/<th([^>]*)><span class="math inline">\\\((.*?)\\\)<\/span><\/th>/gs, (whole, more, tex) => {
+    const words = tex.replace(/\\[lr]vert/g, '|').replace(/\\sqrt\{([^}]*)\}/g, 'root of ($1)').replace(/\\(?:left|right|math\w+|[,;! ])/g, '').replace(/[\\{}]/g, '');
+    return whole.replace(`<th${more}>`, `<th${more}><span class="unseen">${words.replace(/\s+/g, ' ').trim()}</span>`).replace('class="math inline"', 'aria-hidden="true" class="math inline"');
+});
+
 // What ends a sentence stays with its formula.
-const formulas = (html) => html.replace(/<span class="math (inline|display)">\\[[(](.*?)\\[\])]<\/span>([.,;:)?!’”]?)/gs,
-    (_, kind, tex, sign) => mathml(plain(tex), kind === 'display') + (sign && kind === 'inline' ? `\u2060${sign}` : sign));
+const formulas = (html) => heads(html).replace(/<span (?:aria-hidden="true" )?class="math (inline|display)">\\[[(](.*?)\\[\])]<\/span>([.,;:)?!’”]?)/gs,
+    (whole, kind, tex, sign) => mathml(plain(tex), kind === 'display').replaceAll('<math>', whole.includes('aria-hidden') ? '<math aria-hidden="true">' : '<math>') + (sign && kind === 'inline' ? `\u2060${sign}` : sign));
 
 // ---- Listings and commands ----
 
-const button = ({stem, line, tail}, command) => `<button type="button" class="run" data-stem="${stem}" data-line="${escaped(line)}"`
-    + `${tail ? ` data-tail="${tail}"` : ''} aria-label="Run ${escaped(command.replace(/\s+/g, ' '))}">Run</button>`;
+const button = ({stem, line, head, tail}, command) => `<button type="button" class="run" data-stem="${stem}" data-line="${escaped(line)}"`
+    + `${head ? ` data-head="${head}"` : tail ? ` data-tail="${tail}"` : ''} aria-label="Run ${escaped(command.replace(/\s+/g, ' '))}">Run</button>`;
 
 function commandBlock({text, command}, i, pieces) {
     const listing = `<pre><code>${escaped(text).replace(/^#.*$| # .*$/gm, '<i class="c">$&</i>')}</code></pre>`;
@@ -129,8 +135,7 @@ const live = (html, stem) => html.replace(/<figure>\s*<img ([^>]*) loading="lazy
 // In a table of pictures each cell is a share of the width; one of words scrolls where it is wider than the page.
 const tables = (html) => html.replace(/<table>(.*?)<\/table>/gs, (whole, inside) => {
     const kind = /<td[^>]*>\s*<img/.test(inside) ? ' pictures' : '';
-    const clean = inside.replace(/<tr class="[^"]*">/g, '<tr>').replace(/<th([^>]*)><\/th>/g, '<td$1></td>')
-        .replace(/<th([^>]*)>(<math>(?:(?!<\/th>).)*<\/math>)<\/th>/gs, (_, more, formula) => `<th${more} aria-label="${escaped(plain(formula))}">${formula}</th>`);
+    const clean = inside.replace(/<tr class="[^"]*">/g, '<tr>').replace(/<th([^>]*)><\/th>/g, '<td$1></td>');
     return `<div class="table${kind}"><table>${clean}</table></div>`;
 });
 

@@ -37,18 +37,19 @@ function lineOf(words) {
 }
 
 // What a command is, as it stands in a page:
-//   {stem, line, tail}  the chapter's program and its line; of what it prints the page speaks of the last `tail` lines, or all
+//   {stem, line}        the chapter's program and its line; of what it prints the page speaks of the first `head` lines or the
+//                       last `tail`, where it has one of these, or of all
 //   {check}             an exercise, "03_2"
 //   {reason}            why it has no button
 // Throws where it is none of these: then commands.txt lacks a line.
 export function commandOf(command) {
     const rule = REASONS.find(({pattern}) => pattern.test(command));
     if (rule) return {reason: rule.reason};
-    const tail = /\|\s*tail -n (\d+)\s*$/.exec(command);
-    const words = wordsOf(tail ? command.slice(0, tail.index) : command.replaceAll('\\\n', ' '));
+    const cut = /\|\s*(head|tail) -n (\d+)\s*$/.exec(command);
+    const words = wordsOf(cut ? command.slice(0, cut.index) : command.replaceAll('\\\n', ' '));
     const [program, ...rest] = words;
     const chapter = /^build\/(\d\d_\w+)$/.exec(program);
-    if (chapter && STEMS.includes(chapter[1])) return {stem: chapter[1], line: lineOf(rest), ...(tail && {tail: tail[1]})};
+    if (chapter && STEMS.includes(chapter[1])) return {stem: chapter[1], line: lineOf(rest), ...(cut && {[cut[1]]: cut[2]})};
     if (program === 'make') {
         const values = Object.fromEntries(rest.slice(1).map((word) => /^(\w+)=(.*)$/s.exec(word)?.slice(1) ?? [word, '']));
         if (rest[0] === 'run') return {stem: stemOf(values.CHAPTER), line: lineOf((values.OPTIONS ?? '').split(/\s+/).filter(Boolean))};
