@@ -73,5 +73,54 @@ for scale in 1 2; do
     check "scale $scale: Backspace closes the window" backspace
 done
 
+# ---- The panel's place ----
+
+scale=1
+start $chapter --size 960x540 --shader "$mine"
+# Bright from the panel on: what stands at the left, and at the right, of what the window shows.
+darker() { # WxH+X+Y: there is a panel
+    look screen && [ "$(convert "$scratch/screen.png" -crop "$1" -format '%[fx:mean<0.5]' info:)" = 1 ]
+}
+bare() { look screen && [ "$(convert "$scratch/screen.png" -crop "$1" -format '%[fx:mean>0.7]' info:)" = 1 ]; }
+left=100x30+20+100 right=100x30+840+100
+check 'the panel stands at the left' eventually darker $left
+moves() { key o && eventually darker $right && eventually bare $left; }
+check 'O moves it to the right' moves
+chooses() { at 860 110 && xdotool click 1 && shows 'size = 5'; }
+check 'where it is touched as before' chooses
+rolls() { key t && eventually bare $right && eventually darker 100x8+840+12; }
+check 'T folds it to its title' rolls
+unfolds() { key t && eventually darker $right; }
+check 'and unfolds it' unfolds
+moves_back() { key o && eventually darker $left && eventually bare $right; }
+check 'O moves it back' moves_back
+check 'Backspace closes the window' backspace
+
+# ---- Numbers on a French keyboard ----
+
+# By key codes: 10 to 19 are the row of digits, 58 is M, whose place has the comma, 59 has the semicolon and, with
+# Shift, the point; 36 is Enter.
+if ! setxkbmap fr 2>/dev/null; then
+    skip 'a number on a French keyboard' 'no setxkbmap on this machine'
+else
+    start $chapter --size 960x540 --shader "$mine"
+    check 'AZERTY: the row is there' eval 'click 60 110 && shows "size = 5"'
+    digits() { rest && field86 && key shift+16 58 shift+11 shift+14 && key 36 && shows 'size = 7.25'; }
+    # The chosen row of one number, below the colour's, whose parts are folded then.
+    rest() { at 400 250 && shoot && look before; }
+    field86() { double 100 62 && eventually other before; }
+    check 'AZERTY: digits with Shift and the comma are a number' digits
+    point() { rest && field86 && key shift+12 shift+59 shift+14 36 && shows 'size = 3.5'; }
+    check 'AZERTY: so they are with the point' point
+    accents() { rest && field86 && look before && key 11 && eventually other before && key 16 18 shift+13 && key 36 && shows 'size = 4' && [[ $(title) != *paused* ]]; }
+    check 'AZERTY: accents are left out, and said to be none' accents
+    minus() { rest && field86 && key 15 shift+12 36 && eventually says err 'size=-3: out of range' && key Escape; }
+    check 'AZERTY: the minus is that of the 6' minus
+    leaves() { rest && field86 && key shift+13 && at 500 300 && xdotool click 1 && eventually says out 'ray of pixel 500,239' && key t && eventually bare 100x30+20+100 && titled 'size = 4'; }
+    check 'AZERTY: a press in the picture leaves the field, and keys are keys again' leaves
+    check 'AZERTY: Backspace closes the window' backspace
+    setxkbmap us
+fi
+
 close_window
 plan
