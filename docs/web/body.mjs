@@ -85,7 +85,7 @@ function commandBlock({text, command}, i, pieces) {
     if (!what.reason) return `<div class="command">${listing}${button(what, command)}</div>`;
     // Of several with one reason the last one says it.
     const next = pieces[i + 1]?.command, said = next && commandOf(next).reason === what.reason;
-    return `<div class="command" data-reason="${escaped(what.reason)}">${listing}${said ? '' : `<p class="reason">For a terminal: ${escaped(what.reason)}.</p>`}</div>`;
+    return `<div class="command">${listing}<p class="reason"${said ? ' hidden' : ''}>For a terminal: ${escaped(what.reason)}.</p></div>`;
 }
 
 // A listing, below the name of its file; `sources` knows where the file and this place of it are shown.

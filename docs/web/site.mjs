@@ -215,7 +215,7 @@ for (const [name, file] of [...pictures].sort()) {
 }
 await Promise.all(small);
 
-const commands = pages.map(({body}) => [/class="run"/g, /data-reason=/g, /class="check"/g].map((each) => (body.match(each) ?? []).length))
+const commands = pages.map(({body}) => [/class="run"/g, /class="reason"/g, /class="check"/g].map((each) => (body.match(each) ?? []).length))
     .reduce((sum, each) => sum.map((count, i) => count + each[i]));
 console.log(`${pages.length} pages, ${sources.texts.size} files, ${pictures.size} pictures; commands: ${commands[0]} with a button, `
     + `${commands[2]} checks, ${commands[1]} with a reason`);
