@@ -158,6 +158,8 @@ static void a_panel_scrolls_to_the_chosen_parameter(void **unused)
         assert_true(says(panel.chosen->name) && says(detail) && says("of 20"));
         assert_true(overlay.rectangle[0].bottom < HEIGHT);
     }
+    panel_gather(&panel, &overlay, 400, 70, 1.0f); // no room for a single one
+    assert_true(says("20 parameters") && !says("0 to 0"));
 }
 
 // Panels of a chapter and of a ray stand side by side, or the ray's stands alone.

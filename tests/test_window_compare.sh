@@ -39,6 +39,13 @@ follows() {
 check 'both follow a parameter that is changed' follows
 own() { key Down Right && shows 'normalStep = 0.002' && drawn_with --set normalStep=0.002 $pair --divider 0.2 && key Home; }
 check 'but for the second in its own' own
+# The panel's first row, below the title, is that of focalLength.
+longer() { value=$(title | sed -n 's/.*focalLength = \([0-9.]*\).*/\1/p') && awk -v v="$value" 'BEGIN { exit !(v > 3) }'; }
+slides() {
+    key h && xdotool mousemove --window "$window" 60 50 mousedown 1 mousemove --window "$window" 70 50 mousemove --window "$window" 90 50 mouseup 1 &&
+        eventually longer && key h && drawn_with --set focalLength="$value" $pair --divider 0.2 && key Delete && shows 'focalLength = 2'
+}
+check 'a value that is dragged in the panel is that of both too' slides
 other_side() {
     xdotool mousemove --window "$window" 170 100 click 1 && eventually says out 'ray of pixel 170,99' &&
         sed -n '/^ray of pixel 170,99/,/^# /p' "$scratch/run/out" | tail -n +2 >"$scratch/told" &&

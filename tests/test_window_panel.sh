@@ -76,7 +76,7 @@ done
 # ---- The panel's place ----
 
 scale=1
-start $chapter --size 960x540 --shader "$mine"
+start $chapter --size 960x540 --shader "$mine" --overlay=$scale
 # Bright from the panel on: what stands at the left, and at the right, of what the window shows.
 darker() { # WxH+X+Y: there is a panel
     look screen && [ "$(convert "$scratch/screen.png" -crop "$1" -format '%[fx:mean<0.5]' info:)" = 1 ]
@@ -103,7 +103,7 @@ check 'Backspace closes the window' backspace
 if ! setxkbmap fr 2>/dev/null; then
     skip 'a number on a French keyboard' 'no setxkbmap on this machine'
 else
-    start $chapter --size 960x540 --shader "$mine"
+    start $chapter --size 960x540 --shader "$mine" --overlay=$scale
     check 'AZERTY: the row is there' eval 'click 60 110 && shows "size = 5"'
     digits() { rest && field86 && key shift+16 58 shift+11 shift+14 && key 36 && shows 'size = 7.25'; }
     # The chosen row of one number, below the colour's, whose parts are folded then.

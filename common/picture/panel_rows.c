@@ -168,7 +168,10 @@ static void cut(struct panel_rows *rows, int first, int room, int parameters)
         to = rows->row[i].parameter + 1;
     }
     char text[64];
-    snprintf(text, sizeof text, "%d to %d of %d", from, to < 0 ? 0 : to, parameters);
+    if (to < 0)
+        snprintf(text, sizeof text, "%d parameter%s", parameters, parameters == 1 ? "" : "s");
+    else
+        snprintf(text, sizeof text, "%d to %d of %d", from, to, parameters);
     add(rows, PANEL_ROW_TEXT, text);
 }
 
