@@ -14,6 +14,7 @@
 #include "support_levels.h"
 #include "support_measure.h"
 #include "support_occlusion.h"
+#include "support_overlay.h"
 #include "support_report.h"
 #include "support_sky_table.h"
 #include "support_speed.h"
@@ -324,6 +325,8 @@ static const struct measurement {
      print_levels},
     {"sky", "a sky from tables and by other ways, against the integral", true, sky_table_print},
     {"enlarge", "filters that enlarge a picture: their errors and costs", true, enlarge_print},
+    {"overlay", "what the panels of a window add to a frame of the annex scene", true,
+     overlay_print},
     {"report", "three pictures of the report, drawn again, beside its engine", true, report_print},
 };
 enum { MEASUREMENTS = sizeof measurements / sizeof *measurements };

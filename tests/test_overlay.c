@@ -152,6 +152,34 @@ static void any_text_can_be_drawn(void **unused)
     assert_true(overlay_width(text) <= OVERLAY_TEXT * 10.0f);
 }
 
+// A frame after another looks as one that is drawn for the first time: what is new, gone, moved or
+// of another colour, at one scale and the next.
+static void a_frame_after_another_is_the_same(void **unused)
+{
+    (void)unused;
+    static const struct overlay_colour other = {{200, 40, 90, 120}};
+    struct overlay fresh = {0};
+    for (int i = 0; i < 8; i++) {
+        struct overlay *drawn_by[] = {&overlay, &fresh};
+        struct image picture[2];
+        int box[4];
+        assert_true(overlay_open(&fresh, &gpu.context.gl));
+        for (int k = 0; k < 2; k++) {
+            overlay_begin(drawn_by[k], WIDTH, HEIGHT, i < 5 ? 1.5f : 1.0f);
+            overlay_box(drawn_by[k], 20, 20, 90, i < 2 ? 60 : 50, i % 2 == 0 ? WHITE : other);
+            overlay_text(drawn_by[k], i < 4 ? 30.0f : 31.0f, 40, i < 3 ? "time 1" : "time 2",
+                         other);
+            if (i != 6)
+                overlay_line(drawn_by[k], (float[]){150, 20}, (float[]){220, 130}, 3, WHITE);
+            picture[k] = picture_of(drawn_by[k]);
+        }
+        assert_int_equal(changes(&picture[0], &picture[1], box), 0);
+        image_free(&picture[0]);
+        image_free(&picture[1]);
+        overlay_close(&fresh);
+    }
+}
+
 static void the_scale_follows_the_height(void **unused)
 {
     (void)unused;
@@ -211,6 +239,7 @@ int main(void)
         cmocka_unit_test(text_stands_where_it_should),
         cmocka_unit_test(a_letter_stands_upright),
         cmocka_unit_test(any_text_can_be_drawn),
+        cmocka_unit_test(a_frame_after_another_is_the_same),
         cmocka_unit_test(the_scale_follows_the_height),
         cmocka_unit_test(a_panel_changes_only_itself),
     };

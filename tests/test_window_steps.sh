@@ -23,8 +23,9 @@ check 'a window opens' [ -n "$window" ]
 key h # the picture alone
 last=$("$BUILD/$chapter" -s 320x200 -c 1.65,1.6,3.4,-26,-23.5 "${ray[@]}" | awk -F, '/^[0-9]/ { n = $1 } END { print n }')
 
-check 'Home without a ray resets the parameter' eval "key Right && shows 'focalLength = 2.1' && key Home && shows 'focalLength = 2'"
-check 'Delete resets it too' eval "key Right && shows 'focalLength = 2.1' && key Delete && shows 'focalLength = 2'"
+lens_is() { [[ $(title) == *"focalLength = $1" ]]; }
+check 'Home without a ray resets the parameter' eval 'key Right && eventually lens_is 2.1 && key Home && eventually lens_is 2'
+check 'Delete resets it too' eval 'key Right && eventually lens_is 2.1 && key Delete && eventually lens_is 2'
 
 slice() { key 5 && shows ' - slice - ' && click && is all "${ray[@]}" -v slice; }
 check 'a click in the slice shows the whole march' slice
@@ -51,9 +52,9 @@ runs() { # a busy machine may see press and release at once: then the key is hel
 check 'a key that is held runs' runs
 plot() { key 6 && shows ' - plot - ' && key Home && key e && is plot "${ray[@]}" -v plot --step 1; }
 check '6 shows the plot, at the step that is looked at' plot
-stays() { key Right && shows 'focalLength = 2.1' && shoot_as lens && same plot lens; }
+stays() { key Right && eventually lens_is 2.1 && shoot_as lens && same plot lens; }
 check 'the ray stays while the focal length changes' stays
-resets() { key Home && shoot_as home && shows 'focalLength = 2.1' && key Delete && shows 'focalLength = 2' && [[ $(title) != *2.1* ]]; }
+resets() { key Home && shoot_as home && lens_is 2.1 && key Delete && eventually lens_is 2; }
 check 'Delete resets a parameter while a ray is chosen, Home does not' resets
 lets_go() { xdotool mousemove --window "$window" 170 70 click 1 && is middle -v plot; }
 check 'a second click lets it go: the middle ray, whole' lets_go

@@ -81,6 +81,7 @@ enum { GL_NEEDED_MAJOR = 3, GL_NEEDED_MINOR = 3 };
     X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                             \
     X(PFNGLTEXIMAGE3DPROC, TexImage3D)                                                             \
     X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                       \
+    X(PFNGLTEXSUBIMAGE2DPROC, TexSubImage2D)                                                       \
     X(PFNGLUNIFORM1FPROC, Uniform1f)                                                               \
     X(PFNGLUNIFORM1IPROC, Uniform1i)                                                               \
     X(PFNGLUNIFORM2FPROC, Uniform2f)                                                               \

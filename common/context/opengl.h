@@ -25,7 +25,8 @@ typedef ptrdiff_t GLsizeiptr;
 typedef uint64_t GLuint64;
 
 #define GL_ARRAY_BUFFER             0x8892
-#define GL_BLEND 0x0BE2
+#define GL_BGRA                     0x80E1
+#define GL_BLEND                    0x0BE2
 #define GL_CLAMP_TO_EDGE            0x812F
 #define GL_COLOR_ATTACHMENT0        0x8CE0
 #define GL_COLOR_BUFFER_BIT         0x00004000
@@ -145,6 +146,7 @@ typedef void (*PFNGLSHADERSOURCEPROC)(GLuint shader, GLsizei count, const GLchar
 typedef void (*PFNGLTEXIMAGE2DPROC)(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void *pixels);
 typedef void (*PFNGLTEXIMAGE3DPROC)(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void *pixels);
 typedef void (*PFNGLTEXPARAMETERIPROC)(GLenum target, GLenum pname, GLint param);
+typedef void (*PFNGLTEXSUBIMAGE2DPROC)(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void *pixels);
 typedef void (*PFNGLUNIFORM1FPROC)(GLint location, GLfloat v0);
 typedef void (*PFNGLUNIFORM1IPROC)(GLint location, GLint v0);
 typedef void (*PFNGLUNIFORM2FPROC)(GLint location, GLfloat v0, GLfloat v1);

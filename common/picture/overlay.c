@@ -9,64 +9,36 @@
 #include "report.h"
 #include "shader/compile.h"
 
-// What the program draws: pixels from the picture's top left, y down, and where a letter's image
-// begins in the table of letters; -1 for a box; -2 for a line between two places, and its width.
-struct instance {
-    float left, top, right, bottom;
-    struct overlay_colour colour;
-    float letter[2];
+// A tile's corner in the target, in pixels; the texture has its pixels in the same place.
+struct corner {
+    float x, y;
 };
 
-// Each instance's corners are those of the pixels that it touches, and each of these is covered by
-// the share of its area. A letter's rectangle is whole pixels, and its image says what share of
-// them.
-static const char vertex_text[] =
-    GL_GLSL "layout(location = 0) in vec4 box;\n"
-            "layout(location = 1) in vec4 boxColour;\n"
-            "layout(location = 2) in vec2 boxLetter;\n"
-            "uniform vec2 screen;\n"
-            "flat out vec4 edges;\n"
-            "flat out vec4 colour;\n"
-            "flat out vec2 letter;\n"
-            "void main()\n"
-            "{\n"
-            "    edges = vec4(box.x, screen.y - box.w, box.z, screen.y - box.y);\n"
-            "    colour = boxColour;\n"
-            "    letter = boxLetter;\n"
-            "    vec2 corner = vec2(float(gl_VertexID & 1), float(gl_VertexID >> 1));\n"
-            "    vec2 low = edges.xy, high = edges.zw;\n"
-            "    if (letter.x < -1.5) {\n"
-            "        edges = vec4(box.x, screen.y - box.y, box.z, screen.y - box.w);\n"
-            "        low = min(edges.xy, edges.zw) - 0.5 * letter.y - 1.0;\n"
-            "        high = max(edges.xy, edges.zw) + 0.5 * letter.y + 1.0;\n"
-            "    }\n"
-            "    vec2 place = mix(floor(low), ceil(high), corner);\n"
-            "    gl_Position = vec4(2.0 * place / screen - 1.0, 0.0, 1.0);\n"
-            "}\n";
+static const char vertex_text[] = GL_GLSL "layout(location = 0) in vec2 corner;\n"
+                                          "uniform vec2 size;\n"
+                                          "out vec2 place;\n"
+                                          "void main()\n"
+                                          "{\n"
+                                          "    place = corner / size;\n"
+                                          "    gl_Position = vec4(2.0 * place - 1.0, 0.0, 1.0);\n"
+                                          "}\n";
 
-static const char fragment_text[] = GL_GLSL
-    "uniform float bottom;\n"
-    "uniform sampler2D letters;\n"
-    "flat in vec4 edges;\n"
-    "flat in vec4 colour;\n"
-    "flat in vec2 letter;\n"
-    "out vec4 fragment;\n"
-    "void main()\n"
-    "{\n"
-    "    vec2 pixel = gl_FragCoord.xy + vec2(0.0, bottom);\n"
-    "    vec2 covered = clamp(min(edges.zw, pixel + 0.5) - max(edges.xy, pixel - 0.5), 0.0, 1.0);\n"
-    "    float share = covered.x * covered.y;\n"
-    "    if (letter.x < -1.5) {\n"
-    "        vec2 way = edges.zw - edges.xy, from = pixel - edges.xy;\n"
-    "        float along = clamp(dot(from, way) / max(dot(way, way), 1e-9), 0.0, 1.0);\n"
-    "        share = clamp(0.5 * letter.y + 0.5 - length(from - along * way), 0.0, 1.0);\n"
-    "    }\n"
-    "    if (letter.x >= 0.0) {\n"
-    "        vec2 inside = vec2(pixel.x - edges.x, edges.w - pixel.y);\n"
-    "        share = texelFetch(letters, ivec2(letter + inside), 0).r;\n"
-    "    }\n"
-    "    fragment = vec4(colour.rgb, colour.a * share);\n"
-    "}\n";
+// Nothing but a read: llvmpipe then takes a way that is several times as fast.
+static const char fragment_text[] = GL_GLSL "uniform sampler2D tiles;\n"
+                                            "in vec2 place;\n"
+                                            "out vec4 fragment;\n"
+                                            "void main()\n"
+                                            "{\n"
+                                            "    fragment = texture(tiles, place);\n"
+                                            "}\n";
+
+// The order in which the framebuffer of most windows has its channels is the quickest to copy. With
+// GL_RGBA for both, unlike with GL_RGBA8, a driver may keep them in that order.
+#if GL_IS_ES
+#define ORDER GL_RGBA
+#else
+#define ORDER GL_BGRA
+#endif
 
 static GLuint link_program(const struct gl *gl)
 {
@@ -89,18 +61,11 @@ bool overlay_open(struct overlay *overlay, const struct gl *gl)
     gl->GenBuffers(1, &overlay->buffer);
     gl->BindVertexArray(overlay->vertex_array);
     gl->BindBuffer(GL_ARRAY_BUFFER, overlay->buffer);
-    const GLsizei stride = sizeof(struct instance);
-    const void *colour = (const void *)offsetof(struct instance, colour);
-    const void *letter = (const void *)offsetof(struct instance, letter);
-    gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride, NULL);
-    gl->VertexAttribPointer(1, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride, colour);
-    gl->VertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, stride, letter);
-    for (GLuint i = 0; i < 3; i++) {
-        gl->EnableVertexAttribArray(i);
-        gl->VertexAttribDivisor(i, 1);
-    }
+    gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(struct corner), NULL);
+    gl->EnableVertexAttribArray(0);
     gl->GenTextures(1, &overlay->texture);
     overlay->letters = memory_zeros(1, sizeof *overlay->letters);
+    overlay->tiles = memory_zeros(1, sizeof *overlay->tiles);
     return true;
 }
 
@@ -113,6 +78,8 @@ void overlay_close(struct overlay *overlay)
         overlay->gl->DeleteProgram(overlay->program);
         letters_close(overlay->letters);
         free(overlay->letters);
+        tiles_close(overlay->tiles);
+        free(overlay->tiles);
     }
     free(overlay->rectangle);
     *overlay = (struct overlay){0};
@@ -172,74 +139,113 @@ void overlay_text(struct overlay *overlay, float left, float top, const char *te
 }
 
 // A letter begins at the nearest quarter of a pixel and stands on a whole one.
-static struct instance instance_of(const struct overlay *overlay,
-                                   const struct overlay_rectangle *rectangle)
+//   up  pixels from the target's bottom row to the picture's top
+static struct tiles_shape shape_of(const struct overlay *overlay,
+                                   const struct overlay_rectangle *rectangle, float up)
 {
     float scale = overlay->scale;
-    struct instance instance = {.colour = rectangle->colour};
+    struct tiles_shape shape = {.letter = {-1, -1}};
+    memcpy(shape.colour, rectangle->colour.channel, sizeof shape.colour);
     if (rectangle->letter == 0) {
-        instance.left = scale * rectangle->left;
-        instance.top = scale * rectangle->top;
-        instance.right = scale * rectangle->right;
-        instance.bottom = scale * rectangle->bottom;
-        instance.letter[0] = rectangle->width > 0.0f ? -2.0f : -1.0f;
-        instance.letter[1] = scale * rectangle->width;
-        return instance;
+        bool line = rectangle->width > 0.0f;
+        shape.left = scale * rectangle->left;
+        shape.right = scale * rectangle->right;
+        shape.low = up - scale * (line ? rectangle->top : rectangle->bottom);
+        shape.high = up - scale * (line ? rectangle->bottom : rectangle->top);
+        shape.width = scale * rectangle->width;
+        return shape;
     }
     int begin = (int)floorf(LETTERS_PHASES * scale * rectangle->left + 0.5f);
     int pixel = (int)floorf((float)begin / LETTERS_PHASES), phase = begin - LETTERS_PHASES * pixel;
     const struct letter *letter = letters_find(overlay->letters, rectangle->letter, phase);
     float line = floorf(scale * (rectangle->top + LETTERS_BASELINE) + 0.5f);
-    instance.left = (float)(pixel + letter->left);
-    instance.top = line + (float)letter->top;
-    instance.right = instance.left + (float)letter->width;
-    instance.bottom = instance.top + (float)letter->height;
-    instance.letter[0] = (float)letter->x;
-    instance.letter[1] = (float)letter->y;
-    return instance;
+    shape.left = (float)(pixel + letter->left);
+    shape.right = shape.left + (float)letter->width;
+    shape.high = up - line - (float)letter->top;
+    shape.low = shape.high - (float)letter->height;
+    shape.letter[0] = letter->x;
+    shape.letter[1] = letter->y;
+    return shape;
 }
 
-// Hand the letters' images to OpenGL where there are new ones.
-static void upload_letters(const struct overlay *overlay)
+// Bring the texture to this frame.
+static void paint_tiles(const struct overlay *overlay, int bottom, int rows)
 {
     const struct gl *gl = overlay->gl;
-    struct letters *letters = overlay->letters;
-    gl->BindTexture(GL_TEXTURE_2D, overlay->texture);
-    if (!letters->grown)
-        return;
+    struct tiles *tiles = overlay->tiles;
+    unsigned char pixel[TILES_SIDE * TILES_SIDE * 4];
+    if (tiles->width != overlay->width || tiles->height != rows) {
+        int width = (overlay->width + TILES_SIDE - 1) / TILES_SIDE * TILES_SIDE;
+        int height = (rows + TILES_SIDE - 1) / TILES_SIDE * TILES_SIDE;
+        gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, ORDER, GL_UNSIGNED_BYTE, NULL);
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    }
+    tiles_begin(tiles, overlay->width, rows);
+    // The images of letters at another scale may have the places of others.
+    if (overlay->letters->scale != overlay->scale)
+        tiles_forget(tiles);
+    letters_begin(overlay->letters, overlay->scale);
+    for (int i = 0; i < overlay->count; i++) {
+        const struct tiles_shape shape =
+            shape_of(overlay, &overlay->rectangle[i], (float)(overlay->height - bottom));
+        tiles_add(tiles, &shape);
+    }
     gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, LETTERS_ROW, letters->rows, 0, GL_RED, GL_UNSIGNED_BYTE,
-                   letters->pixel);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    letters->grown = false;
+    for (int at = 0; tiles_paint(tiles, &at, overlay->letters->pixel, pixel); at++) {
+        for (int i = 0; i < TILES_SIDE * TILES_SIDE && ORDER != GL_RGBA; i++) {
+            unsigned char red = pixel[4 * i];
+            pixel[4 * i] = pixel[4 * i + 2];
+            pixel[4 * i + 2] = red;
+        }
+        gl->TexSubImage2D(GL_TEXTURE_2D, 0, at % tiles->columns * TILES_SIDE,
+                          at / tiles->columns * TILES_SIDE, TILES_SIDE, TILES_SIDE, ORDER,
+                          GL_UNSIGNED_BYTE, pixel);
+    }
 }
 
-void overlay_draw(const struct overlay *overlay, int bottom)
+// Two triangles for each run of tiles. Returns how many corners.
+static GLsizei hand_over_corners(const struct overlay *overlay)
+{
+    static const float across[] = {0, 1, 0, 0, 1, 1}, up[] = {0, 0, 1, 1, 0, 1};
+    const struct tiles *tiles = overlay->tiles;
+    struct corner *corner = NULL;
+    int count = 0, run;
+    for (int at = 0; (run = tiles_run(tiles, &at)) > 0; at += run)
+        for (int i = 0; i < 6; i++) {
+            corner = memory_row(corner, count, sizeof *corner);
+            corner[count++] = (struct corner){
+                TILES_SIDE * ((float)(at % tiles->columns) + across[i] * (float)run),
+                TILES_SIDE * ((float)(at / tiles->columns) + up[i])};
+        }
+    overlay->gl->BufferData(GL_ARRAY_BUFFER, count * (GLsizeiptr)sizeof *corner, corner,
+                            GL_STREAM_DRAW);
+    free(corner);
+    return count;
+}
+
+void overlay_draw(const struct overlay *overlay, int bottom, int rows)
 {
     const struct gl *gl = overlay->gl;
     GLuint program = overlay->program;
     if (overlay->count == 0)
         return;
-    struct instance *instances = memory_zeros((size_t)overlay->count, sizeof *instances);
-    letters_begin(overlay->letters, overlay->scale);
-    for (int i = 0; i < overlay->count; i++)
-        instances[i] = instance_of(overlay, &overlay->rectangle[i]);
+    gl->BindTexture(GL_TEXTURE_2D, overlay->texture);
+    paint_tiles(overlay, bottom, rows);
+    const struct tiles *tiles = overlay->tiles;
+    int width = tiles->columns * TILES_SIDE, height = tiles->rows * TILES_SIDE;
     gl->UseProgram(program);
-    gl->Uniform2f(gl->GetUniformLocation(program, "screen"), (float)overlay->width,
-                  (float)overlay->height);
-    gl->Uniform1f(gl->GetUniformLocation(program, "bottom"), (float)bottom);
-    gl->Uniform1i(gl->GetUniformLocation(program, "letters"), 0);
+    gl->Uniform2f(gl->GetUniformLocation(program, "size"), (float)width, (float)height);
+    gl->Uniform1i(gl->GetUniformLocation(program, "tiles"), 0);
     gl->BindVertexArray(overlay->vertex_array);
     gl->BindBuffer(GL_ARRAY_BUFFER, overlay->buffer);
-    gl->BufferData(GL_ARRAY_BUFFER, overlay->count * (GLsizeiptr)sizeof *instances, instances,
-                   GL_STREAM_DRAW);
-    free(instances);
-    upload_letters(overlay);
-    gl->Viewport(0, -bottom, overlay->width, overlay->height);
+    GLsizei corners = hand_over_corners(overlay);
+    gl->Viewport(0, 0, width, height);
     gl->Enable(GL_BLEND);
-    gl->BlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
-    gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, overlay->count);
+    gl->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl->DrawArrays(GL_TRIANGLES, 0, corners);
     gl->Disable(GL_BLEND);
     gl->BindTexture(GL_TEXTURE_2D, 0);
 }

@@ -11,6 +11,7 @@
 
 #include "context/gl.h"
 #include "picture/letters.h"
+#include "picture/tiles.h"
 
 #define OVERLAY_LINE          12.0f // units from one line of text to the next
 #define OVERLAY_TEXT          200   // bytes of one line of text; more are left out
@@ -37,10 +38,11 @@ struct overlay {
     int width, height;                   // of the picture, pixels
     struct overlay_rectangle *rectangle; // owned: this frame's boxes and letters
     int count;
-    struct letters *letters; // owned: the images that texture holds
+    struct letters *letters; // owned: their images at this scale
+    struct tiles *tiles;     // owned: what texture shows of the last frame that was drawn
 };
 
-// Compile the small program that draws boxes.
+// Compile the small program that shows what the processor has painted.
 //   gl  must outlive the overlay
 // Returns false, reported. Close with overlay_close in the same context.
 bool overlay_open(struct overlay *overlay, const struct gl *gl);
@@ -72,7 +74,8 @@ void overlay_line(struct overlay *overlay, const float from[2], const float to[2
 float overlay_width(const char *text);
 
 // Blend the frame over what is in the framebuffer that is bound for drawing, which holds the rows
-// of the picture from bottom on, row 0 being the lowest. Leaves blending off.
-void overlay_draw(const struct overlay *overlay, int bottom);
+// [bottom, bottom + rows) of the picture, row 0 being the lowest. What it shares with the frame
+// that was drawn before is not painted again. Leaves blending off.
+void overlay_draw(const struct overlay *overlay, int bottom, int rows);
 
 #endif

@@ -266,7 +266,7 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
         int rows = inputs->height - bottom < band ? inputs->height - bottom : band;
         done = renderer_draw(renderer, inputs, bottom, rows);
         if (done && renderer->overlay != NULL)
-            overlay_draw(renderer->overlay, bottom);
+            overlay_draw(renderer->overlay, bottom, rows);
         done = done && store(renderer, &renderer->picture, image, bottom);
     }
     if (!done)
@@ -283,7 +283,7 @@ static bool copy_under_overlay(struct renderer *renderer)
         return false;
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, renderer->sharp.framebuffer);
     gl->BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    overlay_draw(renderer->overlay, 0);
+    overlay_draw(renderer->overlay, 0, height);
     return true;
 }
 

@@ -251,7 +251,7 @@ bool window_draw(struct window *window, double now)
     if (!present(window))
         return false;
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
-    overlay_draw(&window->panel.overlay, 0);
+    overlay_draw(&window->panel.overlay, 0, inputs->height);
     GLenum error = gl->GetError();
     if (error != GL_NO_ERROR)
         return report("window %dx%d: OpenGL error 0x%04x while drawing: try a smaller --size",
