@@ -17,9 +17,12 @@ run_part() {
 }
 
 passed=0 failed=0
-for part in ${1:-program pictures firefox swiftshader speed pages look live}; do
+for part in ${1:-teeth program pictures firefox swiftshader speed pages look live}; do
     begun=$SECONDS
-    run_part "$part" "${2-}"
+    pattern=${2-}
+    # Whether the tests would notice something is asked by who names that part, and by continuous integration.
+    [ "$part" != teeth ] || [ -n "${1-}${CI-}" ] || pattern='find'
+    run_part "$part" "$pattern"
     status=$?
     right=$(grep -c '^ok ' "$results/$part.tap")
     wrong=$(grep -c '^not ok ' "$results/$part.tap")

@@ -61,7 +61,7 @@ export async function serve(folder) {
 
 // ---- The browser ----
 
-export const PATIENCE = 180e3; // milliseconds until a state that does not come counts as missing
+export const PATIENCE = Number(process.env.WEB_PATIENCE || 180e3); // milliseconds until a state that does not come counts as missing
 
 //   angle  what draws: 'gl-egl' is Mesa, 'swiftshader' Chromium's own
 export function launch(angle = 'gl-egl') {
@@ -70,7 +70,7 @@ export function launch(angle = 'gl-egl') {
         headless: true,
         timeout: PATIENCE,
         env: {...process.env, LIBGL_ALWAYS_SOFTWARE: '1', GALLIUM_DRIVER: 'llvmpipe'},
-        args: ['--no-sandbox', '--ignore-gpu-blocklist', '--enable-unsafe-swiftshader', '--use-gl=angle', `--use-angle=${angle}`, '--force-color-profile=srgb'],
+        args: [...(angle === 'none' ? ['--disable-gpu'] : ['--use-gl=angle', `--use-angle=${angle}`]), '--no-sandbox', '--ignore-gpu-blocklist', '--enable-unsafe-swiftshader', '--force-color-profile=srgb'],
     });
 }
 

@@ -3,7 +3,7 @@ import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import {check, finish, frames, launch, openPage, rest, serve, start, state, until} from './web_browser.mjs';
 
-const server = await serve('build/web'), browser = await launch();
+const server = await serve(process.env.WEB_FOLDER || 'build/web'), browser = await launch();
 const {page, said} = await openPage(browser, server.at);
 const canvas = page.locator('#canvas');
 const parameter = (now, name) => now.parameters.find((p) => p.name === name).value;
