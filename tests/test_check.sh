@@ -25,6 +25,7 @@ if [ "${1-}" = --unsolved ]; then
     else
         echo "not ok $3: the unsolved chapter is refused: $(cat "$scratch/answer.$3")"
     fi >"$scratch/$3.result"
+    echo "# drawn for $3"
     exit 0
 fi
 
@@ -137,7 +138,6 @@ check "several names with spaces between them; earlier pictures are gone" listed
 nobody() { table 03_2 "$handed_in/eve/*.frag"; [ $? = 2 ] && says 'no file has such a name'; }
 check "a pattern that fits no file is a wrong question" nobody
 endless() {
-    command -v timeout >/dev/null || return 0
     CHECK_LIMIT=1 table 00_1 "$handed_in/endless.frag"
     [ $? = 1 ] && says '^wrong .*does not end: no picture after 1 s'
 }
