@@ -81,6 +81,24 @@ else
     skip "a checkout with Windows' line ends" 'no git on this machine'
 fi
 
+# ---- A Mac's compiler ----
+
+# What stands behind __APPLE__, with the names of its C library: nothing else compiles it here.
+mkdir -p "$scratch/apple/mach-o"
+printf '#include <stdint.h>\nint _NSGetExecutablePath(char *path, uint32_t *size);\n' >"$scratch/apple/mach-o/dyld.h"
+apple() { # FILE...
+    local file
+    for file in "$@"; do
+        clang -std=c11 -D_XOPEN_SOURCE=700 -D_DARWIN_C_SOURCE -D__APPLE__ -Dst_mtimespec=st_mtim -isystem "$scratch/apple" -Icommon \
+            -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only "$file" || return
+    done
+}
+if command -v clang >/dev/null; then
+    check "what a Mac's C library is asked for" apple common/platform_posix*.c
+elif [ -n "${CI-}" ]; then
+    not_ok "a Mac's compiler" 'no clang on this machine'
+fi
+
 # ---- Tools ----
 
 if ! command -v original-awk >/dev/null || ! command -v busybox >/dev/null; then
