@@ -142,7 +142,14 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     // A slice's ray runs in the middle of its part of the picture, and nothing covers it.
     float middle = (view == SHADER_PLOT ? 0.5f + 0.5f * PLOT_SHARE : 0.5f) * (float)height;
     float over = form_shows_ray(view) ? inspector_over(overlay, middle) : bottom;
-    panel_rows_build(rows, panel, room, over < bottom ? over : bottom);
+    float lowest = over < bottom ? over : bottom;
+    panel_rows_build(rows, panel, room, lowest);
+    // Where the keys leave no room for as much as it needs, its title stands for it.
+    if (panel->key_count > 0 && rows->top + rows->height > lowest) {
+        struct panel title = *panel;
+        title.rolled = true;
+        panel_rows_build(rows, &title, room, lowest);
+    }
     // Where there is no room for both, the ray that was asked for is what is shown.
     if (panel->folded || (rows->width - 2.0f * PEN_PADDING > room && (marched || refused)))
         rows->count = 0;

@@ -34,11 +34,11 @@ static struct panel_row *add(struct panel_rows *rows, enum panel_row_kind kind, 
     return row;
 }
 
-static void status_text(const struct panel *panel, char *text, size_t size)
+static void status_text(const struct panel *panel, bool rated, char *text, size_t size)
 {
     snprintf(text, size, "view: %s", shader_view_name(panel->renderer->view));
     size_t used = strlen(text);
-    if (panel->rate > 0.0)
+    if (rated && panel->rate > 0.0)
         snprintf(text + used, size - used, "    %.0f fps, %.1f ms", panel->rate,
                  panel->milliseconds);
     used = strlen(text);
@@ -214,6 +214,11 @@ static float measure_table(const struct panel *panel, int columns, float width[P
     return columns < PANEL_COLUMNS ? larger(sum, widest) : sum;
 }
 
+static float in_steps(float width)
+{
+    return 20.0f * ceilf(width / 20.0f);
+}
+
 // The width of the texts, in steps, so that a panel does not tremble with its numbers.
 static float measure_texts(const struct panel_rows *rows)
 {
@@ -224,7 +229,7 @@ static float measure_texts(const struct panel_rows *rows)
         if (row->kind == PANEL_ROW_TITLE || row->kind == PANEL_ROW_TEXT)
             texts = larger(texts, overlay_width(row->cell[0]) + mark);
     }
-    return 20.0f * ceilf(texts / 20.0f);
+    return in_steps(texts);
 }
 
 void panel_rows_move(struct panel_rows *rows, float left, float top)
@@ -263,7 +268,9 @@ void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float 
     if (panel->rows != NULL)
         snprintf(title->cell[1], PANEL_CELL, "%s", panel->rolled ? "▸" : "▾");
     if (!panel->rolled) {
-        status_text(panel, text, sizeof text);
+        status_text(panel, true, text, sizeof text);
+        if (in_steps(overlay_width(text)) > limit)
+            status_text(panel, false, text, sizeof text);
         last_text(panel, last, sizeof last);
         table = measure_table(panel, PANEL_COLUMNS, rows->column);
         rows->ranges = panel->chosen == NULL || (panel->ranges && table <= limit);
