@@ -33,7 +33,10 @@ is_like() { # PATTERN
 # What the window shows below the line of its figures is that of a kept picture, or is not.
 below() { off "$1" "960x$((540 - 44 * scale))+0+$((44 * scale))"; }
 other() { [ "$(below "$1")" -gt 500 ]; }
-again() { [ "$(below "$1")" = 0 ]; }
+# The same right of the panel, 196 units wide with its margin, whose last line tells the resolution.
+beside() { off "$1" "$((960 - 197 * scale))x$((540 - 44 * scale))+$((197 * scale))+$((44 * scale))"; }
+picks() { [ "$(beside "$1")" -gt 500 ]; }
+again() { [ "$(beside "$1")" = 0 ]; }
 
 # types X Y TEXT: into the field that a double click opens; it is there once it is seen.
 types() { at "$1" "$2" && look before && double "$1" "$2" && eventually other before && xdotool type --delay 40 "$3" && key Return; }
@@ -42,11 +45,11 @@ types() { at "$1" "$2" && look before && double "$1" "$2" && eventually other be
 
 for scale in 1 2; do
     start $chapter --size 960x540 --shader "$mine" --overlay=$scale
-    opens_it() { look plain && click 97 50 && at 400 250 && eventually other plain && shows 'tint = 0.5,0.5,0.5'; }
+    opens_it() { look plain && click 97 50 && at 400 250 && eventually picks plain && shows 'tint = 0.5,0.5,0.5'; }
     check "scale $scale: a click on a colour's own colour opens its picker" opens_it
     # Where it is, in units: what has changed right of the panel.
     find_it() {
-        look with && convert "$scratch/plain.png" "$scratch/with.png" -compose difference -composite -crop +0+$((44 * scale)) \
+        look with && convert "$scratch/plain.png" "$scratch/with.png" -compose difference -composite -crop +$((197 * scale))+$((44 * scale)) \
             -threshold 1% -trim -format '%[fx:w] %[fx:h] %[fx:page.x] %[fx:page.y]' info:
     }
     read -r width height left top < <(find_it)
@@ -63,12 +66,12 @@ for scale in 1 2; do
     pixel() { look screen && convert "$scratch/screen.png" -format "%[fx:p{$(((left + $1) * scale)),$(((top + $2) * scale))}.b>0.9&&p{$(((left + $1) * scale)),$(((top + $2) * scale))}.g<0.3]" info:; }
     same_hue() { [ "$(pixel 74 12)$(pixel 200 100)" = 11 ]; }
     check "scale $scale: its square and the picture show that hue" eventually same_hue
-    closes() { look open && key Escape && eventually other open && [[ $(title) != *paused* ]]; }
+    closes() { look open && key Escape && eventually picks open && [[ $(title) != *paused* ]]; }
     check "scale $scale: Escape closes it and pauses nothing" closes
     typed() { types 130 50 0.25,0.5,0.75 && shows 'tint = 0.25,0.5,0.75'; }
     check "scale $scale: its numbers are typed as before" typed
     # A screenshot is written once the pointer that went away is seen to be away.
-    outside() { at 400 250 && shoot && look off && click 97 50 && at 400 250 && eventually other off && xdotool click 1 && eventually again off && ! says out 'ray of pixel'; }
+    outside() { at 400 250 && shoot && look off && click 97 50 && at 400 250 && eventually picks off && xdotool click 1 && eventually again off && ! says out 'ray of pixel'; }
     check "scale $scale: a click elsewhere closes it, and chooses no ray" outside
     check "scale $scale: Backspace closes the window" backspace
 done
