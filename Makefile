@@ -78,7 +78,7 @@ CFLAGS = -Oz -flto -DNDEBUG
 endif
 # Windows: a stack as elsewhere, no file of the compiler's beside the program, and the same bytes at any time.
 LINK := $(shell $(PKG_CONFIG) --libs $(LIBRARIES) 2>/dev/null) $(if $(EXE),-municode -static-libgcc -lshell32 -lwinmm \
-        -Wl$(comma)--stack$(comma)8388608 -Wl$(comma)--no-insert-timestamp,-ldl -lm -pthread)
+        -Wl$(comma)--stack$(comma)8388608 -Wl$(comma)--no-insert-timestamp $(if $(WINDOWS),-s),-ldl -lm -pthread)
 CMOCKA := $(shell $(PKG_CONFIG) --libs cmocka 2>/dev/null)
 
 # Short lines; V=1 shows the whole commands.
@@ -379,7 +379,10 @@ build/node/package-lock.json: docs/web/package.json docs/web/package-lock.json
 windows: ## cross-compile the programs for Windows into build/windows/, on Debian (a package set of its own)
 	@.make/setup.sh windows
 	@CC='$(WINDOWS_CC)' .make/windows_libraries.sh
-	+@$(AGAIN) WINDOWS=1 programs
+	+@$(AGAIN) WINDOWS=1 programs build/windows/tests/compare.exe
+
+windows-zip: windows ## pack them with all that they read, for another's Windows: build/ray-marching-windows.zip
+	@.make/windows_zip.sh
 
 figures: ## draw the diagrams of docs/figures/ again
 	@.make/setup.sh test
@@ -401,7 +404,7 @@ references: ready ## render the reference pictures again; those within tolerance
 always:
 .PHONY: all programs tests fuzzer ready run play check compare diff film gallery benchmark book setup clean help test \
         test-fresh test-gpu fuzz lint format chapter docs figures figure_programs textures texture_programs \
-        references web test-web test-windows site serve module windows always
+        references web test-web test-windows site serve module windows windows-zip always
 .DELETE_ON_ERROR:
 .SUFFIXES:
 .SECONDARY:

@@ -1,0 +1,58 @@
+#!/bin/sh
+# windows_zip.sh - `make windows-zip`: the programs for Windows with all that they read, to be unpacked and opened by a
+# double click: build/ray-marching-windows.zip. The same sources give the same bytes.
+set -eu
+export LC_ALL=C TZ=UTC
+
+zip=$PWD/build/ray-marching-windows.zip
+out=build/windows/zip/ray-marching
+rm -rf build/windows/zip "$zip"
+mkdir -p "$out/licences" "$out/shaders/textures" "$out/exercises"
+
+# ---- Programs, and what they read ----
+
+cp build/windows/[0-9][0-9]_*.exe build/windows/harness.dll build/windows/tests/compare.exe "$out"
+cp shaders/*.glsl shaders/screen.vert "$out/shaders"
+cp shaders/textures/*.png "$out/shaders/textures"
+find chapters -name '*.frag' ! -path chapters/play.frag -o -name '*.glsl' | while read -r file; do
+    mkdir -p "$out/$(dirname "$file")"
+    cp "$file" "$out/$file"
+done
+
+# For check.bat: a line with the program and the solution, then the options of each picture.
+.make/exercises.sh | awk -F '|' -v out="$out/exercises/" '
+    { file = out $1 ".txt" }
+    !(file in seen) { seen[file] = 1; printf "%s %s_%s\r\n", $2, $2, substr($1, 4) > file }
+    { sub(/^ */, "", $3); printf "%s\r\n", $3 > file }'
+
+# ---- What a person reads ----
+
+if [ -d build/site ]; then
+    cp -R build/site "$out/site"
+    pages='site\index.html'
+else
+    mkdir -p "$out/docs/figures"
+    cp docs/*.md "$out/docs"
+    cp docs/figures/*.svg "$out/docs/figures"
+    pages='docs\README.md, without the pictures that the programs draw'
+fi
+
+# Notepad and cmd.exe expect carriage returns.
+returns() { awk '{ sub(/\r$/, ""); printf "%s\r\n", $0 }'; }
+returns <LICENSE >"$out/LICENSE.txt"
+for file in build/windows/prefix/licences/*.txt; do
+    name=$(basename "$file")
+    returns <"$file" >"$out/licences/$name"
+done
+returns <common/picture/font/README >"$out/licences/dejavu.txt"
+for file in .make/windows/*; do
+    sed "s|@PAGES@|$(printf '%s' "$pages" | sed 's/\\/\\\\/g')|" "$file" | returns >"$out/$(basename "$file")"
+done
+
+# ---- The same bytes each time ----
+
+date=$(git log -1 --format=%ct 2>/dev/null || echo 946684800)
+find "$out" -type d -exec chmod 755 {} + -o -exec chmod 644 {} +
+find "$out" -exec touch -d "@$date" {} +
+(cd build/windows/zip && find ray-marching -type f | sort | zip -q -9 -X -@ "$zip")
+printf 'build/ray-marching-windows.zip: %s bytes\n' "$(wc -c <"$zip" | tr -d ' ')"
