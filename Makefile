@@ -116,7 +116,7 @@ INSTRUMENT =
 EXTRA =
 else ifneq ($(WINDOWS),)
 BUILD = build/windows
-INSTRUMENT =
+INSTRUMENT = -ffile-prefix-map=$(CURDIR)/=
 EXTRA =
 else ifeq ($(SANITIZE),)
 BUILD = build

@@ -64,6 +64,9 @@ FILE *platform_open_text(char **text, size_t *size);
 // Returns false when memory was short before all was written.
 bool platform_close_text(FILE *stream);
 
+// What an errno means, for the reader of a message: as strerror, in the words of this system.
+const char *platform_why(int error);
+
 // ---- The program and its surroundings ----
 
 // The absolute path of this program's own file, without links. Returns false when nobody tells.

@@ -212,6 +212,11 @@ int platform_replace(const char *target, const char *data, size_t size)
     return error;
 }
 
+const char *platform_why(int error)
+{
+    return strerror(error);
+}
+
 // ---- The program and its surroundings ----
 
 bool platform_program(char path[PLATFORM_PATH])

@@ -84,12 +84,17 @@ static int last_errno(void)
                  {ERROR_HANDLE_DISK_FULL, ENOSPC},
                  {ERROR_FILENAME_EXCED_RANGE, ENAMETOOLONG},
                  {ERROR_NOT_ENOUGH_MEMORY, ENOMEM},
-                 {ERROR_CANT_RESOLVE_FILENAME, ELOOP}};
+                 {ERROR_CANT_RESOLVE_FILENAME, ENOENT}};
     DWORD said = GetLastError();
     for (size_t i = 0; i < sizeof known / sizeof *known; i++)
         if (known[i].said == said)
             return known[i].number;
     return EIO;
+}
+
+const char *platform_why(int error)
+{
+    return error == ETXTBSY ? "another program holds it open: close it there" : strerror(error);
 }
 
 // ---- Files that are read ----
@@ -226,7 +231,8 @@ static bool may_replace(const char *path, const struct platform_file *file, char
         return refuse(why, known && (attributes & FILE_ATTRIBUTE_DIRECTORY) != 0
                                ? "it is a folder: give the name of a file"
                                : "it is a device: give the name of a file");
-    return !known || (attributes & FILE_ATTRIBUTE_READONLY) == 0 || refuse(why, strerror(EACCES));
+    return !known || (attributes & FILE_ATTRIBUTE_READONLY) == 0 ||
+           refuse(why, platform_why(EACCES));
 }
 
 // True when a name that nothing has may be given to a file.
@@ -234,7 +240,7 @@ static bool may_create(const char *path, char why[PLATFORM_WHY])
 {
     wchar_t wide[PLATFORM_PATH];
     if (errno != ENOENT || path[0] == '\0')
-        return refuse(why, strerror(errno));
+        return refuse(why, platform_why(errno));
     if (path[strlen(path) - 1] == '/')
         return refuse(why, "a name that ends in / is a folder's: give the name of a file");
     // What stands behind a colon would be a part of another file.
@@ -253,7 +259,7 @@ static bool folder_writable(const char *target, char why[PLATFORM_WHY])
         return CloseHandle(handle);
     int length = (int)name_at(target);
     snprintf(why, PLATFORM_WHY, "folder %.*s: %s: choose another", length > 1 ? length - 1 : 1,
-             length > 0 ? target : ".", strerror(errno));
+             length > 0 ? target : ".", platform_why(errno));
     return false;
 }
 
@@ -261,7 +267,7 @@ bool platform_target(const char *path, char target[PLATFORM_PATH], char why[PLAT
 {
     struct platform_file file;
     if (snprintf(target, PLATFORM_PATH, "%s", path) >= PLATFORM_PATH)
-        return refuse(why, strerror(ENAMETOOLONG));
+        return refuse(why, platform_why(ENAMETOOLONG));
     if (!platform_look(path, &file))
         return may_create(path, why) && folder_writable(target, why);
     if (!may_replace(path, &file, why))
@@ -291,15 +297,17 @@ static bool rename_as_posix(const wchar_t *name, const wchar_t *target)
     return done;
 }
 
-// Returns 0 or an errno.
+// What denies is a program that holds the target open: whether it is protected was looked at
+// before. Returns 0 or an errno.
 static int put_in_place(const wchar_t *name, const wchar_t *target)
 {
     for (int i = 0; !MoveFileExW(name, target, MOVEFILE_REPLACE_EXISTING); i++) {
         int error = last_errno();
-        if ((error != EACCES && error != ETXTBSY) || rename_as_posix(name, target))
-            return error != EACCES && error != ETXTBSY ? error : 0;
-        if (i == TRIES)
-            return error;
+        bool held = error == EACCES || error == ETXTBSY;
+        if (held && rename_as_posix(name, target))
+            return 0;
+        if (!held || i == TRIES)
+            return held ? ETXTBSY : error;
         Sleep(TRY_AGAIN);
     }
     return 0;

@@ -8,6 +8,7 @@ set "file=%~f2"
 set "dropped="
 if not "%~2"=="" goto asked
 set "dropped=yes"
+if "%~1"=="" goto usage
 set "file=%~f1"
 if not exist "%file%" goto usage
 set /p "exercise=Which exercise? For example 03_2: "

@@ -41,5 +41,5 @@ bool image_write_png(const struct image *image, const char *path)
         encoded = false;
     int error = encoded ? platform_replace(target, data, size) : 0;
     free(data);
-    return (encoded && error == 0) || refuse(path, encoded ? strerror(error) : png.message);
+    return (encoded && error == 0) || refuse(path, encoded ? platform_why(error) : png.message);
 }

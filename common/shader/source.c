@@ -135,7 +135,7 @@ static char *resolve(const struct shader_source *source, int from, const char *n
         if (resolved == NULL && (errno == ENOENT || errno == ENOTDIR))
             continue;
         if (resolved == NULL)
-            snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", strerror(errno));
+            snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", platform_why(errno));
         else if (may_lead(source, name, resolved, why))
             return resolved;
         free(resolved);
@@ -183,7 +183,7 @@ int shader_take_texture(struct shader_source *source, const char *path, char why
     tell(source, resolved != NULL ? resolved : path);
     if (resolved != NULL)
         return add_file(source, memory_text("%s", path), resolved);
-    snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", strerror(errno));
+    snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", platform_why(errno));
     return -1;
 }
 
@@ -366,7 +366,7 @@ bool shader_expand(struct shader_source *source, const char *path, const char *r
         source->request = *request;
     char *resolved = source->root != NULL ? platform_resolve(path) : NULL;
     if (resolved == NULL) {
-        report("%s: cannot be read: %s", source->root != NULL ? path : root, strerror(errno));
+        report("%s: cannot be read: %s", source->root != NULL ? path : root, platform_why(errno));
         shader_free(source);
         return false;
     }

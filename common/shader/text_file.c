@@ -15,7 +15,7 @@ FILE *text_file_open(const char *path, char why[TEXT_FILE_WHY])
     if (file == NULL && errno == 0)
         snprintf(why, TEXT_FILE_WHY, "not a regular file");
     else if (file == NULL)
-        snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", strerror(errno));
+        snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", platform_why(errno));
     return file;
 }
 
@@ -47,7 +47,7 @@ char *text_file_read(const char *path, char why[TEXT_FILE_WHY])
     size_t size = fread(text, 1, TEXT_FILE_LIMIT + 1, file);
     bool failed = ferror(file) != 0, binary = strlen(text) != size;
     if (failed)
-        snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", strerror(errno));
+        snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", platform_why(errno));
     fclose(file);
     tidy(text);
     bool empty = text[strspn(text, " \t\n\v\f")] == '\0';
