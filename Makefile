@@ -77,7 +77,7 @@ HEADERS := -isystem build/web/objects/include
 CFLAGS = -Oz -flto -DNDEBUG
 endif
 # Windows: a stack as elsewhere, no file of the compiler's beside the program, and the same bytes at any time.
-LINK := $(shell $(PKG_CONFIG) --libs $(LIBRARIES) 2>/dev/null) $(if $(EXE),-municode -static-libgcc -lshell32 -lwinmm \
+LINK := $(shell $(PKG_CONFIG) --libs $(LIBRARIES) 2>/dev/null) $(if $(EXE),-municode -static-libgcc -lgdi32 -lshell32 -lwinmm \
         -Wl$(comma)--stack$(comma)8388608 -Wl$(comma)--no-insert-timestamp $(if $(WINDOWS),-s),-ldl -lm -pthread)
 CMOCKA := $(shell $(PKG_CONFIG) --libs cmocka 2>/dev/null)
 

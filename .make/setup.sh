@@ -45,13 +45,30 @@ if [ "$(uname)" = Darwin ]; then
     fi
 fi
 
+# Windows has MSYS2's pacman, whose packages are not Arch's; each of its shells is for programs of another kind.
+if [ "${OS-}" = Windows_NT ]; then
+    column=5
+    if [ "$manager" != pacman ] || [ "${MSYSTEM-}" != UCRT64 ]; then
+        printf "setup: on Windows the course is built in the shell 'MSYS2 UCRT64' (https://www.msys2.org), this is %s: %s\n" \
+            "${MSYSTEM:-another}" 'docs/platforms.md says how' >&2
+        exit 1
+    fi
+fi
+
 packages='' purposes='' extra=''
 
-# names_here APT|DNF|PACMAN|BREW: the packages of this machine's column; '-' means there is none.
+# names_here APT|DNF|PACMAN|BREW|MSYS2: the packages of this machine's column; '-', or no such column, means there
+# is none. MSYS2's are programs and libraries of Windows; '=' stands before those of its shell.
 names_here() {
     [ "$manager" = none ] && return
-    name=$(printf '%s' "$1" | cut -d '|' -f "$column")
-    [ "$name" = - ] || printf ' %s' "$name"
+    for name in $(printf '%s' "$1" | cut -d '|' -f "$column"); do
+        case $column$name in
+        ?-) ;;
+        5=*) printf ' %s' "${name#=}" ;;
+        5*) printf ' mingw-w64-ucrt-x86_64-%s' "$name" ;;
+        *) printf ' %s' "$name" ;;
+        esac
+    done
 }
 
 # need PURPOSE PACKAGES TEST...: when the test fails, the packages are missing.
@@ -66,18 +83,20 @@ need() {
     purposes="$purposes${purposes:+, }$purpose"
 }
 
+compiler=cc
+[ "$column" != 5 ] || compiler=gcc
 has_command() { command -v "$1"; }
 has_library() { pkg-config --exists "$1"; }
-has_header() { printf '#include <%s>\n' "$1" | cc -E - ; }
+has_header() { printf '#include <%s>\n' "$1" | "$compiler" -E - ; }
 has_font() { fc-list ":family=$1" | grep -q . ; }
 has_firefox() { command -v firefox-esr || command -v firefox; }
 has_french() { [ -e /usr/share/i18n/locales/fr_FR ] || locale -a | grep -qi '^fr_FR[.]utf'; }
 has_frames() { ls /usr/lib*/libdecor/plugins-1/* || ls /usr/lib/*/libdecor/plugins-1/*; }
 has_sanitizers() {
-    [ "$(uname)" = Darwin ] || [ -e "$(cc -print-file-name=libasan.so)" ]
+    [ "$(uname)" = Darwin ] || [ -e "$("$compiler" -print-file-name=libasan.so)" ]
 }
 has_driver() {
-    [ "$(uname)" = Darwin ] && return
+    [ "$(uname)" != Darwin ] && [ "$column" != 5 ] || return 0
     for file in /usr/lib/*/dri/swrast_dri.so /usr/lib*/dri/swrast_dri.so \
         /usr/lib/*/libgallium-*.so /usr/lib*/libgallium-*.so; do
         [ -e "$file" ] && return
@@ -86,16 +105,17 @@ has_driver() {
 }
 
 need_run() {
-    need 'a C compiler' 'gcc libc6-dev|gcc glibc-devel|gcc|gcc' has_header stdio.h
-    need 'pkg-config' 'pkg-config|pkgconf-pkg-config|pkgconf|pkg-config' has_command pkg-config
-    need 'GLFW (opens windows)' 'libglfw3-dev|glfw-devel|glfw|glfw' has_library glfw3
+    need 'a C compiler' 'gcc libc6-dev|gcc glibc-devel|gcc|gcc|gcc' has_header stdio.h
+    need 'pkg-config' 'pkg-config|pkgconf-pkg-config|pkgconf|pkg-config|pkgconf' has_command pkg-config
+    need 'GLFW (opens windows)' 'libglfw3-dev|glfw-devel|glfw|glfw|glfw' has_library glfw3
     need 'EGL (renders without one)' 'libegl-dev libegl1|libglvnd-devel mesa-libEGL|libglvnd mesa|-' \
         has_library egl
     need 'OpenGL headers' 'libgl-dev|libglvnd-devel|libglvnd|-' has_header GL/glcorearb.h
     need 'the Mesa software renderer' 'libgl1-mesa-dri|mesa-dri-drivers|mesa|-' has_driver
-    need 'libpng' 'libpng-dev|libpng-devel|libpng|libpng' has_library libpng
-    need 'cglm' 'libcglm-dev|cglm-devel|cglm|cglm' has_library cglm
-    need 'stb_truetype (the letters of the overlay)' 'libstb-dev|stb_truetype-devel|stb|-' \
+    need 'libpng' 'libpng-dev|libpng-devel|libpng|libpng|libpng' has_library libpng
+    need 'cglm' 'libcglm-dev|cglm-devel|cglm|cglm|cglm' has_library cglm
+    need 'cmp and diff' 'diffutils|diffutils|diffutils|-|=diffutils' has_command cmp
+    need 'stb_truetype (the letters of the overlay)' 'libstb-dev|stb_truetype-devel|stb|-|stb' \
         has_header stb/stb_truetype.h
     # Gone from Mesa 25.1 on: the programs do without it.
     has_library osmesa >/dev/null 2>&1 ||
@@ -299,22 +319,24 @@ if [ "$manager" = none ]; then
     exit 1
 fi
 
+# Homebrew and MSYS2 belong to the person who installed them: they ask for no rights.
+is_own() { [ "$manager" = brew ] || [ "$column" = 5 ]; }
 can_sudo() { [ -t 0 ] && [ -t 2 ] && command -v sudo >/dev/null; }
 
-if [ "$mode" = install ] && [ "$manager" != brew ] && [ "$(id -u)" = 0 ]; then
+if [ "$mode" = install ] && ! is_own && [ "$(id -u)" = 0 ]; then
     printf 'setup: installing %s (%s: %s)\n' "$purposes" "$manager" "$packages"
     carry_out ''
-elif [ "$mode" = install ] && [ "$manager" != brew ] && can_sudo; then
+elif [ "$mode" = install ] && ! is_own && can_sudo; then
     printf 'setup: %s will be installed (sudo %s: %s)\n' "$purposes" "$manager" "$packages"
     sudo -v || exit 1
     carry_out sudo
-elif [ "$mode" = install ] && [ "$manager" = brew ] && [ -t 0 ] && [ "$(id -u)" != 0 ]; then
-    printf 'setup: installing %s (brew: %s)\n' "$purposes" "$packages"
+elif [ "$mode" = install ] && is_own && [ -t 0 ] && [ "$(id -u)" != 0 ]; then
+    printf 'setup: installing %s (%s: %s)\n' "$purposes" "$manager" "$packages"
     carry_out ''
 else
     lacks=$purposes
     # Who must ask somebody asks once: the command also brings what `make test` needs.
-    [ "$(id -u)" = 0 ] || look "$@" test
+    [ "$(id -u)" = 0 ] || [ "$column" = 5 ] || look "$@" test
     printf 'setup: this machine lacks: %s. Install with, as one who may:\n  %s\n' "$lacks" \
         "$(one_command "$packages$(useful)")" >&2
     exit 1

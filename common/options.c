@@ -492,7 +492,7 @@ void options_free(struct options *options)
 static const char ending[] =
     "In the window:\n"
     "  W A S D            move, by the keys' places on an American keyboard\n"
-    "  Space, C           up, down (or Left Ctrl); Left Shift moves faster\n"
+    "  Space, C           up, down (or Left Ctrl); Left Shift or F: faster\n"
     "  drag               look, or the divider of --compare; M captures and frees the mouse\n"
     "  click              choose a pixel's ray and show its march; again hides it\n"
     "  E, Q               a step on along the ray, and back; held they run; also Page Down, Up\n"

@@ -255,6 +255,13 @@ static void a_held_key_moves(void **unused)
     press(GLFW_KEY_S, 0);
     hands.now = 7.03125;
     assert_true(travelled() < 1e-5);
+    release(GLFW_KEY_LEFT_SHIFT);
+    release(GLFW_KEY_S);
+    press(GLFW_KEY_F, 0);
+    assert_false(window_input_moves(&tested.input));
+    press(GLFW_KEY_W, 0);
+    hands.now = 7.0625;
+    assert_true(fabs(travelled() - 0.25) < 1e-5);
 }
 
 // Right, up and forward, as the eye sees them; up is the world's.

@@ -153,4 +153,21 @@ for tools in bsd busybox; do
         sed 's/^/# /' "$scratch/said"
 done
 check 'make check said something' grep -q 'your pixel' <(answer bsd checks)
+# ---- Windows ----
+
+# A shell of Windows as setup.sh sees it: MSYS2's, with pacman and nothing of what the course needs.
+mkdir "$scratch/windows"
+for tool in sh cut printf uname tr sort; do ln -s "$(command -v $tool)" "$scratch/windows/$tool"; done
+printf '#!/bin/sh\nexit 1\n' >"$scratch/windows/pacman" && chmod +x "$scratch/windows/pacman"
+# shellcheck disable=SC2317 # called by name
+lacks() { # MSYSTEM
+    ! env -i OS=Windows_NT MSYSTEM="$1" PATH="$scratch/windows" sh .make/setup.sh run >"$scratch/lacks" 2>&1
+}
+names() { lacks UCRT64 && grep -qx "  pacman -Sy --needed diffutils$(printf ' mingw-w64-ucrt-x86_64-%s' cglm gcc glfw libpng pkgconf stb)" "$scratch/lacks"; }
+check "MSYS2's pacman is asked for its own packages, and for no EGL" names
+other() { lacks MINGW64 && grep -q "shell 'MSYS2 UCRT64'.*MINGW64" "$scratch/lacks"; }
+check 'another shell of MSYS2 names the right one' other
+builds() { make -n OS=Windows_NT programs >"$scratch/builds" && grep -q 'build/00_first_scene\.exe .*/platform_windows_main\.o .*-municode' "$scratch/builds"; }
+check 'on Windows make builds programs for it' builds
+check 'with nothing of another system' [ "$(grep -cE 'platform_posix|context/(egl|osmesa)\.o' "$scratch/builds")" = 0 ]
 plan

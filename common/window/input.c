@@ -7,7 +7,7 @@
 #include "shader/form.h"
 
 #define LONGEST_STEP 0.1 // seconds: a machine that stalls must not throw the camera away
-#define FASTER       4.0 // times the speed while Left Shift is held
+#define FASTER       4.0 // times the speed while Left Shift or F is held
 #define TEN_STEPS    10  // key presses that one press with Shift counts for
 #define DRAG_BEGINS  3.0 // pixels: a hand that clicks trembles less
 #define DOUBLE       0.4 // seconds between two presses that are one double click, at most
@@ -17,10 +17,11 @@ static const struct {
     int key;
     enum window_key as;
 } held_keys[] = {
-    {GLFW_KEY_A, WINDOW_KEY_LEFT},    {GLFW_KEY_D, WINDOW_KEY_RIGHT},
-    {GLFW_KEY_SPACE, WINDOW_KEY_UP},  {GLFW_KEY_C, WINDOW_KEY_DOWN},
-    {GLFW_KEY_W, WINDOW_KEY_FORWARD}, {GLFW_KEY_LEFT_CONTROL, WINDOW_KEY_DOWN_TOO},
-    {GLFW_KEY_S, WINDOW_KEY_BACK},    {GLFW_KEY_LEFT_SHIFT, WINDOW_KEY_FASTER},
+    {GLFW_KEY_A, WINDOW_KEY_LEFT},       {GLFW_KEY_D, WINDOW_KEY_RIGHT},
+    {GLFW_KEY_SPACE, WINDOW_KEY_UP},     {GLFW_KEY_C, WINDOW_KEY_DOWN},
+    {GLFW_KEY_W, WINDOW_KEY_FORWARD},    {GLFW_KEY_LEFT_CONTROL, WINDOW_KEY_DOWN_TOO},
+    {GLFW_KEY_S, WINDOW_KEY_BACK},       {GLFW_KEY_LEFT_SHIFT, WINDOW_KEY_FASTER},
+    {GLFW_KEY_F, WINDOW_KEY_FASTER_TOO},
 };
 
 static const struct {
@@ -84,7 +85,7 @@ void window_input_count(struct window_input *input)
     double now = glfwGetTime();
     double seconds = fmin(now - input->counted, LONGEST_STEP);
     input->counted = now;
-    if (held[WINDOW_KEY_FASTER])
+    if (held[WINDOW_KEY_FASTER] || held[WINDOW_KEY_FASTER_TOO])
         seconds *= FASTER;
     int right = held[WINDOW_KEY_RIGHT] - held[WINDOW_KEY_LEFT];
     int up = held[WINDOW_KEY_UP] - (held[WINDOW_KEY_DOWN] || held[WINDOW_KEY_DOWN_TOO]);
@@ -98,7 +99,7 @@ void window_input_count(struct window_input *input)
 bool window_input_moves(const struct window_input *input)
 {
     for (int i = 0; i < WINDOW_KEY_COUNT; i++)
-        if (input->held[i] && i != WINDOW_KEY_FASTER)
+        if (input->held[i] && i != WINDOW_KEY_FASTER && i != WINDOW_KEY_FASTER_TOO)
             return true;
     return false;
 }

@@ -62,6 +62,7 @@ enum window_key {
     WINDOW_KEY_FORWARD,
     WINDOW_KEY_BACK,
     WINDOW_KEY_FASTER,
+    WINDOW_KEY_FASTER_TOO, // five presses of Shift are a wish of their own on Windows
     WINDOW_KEY_COUNT
 };
 
