@@ -137,7 +137,7 @@ PLATFORM := $(patsubst common/%.c,%,$(filter common/platform_$(if $(EXE),windows
 ABSENT += $(filter-out $(PLATFORM:%=common/%.c),$(filter common/platform_%,$(SOURCES)))
 # In a browser common/browser/ takes the place of some of them.
 BROWSER := $(filter common/browser/%,$(SOURCES))
-ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write window/none),$(BROWSER))
+ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write platform_posix_process window/none),$(BROWSER))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(filter-out tests/support_system_$(if $(EXE),posix,windows).c,$(wildcard tests/support_*.c))

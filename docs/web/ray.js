@@ -35,6 +35,8 @@ export class Ray {
 
     show({pixel, probe, why, shown, view}) {
         const chosen = pixel[0] >= 0;
+        this.shown = shown;
+        if (chosen && !probe && !why) return; // it is marched again in the next turn: what is there stays
         this.none.hidden = chosen;
         this.outcome.hidden = this.tools.hidden = !chosen;
         this.scroll.hidden = !probe?.recorded;
@@ -45,7 +47,6 @@ export class Ray {
             : `${probe.outcome}; steps: ${probe.steps}; of further rays: ${probe.all_steps - probe.steps}; evaluations of the scene: ${probe.evaluations}; colour: ${probe.colour.join(', ')}`;
         if (!probe) return;
         this.steps = probe.march.length;
-        this.shown = shown;
         const text = JSON.stringify(probe.march);
         if (text !== this.text) {
             this.text = text;
