@@ -17,7 +17,7 @@ run_part() {
 }
 
 passed=0 failed=0
-for part in ${1:-teeth program pictures firefox swiftshader speed pages look live}; do
+for part in ${1:-teeth program pictures firefox swiftshader speed pages look live chapter}; do
     begun=$SECONDS
     pattern=${2-}
     # Whether the tests would notice something is asked by who names that part, and by continuous integration.
