@@ -49,7 +49,8 @@ static GLFWwindow *open_window(bool visible, const char *title, int width, int h
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS has no other core profile
     glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
-    // Nothing here has a depth, and llvmpipe copies into a window without one several times as fast.
+    // Nothing here has a depth, and llvmpipe copies into a window without one several times as
+    // fast.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     // Where a screen coordinate is a pixel, a dense display gets a window of more of them.

@@ -108,7 +108,10 @@ void picker_drag(struct picker *picker, enum picker_part part, float x, float y)
 void picker_take(struct picker *picker, const struct parameter *colour)
 {
     double number[3];
-    if (memcmp(picker->value, colour->value, sizeof picker->value) == 0)
+    bool is_new = false;
+    for (int k = 0; k < 3; k++)
+        is_new |= picker->value[k] != colour->value[k];
+    if (!is_new)
         return;
     for (int k = 0; k < 3; k++)
         number[k] = colour_encode(parameter_place(colour, k));

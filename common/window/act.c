@@ -213,6 +213,26 @@ static void go_first(struct window *window)
     reset(window);
 }
 
+static void press_panel(struct window *window, enum window_action action)
+{
+    switch (action) {
+    case WINDOW_FOLD:
+        window->panel.folded = !window->panel.folded;
+        break;
+    case WINDOW_HELP:
+        window->panel.helps = !window->panel.helps;
+        break;
+    case WINDOW_SIDE:
+        window->panel.right = !window->panel.right;
+        break;
+    case WINDOW_ROLL:
+        window->panel.rolled = !window->panel.rolled;
+        break;
+    default:
+        break;
+    }
+}
+
 static void press(struct window *window, struct window_event event)
 {
     window->stale |= event.action >= WINDOW_PAUSE;
@@ -257,18 +277,6 @@ static void press(struct window *window, struct window_event event)
     case WINDOW_RESET:
         reset(window);
         break;
-    case WINDOW_FOLD:
-        window->panel.folded = !window->panel.folded;
-        break;
-    case WINDOW_HELP:
-        window->panel.helps = !window->panel.helps;
-        break;
-    case WINDOW_SIDE:
-        window->panel.right = !window->panel.right;
-        break;
-    case WINDOW_ROLL:
-        window->panel.rolled = !window->panel.rolled;
-        break;
     case WINDOW_TYPED:
         window_field_type(window, event.amount);
         break;
@@ -276,6 +284,7 @@ static void press(struct window *window, struct window_event event)
         show_view(window, (enum shader_view)event.amount);
         break;
     default:
+        press_panel(window, event.action);
         break;
     }
 }
