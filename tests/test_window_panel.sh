@@ -53,7 +53,11 @@ for scale in 1 2; do
             -threshold 1% -trim -format '%[fx:w] %[fx:h] %[fx:page.x] %[fx:page.y]' info:
     }
     read -r width height left top < <(find_it)
-    placed() { [ "$width" = $((104 * scale)) ] && [ "$height" = $((86 * scale)) ] || { echo "# $width x $height at $left, $top" && return 1; }; }
+    placed() {
+        [ "$width $height" = "$((104 * scale)) $((86 * scale))" ] && return
+        echo "# $width x $height at $left, $top"
+        return 1
+    }
     check "scale $scale: it stands where it covers no row of its colour, in its whole size" placed
     left=$((left / scale)) top=$((top / scale))
     place() { at $((left + $1)) $((top + $2)); } # units from its corner
