@@ -322,7 +322,7 @@ help: ## this list
 
 # ---- To work on the course ----
 
-test: ## run every test; make test SUITE=camera runs one
+test: ## run every test; make test SUITE='camera run' runs these
 	@tests/run.sh --find $(SUITE)
 	@.make/setup.sh test
 	+@$(AGAIN) programs tests $(LOCALE)

@@ -1,6 +1,6 @@
 #!/bin/bash
-# run.sh [SUITE] - run every test suite, or one, and add up. With --find before it, only say whether
-# there is such a suite.
+# run.sh [SUITE...] - run every test suite, or those named, and add up. With --find before them, only say
+# whether there are such suites.
 #
 # A suite is a program build/tests/test_NAME (cmocka) or a script tests/test_NAME.sh; either prints
 # TAP: "ok 1 - name", "not ok 2 - name", "ok 3 - name # SKIP reason", other lines with '#'. The unit
@@ -155,12 +155,14 @@ suites=$(
 find=
 [ "${1-}" != --find ] || { find=1; shift; }
 if [ -n "${1-}" ]; then
-    if ! grep -q -x -e "$1" <<<"$suites"; then
-        printf 'make: SUITE=%s: no such suite: there are\n' "$1" >&2
-        printf '%s\n' "$suites" | sed 's/^/  /' >&2
-        exit 2
-    fi
-    suites=$1
+    for name in "$@"; do
+        if ! grep -q -x -e "$name" <<<"$suites"; then
+            printf 'make: SUITE=%s: no such suite: there are\n' "$name" >&2
+            printf '%s\n' "$suites" | sed 's/^/  /' >&2
+            exit 2
+        fi
+    done
+    suites=$(printf '%s\n' "$@" | awk '!seen[$0]++')
 else
     export ALL_SUITES=1
     # Where CI is set there is more to do: every picture through every backend, other people's shaders under

@@ -35,6 +35,8 @@ suite short <<<'echo "ok 1 - a"; echo 1..2'
 check 'one that runs less than it planned' gives 1 'planned 2 tests, ran 1' short
 suite none <<<'exit 0'
 check 'one that tests nothing' gives 1 'ran no test' none
+check 'two of them by name' gives 1 '^2 passed, 1 failed, 1 skipped$' good bad
+check 'one of two that is not there' gives 2 'SUITE=worse: no such suite' good worse
 # The picture that is drawn under the sanitizers has no program here.
 check 'all of them add up' gives 1 '^4 passed, 5 failed, 1 skipped$'
 
