@@ -174,6 +174,7 @@ static bool add_overlay(const struct run *run, struct renderer *renderer,
                           .renderer = renderer,
                           .ranges = true,
                           .pixel = {inputs->pixel[0], inputs->pixel[1]},
+                          .side = pair_side_name(renderer, inputs->width, inputs->pixel[0]),
                           .shown = inputs->shown,
                           .probe = probe};
     if (!overlay_open(overlay, renderer->gl))

@@ -129,6 +129,35 @@ static void the_second_follows_but_in_its_own(void **unused)
     assert_true(value_of(&gpu.renderer, "bright") == 0.125);
 }
 
+static void own_values_have_their_place_and_their_side(void **unused)
+{
+    (void)unused;
+    static const char *const names[] = {"bright (left)", "bright (right)", "bri", "kind (left)",
+                                        "kind (right)", "own (right)"};
+    enum { COUNT = sizeof names / sizeof *names };
+    load_both(FIRST, SECOND "uniform float own; // 1 in [0, 1]: for this test\n");
+    gpu.renderer.pair = &pair;
+    assert_int_equal(pair_parameter_count(&gpu.renderer), COUNT);
+    assert_null(pair_parameter(&gpu.renderer, COUNT));
+    for (int i = 0; i < COUNT; i++) {
+        char name[80];
+        const struct parameter *parameter = pair_parameter(&gpu.renderer, i);
+        pair_parameter_name(&gpu.renderer, parameter, name, sizeof name);
+        assert_string_equal(name, names[i]);
+        const struct parameters *all = pair_parameters_of(&gpu.renderer, parameter);
+        assert_ptr_equal(parameters_find(all, parameter->name), parameter);
+        assert_true((all == &second.parameters) == (strstr(name, "(right)") != NULL));
+    }
+    assert_string_equal(pair_side_name(&gpu.renderer, WIDTH, 30), "left");
+    assert_string_equal(pair_side_name(&gpu.renderer, WIDTH, 31), "right");
+    assert_null(pair_side_name(&gpu.renderer, WIDTH, -1));
+    gpu.renderer.pair = NULL;
+    assert_int_equal(pair_parameter_count(&gpu.renderer), 3);
+    assert_null(pair_side_name(&gpu.renderer, WIDTH, 30));
+    load_both(FIRST, SECOND);
+    assert_true(parameters_assign(&second.parameters, "bright=0.75"));
+}
+
 static void a_view_is_both_pictures(void **unused)
 {
     (void)unused;
@@ -218,6 +247,7 @@ int main(void)
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(each_side_is_its_own_picture),
         cmocka_unit_test(the_second_follows_but_in_its_own),
+        cmocka_unit_test(own_values_have_their_place_and_their_side),
         cmocka_unit_test(a_view_is_both_pictures),
         cmocka_unit_test(a_probe_asks_the_side_of_its_pixel),
         cmocka_unit_test(labels_say_what_differs),

@@ -37,7 +37,7 @@ follows() {
         drawn_with --set focalLength="$value" $pair --divider 0.2 && key Home
 }
 check 'both follow a parameter that is changed' follows
-own() { key Down Right && shows 'normalStep = 0.002' && drawn_with --set normalStep=0.002 $pair --divider 0.2 && key Home; }
+own() { key Down Right && shows "normalStep (left) = 0.002" && drawn_with --set normalStep=0.002 $pair --divider 0.2 && key Home; }
 check 'but for the second in its own' own
 # The panel's first row, below the title, is that of focalLength.
 longer() { value=$(title | sed -n 's/.*focalLength = \([0-9.]*\).*/\1/p') && awk -v v="$value" 'BEGIN { exit !(v > 3) }'; }
@@ -46,10 +46,33 @@ slides() {
         eventually longer && key h && drawn_with --set focalLength="$value" $pair --divider 0.2 && key Delete && shows 'focalLength = 2'
 }
 check 'a value that is dragged in the panel is that of both too' slides
+# The second's own value has a row of its own, below the first's: that of focalLength is at 50 units, its at 70.
+untitled() { ! titled "$1"; }
+right_is() { drawn_with --compare --set normalStep="$1" --divider 0.2; } # the first has kept its own
+of_second() {
+    key Down && shows 'normalStep (left) = ' && key Down && shows 'normalStep (right) = 0.4' && key Left && shows 'normalStep (right) = 0.2' && right_is 0.2
+}
+check "the second's own value is chosen and changed by keys" of_second
+right_value() { title | sed -n 's/.*(right) = \([0-9.e-]*\).*/\1/p'; }
+slides_right() {
+    look folded && key h && eventually far_off folded 20000 &&
+        xdotool mousemove --window "$window" 60 70 mousedown 1 mousemove --window "$window" 50 70 mousemove --window "$window" 40 70 mouseup 1 &&
+        eventually untitled '(right) = 0.2' && shows '(right) = 0.0' && right_is "$(right_value)"
+}
+check 'it is dragged in the panel' slides_right
+typed() {
+    look before && xdotool click --repeat 2 --delay 60 1 && eventually far_off before 500 && xdotool type --delay 40 0.25 && key Return &&
+        shows '(right) = 0.25' && right_is 0.25
+}
+check 'it is typed there' typed
+wheels() { xdotool click 5 && shows '(right) = 0.125' && right_is 0.125; }
+check 'the wheel changes it' wheels
+resets_right() { key Delete && shows '(right) = 0.001' && right_is 0.001 && key h && key Up Up && shows 'focalLength'; }
+check 'Delete brings it back, and the arrows go on to the rest' resets_right
 other_side() {
     xdotool mousemove --window "$window" 170 100 click 1 && eventually says out 'ray of pixel 170,99' &&
         sed -n '/^ray of pixel 170,99/,/^# /p' "$scratch/run/out" | tail -n +2 >"$scratch/told" &&
-        "$BUILD/$chapter" $still --set normalStep=0.4 --probe 170,99 >"$scratch/probed" && cmp "$scratch/told" "$scratch/probed"
+        "$BUILD/$chapter" $still --set normalStep=0.001 --probe 170,99 >"$scratch/probed" && cmp "$scratch/told" "$scratch/probed"
 }
 check 'a click asks the side where it is' other_side
 check 'Backspace closes it' backspace
@@ -78,6 +101,21 @@ broken() {
 check 'a second that is broken keeps its last good picture and says so' broken
 recovers() { rewrite second 0.4 && eventually loads_are second 3 && files && [[ $(title) != *error* ]]; }
 check 'and recovers' recovers
+check 'Backspace closes it' backspace
+
+# ---- A parameter that only the second has ----
+
+mkdir "$scratch/wanted"
+glowing() { # VALUE
+    printf '%s\n' "${good/const vec3 SKY = /uniform float glow; // $1 in [0, 1]: light of the sky
+#define SKY glow * }"
+}
+glowing 0.25 | sed 's/^\(#define SKY.*\);$/\1/' >"$scratch/glowing.frag"
+glowing 0.26 | sed 's/^\(#define SKY.*\);$/\1/' >"$scratch/wanted/glowing.frag"
+start $chapter $still --compare "$scratch/glowing.frag" --divider 0.2
+key h
+alone() { key Up && shows 'glow (right) = 0.25' && key Right && shows 'glow (right) = 0.26' && drawn_with --compare "$scratch/wanted/glowing.frag" --divider 0.2; }
+check 'what the second alone has is changed by keys' alone
 check 'Backspace closes it' backspace
 
 # ---- While it is coarse ----

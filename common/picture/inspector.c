@@ -282,12 +282,14 @@ static void heading_of(const struct inspector *inspector, const struct table *ta
                        size_t size)
 {
     int all = probe_rows(inspector->probe), row = row_of(inspector);
-    const char *what = table->rows < all && row < 0 ? "last steps of pixel" : "ray of pixel";
+    const char *side = inspector->side, *ray = side != NULL ? side : "ray of";
+    const char *what = table->rows < all && row < 0 ? "last steps of" : "ray of";
     if (row >= 0)
-        snprintf(text, size, "ray of pixel %d, %d: step %d of %d", inspector->pixel[0],
+        snprintf(text, size, "%s pixel %d, %d: step %d of %d", ray, inspector->pixel[0],
                  inspector->pixel[1], row, all - 1);
     else
-        snprintf(text, size, "%s %d, %d", what, inspector->pixel[0], inspector->pixel[1]);
+        snprintf(text, size, "%s%s%s pixel %d, %d", what, side != NULL ? " " : "",
+                 side != NULL ? side : "", inspector->pixel[0], inspector->pixel[1]);
 }
 
 void inspector_march(struct overlay *overlay, const struct inspector *inspector,

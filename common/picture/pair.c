@@ -21,6 +21,13 @@ struct renderer *pair_at(struct renderer *renderer, int width, int x)
     return x < pair_split(renderer, width) ? renderer : renderer->pair->other;
 }
 
+const char *pair_side_name(struct renderer *renderer, int width, int x)
+{
+    if (renderer->pair == NULL || x < 0)
+        return NULL;
+    return pair_at(renderer, width, x) == renderer ? "left" : "right";
+}
+
 // Does NAME=VALUE set the parameter of this name?
 static bool sets(const char *setting, const char *name)
 {
@@ -36,6 +43,15 @@ static bool is_own(const struct pair *pair, const char *name)
     return false;
 }
 
+// The parameter of the first that one of the second follows; NULL: none.
+static const struct parameter *leader_of(const struct renderer *renderer,
+                                         const struct parameter *to)
+{
+    const struct parameter *from = parameters_find(&renderer->parameters, to->name);
+    bool alike = from != NULL && from->type == to->type && from->components == to->components;
+    return alike && !is_own(renderer->pair, to->name) ? from : NULL;
+}
+
 void pair_follow(const struct renderer *renderer)
 {
     const struct pair *pair = renderer->pair;
@@ -47,14 +63,81 @@ void pair_follow(const struct renderer *renderer)
     other->orthographic = renderer->orthographic;
     for (int i = 0; i < other->parameters.count; i++) {
         struct parameter *to = &other->parameters.item[i];
-        const struct parameter *from = parameters_find(&renderer->parameters, to->name);
-        if (from == NULL || from->type != to->type || from->components != to->components ||
-            is_own(pair, to->name))
-            continue;
-        for (int k = 0; k < to->components; k++)
+        const struct parameter *from = leader_of(renderer, to);
+        for (int k = 0; from != NULL && k < to->components; k++)
             to->value[k] = fmin(fmax(from->value[k], to->minimum), to->maximum);
     }
 }
+
+// ---- What can be changed ----
+
+// The second's parameter of this name where it does not follow; NULL: there is none.
+static struct parameter *free_one(const struct renderer *renderer, const char *name)
+{
+    if (renderer->pair == NULL)
+        return NULL;
+    struct parameter *own = parameters_find(&renderer->pair->other->parameters, name);
+    return own != NULL && leader_of(renderer, own) == NULL ? own : NULL;
+}
+
+struct parameter *pair_parameter(const struct renderer *renderer, int index)
+{
+    const struct parameters *first = &renderer->parameters;
+    const struct parameters *second =
+        renderer->pair != NULL ? &renderer->pair->other->parameters : NULL;
+    for (int i = 0; i < first->count && index >= 0; i++) {
+        struct parameter *own = free_one(renderer, first->item[i].name);
+        if (index-- == 0)
+            return &first->item[i];
+        if (own != NULL && index-- == 0)
+            return own;
+    }
+    for (int i = 0; second != NULL && i < second->count && index >= 0; i++)
+        if (parameters_find(first, second->item[i].name) == NULL && index-- == 0)
+            return &second->item[i];
+    return NULL;
+}
+
+int pair_parameter_count(const struct renderer *renderer)
+{
+    int count = renderer->parameters.count;
+    const struct parameters *second =
+        renderer->pair != NULL ? &renderer->pair->other->parameters : NULL;
+    for (int i = 0; second != NULL && i < second->count; i++)
+        count += leader_of(renderer, &second->item[i]) == NULL;
+    return count;
+}
+
+const struct parameters *pair_parameters_of(const struct renderer *renderer,
+                                            const struct parameter *parameter)
+{
+    bool second = renderer->pair != NULL &&
+                  parameters_find(&renderer->pair->other->parameters, parameter->name) == parameter;
+    return second ? &renderer->pair->other->parameters : &renderer->parameters;
+}
+
+int pair_parameter_side(const struct renderer *renderer, const struct parameter *parameter)
+{
+    if (renderer->pair == NULL)
+        return -1;
+    if (pair_parameters_of(renderer, parameter) != &renderer->parameters)
+        return 1;
+    const struct parameter *to =
+        parameters_find(&renderer->pair->other->parameters, parameter->name);
+    return to != NULL && leader_of(renderer, to) != NULL ? -1 : 0;
+}
+
+void pair_parameter_name(const struct renderer *renderer, const struct parameter *parameter,
+                         char *text, size_t size)
+{
+    int side = pair_parameter_side(renderer, parameter);
+    snprintf(text, size, "%s%s", parameter->name,
+             side < 0    ? ""
+             : side == 0 ? " (left)"
+                         : " (right)");
+}
+
+// ---- What is written ----
 
 void pair_text(const struct renderer *renderer, int side, char *text, size_t size)
 {

@@ -24,10 +24,32 @@ int pair_split(const struct renderer *renderer, int width);
 // The renderer that draws a column x of pictures of this width.
 struct renderer *pair_at(struct renderer *renderer, int width, int x);
 
+// What that side is called: "left" or "right"; NULL where there is no second, or x is below 0.
+const char *pair_side_name(struct renderer *renderer, int width, int x);
+
 // Give the second renderer what it follows: view, focal length, projection, and the value of each
 // parameter that both have in the same type and that is not its own, within its own range. Nothing
 // where there is no second.
 void pair_follow(const struct renderer *renderer);
+
+// What a hand can change, in the order of the panel: each parameter of the first, behind it the
+// second's of the same name where that does not follow, at the end what the second alone has.
+//   index  0 to pair_parameter_count - 1
+// Returns NULL for an index that is none.
+int pair_parameter_count(const struct renderer *renderer);
+struct parameter *pair_parameter(const struct renderer *renderer, int index);
+
+// Which picture's a parameter is: 0 the first's alone, 1 the second's alone, -1 that of both, or of
+// the one that there is.
+int pair_parameter_side(const struct renderer *renderer, const struct parameter *parameter);
+
+// The parameters that it is one of.
+const struct parameters *pair_parameters_of(const struct renderer *renderer,
+                                            const struct parameter *parameter);
+
+// Its name, behind which stands whose it is where it is not that of both: "normalStep (right)".
+void pair_parameter_name(const struct renderer *renderer, const struct parameter *parameter,
+                         char *text, size_t size);
 
 // What stands on a side's label: its name, then the parameters in which the two differ by
 // themselves, with the values that they have now.

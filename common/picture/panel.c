@@ -6,6 +6,7 @@
 
 #include "picture/inspector.h"
 #include "picture/pair.h"
+#include "picture/panel_paint.h"
 #include "picture/pen.h"
 #include "picture/picker.h"
 #include "picture/plot.h"
@@ -156,9 +157,10 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     if (panel->right)
         panel_rows_move(rows, larger(right - rows->width, PEN_MARGIN), PEN_MARGIN);
     if (rows->count > 0)
-        panel_rows_draw(rows, panel, overlay);
+        panel_paint(rows, panel, overlay);
     const struct inspector inspector = {.pixel = {panel->pixel[0], panel->pixel[1]},
                                         .probe = marched ? panel->probe : NULL,
+                                        .side = panel->side,
                                         .shown = panel->shown,
                                         .view = view,
                                         .middle = middle};

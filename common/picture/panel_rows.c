@@ -5,18 +5,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "picture/colour.h"
 #include "memory.h"
 #include "number.h"
+#include "picture/pair.h"
 #include "picture/pen.h"
 
-#define GAP           12.0f // units of the overlay, between columns
 #define MARK          14.0f // the room of the mark that folds
-#define SWATCH        10.0f // width of a colour's own colour, in front of its value
 #define WIDEST_COLOUR "0.000,0.000,0.000"
-
-static const struct overlay_colour BAR = {{96, 160, 224, 84}};
-static const struct overlay_colour FIELD = {{0, 0, 0, 230}};
 
 static float larger(float a, float b)
 {
@@ -59,6 +54,16 @@ static void status_text(const struct panel *panel, bool rated, char *text, size_
         snprintf(text + used, size - used, "    paused");
 }
 
+// Of two slices or plots: whose march is where.
+static void marches_text(const struct panel *panel, char *text, size_t size)
+{
+    bool two = panel->renderer->pair != NULL && form_shows_ray(panel->renderer->view);
+    bool table = panel->pixel[0] >= 0 && panel->probe != NULL;
+    const char *side = panel->side != NULL ? panel->side : "";
+    snprintf(text, size, "%s%s%s", two ? "each side of the line: its own march" : "",
+             two && table ? "; table: " : "", two && table ? side : "");
+}
+
 // The last line: that the picture is coarse, or what to press.
 static void last_text(const struct panel *panel, char *text, size_t size)
 {
@@ -84,9 +89,10 @@ static void textures_text(const struct panel *panel, char text[PANEL_CELL])
 }
 
 // Name, value, range and unit of a parameter.
-static void fill_cells(const struct parameter *parameter, char cell[PANEL_COLUMNS][PANEL_CELL])
+static void fill_cells(const struct panel *panel, const struct parameter *parameter,
+                       char cell[PANEL_COLUMNS][PANEL_CELL])
 {
-    snprintf(cell[0], PANEL_CELL, "%s", parameter->name);
+    pair_parameter_name(panel->renderer, parameter, cell[0], PANEL_CELL);
     parameter_value_text(parameter, cell[1], PANEL_CELL);
     parameter_range_text(parameter, cell[2], PANEL_CELL);
     snprintf(cell[3], PANEL_CELL, "%s", parameter->unit);
@@ -123,15 +129,15 @@ static bool has_swatch(const struct panel *panel, const struct parameter *parame
 
 static void add_parameter(struct panel_rows *rows, const struct panel *panel, int index)
 {
-    const struct parameter *parameter = &panel->renderer->parameters.item[index];
+    const struct parameter *parameter = pair_parameter(panel->renderer, index);
     struct panel_row *row = add(rows, PANEL_ROW_PARAMETER, "");
     bool chosen = panel->chosen != NULL && parameter == panel->chosen;
-    fill_cells(parameter, row->cell);
+    fill_cells(panel, parameter, row->cell);
     row->parameter = index;
     row->chosen = chosen;
     row->place = parameter->components == 1 ? parameter_place(parameter, 0) : -1.0;
     if (has_swatch(panel, parameter)) {
-        row->swatch = GAP + rows->column[0] + GAP;
+        row->swatch = PANEL_GAP + rows->column[0] + PANEL_GAP;
         for (int k = 0; k < 3; k++)
             row->share[k] = parameter_place(parameter, k);
     }
@@ -193,24 +199,25 @@ static float height_from(const struct panel_rows *rows, int first)
 // The width of the table of the first columns, or of the widest detail below one of its lines.
 static float measure_table(const struct panel *panel, int columns, float width[PANEL_COLUMNS])
 {
-    const struct parameters *parameters = &panel->renderer->parameters;
+    const struct parameter *parameter;
     char cell[PANEL_COLUMNS][PANEL_CELL], detail[PANEL_CELL];
-    float sum = parameters->count > 0 ? GAP : 0.0f, widest = 0.0f;
+    float sum = 0.0f, widest = 0.0f;
     memset(width, 0, PANEL_COLUMNS * sizeof *width);
-    for (int i = 0; i < parameters->count; i++) {
-        fill_cells(&parameters->item[i], cell);
-        detail_text(&parameters->item[i], detail);
-        widest = larger(widest, 2.0f * GAP + overlay_width(detail));
+    for (int i = 0; (parameter = pair_parameter(panel->renderer, i)) != NULL; i++) {
+        sum = PANEL_GAP;
+        fill_cells(panel, parameter, cell);
+        detail_text(parameter, detail);
+        widest = larger(widest, 2.0f * PANEL_GAP + overlay_width(detail));
         for (int k = 0; k < columns; k++)
             width[k] = larger(width[k], overlay_width(cell[k]));
         // Its numbers are dragged: the panel does not tremble with them.
-        if (has_swatch(panel, &parameters->item[i]))
+        if (has_swatch(panel, parameter))
             width[1] =
-                larger(width[1], SWATCH + 4.0f +
+                larger(width[1], PANEL_SWATCH + 4.0f +
                                      larger(overlay_width(cell[1]), overlay_width(WIDEST_COLOUR)));
     }
     for (int k = 0; k < columns; k++)
-        sum += width[k] + (k > 0 && width[k] > 0.0f ? GAP : 0.0f);
+        sum += width[k] + (k > 0 && width[k] > 0.0f ? PANEL_GAP : 0.0f);
     return columns < PANEL_COLUMNS ? larger(sum, widest) : sum;
 }
 
@@ -260,7 +267,7 @@ static void add_last(struct panel_rows *rows, const char *last, const char *text
 
 void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float limit, float bottom)
 {
-    const struct parameters *parameters = &panel->renderer->parameters;
+    int parameters = pair_parameter_count(panel->renderer);
     char text[PANEL_CELL], last[PANEL_CELL], textures[PANEL_CELL] = "";
     float table = 0.0f;
     rows->count = 0;
@@ -279,115 +286,27 @@ void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float 
         if (rows->ranges)
             textures_text(panel, textures);
         add(rows, PANEL_ROW_TEXT, text);
+        marches_text(panel, text, sizeof text);
+        if (text[0] != '\0' && in_steps(overlay_width(text)) <= limit)
+            add(rows, PANEL_ROW_TEXT, text);
+        int above = rows->count;
         // What stands below is measured first: the parameters have the room that is left.
         add_last(rows, last, textures);
         float room = bottom - PEN_MARGIN - 2.0f * PEN_PADDING + 2.0f - height_from(rows, 0);
-        rows->count = 2;
-        if (parameters->count > 0) {
+        rows->count = above;
+        if (parameters > 0) {
             add(rows, PANEL_ROW_RULE, "");
             room -= height_of(PANEL_ROW_RULE);
         }
         int first = rows->count;
-        for (int i = 0; i < parameters->count; i++)
+        for (int i = 0; i < parameters; i++)
             add_parameter(rows, panel, i);
-        cut(rows, first, (int)(room / OVERLAY_LINE), parameters->count);
+        cut(rows, first, (int)(room / OVERLAY_LINE), parameters);
         add_last(rows, last, textures);
     }
     rows->width = ceilf(larger(measure_texts(rows), table)) + 2.0f * PEN_PADDING;
     rows->height = height_from(rows, 0) - 2.0f + 2.0f * PEN_PADDING;
     panel_rows_move(rows, PEN_MARGIN, PEN_MARGIN);
-}
-
-// ---- Drawing ----
-
-// The chosen parameter has a mark and a band, so that no colour has to tell it.
-//   handled  a pointer can reach it: then a bar shows where the value lies between its ends
-static void draw_band(const struct panel_row *row, bool handled, struct overlay *overlay)
-{
-    if (row->chosen)
-        overlay_box(overlay, row->left - 3.0f, row->top - 2.0f, row->width + 6.0f, row->height,
-                    PEN_BAND);
-    if (handled && row->place >= 0.0)
-        overlay_box(overlay, row->left - 3.0f, row->top - 1.5f,
-                    (float)row->place * (row->width + 6.0f), row->height - 1.0f, BAR);
-}
-
-// What is being typed stands in the value's place, with a bar where the next letter goes.
-static void draw_typed(const struct panel_rows *rows, const struct panel_row *row,
-                       const struct panel *panel, struct overlay *overlay)
-{
-    float left = row->left + GAP + rows->column[0] + GAP, width = overlay_width(panel->typed);
-    float room = larger(row->left + row->width - left, width + 4.0f);
-    overlay_box(overlay, left - 2.0f, row->top - 2.0f, room + 2.0f, row->height, FIELD);
-    overlay_text(overlay, left, row->top, panel->typed, PEN_BRIGHT);
-    overlay_box(overlay, left + width + 1.0f, row->top - 1.0f, 1.0f, row->height - 2.0f,
-                PEN_BRIGHT);
-}
-
-static void draw_swatch(const struct panel_row *row, struct overlay *overlay)
-{
-    struct overlay_colour colour = {{0, 0, 0, 255}};
-    float left = row->left + row->swatch;
-    for (int k = 0; k < 3; k++)
-        colour.channel[k] = (unsigned char)lround(255.0 * colour_encode(row->share[k]));
-    overlay_box(overlay, left, row->top, SWATCH, 8.0f, PEN_BRIGHT);
-    overlay_box(overlay, left + 1.0f, row->top + 1.0f, SWATCH - 2.0f, 6.0f, colour);
-}
-
-static void draw_parameter(const struct panel_rows *rows, const struct panel_row *row,
-                           const struct panel *panel, struct overlay *overlay)
-{
-    static const struct overlay_colour *const colours[PANEL_COLUMNS] = {&PEN_PLAIN, &PEN_BRIGHT,
-                                                                        &PEN_DIM, &PEN_DIM};
-    float left = row->left + GAP;
-    draw_band(row, panel->rows != NULL, overlay);
-    if (row->chosen && row->kind == PANEL_ROW_PARAMETER)
-        overlay_text(overlay, row->left, row->top, ">", PEN_BRIGHT);
-    for (int k = 0; k < (rows->ranges ? PANEL_COLUMNS : 2); k++) {
-        float beside = k == 1 && row->swatch > 0.0f ? SWATCH + 4.0f : 0.0f;
-        overlay_text(overlay, left + beside, row->top, row->cell[k],
-                     row->chosen ? PEN_BRIGHT : *colours[k]);
-        left += rows->column[k] + (rows->column[k] > 0.0f ? GAP : 0.0f);
-    }
-    if (row->swatch > 0.0f)
-        draw_swatch(row, overlay);
-    if (panel->typed != NULL && row->chosen && row->part == panel->typed_part)
-        draw_typed(rows, row, panel, overlay);
-}
-
-static void draw_row(const struct panel_rows *rows, int i, const struct panel *panel,
-                     struct overlay *overlay)
-{
-    const struct panel_row *row = &rows->row[i];
-    struct pen pen = {overlay, row->left, row->top};
-    switch (row->kind) {
-    case PANEL_ROW_TITLE:
-        overlay_text(overlay, row->left, row->top, row->cell[0], PEN_BRIGHT);
-        overlay_text(overlay, row->left + row->width - overlay_width(row->cell[1]), row->top,
-                     row->cell[1], PEN_DIM);
-        break;
-    case PANEL_ROW_RULE:
-        pen_rule(&pen, row->width);
-        break;
-    case PANEL_ROW_TEXT:
-        overlay_text(overlay, row->left, row->top, row->cell[0], i == 1 ? PEN_PLAIN : PEN_DIM);
-        break;
-    case PANEL_ROW_DETAIL:
-        draw_band(row, panel->rows != NULL, overlay);
-        overlay_text(overlay, row->left + 2.0f * GAP, row->top, row->cell[0], PEN_PLAIN);
-        break;
-    default:
-        draw_parameter(rows, row, panel, overlay);
-    }
-}
-
-void panel_rows_draw(const struct panel_rows *rows, const struct panel *panel,
-                     struct overlay *overlay)
-{
-    pen_open(overlay, rows->left, rows->top, rows->width - 2.0f * PEN_PADDING,
-             rows->height - 2.0f * PEN_PADDING);
-    for (int i = 0; i < rows->count; i++)
-        draw_row(rows, i, panel, overlay);
 }
 
 // ---- The pointer ----
@@ -415,7 +334,7 @@ bool panel_row_is_mark(const struct panel_row *row, float x)
 bool panel_row_is_swatch(const struct panel_row *row, float x)
 {
     float from = row->left + row->swatch;
-    return row->swatch > 0.0f && x >= from - 2.0f && x < from + SWATCH + 2.0f;
+    return row->swatch > 0.0f && x >= from - 2.0f && x < from + PANEL_SWATCH + 2.0f;
 }
 
 void panel_rows_free(struct panel_rows *rows)

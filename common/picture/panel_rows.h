@@ -1,5 +1,5 @@
 // panel_rows.h - what the panel says, and the rows of the chapter's panel: built, then measured,
-// then drawn. What the pointer is on is found in the same rows, so that what is seen is what is
+// then drawn by panel_paint. What the pointer is on is found in the same rows, so that what is seen is what is
 // touched.
 #ifndef PANEL_ROWS_H
 #define PANEL_ROWS_H
@@ -45,12 +45,16 @@ struct panel {
     const struct panel_key *keys;
     int key_count;
     int pixel[2];              // whose march is shown, 0,0 bottom left; -1,-1: none
+    const char *side;          // whose it is, of two pictures: "left" or "right"
     float shown;               // how many of its steps, as renderer_inputs.shown
     const struct probe *probe; // its march, or NULL: then why says why there is none
     const char *why;
     const char *error; // its lines ended by '\n'; NULL or "": none
     bool broken;       // the error is that of a reload; else it says why a view is refused
 };
+
+#define PANEL_GAP    12.0f // units of the overlay, between columns
+#define PANEL_SWATCH 10.0f // width of a colour's own colour, in front of its value
 
 enum { PANEL_COLUMNS = 4, PANEL_CELL = 160, PANEL_DETAIL = 2 * PANEL_CELL };
 
@@ -67,7 +71,7 @@ enum panel_row_kind {
 struct panel_row {
     enum panel_row_kind kind;
     char cell[PANEL_COLUMNS][PANEL_CELL]; // name, value, range and unit of a parameter; else a text
-    int parameter;                        // its index; -1: none
+    int parameter;                        // its index of pair_parameter; -1: none
     int part;                             // of a vector; -1: all of them
     bool chosen;
     double place;    // of the value between its ends, 0 to 1; below 0: nothing to drag
@@ -94,9 +98,6 @@ void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float 
 
 // Move them to a place.
 void panel_rows_move(struct panel_rows *rows, float left, float top);
-
-void panel_rows_draw(const struct panel_rows *rows, const struct panel *panel,
-                     struct overlay *overlay);
 
 // The row at a place in units; NULL where there is none.
 const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, float y);

@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "picture/image.h"
+#include "picture/pair.h"
 #include "platform.h"
 #include "report.h"
 #include "picture/slice.h"
@@ -90,12 +91,14 @@ bool window_pass(struct window *window, double seconds)
 
 static void choose(struct window *window, int by)
 {
-    const struct parameters *all = &window->renderer->parameters;
+    const struct renderer *renderer = window->renderer;
     const struct parameter *parameter = window_chosen(window);
+    int count = pair_parameter_count(renderer), index = 0;
     if (parameter == NULL)
         return;
-    int index = ((int)(parameter - all->item) + by + all->count) % all->count;
-    snprintf(window->parameter, sizeof window->parameter, "%s", all->item[index].name);
+    while (pair_parameter(renderer, index) != parameter)
+        index++;
+    window_choose(window, pair_parameter(renderer, (index + by + count) % count));
 }
 
 // The first name that is free. Returns false, reported, when there is none.

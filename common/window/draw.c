@@ -16,16 +16,18 @@
 
 void window_retitle(struct window *window)
 {
-    char text[sizeof window->title.shown], value[128] = "", rate[32] = "";
+    char text[sizeof window->title.shown], name[76] = "", value[128] = "", rate[32] = "";
     const struct parameter *parameter = window_chosen(window);
     if (parameter != NULL)
         parameter_value_text(parameter, value, sizeof value);
+    if (parameter != NULL)
+        pair_parameter_name(window->renderer, parameter, name, sizeof name);
     if (window->pace.rate > 0.0)
         snprintf(rate, sizeof rate, " - %.0f fps", window->pace.rate);
-    snprintf(text, sizeof text, "%.60s%s%s - %s%s%.63s%s%.60s%s", window->start->title,
+    snprintf(text, sizeof text, "%.60s%s%s - %s%s%s%s%.60s%s", window->start->title,
              window->broken ? " - error: see terminal" : "", rate,
              shader_view_name(window->renderer->view), parameter != NULL ? " - " : "",
-             parameter != NULL ? parameter->name : "", parameter != NULL ? " = " : "", value,
+             name, parameter != NULL ? " = " : "", value,
              window->paused ? " (paused)" : "");
     if (strcmp(text, window->title.shown) != 0)
         glfwSetWindowTitle(window->handle, text);
@@ -79,6 +81,7 @@ static void gather(struct window *window)
         .keys = window->panel.keys,
         .key_count = window->panel.helps ? window->panel.key_count : 0,
         .pixel = {inputs->pixel[0], inputs->pixel[1]},
+        .side = pair_side_name(window->renderer, inputs->width, inputs->pixel[0]),
         .shown = inputs->shown,
         .probe = window->ray.why[0] == '\0' ? window->ray.probe : NULL,
         .why = window->ray.why,

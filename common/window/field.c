@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "number.h"
+#include "picture/pair.h"
 #include "report.h"
 
 void window_field_leave(struct window *window)
@@ -47,7 +48,7 @@ static void take_field(struct window *window)
     }
     if (window->touch.part < 0)
         snprintf(text + used, sizeof text - (size_t)used, "%s", window->touch.typed);
-    if (parameters_assign(&window->renderer->parameters, text)) {
+    if (parameters_assign(pair_parameters_of(window->renderer, parameter), text)) {
         window_field_leave(window);
         window_changed(window);
         return;

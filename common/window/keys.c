@@ -1,9 +1,11 @@
 // The list of keys, as the overlay shows it.
+#include "window/state.h"
+
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "window/state.h"
+#include "picture/pair.h"
 
 // What stands on a key that GLFW names by the American keyboard: é on the 2 of a French one.
 static void name_of(const struct window *window, int key, char name[8])
@@ -45,7 +47,6 @@ void window_name_keys(struct window *window)
     static const int moves[] = {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_C};
     static const int views[] = {GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3,
                                 GLFW_KEY_4, GLFW_KEY_5, GLFW_KEY_6};
-    const struct parameters *parameters = &window->renderer->parameters;
     char l[6][8], text[64];
     for (int i = 0; i < 5; i++)
         label_of(window, moves[i], l[i]);
@@ -54,7 +55,9 @@ void window_name_keys(struct window *window)
     add_key(window, "move", text);
     snprintf(text, sizeof text, "Space %s", l[4]);
     add_key(window, "up, down", text);
-    add_key(window, "faster", "Shift");
+    label_of(window, GLFW_KEY_F, l[0]);
+    snprintf(text, sizeof text, "Shift %s", l[0]);
+    add_key(window, "faster", text);
     add_key(window, "look", "drag");
     add_letter(window, "mouse look", GLFW_KEY_M);
     add_key(window, "ray", "click");
@@ -69,7 +72,7 @@ void window_name_keys(struct window *window)
         name_of(window, views[i], l[i]);
     snprintf(text, sizeof text, "%s %s %s %s %s %s", l[0], l[1], l[2], l[3], l[4], l[5]);
     add_key(window, "view", text);
-    if (parameters->count > 0) {
+    if (pair_parameter_count(window->renderer) > 0) {
         add_key(window, "choose", "↑ ↓");
         add_key(window, "change", "← →");
         add_key(window, "reset", "Delete");

@@ -40,6 +40,7 @@ struct window {
     struct watch watch;
     struct renderer_inputs inputs; // of the frame on the screen
     char parameter[64];            // the one that the arrows change
+    bool second;                   // it is the second picture's
     struct {
         enum window_hand who;
         bool pressed;           // the picture was, in this turn,
@@ -60,7 +61,7 @@ struct window {
         double towards; // to this value
     } passage;
     struct {
-        char shown[256];
+        char shown[300];
         double due; // when it may change
     } title;
     struct {
@@ -127,6 +128,9 @@ struct window {
 
 // The parameter that the arrows change: the one last chosen, as long as the shader has it.
 struct parameter *window_chosen(const struct window *window);
+
+// From now on it is this one.
+void window_choose(struct window *window, const struct parameter *parameter);
 
 // Show chapter, view and parameter in the title bar.
 void window_retitle(struct window *window);

@@ -6,6 +6,8 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "picture/pair.h"
+
 #define TIP_SECONDS 0.5 // the pointer rests before help appears
 #define FINE        0.1 // of a drag's way, while Left Shift is held
 
@@ -30,9 +32,8 @@ bool window_touch_claims(const struct window *window, const double place[2])
 
 static struct parameter *parameter_of(const struct window *window, const struct panel_row *row)
 {
-    const struct parameters *all = &window->renderer->parameters;
-    bool there = row != NULL && row->parameter >= 0 && row->parameter < all->count;
-    return there ? &all->item[row->parameter] : NULL;
+    bool there = row != NULL && row->parameter >= 0;
+    return there ? pair_parameter(window->renderer, row->parameter) : NULL;
 }
 
 static bool is_switch(const struct parameter *parameter)
@@ -58,7 +59,7 @@ static void press(struct window *window, const struct window_event *event)
     if (panel_row_is_swatch(row, at[0]))
         window->touch.what = TOUCH_SWATCH;
     window->touch.part = row->part;
-    snprintf(window->parameter, sizeof window->parameter, "%s", parameter->name);
+    window_choose(window, parameter);
     for (int k = 0; k < parameter->components; k++)
         window->touch.place[k] = parameter_place(parameter, k);
     window->touch.width = row->width;
@@ -239,15 +240,16 @@ void window_touch(struct window *window, const struct window_event *event)
 // What the panel is told of all this.
 void window_touch_tell(struct window *window, struct panel *panel, char tip[512])
 {
-    const struct parameters *all = &window->renderer->parameters;
     int pointed = window->touch.pointed;
+    const struct parameter *below =
+        pointed >= 0 ? pair_parameter(window->renderer, pointed) : NULL;
     panel->right = window->panel.right;
     panel->rolled = window->panel.rolled;
     panel->tip = tip;
     memcpy(panel->tip_at, window->touch.at, sizeof panel->tip_at);
     tip[0] = '\0';
-    if (window->touch.tip && !window->input.picking && pointed >= 0 && pointed < all->count)
-        snprintf(tip, 512, "%s", all->item[pointed].meaning);
+    if (window->touch.tip && !window->input.picking && below != NULL)
+        snprintf(tip, 512, "%s", below->meaning);
     window_field_tell(window, panel, tip);
     window_pick_tell(window, panel);
 }
