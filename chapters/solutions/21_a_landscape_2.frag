@@ -8,8 +8,7 @@ uniform float snowLine; // 4.3 in [-1, 12] step 0.25, scene units: height in who
 
 vec3 winterColour(vec3 p, vec3 direction, vec3 normal, float chance, float width)
 {
-    vec3 moved = vec3(p.x, p.y + 4.3 - snowLine, p.z), colour = landColour(moved, direction, normal, chance, width);
-    return p.y > 0.0 ? colour : landColour(p, direction, normal, chance, width);
+    return landColour(vec3(p.x, p.y + 4.3 - snowLine, p.z), direction, normal, chance, width);
 }
 
 #define landColour winterColour
