@@ -1,7 +1,6 @@
 #include "support_overlay.h"
 
 #include <stdio.h>
-#include <time.h>
 
 #include "../common/picture/panel.h"
 #include "support_gpu.h"
@@ -33,13 +32,6 @@ static struct screen open_screen(const struct gl *gl)
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, screen.texture,
                              0);
     return screen;
-}
-
-static double cpu_time(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 // Bring the picture onto the screen, and a panel over it; NULL: none.
@@ -107,14 +99,14 @@ static bool measure(const struct renderer *chapter, const struct screen *screen,
             const bool counts = i >= WARM_UP;
             struct panel panel = {0};
             inputs.time = (double)i / RATE;
-            double begin = cpu_time();
+            double begin = platform_processor_seconds();
             done = renderer_draw(&gpu.renderer, &inputs, 0, HEIGHT);
             gpu.context.gl.Finish();
-            double middle = cpu_time();
+            double middle = platform_processor_seconds();
             if (k > 0)
                 panel = panel_of(chapter, k - 1, &probe, i, &rows);
             show(screen, k > 0 ? &panel : NULL, &overlay[k > 0 ? k - 1 : 0]);
-            shown[k] += counts ? cpu_time() - middle : 0.0;
+            shown[k] += counts ? platform_processor_seconds() - middle : 0.0;
             *drawn += counts ? (middle - begin) / (1 + CASES) : 0.0;
         }
     panel_rows_free(&rows);

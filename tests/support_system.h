@@ -4,6 +4,7 @@
 #define SUPPORT_SYSTEM_H
 
 #include <stdbool.h>
+#include <stddef.h>
 
 #include "../common/platform.h"
 
@@ -15,6 +16,12 @@ bool system_make_folder(const char *path);
 
 // Remove a folder with all that it holds.
 bool system_remove_folder(const char *path);
+
+// Run one of the programs built with the tests, with a line of arguments, and read what it prints,
+// errors too.
+//   text  receives the first size - 1 bytes of it
+// Returns its exit status; the test ends where it cannot be started.
+int system_run(const char *program, const char *arguments, char *text, size_t size);
 
 // Make a symbolic link, or a named pipe; the test ends where that fails.
 // Returns false on a system that has none for everybody: nothing of them can be tested there.

@@ -4,6 +4,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 bool system_make_scratch(char path[PLATFORM_PATH])
@@ -41,6 +42,19 @@ static bool need(bool made, const char *path)
         abort();
     }
     return true;
+}
+
+int system_run(const char *program, const char *arguments, char *text, size_t size)
+{
+    char command[PLATFORM_PATH];
+    const char *build = getenv("BUILD");
+    snprintf(command, sizeof command, "%s/%s %s 2>&1", build != NULL ? build : "build", program,
+             arguments);
+    FILE *pipe = popen(command, "r");
+    need(pipe != NULL, command);
+    text[fread(text, 1, size - 1, pipe)] = '\0';
+    int status = pclose(pipe);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
 bool system_make_link(const char *to, const char *path)

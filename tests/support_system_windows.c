@@ -1,6 +1,7 @@
 #include "support_system.h"
 
 #include <direct.h>
+#include <errno.h>
 #include <process.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -9,9 +10,15 @@ bool system_make_scratch(char path[PLATFORM_PATH])
 {
     static int number;
     const char *parent = getenv("TEMP");
-    snprintf(path, PLATFORM_PATH, "%s/march-test-%d-%d", parent != NULL ? parent : ".", _getpid(),
-             number++);
-    char *resolved = system_make_folder(path) ? platform_resolve(path) : NULL;
+    // A program's number is given again when it has ended, and what was killed leaves its folder
+    // behind.
+    bool made;
+    do {
+        snprintf(path, PLATFORM_PATH, "%s/march-test-%d-%d", parent != NULL ? parent : ".",
+                 _getpid(), number++);
+        made = system_make_folder(path);
+    } while (!made && errno == EEXIST);
+    char *resolved = made ? platform_resolve(path) : NULL;
     if (resolved != NULL)
         snprintf(path, PLATFORM_PATH, "%s", resolved);
     free(resolved);
@@ -32,6 +39,26 @@ bool system_remove_folder(const char *path)
         if (*c == '/')
             *c = '\\';
     return system(command) == 0;
+}
+
+// The programs are run by cmd, which takes '/' for the beginning of an option.
+int system_run(const char *program, const char *arguments, char *text, size_t size)
+{
+    char command[PLATFORM_PATH];
+    const char *build = getenv("BUILD");
+    int length =
+        snprintf(command, sizeof command, "%s\\%s", build != NULL ? build : "build", program);
+    for (char *c = command; *c != '\0'; c++)
+        if (*c == '/')
+            *c = '\\';
+    snprintf(command + length, sizeof command - (size_t)length, " %s 2>&1", arguments);
+    FILE *pipe = _popen(command, "r");
+    if (pipe == NULL) {
+        perror(command);
+        abort();
+    }
+    text[fread(text, 1, size - 1, pipe)] = '\0';
+    return _pclose(pipe);
 }
 
 // It has links for administrators alone, and no pipe that is a file of a folder.

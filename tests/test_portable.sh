@@ -93,8 +93,27 @@ apple() { # FILE...
             -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only "$file" || return
     done
 }
+# A whole program by its compiler, its feature macros and the one way to a context that it has; not optimised, for time.
+mac_build() {
+    env -u MAKEFLAGS CI=1 make -j2 MAC=Darwin CC=clang CFLAGS=-O0 BUILD=build/mac build/mac/03_shadows >"$scratch/mac" 2>&1 && return
+    tail -n 20 "$scratch/mac" | sed 's/^/# /'
+    return 1
+}
+mac_picture() ( # in a display that goes with it
+    open_display && build/mac/03_shadows -o "$scratch/mac.png" &&
+        build/tests/compare tests/references/03_shadows.png "$scratch/mac.png" >"$scratch/numbers"
+    status=$?
+    close_display
+    exit $status
+)
 if command -v clang >/dev/null; then
     check "what a Mac's C library is asked for" apple common/platform_posix*.c
+    check "a program with clang, a Mac's macros and GLFW alone" mac_build
+    if command -v Xvfb >/dev/null; then
+        check 'draws a file from a hidden window' mac_picture
+    else
+        skip 'draws a file from a hidden window' 'no Xvfb on this machine'
+    fi
 elif [ -n "${CI-}" ]; then
     not_ok "a Mac's compiler" 'no clang on this machine'
 fi

@@ -12,12 +12,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include <cmocka.h>
 
 #include "support_gpu.h"
 #include "support_mirror.h"
+#include "support_system.h"
 
 enum { WIDTH = 640, HEIGHT = 360 };
 
@@ -333,19 +333,6 @@ static void test_colour_is_the_picture_s(void **unused)
 // ---- Through the program
 // -------------------------------------------------------------------------
 
-static int run(const char *arguments, char *text, size_t size)
-{
-    char command[512];
-    const char *build = getenv("BUILD");
-    snprintf(command, sizeof command, "%s/%s 2>&1", build != NULL ? build : "build", arguments);
-    FILE *pipe = popen(command, "r");
-    assert_non_null(pipe);
-    size_t length = fread(text, 1, size - 1, pipe);
-    text[length] = '\0';
-    int status = pclose(pipe);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 static void check_line(const char *line, int step)
 {
     int number;
@@ -364,7 +351,7 @@ static void test_program_prints_the_table(void **unused)
     (void)unused;
     char text[65536];
     struct renderer_inputs inputs;
-    assert_int_equal(run("01_normal_colouring --probe 320,180", text, sizeof text), 0);
+    assert_int_equal(system_run("01_normal_colouring", "--probe 320,180", text, sizeof text), 0);
     load_chapter("01_normal_colouring", &inputs);
     assert_true(renderer_probe(&gpu.renderer, &inputs, 320, 180, &probe));
     const char *line = strtok(text, "\n");
@@ -381,7 +368,7 @@ static void test_program_tells_the_colour_of_a_whole_file(void **unused)
 {
     (void)unused;
     char text[4096];
-    assert_int_equal(run("00_first_scene --probe 320,180", text, sizeof text), 0);
+    assert_int_equal(system_run("00_first_scene", "--probe 320,180", text, sizeof text), 0);
     int colour[3], length = 0;
     assert_int_equal(sscanf(text, "# no march is recorded; colour: %d, %d, %d\n%n", &colour[0],
                             &colour[1], &colour[2], &length),

@@ -262,9 +262,14 @@ static void test_climbing_out(void **state)
     assert_refused("#include \"../../secret.glsl\"\n", "main.frag:1: ", "outside the project");
     assert_refused("#include \"../../rootless/secret.glsl\"\n",
                    "main.frag:1: ", "outside the project");
-    assert_refused("#include \"../../../../../../../../../../etc/passwd\"\n",
-                   "main.frag:1: ", "outside the project");
-    assert_refused("#include \"/etc/passwd\"\n", "main.frag:1: ", "absolute");
+    // Up to the disk's root and down again, behind its letter where it has one.
+    const char *secret = scratch_path("secret.glsl");
+    char text[PLATFORM_PATH];
+    snprintf(text, sizeof text, "#include \"../../../../../../../../../..%s\"\n",
+             strchr(secret, '/'));
+    assert_refused(text, "main.frag:1: ", "outside the project");
+    snprintf(text, sizeof text, "#include \"%s\"\n", secret);
+    assert_refused(text, "main.frag:1: ", "absolute");
 }
 
 static void test_links(void **state)

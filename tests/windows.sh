@@ -19,6 +19,9 @@ unset WAYLAND_DISPLAY
 
 results=build/windows/results
 rm -rf build/wine $results && mkdir -p build/wine/tests $results "$MESA_SHADER_CACHE_DIR"
+cc -shared -fPIC -o build/wine/exit_at_once.so tests/exit_at_once.c || exit 1
+at_once=$PWD/build/wine/exit_at_once.so
+export at_once
 
 # ---- A display, and one Wine for all ----
 
@@ -47,7 +50,7 @@ trap 'exit 1' HUP INT TERM
 for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe; do
     name=${program#build/windows/}
     # shellcheck disable=SC2016 # for that shell
-    printf '#!/bin/sh\nDISPLAY=${DISPLAY-%s} exec %s "%s" "$@"\n' "$DISPLAY" "$loader" "$PWD/$program" >"build/wine/${name%.exe}"
+    printf '#!/bin/sh\nDISPLAY=${DISPLAY-%s} LD_PRELOAD=%s exec %s "%s" "$@"\n' "$DISPLAY" "$at_once" "$loader" "$PWD/$program" >"build/wine/${name%.exe}"
     chmod +x "build/wine/${name%.exe}"
 done
 cp build/windows/flags build/wine/flags
@@ -77,12 +80,20 @@ suite() {
     )"
 }
 
-unit() { suite "$(basename "$1" .exe)" "$loader" "$1"; }
+unit() { suite "$(basename "$1" .exe)" env BUILD=build/windows LD_PRELOAD="$at_once" "$loader" "$1"; }
 export -f suite unit
 export results
 
+# They compute in double precision for minutes, in one thread, and ask the system for nothing.
+left_out='scene_21 sky_table'
+
 units() {
-    printf '%s\n' build/windows/tests/test_*.exe | xargs -P 2 -I '{}' bash -c 'unit {}'
+    local name
+    for name in $left_out; do
+        [ -e "build/windows/tests/test_$name.exe" ] || { echo "make: test-windows: no test $name to leave out" >&2; exit 1; }
+    done
+    printf '%s\n' build/windows/tests/test_*.exe |
+        grep -vE "/test_(${left_out// /|})\.exe$" | xargs -P 2 -I '{}' bash -c 'unit {}'
 }
 
 for part in "${@:-units pictures suites windows own}"; do
