@@ -270,6 +270,7 @@ static void test_climbing_out(void **state)
     assert_refused(text, "main.frag:1: ", "outside the project");
     snprintf(text, sizeof text, "#include \"%s\"\n", secret);
     assert_refused(text, "main.frag:1: ", "absolute");
+    assert_refused("#include \"c:leaf.glsl\"\n", "main.frag:1: ", "absolute");
 }
 
 static void test_links(void **state)

@@ -89,7 +89,8 @@ static const char *otherwise(const char *name, const char *path)
 // True for a name that means the same on every system; else why receives a phrase.
 static bool is_plain(const char *name, const char *folder, char why[TEXT_FILE_WHY])
 {
-    if (name[0] == '/')
+    // The root of a system's files, or a disk of Windows.
+    if (name[0] == '/' || (isalpha((unsigned char)name[0]) && name[1] == ':'))
         snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from %s",
                  folder);
     else if (strchr(name, '\\') != NULL)
