@@ -282,14 +282,16 @@ static void heading_of(const struct inspector *inspector, const struct table *ta
                        size_t size)
 {
     int all = probe_rows(inspector->probe), row = row_of(inspector);
-    const char *side = inspector->side, *ray = side != NULL ? side : "ray of";
-    const char *what = table->rows < all && row < 0 ? "last steps of" : "ray of";
+    const char *what = table->rows < all && row < 0 ? "last steps of " : "ray of ";
+    char side[16] = "", step[40] = "";
+    if (inspector->side != NULL)
+        snprintf(side, sizeof side, " (%s)", inspector->side);
     if (row >= 0)
-        snprintf(text, size, "%s pixel %d, %d: step %d of %d", ray, inspector->pixel[0],
-                 inspector->pixel[1], row, all - 1);
-    else
-        snprintf(text, size, "%s%s%s pixel %d, %d", what, side != NULL ? " " : "",
-                 side != NULL ? side : "", inspector->pixel[0], inspector->pixel[1]);
+        snprintf(step, sizeof step, ": step %d of %d", row, all - 1);
+    if (row >= 0 && inspector->side != NULL)
+        what = ""; // there is no room for all of it
+    snprintf(text, size, "%spixel %d, %d%s%s", what, inspector->pixel[0], inspector->pixel[1], side,
+             step);
 }
 
 void inspector_march(struct overlay *overlay, const struct inspector *inspector,
