@@ -2,6 +2,7 @@
 
 #include <stdio.h>
 
+#include "../common/platform.h"
 #include "../common/picture/panel.h"
 #include "support_gpu.h"
 

@@ -12,6 +12,7 @@
 
 #include <cmocka.h>
 
+#include "../common/picture/pair.h"
 #include "../common/picture/panel.h"
 #include "../common/shader/source.h"
 #include "support_gpu.h"
@@ -183,6 +184,54 @@ static void no_panel_covers_another(void **unused)
     globfree(&found);
 }
 
+// Two pictures: the divider at several places, labels of any length, an error above the keys, the
+// panel folded to its title.
+static void labels_of_two_pictures_cover_nothing(void **unused)
+{
+    (void)unused;
+    static const int sizes[][2] = {{320, 180}, {640, 360}, {960, 540}, {1920, 1080}};
+    static const double dividers[] = {0.0, 0.1, 0.5, 0.9, 1.0};
+    static const char *const own[] = {"maxSteps=2"};
+    struct shader_source source = {0};
+    struct renderer chapter = {0}, other = {0};
+    struct panel_rows rows = {0};
+    static struct probe probe = {.steps = 40, .all_steps = 60, .recorded = true};
+    char path[4200], where[128];
+    snprintf(path, sizeof path, "%s/chapters/01_normal_colouring.frag", gpu_project_root());
+    assert_true(shader_read(&source, path, gpu_project_root()) &&
+                parameters_read(&chapter.parameters, &source) &&
+                parameters_read(&other.parameters, &source));
+    struct pair pair = {.other = &other, .own = own, .own_count = 1, .gripped = true};
+    pair.label[0] = pair.label[1] = "a_file_with_a_name_that_is_rather_long.frag";
+    chapter.pair = &pair;
+    for (int way = 0; way < 4 * 5 * 2 * 2 * 2 * (SHADER_PLOT + 1); way++) {
+        const int *size = sizes[way % 4];
+        pair.divider = dividers[way / 4 % 5];
+        bool ray = way / 20 % 2 == 1, error = way / 40 % 2 == 1, rolled = way / 80 % 2 == 1;
+        chapter.view = (enum shader_view)(way / 160);
+        struct panel panel = {.title = "01 A chapter with a name",
+                              .renderer = &chapter,
+                              .chosen = &other.parameters.item[2],
+                              .rolled = rolled,
+                              .error = error ? "a.frag:3: wrong\nb.frag:4: wrong too\n" : "",
+                              .broken = true,
+                              .pixel = {ray ? size[0] / 2 : -1, size[1] / 2},
+                              .side = "right",
+                              .shown = 38.0f,
+                              .probe = &probe,
+                              .rows = &rows};
+        panel_gather(&panel, &overlay, size[0], size[1], 1.0f);
+        snprintf(where, sizeof where, "%s, %dx%d, divider %g%s%s%s", shader_view_name(chapter.view),
+                 size[0], size[1], pair.divider, ray ? ", a ray" : "", error ? ", an error" : "",
+                 rolled ? ", the title" : "");
+        judge(where);
+    }
+    panel_rows_free(&rows);
+    parameters_free(&chapter.parameters);
+    parameters_free(&other.parameters);
+    shader_free(&source);
+}
+
 static int close_overlay(void **unused)
 {
     (void)unused;
@@ -192,6 +241,7 @@ static int close_overlay(void **unused)
 
 int main(void)
 {
-    const struct CMUnitTest tests[] = {cmocka_unit_test(no_panel_covers_another)};
+    const struct CMUnitTest tests[] = {cmocka_unit_test(no_panel_covers_another),
+                                       cmocka_unit_test(labels_of_two_pictures_cover_nothing)};
     return cmocka_run_group_tests_name("boxes", tests, NULL, close_overlay);
 }
