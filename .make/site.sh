@@ -4,20 +4,20 @@
 set -eu
 export LC_ALL=C TZ=UTC SOURCE_DATE_EPOCH=0
 . .make/pages.sh
-out=build/site
+out=${SITE_FOLDER:-build/site} source=${SITE_SOURCE:-docs/web} # the tests build another one
 
 rm -rf "$out" "$out.parts" "$out.zip"
 mkdir -p "$out/fonts"
 # shellcheck disable=SC2046
-node docs/web/site.mjs "$out" $(pages)
+node "$source/site.mjs" "$out" $(pages)
 
 # The programs, as `make web` lays them.
 (cd build/web && find . -type f ! -path './objects/*' ! -name '*.map') | while read -r file; do
     mkdir -p "$out/$(dirname "$file")"
     cp "build/web/$file" "$out/$file"
 done
-cp docs/web/site.css docs/web/site.js docs/web/play.js docs/web/icon.svg "$out/"
-cp docs/web/LICENSE.fonts "$out/fonts/LICENSE.txt"
+cp "$source"/{site.css,site.js,play.js,icon.svg} "$out/"
+cp "$source/LICENSE.fonts" "$out/fonts/LICENSE.txt"
 
 # subset NAME LETTERS FAMILY:STYLE: only the letters that the pages use, of a font that fontconfig finds.
 subset() {
@@ -36,5 +36,5 @@ rm -r "$out.parts"
 
 # No times, no owners, one order: the archive depends on the files alone.
 find "$out" -exec chmod u=rwX,go=rX {} + -exec touch -d '1980-01-01 00:00:00' {} +
-(cd build && find site -type f | sort | zip -q -X -9 -@ site.zip)
-echo "build/site/: $(find "$out" -type f | wc -l) files, $(du -sm "$out" | cut -f 1) MB; build/site.zip: $(du -m "$out.zip" | cut -f 1) MB"
+(cd "$(dirname "$out")" && find "$(basename "$out")" -type f | sort | zip -q -X -9 -@ "$(basename "$out").zip")
+echo "$out/: $(find "$out" -type f | wc -l) files, $(du -sm "$out" | cut -f 1) MB; $out.zip: $(du -m "$out.zip" | cut -f 1) MB"

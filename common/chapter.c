@@ -506,6 +506,8 @@ void chapter_see(const struct chapter *chapter, int argc, char **argv,
     struct run run = {.request = {.see = see, .to = to}};
     if (begin(&run, chapter, argc, argv) == DONE && find_root(&run) && find_shader(&run)) {
         see(to, run.shader); // also where it is missing
+        if (run.options.compare != NULL)
+            see(to, run.options.compare);
         read_shader(&run);
     }
     second_close(&run.second);

@@ -2,7 +2,7 @@
 // keeping and its link, commands beside the text, exercises, a telephone.
 import fs from 'node:fs';
 import path from 'node:path';
-import {check, finish, launch, serve} from './web_browser.mjs';
+import {check, finish, launch, PATIENCE, serve} from './web_browser.mjs';
 
 const STEM = '03_shadows', FILE = `chapters/${STEM}.frag`;
 const command = (line, more = '') => `<div class="command"><pre><code>build/${STEM} ${line}</code></pre><button type="button" class="run" data-stem="${STEM}" data-line="${line}" ${more}>Run</button></div>`;
@@ -10,17 +10,17 @@ const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="v
 <title>03 Shadows</title><link rel="icon" href="data:,"><link rel="stylesheet" href="live.css">
 <style>body { max-width: 760px; margin: auto; padding: 0 16px } pre { overflow: auto }</style><script type="module" src="live.js"></script>
 <main><h1>03 Shadows</h1><live-chapter stem="${STEM}"><img src="poster.png" alt="Shadows on a stage" width="640" height="360"></live-chapter>
-${command('--view normals')}${command('--probe 397,87')}${command('--probe 397,87', 'data-tail="1"')}${command('--output dark.png --size 64x36')}${command('--nonsense')}
+${command('--view normals')}${command('--probe 397,87')}${command('--probe 397,87', 'data-tail="1"')}${command('--probe 397,87', 'data-head="1"')}${command('--output dark.png --size 64x36')}${command('--nonsense')}
 <p>In the text <span class="command"><code>build/${STEM} --time 3</code><button type="button" class="run" data-stem="${STEM}" data-line="--time 3">Run</button></span>.</p>
 <form class="check" data-exercise="03-2"><button>Check</button></form></main></html>`;
 
-const server = await serve('build/web'), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
+const server = await serve(process.env.WEB_FOLDER || 'build/web'), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
 
 // A page of its own, with what it asks for and what it complains of.
 async function open(options = {}, fragment = '', context = null) {
     context ??= await browser.newContext({viewport: {width: 1280, height: 800}, permissions: ['clipboard-read', 'clipboard-write'], ...options});
     const page = await context.newPage(), asked = [];
-    page.setDefaultTimeout(120000); // a limit for what hangs: a machine with other work takes its time
+    page.setDefaultTimeout(PATIENCE); // a limit for what hangs: a machine with other work takes its time
     page.on('console', (message) => { if (message.type() === 'error') said.push(message.text()); });
     page.on('pageerror', (error) => said.push(error.message));
     page.on('request', (request) => asked.push(path.basename(new URL(request.url()).pathname)));
@@ -189,13 +189,16 @@ await buttons.nth(2).click();
 await printed.nth(1).waitFor();
 check('or its last lines', /^# hit; steps: 9;[^\n]*$/.test(await printed.nth(1).textContent()));
 await buttons.nth(3).click();
+await printed.nth(2).waitFor();
+check('or its first', /^step,t,distance[^\n]*$/.test(await printed.nth(2).textContent()), await printed.nth(2).textContent());
+await buttons.nth(4).click();
 await page.waitForSelector('.live-result canvas');
 check('a picture that it writes is shown', await page.locator('.live-result canvas').evaluate((c) => c.width === 64 && c.height === 36));
-await buttons.nth(4).click();
+await buttons.nth(5).click();
 await page.waitForSelector('.live-wrong');
 check('what is wrong with it is told as the program does', (await page.locator('.live-wrong').textContent()).includes('--nonsense'));
-check('what was printed before is still there', await printed.count() === 3);
-await buttons.nth(5).click();
+check('what was printed before is still there', await printed.count() === 4);
+await buttons.nth(6).click();
 await page.waitForSelector('.live-beside.live-window');
 check('one in the text opens below its paragraph', await page.evaluate(() => document.querySelector('main > p').nextElementSibling.matches('.live-on')));
 

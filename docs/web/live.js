@@ -37,14 +37,14 @@ class LiveChapter extends HTMLElement {
 
     // Run a command line here: what options.c reads behind the program's name. Returns the exit status once it is
     // done, or the window's first picture is there. The page's program moves here if it is elsewhere.
-    //   tail  how many of the last lines that it prints are shown; 0: all
-    async run(line = this.getAttribute('line') || '', tail = 0) {
+    //   shown  {head} how many of the first lines that it prints are shown, {tail} how many of the last; else all
+    async run(line = this.getAttribute('line') || '', shown = {}) {
         this.button.disabled = true;
         this.setAttribute('aria-busy', 'true');
         try {
             stage ??= import('./stage.js').then(({Stage}) => Stage.load(part));
             this.stage = await stage;
-            return await this.stage.start(this, line, tail);
+            return await this.stage.start(this, line, shown);
         } catch (error) {
             stage = null;
             this.say(`The program cannot be loaded: ${error.message}`);
@@ -67,6 +67,7 @@ class LiveChapter extends HTMLElement {
     async play(name, text) {
         stage ??= import('./stage.js').then(({Stage}) => Stage.load(part));
         const {program} = this.stage = await stage;
+        this.scrollIntoView({block: 'nearest'}); // a file may be dropped anywhere in the page
         program.write(`chapters/${name}`, text);
         const status = await this.run(`--shader chapters/${name}`);
         if (program.call('live_runs')) await this.stage.changes.toggle(true);
@@ -103,7 +104,7 @@ function chapterOf(button, stem) {
 
 document.addEventListener('click', (event) => {
     const button = event.target.closest?.('button.run');
-    if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', Number(button.dataset.tail) || 0);
+    if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', {head: Number(button.dataset.head), tail: Number(button.dataset.tail)});
 });
 
 // The chapter's file in the editor, below a form.

@@ -97,7 +97,7 @@ export class Stage {
     // ---- A command line ----
 
     // Run one in an element, which gets the program. Returns its exit status.
-    async start(at, line, tail = 0) {
+    async start(at, line, shown = {}) {
         const turn = this.turn = Symbol(line);
         this.move(at);
         this.lines = [];
@@ -115,7 +115,7 @@ export class Stage {
         if (this.turn !== turn) return 0;
         at.classList.remove('live-waits');
         this.starting = false;
-        this.tail = tail;
+        this.shown = shown;
         this.tell(at, status);
         return status;
     }
@@ -179,8 +179,9 @@ export class Stage {
     result(at, status) {
         const {part} = this;
         const result = part('div', {className: 'live-result'}, ...this.pictures);
+        const {head, tail} = this.shown, lines = head > 0 ? this.lines.slice(0, head) : tail > 0 ? this.lines.slice(-tail) : this.lines;
         if (this.lines.length > 0 || this.pictures.length === 0) {
-            const printed = part('pre', {className: 'live-printed', tabIndex: 0, textContent: this.lines.slice(-this.tail).join('\n').replaceAll('/course/', '') || '(it prints nothing)'});
+            const printed = part('pre', {className: 'live-printed', tabIndex: 0, textContent: lines.join('\n').replaceAll('/course/', '') || '(it prints nothing)'});
             printed.setAttribute('role', 'region');
             printed.setAttribute('aria-label', 'What the program prints');
             printed.classList.toggle('live-wrong', status !== 0);
