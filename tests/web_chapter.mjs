@@ -131,6 +131,7 @@ const line = text.split('\n').length;
 check('an error has its line', (await words()).includes(`${FILE}:${line}: error:`), await words());
 check('which is marked, in the tab too', await page.locator('.cm-lint-marker-error').count() === 1 && await page.locator('.live-faulty').count() === 1);
 now = await state(page);
+check('and is in sight', await page.evaluate(() => { const box = document.querySelector('.live-error').getBoundingClientRect(); return box.height > 0 && box.top >= document.querySelector('.live-canvas').getBoundingClientRect().bottom - 1 && box.bottom <= innerHeight + 1; }));
 check('typing moves nothing', now.camera.every((x, i) => x === eye[i]) && now.view === 'picture', eye, now.camera);
 check('the picture is in sight above the text', await page.evaluate(() => { const box = document.querySelector('.live-canvas').getBoundingClientRect(); return box.top >= 0 && box.bottom < innerHeight; }));
 

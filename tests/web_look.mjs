@@ -37,6 +37,8 @@ async function look(work) {
             return [document.documentElement.scrollWidth, ...[...document.body.querySelectorAll('*')].filter((one) => one.getBoundingClientRect().right > most + 1).slice(0, 4).map((one) => `${one.tagName}.${one.className}`)];
         });
         check(`${name}: nothing to scroll sideways at 390 pixels`, wide.length === 0, wide);
+        const across = await page.evaluate(() => document.querySelector('main').getBoundingClientRect().width);
+        check(`${name}: the text has the telephone's width`, across >= 380, across);
         await page.setViewportSize({width: 1280, height: 900});
         await page.evaluate(AXE);
         const light = await findings(page);

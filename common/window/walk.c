@@ -10,7 +10,7 @@
 // What the ray and its march show is drawn again: in slice and plot that is the picture.
 static void look_again(struct window *window)
 {
-    window->ray.follow = true;
+    window->ray.follow = window->dirty = true;
     window->stale |= form_shows_ray(window->renderer->view);
 }
 

@@ -12,6 +12,17 @@ const part = (name, properties = {}, ...children) => {
     return made;
 };
 
+// Ask for all that a program needs at once, not one after what names it.
+const PARTS = ['stage', 'program', 'harness'], DATA = ['harness.wasm', 'course.json'];
+
+async function load() {
+    const from = (name) => new URL(name, import.meta.url).href;
+    document.head.append(...PARTS.map((name) => part('link', {rel: 'modulepreload', href: from(`${name}.js`)})),
+        ...DATA.map((name) => part('link', {rel: 'preload', as: 'fetch', crossOrigin: 'anonymous', href: from(name)})));
+    const {Stage} = await import('./stage.js');
+    return Stage.load(part);
+}
+
 class LiveChapter extends HTMLElement {
     connectedCallback() {
         if (this.screen) return; // it was moved
@@ -42,7 +53,7 @@ class LiveChapter extends HTMLElement {
         this.button.disabled = true;
         this.setAttribute('aria-busy', 'true');
         try {
-            stage ??= import('./stage.js').then(({Stage}) => Stage.load(part));
+            stage ??= load();
             this.stage = await stage;
             return await this.stage.start(this, line, shown);
         } catch (error) {
@@ -65,7 +76,7 @@ class LiveChapter extends HTMLElement {
 
     // Put a text into the course's files as chapters/NAME and run it, in the editor. Returns the exit status.
     async play(name, text) {
-        stage ??= import('./stage.js').then(({Stage}) => Stage.load(part));
+        stage ??= load();
         const {program} = this.stage = await stage;
         this.scrollIntoView({block: 'nearest'}); // a file may be dropped anywhere in the page
         program.write(`chapters/${name}`, text);

@@ -63,7 +63,7 @@ export class Stage {
         this.error.setAttribute('role', 'alert');
         this.values = new Values(this);
         this.ray = new Ray(this);
-        this.controls = part('div', {className: 'live-controls'}, this.pad, this.bar, this.changes.line, this.error, this.changes.element, this.values.element, this.ray.element);
+        this.controls = part('div', {className: 'live-controls'}, this.pad, this.bar, this.changes.line, this.changes.element, this.error, this.values.element, this.ray.element);
     }
 
     // A button that is a key for as long as it is held.
