@@ -182,7 +182,7 @@ export class Stage {
         const {head, tail} = this.shown, lines = head > 0 ? this.lines.slice(0, head) : tail > 0 ? this.lines.slice(-tail) : this.lines;
         if (this.lines.length > 0 || this.pictures.length === 0) {
             const printed = part('pre', {className: 'live-printed', tabIndex: 0, textContent: lines.join('\n').replaceAll('/course/', '') || '(it prints nothing)'});
-            printed.setAttribute('role', 'region');
+            printed.setAttribute('role', 'group'); // no landmark: there may be several
             printed.setAttribute('aria-label', 'What the program prints');
             printed.classList.toggle('live-wrong', status !== 0);
             result.append(printed);
