@@ -4,6 +4,7 @@
 
 #include "../common/platform.h"
 #include "../common/picture/panel.h"
+#include "../common/platform.h"
 #include "support_gpu.h"
 
 enum { WIDTH = 960, HEIGHT = 540, WARM_UP = 10, FRAMES = 120, RATE = 60 };

@@ -49,7 +49,7 @@ plant() { # LINE COPY: prints a result
         *) echo "ok $what: $catcher fails in$failed" ;;
         esac
         ;;
-    *) echo "not ok $what: it does not build: $(grep -m 1 'rror' "$copy/log")" ;;
+    *) echo "not ok $what: it does not build: $(grep -m 1 -w -i 'error' "$copy/log")" ;;
     esac
 }
 

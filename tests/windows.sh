@@ -1,5 +1,5 @@
 #!/bin/bash
-# windows.sh [PART...] - `make test-windows`: the programs and the tests that were built for Windows, run by Wine in a
+# windows.sh [PART...|NAME...] - `make test-windows`: the programs and the tests that were built for Windows, run by Wine in a
 # virtual display, over the software renderer. Parts: units, pictures, suites, windows, own; all where none is
 # named. The suites are those of `make test`: they find programs in build/wine/ that hand their words on to those for
 # Windows, and a driver for each of them, GLFW's.
@@ -112,7 +112,13 @@ for part in "${@:-units pictures suites windows own}"; do
             end_wine
             ;;
         own) suite own tests/windows_own.sh ;;
-        *) suite "$each" "tests/test_$each.sh" ;;
+        *)
+            if [ -e "build/windows/tests/test_$each.exe" ]; then
+                unit "build/windows/tests/test_$each.exe"
+            else
+                suite "$each" "tests/test_$each.sh"
+            fi
+            ;;
         esac
     done
 done
