@@ -132,8 +132,8 @@ static void the_second_follows_but_in_its_own(void **unused)
 static void own_values_have_their_place_and_their_side(void **unused)
 {
     (void)unused;
-    static const char *const names[] = {"bright (left)", "bright (right)", "bri", "kind (left)",
-                                        "kind (right)", "own (right)"};
+    static const char *const names[] = {"bright (left)", "bright (right)", "bri",
+                                        "kind (left)",   "kind (right)",   "own (right)"};
     enum { COUNT = sizeof names / sizeof *names };
     load_both(FIRST, SECOND "uniform float own; // 1 in [0, 1]: for this test\n");
     gpu.renderer.pair = &pair;

@@ -138,7 +138,8 @@ void glfwDestroyWindow(GLFWwindow *window)
 {
     (void)window;
     page_close_context();
-    web.window = (struct GLFWwindow){.focused = web.window.focused}; // none hears of a size or a key
+    web.window =
+        (struct GLFWwindow){.focused = web.window.focused}; // none hears of a size or a key
     web.open = false;
 }
 

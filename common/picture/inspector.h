@@ -13,8 +13,8 @@
 struct inspector {
     int pixel[2];
     const struct probe *probe; // its march
-    const char *side;          // of two pictures, whose it is: "left" or "right"; NULL: there is one
-    float shown;               // how many of its steps, with a part of the next; 0: all
+    const char *side; // of two pictures, whose it is: "left" or "right"; NULL: there is one
+    float shown;      // how many of its steps, with a part of the next; 0: all
     enum shader_view view;
     float middle; // of slice and plot: the row in which the ray runs, pixels
 };

@@ -29,7 +29,8 @@ static void draw_band(const struct panel_row *row, bool handled, struct overlay 
 static void draw_typed(const struct panel_rows *rows, const struct panel_row *row,
                        const struct panel *panel, struct overlay *overlay)
 {
-    float left = row->left + PANEL_GAP + rows->column[0] + PANEL_GAP, width = overlay_width(panel->typed);
+    float left = row->left + PANEL_GAP + rows->column[0] + PANEL_GAP,
+          width = overlay_width(panel->typed);
     float room = larger(row->left + row->width - left, width + 4.0f);
     overlay_box(overlay, left - 2.0f, row->top - 2.0f, room + 2.0f, row->height, FIELD);
     overlay_text(overlay, left, row->top, panel->typed, PEN_BRIGHT);
@@ -94,8 +95,7 @@ static void draw_row(const struct panel_rows *rows, int i, const struct panel *p
     }
 }
 
-void panel_paint(const struct panel_rows *rows, const struct panel *panel,
-                     struct overlay *overlay)
+void panel_paint(const struct panel_rows *rows, const struct panel *panel, struct overlay *overlay)
 {
     pen_open(overlay, rows->left, rows->top, rows->width - 2.0f * PEN_PADDING,
              rows->height - 2.0f * PEN_PADDING);

@@ -6,7 +6,6 @@
 
 // Draw the rows where they stand, with the panel below them.
 //   panel  of which they were built
-void panel_paint(const struct panel_rows *rows, const struct panel *panel,
-                 struct overlay *overlay);
+void panel_paint(const struct panel_rows *rows, const struct panel *panel, struct overlay *overlay);
 
 #endif

@@ -1,6 +1,6 @@
 // panel_rows.h - what the panel says, and the rows of the chapter's panel: built, then measured,
-// then drawn by panel_paint. What the pointer is on is found in the same rows, so that what is seen is what is
-// touched.
+// then drawn by panel_paint. What the pointer is on is found in the same rows, so that what is seen
+// is what is touched.
 #ifndef PANEL_ROWS_H
 #define PANEL_ROWS_H
 
@@ -24,20 +24,20 @@ struct panel {
     const struct renderer *renderer; // its view and parameters
     const struct parameter *chosen;  // what the arrows change
     double rate, milliseconds;       // frames a second, of one frame
-    bool timed;                      // the picture depends on the time
     double time;                     // seconds
     int resolution; // percent of each side at which the picture is drawn; 0 and 100: full
     int sharp;      // percent of it that is sharp all the same
+    bool timed;     // the picture depends on the time
     bool paused;
     bool ranges;       // range and unit of all parameters, where the picture has room for them
     bool folded;       // leave out all but the ray's march, in the slice that too, and the error
     bool bare;         // leave out all words but a pair's labels: somebody else says them
     bool right;        // it stands at the right
     bool rolled;       // it is folded to its title
-    const char *typed; // letters that stand in place of the chosen parameter's value
-    int typed_part;    // the component that they are for; -1: all
-    const char *tip;   // help for the row that the pointer rests on
     bool refused;      // it says why what was typed is not taken
+    const char *typed; // letters that stand in place of the chosen parameter's value
+    const char *tip;   // help for the row that the pointer rests on
+    int typed_part;    // the component that the letters are for; -1: all
     float tip_at[2];   // where the pointer is, units from the picture's top left
     struct panel_rows *rows; // takes the rows as they stand, for whoever has a pointer
     struct picker *picker;   // of the chosen colour, which takes its place; NULL: it is not open

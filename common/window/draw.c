@@ -26,9 +26,8 @@ void window_retitle(struct window *window)
         snprintf(rate, sizeof rate, " - %.0f fps", window->pace.rate);
     snprintf(text, sizeof text, "%.60s%s%s - %s%s%s%s%.60s%s", window->start->title,
              window->broken ? " - error: see terminal" : "", rate,
-             shader_view_name(window->renderer->view), parameter != NULL ? " - " : "",
-             name, parameter != NULL ? " = " : "", value,
-             window->paused ? " (paused)" : "");
+             shader_view_name(window->renderer->view), parameter != NULL ? " - " : "", name,
+             parameter != NULL ? " = " : "", value, window->paused ? " (paused)" : "");
     if (strcmp(text, window->title.shown) != 0)
         glfwSetWindowTitle(window->handle, text);
     memcpy(window->title.shown, text, sizeof text);

@@ -241,8 +241,7 @@ void window_touch(struct window *window, const struct window_event *event)
 void window_touch_tell(struct window *window, struct panel *panel, char tip[512])
 {
     int pointed = window->touch.pointed;
-    const struct parameter *below =
-        pointed >= 0 ? pair_parameter(window->renderer, pointed) : NULL;
+    const struct parameter *below = pointed >= 0 ? pair_parameter(window->renderer, pointed) : NULL;
     panel->right = window->panel.right;
     panel->rolled = window->panel.rolled;
     panel->tip = tip;
