@@ -132,12 +132,12 @@ endif
 SOURCES := $(sort $(shell find common -name '*.c'))
 ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,common/context/$(name).c))
 ABSENT += $(if $(filter glfw,$(BACKENDS)),common/window/none.c,$(filter-out %/none.c %/watch.c,$(filter common/window/%,$(SOURCES))))
-# What each system does in its own way: platform_SYSTEM*.c.
-PLATFORM := $(patsubst common/%.c,%,$(filter common/platform_$(if $(EXE),windows,posix)%,$(SOURCES)))
-ABSENT += $(filter-out $(PLATFORM:%=common/%.c),$(filter common/platform_%,$(SOURCES)))
+# What each system does in its own way.
+PLATFORM := $(patsubst common/%.c,%,$(filter common/platform/$(if $(EXE),windows,posix)%,$(SOURCES)))
+ABSENT += $(filter-out $(PLATFORM:%=common/%.c),$(filter common/platform/%,$(SOURCES)))
 # In a browser common/browser/ takes the place of some of them.
 BROWSER := $(filter common/browser/%,$(SOURCES))
-ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write platform_posix_process window/none),$(BROWSER))
+ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write platform/posix_process window/none),$(BROWSER))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(filter-out tests/support_system_$(if $(EXE),posix,windows).c,$(wildcard tests/support_*.c))
@@ -164,7 +164,7 @@ fuzzer: $(BUILD)/tests/fuzz
 
 # What is packed for others has what all programs do once, in a library beside them.
 SHARED := $(if $(WINDOWS),$(BUILD)/harness.dll)
-ENTRY := $(BUILD)/common/platform_windows_main.o
+ENTRY := $(BUILD)/common/platform/windows_main.o
 $(PROGRAMS): $(BUILD)/%$(EXE): $(BUILD)/chapters/%.o $(if $(SHARED),$(ENTRY) $(SHARED),$(COMMON)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 

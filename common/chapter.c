@@ -12,7 +12,7 @@
 #include "shader/export.h"
 #include "picture/image.h"
 #include "memory.h"
-#include "options.h"
+#include "command/options.h"
 #include "picture/panel.h"
 #include "platform.h"
 #include "picture/probe.h"

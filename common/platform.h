@@ -1,5 +1,5 @@
 // platform.h - what each system does in its own way and C11 does not say: files, links, clocks, the
-// environment, the console, crashes. platform_posix*.c or platform_windows*.c carries it out; no
+// environment, the console, crashes. platform/posix*.c or platform/windows*.c carries it out; no
 // other file of common/ asks for a system's own header, and none asks which system it is on. A path
 // is UTF-8, with '/' between its parts.
 #ifndef PLATFORM_H

@@ -8,7 +8,7 @@
 #include <unistd.h>
 
 #include "../common/shader/export.h"
-#include "../common/options.h"
+#include "../common/command/options.h"
 #include "../common/picture/texture.h"
 #include "../common/shader/parameter.h"
 #include "../common/sequence.h"

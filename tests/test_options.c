@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "../common/options.h"
+#include "../common/command/options.h"
 #include "support_scratch.h"
 
 #define WORDS 32

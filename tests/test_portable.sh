@@ -107,7 +107,7 @@ mac_picture() ( # in a display that goes with it
     exit $status
 )
 if command -v clang >/dev/null; then
-    check "what a Mac's C library is asked for" apple common/platform_posix*.c
+    check "what a Mac's C library is asked for" apple common/platform/posix*.c
     check "a program with clang, a Mac's macros and GLFW alone" mac_build
     if command -v Xvfb >/dev/null; then
         check 'draws a file from a hidden window' mac_picture
@@ -186,7 +186,7 @@ names() { lacks UCRT64 && grep -qx "  pacman -Sy --needed diffutils$(printf ' mi
 check "MSYS2's pacman is asked for its own packages, and for no EGL" names
 other() { lacks MINGW64 && grep -q "shell 'MSYS2 UCRT64'.*MINGW64" "$scratch/lacks"; }
 check 'another shell of MSYS2 names the right one' other
-builds() { make -n OS=Windows_NT programs >"$scratch/builds" && grep -q 'build/00_first_scene\.exe .*/platform_windows_main\.o .*-municode' "$scratch/builds"; }
+builds() { make -n OS=Windows_NT programs >"$scratch/builds" && grep -q 'build/00_first_scene\.exe .*/platform/windows_main\.o .*-municode' "$scratch/builds"; }
 check 'on Windows make builds programs for it' builds
-check 'with nothing of another system' [ "$(grep -cE 'platform_posix|context/(egl|osmesa)\.o' "$scratch/builds")" = 0 ]
+check 'with nothing of another system' [ "$(grep -cE 'platform/posix|context/(egl|osmesa)\.o' "$scratch/builds")" = 0 ]
 plan

@@ -1,6 +1,6 @@
 // Where a program for Windows begins: it hands main the command line in UTF-8. What is packed for
 // others has this file in every program, and all the rest once, in a library beside them.
-#include "platform_windows.h"
+#include "platform/windows.h"
 
 #include <fcntl.h>
 #include <io.h>

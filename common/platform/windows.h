@@ -1,4 +1,4 @@
-// platform_windows.h - what the files of the platform say to each other on Windows.
+// windows.h - what the files of the platform say to each other on Windows.
 #ifndef PLATFORM_WINDOWS_H
 #define PLATFORM_WINDOWS_H
 

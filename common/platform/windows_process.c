@@ -1,5 +1,5 @@
 // platform.h for Windows: the program's clocks, its console, and what may happen to the process.
-#include "platform_windows.h"
+#include "platform/windows.h"
 
 #include <io.h>
 #include <stdint.h>
