@@ -175,7 +175,7 @@ $(FIRST_STEPS): $(BUILD)/first_steps/%: $(BUILD)/chapters/first_steps/%.o $(EXTR
 	@mkdir -p $(@D)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-$(TESTS) $(BUILD)/tests/measure$(EXE): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
+$(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),measure draw): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 # It has functions of its own in the place of GLFW's, which is no library by itself on Windows.
@@ -185,10 +185,6 @@ $(BUILD)/tests/test_input.exe: LDFLAGS += -Wl,--allow-multiple-definition
 $(BUILD)/tests/compare$(EXE) $(BUILD)/tests/judge$(EXE): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(JUDGE) \
     $(patsubst %,$(BUILD)/common/%.o,picture/image picture/image_read picture/image_write shader/text_file memory report $(PLATFORM)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
-
-# It holds the source of common/chapter.c.
-$(BUILD)/tests/draw$(EXE): $(BUILD)/tests/draw.o $(SUPPORT) $(filter-out %/chapter.o,$(COMMON)) $(EXTRA)
-	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 # libFuzzer brings its own main.
 $(BUILD)/tests/fuzz: $(patsubst %,$(BUILD)/tests/%.o,fuzz support_fuzz support_scratch support_system_posix) $(COMMON)

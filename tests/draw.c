@@ -7,11 +7,15 @@
 // NAME and what compare prints of it; or 'none' and NAME where there is no picture, with a reason
 // on standard error. With FOLDER each picture is left there as NAME.BACKEND.png.
 //
-// A picture is made of its options as the programs make it: their code is this one's.
-#include "../common/chapter.c" // NOLINT(bugprone-suspicious-include)
-
+// A picture is made of its options as the programs make it.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
 #include <unistd.h>
 
+#include "../common/command/run.h"
+#include "../common/memory.h"
+#include "../common/report.h"
 #include "support_compare.h"
 #include "support_mirror.h"
 
@@ -64,28 +68,24 @@ static bool find_picture(struct listed *listed, const char *name, char *output)
 // In the project's folder, as the options name their files.
 static bool draw(const struct context *context, struct run *run, struct image *image)
 {
-    struct renderer renderer = {0};
-    struct renderer_inputs inputs = still_inputs(&run->options);
+    struct renderer *renderer = &run->renderer;
+    struct renderer_inputs inputs = run_still_inputs(&run->options);
     struct renderer_eye eye;
     bool probes = run->options.has_overlay && run->options.probe_count > 0;
     struct probe *probe = probes ? memory_zeros(1, sizeof *probe) : NULL;
     snprintf(run->root, sizeof run->root, ".");
-    bool done = find_shader(run) && read_shader(run) == DONE &&
-                renderer_open(&renderer, &context->gl, run->root);
-    renderer.view = run->options.view;
-    done = done && renderer_load(&renderer, &run->source, &run->parameters) &&
-           second_load(&run->second, &renderer);
+    bool done = run_find_shader(run) && run_read_shader(run) == RUN_DONE &&
+                renderer_open(renderer, &context->gl, run->root);
+    renderer->view = run->options.view;
+    done = done && renderer_load(renderer, &run->source, &run->parameters) &&
+           second_load(&run->second, renderer);
     if (done)
-        start_ray(&run->options, &renderer, &inputs, &eye);
+        run_start_ray(&run->options, renderer, &inputs, &eye);
     done =
         done &&
-        (!probes || renderer_probe(&renderer, &inputs, inputs.pixel[0], inputs.pixel[1], probe)) &&
-        draw_picture(run, &renderer, &inputs, probe, image);
+        (!probes || renderer_probe(renderer, &inputs, inputs.pixel[0], inputs.pixel[1], probe)) &&
+        run_draw(run, renderer, &inputs, probe, image);
     free(probe);
-    second_close(&run->second);
-    renderer_close(&renderer);
-    shader_free(&run->source);
-    parameters_free(&run->parameters);
     return done;
 }
 
@@ -109,19 +109,17 @@ static bool draw_in(const struct context *context, const char *name, const char 
 {
     static struct listed listed;
     char title[LINE];
-    struct chapter chapter = {.stem = listed.stem, .title = title};
-    struct run run = {.chapter = &chapter};
+    struct camera camera;
+    struct run run = {0};
     char here[PLATFORM_PATH], output[] = "picture.png";
     if (!find_picture(&listed, name, output) || !find_title(listed.stem, title) ||
-        !mirror_camera(".", listed.stem, &chapter.camera) ||
-        !options_parse(&run.options, listed.count, listed.word))
+        !mirror_camera(".", listed.stem, &camera) ||
+        !run_parse(&run, listed.stem, title, &camera, listed.count, listed.word))
         return false;
-    if (!run.options.has_camera)
-        run.options.camera = chapter.camera;
     bool alone = run.options.frames == 0;
     bool moved = alone && getcwd(here, sizeof here) != NULL && chdir(root) == 0;
     bool done = moved ? draw(context, &run, image) : report("%s: not drawn in %s", name, root);
-    options_free(&run.options);
+    run_close(&run);
     return (!moved || chdir(here) == 0) && done;
 }
 
@@ -156,7 +154,7 @@ int main(int argc, char **argv)
     char line[LINE], *rest;
     if ((argc > 1 && !context_backend_from_name(argv[1], &backend)) ||
         !context_open_offscreen(&context, backend))
-        return NOT_DONE;
+        return RUN_NOT_DONE;
     while (fgets(line, sizeof line, stdin) != NULL) {
         const char *name = strtok_r(line, " \n", &rest);
         const char *root = name != NULL ? strtok_r(NULL, " \n", &rest) : NULL;
@@ -165,5 +163,5 @@ int main(int argc, char **argv)
                    argc > 2 ? argv[2] : NULL);
     }
     context_close(&context);
-    return DONE;
+    return RUN_DONE;
 }

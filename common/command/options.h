@@ -11,6 +11,8 @@
 
 #define OPTIONS_SIZE_LIMIT    16384 // pixels, each way
 #define OPTIONS_SAMPLES_LIMIT 8     // samples along each side of a pixel
+#define OPTIONS_LIMIT                                                                              \
+    1e9 // of times and places: beyond it a float of the shader has lost every fraction
 
 enum options_action {
     OPTIONS_RUN,          // a window, or a file, or a probe
@@ -66,7 +68,22 @@ bool options_parse(struct options *options, int argc, char **argv);
 // Free what options_parse allocated.
 void options_free(struct options *options);
 
-// The text of --help.
+// One option. Letter and value stand as help writes them: a value after a blank is needed, one in
+// brackets may be left out, and after a blank is a word of its own that does not begin with '-'. An
+// empty default is not printed.
+struct options_row {
+    const char *letter, *name, *value;
+    // Takes the text after the option, NULL where that is left out, and reports what is wrong with
+    // it; NULL where the action is all.
+    bool (*set)(struct options *options, const char *text);
+    enum options_action action;
+    const char *meaning, *initial;
+};
+
+// All of them, with a row of zeros at their end (options_table.c).
+extern const struct options_row options_rows[];
+
+// The text of --help (options_help.c).
 //   program  how the program was called
 //   title, shows   of the chapter
 void options_print_help(FILE *file, const char *program, const char *title, const char *shows);
