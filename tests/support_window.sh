@@ -8,8 +8,14 @@ program='' window='' manager='' shots=0 picture='' stem=''
 
 # ---- Tools ----
 
-# eventually COMMAND...: wait until the command succeeds. Only what never comes is given up.
-eventually() { tries=1200 attempt "$@"; }
+# eventually COMMAND...: wait until the command succeeds. Only what never comes is given up, and what was to be seen
+# then is kept beside the suite's output.
+eventually() { tries=1200 attempt "$@" || in_vain "$@"; }
+in_vain() {
+    echo "# waited in vain for '$*'; keys go to '$(xdotool getwindowfocus getwindowname 2>&1)'"
+    import -window root "${TEST_RESULTS:-$scratch}/$(basename "$0" .sh)-in-vain.png"
+    return 1
+}
 # soon COMMAND...: the same for a few seconds, for what may never come.
 soon() { tries=60 attempt "$@"; }
 attempt() {
