@@ -88,6 +88,7 @@ watched() { # COMMAND FILE
 # Run a suite; leave its counts in NAME.counts and print its line.
 run_one() { # NAME
     local file=$results/${1//\//-} status passed failed skipped planned seconds text="" TIMEFORMAT=%1R
+    rm -f "$file.ended" # of an earlier run with the same folder for results
     { time watched "$(command_of "$1")" "$file"; } 2>"$file.time"
     status=$?
     seconds=$(tail -n 1 "$file.time")
