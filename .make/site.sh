@@ -18,20 +18,6 @@ node "$source/site.mjs" "$out" $(pages)
 done
 cp "$source"/{site.css,site.js,play.js,icon.svg} "$out/"
 cp "$source/LICENSE.fonts" "$out/fonts/LICENSE.txt"
-
-# subset NAME LETTERS FAMILY:STYLE: only the letters that the pages use, of a font that fontconfig finds.
-subset() {
-    file=$(fc-match -f '%{file}' "$3")
-    case $file in
-    *agella*) ;;
-    *) echo "make site: the font $3 is missing: $file would stand in its place" >&2; exit 1 ;;
-    esac
-    pyftsubset "$file" --text-file="$out.parts/$2.txt" --flavor=woff2 --layout-features="$4" --output-file="$out/fonts/$1.woff2" --drop-tables+=FFTM
-}
-subset regular text 'TeX Gyre Pagella:style=Regular' kern,liga,tnum
-subset italic text 'TeX Gyre Pagella:style=Italic' kern,liga,tnum
-subset bold text 'TeX Gyre Pagella:style=Bold' kern,liga,tnum
-subset formula formula 'TeX Gyre Pagella Math' kern # ssty, half as much again, is what no browser asks for by itself
 rm -r "$out.parts"
 
 # No times, no owners, one order: the archive depends on the files alone.

@@ -8,6 +8,7 @@
 #include "browser/state.h"
 #include "chapter.h"
 #include "memory.h"
+#include "picture/pair.h"
 #include "platform.h"
 #include "report.h"
 #include "window/state.h"
@@ -201,9 +202,17 @@ const char *live_version(void)
     return live.answer;
 }
 
+// Of two pictures, the one's by the name that the state gives it: "factor (right)". NULL: none.
 static struct parameter *parameter(const char *name)
 {
-    return window() != NULL ? parameters_find(&window()->renderer->parameters, name) : NULL;
+    const struct renderer *renderer = window() != NULL ? window()->renderer : NULL;
+    for (int i = 0; renderer != NULL && i < pair_parameter_count(renderer); i++) {
+        char said[STATE_NAME];
+        pair_parameter_name(renderer, pair_parameter(renderer, i), said, sizeof said);
+        if (strcmp(said, name) == 0)
+            return pair_parameter(renderer, i);
+    }
+    return NULL;
 }
 
 static void change(void)

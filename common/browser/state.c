@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "browser/hands.h"
+#include "picture/pair.h"
 #include "report.h"
 #include "window/state.h"
 #include "window/window.h"
@@ -54,12 +55,15 @@ static void yes(FILE *stream, const char *name, bool value)
     fprintf(stream, ",\"%s\":%s", name, value ? "true" : "false");
 }
 
-static void write_parameter(FILE *stream, const struct parameter *p)
+static void write_parameter(FILE *stream, const struct renderer *renderer, int index)
 {
+    const struct parameter *p = pair_parameter(renderer, index);
+    char name[STATE_NAME];
+    pair_parameter_name(renderer, p, name, sizeof name);
     static const char *const types[] = {
         [PARAMETER_FLOAT] = "float", [PARAMETER_INT] = "int", [PARAMETER_BOOL] = "bool"};
     fprintf(stream, "{\"type\":\"%s\"", types[p->type]);
-    text(stream, "name", p->name);
+    text(stream, "name", name);
     numbers(stream, "value", p->components, p->value);
     numbers(stream, "initial", p->components, p->initial);
     one(stream, "minimum", p->minimum);
@@ -93,9 +97,11 @@ static void write_probe(FILE *stream, const struct probe *probe)
     fputs("]}", stream);
 }
 
-static void write_views(FILE *stream)
+// The views to choose from: the picture alone where a text has a main of its own.
+static void write_views(FILE *stream, enum shader_form form)
 {
-    for (int view = 0; view < SHADER_VIEW_COUNT; view++) {
+    int count = form == SHADER_COURSE ? SHADER_VIEW_COUNT : SHADER_PICTURE + 1;
+    for (int view = 0; view < count; view++) {
         fputs(view > 0 ? "," : ",\"views\":[", stream);
         state_string(stream, shader_view_name((enum shader_view)view));
     }
@@ -121,16 +127,16 @@ static void write_window(FILE *stream, const struct window *window)
     one(stream, "shown", floor((double)inputs->shown));
     text(stream, "why", inputs->pixel[0] >= 0 ? window->ray.why : "");
     yes(stream, "halves", live_halves() != 0);
-    write_views(stream);
+    write_views(stream, renderer->fragment.form);
     fputs(",\"files\":[", stream);
     for (int i = 0; i < renderer->fragment.file_count; i++) {
         fputs(i > 0 ? "," : "", stream);
         state_string(stream, renderer->fragment.paths[i]);
     }
     fputs("],\"parameters\":[", stream);
-    for (int i = 0; i < renderer->parameters.count; i++) {
+    for (int i = 0; i < pair_parameter_count(renderer); i++) {
         fputs(i > 0 ? "," : "", stream);
-        write_parameter(stream, &renderer->parameters.item[i]);
+        write_parameter(stream, renderer, i);
     }
     fputs("]", stream);
     if (inputs->pixel[0] >= 0 && window->ray.why[0] == '\0' && !window->ray.follow)

@@ -8,6 +8,10 @@
 
 struct window;
 
+enum {
+    STATE_NAME = 160
+}; // bytes of a parameter's name here, "factor (right)" for the second picture's
+
 // Write the state:
 //   title, shows          of the chapter
 //   error                 why the last text of the shader is not shown, "" when all is well
@@ -18,10 +22,10 @@ struct window;
 //   divisor, size, pixel  the picture's sides are divided by it; pixels; the chosen pixel or -1
 //   shown, why            how many of its ray's steps are shown, 0 for all; why it has no march
 //   halves                float targets are made of half floats here
-//   views                 their names, in the order of their numbers
+//   views                 the names of those that there are, in the order of their numbers
 //   files                 of the shader, paths
-//   parameters            name, type, value, initial, minimum, maximum, step, multiplies, unit,
-//                         meaning
+//   parameters            of both pictures where there are two, as the panel lists them: name,
+//                         type, value, initial, minimum, maximum, step, multiplies, unit, meaning
 //   probe                 of the chosen pixel's ray: outcome, steps, all_steps, evaluations,
 //                         colour, march (t, distance, x, y, z of each step)
 //   window  NULL for none

@@ -7,6 +7,10 @@
 
 #define RISE 1.7320508 // height of the triangle, whose side is 2
 
+// A mirror's normal in words, and what follows on the line.
+#define NORMAL(number, after)                                                                      \
+    "n<tspan font-size='10' dy='3'>" number "</tspan><tspan dy='-3'>" after "</tspan>"
+
 struct point {
     double x, y;
 };
@@ -89,9 +93,9 @@ static void write_numbers(struct point p, struct point once, struct point twice,
                           double second)
 {
     write_place(112.0, "p", p);
-    svg_textf(470.0, 142.0, 'l', 15.0, SVG_INK, "n₁ · p + 1 = −%.3f: behind", -first);
+    svg_textf(470.0, 142.0, 'l', 15.0, SVG_INK, NORMAL("1", " · p + 1 = −%.3f: behind"), -first);
     write_place(188.0, "p′", once);
-    svg_textf(470.0, 218.0, 'l', 15.0, SVG_INK, "n₂ · p′ + 1 = −%.3f: behind", -second);
+    svg_textf(470.0, 218.0, 'l', 15.0, SVG_INK, NORMAL("2", " · p′ + 1 = −%.3f: behind"), -second);
     write_place(264.0, "p″", twice);
     svg_textf(470.0, 310.0, 'l', 15.0, SVG_INK, "from p″ to the dark triangle: %.3f",
               0.5 * (RISE * twice.x + twice.y));
@@ -111,8 +115,8 @@ int main(void)
     draw_copy((struct point){-0.5, -0.5 * RISE}, SVG_SKY, SVG_PALE);
     draw_copy((struct point){0.5, -0.5 * RISE}, SVG_SKY, SVG_PALE);
     draw_copy((struct point){0.0, 0.0}, SVG_BLUE, SVG_BLUE);
-    draw_mirror(n1, -0.62, 1.30, "n₁", -0.55);
-    draw_mirror(n2, -1.30, 0.62, "n₂", 0.55);
+    draw_mirror(n1, -0.62, 1.30, NORMAL("1", ""), -0.55);
+    draw_mirror(n2, -1.30, 0.62, NORMAL("2", ""), 0.55);
     draw_step(p, once);
     draw_step(once, twice);
     draw_point(p, 12.0, 10.0, "p");

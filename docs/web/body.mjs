@@ -44,14 +44,27 @@ function childrenOf(mathml) {
 }
 
 const ungrouped = (child) => child.startsWith('<mrow>') ? child.slice(6, -7) : child;
+const UNSTYLED = / class="(?:tml-(?:prime|\w+-pad) ?)+"/g; // names of Temml's own style sheet, of which site.css has two
 const LONG = 24; // letters of a formula in a line that a phone's line may not hold
+
+// Of several statements in one display, a \\qquad apart or behind a comma and a \\quad, each is a formula: they stand below each other where the page is narrow.
+function statements(whole) {
+    const [, open, inside] = /^(<math[^>]*>)(.*)<\/math>$/s.exec(whole);
+    const all = childrenOf(inside), children = all.length === 1 && all[0].startsWith('<mrow>') ? childrenOf(ungrouped(all[0])) : all;
+    const parts = [[]];
+    for (const child of children) {
+        if (child === '<mspace width="2em"/>' || (child === '<mspace width="1em"/>' && parts.at(-1).at(-1) === '<mo>,</mo>')) parts.push([]);
+        else parts.at(-1).push(child);
+    }
+    return parts.length === 1 ? whole : parts.map((part) => `${open}<mrow>${part.join('')}</mrow></math>`).join('');
+}
 
 // A formula that is wider than the page scrolls in its own box. In a line a long one breaks behind its signs: no browser
 // breaks a <math>, so it becomes one for each part that TeX would not break.
 function mathml(tex, display) {
-    const render = (wrap) => tightened(compact(temml.renderToString(tex, {displayMode: display, wrap, throwOnError: true})));
+    const render = (wrap) => tightened(compact(temml.renderToString(tex, {displayMode: display, wrap, throwOnError: true}))).replace(UNSTYLED, '');
     const whole = render('none');
-    if (display) return `<span class="formula">${whole}</span>`;
+    if (display) return `<span class="formula">${statements(whole)}</span>`;
     const [, inside] = /^<math>(.*)<\/math>$/s.exec(whole);
     const children = childrenOf(inside);
     if (plain(inside).length <= LONG) return `<math>${children.length === 1 ? ungrouped(inside) : inside}</math>`;
@@ -132,9 +145,18 @@ const images = (html, pictures) => html.replace(/<img src="([^"]*)"([^>]*?) ?\/?
 const live = (html, stem) => html.replace(/<figure>\s*<img ([^>]*) loading="lazy"([^>]*)>.*?<\/figure>/s,
     (_, more, rest) => `<live-chapter stem="${stem}"><img ${more}${rest}></live-chapter>`);
 
-// In a table of pictures each cell is a share of the width; one of words scrolls where it is wider than the page.
+// Is this a table of words below named columns, which a narrow page shows row by row?
+function wordy(table) {
+    const [head, ...rows] = table.split('</tr>').map((row) => [...row.matchAll(/<t[dh][^>]*>(.*?)<\/t[dh]>/gs)].map(([, cell]) => plain(cell).trim())).filter((row) => row.length > 0);
+    return head.length > 2 && head[0] !== '' && rows.join('').length > 45 * rows.length;
+}
+
+// A picture leads to itself alone, to be seen larger.
+const enlarged = (html) => html.replace(/(<live-chapter[^>]*>)?(<img src="([^"]*)"[^>]*>)/g, (whole, live, img, source) => live ? whole : `<a class="picture" href="${source}">${img}</a>`);
+
+// In a table of pictures each cell is a share of the width; one of numbers scrolls where it is wider than the page.
 const tables = (html) => html.replace(/<table>(.*?)<\/table>/gs, (whole, inside) => {
-    const kind = /<td[^>]*>\s*<img/.test(inside) ? ' pictures' : '';
+    const kind = /<td[^>]*>\s*<img/.test(inside) ? ' pictures' : wordy(inside) ? ' words' : '';
     const clean = inside.replace(/<tr class="[^"]*">/g, '<tr>').replace(/<th([^>]*)><\/th>/g, '<td$1></td>');
     return `<div class="table${kind}"><table>${clean}</table></div>`;
 });
@@ -153,7 +175,7 @@ export function bodyOf(html, {stem, sources, pictures}) {
     html = tables(html).replaceAll(' />', '>');
     // What stands above the first section is no part of one: small to the eye, but no level is left out.
     html = html.replace(/^.*?(?=<h2|$(?![^]))/s, (head) => head.replace(/<h3( [^>]*)>(.*?)<\/h3>/gs, '<h2 class="minor"$1>$2</h2>'));
-    return stem ? live(html, stem) : html;
+    return enlarged(stem ? live(html, stem) : html);
 }
 
 // The sections of a body: [{level, id, html, text}], text being the words below its heading.
@@ -161,7 +183,7 @@ export function sectionsOf(html) {
     const parts = html.split(/<h([1-3])((?: [\w-]+="[^"]*")*)>(.*?)<\/h\1>/s);
     const sections = [];
     for (let i = 1; i < parts.length; i += 4) {
-        const words = parts[i + 3].replace(/<math.*?<\/math>|<pre.*?<\/pre>|<figcaption.*?<\/figcaption>|<button.*?<\/button>|<summary>.*?<\/summary>/gs, ' ')
+        const words = parts[i + 3].replace(/<math.*?<\/math>|<pre.*?<\/pre>|<figcaption.*?<\/figcaption>|<button.*?<\/button>|<summary>.*?<\/summary>|<p class="note">.*?<\/p>/gs, ' ')
             .replace(/<\/?(?:p|li|t[hdr]|div|h\d|[uo]l|br)\b[^>]*>/g, ' ');
         sections.push({
             level: Number(parts[i]), id: /id="([^"]*)"/.exec(parts[i + 1])[1], html: parts[i + 2],

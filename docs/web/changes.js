@@ -101,6 +101,7 @@ export class Changes {
         this.editor ??= new Editor(this.place, {read: (name) => this.stage.program.read(name), changed: (name, text) => this.change(name, text)});
         this.show(this.stage.state);
         this.editor.view.focus();
+        this.element.scrollIntoView({block: 'nearest'}); // on a telephone it opens below the screen
     }
 
     show(state) {

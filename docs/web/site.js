@@ -14,6 +14,7 @@
         const [short, long] = themes[name] || themes[''];
         root.dataset.theme = name;
         theme.textContent = short;
+        theme.title = `The theme is ${long}`;
         theme.setAttribute('aria-label', `${short}: the theme is ${long}`);
     }
     theme.hidden = false;
@@ -147,8 +148,12 @@
     }
     addEventListener('hashchange', unfold);
     unfold();
-    for (const nav of document.querySelectorAll('[popover]'))
+    for (const nav of document.querySelectorAll('[popover]')) {
+        const show = () => { const here = nav.querySelector('[aria-current], .here'); if (here) nav.scrollTop += Math.max(0, here.getBoundingClientRect().bottom - nav.getBoundingClientRect().bottom + 40); };
         nav.addEventListener('click', (event) => { if (event.target.closest('a') && nav.matches(':popover-open')) nav.hidePopover(); });
+        nav.addEventListener('toggle', show);
+        show();
+    }
 
     // ---- Where one stopped ----
 

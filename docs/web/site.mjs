@@ -1,8 +1,8 @@
 // site.mjs OUT PAGE... - the pages of docs/ as a static site: `make site` calls it after the module is built.
 //   OUT   the folder, which is there
 //   PAGE  pages in the order of reading
-// Beside them it writes the front page, Play, the files that pages link to, what search.js reads, the pictures, and
-// OUT.letters/, the letters that each font must have.
+// Beside them it writes the front page, Play, the files that pages link to, what search.js reads, the pictures, and the
+// fonts. OUT.parts/ is for what comes between.
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -10,6 +10,8 @@ import path from 'node:path';
 import {promisify} from 'node:util';
 import {bodyOf, read, sectionsOf} from './body.mjs';
 import {escaped, plain} from './colour.mjs';
+import {writeFigures} from './figures.mjs';
+import {subset} from './fonts.mjs';
 import {Sources, root} from './sources.mjs';
 
 const run = promisify(execFile);
@@ -34,6 +36,7 @@ async function pageOf(file) {
     for (const [, source] of stdout.matchAll(/(?:data-file="|href="source:)([^"#]*)/g)) sources.mention(source, page);
     try {
         page.body = bodyOf(stdout, {stem: name === 'front' ? '00_first_scene' : stem, sources, pictures}).replace(/(<h1[^>]*>)(\d\d) /, '$1<span class="number">$2</span> ');
+        page.body = hinted(page);
     } catch (error) {
         throw new Error(`${file}: ${error.message}`, {cause: error});
     }
@@ -52,6 +55,50 @@ async function pagesOf(names) {
         }
     }));
     return pages;
+}
+
+// Below a chapter's program: a page speaks of a terminal, and its reader has none.
+const HERE_TOO = '<p class="note">You need no terminal here: <b>Run</b> does what the command beside it says, <b>Edit</b>, below the picture, changes its shader. '
+    + '<a href="index.html#in-these-pages">How these pages work</a></p>';
+const hinted = (page) => page.stem ? page.body.replace(/<\/live-chapter>(?:\s*<div class="commands">.*?<\/button><\/div><\/div>)?/s, (program) => `${program}\n${HERE_TOO}`) : page.body;
+
+// ---- Proofs ----
+
+// A page has at most 150 KB of text, with what stands around it: a telephone loads and lays out no more in good time. The
+// proofs of a heavier one are a page beside it.
+const HEAVY = 140e3;
+
+const idsOf = (html) => new Set([...html.matchAll(/\sid="([^"]*)"/g)].map(([, id]) => id));
+
+// The page of a heavy page's proofs, which keeps a list of them; nothing for a page that is light.
+function proofsOf(page) {
+    if (Buffer.byteLength(page.body) <= HEAVY) return undefined;
+    const [whole, heading, body] = /(<h2 id="proofs">.*?<\/h2>)(.*?)(?=<h2|$(?![^]))/s.exec(page.body) ?? [];
+    if (!whole) throw new Error(`${page.address}: ${Buffer.byteLength(page.body)} bytes, and no proofs to take out`);
+    const address = page.address.replace('.html', '-proofs.html');
+    const items = [...body.matchAll(/<h3 id="([^"]*)">(.*?)<\/h3>/gs)].map(([, id, title]) => `<li><a href="${address}#${id}">${title.replace(/<\/?a[^>]*>/g, '')}</a></li>`);
+    page.body = page.body.replace(whole, () => `${heading}<p>They are <a href="${address}">a page of their own</a>:</p><ul>${items.join('')}</ul>`);
+    return {
+        address, of: page, title: `${page.title}: proofs`, stem: page.stem,
+        body: `<h1 id="${page.stem}-proofs">${page.title.replace(/^\d\d /, '<span class="number">$&</span>')}: proofs</h1>\n<p>What <a href="${page.address}">the chapter</a> states, proved.</p>\n`
+            + body.replace(/<(\/?)h([34])/g, (_, end, level) => `<${end}h${level - 1}`),
+    };
+}
+
+// Put the pages of proofs behind those that they belong to, and lead every link to where its place is now.
+function parted(pages) {
+    const all = pages.flatMap((page) => [page, proofsOf(page)].filter(Boolean));
+    for (const proofs of all.filter(({of}) => of)) {
+        const {of} = proofs, moved = idsOf(proofs.body), at = (address, id) => `href="${address}#${id}"`;
+        for (const page of all) {
+            page.body = page.body.replaceAll(new RegExp(`href="${of.address}#([^"]*)"`, 'g'), (link, id) => moved.has(id) ? at(proofs.address, id) : link);
+            if (page === of) page.body = page.body.replace(/href="#([^"]*)"/g, (link, id) => moved.has(id) ? at(proofs.address, id) : link);
+        }
+        proofs.body = proofs.body.replace(/href="#([^"]*)"/g, (link, id) => moved.has(id) ? link : at(of.address, id));
+        proofs.body = proofs.body.replaceAll(`href="${proofs.address}#`, 'href="#');
+        for (const page of [of, proofs]) page.sections = sectionsOf(page.body);
+    }
+    return all;
 }
 
 // ---- What stands around a page ----
@@ -73,7 +120,8 @@ const numbered = (title) => escaped(title).replace(/^(\d\d) /, '<span class="num
 function contents(pages, here, up = '') {
     const groups = Map.groupBy ? Map.groupBy(pages, groupOf) : pages.reduce((map, page) => map.set(groupOf(page), [...map.get(groupOf(page)) ?? [], page]), new Map());
     return [...groups].map(([name, group]) => `${name ? `<h2>${name}</h2>` : ''}<ul>${group.map((page) =>
-        `<li><a href="${up}${page.address}"${page === here ? ' aria-current="page"' : ''}>${numbered(short(page))}</a></li>`).join('')}</ul>`).join('\n');
+        `<li${page.of ? ' class="under"' : ''}><a href="${up}${page.address}"${page === here ? ' aria-current="page"' : ''}>${page.of ? 'Proofs' : numbered(short(page))}</a></li>`)
+        .join('')}</ul>`).join('\n');
 }
 
 // The sections at the right: those of a section only where it is being read.
@@ -89,7 +137,8 @@ function sectionList(page) {
 }
 
 function turn(pages, page) {
-    const i = pages.indexOf(page), before = pages[i - 1], after = pages[i + 1];
+    // Who reads the chapters in order goes past a page of proofs; from there the chapter is before.
+    const i = pages.indexOf(page), before = pages.slice(0, i).findLast(({of}) => !of), after = pages.slice(i + 1).find(({of}) => !of);
     if (i < 0 || (!before && !after)) return '';
     return `<nav class="turn" aria-label="Previous and next page">${before ? `<a rel="prev" href="${before.address}"><small>Previous</small> ${numbered(short(before))}</a>` : '<span></span>'}`
         + `${after ? `<a rel="next" href="${after.address}"><small>Next</small> ${numbered(short(after))}</a>` : ''}</nav>`;
@@ -155,7 +204,7 @@ function prepared(name) {
 
 // ---- All ----
 
-// The letters that each font needs: a browser makes single letters of a formula italic by itself.
+// The letters that each font needs, {text, formula}: a browser makes single letters of a formula italic by itself.
 function letters(pages) {
     const text = new Set(), formula = new Set('0123456789𝜕𝜖𝜗𝜙√'); // a root's sign is drawn, and stands in no text
     const add = (set, html) => { for (const letter of plain(html)) if (letter > ' ') set.add(letter); };
@@ -169,23 +218,19 @@ function letters(pages) {
             if (letter >= first && letter <= last) formula.add(letter === 'h' ? 'ℎ' : String.fromCodePoint(italic + letter.codePointAt(0) - first.codePointAt(0)));
         }
     }
-    for (const [name, set] of Object.entries({text, formula})) fs.writeFileSync(`${out}.parts/${name}.txt`, [...set].sort().join(''));
+    return {text, formula};
 }
 
-// In a dark theme the pen's colours change (docs/figures/svg.h), and what figures have besides for words and grounds; a picture follows the colour scheme of the page that shows it.
-const DARK = {'#0d1433': '#e9e5dc', '#9aa0b5': '#7f8494', '#d9731a': '#f2954a', '#fce1b8': '#5d4420', '#2f6fc0': '#7fb2f5', '#cfe0f5': '#22395a',
-    '#0b7f73': '#4cc4b5', '#fffbf2': '#1e2024', '#ffffff': '#141518', '#e4e2dd': '#34363c', '#f0c9a8': '#6b4628', '#b3261e': '#f0776c',
-    '#1b7f3b': '#5cc47f', '#2446b8': '#8aa2ff'};
-
-function figure(text) {
-    const used = Object.entries(DARK).filter(([light]) => text.includes(`"${light}"`));
-    const rules = used.map(([light, dark]) => `[fill="${light}"]{fill:${dark}}[stroke="${light}"]{stroke:${dark}}`).join('');
-    return text.replace(/(<svg[^>]*>)/, `$1\n<style>@media (prefers-color-scheme: dark){${rules}}</style>`);
+// ssty, half as much again, is what no browser asks for by itself.
+async function writeFonts({text, formula}) {
+    const write = (name, font, letters, features) => subset(font, letters, features, `${out}/fonts/${name}.woff2`);
+    await write('formula', 'TeX Gyre Pagella Math', formula, 'kern');
+    for (const style of ['Regular', 'Italic', 'Bold']) await write(style.toLowerCase(), `TeX Gyre Pagella:style=${style}`, text, 'kern,liga,tnum');
 }
 
 const front = prepared('front'), play = prepared('play');
 const order = [front, files[0], ...files.slice(1).filter((file) => /\/\d\d_/.test(file)), play, ...files.slice(1).filter((file) => !/\/\d\d_/.test(file))];
-const pages = await pagesOf(order);
+const pages = parted(await pagesOf(order));
 const at = (address) => pages.find((page) => page.address === address);
 at('index.html').body = at('index.html').body.replace('<div data-insert="gallery"></div>', gallery);
 at('index.html').sections = sectionsOf(at('index.html').body);
@@ -204,16 +249,17 @@ for (const file of sources.texts.keys()) {
 
 const index = pages.map(({address, title, sections}) => [address, title, sections.map(({id, html, text}) => [id, plain(html.replace(/<[^>]*>/g, '')), text])]);
 fs.writeFileSync(`${out}/search.js`, `searchIndex(${JSON.stringify(index)});\n`);
-letters(pages);
+await writeFonts(letters(pages));
 
 fs.mkdirSync(`${out}/pictures`, {recursive: true});
-const small = [];
+const small = [], figures = [];
 for (const [name, file] of [...pictures].sort()) {
-    if (name.endsWith('.svg')) fs.writeFileSync(`${out}/pictures/${name}`, figure(read(file)));
+    if (name.endsWith('.svg')) figures.push({name, file});
     else if (name.endsWith('.webp')) small.push(run('cwebp', ['-quiet', '-q', '82', '-m', '6', file, '-o', `${out}/pictures/${name}`]));
     else fs.copyFileSync(file, `${out}/pictures/${name}`);
 }
 await Promise.all(small);
+await writeFigures(figures, `${out}/pictures`, `${out}.parts`);
 
 const commands = pages.map(({body}) => [/class="run"/g, /class="reason"/g, /class="check"/g].map((each) => (body.match(each) ?? []).length))
     .reduce((sum, each) => sum.map((count, i) => count + each[i]));

@@ -263,6 +263,8 @@ export class Stage {
         const state = this.state = this.program.state();
         if (this.views.childElementCount !== state.views.length)
             this.views.replaceChildren(...state.views.map((name, view) => this.button(name, () => this.call('live_view', view))));
+        // A text with a main of its own has no camera, no views and no trace of a ray.
+        this.views.hidden = this.pad.hidden = this.ray.element.hidden = state.views.length === 1;
         state.views.forEach((name, view) => this.views.children[view].setAttribute('aria-pressed', name === state.view));
         this.pause.textContent = state.paused ? 'Go on' : 'Pause';
         if (document.activeElement !== this.time) this.time.value = state.time.toFixed(state.paused ? 3 : 1);

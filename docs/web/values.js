@@ -22,10 +22,10 @@ export class Values {
     }
 
     row(parameter) {
-        const {part} = this.stage, {name, type} = parameter, id = `live-help-${name}`;
+        const {part} = this.stage, {name, type} = parameter, id = `live-help-${name.replace(/\W+/g, '-')}`; // "factor (right)": of the second of two pictures
         const set = (i, value) => this.stage.call('live_set', name, i, value);
         const row = {inputs: [], numbers: [], scale: scaleOf(parameter)};
-        const letters = parameter.value.length > 1 ? (/colour$/i.test(name) ? 'rgba' : 'xyzw') : ' ';
+        const letters = parameter.value.length > 1 ? (/colour( \(|$)/i.test(name) ? 'rgba' : 'xyzw') : ' ';
         const fields = parameter.value.map((_, i) => {
             const label = `${name} ${letters[i]}`.trim();
             if (type === 'bool') {
