@@ -166,6 +166,42 @@ check('with the editor neither', await across() <= 0, await across());
 check('no error in the console', said.length === 0, said);
 await page.close();
 
+// ---- One command after the other ----
+
+({page, said} = await chapter('00_first_scene', {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true}));
+// Tap the last button of a command, so far down the screen. Returns how far it has gone once its program runs.
+async function tap(line, down = 200) {
+    const button = page.locator(`button.run[data-line="${line}"]`).last(), handle = await button.elementHandle();
+    await button.evaluate((one, down) => window.scrollTo(0, one.getBoundingClientRect().top + window.scrollY - down), down);
+    const before = (await button.boundingBox()).y;
+    await button.tap();
+    await page.waitForFunction((one) => document.querySelector('live-chapter.live-window:not(.live-waits)')?.opener === one, handle);
+    now = await until(page, (s) => s.rate > 0);
+    return (await button.boundingBox()).y - before;
+}
+await tap('--shader chapters/first_steps/1_screen.frag');
+check('a text with a main of its own has no views, no pad and no ray', now.views.length === 1 && await page.locator('.live-views, .live-pad, .live-ray').evaluateAll((all) => all.length === 3 && all.every((one) => one.hidden)), now.views);
+await tap('--time 1 --shader chapters/experiments/00_factor.frag --compare --set factor=1.5');
+const factors = () => now.parameters.filter(({name}) => name.startsWith('factor')).map(({name, value}) => `${name} ${value[0]}`).join();
+check('of two pictures both have their values', factors() === 'factor (left) 1,factor (right) 1.5', factors());
+await page.locator('details.live-values').evaluate((one) => { one.open = true; });
+await page.getByRole('spinbutton', {name: 'factor (right), as a number'}).fill('2');
+await page.keyboard.press('Enter');
+now = await until(page, (s) => s.parameters.some(({name, value}) => name === 'factor (right)' && value[0] === 2));
+check('and one is set alone', factors() === 'factor (left) 1,factor (right) 2', factors());
+await tap('--time 1');
+const gone = await tap('--time 1 --samples 3', 600); // the program above it is in sight
+check('a command stays where it was tapped when the program above it goes', Math.abs(gone) < 2, gone);
+await page.evaluate(() => document.querySelector('canvas.live-canvas').scrollIntoView({block: 'start'}));
+await page.getByRole('searchbox').fill('penumbra');
+await page.locator('.results a').first().waitFor();
+check('what a search finds stands above a picture that runs', await page.locator('.results a').evaluateAll((all) => all.slice(0, 4).every((one) => {
+    const {left, top, width, height} = one.getBoundingClientRect();
+    return document.elementFromPoint(left + width / 2, top + height / 2)?.closest('.results');
+})));
+check('no error in the console', said.length === 0, said);
+await page.close();
+
 // ---- The line of every button ----
 
 // options.c reads each as the program would, and prints what the shader has; it draws nothing.

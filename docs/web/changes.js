@@ -10,7 +10,7 @@ export class Changes {
         this.stage = stage;
         this.files = {}; // what is not as the course has it
         this.said = part('span');
-        this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(Object.keys(this.files))));
+        this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(this.named)));
         this.place = part('div');
         this.saved = part('span', {className: 'live-saved'});
         this.saved.setAttribute('role', 'status');
@@ -84,10 +84,13 @@ export class Changes {
         edits.show('');
     }
 
+    // Say which files of the shader that runs are changed.
     tell() {
-        const names = Object.keys(this.files);
-        this.line.hidden = names.length === 0;
-        this.said.textContent = `With your changes in ${names.join(', ')}.`;
+        const running = this.stage.state?.files;
+        this.named = Object.keys(this.files).filter((name) => !running || running.includes(PREFIX + name));
+        this.line.hidden = this.named.length === 0;
+        const text = `With your changes in ${this.named.join(', ')}.`;
+        if (this.said.textContent !== text) this.said.textContent = text;
     }
 
     // ---- The editor ----
@@ -101,10 +104,11 @@ export class Changes {
         this.editor ??= new Editor(this.place, {read: (name) => this.stage.program.read(name), changed: (name, text) => this.change(name, text)});
         this.show(this.stage.state);
         this.editor.view.focus();
-        this.element.scrollIntoView({block: 'nearest'}); // on a telephone it opens below the screen
+        this.element.scrollIntoView({block: 'start'}); // below the picture, which stays in sight
     }
 
     show(state) {
+        this.tell();
         if (!this.editor || this.element.hidden || !state) return;
         this.editor.open(state.files.filter((path) => path.startsWith(PREFIX) && SHADER.test(path)).map((path) => path.slice(PREFIX.length)));
         this.editor.complain(state.error.replaceAll(PREFIX, ''));

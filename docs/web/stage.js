@@ -98,7 +98,7 @@ export class Stage {
 
     // Run one in an element, which gets the program. Returns its exit status.
     async start(at, line, shown = {}) {
-        const turn = this.turn = Symbol(line);
+        const turn = this.turn = Symbol(line), asked = at.opener ?? at, top = asked.getBoundingClientRect().top;
         this.move(at);
         this.lines = [];
         this.pictures = [];
@@ -107,6 +107,7 @@ export class Stage {
         this.starting = true;
         at.result?.remove();
         at.said?.remove();
+        scrollBy({top: asked.getBoundingClientRect().top - top, behavior: 'instant'}); // what stood above may be gone
         // The browser paints what is said before the program takes the processor.
         at.classList.add('live-waits');
         await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
@@ -185,6 +186,7 @@ export class Stage {
             printed.setAttribute('role', 'group'); // no landmark: there may be several
             printed.setAttribute('aria-label', 'What the program prints');
             printed.classList.toggle('live-wrong', status !== 0);
+            printed.classList.toggle('live-few', lines.length < 3);
             result.append(printed);
         }
         result.append(this.button('Close', () => {
