@@ -4,6 +4,7 @@
 #include <stdio.h>
 
 #include "picture/pen.h"
+#include "picture/slice.h"
 
 // Right edges of the columns.
 enum { STEP_COLUMNS = 3 };
@@ -146,12 +147,15 @@ float inspector_left(const struct overlay *overlay, bool marched)
     return left_of(overlay, marched ? INSPECTOR_WIDTH : WHY_WIDTH);
 }
 
-float inspector_over(const struct overlay *overlay, float middle)
-{
-    return pen_picture_height(overlay) - middle / overlay->scale - 26.0f;
-}
-
 #define CLEAR 16.0f // units around a place of the ray, with its mark
+
+void inspector_ray(const struct overlay *overlay, float middle, float span[2])
+{
+    float ray = pen_picture_height(overlay) - middle / overlay->scale;
+    float numbers = SLICE_NUMBER * slice_cell(overlay->height) / overlay->scale + 2.0f;
+    span[0] = ray - fmaxf(26.0f, numbers);
+    span[1] = ray + CLEAR;
+}
 
 // Which heights the ray takes between two edges of a column: from span[0] to span[1]; the other way
 // round where it is not there.
@@ -163,8 +167,7 @@ static void find_span(const struct overlay *overlay, const struct inspector *ins
     span[0] = height;
     span[1] = 0.0f;
     if (form_shows_ray(inspector->view)) {
-        span[0] = inspector_over(overlay, inspector->middle);
-        span[1] = span[0] + 42.0f;
+        inspector_ray(overlay, inspector->middle, span);
         return;
     }
     for (int k = 0; k < probe_rows(probe); k++) {

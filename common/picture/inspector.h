@@ -33,9 +33,9 @@ void inspector_mark(struct overlay *overlay, const struct inspector *inspector);
 // Where the panel of a march begins at the right edge, in units; or that of a reason.
 float inspector_left(const struct overlay *overlay, bool marched);
 
-// The lowest line, in units, of what stands over the ray of a slice or plot and its numbers.
+// Which heights, in units, the ray of a slice or plot takes with its numbers: span[0] to span[1].
 //   middle  as of struct inspector
-float inspector_over(const struct overlay *overlay, float middle);
+void inspector_ray(const struct overlay *overlay, float middle, float span[2]);
 
 // Find the room for the table of a march: at the right edge, else beside what stands at the left
 // edge, over the ray, under it, or under what stands at the left; the first that covers neither the

@@ -44,9 +44,15 @@ uint32_t letters_next(const char **text)
 
 float letters_advance(uint32_t code)
 {
+    static float known[128]; // of ASCII, which is measured most
     int advance, bearing;
+    if (code < 128 && known[code] > 0.0f)
+        return known[code];
     stbtt_GetCodepointHMetrics(font(), (int)code, &advance, &bearing);
-    return stbtt_ScaleForMappingEmToPixels(font(), LETTERS_EM) * (float)advance;
+    float units = stbtt_ScaleForMappingEmToPixels(font(), LETTERS_EM) * (float)advance;
+    if (code < 128)
+        known[code] = units;
+    return units;
 }
 
 void letters_begin(struct letters *letters, float scale)

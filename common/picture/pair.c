@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "picture/pen.h"
+#include "picture/plot.h"
 
 #define GAP         6.0f  // units from the divider to a label
 #define NARROW      24.0f // a label with less room than this is left out
@@ -199,18 +200,22 @@ static void write_divider(struct overlay *overlay, float at, bool gripped)
     overlay_box(overlay, left, top, GRIP_WIDTH, GRIP_HEIGHT, PEN_BRIGHT);
 }
 
-float pair_write(const struct renderer *renderer, struct overlay *overlay, float bottom)
+float pair_write(const struct renderer *renderer, struct overlay *overlay, float top, float bottom)
 {
     const struct pair *pair = renderer->pair;
     if (pair == NULL)
         return bottom;
     float width = pen_picture_width(overlay);
+    if (renderer->view == SHADER_PLOT) // over its graph
+        bottom = fminf(bottom, (1.0f - PLOT_SHARE) * pen_picture_height(overlay) - PEN_MARGIN);
     float at = (float)pair_split(renderer, overlay->width) / overlay->scale;
-    float top = bottom - (OVERLAY_LINE - 2.0f) - 2.0f * PEN_PADDING;
+    float label = bottom - (OVERLAY_LINE - 2.0f) - 2.0f * PEN_PADDING;
     write_divider(overlay, at, pair->gripped);
-    write_label(renderer, overlay, 0, at - GAP, at - GAP, top);
-    write_label(renderer, overlay, 1, at + GAP, width - at - GAP, top);
-    return top - PEN_MARGIN;
+    if (label < top)
+        return bottom;
+    write_label(renderer, overlay, 0, at - GAP, at - GAP, label);
+    write_label(renderer, overlay, 1, at + GAP, width - at - GAP, label);
+    return label - PEN_MARGIN;
 }
 
 void pair_gather(const struct renderer *renderer, struct overlay *overlay, int width, int height,
@@ -221,5 +226,5 @@ void pair_gather(const struct renderer *renderer, struct overlay *overlay, int w
     still.gripped = false;
     shown.pair = &still;
     overlay_begin(overlay, width, height, scale);
-    pair_write(&shown, overlay, pen_picture_height(overlay) - PEN_MARGIN);
+    pair_write(&shown, overlay, 0.0f, pen_foot(overlay, renderer->view));
 }

@@ -57,10 +57,11 @@ void pair_parameter_name(const struct renderer *renderer, const struct parameter
 void pair_text(const struct renderer *renderer, int side, char *text, size_t size);
 
 // Draw the divider, and beside its lower end both labels, as far as their sides have room.
-//   bottom  of the labels, in units of the overlay
+//   top, bottom  of the room for the labels, in units of the overlay; where it is too low for them
+//                they are left out
 // Returns what is left for others: the place of the labels' top less a margin; bottom where there
-// is no second.
-float pair_write(const struct renderer *renderer, struct overlay *overlay, float bottom);
+// is none.
+float pair_write(const struct renderer *renderer, struct overlay *overlay, float top, float bottom);
 
 // Gather the same alone into the overlay's new frame, as a written picture has it: without a grip.
 //   width, height, scale  as overlay_begin

@@ -13,10 +13,61 @@
 
 #define GAP       12.0f  // units of the overlay, between keys
 #define TIP_WIDTH 170.0f // of the help, at most
+// Where the panel's title ends, with a margin: what grows from the bottom leaves it in sight.
+#define BELOW_TITLE (2.0f * (PEN_MARGIN + PEN_PADDING) + OVERLAY_LINE - 2.0f)
 
 static float larger(float a, float b)
 {
     return a > b ? a : b;
+}
+
+// ---- Error ----
+
+static float widest_text(const struct overlay *overlay)
+{
+    return pen_picture_width(overlay) - 2.0f * (PEN_MARGIN + PEN_PADDING);
+}
+
+// How many lines of the error are shown: a long one is cut where its panel would fill more than
+// half of the picture.
+static int error_lines(const struct panel *panel, const struct overlay *overlay)
+{
+    char line[OVERLAY_TEXT + 1];
+    int most = (int)(0.5f * pen_picture_height(overlay) / OVERLAY_LINE), lines = 0;
+    for (const char *at = panel->error;
+         lines < most && pen_next_line(&at, widest_text(overlay), line);)
+        lines++;
+    return lines;
+}
+
+// The height of its panel, with its heading; 0: there is none.
+static float error_height(const struct panel *panel, const struct overlay *overlay)
+{
+    if (panel->error == NULL || panel->error[0] == '\0' || panel->bare)
+        return 0.0f;
+    float lines = (float)error_lines(panel, overlay) + 1.5f;
+    return OVERLAY_LINE * lines - 2.0f + 2.0f * PEN_PADDING;
+}
+
+// Above the keys.
+static float write_error(const struct panel *panel, struct overlay *overlay, float bottom)
+{
+    const char *heading = panel->broken
+                              ? "Error: the last good picture stays until the next good save"
+                              : "This view can't be shown";
+    char line[OVERLAY_TEXT + 1];
+    float limit = widest_text(overlay), height = error_height(panel, overlay);
+    float top = bottom - height;
+    if (height == 0.0f)
+        return bottom;
+    int lines = error_lines(panel, overlay);
+    struct pen pen = pen_open(overlay, PEN_MARGIN, top, limit, height - 2.0f * PEN_PADDING);
+    overlay_box(overlay, PEN_MARGIN, top, 2.0f, height, PEN_BRIGHT);
+    pen_write(&pen, heading, PEN_BRIGHT);
+    pen_rule(&pen, limit);
+    for (const char *at = panel->error; lines > 0 && pen_next_line(&at, limit, line); lines--)
+        pen_write(&pen, line, PEN_PLAIN);
+    return top - PEN_MARGIN;
 }
 
 // ---- Keys ----
@@ -50,43 +101,21 @@ static int lay_keys(const struct panel *panel, const struct pen *pen, float limi
     return lines;
 }
 
-// The keys stand at the bottom. Returns the place of their panel's top.
+// The keys stand at the bottom, for as long as they are asked for over a plot's graph. Where an
+// error, which stands above them, leaves no room for them, they are left out. Returns the place of
+// their panel's top.
 static float write_keys(const struct panel *panel, struct overlay *overlay)
 {
-    float bottom = pen_picture_height(overlay) - PEN_MARGIN, widest;
+    float bottom = pen_foot(overlay, panel->renderer->view), widest;
     if (panel->key_count == 0 || panel->folded)
         return bottom;
-    float limit = pen_picture_width(overlay) - 2.0f * (PEN_MARGIN + PEN_PADDING);
+    float limit = widest_text(overlay), error = error_height(panel, overlay);
     float height = OVERLAY_LINE * (float)lay_keys(panel, NULL, limit, &widest) - 2.0f;
     float top = bottom - height - 2.0f * PEN_PADDING;
+    if (error > 0.0f && top - PEN_MARGIN - error < BELOW_TITLE)
+        return bottom;
     struct pen pen = pen_open(overlay, PEN_MARGIN, top, widest, height);
     lay_keys(panel, &pen, limit, &widest);
-    return top - PEN_MARGIN;
-}
-
-// ---- Error ----
-
-// Above the keys. A long one is cut where its panel would fill more than half of the picture.
-static float write_error(const struct panel *panel, struct overlay *overlay, float bottom)
-{
-    const char *heading = panel->broken
-                              ? "Error: the last good picture stays until the next good save"
-                              : "This view can't be shown";
-    char line[OVERLAY_TEXT + 1];
-    float limit = pen_picture_width(overlay) - 2.0f * (PEN_MARGIN + PEN_PADDING);
-    int most = (int)(0.5f * pen_picture_height(overlay) / OVERLAY_LINE), lines = 0;
-    if (panel->error == NULL || panel->error[0] == '\0' || panel->bare)
-        return bottom;
-    for (const char *at = panel->error; lines < most && pen_next_line(&at, limit, line);)
-        lines++;
-    float height = OVERLAY_LINE * ((float)lines + 1.5f) - 2.0f;
-    float top = bottom - height - 2.0f * PEN_PADDING;
-    struct pen pen = pen_open(overlay, PEN_MARGIN, top, limit, height);
-    overlay_box(overlay, PEN_MARGIN, top, 2.0f, height + 2.0f * PEN_PADDING, PEN_BRIGHT);
-    pen_write(&pen, heading, PEN_BRIGHT);
-    pen_rule(&pen, limit);
-    for (const char *at = panel->error; lines > 0 && pen_next_line(&at, limit, line); lines--)
-        pen_write(&pen, line, PEN_PLAIN);
     return top - PEN_MARGIN;
 }
 
@@ -132,25 +161,20 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     overlay_begin(overlay, width, height, scale);
     bool marched = panel->pixel[0] >= 0 && panel->probe != NULL;
     bool refused = panel->pixel[0] >= 0 && !marched && panel->why != NULL;
-    float bottom = pair_write(panel->renderer, overlay,
+    enum shader_view view = panel->renderer->view;
+    // A slice's ray runs in the middle of its part of the picture, and nothing covers it.
+    float middle = (view == SHADER_PLOT ? 0.5f + 0.5f * PLOT_SHARE : 0.5f) * (float)height, ray[2];
+    inspector_ray(overlay, middle, ray);
+    float above = form_shows_ray(view) ? ray[1] : BELOW_TITLE;
+    float bottom = pair_write(panel->renderer, overlay, above,
                               write_error(panel, overlay, write_keys(panel, overlay)));
     float right = pen_picture_width(overlay) - PEN_MARGIN;
     if (marched || refused)
         right = inspector_left(overlay, marched) - PEN_MARGIN;
     struct panel_rows own = {0}, *rows = panel->rows != NULL ? panel->rows : &own;
     float room = right - PEN_MARGIN - 2.0f * PEN_PADDING;
-    enum shader_view view = panel->renderer->view;
-    // A slice's ray runs in the middle of its part of the picture, and nothing covers it.
-    float middle = (view == SHADER_PLOT ? 0.5f + 0.5f * PLOT_SHARE : 0.5f) * (float)height;
-    float over = form_shows_ray(view) ? inspector_over(overlay, middle) : bottom;
-    float lowest = over < bottom ? over : bottom;
+    float lowest = form_shows_ray(view) && ray[0] < bottom ? ray[0] : bottom;
     panel_rows_build(rows, panel, room, lowest);
-    // Where the keys leave no room for as much as it needs, its title stands for it.
-    if (panel->key_count > 0 && rows->top + rows->height > lowest) {
-        struct panel title = *panel;
-        title.rolled = true;
-        panel_rows_build(rows, &title, room, lowest);
-    }
     // Where there is no room for both, the ray that was asked for is what is shown.
     if (panel->folded || (rows->width - 2.0f * PEN_PADDING > room && (marched || refused)))
         rows->count = 0;

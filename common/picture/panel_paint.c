@@ -8,11 +8,6 @@
 static const struct overlay_colour BAR = {{96, 160, 224, 84}};
 static const struct overlay_colour FIELD = {{0, 0, 0, 230}};
 
-static float larger(float a, float b)
-{
-    return a > b ? a : b;
-}
-
 // The chosen parameter has a mark and a band, so that no colour has to tell it.
 //   handled  a pointer can reach it: then a bar shows where the value lies between its ends
 static void draw_band(const struct panel_row *row, bool handled, struct overlay *overlay)
@@ -25,15 +20,20 @@ static void draw_band(const struct panel_row *row, bool handled, struct overlay 
                     (float)row->place * (row->width + 6.0f), row->height - 1.0f, BAR);
 }
 
-// What is being typed stands in the value's place, with a bar where the next letter goes.
+// What is being typed stands in the value's place, its end where all is too long, with a bar where
+// the next letter goes.
 static void draw_typed(const struct panel_rows *rows, const struct panel_row *row,
                        const struct panel *panel, struct overlay *overlay)
 {
-    float left = row->left + PANEL_GAP + rows->column[0] + PANEL_GAP,
-          width = overlay_width(panel->typed);
-    float room = larger(row->left + row->width - left, width + 4.0f);
+    const char *text = panel->typed;
+    float left = row->left + PANEL_GAP + rows->column[0] + PANEL_GAP;
+    float room = row->left + row->width - left, width = overlay_width(text);
+    while (*text != '\0' && width + 4.0f > room) {
+        letters_next(&text);
+        width = overlay_width(text);
+    }
     overlay_box(overlay, left - 2.0f, row->top - 2.0f, room + 2.0f, row->height, FIELD);
-    overlay_text(overlay, left, row->top, panel->typed, PEN_BRIGHT);
+    overlay_text(overlay, left, row->top, text, PEN_BRIGHT);
     overlay_box(overlay, left + width + 1.0f, row->top - 1.0f, 1.0f, row->height - 2.0f,
                 PEN_BRIGHT);
 }

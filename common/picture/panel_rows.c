@@ -265,6 +265,20 @@ static void add_last(struct panel_rows *rows, const char *last, const char *text
     }
 }
 
+static float height_of_panel(const struct panel_rows *rows)
+{
+    return height_from(rows, 0) - 2.0f + 2.0f * PEN_PADDING;
+}
+
+// Where it would still be too high, its last rows are left out, and what no row is below; the title
+// stays.
+static void leave_out(struct panel_rows *rows, float bottom)
+{
+    while (rows->count > 1 && (PEN_MARGIN + height_of_panel(rows) > bottom ||
+                               rows->row[rows->count - 1].kind == PANEL_ROW_RULE))
+        rows->count--;
+}
+
 void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float limit, float bottom)
 {
     int parameters = pair_parameter_count(panel->renderer);
@@ -304,8 +318,9 @@ void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float 
         cut(rows, first, (int)(room / OVERLAY_LINE), parameters);
         add_last(rows, last, textures);
     }
+    leave_out(rows, bottom);
     rows->width = ceilf(larger(measure_texts(rows), table)) + 2.0f * PEN_PADDING;
-    rows->height = height_from(rows, 0) - 2.0f + 2.0f * PEN_PADDING;
+    rows->height = height_of_panel(rows);
     panel_rows_move(rows, PEN_MARGIN, PEN_MARGIN);
 }
 

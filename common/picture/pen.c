@@ -2,6 +2,8 @@
 
 #include <string.h>
 
+#include "picture/slice.h"
+
 static const struct overlay_colour PEN_BACKGROUND = {{10, 12, 16, 192}};
 static const struct overlay_colour PEN_RULE = {{255, 255, 255, 46}};
 
@@ -13,6 +15,12 @@ float pen_picture_width(const struct overlay *overlay)
 float pen_picture_height(const struct overlay *overlay)
 {
     return (float)overlay->height / overlay->scale;
+}
+
+float pen_foot(const struct overlay *overlay, enum shader_view view)
+{
+    float axis = form_shows_ray(view) ? SLICE_AXIS * slice_cell(overlay->height) : 0.0f;
+    return pen_picture_height(overlay) - axis / overlay->scale - PEN_MARGIN;
 }
 
 struct pen pen_open(struct overlay *overlay, float left, float top, float width, float height)

@@ -6,6 +6,7 @@
 #include <stdbool.h>
 
 #include "picture/overlay.h"
+#include "shader/form.h"
 
 #define PEN_MARGIN  8.0f // of a panel from the picture's edge
 #define PEN_PADDING 7.0f // of the text from the panel's edge
@@ -23,9 +24,10 @@ struct pen {
     float left, top;
 };
 
-// The size of the picture.
+// The size of the picture, and the lowest place of a panel: over the axis of a slice or plot.
 float pen_picture_width(const struct overlay *overlay);
 float pen_picture_height(const struct overlay *overlay);
+float pen_foot(const struct overlay *overlay, enum shader_view view);
 
 // Draw a panel's background, around a text of this size; the pen stands at its first line.
 struct pen pen_open(struct overlay *overlay, float left, float top, float width, float height);

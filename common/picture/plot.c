@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-#define CELLS 180  // of a letter's cells, in the picture's height
-#define AXIS  13.0 // cells of the axis along the ray
 #define ABOVE 10.0 // cells over the highest step, for the axis' name
 #define BELOW 9.0  // cells under the lowest one: what is inside goes on there
 #define TICKS 4.5  // in the graph's height, at most
@@ -27,14 +25,13 @@ struct plot_frame plot_frame_of(const struct probe *probe, int width, int height
                                 struct slice_frame *slice)
 {
     double unit = (double)slice->unit, left = (double)slice->left, range[2];
-    double cell = fmax(1.0, floor((double)height / CELLS)),
-           split = floor((double)PLOT_SHARE * height + 0.5);
+    double cell = (double)slice_cell(height), split = floor((double)PLOT_SHARE * height + 0.5);
     slice->bottom = (float)(-(split + 0.5 * (height - split)) * unit);
     range_of(probe, left, left + width * unit, range);
-    double room = fmax(split - (AXIS + ABOVE + BELOW) * cell, 1.0);
+    double room = fmax(split - ((double)SLICE_AXIS + ABOVE + BELOW) * cell, 1.0);
     double scale = (range[1] - range[0]) / room;
     struct plot_frame frame = {.split = (float)split, .unit = (float)scale};
-    frame.zero = (float)((AXIS + BELOW) * cell - range[0] / scale);
+    frame.zero = (float)(((double)SLICE_AXIS + BELOW) * cell - range[0] / scale);
     slice_round_tick((range[1] - range[0]) / TICKS, &frame.tick, frame.digits);
     return frame;
 }

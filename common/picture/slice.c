@@ -6,6 +6,12 @@
 #define BEYOND     0.35  // of it, right of a hit
 #define NOTHING    8.0   // scene units shown of a ray that was not marched
 #define TICK_SHARE 0.115 // of the picture's width: at least so far from tick to tick
+#define CELLS      180   // in the picture's height
+
+float slice_cell(int height)
+{
+    return fmaxf(1.0f, floorf((float)height / CELLS));
+}
 
 // The step where the scene was nearest: of a hit the last.
 static const struct probe_step *nearest_step(const struct probe *probe, int steps)

@@ -4,6 +4,11 @@
 
 #include "picture/probe.h"
 
+// What slice and plot write in the picture, in cells of their digits: the axis along the ray, from
+// the picture's bottom; a step's number, from the ray up.
+#define SLICE_AXIS   13.0f
+#define SLICE_NUMBER 10.0f
+
 #define SLICE_ZOOM_MINIMUM 0.1f
 #define SLICE_ZOOM_MAXIMUM 200.0f // beyond it a float's rounding shows in the lines
 
@@ -15,6 +20,9 @@ struct slice_frame {
     float line;         // between lines of equal distance: a fourth or a fifth of the tick
     int digits[2];      // the tick as digits[0] / 10^digits[1]
 };
+
+// The side of a cell in a picture of a height, both in pixels.
+float slice_cell(int height);
 
 // The least of 1, 2 or 5 times a power of ten that is not less than a length.
 //   digits  receives it as digits[0] / 10^digits[1]
