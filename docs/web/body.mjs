@@ -141,9 +141,14 @@ function pictureOf(source, pictures) {
 const images = (html, pictures) => html.replace(/<img src="([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) =>
     `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`);
 
-// The first picture of a chapter is its program, at rest.
-const live = (html, stem) => html.replace(/<figure>\s*<img ([^>]*) loading="lazy"([^>]*)>.*?<\/figure>/s,
-    (_, more, rest) => `<live-chapter stem="${stem}"><img ${more}${rest}></live-chapter>`);
+// The first picture of a chapter is its program, at rest; it is what a page waits for, so it is the gallery's smaller file.
+const live = (html, stem, pictures) => html.replace(/<figure>\s*<img ([^>]*) loading="lazy"([^>]*)>.*?<\/figure>/s, (_, more, rest) => {
+    const poster = more.replace(/src="pictures\/(.*?)-smooth\.png"/, (_, name) => {
+        pictures.set(`${name}.webp`, pictures.get(`${name}-smooth.png`));
+        return `src="pictures/${name}.webp" fetchpriority="high"`;
+    });
+    return `<live-chapter stem="${stem}"><img ${poster}${rest}></live-chapter>`;
+});
 
 // Is this a table of words below named columns, which a narrow page shows row by row?
 function wordy(table) {
@@ -175,7 +180,7 @@ export function bodyOf(html, {stem, sources, pictures}) {
     html = tables(html).replaceAll(' />', '>');
     // What stands above the first section is no part of one: small to the eye, but no level is left out.
     html = html.replace(/^.*?(?=<h2|$(?![^]))/s, (head) => head.replace(/<h3( [^>]*)>(.*?)<\/h3>/gs, '<h2 class="minor"$1>$2</h2>'));
-    return enlarged(stem ? live(html, stem) : html);
+    return enlarged(stem ? live(html, stem, pictures) : html);
 }
 
 // The sections of a body: [{level, id, html, text}], text being the words below its heading.
