@@ -212,6 +212,16 @@ static void labels_say_what_differs(void **unused)
     pair.own_count = 0;
     pair_text(&gpu.renderer, 0, text, sizeof text);
     assert_string_equal(text, "right.frag");
+    // What the second alone has is told once it is not what its file says.
+    struct parameter glow = {.name = "glow", .components = 1, .value = {0.25}, .initial = {0.25}};
+    const struct parameters all = second.parameters;
+    second.parameters = (struct parameters){.item = &glow, .count = 1};
+    pair_text(&gpu.renderer, 1, text, sizeof text);
+    assert_string_equal(text, "wrong.frag");
+    glow.value[0] = 0.5;
+    pair_text(&gpu.renderer, 1, text, sizeof text);
+    assert_string_equal(text, "wrong.frag  glow=0.5");
+    second.parameters = all;
 }
 
 // Nothing is cut off by the edge, whatever the divider, and the labels stand each on its side.

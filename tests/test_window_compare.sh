@@ -105,16 +105,11 @@ check 'Backspace closes it' backspace
 
 # ---- A parameter that only the second has ----
 
-mkdir "$scratch/wanted"
-glowing() { # VALUE
-    printf '%s\n' "${good/const vec3 SKY = /uniform float glow; // $1 in [0, 1]: light of the sky
-#define SKY glow * }"
-}
-glowing 0.25 | sed 's/^\(#define SKY.*\);$/\1/' >"$scratch/glowing.frag"
-glowing 0.26 | sed 's/^\(#define SKY.*\);$/\1/' >"$scratch/wanted/glowing.frag"
+printf '%s\n' "${good/const vec3 SKY = /uniform float glow; // 0.25 in [0, 1]: light of the sky
+#define SKY glow * }" | sed 's/^\(#define SKY.*\);$/\1/' >"$scratch/glowing.frag"
 start $chapter $still --compare "$scratch/glowing.frag" --divider 0.2
 key h
-alone() { key Up && shows 'glow (right) = 0.25' && key Right && shows 'glow (right) = 0.26' && drawn_with --compare "$scratch/wanted/glowing.frag" --divider 0.2; }
+alone() { key Up && shows 'glow (right) = 0.25' && key Right && shows 'glow (right) = 0.26' && drawn_with --compare "$scratch/glowing.frag" --set glow=0.26 --divider 0.2; }
 check 'what the second alone has is changed by keys' alone
 check 'Backspace closes it' backspace
 

@@ -140,6 +140,16 @@ void pair_parameter_name(const struct renderer *renderer, const struct parameter
 
 // ---- What is written ----
 
+// Does a side's label tell this parameter of it: because it is the second's own, or because the
+// second alone has it, with a value that is not its file's?
+static bool is_told(const struct renderer *renderer, int side, const struct parameter *parameter)
+{
+    if (is_own(renderer->pair, parameter->name))
+        return true;
+    return side == 1 && parameters_find(&renderer->parameters, parameter->name) == NULL &&
+           memcmp(parameter->value, parameter->initial, sizeof parameter->value) != 0;
+}
+
 void pair_text(const struct renderer *renderer, int side, char *text, size_t size)
 {
     const struct pair *pair = renderer->pair;
@@ -149,7 +159,7 @@ void pair_text(const struct renderer *renderer, int side, char *text, size_t siz
         const struct parameter *parameter = &drawn->parameters.item[i];
         char value[128];
         size_t used = strlen(text);
-        if (!is_own(pair, parameter->name))
+        if (!is_told(renderer, side, parameter))
             continue;
         parameter_value_text(parameter, value, sizeof value);
         snprintf(text + used, size - used, "%s%s=%s", used > 0 ? "  " : "", parameter->name, value);

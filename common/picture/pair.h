@@ -52,7 +52,8 @@ void pair_parameter_name(const struct renderer *renderer, const struct parameter
                          char *text, size_t size);
 
 // What stands on a side's label: its name, then the parameters in which the two differ by
-// themselves, with the values that they have now.
+// themselves, and those that the second alone has and somebody has changed, with the values that
+// they have now.
 //   side  0 the first, 1 the second
 void pair_text(const struct renderer *renderer, int side, char *text, size_t size);
 
