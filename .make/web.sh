@@ -5,7 +5,7 @@
 # those lie in course/ and are loaded when a command line asks for them.
 set -eu
 export LC_ALL=C
-out=build/web
+out=${WEB_FOLDER:-build/web} source=${SITE_SOURCE:-docs/web} # the tests lay a planted mistake elsewhere
 
 rm -rf "$out/course"
 find chapters shaders/textures -name '*.frag' -o -name '*.glsl' -o -name '*.png' | sort >"$out/later.txt"
@@ -13,12 +13,12 @@ while read -r file; do
     mkdir -p "$out/course/$(dirname "$file")"
     cp "$file" "$out/course/$file"
 done <"$out/later.txt"
-node docs/web/pack.mjs "$out/later.txt" "$out/course.json" shaders/*.glsl shaders/screen.vert
+node "$source/pack.mjs" "$out/later.txt" "$out/course.json" shaders/*.glsl shaders/screen.vert
 rm "$out/later.txt"
-cp docs/web/live.css "$out/"
+cp "$source/live.css" "$out/"
 .make/exercises.sh >"$out/exercises.txt"
 # What is loaded together is one file, without comments. What others import too stays a file of its own.
-NODE_PATH=build/node/node_modules build/node/node_modules/.bin/esbuild docs/web/{live,stage,check,program,editor}.js --bundle --minify \
+NODE_PATH=build/node/node_modules build/node/node_modules/.bin/esbuild "$source"/{live,stage,check,program,editor}.js --bundle --minify \
     --format=esm --external:./{harness,program,stage,check,editor}.js --log-level=warning --outdir="$out"
 total=0
 for file in harness.wasm harness.js course.json {live,stage,check,program}.js editor.js exercises.txt; do

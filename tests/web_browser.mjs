@@ -5,15 +5,9 @@
 // so many frames of the page.
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
-import http from 'node:http';
-import path from 'node:path';
 import {chromium} from '../build/node/node_modules/playwright-core/index.mjs';
+import {folderServer} from '../docs/web/serve.mjs';
 
-const TYPES = {
-    '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm',
-    '.json': 'application/json', '.png': 'image/png', '.webp': 'image/webp', '.svg': 'image/svg+xml', '.woff2': 'font/woff2',
-    '.txt': 'text/plain; charset=utf-8', '.zip': 'application/zip',
-};
 const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>test</title><link rel="icon" href="data:,">
 <style>body { margin: 0 } canvas { display: block; width: 320px; height: 180px; touch-action: none }</style>
 <canvas id="canvas" tabindex="0" aria-label="picture"></canvas><div id="below" style="height: 3000px"></div>`;
@@ -27,6 +21,7 @@ export function check(name, right, ...more) {
     if (!right) failed++;
     console.log(`${right ? 'ok' : 'not ok'} ${count} - ${name}`);
     if (!right && more.length > 0) console.log(`# ${more.map((x) => typeof x === 'string' ? x : JSON.stringify(x)).join(' ')}`);
+    if (!right && name.endsWith(process.env.WEB_UNTIL ?? '\n')) process.exit(1); // who planted a mistake asks for no more
     return right;
 }
 
@@ -39,22 +34,12 @@ export function finish() {
 
 // ---- The server ----
 
+// What is tried: the programs by themselves, and the site. A planted mistake stands in a copy.
+export const WEB = process.env.WEB_FOLDER || 'build/web', SITE = process.env.SITE_FOLDER || 'build/site';
+
 // Serve a folder on this machine alone; /test.html is a page with a canvas. Returns its address and what ends it.
 export async function serve(folder) {
-    const server = http.createServer((request, answer) => {
-        const name = decodeURIComponent(new URL(request.url, 'http://localhost').pathname);
-        const file = path.join(folder, path.normalize(name));
-        if (name === '/test.html') {
-            answer.writeHead(200, {'content-type': TYPES['.html']});
-            answer.end(PAGE);
-        } else if (fs.existsSync(file) && fs.statSync(file).isFile()) {
-            answer.writeHead(200, {'content-type': TYPES[path.extname(file)] || 'application/octet-stream'});
-            fs.createReadStream(file).pipe(answer);
-        } else {
-            answer.writeHead(404);
-            answer.end();
-        }
-    });
+    const server = folderServer(folder, {'/test.html': PAGE});
     await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
     return {at: `http://127.0.0.1:${server.address().port}`, close: () => server.close()};
 }

@@ -2,7 +2,7 @@
 // keeping and its link, commands beside the text, exercises, a telephone.
 import fs from 'node:fs';
 import path from 'node:path';
-import {check, finish, launch, PATIENCE, serve} from './web_browser.mjs';
+import {check, finish, launch, PATIENCE, serve, WEB} from './web_browser.mjs';
 
 const STEM = '03_shadows', FILE = `chapters/${STEM}.frag`;
 const command = (line, more = '') => `<div class="command"><pre><code>build/${STEM} ${line}</code></pre><button type="button" class="run" data-stem="${STEM}" data-line="${line}" ${more}>Run</button></div>`;
@@ -14,7 +14,7 @@ ${command('--view normals')}${command('--probe 397,87')}${command('--probe 397,8
 <p>In the text <span class="command"><code>build/${STEM} --time 3</code><button type="button" class="run" data-stem="${STEM}" data-line="--time 3">Run</button></span>.</p>
 <form class="check" data-exercise="03-2"><button>Check</button></form></main></html>`;
 
-const server = await serve(process.env.WEB_FOLDER || 'build/web'), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
+const server = await serve(WEB), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
 
 // A page of its own, with what it asks for and what it complains of.
 async function open(options = {}, fragment = '', context = null) {
@@ -56,8 +56,13 @@ async function run(page) {
 const {page, asked, context} = await open();
 await page.waitForSelector('.live-start');
 check('before the click there is the poster, and nothing of the program is loaded', asked.sort().join() === 'live.css,live.html,live.js,poster.png', asked);
+// Nothing comes from the script that runs it before the chapter's text is asked for.
+const together = page.waitForRequest(`**/${STEM}.frag`, {timeout: PATIENCE / 3}).then(() => true, () => false);
+await page.route('**/stage.js', async (route) => { await together; await route.continue(); });
 const begun = Date.now();
 let now = await run(page);
+check('the click asks for the chapter\'s text together with the program', await together);
+await page.unroute('**/stage.js');
 console.log(`# from the click to the first picture and its rate ${Date.now() - begun} ms`);
 check('the click runs the chapter, in the size that it asks for', now.runs && now.size[0] > 600 && Math.abs(now.size[0] / now.size[1] - 16 / 9) < 0.02, now.size);
 check('no editor, no solution and no exercise was loaded', !asked.some((name) => /editor|exercises|solution|_\d\.frag/.test(name)), asked);

@@ -2,11 +2,11 @@
 // wrong, each in a sentence. Of every chapter that PATTERN picks its exercise with the fewest pictures; by itself a few
 // chapters, in continuous integration all. `make test SUITE=check` holds every exercise to the same in the terminal.
 import fs from 'node:fs';
-import {blankPage, check, finish, launch, serve} from './web_browser.mjs';
+import {blankPage, check, finish, launch, serve, WEB} from './web_browser.mjs';
 
 const pattern = new RegExp(process.argv[2] || (process.env.CI ? '' : '^(00|06|12|17)'));
 const exercises = new Map();
-for (const line of fs.readFileSync('build/web/exercises.txt', 'utf8').trim().split('\n')) {
+for (const line of fs.readFileSync(`${WEB}/exercises.txt`, 'utf8').trim().split('\n')) {
     const [name, stem] = line.split('|');
     exercises.set(name, {name, stem, pictures: (exercises.get(name)?.pictures ?? 0) + 1});
 }
@@ -14,7 +14,7 @@ const fewest = new Map();
 for (const one of exercises.values())
     if (pattern.test(one.stem) && one.pictures < (fewest.get(one.stem)?.pictures ?? Infinity)) fewest.set(one.stem, one);
 
-const server = await serve('build/web'), browser = await launch(), {page, said} = await blankPage(browser);
+const server = await serve(WEB), browser = await launch(), {page, said} = await blankPage(browser);
 await page.goto(`${server.at}/test.html`);
 const judge = (name, text) => page.evaluate(async ([name, text]) => {
     const {right, words} = await (await import('/check.js')).judge(name, text);

@@ -6,7 +6,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import {WebSocket} from '../build/node/node_modules/ws/wrapper.mjs';
-import {PATIENCE, check, compare, draw, finish, frames, keep, loadProgram, pictures, rest, serve, start, state, until} from './web_browser.mjs';
+import {PATIENCE, check, compare, draw, finish, frames, keep, loadProgram, pictures, rest, serve, start, state, until, WEB} from './web_browser.mjs';
 
 const PREFERENCES = {
     'webgl.force-enabled': true, 'browser.shell.checkDefaultBrowser': false, 'browser.aboutwelcome.enabled': false,
@@ -107,7 +107,7 @@ class Page {
 
 // ---- Pictures ----
 
-const server = await serve('build/web');
+const server = await serve(WEB);
 const page = await Page.open();
 await page.goto(`${server.at}/test.html`);
 await page.evaluate(loadProgram);
@@ -126,7 +126,6 @@ for (const row of pictures().filter((row) => row.name === row.stem)) {
 const parameter = (now, name) => now.parameters.find((p) => p.name === name).value[0];
 check('a chapter starts', await start(page, '03_shadows') === 0);
 await page.evaluate(() => { document.getElementById('canvas').focus(); });
-await page.press('h'); // folds the panel, which has the pointer where it stands
 await page.press('Escape');
 let now = await until(page, (s) => s.paused);
 check('Escape pauses', now.paused);

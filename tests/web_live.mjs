@@ -1,10 +1,10 @@
 // web_live.mjs - the live chapter in a page of the site: the click, a command beside the text, the editor, a mistake and
 // its repair, a page that nobody sees, a telephone, the check of an exercise, and the line of every button.
 import fs from 'node:fs';
-import {blankPage, check, finish, frames, launch, openPage, serve} from './web_browser.mjs';
+import {blankPage, check, finish, frames, launch, openPage, PATIENCE, serve, SITE} from './web_browser.mjs';
 
 const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
-const server = await serve('build/site'), browser = await launch();
+const server = await serve(SITE), browser = await launch();
 
 // A chapter's page; asked gathers what it loads.
 async function chapter(stem, context = {}) {
@@ -20,7 +20,7 @@ const stateOf = (page) => page.evaluate(() => [...document.querySelectorAll('liv
 async function until(page, right) {
     for (let begun = Date.now(); ;) {
         const now = await stateOf(page);
-        if ((now?.runs && right(now)) || Date.now() - begun > 180e3) return now;
+        if ((now?.runs && right(now)) || Date.now() - begun > PATIENCE) return now;
         await frames(page, 2);
     }
 }
@@ -207,8 +207,8 @@ await page.close();
 // options.c reads each as the program would, and prints what the shader has; it draws nothing.
 const plain = (html) => html.replaceAll('&quot;', '"').replaceAll('&#39;', '\'').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&');
 const lines = new Map();
-for (const name of fs.readdirSync('build/site').filter((name) => name.endsWith('.html')))
-    for (const [, stem, line, label] of fs.readFileSync(`build/site/${name}`, 'utf8').matchAll(/<button[^>]*class="run" data-stem="([^"]*)" data-line="([^"]*)"[^>]* aria-label="([^"]*)"/g))
+for (const name of fs.readdirSync(SITE).filter((name) => name.endsWith('.html')))
+    for (const [, stem, line, label] of fs.readFileSync(`${SITE}/${name}`, 'utf8').matchAll(/<button[^>]*class="run" data-stem="([^"]*)" data-line="([^"]*)"[^>]* aria-label="([^"]*)"/g))
         lines.set(`${stem} ${plain(line)}`, /# refused/.test(label) ? 2 : 0); // what a page shows to be refused is
 ({page, said} = await openPage(browser, server.at));
 const refused = await page.evaluate(async (lines) => {

@@ -2,15 +2,15 @@
 // scroll sideways on a telephone's 390 pixels; no error in the console, no request that fails or leaves the site, and
 // none before a click for the module, the editor or the course's files. PATTERN picks pages.
 import fs from 'node:fs';
-import {blankPage, check, finish, launch, serve} from './web_browser.mjs';
+import {blankPage, check, finish, launch, serve, SITE} from './web_browser.mjs';
 
 const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
 const LATER = /harness|course|stage\.js|program\.js|editor\.js|check\.js|exercises|search\.js/; // what only a click or a search loads
 const pattern = new RegExp(process.argv[2] || '');
-const server = await serve('build/site'), browser = await launch('none');
+const server = await serve(SITE), browser = await launch('none');
 // A file's page differs from another in its text alone.
-const sources = fs.readdirSync('build/site/source', {recursive: true}).filter((name) => name.endsWith('.html')).map((name) => `source/${name}`).sort();
-const names = [...fs.readdirSync('build/site').filter((name) => name.endsWith('.html')), ...sources.filter((_, i) => i % 40 === 0)].filter((name) => pattern.test(name));
+const sources = fs.readdirSync(`${SITE}/source`, {recursive: true}).filter((name) => name.endsWith('.html')).map((name) => `source/${name}`).sort();
+const names = [...fs.readdirSync(SITE).filter((name) => name.endsWith('.html')), ...sources.filter((_, i) => i % 40 === 0)].filter((name) => pattern.test(name));
 check('there are pages', names.length > (process.argv[2] ? 0 : 30), names.length);
 
 // What axe-core finds: [rule: the elements]. A formula is left out: it is MathML, has the text's colour and nothing to

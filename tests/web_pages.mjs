@@ -5,9 +5,8 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import zlib from 'node:zlib';
-import {check, finish} from './web_browser.mjs';
+import {check, finish, SITE} from './web_browser.mjs';
 
-const SITE = process.env.SITE_FOLDER || 'build/site';
 const walk = (folder) => fs.readdirSync(folder, {withFileTypes: true}).flatMap((one) => one.isDirectory() ? walk(`${folder}/${one.name}`) : [`${folder}/${one.name}`]);
 const files = new Set(walk(SITE).map((file) => path.relative(SITE, file)));
 const pages = [...files].filter((name) => name.endsWith('.html')).sort();

@@ -1,13 +1,13 @@
 // web_pictures.mjs [PATTERN] - every picture of tests/images.txt, drawn in the browser, against its reference. Two
 // browsers draw, each with a driver of its own: while one compiles, the other draws.
 import fs from 'node:fs';
-import {check, compare, draw, finish, keep, launch, openPage, pictures, serve} from './web_browser.mjs';
+import {check, compare, draw, finish, keep, launch, openPage, pictures, serve, WEB} from './web_browser.mjs';
 
 const OUT = 'build/web-test/pictures';
 const pattern = new RegExp(process.argv[2] || '');
 const rows = pictures().filter((row) => pattern.test(row.name));
 fs.mkdirSync(OUT, {recursive: true});
-const server = await serve('build/web');
+const server = await serve(WEB);
 check('the list names pictures', rows.length > (process.argv[2] ? 0 : 300), rows.length);
 
 // The pictures of a chapter follow each other in one browser, which keeps the programs that they share.

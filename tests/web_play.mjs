@@ -1,9 +1,9 @@
 // web_play.mjs - the page Play: a text for Shadertoy dropped and drawn, edited, exported, and the export dropped again;
 // the course's own file; what is no shader.
 import fs from 'node:fs';
-import {blankPage, check, finish, frames, launch, PATIENCE, serve} from './web_browser.mjs';
+import {blankPage, check, finish, frames, launch, PATIENCE, serve, SITE} from './web_browser.mjs';
 
-const server = await serve('build/site'), browser = await launch();
+const server = await serve(SITE), browser = await launch();
 const {page, said} = await blankPage(browser, {context: {viewport: {width: 1280, height: 900}, acceptDownloads: true}});
 await page.goto(`${server.at}/play.html`);
 await page.waitForSelector('live-chapter .live-start');
@@ -52,7 +52,7 @@ await page.waitForFunction(() => /is written/.test(document.querySelector('.said
 check('while the program in the page goes on', (await state())?.runs === true);
 await drop('again.txt', toy.text);
 now = await until((s) => s.files?.[0]?.endsWith('/again.frag') && s.rate > 0);
-check('what was exported runs again', now.runs && now.error === '' && near(await middle(), [51, 204, 102]), now.error);
+check('what was exported runs again', now?.runs && now.error === '' && near(await middle(), [51, 204, 102]), now?.error);
 await drop('lit.frag', fs.readFileSync('chapters/02_lighting.frag', 'utf8'));
 now = await until((s) => s.files?.[0]?.endsWith('/lit.frag') && s.rate > 0);
 check('a file of the course runs, with its values', now.runs && now.parameters.length > 3, now.error);

@@ -1,9 +1,9 @@
 // web_program.mjs - the program in a page: what the hands do, what the browser does to it, and the traps of WebGL.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
-import {check, finish, frames, launch, openPage, rest, serve, start, state, until} from './web_browser.mjs';
+import {check, finish, frames, launch, openPage, rest, serve, start, state, until, WEB} from './web_browser.mjs';
 
-const server = await serve(process.env.WEB_FOLDER || 'build/web'), browser = await launch();
+const server = await serve(WEB), browser = await launch();
 const {page, said} = await openPage(browser, server.at);
 const canvas = page.locator('#canvas');
 const parameter = (now, name) => now.parameters.find((p) => p.name === name).value;
@@ -33,7 +33,7 @@ await page.evaluate(() => { window.lines.length = 0; });
 check('--help ends with status 0', await start(page, '03_shadows', '--help') === 0);
 check('and prints what the program prints', (await page.evaluate(() => window.lines.join('\n'))).trim() ===
     execFileSync('build/03_shadows', ['--help'], {encoding: 'utf8'}).replaceAll('build/03_shadows', '03_shadows').trim());
-check('quotes hold words together', await start(page, '03_shadows', `--set "lampHeight=2.5" --size '320x180'`) === 0);
+check('quotes stand around a word', await start(page, '03_shadows', `--set "lampHeight=2.5" --size '320x180'`) === 0);
 check('a value of the command line is the parameter\'s', parameter(await state(page), 'lampHeight')[0] === 2.5);
 
 // The table of a probe, number by number.
@@ -140,7 +140,7 @@ const touch = (type, ...points) => fingers.send('Input.dispatchTouchEvent', {typ
 await start(phone.page, '03_shadows');
 now = await state(phone.page);
 check('a phone\'s canvas has its screen\'s pixels', now.size.join() === '640,360', now.size);
-await phone.page.evaluate(() => { window.program.call('live_pause', 1); window.program.call('live_key', 72, 1, 0); });
+await phone.page.evaluate(() => window.program.call('live_pause', 1));
 await rest(phone.page);
 const turned = (await state(phone.page)).camera;
 await touch('touchStart', [100, 90]);
@@ -265,17 +265,17 @@ check('and its picture', Math.abs((await shown()).mean - keptMean) < 1, keptMean
 const drawText = (name, shader) => page.evaluate(async ([name, shader]) => {
     window.program.write(name, shader);
     window.pictures.length = window.lines.length = 0;
-    const status = await window.program.start('00_first_scene', `--shader ${name} --output picture.png --size 64x36`);
+    const status = await window.program.start('00_first_scene', `--shader '${name}' --output picture.png --size 64x36`);
     return {status, drawn: window.pictures.length, lines: window.lines};
 }, [name, shader]);
 for (const [name, shader] of Object.entries({
-    'a file with a low precision': '#version 300 es\nprecision mediump float;\nin vec2 FragCoord;\nin float Time;\nuniform float iTime;\nuniform vec3 iResolution;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, Time + iTime + iResolution.x, 1.0); }\n',
-    'a file of the desktop': '#version 330 core\nin vec2 FragCoord;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, 0.0, 1.0); }\n',
-    'a Shadertoy text': 'precision lowp float;\nvoid mainImage(out vec4 c, in vec2 p) { float t; c = vec4(p / iResolution.xy, t, 1.0); }\n',
-    'one that asks for GL_ES': 'void mainImage(out vec4 c, in vec2 p) {\n#ifdef GL_ES\nc = vec4(0, 1, 0, 1);\n#else\nc = nothing;\n#endif\n}\n',
+    'a file with a low precision is drawn': '#version 300 es\nprecision mediump float;\nin vec2 FragCoord;\nin float Time;\nuniform float iTime;\nuniform vec3 iResolution;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, Time + iTime + iResolution.x, 1.0); }\n',
+    'a file of the desktop is drawn': '#version 330 core\nin vec2 FragCoord;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, 0.0, 1.0); }\n',
+    'a Shadertoy text is drawn': 'precision lowp float;\nvoid mainImage(out vec4 c, in vec2 p) { float t; c = vec4(p / iResolution.xy, t, 1.0); }\n',
+    'one that asks for GL_ES is drawn': 'void mainImage(out vec4 c, in vec2 p) {\n#ifdef GL_ES\nc = vec4(0, 1, 0, 1);\n#else\nc = nothing;\n#endif\n}\n',
 })) {
-    const got = await drawText(`x_${name.replaceAll(/\W/g, '_')}.frag`, shader);
-    check(`${name} is drawn`, got.status === 0 && got.drawn === 1, got.lines);
+    const got = await drawText(`x ${name}.frag`, shader);
+    check(name, got.status === 0 && got.drawn === 1, got.lines);
 }
 const implicit = await drawText('x_implicit.frag', 'void mainImage(out vec4 c, in vec2 p) {\n    float x = 1;\n    c = vec4(x);\n}\n');
 check('what ES refuses is told with its line', implicit.status === 1 && /x_implicit\.frag:2/.test(implicit.lines.join('\n')), implicit.lines);
@@ -309,8 +309,8 @@ check('and one line says why', (await none.page.evaluate(() => window.lines.join
 
 // What the first picture of any chapter loads, and with the texts of all chapters: gzip's bytes.
 const packed = (files) => files.reduce((sum, file) => sum + Number(execFileSync('bash', ['-c', `gzip -9c '${file}' | wc -c`], {encoding: 'utf8'})), 0);
-const module = packed(['harness.wasm', 'harness.js', 'program.js', 'course.json'].map((name) => `build/web/${name}`));
-const chapters = packed(fs.readdirSync('build/web/course/chapters').filter((name) => /\.(frag|glsl)$/.test(name)).map((name) => `build/web/course/chapters/${name}`));
+const module = packed(['harness.wasm', 'harness.js', 'program.js', 'course.json'].map((name) => `${WEB}/${name}`));
+const chapters = packed(fs.readdirSync(`${WEB}/course/chapters`).filter((name) => /\.(frag|glsl)$/.test(name)).map((name) => `${WEB}/course/chapters/${name}`));
 console.log(`# the module takes ${module} bytes compressed, the texts of all chapters ${chapters} more, one by one`);
 check('wasm, script and data of the module take at most 280 KB compressed', module <= 280e3, module);
 

@@ -2,9 +2,9 @@
 // programs hardly touch; and, told and not judged, how long a reader waits for a first picture.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
-import {blankPage, check, finish, launch, loadProgram, openPage, processors, serve} from './web_browser.mjs';
+import {blankPage, check, finish, launch, loadProgram, openPage, processors, serve, WEB} from './web_browser.mjs';
 
-const server = await serve('build/web'), browser = await launch();
+const server = await serve(WEB), browser = await launch();
 const {page} = await openPage(browser, server.at);
 const bench = (frames) => page.evaluate((frames) => window.program.start('03_shadows', `--benchmark ${frames}`), frames);
 const own = () => Number(/frame, median +([0-9.]+)/.exec(execFileSync('build/03_shadows', ['--benchmark', '40'], {encoding: 'utf8', env: {...process.env, LIBGL_ALWAYS_SOFTWARE: '1'}}))[1]);

@@ -2,13 +2,13 @@
 // graphics card: how far each is from its reference, told and not judged, with the reason: how far its functions are
 // from their values, beside Mesa's. PATTERN picks others than one of each chapter.
 import fs from 'node:fs';
-import {check, compare, draw, finish, keep, launch, openPage, pictures, serve} from './web_browser.mjs';
+import {check, compare, draw, finish, keep, launch, openPage, pictures, serve, WEB} from './web_browser.mjs';
 
 const OUT = 'build/web-test/swiftshader';
 const pattern = process.argv[2] ? new RegExp(process.argv[2]) : null;
 const rows = pictures().filter((row) => pattern ? pattern.test(row.name) : row.name === row.stem);
 fs.mkdirSync(OUT, {recursive: true});
-const server = await serve('build/web'), browser = await launch('swiftshader');
+const server = await serve(WEB), browser = await launch('swiftshader');
 const {page, said} = await openPage(browser, server.at);
 const renderer = await page.evaluate(() => {
     const context = document.createElement('canvas').getContext('webgl2');

@@ -15,10 +15,11 @@ const part = (name, properties = {}, ...children) => {
 // Ask for all that a program needs at once, not one after what names it.
 const PARTS = ['stage', 'program', 'harness'], DATA = ['harness.wasm', 'course.json'];
 
-async function load() {
+//   stem  of the chapter whose text is asked for too; '' for none
+async function load(stem) {
     const from = (name) => new URL(name, import.meta.url).href;
     document.head.append(...PARTS.map((name) => part('link', {rel: 'modulepreload', href: from(`${name}.js`)})),
-        ...DATA.map((name) => part('link', {rel: 'preload', as: 'fetch', crossOrigin: 'anonymous', href: from(name)})));
+        ...[...DATA, ...(stem ? [`course/chapters/${stem}.frag`] : [])].map((name) => part('link', {rel: 'preload', as: 'fetch', crossOrigin: 'anonymous', href: from(name)})));
     const {Stage} = await import('./stage.js');
     return Stage.load(part);
 }
@@ -53,7 +54,7 @@ class LiveChapter extends HTMLElement {
         this.button.disabled = true;
         this.setAttribute('aria-busy', 'true');
         try {
-            stage ??= load();
+            stage ??= load(this.stem);
             this.stage = await stage;
             return await this.stage.start(this, line, shown);
         } catch (error) {
@@ -76,7 +77,7 @@ class LiveChapter extends HTMLElement {
 
     // Put a text into the course's files as chapters/NAME and run it, in the editor. Returns the exit status.
     async play(name, text) {
-        stage ??= load();
+        stage ??= load('');
         const {program} = this.stage = await stage;
         this.scrollIntoView({block: 'nearest'}); // a file may be dropped anywhere in the page
         program.write(`chapters/${name}`, text);
