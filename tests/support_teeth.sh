@@ -51,6 +51,38 @@ edit_copy() { # COPY FILES EDIT
     done
 }
 
+# Run the test 'PROGRAM [TEST]' of FOLDER on the copy; the program need not go on when it has failed. What it leaves
+# goes with the copy. Prints 'fails in NAMES', 'ends with status N', 'passes' or 'is no test'.
+try_test() { # 'PROGRAM [TEST]' COPY FOLDER
+    local program=${1%% *} only=()
+    [ "$program" = "$1" ] || only=("ONE_TEST=${1#* }")
+    (
+        ulimit -S -t 120 # a mistake may hang it: seconds of the processor, which a busy machine does not shorten
+        env ${only[@]+"${only[@]}"} PROJECT_ROOT="$2" TMPDIR="$2" CMOCKA_MESSAGE_OUTPUT=TAP "$3/$program" 2>&1 </dev/null ||
+            echo "status $?" 2>/dev/null
+    ) | sed '/^not ok [0-9]* - /q' >"$2/tap"
+    if grep -q '^not ok [0-9]* - ' "$2/tap"; then
+        echo "fails in $(sed -n 's/^not ok [0-9]* - //p' "$2/tap")"
+    elif grep -q '^status' "$2/tap"; then
+        sed -n 's/^status/ends with status/p' "$2/tap"
+    elif grep -q '^ok [0-9]' "$2/tap"; then
+        echo passes
+    else
+        echo 'is no test'
+    fi
+}
+
+# The test in C must see the mistake.
+judge_test() { # WHAT 'PROGRAM [TEST]' COPY FOLDER
+    local outcome
+    outcome=$(try_test "$2" "$3" "$4")
+    case $outcome in
+    fails* | ends*) echo "ok $1: ${2%% *} $outcome" ;;
+    passes) echo "not ok $1: $2 does not see it" ;;
+    *) echo "not ok $1: $2 $outcome" ;;
+    esac
+}
+
 # Plant each line of $scratch/mistakes, two at a time, and print a TAP line as each is done: plant LINE COPY
 # says in one line 'ok WHAT ...', 'not ok WHAT: WHY' or 'skip WHAT'.
 plant_all() {

@@ -47,22 +47,6 @@ judge_picture() { # WHAT PICTURE COPY
         }'
 }
 
-# The test in C, run on the copy: it must fail, and the program need not go on when it has. What it leaves goes
-# with the copy.
-judge_test() { # WHAT 'PROGRAM [TEST]' COPY
-    local program=${2%% *} only=()
-    [ "$program" = "$2" ] || only=("ONE_TEST=${2#* }")
-    env ${only[@]+"${only[@]}"} PROJECT_ROOT="$3" TMPDIR="$3" CMOCKA_MESSAGE_OUTPUT=TAP "$BUILD/tests/$program" 2>&1 |
-        sed '/^not ok [0-9]/q' >"$3/tap"
-    if grep -q '^not ok [0-9]' "$3/tap"; then
-        echo "ok $1: $program fails in$(sed -n 's/^not ok [0-9]* - / /p' "$3/tap" | tr '\n' ',' | sed 's/,$//')"
-    elif grep -q '^ok [0-9]' "$3/tap"; then
-        echo "not ok $1: $2 does not see it"
-    else
-        echo "not ok $1: $2: there is no such test"
-    fi
-}
-
 plant() { # LINE COPY: prints a result
     local line=$1 copy=$2 what catcher files why
     what=$(field "$line" 1)
@@ -72,7 +56,7 @@ plant() { # LINE COPY: prints a result
     if [ -n "$why" ]; then
         echo "not ok $what: $why"
     elif [ "${catcher#test_}" != "$catcher" ]; then
-        judge_test "$what" "$catcher" "$copy"
+        judge_test "$what" "$catcher" "$copy" "$BUILD/tests"
     else
         judge_picture "$what" "$catcher" "$copy"
     fi
