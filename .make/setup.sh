@@ -212,6 +212,7 @@ need_wine() {
     need_windows
     need_test
     need 'Wine' 'wine64 wine|-|-|-' has_command wine
+    need 'unzip' 'unzip|-|-|-' has_command unzip
 }
 
 need_fresh() {
