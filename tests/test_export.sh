@@ -144,6 +144,10 @@ named() {
     "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$name" >"$scratch/toy.frag" && head -n 1 "$scratch/toy.frag" | grep -q '^// two?lines.frag for' &&
         ! grep -q '^lines' "$scratch/toy.frag"
 }
-check 'a line end in the name of a shader stays in its comment' named
+if [ "${SYSTEM-}" = Windows ]; then
+    skip 'a line end in the name of a shader stays in its comment' 'no name has one there'
+else
+    check 'a line end in the name of a shader stays in its comment' named
+fi
 echo "# the worst picture: F2 $worst"
 plan

@@ -46,7 +46,7 @@ trap finish EXIT
 trap 'exit 1' HUP INT TERM
 
 # Some suites take the display away, without which Windows never is.
-for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe; do
+for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe build/windows/tests/compare.exe; do
     name=${program#build/windows/}
     # shellcheck disable=SC2016 # for that shell
     printf '#!/bin/sh\nDISPLAY=${DISPLAY-%s} LD_PRELOAD=%s exec %s "%s" "$@"\n' "$DISPLAY" "$at_once" "$loader" "$PWD/$program" >"build/wine/${name%.exe}"
