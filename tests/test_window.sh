@@ -46,7 +46,7 @@ check '3 shows the depth' view 3 depth
 check '4 shows the steps' view 4 steps
 slice() { key 5 && shows ' - slice - ' && shoot_as slice && render view -v slice && matches view slice; }
 check '5 shows the slice of the middle' slice
-zooms() { xdotool click 4 && shoot_as nearer && differ slice nearer && xdotool click 5 && shoot_as farther && matches slice farther; }
+zooms() { xdotool mousemove --window "$window" 160 100 click 4 && shoot_as nearer && differ slice nearer && xdotool click 5 && shoot_as farther && matches slice farther; }
 check 'the wheel zooms the slice in and out' zooms
 another_ray() { # a click chooses it, in the slice too, and again lets it go
     xdotool mousemove --window "$window" 170 70 click 1 && eventually says out 'ray of pixel 170,129' &&

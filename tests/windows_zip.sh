@@ -132,7 +132,13 @@ has_words() { grep -q -e "$1" "$scratch/said"; }
 plays_own() { play play.frag && [ -e "$course/chapters/play.frag" ] && eventually searched 'play.frag - Notepad' && searched "$title"; }
 check 'play.bat: a shader that was made for it, and an editor' plays_own
 wine taskkill /f /im notepad.exe >/dev/null 2>&1
-ends() { searched "$title" && eventually focus && backspace; }
+# Who gets the focus when an editor has gone is the window manager's affair: the key is pressed until the window heard it.
+closes() {
+    ended && return
+    searched "$title" && focus && key BackSpace
+    ended
+}
+ends() { eventually closes && wait "$program"; }
 check 'play.bat: ends well' ends
 cp chapters/first_steps/play.frag "$mine"
 check 'play.bat: a file of any name' play 'ma réponse.frag' "$(windows_path "$mine")"
