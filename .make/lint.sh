@@ -113,7 +113,7 @@ list() {
     local file
     for file in $(find common chapters shaders tests docs -name '*.c' | sort); do
         # What is for Windows is read as such, where its headers are.
-        case $file in *_windows*.c)
+        case $file in */platform/windows*.c | *_windows.c)
             printf '%s\n' "cppcheck $file" "format $file"
             ! command -v x86_64-w64-mingw32-gcc >/dev/null || printf '%s\n' "windows $file" "windows_tidy $file"
             continue

@@ -181,8 +181,10 @@ static void judge_slice(const char *where, enum shader_view view, int passing)
 static void judge_note(const char *where, const struct panel_rows *rows, int first, int behind)
 {
     const struct back *note = back_count > 0 ? &backs[back_count - 1] : NULL;
-    if (note == NULL || !note->note)
+    if (note == NULL || !note->note) {
         fail_msg("%s: there is no note", where);
+        return;
+    }
     for (int i = first; i < behind; i++) {
         const struct panel_row *row = &rows->row[i];
         const struct overlay_rectangle place = {.left = row->left,

@@ -140,6 +140,14 @@ void pair_parameter_name(const struct renderer *renderer, const struct parameter
 
 // ---- What is written ----
 
+static bool is_changed(const struct parameter *parameter)
+{
+    for (int k = 0; k < parameter->components; k++)
+        if (parameter->value[k] != parameter->initial[k])
+            return true;
+    return false;
+}
+
 // Does a side's label tell this parameter of it: because it is the second's own, or because the
 // second alone has it, with a value that is not its file's?
 static bool is_told(const struct renderer *renderer, int side, const struct parameter *parameter)
@@ -147,7 +155,7 @@ static bool is_told(const struct renderer *renderer, int side, const struct para
     if (is_own(renderer->pair, parameter->name))
         return true;
     return side == 1 && parameters_find(&renderer->parameters, parameter->name) == NULL &&
-           memcmp(parameter->value, parameter->initial, sizeof parameter->value) != 0;
+           is_changed(parameter);
 }
 
 void pair_text(const struct renderer *renderer, int side, char *text, size_t size)

@@ -73,7 +73,7 @@ int wmain(void)
     char **words = words_of(&count);
     _setmode(_fileno(stdout), _O_BINARY);
     _setmode(_fileno(stderr), _O_BINARY);
-    setvbuf(stderr, NULL, _IONBF, 0); // else what goes into a pipe waits for the program's end
+    setvbuf(stderr, NULL, _IONBF, 0);     // else what goes into a pipe waits for the program's end
     SetErrorMode(SEM_FAILCRITICALERRORS); // a drive without a disk is a file that is not there
     timeBeginPeriod(1);                   // else a wait may be as long as a picture, 16 ms
     state.code_page = GetConsoleOutputCP();

@@ -36,6 +36,25 @@ void window_leave_ray(struct window *window)
     look_again(window);
 }
 
+void window_resize_ray(struct window *window, int width, int height)
+{
+    struct renderer_inputs *inputs = &window->inputs;
+    if (inputs->pixel[0] < 0)
+        return;
+    // The picture's height is always the same piece of the screen, so lengths grow as it does.
+    double grown = (double)height / inputs->height;
+    int pixel[2] = {
+        (int)floor(0.5 * (grown * (2 * inputs->pixel[0] + 1 - inputs->width) + width)),
+        (int)floor(0.5 * (grown * (2 * inputs->pixel[1] + 1 - inputs->height) + height))};
+    if (pixel[0] < 0 || pixel[0] >= width) {
+        window_leave_ray(window);
+        return;
+    }
+    for (int i = 0; i < 2; i++)
+        inputs->pixel[i] = pixel[i];
+    look_again(window);
+}
+
 // How many steps the march has that is looked at; 0: there is none.
 static int steps_of(struct window *window)
 {

@@ -101,8 +101,10 @@ static bool take_size(struct window *window)
         window->dirty = true;
         return false;
     }
-    if (width != window->inputs.width || height != window->inputs.height)
+    if (width != window->inputs.width || height != window->inputs.height) {
+        window_resize_ray(window, width, height);
         window->stale = true;
+    }
     window->inputs.width = width;
     window->inputs.height = height;
     return true;
