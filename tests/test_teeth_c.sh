@@ -66,7 +66,7 @@ cp -Rp Makefile common chapters shaders "$scratch/right"
 cp -Rp tests/*.[ch] tests/images.txt tests/corpus tests/shaders "$scratch/right/tests"
 cp -Rp build/flags build/common build/shaders "$scratch/right/build"
 cp -p build/tests/*.o "$scratch/right/build/tests"
-(cd "$scratch/right" && make -n V=1 -W build/tests/test_camera.o build/tests/test_camera | tail -n 1 >build/link)
+(cd "$scratch/right" && make --no-print-directory -n V=1 -W build/tests/test_camera.o build/tests/test_camera | tail -n 1 >build/link)
 export BUILD=$root/build
 
 mistakes_of tests/mistakes_c.txt | while read -r line; do

@@ -65,8 +65,9 @@ grows() {
     render wanted-grown -s 480x300 --probe 240,150 -v plot --step 0 && xdotool windowsize "$window" 480 300 && eventually grown
 }
 check 'in a larger window it is the same ray, at another pixel' grows
-smaller() { shoot_as smaller && same starts smaller; }
-check 'and in the first size the same again' eval 'xdotool windowsize "$window" 320 200 && eventually smaller'
+as_before() { shoot_as before && same starts before; }
+shrinks() { xdotool windowsize "$window" 320 200 && eventually as_before; }
+check 'and in the first size the same again' shrinks
 
 # ---- In the picture ----
 
