@@ -65,6 +65,14 @@ grows() {
     render wanted-grown -s 480x300 --probe 240,150 -v plot --step 0 && xdotool windowsize "$window" 480 300 && eventually grown
 }
 check 'in a larger window it is the same ray, at another pixel' grows
+is_wide() { shoot_as wide && [ "$(identify -format %w "$scratch/wide.png")" = "$1" ]; }
+creeps() { # as under a hand that drags its edge; what is rounded does not add up
+    local width
+    for width in 481 482 483 484 485 486; do
+        xdotool windowsize "$window" "$width" 300 && eventually is_wide "$width" || return
+    done
+}
+check 'its edge is dragged' creeps
 as_before() { shoot_as before && same starts before; }
 shrinks() { xdotool windowsize "$window" 320 200 && eventually as_before; }
 check 'and in the first size the same again' shrinks

@@ -11,8 +11,7 @@
 
 #define OPTIONS_SIZE_LIMIT    16384 // pixels, each way
 #define OPTIONS_SAMPLES_LIMIT 8     // samples along each side of a pixel
-#define OPTIONS_LIMIT                                                                              \
-    1e9 // of times and places: beyond it a float of the shader has lost every fraction
+#define OPTIONS_LIMIT         1e9   // of times, places: beyond it a float has lost every fraction
 
 enum options_action {
     OPTIONS_RUN,          // a window, or a file, or a probe

@@ -119,6 +119,7 @@ struct window {
     // The ray that is looked at.
     struct {
         struct renderer_eye eye; // where it starts: it stays in space while the camera moves
+        double place[2];         // of its pixel's middle, from the screen's, in half its heights
         struct probe *probe;     // owned
         bool follow;             // march it again
         bool tell;               // print its table once it is there
@@ -200,10 +201,9 @@ void window_name_keys(struct window *window);
 // Choose a pixel's ray, from the camera as it is now. In walk.c, as is all of the ray's.
 void window_choose_ray(struct window *window, const int pixel[2]);
 
-// Keep the chosen ray in a picture of another size: its pixel is the one at the same place of the
-// screen, x' = (h'/h (2 x + 1 - w) + w') / 2, rounded down, and y' likewise. A ray beside a picture
-// that has become narrower is let go.
-//   width, height  w' and h', of the new size; window->inputs still has the old one
+// Keep the chosen ray in a picture of another size: its pixel is the one at the ray's place on the
+// screen. One beside a picture that has become narrower is let go.
+//   width, height  of the new size, pixels
 void window_resize_ray(struct window *window, int width, int height);
 
 // Let the chosen ray go.

@@ -16,8 +16,12 @@ static void look_again(struct window *window)
 
 void window_choose_ray(struct window *window, const int pixel[2])
 {
-    for (int i = 0; i < 2; i++)
+    const struct renderer_inputs *inputs = &window->inputs;
+    const int size[2] = {inputs->width, inputs->height};
+    for (int i = 0; i < 2; i++) {
         window->inputs.pixel[i] = pixel[i];
+        window->ray.place[i] = (2.0 * pixel[i] + 1.0 - size[i]) / inputs->height;
+    }
     window->ray.eye = aside_eye(window->renderer, &window->inputs);
     window->inputs.eye = &window->ray.eye;
     window->inputs.shown = 0.0f;
@@ -38,21 +42,16 @@ void window_leave_ray(struct window *window)
 
 void window_resize_ray(struct window *window, int width, int height)
 {
-    struct renderer_inputs *inputs = &window->inputs;
-    if (inputs->pixel[0] < 0)
+    int *pixel = window->inputs.pixel;
+    if (pixel[0] < 0)
         return;
-    // The picture's height is always the same piece of the screen, so lengths grow as it does.
-    double grown = (double)height / inputs->height;
-    int pixel[2] = {
-        (int)floor(0.5 * (grown * (2 * inputs->pixel[0] + 1 - inputs->width) + width)),
-        (int)floor(0.5 * (grown * (2 * inputs->pixel[1] + 1 - inputs->height) + height))};
-    if (pixel[0] < 0 || pixel[0] >= width) {
+    const double *place = window->ray.place;
+    pixel[0] = (int)floor(0.5 * (place[0] * height + width));
+    pixel[1] = (int)floor(0.5 * (place[1] * height + height));
+    if (pixel[0] < 0 || pixel[0] >= width)
         window_leave_ray(window);
-        return;
-    }
-    for (int i = 0; i < 2; i++)
-        inputs->pixel[i] = pixel[i];
-    look_again(window);
+    else
+        look_again(window);
 }
 
 // How many steps the march has that is looked at; 0: there is none.
