@@ -146,6 +146,17 @@ await page.waitForSelector('.live-start');
 await run(page);
 await page.waitForSelector('.live-error:not([hidden])');
 check('a reload keeps a broken edit, its error and a picture', (await words()).includes('error') && (await state(page)).runs);
+// A context that is lost with it comes back likewise.
+await lamp.locator('input[type=number]').fill('3.25');
+await lamp.locator('input[type=number]').press('Enter');
+await page.evaluate(() => new Promise((found) => {
+    const canvas = document.querySelector('.live-canvas'), taken = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+    canvas.addEventListener('webglcontextlost', () => setTimeout(() => taken.restoreContext()), {once: true});
+    canvas.addEventListener('webglcontextrestored', found, {once: true});
+    taken.loseContext();
+}));
+now = await comes(page, 's.error !== "" && s.rate > 0');
+check('so does a context that was lost, with the values', now.runs && now.error !== '' && await value(page, 'lampHeight') === 3.25, now.error);
 check('and says whose it is', (await page.locator('.live-changes').textContent()).startsWith(`With your changes in ${FILE}.`));
 await press(page, 'Edit');
 await page.waitForSelector('.cm-content');
@@ -235,6 +246,15 @@ check('a mistake has its line', /^Wrong: does not run: my\.frag:1: error: /.test
 check('the program beside it goes on', (await state(page)).runs);
 await page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [FILE, text]);
 
+// ---- On paper ----
+
+await press(page, 'Close');
+await first(page).locator('.live-start').click();
+await page.waitForSelector('.live-window');
+await page.emulateMedia({media: 'print'});
+check('on paper a program that runs is its poster', await first(page).locator('img').isVisible() && await page.locator(':is(.live-canvas, .live-controls, .live-status, button):visible').count() === 0);
+await page.emulateMedia({media: 'screen'});
+
 // ---- A file of one's own ----
 
 const toy = 'void mainImage(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, 0.5, 1.0); }\n';
@@ -253,6 +273,15 @@ await page.waitForSelector('.live-table tbody tr');
 const violations = await audit();
 check('axe-core finds nothing', violations.length === 0, violations);
 await context.close();
+
+// ---- Who wants little motion ----
+
+const calm = await open({reducedMotion: 'reduce'});
+now = await run(calm.page);
+check('who wants little motion gets the first picture, its time held, and is told', now.paused && now.time === 0 && await calm.page.locator('.live-still').isVisible());
+await press(calm.page, 'Go on');
+check('until it is let run', (await comes(calm.page, 's.time > 0.1')).time > 0.1 && !(await state(calm.page)).paused && await calm.page.locator('.live-still').isHidden());
+await calm.context.close();
 
 // ---- A telephone ----
 

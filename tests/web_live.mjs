@@ -8,7 +8,7 @@ const server = await serve(SITE), browser = await launch();
 
 // A chapter's page; asked gathers what it loads.
 async function chapter(stem, context = {}) {
-    const opened = await blankPage(browser, {context: {viewport: {width: 1280, height: 900}, reducedMotion: 'reduce', ...context}});
+    const opened = await blankPage(browser, {context: {viewport: {width: 1280, height: 900}, ...context}});
     const asked = opened.asked = [];
     opened.page.on('request', (request) => asked.push(request.url()));
     await opened.page.goto(`${server.at}/${stem}.html`);

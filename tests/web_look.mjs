@@ -1,5 +1,5 @@
 // web_look.mjs [PATTERN] - every page of the site in Chromium: what axe-core finds, in light and in dark; nothing to
-// scroll sideways on a telephone's 390 pixels; no error in the console, no request that fails or leaves the site, and
+// scroll sideways on a telephone's 390 pixels, nothing wider than a printed page, whose answers stand at its end; no error in the console, no request that fails or leaves the site, and
 // none before a click for the module, the editor or the course's files. PATTERN picks pages.
 import fs from 'node:fs';
 import {blankPage, check, finish, launch, serve, SITE} from './web_browser.mjs';
@@ -19,6 +19,29 @@ const findings = (page, only) => page.evaluate(async (only) => {
     const found = await window.axe.run({exclude: [['math']]}, {resultTypes: ['violations'], ...(only && {runOnly: only})});
     return found.violations.map((one) => `${one.id}: ${one.nodes.length}: ${one.nodes.slice(0, 2).map((node) => node.target.join(' ')).join(', ')}`);
 }, only);
+
+// What is wrong with a page on A4, less its margins: what is seen besides the text, what is cut off, colours of the
+// night, answers that stand below their questions.
+async function onPaper(page) {
+    await page.setViewportSize({width: 658, height: 971});
+    await page.emulateMedia({media: 'print', colorScheme: 'dark'});
+    const wrong = await page.evaluate(() => {
+        document.documentElement.dataset.theme = 'dark';
+        for (const one of document.querySelectorAll('details')) one.open = false;
+        dispatchEvent(new Event('beforeprint'));
+        const seen = (one) => one.checkVisibility() && one.getClientRects().length > 0, main = document.querySelector('main');
+        const all = (selector) => [...document.querySelectorAll(selector)].filter(seen), says = (what, many) => many.slice(0, 3).map((one) => `${what}: ${one.outerHTML.slice(0, 80)}`);
+        const wide = all('main :is(pre, code, img, table, math, p)').filter((one) => one.getBoundingClientRect().right > innerWidth + 1 || one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX === 'auto');
+        const dark = all('main :is(p, h1, img, figcaption)').filter((one) => getComputedStyle(one).colorScheme !== 'light' || /rgb\((1[5-9]|2\d)\d/.test(getComputedStyle(one).color));
+        const folds = document.querySelectorAll('main details').length, end = main.lastElementChild;
+        const told = folds === 0 ? end.matches('section') : end.querySelectorAll('h4').length !== folds || all('main details > :not(summary)').length > 0 || all('main > section:last-child > :not(h2, h3, h4)').length < folds;
+        const left = [...says('seen', all('button, form, nav, input, .top, .foot')), ...says('cut', wide), ...says('dark', dark), ...(told ? [`folds: ${folds}`] : [])];
+        dispatchEvent(new Event('afterprint'));
+        return main.lastElementChild === end && folds > 0 ? [...left, 'the answers stay at the end'] : left;
+    });
+    await page.emulateMedia({media: 'screen', colorScheme: 'light'});
+    return wrong;
+}
 
 async function look(work) {
     const {page, said} = await blankPage(browser, {context: {viewport: {width: 390, height: 844}, colorScheme: 'light', reducedMotion: 'reduce'}});
@@ -45,6 +68,8 @@ async function look(work) {
         await page.emulateMedia({colorScheme: 'dark'});
         const dark = await findings(page, ['color-contrast', 'link-in-text-block']);
         check(`${name}: axe-core finds nothing, in light and in dark`, light.length + dark.length === 0, light, 'dark:', dark);
+        const printed = await onPaper(page);
+        check(`${name}: on paper it is its text, whole and by day, with the answers at the end`, printed.length === 0, printed);
         check(`${name}: no error, no request that fails or leaves the site`, said.length === 0 && failed.length === 0 && asked.every((url) => url.startsWith(server.at)), said, failed, asked.filter((url) => !url.startsWith(server.at)));
         check(`${name}: nothing is loaded that a click asks for`, !asked.some((url) => LATER.test(new URL(url).pathname.replace(/^\/source\//, ''))) || /^(index|play)\.html$/.test(name) && !asked.some((url) => /harness/.test(url)), asked.filter((url) => LATER.test(url)));
     }

@@ -1,5 +1,5 @@
 // web_pages.mjs - the site's files as they lie, without a browser: every page is there, no link is dead, no formula
-// failed, nothing comes from elsewhere, every command has its button or its reason, no page is too heavy.
+// failed, nothing comes from elsewhere or lies there unused, every command has its button or its reason, no page is too heavy.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -44,6 +44,10 @@ for (const name of [...files].filter((name) => name.endsWith('.css')))
 check('no link is dead', dead.length === 0, dead.length, dead.slice(0, 8));
 check('no page loads anything from elsewhere', foreign.length === 0, foreign.slice(0, 8));
 check('no page has two places of one name', doubled.length === 0, doubled.slice(0, 8));
+
+const said = [...files].filter((name) => /\.(html|js|css|json|txt|frag|glsl)$/.test(name)).map((name) => fs.readFileSync(`${SITE}/${name}`, 'utf8')).join('');
+const idle = [...files].filter((name) => !said.includes(path.basename(name)) && name !== 'fonts/LICENSE.txt');
+check('nothing lies there that nothing asks for', idle.length === 0, idle.length, idle.slice(0, 8));
 
 // ---- Formulas ----
 

@@ -241,24 +241,48 @@ await page.waitForFunction(() => window.program.visible);
 
 // ---- A context that is taken away ----
 
+const take = async () => {
+    await page.evaluate(() => {
+        window.events.length = 0;
+        window.taken = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+        window.taken.loseContext();
+    });
+    await page.waitForFunction(() => window.events.includes('lost'));
+};
+const giveBack = async () => {
+    await page.evaluate(() => window.taken.restoreContext());
+    await page.waitForFunction(() => window.events.includes('found'));
+    await rest(page);
+    return state(page);
+};
 await page.evaluate(() => {
     window.program.call('live_pause', 1);
     window.program.call('live_set', 'lampHeight', 0, 2);
 });
 await rest(page);
 const kept = await state(page), keptMean = (await shown()).mean;
-await page.evaluate(() => {
-    window.taken = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
-    window.taken.loseContext();
-});
-await page.waitForFunction(() => window.events.includes('lost'));
+await take();
 check('a lost context is told', await page.evaluate(() => window.program.lost));
-await page.evaluate(() => window.taken.restoreContext());
-await page.waitForFunction(() => window.events.includes('found'));
-await rest(page);
-now = await state(page);
+now = await giveBack();
 check('it is made again with its values, its eye and its time', now.runs && parameter(now, 'lampHeight')[0] === 2 && now.time === kept.time && now.camera.every((x, i) => x === kept.camera[i]), now.error);
 check('and its picture', Math.abs((await shown()).mean - keptMean) < 1, keptMean, await shown());
+
+// Two pictures, the divider dragged to the left.
+await start(page, '00_first_scene', '--time 1 --shader chapters/experiments/00_factor.frag --compare --set factor=1.5');
+await page.evaluate(() => {
+    window.program.call('live_pause', 1);
+    window.program.call('live_set', 'factor (right)', 0, 0.3);
+});
+await page.mouse.move(160, 60);
+await page.mouse.down();
+await page.mouse.move(60, 60, {steps: 4});
+await page.mouse.up();
+await rest(page);
+const both = await state(page), bothMean = (await shown()).mean;
+await take();
+now = await giveBack();
+check('so are both of two pictures', JSON.stringify(now.parameters) === JSON.stringify(both.parameters) && parameter(now, 'factor (right)')[0] === 0.3, now.parameters, now.error);
+check('with their divider', Math.abs((await shown()).mean - bothMean) < 0.1, bothMean, await shown());
 
 // ---- Other people's files ----
 

@@ -28,6 +28,25 @@ static struct {
     char *answer;   // to the page, the last
 } live;
 
+// What a reader has set, while a context that was lost is made again.
+static struct {
+    bool is;
+    struct renderer_inputs inputs;
+    struct renderer_eye eye;
+    double place[2]; // of the chosen pixel
+    bool paused, folded;
+    enum shader_view view;
+    struct parameters parameters[2]; // of the picture, and of the second beside it
+    double divider;
+} kept;
+
+static void forget(void)
+{
+    parameters_free(&kept.parameters[0]);
+    parameters_free(&kept.parameters[1]);
+    memset(&kept, 0, sizeof kept);
+}
+
 // ---- A command line ----
 
 // Take one word off a line, as a shell does, without its quotes. Returns the rest; NULL: no word.
@@ -110,6 +129,7 @@ static int start(void)
 int live_start(const char *stem, const char *line)
 {
     live_stop();
+    forget();
     return cut(stem, line) ? start() : 2;
 }
 
@@ -146,31 +166,56 @@ int live_turn(void)
     return done;
 }
 
+// What a reader has set, taken from the window: its renderers have none of it any more.
+static void keep(struct window *window)
+{
+    struct renderer *first = window->renderer;
+    forget();
+    kept.is = true;
+    kept.inputs = window->inputs;
+    kept.eye = window->ray.eye;
+    memcpy(kept.place, window->ray.place, sizeof kept.place);
+    kept.paused = window->paused;
+    kept.folded = window->panel.folded;
+    kept.view = first->view;
+    kept.parameters[0] = first->parameters;
+    first->parameters = (struct parameters){0};
+    if (first->pair == NULL)
+        return;
+    kept.divider = first->pair->divider;
+    kept.parameters[1] = first->pair->other->parameters;
+    first->pair->other->parameters = (struct parameters){0};
+}
+
+static void give_back(struct window *window)
+{
+    struct renderer *first = window->renderer;
+    parameters_keep(&first->parameters, &kept.parameters[0]);
+    if (first->pair != NULL) {
+        parameters_keep(&first->pair->other->parameters, &kept.parameters[1]);
+        first->pair->divider = kept.divider;
+    }
+    window->inputs = kept.inputs;
+    window->ray.eye = kept.eye;
+    memcpy(window->ray.place, kept.place, sizeof kept.place);
+    window->inputs.eye = kept.inputs.eye != NULL ? &window->ray.eye : NULL;
+    window->paused = kept.paused;
+    window->panel.folded = kept.folded;
+    window->ray.follow = kept.inputs.pixel[0] >= 0;
+    live_view((int)kept.view);
+    forget();
+}
+
 int live_restore(void)
 {
-    struct window *before = window();
-    if (before == NULL)
+    if (window() != NULL)
+        keep(window());
+    if (!kept.is)
         return 2;
-    struct renderer_inputs inputs = before->inputs;
-    struct renderer_eye eye = before->ray.eye;
-    bool paused = before->paused, folded = before->panel.folded;
-    enum shader_view view = before->renderer->view;
-    struct parameters kept = before->renderer->parameters;
-    before->renderer->parameters = (struct parameters){0};
     live_stop();
     int status = start();
-    struct window *after = window();
-    if (after != NULL) {
-        parameters_keep(&after->renderer->parameters, &kept);
-        after->inputs = inputs;
-        after->ray.eye = eye;
-        after->inputs.eye = inputs.eye != NULL ? &after->ray.eye : NULL;
-        after->paused = paused;
-        after->panel.folded = folded;
-        after->ray.follow = inputs.pixel[0] >= 0;
-        live_view((int)view);
-    }
-    parameters_free(&kept);
+    if (window() != NULL)
+        give_back(window());
     return status;
 }
 

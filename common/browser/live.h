@@ -30,7 +30,9 @@ int live_runs(void);
 int live_turn(void);
 
 // After the browser has given back a context that it had taken: everything is made again, the
-// values, the eye and the time are as they were. Returns an exit status.
+// values of both pictures, the divider, the eye and the time are as they were. Returns an exit
+// status. Where a shader does not load any more there is no window; once its files are others the
+// page calls this again.
 int live_restore(void);
 
 // ---- What the page shows ----

@@ -138,16 +138,14 @@ function pictureOf(source, pictures) {
     return `src="pictures/${name}" width="${width}" height="${height}"${width >= 600 ? ' class="wide"' : ''}`;
 }
 
-const images = (html, pictures) => html.replace(/<img src="([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) =>
+const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) =>
     `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`);
 
 // The first picture of a chapter is its program, at rest; it is what a page waits for, so it is the gallery's smaller file.
-const live = (html, stem, pictures) => html.replace(/<figure>\s*<img ([^>]*) loading="lazy"([^>]*)>.*?<\/figure>/s, (_, more, rest) => {
-    const poster = more.replace(/src="pictures\/(.*?)-smooth\.png"/, (_, name) => {
-        pictures.set(`${name}.webp`, pictures.get(`${name}-smooth.png`));
-        return `src="pictures/${name}.webp" fetchpriority="high"`;
-    });
-    return `<live-chapter stem="${stem}"><img ${poster}${rest}></live-chapter>`;
+const live = (html, stem, pictures) => html.replace(/<figure>\s*<img src="([^"]*)"([^>]*?) ?\/?>.*?<\/figure>/s, (_, source, more) => {
+    const small = new Map(), poster = pictureOf(source, small).replace('-smooth.png"', '.webp" fetchpriority="high"');
+    pictures.set(poster.split(/[/"]/)[2], ...small.values());
+    return `<live-chapter stem="${stem}"><img ${poster}${more} decoding="async"></live-chapter>`;
 });
 
 // Is this a table of words below named columns, which a narrow page shows row by row?
@@ -176,11 +174,12 @@ const links = (html, sources) => html.replace(/<a href="source:([^"#]*)(#[^"]*)?
 //   sources   shows files of the project (sources.mjs)
 //   pictures  receives what it shows: name in the site -> file
 export function bodyOf(html, {stem, sources, pictures}) {
-    html = links(images(inline(blocks(formulas(html), sources)), pictures), sources);
+    html = inline(blocks(formulas(html), sources));
+    html = links(images(stem ? live(html, stem, pictures) : html, pictures), sources);
     html = tables(html).replaceAll(' />', '>');
     // What stands above the first section is no part of one: small to the eye, but no level is left out.
     html = html.replace(/^.*?(?=<h2|$(?![^]))/s, (head) => head.replace(/<h3( [^>]*)>(.*?)<\/h3>/gs, '<h2 class="minor"$1>$2</h2>'));
-    return enlarged(stem ? live(html, stem, pictures) : html);
+    return enlarged(html);
 }
 
 // The sections of a body: [{level, id, html, text}], text being the words below its heading.

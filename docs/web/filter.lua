@@ -16,6 +16,8 @@ local function link(element)
         element.target = 'index.html'
     elseif kind == 'file' then
         element.target = 'source:' .. file
+    elseif element.target:match('^https?:') and pandoc.utils.stringify(element) ~= element.target then
+        element.classes:insert('elsewhere') -- paper shows its address
     end
     return element
 end

@@ -27,6 +27,9 @@ function codeOf(key) {
     return key >= 48 && key <= 57 ? `Digit${key - 48}` : key >= 65 && key <= 90 ? `Key${String.fromCharCode(key)}` : CODES[key];
 }
 
+// Who asks the system for little motion gets a time that is held, until it is let run.
+export const calm = matchMedia('(prefers-reduced-motion: reduce)');
+
 // What the keyboard has on its keys, where the browser tells it.
 let labels = null;
 navigator.keyboard?.getLayoutMap?.().then((map) => { labels = map; }, () => {});
@@ -43,7 +46,8 @@ export class Program {
     //   onPicture(data, name)   it writes a picture: ImageData
     //   onSize(width, height)   it asks for a window or a picture of that size
     //   onEnd()                 no turn follows: state().error says why, or nothing
-    //   onLost(), onFound()     the browser takes the graphics context away, and gives it back
+    //   onLost()                the browser takes the graphics context away
+    //   onFound(fails)          it has given it back; whether what ran does not load any more
     static async load(canvas, hooks = {}) {
         const program = new Program();
         program.canvas = canvas;
@@ -136,6 +140,7 @@ export class Program {
         await this.fetchFiles(stem, line);
         if (this.starting !== turn) return 0; // another one was asked for meanwhile
         const status = this.call('live_start', stem, line);
+        if (calm.matches) this.call('live_pause', 1);
         this.fit();
         this.run();
         return status;
@@ -192,10 +197,17 @@ export class Program {
         });
         canvas.addEventListener('webglcontextrestored', () => {
             this.lost = false;
-            if (this.call('live_runs')) this.call('live_restore');
-            this.run();
-            this.hooks.onFound?.();
+            const ran = this.call('live_runs') === 1;
+            if (ran) this.restore();
+            this.hooks.onFound?.(ran && !this.call('live_runs'));
         });
+    }
+
+    // Make everything again after the context was lost. What does not load any more leaves no window until this is
+    // called with other files.
+    restore() {
+        this.call('live_restore');
+        this.run();
     }
 
     // ---- The hands ----

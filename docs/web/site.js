@@ -182,7 +182,7 @@
     document.addEventListener('scrollend', keep);
     addEventListener('pagehide', keep);
 
-    // ---- What scrolls sideways is reached by the keyboard; paper has no folds ----
+    // ---- What scrolls sideways is reached by the keyboard ----
 
     const wide = new ResizeObserver((seen) => {
         for (const {target} of seen) {
@@ -191,8 +191,43 @@
         }
     });
     for (const box of document.querySelectorAll('main pre, .table, .formula')) wide.observe(box);
-    const closed = () => [...document.querySelectorAll('main details:not([open])')];
-    let opened = [];
-    addEventListener('beforeprint', () => { opened = closed(); for (const fold of opened) fold.open = true; });
-    addEventListener('afterprint', () => { for (const fold of opened) fold.open = false; });
+
+    // ---- On paper the folds stand at the end, as in the book: who asks is not answered at once ----
+
+    const made = (name, ...children) => {
+        const element = document.createElement(name);
+        element.append(...children);
+        return element;
+    };
+    // The exercise or the section that a fold belongs to.
+    function ownerOf(fold) {
+        let number = '';
+        for (let one = fold.previousElementSibling; one; one = one.previousElementSibling) {
+            if (one.matches('h2, h3')) return number && /^E.*s$/.test(one.textContent) ? `${one.textContent.slice(0, -1)} ${number}` : one.textContent;
+            number ||= one.matches('p:has(> strong:first-child)') && /^(\d+)\./.exec(one.textContent)?.[1];
+        }
+        return '';
+    }
+    function unfolded(fold, number) {
+        const copy = fold.cloneNode(true);
+        for (const one of copy.querySelectorAll('summary, live-chapter, .live-verdict')) one.remove();
+        for (const one of copy.querySelectorAll('[id]')) one.removeAttribute('id');
+        return [made('h4', `${number}. ${ownerOf(fold)}`), ...copy.childNodes];
+    }
+    let atEnd = null;
+    addEventListener('beforeprint', () => {
+        const folds = [...document.querySelectorAll('main details:not(live-chapter *)')];
+        if (atEnd || folds.length === 0) return;
+        atEnd = made('section', made('h2', 'Hints, answers and solutions'));
+        for (const kind of ['Hint', 'Answer', 'Solution']) {
+            const own = folds.filter((fold) => fold.firstElementChild.textContent === kind);
+            if (own.length > 0) atEnd.append(made('h3', `${kind}s`));
+            own.forEach((fold, i) => {
+                fold.firstElementChild.dataset.number = ` ${i + 1}: at the end`;
+                atEnd.append(...unfolded(fold, i + 1));
+            });
+        }
+        document.querySelector('main').append(atEnd);
+    });
+    addEventListener('afterprint', () => { atEnd?.remove(); atEnd = null; });
 })();

@@ -1,6 +1,6 @@
 // stage.js - a running program with its controls: canvas, views, time, values, the ray of a pixel, the editor. There is
 // one in a page; it stands in the <live-chapter> that asked for it last.
-import {Program} from './program.js';
+import {calm, Program} from './program.js';
 import {Changes} from './changes.js';
 import {Values} from './values.js';
 import {Ray} from './ray.js';
@@ -21,7 +21,7 @@ export class Stage {
             onSize: (width, height) => { stage.asked = [width, height]; },
             onEnd: () => stage.ended(),
             onLost: () => stage.note('The graphics driver gave up on this picture; it is made again as soon as the browser allows.'),
-            onFound: () => stage.note(''),
+            onFound: (fails) => stage.found(fails),
         });
         setInterval(() => stage.look(), LOOK);
         return stage;
@@ -53,9 +53,10 @@ export class Stage {
         this.time = part('input', {type: 'number', step: 'any', className: 'live-time'});
         this.time.setAttribute('aria-label', 'Time, seconds');
         this.time.addEventListener('change', () => this.call('live_time', Number(this.time.value)));
+        this.still = part('small', {className: 'live-still', textContent: 'time is held: this system asks for little motion', hidden: true});
         this.changes = new Changes(this);
         this.bar = part('div', {className: 'live-bar'}, this.views,
-            part('span', {className: 'live-clock'}, this.pause, this.button('Restart', () => this.press(RESTART)), part('label', {}, this.time, ' s')),
+            part('span', {className: 'live-clock'}, this.pause, this.button('Restart', () => this.press(RESTART)), part('label', {}, this.time, ' s'), this.still),
             part('span', {className: 'live-tools'}, this.changes.open, this.button('Full screen', () => this.full(), {className: 'live-full'}), this.button('Close', () => this.close())));
         this.bar.setAttribute('role', 'toolbar');
         this.bar.setAttribute('aria-label', 'The program');
@@ -133,6 +134,17 @@ export class Stage {
         if (!this.program.call('live_runs')) this.lines = lines; // no window: what they say is the result
         await this.changes.lay(false);
         return this.program.call('live_runs') ? without : status;
+    }
+
+    // The context is back. Where a reader's changes load no more, the picture is the one without them, as at a start.
+    async found(fails) {
+        const {turn} = this;
+        this.note('');
+        if (!fails) return;
+        await this.changes.lay(true);
+        if (this.turn === turn) this.program.restore();
+        await this.changes.lay(false);
+        if (this.turn === turn && !this.program.call('live_runs')) this.ended();
     }
 
     // Stand in an element; the one before goes back to its poster.
@@ -269,6 +281,7 @@ export class Stage {
         this.views.hidden = this.pad.hidden = this.ray.element.hidden = state.views.length === 1;
         state.views.forEach((name, view) => this.views.children[view].setAttribute('aria-pressed', name === state.view));
         this.pause.textContent = state.paused ? 'Go on' : 'Pause';
+        this.still.hidden = !(state.paused && calm.matches);
         if (document.activeElement !== this.time) this.time.value = state.time.toFixed(state.paused ? 3 : 1);
         const size = state.divisor > 1 ? ` (drawn at 1/${Number(state.divisor.toFixed(1))})` : '';
         this.status.textContent = `${state.size.join(' × ')}${size} · ${state.milliseconds.toFixed(0)} ms · ${state.rate.toFixed(0)} a second`;
