@@ -7,6 +7,7 @@
 #include "context/guard.h"
 #include "memory.h"
 #include "picture/benchmark.h"
+#include "platform.h"
 #include "report.h"
 #include "shader/export.h"
 
@@ -172,11 +173,11 @@ int chapter_run(const struct chapter *chapter, int argc, char **argv)
     if (run->window != NULL && !window_run(run->window))
         status = RUN_NOT_DONE;
     chapter_close(run);
-    if (fflush(stdout) != 0 || ferror(stdout)) {
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return status;
+    if (!platform_reader_left()) // who needs no more of it need not hear so
         report("standard output: cannot be written: is the disk full?");
-        return RUN_NOT_DONE;
-    }
-    return status;
+    return RUN_NOT_DONE;
 }
 
 void chapter_see(const struct chapter *chapter, int argc, char **argv,

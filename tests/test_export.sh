@@ -34,13 +34,20 @@ GLSL
 valid() {
     local program=$1
     shift
-    if ! "$program" --print-shader=shadertoy "$@" >"$scratch/toy.frag" 2>"$scratch/err"; then
+    "$program" --print-shader=shadertoy "$@" >"$scratch/toy.frag" 2>"$scratch/err"
+    local status=$?
+    if [ $status != 0 ]; then
+        echo "# status $status, with $(wc -c <"$scratch/toy.frag") bytes printed"
         sed 's/^/# /' "$scratch/err"
         return 1
     fi
     wrap "$scratch/toy.frag" >"$scratch/wrapped.frag"
     command -v glslangValidator >/dev/null || return 0
-    glslangValidator -S frag "$scratch/wrapped.frag" >"$scratch/log" || { grep ERROR "$scratch/log" | sed 's/^/# /'; return 1; }
+    glslangValidator -S frag "$scratch/wrapped.frag" >"$scratch/log" && return
+    status=$?
+    echo "# the validator ends with $status, for $(wc -c <"$scratch/toy.frag") bytes"
+    grep ERROR "$scratch/log" | sed 's/^/# /'
+    return 1
 }
 
 # same PROGRAM OPTION...: the exported file's picture is the shader's own. Only the size and the time

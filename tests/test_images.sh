@@ -148,6 +148,9 @@ while read -r line; do
     esac
 done <"$scratch/results"
 
+awk '/ largest [0-9]/ { all++; none += !/ differ / } END { printf "# %d pictures, %d with no pixel different\n", all, none }' \
+    "$scratch/results"
+
 # A reference that no line makes is a picture that nothing tests.
 if [ $# = 0 ]; then
     unlisted=

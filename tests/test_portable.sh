@@ -172,6 +172,30 @@ for tools in bsd busybox; do
         sed 's/^/# /' "$scratch/said"
 done
 check 'make check said something' grep -q 'your pixel' <(answer bsd checks)
+# ---- What setup.sh asks for on a Mac ----
+
+# A Mac as it sees it: Homebrew, a compiler, and nothing of what the course needs.
+mkdir -p "$scratch/macos" "$scratch/homebrew/include/stb"
+for tool in sh cut printf tr sort; do ln -s "$(command -v $tool)" "$scratch/macos/$tool"; done
+on_mac() { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/macos/$1" && chmod +x "$scratch/macos/$1"; } # TOOL COMMAND
+on_mac cc true
+on_mac id 'echo 501'
+on_mac uname 'echo Darwin'
+on_mac brew "echo '$scratch/homebrew'"
+on_mac xcode-select false
+# asked_for PATTERN: it fails, and what it says last has this.
+asked_for() {
+    ! env -i PATH="$scratch/macos" "$scratch/macos/sh" .make/setup.sh run >"$scratch/lacks" 2>&1 </dev/null &&
+        tail -n 1 "$scratch/lacks" | grep -q -e "$1" && return
+    sed 's/^/# /' "$scratch/lacks"
+    return 1
+}
+check "a Mac is asked for Apple's tools before all" asked_for 'xcode-select --install$'
+on_mac xcode-select true
+check 'then for the folder of stb' asked_for "git clone --depth 1 https://github.com/nothings/stb $scratch/homebrew/include/stb\$"
+: >"$scratch/homebrew/include/stb/stb_truetype.h"
+check "then for Homebrew's packages, those of the tests too" asked_for '^  brew install cglm cmocka git glfw imagemagick libpng pkg-config$'
+
 # ---- Windows ----
 
 # A shell of Windows as setup.sh sees it: MSYS2's, with pacman and nothing of what the course needs.

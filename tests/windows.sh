@@ -1,7 +1,7 @@
 #!/bin/bash
 # windows.sh [PART...|NAME...] - `make test-windows`: the programs and the tests that were built for Windows, run by Wine in a
-# virtual display, over the software renderer. Parts: units, pictures, suites, windows, zip, own; all where none is
-# named. The suites are those of `make test`: they find programs in build/wine/ that hand their words on to those for
+# virtual display, over the software renderer. Parts: units, pictures, suites, own and, beside them, windows and zip; all
+# where none is named. The suites are those of `make test`: they find programs in build/wine/ that hand their words on to those for
 # Windows, and a driver for each of them, GLFW's. A test that is skipped must stand in tests/skipped.txt. The seconds are
 # the processor's, without those of Wine's server and of Xvfb.
 set -u
@@ -22,7 +22,7 @@ cc -shared -fPIC -o build/wine/exit_at_once.so tests/exit_at_once.c || exit 1
 at_once=$PWD/build/wine/exit_at_once.so
 export at_once
 
-# ---- A display, and one Wine for all ----
+# ---- A display, and a Wine for all but the suites of windows ----
 
 display() { # sets DISPLAY and server
     rm -f build/wine/display
@@ -34,13 +34,17 @@ display() { # sets DISPLAY and server
     [ -n "$number" ] || { echo 'make: test-windows: Xvfb did not start' >&2; exit 1; }
     export DISPLAY=:$number
 }
-# Wine's desktop belongs to one display: a suite that opens another must find no Wine at work.
+# Wine's desktop belongs to one display: a suite that opens another must find no Wine at work. Those suites wait more
+# than they compute, so they have a Wine of their own, beside the others.
 end_wine() { wineserver -k 2>/dev/null; wineserver -w; }
+own_wine=$WINEPREFIX-windows
 finish() {
     end_wine
-    kill "$server" 2>/dev/null
+    WINEPREFIX=$own_wine end_wine
+    kill "$server" ${beside:+"$beside"} 2>/dev/null
 }
 server=
+beside=
 display
 trap finish EXIT
 trap 'exit 1' HUP INT TERM
@@ -67,6 +71,10 @@ REGEDIT4
 "xinput9_1_0"=""
 END_OF_REGISTRY
 "$loader" regedit build/wine/overrides.reg >/dev/null 2>&1
+end_wine
+WINEPREFIX=$own_wine end_wine
+rm -rf "$own_wine" && cp -RPl "$WINEPREFIX" "$own_wine" || # a drive there is a link to all of the disk
+    exit 1
 wineserver -p 2>/dev/null # it stays between two programs
 
 # ---- One suite ----
@@ -78,6 +86,13 @@ unlisted() {
         awk -F ' *[|] *' -v name="$name" '$1 == "windows" && $2 == name { found = 1 } END { exit !found }' tests/skipped.txt ||
             echo "    skipped, and not in the list: $name"
     done
+}
+
+# failures FILE: the lines of failed tests with the comments that stand around them.
+failures() {
+    awk '/^not ok/ { printf "%s%s\n", said, $0; after = 1; said = ""; next }
+        /^#/ { if (after) print; else said = said $0 "\n"; next }
+        { after = 0; said = "" }' "$1" | grep -v SKIP
 }
 
 # suite NAME COMMAND...: run one that speaks TAP; leaves its counts and prints its line. What never ends is ended.
@@ -104,13 +119,14 @@ suite() {
     echo "$ok $not $skipped $seconds" >"$file.counts"
     printf '%s\n' "$(
         printf 'windows/%-24s %4d passed, %d failed, %d skipped  %.1f s\n' "$name" "$ok" "$not" "$skipped" "$seconds"
+        sed -n 's/^# \([0-9]* pictures, \)/    \1/p' "$file.tap"
         [ -z "$wrong" ] || echo "$wrong"
-        [ "$not" = 0 ] || { grep -A 3 '^not ok' "$file.tap" | grep -v SKIP | head -n 60; tail -n 5 "$file.err"; }
+        [ "$not" = 0 ] || { failures "$file.tap" | head -n 60; tail -n 5 "$file.err"; }
     )"
 }
 
 unit() { suite "$(basename "$1" .exe)" env BUILD=build/windows LD_PRELOAD="$at_once" "$loader" "$1"; }
-export -f suite unit unlisted
+export -f suite unit unlisted failures
 export results
 
 # The one that computes for a minute and more, in one thread, comes first.
@@ -119,37 +135,45 @@ units() {
         xargs -P 2 -I '{}' bash -c 'unit {}'
 }
 
-for part in "${@:-units pictures suites windows zip own}"; do
-    for each in $part; do
-        case $each in
-        units) units ;;
-        pictures) suite images tests/test_images.sh ;;
-        suites)
-            printf '%s\n' failures export sequence | xargs -P 2 -I '{}' bash -c 'suite {} tests/test_{}.sh'
-            ;;
-        windows)
-            for name in window window_motion; do
-                end_wine
-                suite $name tests/test_$name.sh
-            done
-            end_wine
-            ;;
-        zip)
-            end_wine
-            suite zip tests/windows_zip.sh
-            end_wine
-            ;;
-        own) suite own tests/windows_own.sh ;;
-        *)
-            if [ -e "build/windows/tests/test_$each.exe" ]; then
-                unit "build/windows/tests/test_$each.exe"
-            else
-                suite "$each" "tests/test_$each.sh"
-            fi
-            ;;
-        esac
-    done
+# with_display NAME COMMAND...: a suite that opens a display of its own.
+with_display() {
+    export WINEPREFIX=$own_wine
+    suite "$@"
+    end_wine
+}
+
+part() { # NAME
+    case $1 in
+    units) units ;;
+    pictures) suite images tests/test_images.sh ;;
+    suites)
+        # One of the many programs of export may end badly without a word: there Wine says what it knows.
+        printf '%s\n' failures export sequence |
+            xargs -P 2 -I '{}' bash -c '[ {} != export ] || export WINEDEBUG=err+all,fixme-all; suite {} tests/test_{}.sh'
+        ;;
+    own) suite own tests/windows_own.sh ;;
+    windows) part window && part window_motion ;;
+    zip) (with_display zip tests/windows_zip.sh) ;;
+    window*) (with_display "$1" "tests/test_$1.sh") ;;
+    *)
+        if [ -e "build/windows/tests/test_$1.exe" ]; then
+            unit "build/windows/tests/test_$1.exe"
+        else
+            suite "$1" "tests/test_$1.sh"
+        fi
+        ;;
+    esac
+}
+
+read -r -a parts <<<"${*:-windows zip units pictures suites own}"
+for name in "${parts[@]}"; do
+    case $name in window* | zip) part "$name" ;; esac
+done & # with a Wine of their own
+beside=$!
+for name in "${parts[@]}"; do
+    case $name in window* | zip) ;; *) part "$name" ;; esac
 done
+wait $beside
 
 read -r passed failed skipped seconds <<<"$(cat $results/*.counts | awk '{ p += $1; f += $2; s += $3; t += $4 } END { print p + 0, f + 0, s + 0, t + 0 }')"
 echo "$passed passed, $failed failed, $skipped skipped, $seconds s of the processor, $SECONDS s"

@@ -212,6 +212,11 @@ int platform_replace(const char *target, const char *data, size_t size)
     return error;
 }
 
+bool platform_reader_left(void)
+{
+    return errno == EPIPE;
+}
+
 const char *platform_why(int error)
 {
     return strerror(error);

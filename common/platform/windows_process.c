@@ -41,6 +41,13 @@ void platform_wait_for_reader(void)
     ReadFile(GetStdHandle(STD_INPUT_HANDLE), &key, 1, &read, NULL);
 }
 
+// The errno of the C library is that of anything wrong.
+bool platform_reader_left(void)
+{
+    unsigned long said = _doserrno;
+    return said == ERROR_NO_DATA || said == ERROR_BROKEN_PIPE || said == ERROR_PIPE_NOT_CONNECTED;
+}
+
 bool platform_is_terminal(FILE *stream)
 {
     DWORD mode;
