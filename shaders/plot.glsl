@@ -3,7 +3,7 @@
 // Slice and graph share the axis along the ray. A step stands at (t, distance) and goes to the right by as much
 // as it stands high: so a march is a staircase. The slope behind a step falls by 1 for each unit of the ray, as
 // fast as a distance can: where the graph dips below it, the scene's function is no lower bound of a distance.
-#include "digits.glsl"
+#include "signs.glsl"
 #include "inputs.glsl"
 #include "scene.glsl"
 #include "slice.glsl"
@@ -20,26 +20,6 @@ uniform int  iPlotEnd; // why the march ended: END_HIT, ...
 const vec3 PLOT_CURVE     = vec3(0.10, 0.33, 0.70);
 const vec3 PLOT_EMPTY     = vec3(0.99, 0.88, 0.72);
 const vec3 PLOT_THRESHOLD = vec3(0.42, 0.12, 0.55);
-
-// Words, their letters in cells of 3 x 5 as the digits of digits.glsl.
-const int PLOT_LETTERS = 9;
-const int PLOT_T[9]         = int[9](11926, 0, 0, 0, 0, 0, 0, 0, 0);
-const int PLOT_DISTANCE[9]  = int[9](15211, 29847, 25251, 29842, 11245, 15213, 25166, 29391, 0);
-const int PLOT_WORD_THRESHOLD[9] = int[9](29842, 23533, 15085, 29391, 25251, 23533, 31599, 4687, 15211);
-const int PLOT_HIT[9]       = int[9](23533, 29847, 29842, 0, 0, 0, 0, 0, 0);
-const int PLOT_MISS[9]      = int[9](24557, 29847, 25251, 25251, 0, 0, 0, 0, 0);
-const int PLOT_GIVEN_UP[9]  = int[9](25454, 29847, 23402, 29391, 15213, 0, 23407, 15049, 0);
-
-// True on the strokes of a word.
-//   place  in cells, from the word's bottom left corner
-bool plotWord(int word[PLOT_LETTERS], vec2 place)
-{
-    ivec2 cell = ivec2(floor(place));
-    int letter = cell.x / 4;
-    if (cell.x < 0 || cell.y < 0 || cell.y > 4 || letter >= PLOT_LETTERS || cell.x % 4 == 3)
-        return false;
-    return ((word[letter] >> (3 * cell.y + cell.x % 4)) & 1) == 1;
-}
 
 // How far a place is from a straight line between two others, in pixels.
 float plotLine(vec2 place, vec2 from, vec2 to)
@@ -126,10 +106,12 @@ vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
     vec2 most = floor(vec2(iResolution.x / cell, iPlotFrame.z / cell)) - vec2(32.0, 8.0);
     float shorter = iPlotEnd == END_HIT ? 20.0 : iPlotEnd == END_STEPS ? 0.0 : 15.0;
     corner = place.x > iResolution.x ? most : min(corner, most + vec2(shorter, 0.0));
-    vec2 inside = floor(pixel / cell) - corner;
-    bool word = iPlotEnd == END_HIT ? plotWord(PLOT_HIT, inside)
-              : iPlotEnd == END_STEPS ? plotWord(PLOT_GIVEN_UP, inside) : plotWord(PLOT_MISS, inside);
-    return mix(colour, SLICE_INK, max(mark, word ? 1.0 : 0.0));
+    int word = iPlotEnd == END_HIT ? SIGN_HIT : iPlotEnd == END_STEPS ? SIGN_GIVEN_UP : SIGN_MISS;
+    vec2 ground = pixel / cell - corner;
+    float width = iPlotEnd == END_HIT ? 8.0 : iPlotEnd == END_STEPS ? 27.0 : 14.0;
+    bool below = ground.x > -1.0 && ground.x < width + 1.0 && ground.y > -1.0 && ground.y < 6.0;
+    colour = mix(colour, SLICE_PAPER, below ? 0.7 : 0.0);
+    return mix(colour, SLICE_INK, max(mark, wordCover(word, pixel - cell * corner)));
 }
 
 // The axis of the distance, at the eye or at the left edge: ticks, their numbers, its name; and lines across.
@@ -151,12 +133,10 @@ vec3 plotAxis(vec3 colour, vec2 pixel, float cell)
     int number = int(tick) * iPlotTickScaled;
     vec2 corner = vec2(floor(left / cell) - 5.0 - float(numberWidth(number, iPlotDecimals)),
                        floor((pixel.y - off) / cell) - 2.0);
-    if (room && numberCell(number, iPlotDecimals, floor(pixel / cell) - corner))
-        mark = 1.0;
+    if (room)
+        mark = max(mark, numberCover(number, iPlotDecimals, pixel - cell * corner));
     vec2 name = vec2(floor(left / cell) + 3.0, floor(iPlotFrame.z / cell) - 8.0);
-    if (plotWord(PLOT_DISTANCE, floor(pixel / cell) - name))
-        mark = 1.0;
-    return mix(colour, SLICE_INK, mark);
+    return mix(colour, SLICE_INK, max(mark, wordCover(SIGN_DISTANCE, pixel - cell * name)));
 }
 
 // The line below which a distance is a hit, dashed, and its name where that stands clear of the axis.
@@ -169,15 +149,15 @@ vec3 plotLimit(vec3 colour, vec2 pixel, float cell)
     float right = iResolution.x - 38.0 * cell;
     float up = plotPlace(0.0, plotThreshold(iSliceFrame.x + right * iSliceFrame.z)).y;
     vec2 corner = vec2(floor(right / cell), floor(up / cell) + 2.0);
-    bool named = limit > 0.0 && up - iPlotFrame.x > 3.0 * pen && plotWord(PLOT_WORD_THRESHOLD, floor(pixel / cell) - corner);
-    return mix(colour, PLOT_THRESHOLD, max(line, named ? 1.0 : 0.0));
+    bool named = limit > 0.0 && up - iPlotFrame.x > 3.0 * pen;
+    return mix(colour, PLOT_THRESHOLD, max(line, named ? wordCover(SIGN_THRESHOLD, pixel - cell * corner) : 0.0));
 }
 
 // The view: the slice above, the graph below it, and the axis along the ray at the bottom.
 //   pixel  in pixels of the picture
 vec3 plotView(vec2 pixel)
 {
-    float pen = slicePen(), cell = max(1.0, floor(iResolution.y / 180.0));
+    float pen = slicePen(), cell = float(signCell());
     vec2 point = iSliceFrame.xy + pixel * iSliceFrame.z;
     Ray ray = pixelRay(screenPosition(iMarchPixel));
     vec3 slice = slicePlane(ray, pixel);
@@ -192,8 +172,8 @@ vec3 plotView(vec2 pixel)
     vec3 colour = pixel.y > iPlotFrame.z ? slice : graph;
     colour = mix(colour, SLICE_INK, lineCover(pixel.y - iPlotFrame.z, 1.6 * pen));
     colour = sliceAxis(colour, point, pixel);
-    bool name = plotWord(PLOT_T, floor(pixel / cell) - vec2(floor(iResolution.x / cell) - 6.0, 15.0));
-    return mix(colour, SLICE_INK, name ? 1.0 : 0.0);
+    vec2 name = vec2(floor(iResolution.x / cell) - 6.0, 15.0);
+    return mix(colour, SLICE_INK, wordCover(SIGN_T, pixel - cell * name));
 }
 
 #endif

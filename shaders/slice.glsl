@@ -3,7 +3,7 @@
 //
 // The plane holds the ray and the camera's up vector. The ray runs to the right; a point of the
 // plane is (along, across): scene units along the ray from its origin, and up from the ray.
-#include "digits.glsl"
+#include "signs.glsl"
 #include "inputs.glsl"
 #include "scene.glsl"
 
@@ -101,20 +101,21 @@ float sliceHere()
 }
 
 // The number of a step over its position, where there is room for it: 0 nothing, 1 the label's
-// ground, 2 a stroke.
+// ground, with the number's cover more.
 //   pixel     of the picture
 //   position  of the step in the picture, in pixels
 //   room      to the neighbours, in pixels
-int stepNumber(int step, vec2 pixel, vec2 position, float room)
+float stepNumber(int step, vec2 pixel, vec2 position, float room)
 {
-    float cell = max(1.0, floor(iResolution.y / 180.0));
+    float cell = float(signCell());
     float width = float(numberWidth(step, 0));
-    vec2 place = floor(pixel / cell) - floor(position / cell) + vec2(floor(0.5 * width), -4.0);
+    vec2 corner = floor(position / cell) - vec2(floor(0.5 * width), -4.0);
+    vec2 place = floor(pixel / cell) - corner;
     bool ground = place.x >= -1.0 && place.x <= width && place.y >= -1.0 && place.y <= 5.0;
     bool cut = abs(position.x - 0.5 * iResolution.x) > 0.5 * (iResolution.x - (width + 2.0) * cell);
     if (!ground || cut || room < (width + 4.0) * cell)
-        return 0;
-    return numberCell(step, 0, place) ? 2 : 1;
+        return 0.0;
+    return 1.0 + numberCover(step, 0, pixel - cell * corner);
 }
 
 // Every step over a colour: what the circles prove empty, the circles, the positions, the numbers.
@@ -125,8 +126,8 @@ vec3 sliceMarch(vec3 colour, vec2 point, vec2 pixel)
 {
     float pen = slicePen();
     float unit = iSliceFrame.z;
-    float empty = 0.0, circles = 0.0, dots = 0.0, before = 0.0;
-    int number = 0, steps = sliceSteps();
+    float empty = 0.0, circles = 0.0, dots = 0.0, before = 0.0, number = 0.0;
+    int steps = sliceSteps();
     float grown = iMarchStep < 0.0 ? 0.0 : smoothstep(0.5, 1.0, iMarchStep - float(steps - 1));
     for (int k = 0; k < min(steps + (grown > 0.0 ? 1 : 0), iMarchSteps); k++) {
         vec2 step = sliceStep(k);
@@ -142,8 +143,8 @@ vec3 sliceMarch(vec3 colour, vec2 point, vec2 pixel)
     }
     colour = mix(colour, SLICE_PAPER, 0.38 * empty);
     colour = mix(colour, SLICE_INK, circles);
-    colour = mix(colour, SLICE_PAPER, number > 0 ? 0.7 : 0.0);
-    return mix(colour, SLICE_INK, number == 2 ? 1.0 : dots);
+    colour = mix(colour, SLICE_PAPER, number > 0.0 ? 0.7 : 0.0);
+    return mix(colour, SLICE_INK, max(number - 1.0, dots));
 }
 
 // The ray: a line as far as it was marched, or one has walked along it, beyond it dashes; the eye at
@@ -189,7 +190,7 @@ vec3 sliceWalk(vec3 colour, vec2 point)
 vec3 sliceAxis(vec3 colour, vec2 point, vec2 pixel)
 {
     float pen = slicePen();
-    float cell = max(1.0, floor(iResolution.y / 180.0));
+    float cell = float(signCell());
     float top = 13.0 * cell;
     if (iResolution.y < 8.0 * top || pixel.y > top + pen)
         return colour;
@@ -205,8 +206,7 @@ vec3 sliceAxis(vec3 colour, vec2 point, vec2 pixel)
     float width = float(numberWidth(number, iSliceDecimals));
     float place = floor((tick * iSliceTick - iSliceFrame.x) / iSliceFrame.z / cell);
     vec2 corner = vec2(place - floor(0.5 * width), 3.0);
-    if (numberCell(number, iSliceDecimals, floor(pixel / cell) - corner))
-        mark = 1.0;
+    mark = max(mark, numberCover(number, iSliceDecimals, pixel - cell * corner));
     return mix(colour, SLICE_INK, mark);
 }
 

@@ -1,5 +1,6 @@
 // views.glsl - the trace as a picture: the first normal, the depth, the number of steps.
-#include "digits.glsl"
+#include "ramp.glsl"
+#include "signs.glsl"
 #include "inputs.glsl"
 #include "scene.glsl"
 
@@ -23,22 +24,6 @@ vec3 depthView()
     return trace.end == END_HIT ? vec3(1.0 / (1.0 + square * square)) : VIEW_NOTHING;
 }
 
-// Colours, as the screen expects them, from night blue over teal and green to yellow. The lightness
-// L of OKLab rises evenly from 0.17 to 0.95 while the hue turns from 285 to 105 degrees: equal
-// steps look equal, and the order can be read as grey, so that nobody needs to tell red from green.
-// Source of OKLab: B. Ottosson, 'A perceptual color space for image processing' (2020).
-const vec3 RAMP[9] = vec3[9](
-    vec3(0.057, 0.020, 0.187), vec3(0.036, 0.131, 0.331), vec3(0.010, 0.263, 0.395),
-    vec3(0.012, 0.390, 0.466), vec3(0.035, 0.523, 0.523), vec3(0.024, 0.666, 0.538),
-    vec3(0.373, 0.791, 0.482), vec3(0.702, 0.881, 0.439), vec3(0.994, 0.957, 0.451));
-
-// The ramp at x in [0, 1].
-vec3 evenRamp(float x)
-{
-    int i = min(int(8.0 * x), 7);
-    return mix(RAMP[i], RAMP[i + 1], 8.0 * x - float(i));
-}
-
 // The number of steps at the light end of the ramp; more is shown as so many.
 const float STEPS_SHOWN = 64.0;
 
@@ -47,7 +32,7 @@ const float STEPS_SHOWN = 64.0;
 //   pixel  in pixels of the picture
 vec3 stepLegend(vec3 colour, vec2 pixel)
 {
-    float unit = max(1.0, floor(iResolution.y / 180.0)); // side of a cell of a digit, in pixels
+    float unit = float(signCell());
     vec2 place = floor(pixel / unit) - vec2(7.0, 5.0);   // in cells, from the ramp's corner
     bool fits = iResolution.x >= 92.0 * unit && iResolution.y >= 40.0 * unit;
     if (!fits || place.x < -4.0 || place.x > 73.0 || place.y < -2.0 || place.y > 12.0)
@@ -56,8 +41,8 @@ vec3 stepLegend(vec3 colour, vec2 pixel)
     colour = ramp ? evenRamp(place.x / 64.0) : vec3(0.0);
     for (int steps = 0; steps <= int(STEPS_SHOWN); steps += 16) {
         float tick = 64.0 * float(steps) / STEPS_SHOWN;
-        if (numberCell(steps, 0, place - vec2(tick, 6.0)) || place == vec2(tick, 4.0))
-            colour = vec3(1.0);
+        float number = numberCover(steps, 0, pixel - unit * vec2(tick + 7.0, 11.0));
+        colour = mix(colour, vec3(1.0), place == vec2(tick, 4.0) ? 1.0 : number);
     }
     return colour;
 }

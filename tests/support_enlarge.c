@@ -42,7 +42,7 @@ float *enlarge_numbers(enum enlarge_filter filter, const struct target *from, in
     struct enlarge enlarge = {0};
     struct target to;
     float *numbers = malloc(sizeof(float[4]) * (size_t)width * (size_t)height);
-    target_open(&to, gl);
+    target_open(&to, gl, GL_RGBA32F);
     if (numbers == NULL || !enlarge_into(&to, filter, from, width, height, &enlarge)) {
         report("enlarging to %dx%d: cannot be done", width, height);
         exit(1);
@@ -105,7 +105,7 @@ static bool time_filters(double *unit, double least[ENLARGE_FILTERS])
     struct enlarge enlarge = {0};
     struct target to;
     bool done = gpu_load("tests/reference_scene.frag");
-    target_open(&to, gl);
+    target_open(&to, gl, GL_RGBA32F);
     for (int i = 0; i < FRAMES && done; i++) {
         double begin = cpu_time();
         done = renderer_draw(&gpu.renderer, &inputs, 0, HEIGHT);

@@ -213,6 +213,9 @@ static void a_click_chooses_a_ray(void **unused)
     assert_turned(10, 20);
     assert_int_equal(tested.inputs.pixel[0], 100);
     assert_int_equal(tested.inputs.pixel[1], 99);
+    press(GLFW_KEY_X, 0);
+    window_obey(&tested);
+    assert_true(tested.inputs.pixel[0] == -1 && tested.dirty);
 }
 
 static void what_comes_first_is_done_first(void **unused)

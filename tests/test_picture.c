@@ -291,6 +291,53 @@ static void a_click_finds_its_pixel_on_any_display(void **unused)
     }
 }
 
+// ---- A driver that does not blend floats ----
+
+static struct {
+    PFNGLTEXIMAGE2DPROC image;
+    PFNGLENABLEPROC enable;
+    GLint form; // of the texture that was made last
+} driver;
+
+static void remember_form(GLenum target, GLint level, GLint form, GLsizei width, GLsizei height,
+                          GLint border, GLenum format, GLenum type, const void *pixels)
+{
+    driver.form = form;
+    driver.image(target, level, form, width, height, border, format, type, pixels);
+}
+
+static void blend_no_floats(GLenum what)
+{
+    if (what != GL_BLEND || driver.form != GL_RGBA32F)
+        driver.enable(what);
+}
+
+static void where_floats_do_not_blend_samples_are_added_as_halves(void **unused)
+{
+    (void)unused;
+    struct renderer_inputs inputs = gpu_inputs(220, 130, 2);
+    struct gl *gl = &gpu.context.gl;
+    load_chapter("03_shadows");
+    assert_int_equal(gpu.renderer.picture.form, GL_RGBA32F);
+    float *wanted = draw(&inputs, 130);
+    renderer_close(&gpu.renderer);
+    driver.image = gl->TexImage2D;
+    driver.enable = gl->Enable;
+    gl->TexImage2D = remember_form;
+    gl->Enable = blend_no_floats;
+    assert_true(renderer_open(&gpu.renderer, gl, gpu.root));
+    assert_int_equal(gpu.renderer.picture.form, GL_RGBA16F);
+    load_chapter("03_shadows");
+    float *halves = draw(&inputs, 130);
+    for (size_t i = 0; i < (size_t)(4 * 220 * 130); i++) // four sums below 1, cut to 11 bits
+        if (!(fabsf(halves[i] - wanted[i]) <= 4.0f / 2048.0f))
+            fail_msg("value %zu is %g, not %g", i, (double)halves[i], (double)wanted[i]);
+    free(wanted);
+    free(halves);
+    gpu_close();
+    assert_true(gpu_open());
+}
+
 // ---- Bytes ----
 
 static void values_become_bytes(void **unused)
@@ -377,6 +424,7 @@ int main(void)
         cmocka_unit_test(bands_of_a_whole_file_make_the_same_picture),
         cmocka_unit_test(a_picture_sharpened_in_parts_is_the_same_to_the_bit),
         cmocka_unit_test(a_click_finds_its_pixel_on_any_display),
+        cmocka_unit_test(where_floats_do_not_blend_samples_are_added_as_halves),
         cmocka_unit_test(values_become_bytes),
         cmocka_unit_test(what_came_before_leaves_no_trace),
     };

@@ -111,6 +111,7 @@ static void test_what_declares_none(void **state)
                                               "/* uniform sampler2D c; */\n"
                                               "uniform sampler2D iMarch;\n"
                                               "uniform sampler2D iCoarse;\n"
+                                              "uniform sampler2D iSigns;\n"
                                               "precision highp sampler3D;\n"
                                               "#if 0\n#define MORE uniform sampler2D d;\n#endif\n"
                                               "#define READ vec4 g(sampler2D x, sampler3D y)\n"

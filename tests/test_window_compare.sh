@@ -41,9 +41,10 @@ own() { key Down Right && shows "normalStep (left) = 0.002" && drawn_with --set 
 check 'but for the second in its own' own
 # The panel's first row, below the title, is that of focalLength.
 longer() { value=$(title | sed -n 's/.*focalLength = \([0-9.]*\).*/\1/p') && awk -v v="$value" 'BEGIN { exit !(v > 3) }'; }
+# The title shows values on the way too: the last one stands there once a screenshot is taken.
 slides() {
     key h && xdotool mousemove --window "$window" 60 50 mousedown 1 mousemove --window "$window" 70 50 mousemove --window "$window" 90 50 mouseup 1 &&
-        eventually longer && key h && drawn_with --set focalLength="$value" $pair --divider 0.2 && key Delete && shows 'focalLength = 2'
+        eventually longer && key h && shoot_as slid && longer && drawn_with --set focalLength="$value" $pair --divider 0.2 && key Delete && shows 'focalLength = 2'
 }
 check 'a value that is dragged in the panel is that of both too' slides
 # The second's own value has a row of its own, below the first's: that of focalLength is at 50 units, its at 70.
@@ -57,7 +58,7 @@ right_value() { title | sed -n 's/.*(right) = \([0-9.e-]*\).*/\1/p'; }
 slides_right() {
     look folded && key h && eventually far_off folded 20000 &&
         xdotool mousemove --window "$window" 60 70 mousedown 1 mousemove --window "$window" 50 70 mousemove --window "$window" 40 70 mouseup 1 &&
-        eventually untitled '(right) = 0.2' && shows '(right) = 0.0' && right_is "$(right_value)"
+        eventually untitled '(right) = 0.2' && shows '(right) = 0.0' && shoot_as slid && right_is "$(right_value)"
 }
 check 'it is dragged in the panel' slides_right
 typed() {

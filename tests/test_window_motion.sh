@@ -66,7 +66,10 @@ moving() {
     return $done
 }
 check 'while something moves it is coarser, and moves on' moving
-check 'at rest it sharpens from the top down' eventually half_sharp
+# What is seen behind a key may be older than what the key does, but not by several turns of the window, as from
+# coarse to half sharp.
+downwards() { eventually coarse_again && eventually half_sharp; }
+check 'at rest it sharpens from the top down' downwards
 panel_over() { [ "$(off before 130x20+8+8)" -gt 100000 ]; }
 answers() { # H answers, and interrupts nothing
     look before && key h && eventually panel_over && key h && ! coarse_above

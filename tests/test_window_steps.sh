@@ -60,6 +60,9 @@ lets_go() { xdotool mousemove --window "$window" 170 70 click 1 && is middle -v 
 check 'a second click lets it go: the middle ray, whole' lets_go
 starts() { key e && eventually says out 'ray of pixel 160,100' && is starts -v plot --step 0; }
 check 'E without a ray takes the middle one, at its first step' starts
+by_key() { key x && is middle -v plot; }
+check 'X lets it go' by_key
+check 'E takes it again' starts
 grown() { shoot_as grown && matches wanted-grown grown; }
 grows() {
     render wanted-grown -s 480x300 --probe 240,150 -v plot --step 0 && xdotool windowsize "$window" 480 300 && eventually grown

@@ -9,7 +9,7 @@ static const char ending[] =
     "  drag               look, or the divider of --compare; M captures and frees the mouse\n"
     "  click              choose a pixel's ray and show its march; again hides it\n"
     "  E, Q               a step on along the ray, and back; held they run; also Page Down, Up\n"
-    "  Home, End          its first and last step\n"
+    "  Home, End, X       its first and last step; let it go\n"
     "  wheel              focal length; in the slice and the plot their zoom\n"
     "  Tab                perspective or orthographic, where the shader has both\n"
     "  1 2 3 4 5 6        views: picture, normals, depth, steps, slice, plot\n"

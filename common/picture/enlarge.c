@@ -7,13 +7,6 @@
 #include "report.h"
 #include "shader/compile.h"
 
-static const char vertex_text[] = GL_GLSL
-    "void main()\n"
-    "{\n"
-    "    vec2 corner = vec2(float((gl_VertexID & 1) << 2), float((gl_VertexID & 2) << 1));\n"
-    "    gl_Position = vec4(corner - 1.0, 0.0, 1.0);\n"
-    "}\n";
-
 static const char begin_text[] = GL_GLSL "uniform sampler2D picture;\n"
                                          "uniform vec2 step;\n" // from pixel to pixel, in texels
                                          "out vec4 fragment;\n"
@@ -153,7 +146,7 @@ static GLuint link_program(const struct gl *gl, const char *text)
     enum shader_step step;
     char *log;
     snprintf(fragment, sizeof fragment, "%s%s%s", begin_text, text, end_text);
-    GLuint program = shader_link_texts(gl, vertex_text, fragment, &step, &log);
+    GLuint program = shader_link_texts(gl, target_vertex, fragment, &step, &log);
     if (program == 0)
         report("enlarging: the driver does not take its shader: try another --backend: %.800s",
                log != NULL ? log : "");

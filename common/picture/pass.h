@@ -9,6 +9,7 @@
 #include "context/context.h"
 #include "picture/enlarge.h"
 #include "picture/overlay.h"
+#include "picture/signs.h"
 #include "picture/target.h"
 #include "picture/texture.h"
 #include "shader/parameter.h"
@@ -56,6 +57,7 @@ struct renderer {
     struct shader_source fragment; // the last one that compiled
     struct parameters parameters;  // of that one
     struct textures textures;      // of its samplers
+    struct signs signs;            // what its views write
     enum shader_view view;
     float focal_length;                   // for shaders that declare no focalLength of their own
     double orthographic;                  // OrthoView of whole files: 0 perspective, 1 orthographic

@@ -35,8 +35,9 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
     if (!shader_read(&renderer->vertex, path, root))
         return false;
     gl->GenVertexArrays(1, &renderer->vertex_array);
+    GLenum form = target_form(gl);
     for (int i = 0; i < TARGETS; i++)
-        target_open(target_of(renderer, i), gl);
+        target_open(target_of(renderer, i), gl, form);
     return true;
 }
 
@@ -55,6 +56,7 @@ void renderer_close(struct renderer *renderer)
         return;
     forget_programs(renderer->gl, renderer->program);
     textures_free(&renderer->textures, renderer->gl);
+    signs_free(&renderer->signs, renderer->gl);
     for (int i = 0; i < TARGETS; i++)
         target_close(target_of(renderer, i), renderer->gl);
     enlarge_close(&renderer->enlarge, renderer->gl);
@@ -137,6 +139,20 @@ static void share_frame(struct march *march, struct march *shared)
     march->plot = shared->plot;
 }
 
+// The numbers and words of a view that writes some, on the unit behind those of the shader's own
+// textures.
+static void tell_signs(struct renderer *renderer, int height)
+{
+    const struct gl *gl = renderer->gl;
+    int unit = 1 + renderer->textures.count;
+    if (!pass_reads(renderer, renderer->view, "iSigns"))
+        return;
+    gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
+    signs_bind(&renderer->signs, gl, height);
+    gl->Uniform1i(pass_location(renderer, "iSigns"), unit);
+    gl->ActiveTexture(GL_TEXTURE0);
+}
+
 static bool draw_part(struct renderer *renderer, const struct renderer_inputs *asked,
                       const struct part *part)
 {
@@ -154,6 +170,7 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
         return false;
     share_frame(&march, part->shared);
     pass_use(renderer, inputs, renderer->view);
+    tell_signs(renderer, inputs->height);
     if (slice)
         march_tell_slice(renderer, &march);
     else if (reads)

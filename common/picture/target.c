@@ -1,12 +1,63 @@
 #include "picture/target.h"
 
 #include <stddef.h>
+#include <stdlib.h>
 
 #include "report.h"
+#include "shader/compile.h"
 
-void target_open(struct target *target, const struct gl *gl)
+const char target_vertex[] = GL_GLSL
+    "void main()\n"
+    "{\n"
+    "    vec2 corner = vec2(float((gl_VertexID & 1) << 2), float((gl_VertexID & 2) << 1));\n"
+    "    gl_Position = vec4(corner - 1.0, 0.0, 1.0);\n"
+    "}\n";
+
+static const char fragment_text[] = GL_GLSL "out vec4 fragment;\n"
+                                            "void main()\n"
+                                            "{\n"
+                                            "    fragment = vec4(0.25);\n"
+                                            "}\n";
+
+// Draw a quarter twice over nothing, in one pixel.
+static void draw_half(const struct gl *gl, GLuint program)
 {
-    *target = (struct target){0};
+    GLuint vertex_array;
+    gl->GenVertexArrays(1, &vertex_array);
+    gl->BindVertexArray(vertex_array);
+    gl->UseProgram(program);
+    gl->Viewport(0, 0, 1, 1);
+    gl->ClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+    gl->Clear(GL_COLOR_BUFFER_BIT);
+    gl->Enable(GL_BLEND);
+    gl->BlendFunc(GL_ONE, GL_ONE);
+    for (int i = 0; i < 2; i++)
+        gl->DrawArrays(GL_TRIANGLES, 0, 3);
+    gl->Disable(GL_BLEND);
+    gl->DeleteVertexArrays(1, &vertex_array);
+}
+
+GLenum target_form(const struct gl *gl)
+{
+    struct target target;
+    enum shader_step step;
+    char *log;
+    float sum[4] = {0.0f};
+    GLuint program = shader_link_texts(gl, target_vertex, fragment_text, &step, &log);
+    free(log);
+    target_open(&target, gl, GL_RGBA32F);
+    if (program != 0 && target_bind(&target, gl, 1, 1)) {
+        draw_half(gl, program);
+        target_read(&target, gl, sum);
+    }
+    target_close(&target, gl);
+    gl->DeleteProgram(program);
+    return sum[0] == 0.5f ? GL_RGBA32F : GL_RGBA16F;
+}
+
+void target_open(struct target *target, const struct gl *gl, GLenum form)
+{
+    *target = (struct target){.form = form};
     gl->GenFramebuffers(1, &target->framebuffer);
     gl->GenTextures(1, &target->texture);
 }
@@ -24,7 +75,8 @@ bool target_bind(struct target *target, const struct gl *gl, int width, int heig
     if (target->width == width && target->height == height)
         return true;
     gl->BindTexture(GL_TEXTURE_2D, target->texture);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, NULL);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)target->form, width, height, 0, GL_RGBA, GL_FLOAT,
+                   NULL);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
     gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture,

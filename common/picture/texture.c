@@ -232,9 +232,9 @@ bool textures_load(struct textures *textures, const struct gl *gl, const struct 
     for (int i = 0; i < samplers->count; i++) {
         const struct sampler *sampler = &samplers->item[i];
         textures->item = memory_row(textures->item, i, sizeof *textures->item);
-        snprintf(why, sizeof why, "the driver takes at most %d textures", units - 1);
+        snprintf(why, sizeof why, "the driver takes at most %d textures", units - 2);
         textures->item[textures->count++] = (struct texture){0};
-        if (i + 1 < units &&
+        if (i + 2 < units &&
             load(&textures->item[i], gl, sampler, source->paths[sampler->file], why))
             continue;
         textures_free(textures, gl);

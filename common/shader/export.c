@@ -58,8 +58,8 @@ static void put_floats(struct export *e, const float *value, int components)
 static bool is_left_out(const char *file)
 {
     static const char *const names[] = {
-        "shaders/main.glsl",   "shaders/views.glsl",  "shaders/slice.glsl", "shaders/plot.glsl",
-        "shaders/places.glsl", "shaders/digits.glsl", "shaders/cover.glsl"};
+        "shaders/main.glsl", "shaders/views.glsl",  "shaders/ramp.glsl",  "shaders/slice.glsl",
+        "shaders/plot.glsl", "shaders/places.glsl", "shaders/signs.glsl", "shaders/cover.glsl"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(file, names[i]) == 0)
             return true;
@@ -137,14 +137,14 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
     return true;
 }
 
-// Begin a comment with the shader's name without its folder, which is that of this machine. A name
-// may hold a line's end.
+// Begin a comment with the shader's name without its folder, which is that of this machine. A
+// backslash at its end would draw the next line in.
 static void put_name(struct export *e, const char *before)
 {
     const char *path = e->source->files[0], *slash = strrchr(path, '/');
     fprintf(e->text, "%s", before);
     for (const char *c = slash != NULL ? slash + 1 : path; *c != '\0'; c++)
-        fprintf(e->text, "%c", (unsigned char)*c < ' ' || *c == 0x7F || *c == '\\' ? '?' : *c);
+        fprintf(e->text, "%c", *c == '\\' ? '?' : *c);
 }
 
 // The lines that stay, each file under its name.

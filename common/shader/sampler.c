@@ -206,8 +206,9 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
     struct reading reading = {.sampler = {.line = uniform->line}};
     struct annotation *a = &reading.a;
     bool volume = glsl_is(code, type, "sampler3D");
-    if (glsl_is(code, type + 1, "iMarch") || glsl_is(code, type + 1, "iCoarse"))
-        return true; // the harness's own: the tables of the slice view and of the coarse pass
+    if (glsl_is(code, type + 1, "iMarch") || glsl_is(code, type + 1, "iCoarse") ||
+        glsl_is(code, type + 1, "iSigns"))
+        return true; // the harness's own: tables of the slice, of the coarse pass, of letters
     annotation_begin(a, source, uniform);
     a->what = "sampler";
     a->example = volume ? EXAMPLE3 : EXAMPLE2;

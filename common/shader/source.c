@@ -159,10 +159,14 @@ static char *name_of(const struct shader_source *source, const char *given, cons
     return memory_text("%.*s%s", folder, first, within(resolved, source->own));
 }
 
-// Add a file to the table; takes name and path over. Returns its index.
+// Add a file to the table; takes name and path over. A name may hold a line's end, which would
+// break a message or a comment in two. Returns its index.
 static int add_file(struct shader_source *source, char *name, char *path)
 {
     int file = source->file_count;
+    for (char *c = name; *c != '\0'; c++)
+        if ((unsigned char)*c < ' ' || *c == 0x7f)
+            *c = '?';
     source->files = memory_row(source->files, file, sizeof *source->files);
     source->paths = memory_row(source->paths, file, sizeof *source->paths);
     source->files[file] = name;

@@ -40,7 +40,8 @@ struct shader_source {
     struct glsl code;          // the text in tokens
     struct shader_line *lines; // of each line of text
     int line_count;
-    char **files; // files[0] is the one given; the names to print in messages; textures come last
+    char **files; // files[0] is the one given; the names to print, '?' for control characters;
+                  // textures come last
     char **paths; // the same files resolved, to watch for changes
     int file_count;
     char *root, *own; // the project's folder and that of the first file, resolved

@@ -274,6 +274,9 @@ static void press(struct window *window, struct window_event event)
     case WINDOW_LAST:
         window_step_to(window, true);
         break;
+    case WINDOW_LEAVE:
+        window_leave_ray(window);
+        break;
     case WINDOW_FIRST:
         go_first(window);
         break;

@@ -51,6 +51,7 @@ static const struct {
     {GLFW_KEY_PAGE_UP, WINDOW_STEP, -1, true},
     {GLFW_KEY_HOME, WINDOW_FIRST, 0, false},
     {GLFW_KEY_END, WINDOW_LAST, 0, false},
+    {GLFW_KEY_X, WINDOW_LEAVE, 0, false},
     {GLFW_KEY_1, WINDOW_VIEW, SHADER_PICTURE, false},
     {GLFW_KEY_2, WINDOW_VIEW, SHADER_NORMALS, false},
     {GLFW_KEY_3, WINDOW_VIEW, SHADER_DEPTH, false},

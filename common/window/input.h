@@ -22,6 +22,7 @@ enum window_action {
     WINDOW_STEP,   // amount: steps on along the chosen ray
     WINDOW_FIRST,  // its first step; without one what WINDOW_RESET does
     WINDOW_LAST,   // its last step
+    WINDOW_LEAVE,  // the ray
     // The pointer, with its place; hand.c says whose it is:
     WINDOW_PRESS,   // amount: 0 the left button, 1 the right one
     WINDOW_DOUBLE,  // the second of two presses that follow each other at one place

@@ -65,8 +65,10 @@ void window_name_keys(struct window *window)
     label_of(window, GLFW_KEY_E, l[1]);
     snprintf(text, sizeof text, "%s %s", l[0], l[1]);
     add_key(window, "step back, on", text);
-    if (window->inputs.pixel[0] >= 0)
+    if (window->inputs.pixel[0] >= 0) {
         add_key(window, "first, last step", "Home End");
+        add_letter(window, "no ray", GLFW_KEY_X);
+    }
     add_key(window, "zoom", "wheel");
     for (int i = 0; i < 6; i++)
         name_of(window, views[i], l[i]);

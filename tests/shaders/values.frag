@@ -7,8 +7,6 @@ in float Time;
 in vec2 FragCoord;
 out vec4 FragColor;
 
-#define VIEW 3
-
 #include "inputs.glsl"
 #include "scene.glsl"
 #include "bounds.glsl"
@@ -16,7 +14,7 @@ out vec4 FragColor;
 #include "coverage.glsl"
 #include "fresnel.glsl"
 #include "lighting.glsl"
-#include "views.glsl"
+#include "ramp.glsl"
 
 // Nothing here marches, but the library asks for a scene.
 float sceneDistance(vec3 p)

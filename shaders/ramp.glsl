@@ -1,0 +1,22 @@
+// ramp.glsl - colours in order, for a number at each pixel.
+
+// Compiled only with views.glsl, and in a whole file, which has no views.
+#if !defined(VIEW) || (VIEW >= 1 && VIEW <= 3)
+
+// Colours, as the screen expects them, from night blue over teal and green to yellow. The lightness
+// L of OKLab rises evenly from 0.17 to 0.95 while the hue turns from 285 to 105 degrees: equal
+// steps look equal, and the order can be read as grey, so that nobody needs to tell red from green.
+// Source of OKLab: B. Ottosson, 'A perceptual color space for image processing' (2020).
+const vec3 RAMP[9] = vec3[9](
+    vec3(0.057, 0.020, 0.187), vec3(0.036, 0.131, 0.331), vec3(0.010, 0.263, 0.395),
+    vec3(0.012, 0.390, 0.466), vec3(0.035, 0.523, 0.523), vec3(0.024, 0.666, 0.538),
+    vec3(0.373, 0.791, 0.482), vec3(0.702, 0.881, 0.439), vec3(0.994, 0.957, 0.451));
+
+// The ramp at x in [0, 1].
+vec3 evenRamp(float x)
+{
+    int i = min(int(8.0 * x), 7);
+    return mix(RAMP[i], RAMP[i + 1], 8.0 * x - float(i));
+}
+
+#endif

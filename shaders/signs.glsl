@@ -1,0 +1,80 @@
+// signs.glsl - numbers and words in a picture, on a grid of square cells: a digit is 5 cells high.
+
+// Compiled only with the files that write.
+#if VIEW >= 1 && VIEW <= 5
+
+// Which share of its pixels each sign covers, from a font (common/picture/signs.h). A row is 8 cells high, with the
+// line on which its signs stand 2 cells above its lower end; row 0 holds the digits, the point and
+// the minus, each in the middle of 4 cells, the point of 2; each further row holds a word.
+uniform sampler2D iSigns;
+
+const int SIGN_POINT = 10, SIGN_MINUS = 11;
+const int SIGN_T = 1, SIGN_DISTANCE = 2, SIGN_THRESHOLD = 3, SIGN_HIT = 4, SIGN_MISS = 5, SIGN_GIVEN_UP = 6;
+
+// The side of a cell, pixels.
+int signCell()
+{
+    return textureSize(iSigns, 0).x / 48;
+}
+
+// The share of a pixel that the signs of a row cover, in [0, 1].
+//   at  pixels from the row's left end and its line
+float signCover(int row, ivec2 at)
+{
+    int cell = signCell();
+    if (at.x < 0 || at.x >= 48 * cell || at.y < -2 * cell || at.y >= 6 * cell)
+        return 0.0;
+    return texelFetch(iSigns, at + ivec2(0, (8 * row + 2) * cell), 0).r;
+}
+
+// The same of a word.
+//   word   SIGN_T, ...
+//   place  in pixels, from the word's bottom left corner
+float wordCover(int word, vec2 place)
+{
+    return signCover(word, ivec2(floor(place)));
+}
+
+// How many digits a number has, at least one before the point.
+//   number    >= 0
+//   decimals  of the digits stand behind the point
+int digitsOf(int number, int decimals)
+{
+    int digits = 1;
+    for (int rest = number / 10; rest > 0 || digits <= decimals; rest /= 10)
+        digits++;
+    return digits;
+}
+
+// The width in cells of number / 10^decimals: 4 a digit, 2 the point, 4 the sign, without the last
+// gap.
+int numberWidth(int number, int decimals)
+{
+    int width = 4 * digitsOf(abs(number), decimals) - 1;
+    return width + (decimals > 0 ? 2 : 0) + (number < 0 ? 4 : 0);
+}
+
+// The share of a pixel that number / 10^decimals covers, in [0, 1].
+//   place  in pixels, from the number's bottom left corner
+float numberCover(int number, int decimals, vec2 place)
+{
+    int cell = signCell(), wide = 4 * cell;
+    ivec2 at = ivec2(floor(place)) + ivec2(cell / 2, 0); // half of the gap, left of the first sign
+    if (at.x < 0 || at.x >= (numberWidth(number, decimals) + 1) * cell)
+        return 0.0;
+    if (number < 0 && at.x < wide)
+        return signCover(0, at + ivec2(SIGN_MINUS * wide, 0));
+    at.x -= number < 0 ? wide : 0;
+    int rest = abs(number), digits = digitsOf(rest, decimals);
+    int point = (digits - decimals) * wide;
+    if (decimals > 0 && at.x >= point) {
+        if (at.x < point + 2 * cell)
+            return signCover(0, at + ivec2(SIGN_POINT * wide - point, 0));
+        at.x -= 2 * cell;
+    }
+    for (int i = digits - 1 - at.x / wide; i > 0; i--)
+        rest /= 10;
+    return signCover(0, ivec2(rest % 10 * wide + at.x % wide, at.y));
+}
+
+#endif
