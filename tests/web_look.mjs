@@ -1,7 +1,9 @@
 // web_look.mjs [PATTERN] - every page of the site in Chromium: what axe-core finds, in light and in dark; nothing to
-// scroll sideways on a telephone's 390 pixels, nothing wider than a printed page, whose answers stand at its end; no error in the console, no request that fails or leaves the site, and
-// none before a click for the module, the editor or the course's files. PATTERN picks pages.
+// scroll sideways on a telephone's 390 pixels; nothing wider than a printed page, whose answers stand at its end; no error
+// in the console, no request that fails or leaves the site, and none before a click for the module, the editor or the
+// course's files. One page is opened as a file. PATTERN picks pages.
 import fs from 'node:fs';
+import {pathToFileURL} from 'node:url';
 import {blankPage, check, finish, launch, serve, SITE} from './web_browser.mjs';
 
 const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
@@ -76,6 +78,18 @@ async function look(work) {
 }
 const work = [...names];
 await Promise.all([look(work), look(work)]);
+
+// Browsers refuse a page that is opened as a file its programs; its letters, its pictures and the search are there.
+const {page} = await blankPage(browser);
+await page.goto(`${pathToFileURL(SITE)}/01_normal_colouring.html`);
+await page.getByRole('searchbox').fill('normal');
+await page.locator('.results a').first().waitFor();
+const found = await page.evaluate(async () => {
+    await document.fonts.ready;
+    const seen = (selector) => [...document.querySelectorAll(selector)].filter((one) => one.checkVisibility()).length;
+    return {told: seen('.note.opened'), asks: seen(':is(.run, .check, .live-start)'), poster: document.querySelector('live-chapter img').naturalWidth, letters: document.fonts.check('1rem "Course Pagella"')};
+});
+check('opened as a file a page says that no program runs there, and is read all the same', found.told === 1 && found.asks === 0 && found.poster > 0 && found.letters, found);
 finish();
 await browser.close();
 server.close();
