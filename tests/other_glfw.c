@@ -5,7 +5,7 @@
 //                   Windows and macOS wait as long as a hand drags the window's edge; FILE.held
 //                   appears meanwhile
 //   GLFW_DENSE=1    a screen coordinate is two pixels wide and high, as on a Mac's Retina display
-//   GLFW_LOG=FILE   receives the hints of glfwInitHint, one a line
+//   GLFW_LOG=FILE   receives the hints of glfwInitHint and glfwWindowHint, one a line
 #include <dlfcn.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -111,14 +111,26 @@ GLFWcursorposfun glfwSetCursorPosCallback(GLFWwindow *window, GLFWcursorposfun c
 
 // ---- What is asked for ----
 
+static void log_hint(int hint, int value)
+{
+    const char *path = getenv("GLFW_LOG");
+    FILE *file = path != NULL ? fopen(path, "a") : NULL;
+    if (file == NULL)
+        return;
+    fprintf(file, "%#x %#x\n", (unsigned)hint, (unsigned)value);
+    fclose(file);
+}
+
 void glfwInitHint(int hint, int value)
 {
     REAL(glfwInitHint);
-    const char *path = getenv("GLFW_LOG");
-    FILE *file = path != NULL ? fopen(path, "a") : NULL;
-    if (file != NULL) {
-        fprintf(file, "%#x %d\n", (unsigned)hint, value);
-        fclose(file);
-    }
+    log_hint(hint, value);
+    real(hint, value);
+}
+
+void glfwWindowHint(int hint, int value)
+{
+    REAL(glfwWindowHint);
+    log_hint(hint, value);
     real(hint, value);
 }

@@ -82,8 +82,18 @@ hints() { # WANTED OPTION...: the hint for the menu bar, which comes with an ico
 }
 check 'a hidden window has no icon in the Dock' hints 0 -s 16x9 -o "$scratch/small.png"
 start_with "GLFW_LOG=$scratch/log" $chapter -s 320x200
-check 'a window that is seen has one' grep -qx '0x51002 1' "$scratch/log"
+check 'a window that is seen has one' grep -qx '0x51002 0x1' "$scratch/log"
 check 'Backspace closes it' backspace
+# It has OpenGL 3.2 and more in a core profile alone, and that only where it is forward-compatible.
+asked() {
+    local hint
+    for hint in '0x22002 0x3' '0x22003 0x3' '0x22006 0x1' '0x22008 0x32001'; do
+        grep -qx "$hint" "$scratch/log" || { echo "# no hint $hint"; return 1; }
+    done
+}
+check 'and OpenGL 3.3, core and forward-compatible' asked
+hidden() { hints 0 -s 16x9 -o "$scratch/small.png" && asked; }
+check 'a hidden one too' hidden
 unset DISPLAY WAYLAND_DISPLAY
 check 'without a display GLFW is not begun' hints '' -s 16x9 -o "$scratch/small.png"
 check 'which is said' grep -q 'no display' "$scratch/said"
