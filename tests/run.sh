@@ -167,8 +167,9 @@ if [ -n "${1-}" ]; then
 else
     export ALL_SUITES=1
     # Where CI is set there is more to do: every picture through every backend, other people's shaders under
-    # the sanitizers, the wrong answers to exercises, and the mistakes, each of which is planted.
-    [ -n "${CI-}" ] || suites=$(grep -v -x -e sanitize/others -e answers <<<"$suites")
+    # the sanitizers, the wrong answers to exercises, what pages say of two pictures, and the mistakes, each of which is
+    # planted.
+    [ -n "${CI-}" ] || suites=$(grep -v -x -e sanitize/others -e answers -e claims <<<"$suites")
 fi
 
 [ -z "$find" ] || exit 0

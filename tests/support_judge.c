@@ -62,6 +62,11 @@ const char *judge_place(void)
     return judge.place;
 }
 
+const char *judge_words(void)
+{
+    return image_difference_words(&judge.difference, judge.text);
+}
+
 // ---- Rays ----
 
 struct march {

@@ -19,6 +19,10 @@ double judge_share(void);
 // them.
 const char *judge_place(void);
 
+// How far the last judge_picture found the two apart, or that they are the same: in the words of
+// `make compare`.
+const char *judge_words(void);
+
 // Compare the rays of some pixels.
 //   with         as above
 //   places       "X,Y X,Y ..."

@@ -1,18 +1,21 @@
 // web_chapter.mjs - the live chapter in a page: what is there before the click, its controls, the ray, the editor with its
 // keeping and its link, commands beside the text, exercises, a telephone.
+import {execFileSync, spawnSync} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
 import {check, finish, launch, PATIENCE, serve, WEB} from './web_browser.mjs';
 
 const STEM = '03_shadows', FILE = `chapters/${STEM}.frag`;
 const command = (line, more = '') => `<div class="command"><pre><code>build/${STEM} ${line}</code></pre><button type="button" class="run" data-stem="${STEM}" data-line="${line}" ${more}>Run</button></div>`;
+const PAIR = ['--size 320x180 --output right.png', '--size 320x180 --set shadowOffset=0.5 --output wrong.png'];
 const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1">
 <title>03 Shadows</title><link rel="icon" href="data:,"><link rel="stylesheet" href="live.css">
 <style>body { max-width: 760px; margin: auto; padding: 0 16px } pre { overflow: auto }</style><script type="module" src="live.js"></script>
 <main><h1>03 Shadows</h1><live-chapter stem="${STEM}"><img src="poster.png" alt="Shadows on a stage" width="640" height="360"></live-chapter>
 ${command('--view normals')}${command('--probe 397,87')}${command('--probe 397,87', 'data-tail="1"')}${command('--probe 397,87', 'data-head="1"')}${command('--output dark.png --size 64x36')}${command('--nonsense')}
 <p>In the text <span class="command"><code>build/${STEM} --time 3</code><button type="button" class="run" data-stem="${STEM}" data-line="--time 3">Run</button></span>.</p>
-<form class="check" data-exercise="03-2"><button>Check</button></form></main></html>`;
+<form class="check" data-exercise="03-2"><button>Check</button></form>
+${command(PAIR[0], `data-other="${PAIR[1]}"`)}</main></html>`;
 
 const server = await serve(WEB), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
 
@@ -245,6 +248,29 @@ check('with the picture of the difference', await page.locator('.live-two canvas
 check('a mistake has its line', /^Wrong: does not run: my\.frag:1: error: /.test(await judged('nonsense')), await verdict.textContent());
 check('the program beside it goes on', (await state(page)).runs);
 await page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [FILE, text]);
+
+// ---- Two pictures compared ----
+
+const comparison = page.locator('button.run[data-other]'), compared = page.locator('.live-beside .live-result .live-verdict');
+const comparedNow = async () => {
+    await comparison.click();
+    await page.waitForFunction(() => document.querySelector('button.run[data-other]').getAttribute('aria-busy') === null && document.querySelector('.live-beside .live-verdict'));
+    return compared.locator('p').first().textContent();
+};
+for (const line of PAIR) execFileSync(`build/${STEM}`, [...line.split(' ').slice(0, -1), `build/web-test/${line.split(' ').at(-1)}`]);
+const native = spawnSync('build/tests/compare', ['--words', 'build/web-test/right.png', 'build/web-test/wrong.png'], {encoding: 'utf8'}).stdout.trim();
+const inPage = await comparedNow();
+check('two pictures are compared in the words of make compare', /^[1-9].* % of the pixels differ/.test(native) && inPage === `${native}.`, inPage, native);
+check('both are shown with their difference', await compared.locator('canvas').evaluateAll((all) => all.map((c) => `${c.width}x${c.height}`).join()) === '320x180,320x180,320x180');
+check('and what runs goes on', (await state(page)).runs && await page.locator('.live-result .live-two figcaption').first().textContent() === 'right.png');
+const edit = (text) => page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [FILE, text]);
+await edit(text.replace('rayColour(Ray ray)\n{', 'rayColour(Ray ray)\n{\n    return vec3(0.5);'));
+check('with a reader\'s changes, which is said', await comparedNow() === 'the pictures are the same: no pixel differs.' && await compared.getByText(`With your changes in ${FILE}.`).isVisible(), await compared.textContent());
+await edit('nonsense');
+check('a change that does not load is told with its line', /^They cannot be compared: right\.png does not run: chapters\/03_shadows\.frag:1: error: /.test(await comparedNow()), await compared.textContent());
+await edit(text);
+await page.locator('.live-result').filter({has: page.locator('.live-verdict')}).getByRole('button', {name: 'Close'}).click();
+check('closed it leaves the keyboard to its button', await compared.count() === 0 && await comparison.evaluate((one) => document.activeElement === one));
 
 // ---- On paper ----
 

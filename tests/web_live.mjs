@@ -192,6 +192,11 @@ check('and one is set alone', factors() === 'factor (left) 1,factor (right) 2', 
 await tap('--time 1');
 const gone = await tap('--time 1 --samples 3', 600); // the program above it is in sight
 check('a command stays where it was tapped when the program above it goes', Math.abs(gone) < 2, gone);
+const both = page.locator('button.run[data-other]').first();
+await both.tap();
+const compared = page.locator('.live-result .live-two canvas');
+await compared.nth(2).waitFor();
+check('two pictures that a page draws are compared there', /^[\d.]+ % of the pixels differ by more than 2 of 255/.test(await page.locator('.live-result', {has: page.locator('.live-two')}).innerText()) && await across() <= 0, await across());
 await page.evaluate(() => document.querySelector('canvas.live-canvas').scrollIntoView({block: 'start'}));
 await page.getByRole('searchbox').fill('penumbra');
 await page.locator('.results a').first().waitFor();
@@ -207,9 +212,12 @@ await page.close();
 // options.c reads each as the program would, and prints what the shader has; it draws nothing.
 const plain = (html) => html.replaceAll('&quot;', '"').replaceAll('&#39;', '\'').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&');
 const lines = new Map();
-for (const name of fs.readdirSync(SITE).filter((name) => name.endsWith('.html')))
-    for (const [, stem, line, label] of fs.readFileSync(`${SITE}/${name}`, 'utf8').matchAll(/<button[^>]*class="run" data-stem="([^"]*)" data-line="([^"]*)"[^>]* aria-label="([^"]*)"/g))
+for (const name of fs.readdirSync(SITE).filter((name) => name.endsWith('.html'))) {
+    const html = fs.readFileSync(`${SITE}/${name}`, 'utf8');
+    for (const [, stem, line, label] of html.matchAll(/<button[^>]*class="run" data-stem="([^"]*)" data-line="([^"]*)"[^>]* aria-label="([^"]*)"/g))
         lines.set(`${stem} ${plain(line)}`, /# refused/.test(label) ? 2 : 0); // what a page shows to be refused is
+    for (const [, stem, line] of html.matchAll(/data-stem="([^"]*)"[^>]* data-other="([^"]*)"/g)) lines.set(`${stem} ${plain(line)}`, 0);
+}
 ({page, said} = await openPage(browser, server.at));
 const refused = await page.evaluate(async (lines) => {
     const wrong = [];

@@ -84,20 +84,21 @@ const formulas = (html) => heads(html).replace(/<span (?:aria-hidden="true" )?cl
 
 // ---- Listings and commands ----
 
-const button = ({stem, line, head, tail}, command) => `<button type="button" class="run" data-stem="${stem}" data-line="${escaped(line)}"`
-    + `${head ? ` data-head="${head}"` : tail ? ` data-tail="${tail}"` : ''} aria-label="Run ${escaped(command.replace(/\s+/g, ' '))}">Run</button>`;
+const button = ({stem, line, other, head, tail}, command) => `<button type="button" class="run" data-stem="${stem}" data-line="${escaped(line)}"`
+    + `${other ? ` data-other="${escaped(other)}"` : ''}${head ? ` data-head="${head}"` : tail ? ` data-tail="${tail}"` : ''} aria-label="Run ${escaped(command.replace(/\s+/g, ' '))}">Run</button>`;
 
 function commandBlock({text, command}, i, pieces) {
     const listing = `<pre><code>${escaped(text).replace(/^#.*$| # .*$/gm, '<i class="c">$&</i>')}</code></pre>`;
     if (!command) return `<div class="command">${listing}</div>`;
-    const what = commandOf(command);
+    const above = (at) => pieces.slice(0, at).map((piece) => piece.command);
+    const what = commandOf(command, above(i));
     if (what.check) {
         const exercise = what.check.replace('_', '-');
         return `<div class="command">${listing}<form class="check" data-exercise="${exercise}"><button type="submit" aria-label="Check exercise ${exercise}">Check</button></form></div>`;
     }
     if (!what.reason) return `<div class="command">${listing}${button(what, command)}</div>`;
     // Of several with one reason the last one says it.
-    const next = pieces[i + 1]?.command, said = next && commandOf(next).reason === what.reason;
+    const next = pieces[i + 1]?.command, said = next && commandOf(next, above(i + 1)).reason === what.reason;
     return `<div class="command">${listing}<p class="reason"${said ? ' hidden' : ''}>For a terminal: ${escaped(what.reason)}.</p></div>`;
 }
 

@@ -1,5 +1,6 @@
-// check.js - `make check` in a page: the reader's edit of the chapter against the solution of an exercise, pictures and
-// rays. What is compared is tests/images.txt's and tests/checks.txt's; numbers and words are tests/support_judge.c's.
+// check.js - what is drawn to be compared, by a program of its own: `make check`, the reader's edit of the chapter against
+// the solution of an exercise, pictures and rays; and `make compare`, two pictures against each other. What an exercise
+// compares is tests/images.txt's and tests/checks.txt's; numbers and words are tests/support_judge.c's.
 import {Program} from './program.js';
 import {kept} from './edits.js';
 
@@ -32,24 +33,24 @@ class Judge {
         this.canvas.getContext('webgl2')?.getExtension('WEBGL_lose_context')?.loseContext();
     }
 
-    async run(stem, options, file) {
+    async run(stem, line) {
         this.lines = [];
         this.errors = [];
         this.picture = null;
         await new Promise((painted) => setTimeout(painted)); // the page says how far it is
-        const status = await this.program.start(stem, `${options} --shader ${file}`);
+        const status = await this.program.start(stem, line);
         this.program.stop();
         if (status === 0 && !this.program.lost) return '';
         return this.program.lost ? 'does not end: the graphics driver gave up on it' : `does not run: ${this.errors.find((line) => /:\d+: /.test(line)) || this.errors[0] || `status ${status}`}`.replaceAll('/course/', '');
     }
 
-    async draw(stem, options, file) {
-        const why = await this.run(stem, `${options} --output picture.png`, file);
+    async draw(stem, line) {
+        const why = await this.run(stem, line);
         return {why, data: this.picture};
     }
 
     async march(stem, rays, places, file) {
-        await this.run(stem, `${rays} ${places.split(' ').map((place) => `--probe ${place}`).join(' ')}`, file);
+        await this.run(stem, `${rays} ${places.split(' ').map((place) => `--probe ${place}`).join(' ')} --shader ${file}`);
         return this.lines.join('\n');
     }
 
@@ -59,8 +60,9 @@ class Judge {
         return this.program.module.ccall(name, name === 'judge_share' ? 'number' : 'string', values.map((value) => typeof value), values);
     }
 
-    // Returns what is wrong, and the picture of the difference.
+    // Returns what is wrong, how far apart they are in words, and the picture of the difference.
     compare(shown, right, mine) {
+        if (right.width !== mine.width || right.height !== mine.height) throw new Error(`one picture has ${right.width} × ${right.height} pixels, the other ${mine.width} × ${mine.height}`);
         const {module} = this.program, size = 3 * right.width * right.height;
         const at = [right, mine, null].map((picture) => {
             const start = module._malloc(size);
@@ -75,9 +77,11 @@ class Judge {
             difference.data[i + 3] = 255;
         }
         for (const start of at) module._free(start);
-        return {words, difference, share: this.call('judge_share'), place: this.call('judge_place')};
+        return {words, said: this.call('judge_words'), difference, share: this.call('judge_share'), place: this.call('judge_place')};
     }
 }
+
+// ---- An exercise ----
 
 // Judge a text. Returns {right, words, place?, rays?, pictures?: {mine, difference}}.
 //   told  is called with how far it is
@@ -89,9 +93,10 @@ export async function judge(name, text, told = () => {}) {
         let worst = 0;
         for (const [i, {options, shown, rays, places}] of pictures.entries()) {
             told(`Picture ${i + 1} of ${pictures.length} …`);
-            const right = await own.draw(stem, options, solution);
+            const drawn = (file) => own.draw(stem, `${options} --output picture.png --shader ${file}`);
+            const right = await drawn(solution);
             if (right.why) throw new Error(`the solution ${right.why}`);
-            const mine = await own.draw(stem, options, MINE);
+            const mine = await drawn(MINE);
             if (mine.why) return {right: false, words: mine.why};
             const {words, difference, share, place} = own.compare(shown, right.data, mine.data);
             if (words) {
@@ -110,6 +115,33 @@ export async function judge(name, text, told = () => {}) {
     }
 }
 
+// ---- Two pictures ----
+
+// Draw two pictures and compare them. Returns {words, changed, pictures: [{name, data}], difference}.
+//   stem   of the chapter's program
+//   lines  its command line for each, with --output
+//   files  what the reader has changed, {NAME: TEXT}; `changed` are the names of those that the pictures show
+//   told   is called with how far it is
+export async function compare(stem, lines, files, told = () => {}) {
+    const own = await Judge.load();
+    try {
+        const pictures = [], changed = new Set();
+        for (const [name, text] of Object.entries(files)) own.program.write(name, text);
+        for (const [i, line] of lines.entries()) {
+            told(`Picture ${i + 1} of ${lines.length} …`);
+            const name = /--output[ =](\S+)/.exec(line)[1], shader = /--shader[ =](\S+)/.exec(line)?.[1] ?? `chapters/${stem}.frag`;
+            const {why, data} = await own.draw(stem, line);
+            if (why) throw new Error(`${name} ${why}`);
+            pictures.push({name, data});
+            for (const file of Object.keys(files)) if (file === shader || file.startsWith('shaders/')) changed.add(file);
+        }
+        const {said, difference} = own.compare('', ...pictures.map(({data}) => data));
+        return {words: said, changed: [...changed], pictures, difference};
+    } finally {
+        own.close();
+    }
+}
+
 // ---- In a page ----
 
 function shown(part, data, words) {
@@ -119,6 +151,14 @@ function shown(part, data, words) {
     canvas.setAttribute('aria-label', words);
     return part('figure', {}, canvas, part('figcaption', {textContent: words}));
 }
+
+// What the reader has changed: {NAME: TEXT}.
+async function changesOf(stage) {
+    await stage?.changes.editor?.flush();
+    return {...kept(), ...stage?.changes.files};
+}
+
+const GREY = 'The difference: grey where both are alike';
 
 // Carry out a form.check.
 //   edit  opens the editor on the chapter's file, for who has changed nothing yet
@@ -131,8 +171,7 @@ export async function check(form, stage, part, edit) {
     try {
         const name = (form.dataset.exercise || '').replace('-', '_');
         const {stem} = await exercise(name);
-        await stage?.changes.editor?.flush();
-        const files = {...kept(), ...stage?.changes.files}, own = `chapters/${stem}.frag`;
+        const files = await changesOf(stage), own = `chapters/${stem}.frag`;
         if (files[own] === undefined) {
             const button = part('button', {type: 'button', className: 'live-open', textContent: 'Open the editor'});
             button.addEventListener('click', () => edit(form, stem));
@@ -144,12 +183,27 @@ export async function check(form, stage, part, edit) {
         say(part('strong', {textContent: right ? 'Right: ' : 'Wrong: '}), `${words}.`);
         verdict.classList.toggle('live-right', right);
         if (place) verdict.append(part('p', {}, `Your pixel ${place}: ${rays[0]}`, part('br'), `The solution's: ${rays[1]}`));
-        if (pictures) verdict.append(part('div', {className: 'live-two'}, shown(part, pictures.mine, 'Yours'), shown(part, pictures.difference, 'The difference: grey where both are alike')));
+        if (pictures) verdict.append(part('div', {className: 'live-two'}, shown(part, pictures.mine, 'Yours'), shown(part, pictures.difference, GREY)));
         const others = Object.keys(files).filter((one) => one !== own);
         if (others.length > 0) verdict.append(part('p', {textContent: `Your changes in ${others.join(', ')} are no part of it.`}));
     } catch (error) {
         say(`It cannot be checked: ${error.message}.`);
     } finally {
         form.removeAttribute('aria-busy');
+    }
+}
+
+// Carry out a button of `make compare`; what it says stands in `box`.
+export async function compareIn(box, button, stage, part) {
+    const say = (text) => box.replaceChildren(part('p', {textContent: text}));
+    const {stem, line, other} = button.dataset;
+    try {
+        say('Loading …');
+        const {words, changed, pictures, difference} = await compare(stem, [line, other], await changesOf(stage), say);
+        say(`${words}.`);
+        if (changed.length > 0) box.append(part('p', {textContent: `With your changes in ${changed.join(', ')}.`}));
+        box.append(part('div', {className: 'live-two'}, ...pictures.map(({name, data}) => shown(part, data, name)), shown(part, difference, GREY)));
+    } catch (error) {
+        say(`They cannot be compared: ${error.message}.`);
     }
 }

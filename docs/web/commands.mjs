@@ -36,20 +36,40 @@ function lineOf(words) {
     return words.join(' ');
 }
 
+const reasonOf = (command) => REASONS.find(({pattern}) => pattern.test(command))?.reason;
+
+// The chapter of a program's name.
+const programOf = (word) => STEMS.find((stem) => word === `build/${stem}`);
+
+// Two pictures that are compared, where one program writes both above: {stem, line, other}.
+function pairOf(command, above) {
+    const files = /^make compare PICTURES='(\S+) (\S+)'$/.exec(command)?.slice(1) ?? [];
+    const lines = above.map((one) => wordsOf(one.replaceAll('\\\n', ' ')));
+    const made = files.map((file) => lines.findLast((words) => words[words.indexOf('--output') + 1] === file));
+    const stems = made.map((words) => words && !reasonOf(words.join(' ')) && programOf(words[0]));
+    if (!stems[0] || stems[0] !== stems[1]) return null;
+    const [line, other] = made.map((words) => words.slice(1).join(' '));
+    return {stem: stems[0], line, other};
+}
+
 // What a command is, as it stands in a page:
-//   {stem, line}        the chapter's program and its line; of what it prints the page speaks of the first `head` lines or the
-//                       last `tail`, where it has one of these, or of all
-//   {check}             an exercise, "03_2"
-//   {reason}            why it has no button
+//   {stem, line}         the chapter's program and its line; of what it prints the page speaks of the first `head` lines or
+//                        the last `tail`, where it has one of these, or of all
+//   {stem, line, other}  two lines that write a picture each, to be compared
+//   {check}              an exercise, "03_2"
+//   {reason}             why it has no button
+//   above                the commands above it in its block
 // Throws where it is none of these: then commands.txt lacks a line.
-export function commandOf(command) {
-    const rule = REASONS.find(({pattern}) => pattern.test(command));
-    if (rule) return {reason: rule.reason};
+export function commandOf(command, above = []) {
+    const pair = pairOf(command, above);
+    if (pair) return pair;
+    const reason = reasonOf(command);
+    if (reason) return {reason};
     const cut = /\|\s*(head|tail) -n (\d+)\s*$/.exec(command);
     const words = wordsOf(cut ? command.slice(0, cut.index) : command.replaceAll('\\\n', ' '));
     const [program, ...rest] = words;
-    const chapter = /^build\/(\d\d_\w+)$/.exec(program);
-    if (chapter && STEMS.includes(chapter[1])) return {stem: chapter[1], line: lineOf(rest), ...(cut && {[cut[1]]: cut[2]})};
+    const chapter = programOf(program);
+    if (chapter) return {stem: chapter, line: lineOf(rest), ...(cut && {[cut[1]]: cut[2]})};
     if (program === 'make') {
         const values = Object.fromEntries(rest.slice(1).map((word) => /^(\w+)=(.*)$/s.exec(word)?.slice(1) ?? [word, '']));
         if (rest[0] === 'run') return {stem: stemOf(values.CHAPTER), line: lineOf((values.OPTIONS ?? '').split(/\s+/).filter(Boolean))};

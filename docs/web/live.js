@@ -114,9 +114,31 @@ function chapterOf(button, stem) {
     return chapter;
 }
 
+// Compare the two pictures of a button, below it: what runs in the page goes on.
+async function compare(button) {
+    if (button.getAttribute('aria-busy') === 'true' && beside.get(button)?.isConnected) return;
+    button.setAttribute('aria-busy', 'true');
+    const chapter = chapterOf(button, button.dataset.stem), box = part('div', {className: 'live-verdict'});
+    const close = part('button', {type: 'button', textContent: 'Close'});
+    close.addEventListener('click', () => { chapter.remove(); button.focus(); });
+    box.setAttribute('role', 'status');
+    chapter.result?.remove();
+    chapter.result = part('div', {className: 'live-result'}, box, close);
+    chapter.append(chapter.result);
+    try {
+        const [{compareIn}, running] = await Promise.all([import('./check.js'), stage]);
+        await compareIn(box, button, running, part);
+    } catch (error) {
+        box.textContent = `What compares them cannot be loaded: ${error.message}`;
+    } finally {
+        button.removeAttribute('aria-busy');
+    }
+}
+
 document.addEventListener('click', (event) => {
     const button = event.target.closest?.('button.run');
-    if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', {head: Number(button.dataset.head), tail: Number(button.dataset.tail)});
+    if (button?.dataset.other) compare(button);
+    else if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', {head: Number(button.dataset.head), tail: Number(button.dataset.tail)});
 });
 
 // The chapter's file in the editor, below a form.
