@@ -20,7 +20,11 @@ const stateOf = (page) => page.evaluate(() => [...document.querySelectorAll('liv
 async function until(page, right) {
     for (let begun = Date.now(); ;) {
         const now = await stateOf(page);
-        if ((now?.runs && right(now)) || Date.now() - begun > PATIENCE) return now;
+        if (now?.runs && right(now)) return now;
+        if (Date.now() - begun > PATIENCE) {
+            console.log(`# waited for in vain: ${right}`); // whether that matters the caller's check says
+            return now;
+        }
         await frames(page, 2);
     }
 }
