@@ -266,6 +266,11 @@ check('and what runs goes on', (await state(page)).runs && await page.locator('.
 const edit = (text) => page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [FILE, text]);
 await edit(text.replace('rayColour(Ray ray)\n{', 'rayColour(Ray ray)\n{\n    return vec3(0.5);'));
 check('with a reader\'s changes, which is said', await comparedNow() === 'the pictures are the same: no pixel differs.' && await compared.getByText(`With your changes in ${FILE}.`).isVisible(), await compared.textContent());
+await buttons.nth(2).click();
+await page.locator('.live-result > p', {hasText: `With your changes in ${FILE}.`}).waitFor();
+check('so is it of what a command prints', true);
+await first(page).locator('.live-start').click();
+await page.waitForSelector('live-chapter:first-of-type.live-window');
 await edit('nonsense');
 check('a change that does not load is told with its line', /^They cannot be compared: right\.png does not run: chapters\/03_shadows\.frag:1: error: /.test(await comparedNow()), await compared.textContent());
 await edit(text);

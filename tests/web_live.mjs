@@ -53,6 +53,9 @@ await bar.getByRole('button', {name: 'Pause'}).click();
 check('Pause pauses', (await until(page, (s) => s.paused)).paused);
 await bar.getByRole('button', {name: 'steps', exact: true}).click();
 check('the button of a view shows it', (await until(page, (s) => s.view === 'steps')).view === 'steps');
+const pressed = page.locator('.live-views [aria-pressed=true]');
+await pressed.hover();
+check('and is read below the pointer', await pressed.evaluate((one) => getComputedStyle(one).color !== getComputedStyle(one).backgroundColor));
 await bar.getByRole('button', {name: 'picture', exact: true}).click();
 await until(page, (s) => s.view === 'picture');
 const value = (s, name) => s.parameters.find((one) => one.name === name).value[0];
@@ -167,6 +170,17 @@ check('the pad moves the eye', now.camera.some((x, i) => x !== stood[i]), stood,
 await page.getByRole('toolbar', {name: 'The program'}).getByRole('button', {name: 'Edit'}).tap();
 await page.locator('.cm-content').waitFor();
 check('with the editor neither', await across() <= 0, await across());
+check('nor in the editor, whose long lines are broken', await page.locator('.cm-scroller').evaluate((one) => one.scrollWidth <= one.clientWidth));
+const above = async () => (await page.locator('.live-editor').boundingBox()).y, stands = await above();
+await page.keyboard.type('// mine\n');
+await page.locator('.live-changes').waitFor();
+check('what is typed stays in its place when the page says whose it is', Math.abs(await above() - stands) <= 1, stands, await above());
+await page.getByRole('button', {name: 'Undo all'}).tap();
+await page.locator('.live-changes').waitFor({state: 'hidden'});
+await page.locator('form.check > button').first().tap();
+await page.locator('.live-open').tap();
+await page.locator('.live-beside .cm-content').waitFor();
+check('the editor of an exercise has the width of the page', (await page.locator('.live-beside .live-editor').boundingBox()).width > 340, await page.locator('.live-beside .live-editor').boundingBox());
 check('no error in the console', said.length === 0, said);
 await page.close();
 
@@ -194,6 +208,7 @@ await page.keyboard.press('Enter');
 now = await until(page, (s) => s.parameters.some(({name, value}) => name === 'factor (right)' && value[0] === 2));
 check('and one is set alone', factors() === 'factor (left) 1,factor (right) 2', factors());
 await tap('--time 1');
+check('a picture that a command writes stands still', now.paused && now.time === 1, now.paused, now.time);
 const gone = await tap('--time 1 --samples 3', 600); // the program above it is in sight
 check('a command stays where it was tapped when the program above it goes', Math.abs(gone) < 2, gone);
 const both = page.locator('button.run[data-other]').first();

@@ -84,8 +84,8 @@ const formulas = (html) => heads(html).replace(/<span (?:aria-hidden="true" )?cl
 
 // ---- Listings and commands ----
 
-const button = ({stem, line, other, head, tail}, command) => `<button type="button" class="run" data-stem="${stem}" data-line="${escaped(line)}"`
-    + `${other ? ` data-other="${escaped(other)}"` : ''}${head ? ` data-head="${head}"` : tail ? ` data-tail="${tail}"` : ''} aria-label="Run ${escaped(command.replace(/\s+/g, ' '))}">Run</button>`;
+const button = ({stem, line, still, other, head, tail}, command) => `<button type="button" class="run" data-stem="${stem}" data-line="${escaped(line)}"`
+    + `${other ? ` data-other="${escaped(other)}"` : ''}${still ? ' data-still' : ''}${head ? ` data-head="${head}"` : tail ? ` data-tail="${tail}"` : ''} aria-label="Run ${escaped(command.replace(/\s+/g, ' '))}">Run</button>`;
 
 function commandBlock({text, command}, i, pieces) {
     const listing = `<pre><code>${escaped(text).replace(/^#.*$| # .*$/gm, '<i class="c">$&</i>')}</code></pre>`;

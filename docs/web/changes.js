@@ -88,9 +88,11 @@ export class Changes {
     tell() {
         const running = this.stage.state?.files;
         this.named = Object.keys(this.files).filter((name) => !running || running.includes(PREFIX + name));
-        this.line.hidden = this.named.length === 0;
-        const text = `With your changes in ${this.named.join(', ')}.`;
+        const text = `With your changes in ${this.named.join(', ')}.`, top = this.element.getBoundingClientRect().top;
         if (this.said.textContent !== text) this.said.textContent = text;
+        if (this.line.hidden === (this.named.length === 0)) return;
+        this.line.hidden = this.named.length === 0;
+        if (!this.element.hidden) scrollBy({top: this.element.getBoundingClientRect().top - top, behavior: 'instant'}); // what is typed stays in its place
     }
 
     // ---- The editor ----

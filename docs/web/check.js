@@ -2,7 +2,7 @@
 // the solution of an exercise, pictures and rays; and `make compare`, two pictures against each other. What an exercise
 // compares is tests/images.txt's and tests/checks.txt's; numbers and words are tests/support_judge.c's.
 import {Program} from './program.js';
-import {kept} from './edits.js';
+import {kept, shownBy} from './edits.js';
 
 const SOLUTION = (stem, number) => `chapters/solutions/${stem}_${number}.frag`;
 const MINE = 'my.frag';
@@ -129,11 +129,11 @@ export async function compare(stem, lines, files, told = () => {}) {
         for (const [name, text] of Object.entries(files)) own.program.write(name, text);
         for (const [i, line] of lines.entries()) {
             told(`Picture ${i + 1} of ${lines.length} …`);
-            const name = /--output[ =](\S+)/.exec(line)[1], shader = /--shader[ =](\S+)/.exec(line)?.[1] ?? `chapters/${stem}.frag`;
+            const name = /--output[ =](\S+)/.exec(line)[1];
             const {why, data} = await own.draw(stem, line);
             if (why) throw new Error(`${name} ${why}`);
             pictures.push({name, data});
-            for (const file of Object.keys(files)) if (file === shader || file.startsWith('shaders/')) changed.add(file);
+            for (const file of shownBy(Object.keys(files), stem, line)) changed.add(file);
         }
         const {said, difference} = own.compare('', ...pictures.map(({data}) => data));
         return {words: said, changed: [...changed], pictures, difference};

@@ -29,11 +29,12 @@ function stemOf(name) {
     return stem;
 }
 
-// The line for a program whose window a page has: a picture that it could show is not written.
+// The line for a program whose window a page has: {line, still}. A picture that it could show is not written: it stands
+// still there.
 function lineOf(words) {
     const at = words.findIndex((word) => word === '--output' || word === '-o');
-    if (at >= 0 && !words.some((word) => STILL.some((still) => word === still || word.startsWith(`${still}=`)))) words.splice(at, 2);
-    return words.join(' ');
+    const still = at >= 0 && !words.some((word) => STILL.some((still) => word === still || word.startsWith(`${still}=`)));
+    return {line: words.filter((_, i) => !still || i < at || i > at + 1).join(' '), still};
 }
 
 const reasonOf = (command) => REASONS.find(({pattern}) => pattern.test(command))?.reason;
@@ -53,8 +54,8 @@ function pairOf(command, above) {
 }
 
 // What a command is, as it stands in a page:
-//   {stem, line}         the chapter's program and its line; of what it prints the page speaks of the first `head` lines or
-//                        the last `tail`, where it has one of these, or of all
+//   {stem, line, still}  the chapter's program and its line; whether its time is held; of what it prints the page speaks of
+//                        the first `head` lines or the last `tail`, where it has one of these, or of all
 //   {stem, line, other}  two lines that write a picture each, to be compared
 //   {check}              an exercise, "03_2"
 //   {reason}             why it has no button
@@ -69,10 +70,10 @@ export function commandOf(command, above = []) {
     const words = wordsOf(cut ? command.slice(0, cut.index) : command.replaceAll('\\\n', ' '));
     const [program, ...rest] = words;
     const chapter = programOf(program);
-    if (chapter) return {stem: chapter, line: lineOf(rest), ...(cut && {[cut[1]]: cut[2]})};
+    if (chapter) return {stem: chapter, ...lineOf(rest), ...(cut && {[cut[1]]: cut[2]})};
     if (program === 'make') {
         const values = Object.fromEntries(rest.slice(1).map((word) => /^(\w+)=(.*)$/s.exec(word)?.slice(1) ?? [word, '']));
-        if (rest[0] === 'run') return {stem: stemOf(values.CHAPTER), line: lineOf((values.OPTIONS ?? '').split(/\s+/).filter(Boolean))};
+        if (rest[0] === 'run') return {stem: stemOf(values.CHAPTER), ...lineOf((values.OPTIONS ?? '').split(/\s+/).filter(Boolean))};
         if (rest[0] === 'check' && values.EXERCISE) return {check: values.EXERCISE};
     }
     throw new Error(`docs/web/commands.txt: no reason why this has no button: ${command}`);

@@ -67,6 +67,7 @@ export class Editor {
                 StreamLanguage.define(shader), colours, lintGutter(), EditorState.tabSize.of(4), indentUnit.of('    '),
                 // Tab stays the page's: who uses the keyboard alone gets out again.
                 keymap.of([...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
+                ...(matchMedia('(max-width: 640px)').matches ? [EditorView.lineWrapping] : []),
                 EditorView.contentAttributes.of({'aria-label': `Text of ${name}`, 'tabindex': '0', 'spellcheck': 'false', 'autocapitalize': 'off'}),
                 EditorView.updateListener.of((update) => {
                     if (!update.docChanged) return;

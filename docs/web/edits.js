@@ -28,6 +28,12 @@ export function keep(name, text) {
     }
 }
 
+// Of files those that a command line shows, as far as its words tell: its shader, and the library.
+export function shownBy(names, stem, line) {
+    const shader = /--shader[ =](\S+)/.exec(line)?.[1] ?? `chapters/${stem}.frag`;
+    return names.filter((name) => name === shader || name.startsWith('shaders/'));
+}
+
 function clean(files) {
     return Object.fromEntries(Object.entries(files ?? {}).filter(([name, text]) => NAME.test(name) && !name.includes('..') && typeof text === 'string'));
 }

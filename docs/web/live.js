@@ -49,7 +49,8 @@ class LiveChapter extends HTMLElement {
 
     // Run a command line here: what options.c reads behind the program's name. Returns the exit status once it is
     // done, or the window's first picture is there. The page's program moves here if it is elsewhere.
-    //   shown  {head} how many of the first lines that it prints are shown, {tail} how many of the last; else all
+    //   shown  {head} how many of the first lines that it prints are shown, {tail} how many of the last; else all;
+    //          {still} the time is held until it is let run
     async run(line = this.getAttribute('line') || '', shown = {}) {
         this.button.disabled = true;
         this.setAttribute('aria-busy', 'true');
@@ -106,7 +107,7 @@ function chapterOf(button, stem) {
         chapter = part('live-chapter', {className: 'live-beside'});
         chapter.setAttribute('stem', stem || document.querySelector('live-chapter')?.stem || '');
         chapter.opener = button;
-        const block = button.closest('div.command, form, table, p, li, dd') || button;
+        const block = button.closest('div.command') || button.closest('form, table, p, li, dd') || button;
         if (block.matches('li, dd')) block.append(chapter);
         else block.after(chapter);
         beside.set(button, chapter);
@@ -138,7 +139,7 @@ async function compare(button) {
 document.addEventListener('click', (event) => {
     const button = event.target.closest?.('button.run');
     if (button?.dataset.other) compare(button);
-    else if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', {head: Number(button.dataset.head), tail: Number(button.dataset.tail)});
+    else if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', {head: Number(button.dataset.head), tail: Number(button.dataset.tail), still: 'still' in button.dataset});
 });
 
 // The chapter's file in the editor, below a form.

@@ -135,12 +135,13 @@ export class Program {
     }
 
     // Carry out a command line as the chapter's program does. Returns its exit status.
-    async start(stem, line = '') {
+    //   still  a window's time is held
+    async start(stem, line = '', still = false) {
         const turn = this.starting = Symbol(stem);
         await this.fetchFiles(stem, line);
         if (this.starting !== turn) return 0; // another one was asked for meanwhile
         const status = this.call('live_start', stem, line);
-        if (calm.matches) this.call('live_pause', 1);
+        if (still || calm.matches) this.call('live_pause', 1);
         this.fit();
         this.run();
         return status;

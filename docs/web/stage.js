@@ -2,6 +2,7 @@
 // one in a page; it stands in the <live-chapter> that asked for it last.
 import {calm, Program} from './program.js';
 import {Changes} from './changes.js';
+import {shownBy} from './edits.js';
 import {Values} from './values.js';
 import {Ray} from './ray.js';
 
@@ -64,7 +65,7 @@ export class Stage {
         this.error.setAttribute('role', 'alert');
         this.values = new Values(this);
         this.ray = new Ray(this);
-        this.controls = part('div', {className: 'live-controls'}, this.pad, this.bar, this.changes.line, this.changes.element, this.error, this.values.element, this.ray.element);
+        this.controls = part('div', {className: 'live-controls'}, this.changes.line, this.pad, this.bar, this.changes.element, this.error, this.values.element, this.ray.element);
     }
 
     // A button that is a key for as long as it is held.
@@ -113,7 +114,7 @@ export class Stage {
         at.classList.add('live-waits');
         await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
         this.line = await this.changes.begin(at) ?? line;
-        const status = this.turn === turn ? await this.carry(at.stem, this.line) : 0;
+        const status = this.turn === turn ? await this.carry(at.stem, this.line, shown.still) : 0;
         if (this.turn !== turn) return 0;
         at.classList.remove('live-waits');
         this.starting = false;
@@ -124,13 +125,13 @@ export class Stage {
 
     // Carry out a command line. Where a reader's changes let nothing start, the picture is the one without them, and
     // the error is that of a change to a program that runs.
-    async carry(stem, line) {
-        const status = await this.program.start(stem, line);
+    async carry(stem, line, still) {
+        const status = await this.program.start(stem, line, still);
         if (status !== 1 || !this.changes.any) return status;
         const lines = this.lines;
         this.lines = [];
         await this.changes.lay(true);
-        const without = await this.program.start(stem, line);
+        const without = await this.program.start(stem, line, still);
         if (!this.program.call('live_runs')) this.lines = lines; // no window: what they say is the result
         await this.changes.lay(false);
         return this.program.call('live_runs') ? without : status;
@@ -201,6 +202,8 @@ export class Stage {
             printed.classList.toggle('live-few', lines.length < 3);
             result.append(printed);
         }
+        const changed = shownBy(Object.keys(this.changes.files), at.stem, this.line);
+        if (changed.length > 0) result.append(part('p', {textContent: `With your changes in ${changed.join(', ')}.`}));
         result.append(this.button('Close', () => {
             result.remove();
             if (!at.opener || this.at === at) return;
