@@ -45,12 +45,12 @@ blocks_of() { # PAGE
         END { end() }' "$1" | grep -E '^(draw|compare|none|claim)'
 }
 
-# agrees SHARE NUMBER...: one of the numbers is the share, in per cent, to its own last digit.
+# agrees SHARE NUMBER...: one of the numbers is the share, in per cent, rounded to its own last digit.
 agrees() {
     awk 'BEGIN {
         for (i = 2; i < ARGC; i++) {
-            unit = match(ARGV[i], /\./) ? 10 ^ -(length(ARGV[i]) - RSTART) : 1
-            if (ARGV[i] - ARGV[1] <= unit && ARGV[1] - ARGV[i] <= unit) exit 0
+            half = (match(ARGV[i], /\./) ? 10 ^ -(length(ARGV[i]) - RSTART) : 1) / 2 + 1e-9
+            if (ARGV[i] - ARGV[1] <= half && ARGV[1] - ARGV[i] <= half) exit 0
         }
         exit 1 }' "$@"
 }

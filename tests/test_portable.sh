@@ -172,6 +172,7 @@ for tools in bsd busybox; do
         sed 's/^/# /' "$scratch/said"
 done
 check 'make check said something' grep -q 'your pixel' <(answer bsd checks)
+
 # ---- What setup.sh asks for on a Mac ----
 
 # A Mac as it sees it: Homebrew, a compiler, and nothing of what the course needs.

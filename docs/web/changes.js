@@ -88,7 +88,7 @@ export class Changes {
     tell() {
         const running = this.stage.state?.files;
         this.named = Object.keys(this.files).filter((name) => !running || running.includes(PREFIX + name));
-        const text = `With your changes in ${this.named.join(', ')}.`, top = this.element.getBoundingClientRect().top;
+        const text = edits.withChanges(this.named), top = this.element.getBoundingClientRect().top;
         if (this.said.textContent !== text) this.said.textContent = text;
         if (this.line.hidden === (this.named.length === 0)) return;
         this.line.hidden = this.named.length === 0;

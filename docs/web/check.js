@@ -2,7 +2,7 @@
 // the solution of an exercise, pictures and rays; and `make compare`, two pictures against each other. What an exercise
 // compares is tests/images.txt's and tests/checks.txt's; numbers and words are tests/support_judge.c's.
 import {Program} from './program.js';
-import {kept, shownBy} from './edits.js';
+import {kept, shownBy, withChanges} from './edits.js';
 
 const SOLUTION = (stem, number) => `chapters/solutions/${stem}_${number}.frag`;
 const MINE = 'my.frag';
@@ -201,7 +201,7 @@ export async function compareIn(box, button, stage, part) {
         say('Loading …');
         const {words, changed, pictures, difference} = await compare(stem, [line, other], await changesOf(stage), say);
         say(`${words}.`);
-        if (changed.length > 0) box.append(part('p', {textContent: `With your changes in ${changed.join(', ')}.`}));
+        if (changed.length > 0) box.append(part('p', {textContent: withChanges(changed)}));
         box.append(part('div', {className: 'live-two'}, ...pictures.map(({name, data}) => shown(part, data, name)), shown(part, difference, GREY)));
     } catch (error) {
         say(`They cannot be compared: ${error.message}.`);

@@ -34,6 +34,9 @@ export function shownBy(names, stem, line) {
     return names.filter((name) => name === shader || name.startsWith('shaders/'));
 }
 
+// What a page says of files that are changed.
+export const withChanges = (names) => `With your changes in ${names.join(', ')}.`;
+
 function clean(files) {
     return Object.fromEntries(Object.entries(files ?? {}).filter(([name, text]) => NAME.test(name) && !name.includes('..') && typeof text === 'string'));
 }

@@ -2,7 +2,7 @@
 // one in a page; it stands in the <live-chapter> that asked for it last.
 import {calm, Program} from './program.js';
 import {Changes} from './changes.js';
-import {shownBy} from './edits.js';
+import {shownBy, withChanges} from './edits.js';
 import {Values} from './values.js';
 import {Ray} from './ray.js';
 
@@ -203,7 +203,7 @@ export class Stage {
             result.append(printed);
         }
         const changed = shownBy(Object.keys(this.changes.files), at.stem, this.line);
-        if (changed.length > 0) result.append(part('p', {textContent: `With your changes in ${changed.join(', ')}.`}));
+        if (changed.length > 0) result.append(part('p', {textContent: withChanges(changed)}));
         result.append(this.button('Close', () => {
             result.remove();
             if (!at.opener || this.at === at) return;
