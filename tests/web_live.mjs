@@ -71,6 +71,14 @@ await page.locator('canvas.live-canvas').click();
 now = await until(page, (s) => s.probe !== undefined);
 check('a click on the picture marches a ray', now.probe?.steps > 0, now.pixel);
 
+const begun = (await stateOf(page)).camera;
+const differs = (s) => s.camera.some((x, i) => Math.abs(x - begun[i]) > 1e-3);
+await page.keyboard.down('d');
+now = await until(page, differs);
+await page.keyboard.up('d');
+await bar.getByRole('button', {name: 'Camera back'}).click();
+check('the camera that was moved comes back', differs(now) && !differs(await until(page, (s) => !differs(s))), begun, now.camera);
+
 // ---- The editor ----
 
 const before = await stateOf(page);

@@ -1,5 +1,5 @@
 // ray.js - the ray of the pixel that was clicked: what became of it, its steps, the way along it.
-const VIEWS = {Slice: 'slice', Graph: 'plot'};
+const VIEWS = {Slice: 'slice', Plot: 'plot'};
 
 export class Ray {
     constructor(stage) {

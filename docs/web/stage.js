@@ -9,7 +9,7 @@ import {Ray} from './ray.js';
 const LOOK = 200; // milliseconds between two looks at the program's state
 const PRESS = 1, RELEASE = 0;
 const PAD = [['◀', 65, 'left'], ['▲', 87, 'forwards'], ['▼', 83, 'backwards'], ['▶', 68, 'right'], ['⤒', 32, 'up'], ['⤓', 67, 'down']];
-const RESTART = 82;
+const RESTART = 82, SHIFT = 1;
 
 export class Stage {
     static async load(part) {
@@ -54,10 +54,11 @@ export class Stage {
         this.time = part('input', {type: 'number', step: 'any', className: 'live-time'});
         this.time.setAttribute('aria-label', 'Time, seconds');
         this.time.addEventListener('change', () => this.call('live_time', Number(this.time.value)));
+        this.back = this.button('Camera back', () => this.press(RESTART, SHIFT), {title: 'and the time to its start'});
         this.still = part('small', {className: 'live-still', textContent: 'time is held: this system asks for little motion', hidden: true});
         this.changes = new Changes(this);
         this.bar = part('div', {className: 'live-bar'}, this.views,
-            part('span', {className: 'live-clock'}, this.pause, this.button('Restart', () => this.press(RESTART)), part('label', {}, this.time, ' s'), this.still),
+            part('span', {className: 'live-clock'}, this.pause, this.button('Restart', () => this.press(RESTART)), this.back, part('label', {}, this.time, ' s'), this.still),
             part('span', {className: 'live-tools'}, this.changes.open, this.button('Full screen', () => this.full(), {className: 'live-full'}), this.button('Close', () => this.close())));
         this.bar.setAttribute('role', 'toolbar');
         this.bar.setAttribute('aria-label', 'The program');
@@ -91,9 +92,9 @@ export class Stage {
         return done;
     }
 
-    press(key) {
-        this.program.module._live_key(key, PRESS, 0);
-        this.program.module._live_key(key, RELEASE, 0);
+    press(key, modifiers = 0) {
+        this.program.module._live_key(key, PRESS, modifiers);
+        this.program.module._live_key(key, RELEASE, modifiers);
     }
 
     // ---- A command line ----
@@ -281,7 +282,7 @@ export class Stage {
         if (this.views.childElementCount !== state.views.length)
             this.views.replaceChildren(...state.views.map((name, view) => this.button(name, () => this.call('live_view', view))));
         // A text with a main of its own has no camera, no views and no trace of a ray.
-        this.views.hidden = this.pad.hidden = this.ray.element.hidden = state.views.length === 1;
+        this.views.hidden = this.pad.hidden = this.back.hidden = this.ray.element.hidden = state.views.length === 1;
         state.views.forEach((name, view) => this.views.children[view].setAttribute('aria-pressed', name === state.view));
         this.pause.textContent = state.paused ? 'Go on' : 'Pause';
         this.still.hidden = !(state.paused && calm.matches);
