@@ -74,15 +74,19 @@ unpack() {
 
 # ---- One library ----
 
-# library NAME FLAGS FILE...: lib/libNAME.a of these sources.
+# library NAME FLAGS FILE...: lib/libNAME.a of these sources, compiled beside each other.
 library() {
-    name=$1 flags=$2
+    name=$1 flags=$2 compilers=
     shift 2
     rm -rf "$folder/objects" && mkdir "$folder/objects"
     for file in "$@"; do
         # shellcheck disable=SC2086 # the compiler and its flags are words
         $CC -O2 -w -I"$prefix/include" $flags -c -o "$folder/objects/$(basename "$file" .c).o" "$file" \
-            >>"$sources/log" 2>&1 || fail "$name does not compile"
+            >>"$sources/log" 2>&1 &
+        compilers="$compilers $!"
+    done
+    for compiling in $compilers; do
+        wait "$compiling" || fail "$name does not compile"
     done
     "$archive" rcsD "$prefix/lib/lib$name.a" "$folder"/objects/*.o
     rm -r "$folder/objects"

@@ -1,7 +1,7 @@
 #!/bin/bash
 # windows.sh [PART...|NAME...] - `make test-windows`: the programs and the tests that were built for Windows, run by Wine in a
-# virtual display, over the software renderer. Parts: units, pictures, suites, own and, beside them, windows and zip; all
-# where none is named. The suites are those of `make test`: they find programs in build/wine/ that hand their words on to those for
+# virtual display, over the software renderer. Parts: units, pictures, suites and windows; own and zip, and all others, are
+# suites by name; all where none is named. The suites are those of `make test`: they find programs in build/wine/ that hand their words on to those for
 # Windows, and a driver for each of them, GLFW's. A test that is skipped must stand in tests/skipped.txt. The seconds are
 # the processor's, without those of Wine's server and of Xvfb.
 set -u
@@ -34,17 +34,14 @@ display() { # sets DISPLAY and server
     [ -n "$number" ] || { echo 'make: test-windows: Xvfb did not start' >&2; exit 1; }
     export DISPLAY=:$number
 }
-# Wine's desktop belongs to one display: a suite that opens another must find no Wine at work. Those suites wait more
-# than they compute, so they have a Wine of their own, beside the others.
 end_wine() { wineserver -k 2>/dev/null; wineserver -w; }
-own_wine=$WINEPREFIX-windows
 finish() {
-    end_wine
-    WINEPREFIX=$own_wine end_wine
-    kill "$server" ${beside:+"$beside"} 2>/dev/null
+    [ -z "$suites" ] || kill "$suites" 2>/dev/null
+    for WINEPREFIX in "$WINEPREFIX"*; do end_wine; done
+    kill "$server" 2>/dev/null
 }
 server=
-beside=
+suites=
 display
 trap finish EXIT
 trap 'exit 1' HUP INT TERM
@@ -72,9 +69,6 @@ REGEDIT4
 END_OF_REGISTRY
 "$loader" regedit build/wine/overrides.reg >/dev/null 2>&1
 end_wine
-WINEPREFIX=$own_wine end_wine
-rm -rf "$own_wine" && cp -RPl "$WINEPREFIX" "$own_wine" || # a drive there is a link to all of the disk
-    exit 1
 wineserver -p 2>/dev/null # it stays between two programs
 
 # ---- One suite ----
@@ -125,55 +119,53 @@ suite() {
     )"
 }
 
-unit() { suite "$(basename "$1" .exe)" env BUILD=build/windows LD_PRELOAD="$at_once" "$loader" "$1"; }
-export -f suite unit unlisted failures
-export results
-
-# The one that computes for a minute and more, in one thread, comes first.
-units() {
-    printf '%s\n' build/windows/tests/test_sky_table.exe build/windows/tests/test_*.exe | awk '!seen[$0]++' |
-        xargs -P 2 -I '{}' bash -c 'unit {}'
+# Wine's desktop belongs to one display: a suite that opens another must find no Wine at work. It has one of its own.
+own_wine() { # NAME
+    local copy=$WINEPREFIX-$1
+    rm -rf "$copy" && cp -RPl "$WINEPREFIX" "$copy" && export WINEPREFIX=$copy # a drive there is a link to all of the disk
 }
 
-# with_display NAME COMMAND...: a suite that opens a display of its own.
-with_display() {
-    export WINEPREFIX=$own_wine
-    suite "$@"
-    end_wine
-}
-
-part() { # NAME
+# tried NAME: a suite by its name.
+tried() {
+    local unit=build/windows/tests/test_$1.exe
+    case $1 in window* | zip | images | failures) own_wine "$1" || return ;; esac
+    # One of its many programs may end badly without a word: there Wine says what it knows.
+    [ "$1" != export ] || export WINEDEBUG=err+all,fixme-all
     case $1 in
-    units) units ;;
-    pictures) suite images tests/test_images.sh ;;
-    suites)
-        # One of the many programs of export may end badly without a word: there Wine says what it knows.
-        printf '%s\n' failures export sequence |
-            xargs -P 2 -I '{}' bash -c '[ {} != export ] || export WINEDEBUG=err+all,fixme-all; suite {} tests/test_{}.sh'
-        ;;
-    own) suite own tests/windows_own.sh ;;
-    windows) part window && part window_motion ;;
-    zip) (with_display zip tests/windows_zip.sh) ;;
-    window*) (with_display "$1" "tests/test_$1.sh") ;;
+    own | zip) suite "$1" "tests/windows_$1.sh" ;;
     *)
-        if [ -e "build/windows/tests/test_$1.exe" ]; then
-            unit "build/windows/tests/test_$1.exe"
+        if [ -e "$unit" ]; then
+            suite "test_$1" env BUILD=build/windows LD_PRELOAD="$at_once" "$loader" "$unit"
         else
             suite "$1" "tests/test_$1.sh"
         fi
         ;;
     esac
+    [ "${WINEPREFIX%-"$1"}" = "$WINEPREFIX" ] || end_wine
 }
+export -f suite tried own_wine end_wine unlisted failures
+export results
 
-read -r -a parts <<<"${*:-windows zip units pictures suites own}"
-for name in "${parts[@]}"; do
-    case $name in window* | zip) part "$name" ;; esac
-done & # with a Wine of their own
-beside=$!
-for name in "${parts[@]}"; do
-    case $name in window* | zip) ;; *) part "$name" ;; esac
+# The suites of a part. What takes longest comes first; a program's start under Wine is more waiting than work.
+units() { for file in build/windows/tests/test_*.exe; do basename "${file#*/test_}" .exe; done; }
+named() { # PART|NAME
+    case $1 in
+    windows) printf '%s\n' window window_motion ;;
+    units) units ;;
+    pictures) echo images ;;
+    suites) printf '%s\n' export failures sequence ;;
+    all) printf '%s\n' images export sequence window_motion window zip failures sky_table night "$(units)" own ;;
+    *) echo "$1" ;;
+    esac
+}
+for part in "${@:-all}"; do named "$part"; done | awk '!seen[$0]++' >build/wine/suites
+xargs -P 3 -I '{}' bash -c 'tried {}' <build/wine/suites &
+suites=$!
+wait "$suites"
+suites=
+for name in $(<build/wine/suites); do
+    [ -e "$results/$name.counts" ] || [ -e "$results/test_$name.counts" ] || { echo "windows/$name: was not run" >&2; exit 1; }
 done
-wait $beside
 
 read -r passed failed skipped seconds <<<"$(cat $results/*.counts | awk '{ p += $1; f += $2; s += $3; t += $4 } END { print p + 0, f + 0, s + 0, t + 0 }')"
 echo "$passed passed, $failed failed, $skipped skipped, $seconds s of the processor, $SECONDS s"

@@ -116,9 +116,9 @@ check 'check.bat: a file that there is not' checks 2 'there is no such file' 03_
 
 # ---- A shader of one's own ----
 
-searched() { window=$(wmctrl -l | grep -F -e "$1" | cut -d ' ' -f 1) && [ -n "$window" ]; }
+searched() { window=$(wmctrl -l | grep -E -e "$1" | cut -d ' ' -f 1) && [ -n "$window" ]; }
 play() { # NAME [FILE]: opens a window of that name whose picture is there
-    title="$1 - picture"
+    title="$1 - ([0-9]+ fps - )?picture" # a rate where it is measured
     shift
     rm -f "$scratch/said"
     (cd "$folder" && exec env LD_PRELOAD="$at_once" "$loader" cmd /c call "$(windows_path "$course/play.bat")" "$@" </dev/null >"$scratch/said" 2>&1) &
