@@ -64,8 +64,9 @@ FILE *platform_open_text(char **text, size_t *size);
 // Returns false when memory was short before all was written.
 bool platform_close_text(FILE *stream);
 
-// True when the last write failed for who reads the pipe has gone. A signal may end the program
-// before it can ask.
+// True when who read standard output as a pipe has gone: tries to write one byte more, for the
+// reason why an earlier write failed may be forgotten. A signal may end the program before it can
+// ask.
 bool platform_reader_left(void);
 
 // What an errno means, for the reader of a message: as strerror, in the words of this system.

@@ -214,7 +214,7 @@ int platform_replace(const char *target, const char *data, size_t size)
 
 bool platform_reader_left(void)
 {
-    return errno == EPIPE;
+    return write(STDOUT_FILENO, "\n", 1) < 0 && errno == EPIPE;
 }
 
 const char *platform_why(int error)

@@ -41,10 +41,12 @@ void platform_wait_for_reader(void)
     ReadFile(GetStdHandle(STD_INPUT_HANDLE), &key, 1, &read, NULL);
 }
 
-// The errno of the C library is that of anything wrong.
 bool platform_reader_left(void)
 {
-    unsigned long said = _doserrno;
+    DWORD written;
+    if (WriteFile(GetStdHandle(STD_OUTPUT_HANDLE), "\n", 1, &written, NULL))
+        return false;
+    DWORD said = GetLastError();
     return said == ERROR_NO_DATA || said == ERROR_BROKEN_PIPE || said == ERROR_PIPE_NOT_CONNECTED;
 }
 
