@@ -1,7 +1,7 @@
 #!/bin/bash
 # test_answers.sh [EXERCISE...] - can `make check` be fooled? Each wrong answer of tests/answers.txt must be
-# refused because it differs, each right one accepted, as the solution itself. With arguments only those
-# exercises, such as 03_2.
+# refused because it differs, each right one accepted, as the solution itself; the chapter's unsolved shader is refused
+# for any reason. With arguments only those exercises, such as 03_2.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 . tests/support.sh
@@ -13,7 +13,8 @@ judge() { # EXERCISE
     solution=$(echo chapters/solutions/"${1%_*}"_*_"${1#*_}".frag)
     mkdir "$folder"
     cp "$solution" "$folder/solution.frag"
-    printf 'right|the solution itself|solution.frag\n' >"$folder/list"
+    cp chapters/"${1%_*}"_*.frag "$folder/unsolved.frag"
+    printf '%s\n' 'right|the solution itself|solution.frag' 'wrong|the unsolved chapter|unsolved.frag' >"$folder/list"
     grep "^$1 " "$scratch/answers" | while read -r line; do
         number=$((number + 1))
         sed "${line#*|*|*| }" "$solution" >"$folder/$number.frag"
@@ -24,13 +25,14 @@ judge() { # EXERCISE
     while IFS='|' read -r verdict what file; do
         table=$(grep "/$file " "$folder/table" | sed 's/[.]frag  */.frag /')
         [ ! -e "$folder/${file%.frag}.why" ] || table="its edit changes nothing in $solution"
-        case $table in
+        case $file,$table in
+        unsolved.frag,wrong*) echo "ok $1: $what is refused: ${table#*.frag }" && continue ;;
         *'does not run'*) ;;
-        "$verdict "*) echo "ok $1: $what: ${table#*.frag }" && continue ;;
+        *,"$verdict "*) echo "ok $1: $what: ${table#*.frag }" && continue ;;
         esac
         echo "not ok $1: $what is not found to be $verdict: ${table:-$(head -n 1 "$folder/table")}"
     done <"$folder/list"
-    [ "$(grep -c '^wrong|' "$folder/list")" -ge 2 ] || echo "not ok $1: two wrong answers"
+    [ "$(grep -c '^wrong|' "$folder/list")" -ge 3 ] || echo "not ok $1: two wrong answers"
 }
 
 if [ "${1-}" = --exercise ]; then # called by xargs below
