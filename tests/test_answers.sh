@@ -28,11 +28,11 @@ judge() { # EXERCISE
         case $file,$table in
         unsolved.frag,wrong*) echo "ok $1: $what is refused: ${table#*.frag }" && continue ;;
         *'does not run'*) ;;
-        *,"$verdict "*) echo "ok $1: $what: ${table#*.frag }" && continue ;;
+        "$file,$verdict "*) echo "ok $1: $what: ${table#*.frag }" && continue ;;
         esac
         echo "not ok $1: $what is not found to be $verdict: ${table:-$(head -n 1 "$folder/table")}"
     done <"$folder/list"
-    [ "$(grep -c '^wrong|' "$folder/list")" -ge 3 ] || echo "not ok $1: two wrong answers"
+    [ "$(grep -c '^wrong|' "$folder/list")" -ge 3 ] || echo "not ok $1: two wrong answers beside the unsolved chapter"
 }
 
 if [ "${1-}" = --exercise ]; then # called by xargs below

@@ -1,9 +1,9 @@
 #!/bin/bash
 # windows.sh [PART...|NAME...] - `make test-windows`: the programs and the tests that were built for Windows, run by Wine in a
 # virtual display, over the software renderer. Parts: units, pictures, suites and windows; own and zip, and all others, are
-# suites by name; all where none is named. The suites are those of `make test`: they find programs in build/wine/ that hand their words on to those for
-# Windows, and a driver for each of them, GLFW's. A test that is skipped must stand in tests/skipped.txt. The seconds are
-# the processor's, without those of Wine's server and of Xvfb.
+# suites by name; all where none is named. The suites are those of `make test`: they find programs in build/wine/ that hand
+# their words on to those for Windows, and a driver for each of them, GLFW's. A test that is skipped must stand in
+# tests/skipped.txt. The seconds are the processor's, without those of Wine's server and of Xvfb.
 set -u
 cd "$(dirname "$0")/.." || exit 1
 export LC_ALL=C.UTF-8
