@@ -322,7 +322,7 @@ test: ## run every test; make test SUITE='camera run' runs these
 	@tests/run.sh --find $(SUITE)
 	@.make/setup.sh test
 	+@$(AGAIN) programs tests $(LOCALE)
-	+@$(AGAIN) SANITIZE=1 programs tests
+	$(if $(CI)$(findstring sanitize/,$(SUITE)),+@$(AGAIN) SANITIZE=1 programs tests)
 	@tests/run.sh $(SUITE)
 
 test-fresh: ## type `make run` and `make test` on bare Debian machines made for it, as root and as a user; needs root

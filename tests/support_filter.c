@@ -8,7 +8,7 @@
 const char *const filter_way_names[FILTER_WAYS] = {
     "box", "box jittered", "tent", "tent jittered", "Gaussian", "Gaussian jittered", "workshop"};
 
-enum { PIXELS = 64, TRUTH = 16 };
+enum { PIXELS = 64, TRUTH = 16 }; // TRUTH: no pixel has more samples in a line
 
 // A fan of dark and light rays, thinner and thinner towards its middle, which stands beside the
 // picture.
@@ -47,16 +47,19 @@ static double mean_of(enum filter_way way, int side, int x, int y)
 {
     bool jittered = way == FILTER_BOX_JITTERED || way == FILTER_TENT_JITTERED ||
                     way == FILTER_GAUSSIAN_JITTERED;
+    double shift = way == FILTER_WORKSHOP ? 0.5 - 0.5 / side : 0.0;
+    double regular[TRUTH]; // the same in each line and each column
+    for (int i = 0; i < side; i++)
+        regular[i] = offset_of(way, (i + 0.5) / side);
     double sum = 0.0;
     for (int i = 0; i < side * side; i++) {
-        double a = 0.5, b = 0.5;
+        int column = i % side, line = i / side;
+        double across = regular[column], down = regular[line];
         if (jittered && side > 1) {
-            a = random_of(x, y, i, 0);
-            b = random_of(x, y, i, 1);
+            across = offset_of(way, (column + random_of(x, y, i, 0)) / side);
+            down = offset_of(way, (line + random_of(x, y, i, 1)) / side);
         }
-        double shift = way == FILTER_WORKSHOP ? 0.5 - 0.5 / side : 0.0;
-        sum += picture(x + 0.5 + shift + offset_of(way, (i % side + a) / side),
-                       y + 0.5 + shift + offset_of(way, (i / side + b) / side));
+        sum += picture(x + 0.5 + shift + across, y + 0.5 + shift + down);
     }
     return sum / (side * side);
 }

@@ -20,7 +20,7 @@ enum filter_way {
 extern const char *const filter_way_names[FILTER_WAYS];
 
 // The root of the mean square of the difference, of 1, over 64 x 64 pixels of the picture.
-//   side  so many times so many samples a pixel
+//   side  so many times so many samples a pixel, 1 to 16
 // The 256 of the same filter stand regularly; those of the workshop's grid are the box's.
 double filter_error(enum filter_way way, int side);
 

@@ -190,6 +190,14 @@ await page.locator('form.check > button').first().tap();
 await page.locator('.live-open').tap();
 await page.locator('.live-beside .cm-content').waitFor();
 check('the editor of an exercise has the width of the page', (await page.locator('.live-beside .live-editor').boundingBox()).width > 340, await page.locator('.live-beside .live-editor').boundingBox());
+await page.locator('.live-beside .cm-content').focus();
+await page.keyboard.press('Control+End');
+await page.keyboard.type('wrong');
+await page.waitForSelector('.live-error:not([hidden])');
+check('what is typed last stands above the error', await page.waitForFunction(() => {
+    const [caret, error] = ['.live-beside .cm-cursor-primary', '.live-error'].map((one) => document.querySelector(one).getBoundingClientRect());
+    return caret.top > 0 && caret.bottom <= error.top + 1;
+}, null, {timeout: 10000}).then(() => true, () => false));
 check('no error in the console', said.length === 0, said);
 await page.close();
 

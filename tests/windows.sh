@@ -13,7 +13,7 @@ loader=/usr/lib/wine/wine64
 export loader
 export WINEPREFIX=$PWD/build/windows/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=' # not installed first
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe PROJECT_ROOT=$PWD CMOCKA_MESSAGE_OUTPUT=TAP
-export MESA_SHADER_CACHE_DIR=$PWD/build/shader-cache BUILD=build/wine SYSTEM=Windows EVERY_BACKEND=1
+export MESA_SHADER_CACHE_DIR=$PWD/build/shader-cache BUILD=build/wine SYSTEM=Windows
 unset WAYLAND_DISPLAY
 
 results=build/windows/results

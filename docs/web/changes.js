@@ -103,7 +103,9 @@ export class Changes {
         this.stage.at.classList.toggle('live-editing', open);
         if (!open) return this.editor?.flush();
         const {Editor} = await import('./editor.js');
-        this.editor ??= new Editor(this.place, {read: (name) => this.stage.program.read(name), changed: (name, text) => this.change(name, text)});
+        this.editor ??= new Editor(this.place, {
+            read: (name) => this.stage.program.read(name), changed: (name, text) => this.change(name, text), covered: () => this.stage.error.offsetHeight,
+        });
         this.show(this.stage.state);
         this.editor.view.focus();
         this.element.scrollIntoView({block: 'start'}); // below the picture, which stays in sight

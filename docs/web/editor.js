@@ -41,9 +41,11 @@ export class Editor {
     //   parent   takes the tabs and the text
     //   read     gives the text of a file by its name
     //   changed  is told a file's name and its new text, once the hands rest
-    constructor(parent, {read, changed}) {
+    //   covered  gives the height of what may stand over the text's end, in pixels of the page
+    constructor(parent, {read, changed, covered}) {
         this.read = read;
         this.changed = changed;
+        this.covered = covered;
         this.states = new Map(); // of each file that was looked at
         this.problems = [];
         this.timer = 0;
@@ -68,6 +70,7 @@ export class Editor {
                 // Tab stays the page's: who uses the keyboard alone gets out again.
                 keymap.of([...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
                 ...(matchMedia('(max-width: 640px)').matches ? [EditorView.lineWrapping] : []),
+                EditorView.scrollMargins.of(() => ({bottom: this.covered()})),
                 EditorView.contentAttributes.of({'aria-label': `Text of ${name}`, 'tabindex': '0', 'spellcheck': 'false', 'autocapitalize': 'off'}),
                 EditorView.updateListener.of((update) => {
                     if (!update.docChanged) return;
@@ -149,6 +152,7 @@ export class Editor {
         this.problems = problemsOf(error);
         this.lint();
         this.mark();
+        if (this.view.hasFocus) this.view.dispatch({effects: EditorView.scrollIntoView(this.view.state.selection.main.head)}); // above the error
     }
 
     lint() {
