@@ -51,6 +51,7 @@ PKG_CONFIG = pkg-config
 WINDOWS_CC = x86_64-w64-mingw32-gcc -specs=build/windows/ucrt.specs -D_UCRT
 ifneq ($(WINDOWS),)
 CC = $(WINDOWS_CC)
+AR = x86_64-w64-mingw32-ar
 PKG_CONFIG = PKG_CONFIG_LIBDIR=build/windows/prefix/lib/pkgconfig pkg-config
 else ifneq ($(EXE),)
 CC = gcc
@@ -142,6 +143,8 @@ COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUIL
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
 SUPPORT := $(filter-out tests/support_system_$(if $(EXE),posix,windows).c,$(wildcard tests/support_*.c))
 SUPPORT := $(SUPPORT:%.c=$(BUILD)/%.o)
+# All that a test or a figure may ask; of an archive the linker takes what is asked. support_choice.c is asked by nobody.
+PARTS := $(BUILD)/tests/parts.a
 JUDGE := $(BUILD)/tests/support_compare.o $(BUILD)/tests/support_judge.o
 PROGRAMS := $(STEMS:%=$(BUILD)/%$(EXE))
 # Two whole programs that need one library each and nothing of common/; Khronos' header is no part of a Mac,
@@ -175,7 +178,12 @@ $(FIRST_STEPS): $(BUILD)/first_steps/%: $(BUILD)/chapters/first_steps/%.o $(EXTR
 	@mkdir -p $(@D)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-$(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),measure draw): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(SUPPORT) $(COMMON) $(EXTRA)
+# What the tables of the sky are computed by is tested as it is.
+$(PARTS): $(SUPPORT) $(PAINT) $(COMMON)
+	@rm -f $@
+	@$(AR) rcs $@ $^
+
+$(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),measure draw): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(BUILD)/tests/support_choice.o $(PARTS) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 # It has functions of its own in the place of GLFW's, which is no library by itself on Windows.
@@ -191,15 +199,11 @@ $(BUILD)/tests/fuzz: $(patsubst %,$(BUILD)/tests/%.o,fuzz support_fuzz support_s
 	$(call say,link $@) $(CC) -fsanitize=fuzzer,$(CHECKS) $(LDFLAGS) -o $@ $^ $(LINK)
 
 # A figure may ask the mathematics that the tests ask.
-$(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/figures/svg.o $(SUPPORT) \
-    $(COMMON) $(EXTRA)
+$(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/figures/svg.o $(PARTS) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 $(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
-
-# What the tables of the sky are computed by is tested as it is.
-$(TESTS) $(BUILD)/tests/measure$(EXE) $(BUILD)/tests/draw$(EXE) $(FIGURES:%=$(BUILD)/docs/figures/%): $(PAINT)
 
 # One module holds all chapters, so each main gets a name of its own; what it calls leaves the loop to the page.
 ifneq ($(WEB),)

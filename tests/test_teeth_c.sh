@@ -8,17 +8,19 @@ cd "$(dirname "$0")/.." || exit 1
 . tests/support.sh
 
 # In COPY compile FILE anew, as all was built but for the warnings and what the compiler takes time for, and link
-# PROGRAM with it.
+# PROGRAM with it, before the archive that has the right one.
 rebuild() { # COPY FILE PROGRAM
-    local command
+    local command changed=()
     cd "$1" || return
     if [ "$2" != - ]; then
         rm -f "build/${2%.c}.o"
         read -r -a command <build/flags
         "${command[@]}" -w -O0 -g0 -c -o "build/${2%.c}.o" "$2" || return
+        case $2 in tests/test_*) ;; *) changed=("build/${2%.c}.o") ;; esac
     fi
     read -r -a command <build/link
-    "${command[@]//test_camera/$3}"
+    command=("${command[@]//test_camera/$3}")
+    "${command[0]}" ${changed[@]+"${changed[@]}"} "${command[@]:1}"
 }
 
 plant() { # LINE COPY: prints a result
@@ -65,7 +67,7 @@ mkdir -p "$scratch/right/tests" "$scratch/right/build/tests"
 cp -Rp Makefile common chapters shaders "$scratch/right"
 cp -Rp tests/*.[ch] tests/images.txt tests/corpus tests/shaders "$scratch/right/tests"
 cp -Rp build/flags build/common build/shaders "$scratch/right/build"
-cp -p build/tests/*.o "$scratch/right/build/tests"
+cp -p build/tests/*.[ao] "$scratch/right/build/tests"
 (cd "$scratch/right" && make --no-print-directory -n V=1 -W build/tests/test_camera.o build/tests/test_camera | tail -n 1 >build/link)
 export BUILD=$root/build
 
