@@ -3,7 +3,7 @@
 #
 # For each release a bare root, as debootstrap makes it, with only git and make added: without them nobody
 # has the project or types a command. It is kept as an archive, and unpacked anew for each try. Into it
-# goes a clone of what is committed here. Twice: root types the commands; then, in another root, a user
+# goes a clone of what is committed here. Twice: root types the commands; then, in another root, a reader
 # who may install nothing hands the command that `make run` prints to root, and goes on. A try passes when
 # each command ends well, tests passed, none failed, and none was skipped that tests/skipped.txt does not
 # name. What the commands printed is in build/fresh/.
@@ -12,13 +12,20 @@
 # tmpfs on /dev/shm and terminals of its own. /dev is never mounted: its files are nodes in the root.
 # Both namespaces end with this script, and the mounts with them.
 #
-# Environment: RELEASES, else Debian 12 and 13; SID=1 adds sid, which reports and does not judge;
+# Environment: TRIES, RELEASE:root or RELEASE:reader each, else both on Debian 12 and 13; SID=1 adds both
+# on sid, which reports and does not judge;
 # MIRROR, else the one that this machine's apt uses; XDG_CACHE_HOME.
 set -u
 export LC_ALL=C
 
-releases=${RELEASES:-bookworm trixie}
-[ -z "${SID-}" ] || releases="$releases sid"
+tries=${TRIES:-bookworm:root bookworm:reader trixie:root trixie:reader}
+[ -z "${SID-}" ] || tries="$tries sid:root sid:reader"
+for try in $tries; do
+    case $try in
+    *?:root | *?:reader) ;;
+    *) echo "make test-fresh: TRIES=$try: say RELEASE:root or RELEASE:reader" >&2; exit 2 ;;
+    esac
+done
 archives=${XDG_CACHE_HOME:-$HOME/.cache}/ray-marching/fresh
 logs=$PWD/build/fresh
 limit=1800 # seconds for a command: it guards against what never ends
@@ -195,13 +202,13 @@ hand_over() { # RELEASE
 }
 
 mkdir -p "$logs" && rm -f "$logs"/*.log
-for release in $releases; do
+for try in $tries; do
+    release=${try%:*} user=${try#*:}
     log=$logs/$release-debootstrap.log
     archive "$release" || { verdict 1 "$release" - 'debootstrap' "see $log"; continue; }
-    unpack "$release" root && two_commands "$release" root
-    rm -rf --one-file-system "$root"
-    unpack "$release" reader && step "$release" reader 'one command for root' hand_over "$release" &&
-        two_commands "$release" reader
+    unpack "$release" "$user" || { verdict 1 "$release" "$user" 'unpacking' "$archives/$release.tar.gz, $root"; continue; }
+    { [ "$user" = root ] || step "$release" reader 'one command for root' hand_over "$release"; } &&
+        two_commands "$release" "$user"
     rm -rf --one-file-system "$root"
 done
 echo "$passed passed, $failed failed, $skipped skipped"
