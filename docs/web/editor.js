@@ -41,11 +41,11 @@ export class Editor {
     //   parent   takes the tabs and the text
     //   read     gives the text of a file by its name
     //   changed  is told a file's name and its new text, once the hands rest
-    //   covered  gives the height of what may stand over the text's end, in pixels of the page
-    constructor(parent, {read, changed, covered}) {
+    //   bottom   gives where on the screen something stands over the text, in pixels, or Infinity
+    constructor(parent, {read, changed, bottom}) {
         this.read = read;
         this.changed = changed;
-        this.covered = covered;
+        this.bottom = bottom;
         this.states = new Map(); // of each file that was looked at
         this.problems = [];
         this.timer = 0;
@@ -70,10 +70,10 @@ export class Editor {
                 // Tab stays the page's: who uses the keyboard alone gets out again.
                 keymap.of([...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
                 ...(matchMedia('(max-width: 640px)').matches ? [EditorView.lineWrapping] : []),
-                EditorView.scrollMargins.of(() => ({bottom: this.covered()})),
                 EditorView.contentAttributes.of({'aria-label': `Text of ${name}`, 'tabindex': '0', 'spellcheck': 'false', 'autocapitalize': 'off'}),
                 EditorView.updateListener.of((update) => {
                     if (!update.docChanged) return;
+                    this.uncover();
                     clearTimeout(this.timer);
                     this.timer = setTimeout(() => this.flush(), REST);
                     this.waits = true;
@@ -152,7 +152,16 @@ export class Editor {
         this.problems = problemsOf(error);
         this.lint();
         this.mark();
-        if (this.view.hasFocus) this.view.dispatch({effects: EditorView.scrollIntoView(this.view.state.selection.main.head)}); // above the error
+        this.uncover();
+    }
+
+    // Scroll the page so far that the line that is typed is seen whole.
+    uncover() {
+        this.view.requestMeasure({
+            key: this,
+            read: (view) => view.hasFocus ? (view.coordsAtPos(view.state.selection.main.head)?.bottom ?? 0) + 4 - this.bottom() : 0,
+            write: (hidden) => { if (hidden > 0) scrollBy({top: hidden, behavior: 'instant'}); },
+        });
     }
 
     lint() {
