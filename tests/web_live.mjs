@@ -197,7 +197,7 @@ await page.waitForSelector('.live-error:not([hidden])');
 check('what is typed last stands above the error', await page.waitForFunction(() => {
     const [caret, error] = ['.live-beside .cm-cursor-primary', '.live-error'].map((one) => document.querySelector(one).getBoundingClientRect());
     return caret.top > 0 && caret.bottom <= error.top + 1;
-}, null, {timeout: 10000}).then(() => true, () => false));
+}, null, {timeout: PATIENCE}).then(() => true, () => false));
 check('no error in the console', said.length === 0, said);
 await page.close();
 

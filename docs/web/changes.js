@@ -104,7 +104,9 @@ export class Changes {
         if (!open) return this.editor?.flush();
         const {Editor} = await import('./editor.js');
         this.editor ??= new Editor(this.place, {
-            read: (name) => this.stage.program.read(name), changed: (name, text) => this.change(name, text), bottom: () => this.stage.error.hidden ? Infinity : this.stage.error.getBoundingClientRect().top,
+            read: (name) => this.stage.program.read(name),
+            changed: (name, text) => this.change(name, text),
+            bottom: () => this.stage.error.hidden ? Infinity : this.stage.error.getBoundingClientRect().top,
         });
         this.show(this.stage.state);
         this.editor.view.focus();
