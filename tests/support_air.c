@@ -58,12 +58,12 @@ static bool to_the_sun(double radius, double sine, double tall, struct column *s
     double lowest = radius * sqrt(fmax(1.0 - sine * sine, 0.0)), from = radius * sine;
     double end = sqrt(fmax((earth + tall) * (earth + tall) - lowest * lowest, 0.0));
     *sum = (struct column){{0.0, 0.0, 0.0}};
+    if (sine < 0.0 && lowest < earth)
+        return false;
     add_between(sum, lowest, fmax(from, 0.0), end, SUN_PIECES);
-    if (sine >= 0.0)
-        return true;
-    add_between(sum, lowest, 0.0, -from, SUN_PIECES);
-    // from above 0 to the end, and the part before the lowest place
-    return lowest >= earth;
+    if (sine < 0.0) // from above 0 to the end, and the part before the lowest place
+        add_between(sum, lowest, 0.0, -from, SUN_PIECES);
+    return true;
 }
 
 static double depth(int wave, int kind)

@@ -11,7 +11,8 @@
 extern struct gpu {
     struct context context;
     struct renderer renderer;
-    char root[4096]; // the project's folder: PROJECT_ROOT, or "."
+    char root[4096];   // the project's folder: PROJECT_ROOT, or "."
+    char called[4096]; // the shader that gpu_call has loaded; "" since another one was
 } gpu;
 
 // The project's folder: the environment's PROJECT_ROOT, or ".".
@@ -48,8 +49,8 @@ struct renderer_inputs gpu_inputs(int width, int height, int samples);
 // which the caller frees. NULL, reported.
 float *gpu_numbers(const struct renderer_inputs *inputs);
 
-// Load a shader, ask one of its functions with four numbers of its own, and read the target as
-// gpu_numbers does. Fails the test where that cannot be.
+// Load a shader, where the last call was not of the same, ask one of its functions with four
+// numbers of its own, and read the target as gpu_numbers does. Fails the test where that cannot be.
 //   function  the shader's Time
 //   numbers   its iMouse
 float *gpu_call(const char *shader, int width, int height, int function, const float numbers[4]);

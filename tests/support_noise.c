@@ -19,25 +19,40 @@ uint32_t noise_bits(int32_t x, int32_t y, int32_t z)
     return v ^ (v >> 16);
 }
 
-// The weight of a corner, and the weight's gradient.
-static struct noise weight(struct d3 x, int corner)
+// The shares of the low and the high side along each axis, and their slopes: what the weights of
+// the eight corners are made of.
+struct sides {
+    double share[3][2], slope[3][2];
+};
+
+static struct sides sides_at(struct d3 x)
 {
-    double at[3] = {x.x, x.y, x.z}, share[3], slope[3];
+    double at[3] = {x.x, x.y, x.z};
+    struct sides sides;
     for (int i = 0; i < 3; i++) {
-        bool high = (corner >> i & 1) != 0;
-        share[i] = high ? noise_fade(at[i]) : 1.0 - noise_fade(at[i]);
-        slope[i] = high ? noise_slope(at[i]) : -noise_slope(at[i]);
+        sides.share[i][1] = noise_fade(at[i]);
+        sides.share[i][0] = 1.0 - sides.share[i][1];
+        sides.slope[i][1] = noise_slope(at[i]);
+        sides.slope[i][0] = -sides.slope[i][1];
     }
-    return (struct noise){share[0] * share[1] * share[2],
-                          d3(slope[0] * share[1] * share[2], share[0] * slope[1] * share[2],
-                             share[0] * share[1] * slope[2])};
+    return sides;
+}
+
+// The weight of a corner, and the weight's gradient.
+static struct noise weight(const struct sides *sides, int corner)
+{
+    int x = corner & 1, y = corner >> 1 & 1, z = corner >> 2;
+    double a = sides->share[0][x], b = sides->share[1][y], c = sides->share[2][z];
+    return (struct noise){a * b * c, d3(sides->slope[0][x] * b * c, a * sides->slope[1][y] * c,
+                                        a * b * sides->slope[2][z])};
 }
 
 struct noise noise_blend(struct d3 x, const double number[8])
 {
     struct noise sum = {0.0, {0.0, 0.0, 0.0}};
+    struct sides sides = sides_at(x);
     for (int k = 0; k < 8; k++) {
-        struct noise w = weight(x, k);
+        struct noise w = weight(&sides, k);
         sum.value += number[k] * w.value;
         sum.gradient = d3_add(sum.gradient, d3_times(number[k], w.gradient));
     }
@@ -47,8 +62,9 @@ struct noise noise_blend(struct d3 x, const double number[8])
 struct noise noise_slopes(struct d3 x, const struct d3 direction[8])
 {
     struct noise sum = {0.0, {0.0, 0.0, 0.0}};
+    struct sides sides = sides_at(x);
     for (int k = 0; k < 8; k++) {
-        struct noise w = weight(x, k);
+        struct noise w = weight(&sides, k);
         struct d3 away = d3_sub(x, d3(k & 1, k >> 1 & 1, k >> 2));
         double height = d3_dot(direction[k], away);
         sum.value += w.value * height;

@@ -188,11 +188,11 @@ static struct d3 through_haze(struct d3 light, struct mirror_ray ray, double t, 
 }
 
 // The smallest of gap / way of a ray from a place, over the land of so many octaves, by small
-// steps.
+// steps; to where the ray first meets the land.
 static double skyline(struct d3 p, struct d3 direction, int octaves)
 {
     double least = 1e9;
-    for (double s = 0.02; s < 60.0 && p.y + s * direction.y < highest;
+    for (double s = 0.02; s < 60.0 && least > 0.0 && p.y + s * direction.y < highest;
          s += fmax(0.002 * s, 0.002)) {
         struct d3 q = local_of(d3_add(p, d3_times(s, direction)));
         least = fmin(least, (q.y - land(q.x, q.z, octaves)) / s);
@@ -340,7 +340,6 @@ static void test_the_sun_sets_behind_land_by_shares(void **unused)
     assert_true(count > 400 && whole < count && sum / count < 0.012);
 }
 
-// What is shown at 0 and at 24 hours is one picture.
 // Where the full moon is mirrored at four in the morning, and five degrees beside it: clouds before
 // the moon take its image away, and the water is as bright here as there.
 static void test_clouds_hide_the_image_of_the_moon(void **unused)
@@ -360,6 +359,7 @@ static void test_clouds_hide_the_image_of_the_moon(void **unused)
     assert_true(here < beside + 0.25 && here2 < beside2 + 0.25);
 }
 
+// What is shown at 0 and at 24 hours is one picture.
 static void test_a_day_is_a_circle(void **unused)
 {
     (void)unused;
