@@ -91,10 +91,8 @@ void capture_begin(void)
 {
     fflush(stderr);
     state.saved_stderr = dup(STDERR_FILENO);
-    state.captured = tmpfile();
-    need(state.saved_stderr >= 0 && state.captured != NULL &&
-             dup2(fileno(state.captured), STDERR_FILENO) >= 0,
-         "capture");
+    state.captured = system_open_scratch();
+    need(state.saved_stderr >= 0 && dup2(fileno(state.captured), STDERR_FILENO) >= 0, "capture");
 }
 
 const char *capture_end(void)

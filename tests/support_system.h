@@ -5,6 +5,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include "../common/platform.h"
 
@@ -13,6 +14,9 @@
 bool system_make_scratch(char path[PLATFORM_PATH]);
 
 bool system_make_folder(const char *path);
+
+// A file without a name that is gone when it is closed; the test ends where none can be made.
+FILE *system_open_scratch(void);
 
 // Remove a folder with all that it holds.
 bool system_remove_folder(const char *path);

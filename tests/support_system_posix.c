@@ -19,6 +19,16 @@ bool system_make_scratch(char path[PLATFORM_PATH])
     return resolved != NULL;
 }
 
+FILE *system_open_scratch(void)
+{
+    FILE *file = tmpfile();
+    if (file == NULL) {
+        perror("a file for a test");
+        abort();
+    }
+    return file;
+}
+
 bool system_make_folder(const char *path)
 {
     return mkdir(path, 0700) == 0;

@@ -25,6 +25,25 @@ bool system_make_scratch(char path[PLATFORM_PATH])
     return resolved != NULL;
 }
 
+// Not tmpfile: Wine's may give two programs that run at once the same file.
+FILE *system_open_scratch(void)
+{
+    static int number;
+    char path[PLATFORM_PATH];
+    const char *parent = getenv("TEMP");
+    FILE *file;
+    do {
+        snprintf(path, sizeof path, "%s/march-test-%d-%d.tmp", parent != NULL ? parent : ".",
+                 _getpid(), number++);
+        file = fopen(path, "w+bxD"); // a new one, gone when it is closed
+    } while (file == NULL && errno == EEXIST);
+    if (file == NULL) {
+        perror(path);
+        abort();
+    }
+    return file;
+}
+
 bool system_make_folder(const char *path)
 {
     return _mkdir(path) == 0;

@@ -208,8 +208,7 @@ static void a_missing_function_is_named(void **state)
     (void)state;
     char heard[512] = "";
     struct gl gl;
-    FILE *file = tmpfile();
-    assert_non_null(file);
+    FILE *file = system_open_scratch();
     int standard_error = dup(STDERR_FILENO);
     dup2(fileno(file), STDERR_FILENO);
     bool loaded = gl_load(&gl, find_all_but_one);

@@ -14,6 +14,7 @@
 #include "../common/picture/probe.h"
 #include "../common/sequence.h"
 #include "support_scratch.h"
+#include "support_system.h"
 
 // ---- Words ----
 
@@ -150,8 +151,7 @@ static void a_probe_has_a_row_for_each_step(void **unused)
         .colour = {7, 0, 255}};
     static struct probe other; // too large for the stack
     other = probe;
-    FILE *file = tmpfile();
-    assert_non_null(file);
+    FILE *file = system_open_scratch();
     probe_print(&probe, file);
     assert_string_equal(printed(file),
                         "step,t,distance,x,y,z\n0,0,1.5,1,2,3\n1,1.5,-0.25,4,5,6\n"
@@ -159,21 +159,20 @@ static void a_probe_has_a_row_for_each_step(void **unused)
                         "rays: 69; evaluations of the scene: 346; colour: 7, 0, 255\n");
     other.steps = 0;
     other.all_steps = 0;
-    assert_non_null(file = tmpfile());
+    file = system_open_scratch();
     probe_print(&other, file);
     assert_string_equal(printed(file),
                         "step,t,distance,x,y,z\n# miss: the steps ran out; steps: 0; "
                         "evaluations of the scene: 346; colour: 7, 0, 255\n");
     other.recorded = false;
-    assert_non_null(file = tmpfile());
+    file = system_open_scratch();
     probe_print(&other, file);
     assert_string_equal(printed(file), "# no march is recorded; colour: 7, 0, 255\n");
 }
 
 static const char *benchmark_text(bool json)
 {
-    FILE *file = tmpfile();
-    assert_non_null(file);
+    FILE *file = system_open_scratch();
     benchmark_print(&numbers, json, file);
     return printed(file);
 }

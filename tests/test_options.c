@@ -13,6 +13,7 @@
 
 #include "../common/command/options.h"
 #include "support_scratch.h"
+#include "support_system.h"
 
 #define WORDS 32
 
@@ -518,8 +519,7 @@ static void test_help_names_every_option(void **state)
                                         "Exit status: 0",       "W A S D",
                                         "--compare [FILE]",     "--divider SHARE"};
     char help[8192];
-    FILE *file = tmpfile();
-    assert_non_null(file);
+    FILE *file = system_open_scratch();
     options_print_help(file, "./prog", "A title", "What it shows.");
     rewind(file);
     size_t size = fread(help, 1, sizeof help - 1, file);

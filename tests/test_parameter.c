@@ -13,6 +13,7 @@
 #include "../common/number.h"
 #include "support_parameter.h"
 #include "support_scratch.h"
+#include "support_system.h"
 
 // ---- Setting ----
 
@@ -201,8 +202,7 @@ static void test_reload_keeps_values(void **state)
 static void assert_printed(const struct parameters *parameters, const char *expected)
 {
     char printed[4096];
-    FILE *file = tmpfile();
-    assert_non_null(file);
+    FILE *file = system_open_scratch();
     parameters_print(parameters, file);
     rewind(file);
     size_t size = fread(printed, 1, sizeof printed - 1, file);

@@ -317,8 +317,7 @@ static void test_the_table(void **state)
     (void)state;
     char text[1024];
     samplers_of("uniform sampler3D a; // \"stone.png\" linear clamp 12: what it is\n", NULL);
-    FILE *file = tmpfile();
-    assert_non_null(file);
+    FILE *file = system_open_scratch();
     samplers_print(&parameters.samplers, &source, file);
     rewind(file);
     text[fread(text, 1, sizeof text - 1, file)] = '\0';

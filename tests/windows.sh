@@ -89,13 +89,18 @@ failures() {
         { after = 0; said = "" }' "$1" | grep -v SKIP
 }
 
-# suite NAME COMMAND...: run one that speaks TAP; leaves its counts and prints its line. What never ends is ended.
+# suite NAME COMMAND...: run one that speaks TAP; leaves its counts and prints its line. What never ends is ended. Wine
+# loses a program now and then before its first line; such a one is started again, once, and it is said.
 suite() {
-    local name=$1 ok not skipped planned status seconds wrong='' file TIMEFORMAT='%U %S'
+    local name=$1 ok not skipped planned status seconds wrong='' again='' file try TIMEFORMAT='%U %S'
     file=$results/${name//\//-}
     shift
-    { time timeout -k 5 1800 "$@" >"$file.tap" 2>"$file.err" </dev/null; } 2>"$file.time"
-    status=$?
+    for try in first second; do
+        { time timeout -k 5 1800 "$@" >"$file.tap" 2>"$file.err" </dev/null; } 2>"$file.time"
+        status=$?
+        if [ "$try" = second ] || [ -s "$file.tap" ]; then break; fi
+        again="    ended with status $status before it said a word: $(tr '\n' ' ' <"$file.err")started again"
+    done
     seconds=$(awk '{ print $1 + $2 }' "$file.time")
     tr -d '\r' <"$file.tap" >"$file.text" && mv "$file.text" "$file.tap"
     skipped=$(grep -cE '^(not )?ok\>.*# *SKIP\>' "$file.tap")
@@ -103,7 +108,7 @@ suite() {
     not=$(grep -E '^not ok\>' "$file.tap" | grep -vcE '# *SKIP\>')
     planned=$(sed -n 's/^1\.\.\([0-9][0-9]*\).*/\1/p' "$file.tap" | awk '{ n += $1 } END { print n + 0 }')
     if [ "$planned" != $((ok + not + skipped)) ] || [ "$planned" = 0 ]; then
-        wrong="    planned $planned tests, ran $((ok + not + skipped))"
+        wrong="    planned $planned tests, ran $((ok + not + skipped)), ended with status $status"
     elif [ "$status" != 0 ] && [ "$not" = 0 ]; then
         wrong="    ended with status $status"
     else
@@ -114,6 +119,7 @@ suite() {
     printf '%s\n' "$(
         printf 'windows/%-24s %4d passed, %d failed, %d skipped  %.1f s\n' "$name" "$ok" "$not" "$skipped" "$seconds"
         sed -n 's/^# \([0-9]* pictures, \)/    \1/p' "$file.tap"
+        [ -z "$again" ] || echo "$again"
         [ -z "$wrong" ] || echo "$wrong"
         [ "$not" = 0 ] || { failures "$file.tap" | head -n 60; tail -n 5 "$file.err"; }
     )"
@@ -135,7 +141,7 @@ tried() {
     own | zip) suite "$1" "tests/windows_$1.sh" ;;
     *)
         if [ -e "$unit" ]; then
-            suite "test_$1" env BUILD=build/windows LD_PRELOAD="$at_once" "$loader" "$unit"
+            suite "test_$1" env BUILD=build/windows WINEDEBUG=err+all,fixme-all LD_PRELOAD="$at_once" "$loader" "$unit"
         else
             suite "$1" "tests/test_$1.sh"
         fi
