@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "../common/context/context.h"
+#include "support_system.h"
 
 // What a child does with the environment changed; true when it went as it should.
 struct child {
