@@ -1,8 +1,9 @@
 # Every command that a person types: `make help` lists them. GNU make 3.81 suffices.
 # Chapters, modules and tests are found by name, never listed.
 
-# The pictures are the driver's work: -O2 compiles a quarter longer and draws no faster.
-CFLAGS ?= -O1 -g
+# The pictures are the driver's work: -O2 compiles a quarter longer and draws no faster. What WINDOWS=1 makes is handed
+# out, without names for a debugger.
+CFLAGS ?= -O1$(if $(WINDOWS),, -g)
 OPTIONS =
 CHAPTER =
 SUITE =
