@@ -15,7 +15,7 @@ bool system_make_scratch(char path[PLATFORM_PATH]);
 
 bool system_make_folder(const char *path);
 
-// A file without a name that is gone when it is closed; the test ends where none can be made.
+// An empty file to write and read, gone when it is closed; the test ends where none can be made.
 FILE *system_open_scratch(void);
 
 // Remove a folder with all that it holds.

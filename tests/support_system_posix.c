@@ -19,16 +19,6 @@ bool system_make_scratch(char path[PLATFORM_PATH])
     return resolved != NULL;
 }
 
-FILE *system_open_scratch(void)
-{
-    FILE *file = tmpfile();
-    if (file == NULL) {
-        perror("a file for a test");
-        abort();
-    }
-    return file;
-}
-
 bool system_make_folder(const char *path)
 {
     return mkdir(path, 0700) == 0;
@@ -52,6 +42,13 @@ static bool need(bool made, const char *path)
         abort();
     }
     return true;
+}
+
+FILE *system_open_scratch(void)
+{
+    FILE *file = tmpfile();
+    need(file != NULL, "a file for a test");
+    return file;
 }
 
 int system_run(const char *program, const char *arguments, char *text, size_t size)

@@ -89,18 +89,13 @@ failures() {
         { after = 0; said = "" }' "$1" | grep -v SKIP
 }
 
-# suite NAME COMMAND...: run one that speaks TAP; leaves its counts and prints its line. What never ends is ended. Wine
-# loses a program now and then before its first line; such a one is started again, once, and it is said.
+# suite NAME COMMAND...: run one that speaks TAP; leaves its counts and prints its line. What never ends is ended.
 suite() {
-    local name=$1 ok not skipped planned status seconds wrong='' again='' file try TIMEFORMAT='%U %S'
+    local name=$1 ok not skipped planned status seconds wrong='' file TIMEFORMAT='%U %S'
     file=$results/${name//\//-}
     shift
-    for try in first second; do
-        { time timeout -k 5 1800 "$@" >"$file.tap" 2>"$file.err" </dev/null; } 2>"$file.time"
-        status=$?
-        if [ "$try" = second ] || [ -s "$file.tap" ]; then break; fi
-        again="    ended with status $status before it said a word: $(tr '\n' ' ' <"$file.err")started again"
-    done
+    { time timeout -k 5 1800 "$@" >"$file.tap" 2>"$file.err" </dev/null; } 2>"$file.time"
+    status=$?
     seconds=$(awk '{ print $1 + $2 }' "$file.time")
     tr -d '\r' <"$file.tap" >"$file.text" && mv "$file.text" "$file.tap"
     skipped=$(grep -cE '^(not )?ok\>.*# *SKIP\>' "$file.tap")
@@ -119,7 +114,6 @@ suite() {
     printf '%s\n' "$(
         printf 'windows/%-24s %4d passed, %d failed, %d skipped  %.1f s\n' "$name" "$ok" "$not" "$skipped" "$seconds"
         sed -n 's/^# \([0-9]* pictures, \)/    \1/p' "$file.tap"
-        [ -z "$again" ] || echo "$again"
         [ -z "$wrong" ] || echo "$wrong"
         [ "$not" = 0 ] || { failures "$file.tap" | head -n 60; tail -n 5 "$file.err"; }
     )"
