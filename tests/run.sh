@@ -119,6 +119,10 @@ run_one() { # NAME
             sed 's/^/    /' "$file.tap" "$file.err" | tail -n 60
         fi
     )"
+    {
+        grep -E '^not ok\>' "$file.tap" | grep -vE '# *SKIP\>'
+        [ -z "$text" ] || echo "$text"
+    } | sed "s,^,FAILED: $1: ," >"$file.failed"
 }
 
 if [ "${1-}" = --one ]; then
@@ -189,6 +193,8 @@ if [ "$lost" != 0 ]; then
     failed=$((failed + lost))
 fi
 [ -n "${CI-}" ] && [ "$skipped" != 0 ] && echo 'In continuous integration nothing may be skipped.'
+# Which ones, where they are seen: what their suites said may stand far above.
+cat "$results"/*.failed 2>/dev/null
 [ "$failed" = 0 ] && rm -rf "$results"
 [ "$failed" = 0 ] || echo "What the suites printed is in build/test-results/$$."
 echo "$passed passed, $failed failed, $skipped skipped"

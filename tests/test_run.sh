@@ -29,8 +29,9 @@ CI=1 check 'a skip is a failure in continuous integration' gives 1 'nothing may 
 check 'a suite that is not there' gives 2 'no such suite' bad
 suite bad <<<'echo "ok 1 - a"; echo "not ok 2 - b"; echo 1..2; exit 1'
 check 'failed' gives 1 '^1 passed, 1 failed, 0 skipped$' bad
+check 'what failed stands among the last lines' gives 1 '^FAILED: bad: not ok 2 - b$' bad
 suite died <<<'echo "ok 1 - a"; kill -SEGV $$'
-check 'one that dies' gives 1 'died with status 139' died
+check 'one that dies' gives 1 '^FAILED: died: died with status 139$' died
 suite short <<<'echo "ok 1 - a"; echo 1..2'
 check 'one that runs less than it planned' gives 1 'planned 2 tests, ran 1' short
 suite none <<<'exit 0'
