@@ -74,15 +74,16 @@ unpack() {
 
 # ---- One library ----
 
-# library NAME FLAGS FILE...: lib/libNAME.a of these sources, compiled beside each other.
+# library NAME FLAGS FILE...: lib/libNAME.a of these sources, compiled beside each other. Of <windows.h> they need what
+# a lean one has, and none of the processor's own instructions, whose headers would be most of what is compiled.
 library() {
     name=$1 flags=$2 compilers=
     shift 2
     rm -rf "$folder/objects" && mkdir "$folder/objects"
     for file in "$@"; do
         # shellcheck disable=SC2086 # the compiler and its flags are words
-        $CC -O2 -w -I"$prefix/include" $flags -c -o "$folder/objects/$(basename "$file" .c).o" "$file" \
-            >>"$sources/log" 2>&1 &
+        $CC -O2 -w -DWIN32_LEAN_AND_MEAN -D_X86INTRIN_H_INCLUDED -I"$prefix/include" $flags \
+            -c -o "$folder/objects/$(basename "$file" .c).o" "$file" >>"$sources/log" 2>&1 &
         compilers="$compilers $!"
     done
     for compiling in $compilers; do

@@ -169,15 +169,21 @@ char *platform_resolve(const char *path)
     return told ? plain(whole) : NULL;
 }
 
-// Others may replace the file while it is open here: fopen would forbid it.
+// Others may replace the file while it is open here: fopen would forbid it. Looking at all of it,
+// as platform_look does, would ask for its disk too.
 FILE *platform_open(const char *path)
 {
-    struct platform_file file;
-    if (platform_look(path, &file) && !file.regular) {
-        errno = 0;
+    FILE_BASIC_INFO is;
+    HANDLE handle = open_any(path, FILE_READ_ATTRIBUTES);
+    if (handle == INVALID_HANDLE_VALUE)
         return NULL;
-    }
-    HANDLE handle = open_any(path, GENERIC_READ);
+    bool regular = GetFileType(handle) == FILE_TYPE_DISK &&
+                   GetFileInformationByHandleEx(handle, FileBasicInfo, &is, sizeof is) &&
+                   (is.FileAttributes & FILE_ATTRIBUTE_DIRECTORY) == 0;
+    CloseHandle(handle);
+    handle = regular ? open_any(path, GENERIC_READ) : INVALID_HANDLE_VALUE;
+    if (!regular)
+        errno = 0;
     if (handle == INVALID_HANDLE_VALUE)
         return NULL;
     int number = _open_osfhandle((intptr_t)handle, _O_RDONLY);
