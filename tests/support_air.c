@@ -6,7 +6,7 @@
 #include "../shaders/textures/air.h"
 #include "support_mirror.h"
 
-enum { NODES = 6, VIEW_PIECES = 40, SUN_PIECES = 14 };
+enum { NODES = 6, VIEW_PIECES = 20, SUN_PIECES = 14 };
 
 // Gauss's rule of six places on [0, 1].
 static const double place[NODES] = {0.033765242898423986, 0.16939530676686774, 0.38069040695840155,
