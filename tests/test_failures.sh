@@ -553,6 +553,8 @@ interrupted() { # SECONDS ARGUMENT...
     set +m
     sleep "$seconds"
     kill -INT "$job"
+    # While Wine still starts a program it loses the signal: there Ctrl+C is pressed until it was heard.
+    while windows && sleep 1 && kill -INT "$job" 2>/dev/null; do :; done
     wait "$job" 2>/dev/null
     status=$?
 }

@@ -105,10 +105,9 @@ moves_free() {
     xdotool mousemove_relative 30 30 && shoot_as free && same dragged free
 }
 check 'the free pointer turns nothing' moves_free
-captured() {
-    key m && xdotool mousemove_relative 4 0 &&
-        shoot_as before && xdotool mousemove_relative 30 0 && shoot_as captured && differ before captured
-}
+# Where the system puts the captured pointer in the middle just then, a first move can be lost on its way.
+swings() { xdotool mousemove_relative 30 0 && shoot_as captured && differ before captured; }
+captured() { key m && xdotool mousemove_relative 4 0 && shoot_as before && tries=5 attempt swings; }
 check 'M captures the pointer: it looks without a button' captured
 freed() {
     key m && shoot_as freed && same captured freed &&
