@@ -91,23 +91,23 @@ static void reload(struct window *window)
 // ---- The loop ----
 
 // Take over the size of the framebuffer, which on a high-density display is larger than the
-// window's. Returns false while there is nothing to draw on.
+// window's; where the window is hidden too, for a ray may be chosen before it is seen. Returns
+// false while there is nothing to draw on.
 static bool take_size(struct window *window)
 {
     int width = 0, height = 0;
     glfwGetFramebufferSize(window->handle, &width, &height);
     bool hidden = glfwGetWindowAttrib(window->handle, GLFW_ICONIFIED) != 0;
-    if (width < 1 || height < 1 || hidden) {
-        window->dirty = true;
+    window->dirty |= width < 1 || height < 1 || hidden;
+    if (width < 1 || height < 1)
         return false;
-    }
     if (width != window->inputs.width || height != window->inputs.height) {
         window_resize_ray(window, width, height);
         window->stale = true;
     }
     window->inputs.width = width;
     window->inputs.height = height;
-    return true;
+    return !hidden;
 }
 
 // Wait until the next frame is due, or, while the picture stands still, until something happens.
