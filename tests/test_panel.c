@@ -11,6 +11,7 @@
 #include <cmocka.h>
 
 #include "../common/picture/panel.h"
+#include "../common/picture/pen.h"
 
 static struct overlay overlay;
 static struct parameter parameters[] = {
@@ -223,6 +224,25 @@ static void a_panel_fits_any_picture(void **unused)
         }
 }
 
+// A line holds what fits, ends between words where there is a blank, and begins as the text's line
+// does: an error shows a line of code by its indentation.
+static void a_line_ends_between_words(void **unused)
+{
+    (void)unused;
+    static const char *const lines[] = {"here: a long", "reason", "    int x;", "aaaaaaaaaaaa",
+                                        "aaa bb"};
+    const char *at = "here: a long reason\n    int x;\naaaaaaaaaaaaaaa bb";
+    float limit = 0.0f;
+    for (int i = 0; i < 12; i++)
+        limit += letters_advance('a');
+    char line[OVERLAY_TEXT + 1];
+    for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+        assert_true(pen_next_line(&at, limit, line));
+        assert_string_equal(line, lines[i]);
+    }
+    assert_false(pen_next_line(&at, limit, line));
+}
+
 // The rows, from the top: what they say, where they stand, and that a place on one finds it.
 static void rows_stand_below_each_other(void **unused)
 {
@@ -326,6 +346,7 @@ int main(void)
         cmocka_unit_test(a_ray_comes_first_where_room_is_short),
         cmocka_unit_test(a_panel_does_not_tremble),
         cmocka_unit_test(a_panel_fits_any_picture),
+        cmocka_unit_test(a_line_ends_between_words),
         cmocka_unit_test(rows_stand_below_each_other),
         cmocka_unit_test(a_place_is_a_value),
         cmocka_unit_test(rows_and_help_stay_inside),

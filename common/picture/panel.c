@@ -140,7 +140,7 @@ static void write_tip(const struct panel *panel, const struct panel_rows *rows,
     } else if (!beside)
         left = rows->left;
     float limit = larger(20.0f, beside ? TIP_WIDTH : picture - left - PEN_MARGIN - edge);
-    for (const char *at = text; pen_next_words(&at, limit, line); lines++)
+    for (const char *at = text; pen_next_line(&at, limit, line); lines++)
         widest = larger(widest, overlay_width(line));
     float height = OVERLAY_LINE * (float)lines - 2.0f;
     float top = beside ? row->top - PEN_PADDING - 1.0f : row->top + row->height + 2.0f;
@@ -151,7 +151,7 @@ static void write_tip(const struct panel *panel, const struct panel_rows *rows,
     // Over the panel its own letters must not shine through.
     overlay_box(overlay, left, top, ceilf(widest) + edge, height + edge, PEN_DARK);
     struct pen pen = pen_open(overlay, left, top, ceilf(widest), height);
-    for (const char *at = text; pen_next_words(&at, limit, line);)
+    for (const char *at = text; pen_next_line(&at, limit, line);)
         pen_write(&pen, line, panel->refused ? PEN_BRIGHT : PEN_PLAIN);
 }
 

@@ -44,34 +44,24 @@ void pen_rule(struct pen *pen, float width)
 
 bool pen_next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1])
 {
-    const char *begin = *text, *at = begin;
+    const char *begin = *text, *end = begin;
     float width = 0.0f;
     if (*begin == '\0')
         return false;
-    while (*at != '\0' && *at != '\n') {
-        const char *behind = at;
+    while (*end != '\0' && *end != '\n') {
+        const char *behind = end;
         width += letters_advance(letters_next(&behind));
-        if (behind - begin > OVERLAY_TEXT || (width > limit && at > begin))
+        if (behind - begin > OVERLAY_TEXT || (width > limit && end > begin))
             break;
-        at = behind;
+        end = behind;
     }
-    memcpy(line, begin, (size_t)(at - begin));
-    line[at - begin] = '\0';
-    *text = *at == '\n' ? at + 1 : at;
-    return true;
-}
-
-bool pen_next_words(const char **text, float limit, char line[OVERLAY_TEXT + 1])
-{
-    const char *begin = *text;
-    if (!pen_next_line(text, limit, line))
-        return false;
-    char *blank = strrchr(line, ' ');
-    bool whole = **text == '\0' || (*text)[-1] == '\n' || **text == ' ';
-    if (!whole && blank != NULL && blank > line) {
-        *blank = '\0';
-        *text = begin + (blank - line);
-    }
-    *text += strspn(*text, " ");
+    const char *blank = end;
+    while (strchr("\n ", *blank) == NULL && blank > begin)
+        blank--;
+    if (blank > begin)
+        end = blank;
+    memcpy(line, begin, (size_t)(end - begin));
+    line[end - begin] = '\0';
+    *text = *end == '\n' ? end + 1 : end + strspn(end, " ");
     return true;
 }

@@ -36,11 +36,8 @@ struct pen pen_open(struct overlay *overlay, float left, float top, float width,
 void pen_write(struct pen *pen, const char *text, struct overlay_colour colour);
 void pen_rule(struct pen *pen, float width);
 
-// Copy the part of a text that fits one line, at least one letter, and go on behind it. False at
-// the end.
+// Copy the part of a text that fits one line, which ends between words where it can and has at
+// least one letter, and go on behind it. False at the end.
 bool pen_next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1]);
-
-// The same, but a line ends between words where it can.
-bool pen_next_words(const char **text, float limit, char line[OVERLAY_TEXT + 1]);
 
 #endif
