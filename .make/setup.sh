@@ -36,8 +36,12 @@ if [ "$(uname)" = Darwin ]; then
         printf "setup: Apple's command line tools are missing: xcode-select --install\n" >&2
         exit 1
     fi
+    if ! command -v brew >/dev/null; then
+        printf 'setup: Homebrew, which brings the libraries, is missing: https://brew.sh says how to install it\n' >&2
+        exit 1
+    fi
     # Homebrew has no package of it, and needs none: it is a folder of headers.
-    includes=$(brew --prefix 2>/dev/null || echo /usr/local)/include
+    includes=$(brew --prefix)/include
     if [ ! -e "$includes/stb/stb_truetype.h" ]; then
         printf 'setup: stb_truetype (the letters of the overlay) is missing: git clone --depth 1 %s %s\n' \
             https://github.com/nothings/stb "$includes/stb" >&2

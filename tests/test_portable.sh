@@ -175,14 +175,13 @@ check 'make check said something' grep -q 'your pixel' <(answer bsd checks)
 
 # ---- What setup.sh asks for on a Mac ----
 
-# A Mac as it sees it: Homebrew, a compiler, and nothing of what the course needs.
+# A Mac as it sees it: a compiler, and nothing of what the course needs.
 mkdir -p "$scratch/macos" "$scratch/homebrew/include/stb"
 for tool in sh cut printf tr sort; do ln -s "$(command -v $tool)" "$scratch/macos/$tool"; done
 on_mac() { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/macos/$1" && chmod +x "$scratch/macos/$1"; } # TOOL COMMAND
 on_mac cc true
 on_mac id 'echo 501'
 on_mac uname 'echo Darwin'
-on_mac brew "echo '$scratch/homebrew'"
 on_mac xcode-select false
 # asked_for PATTERN: it fails, and what it says last has this.
 asked_for() {
@@ -193,6 +192,8 @@ asked_for() {
 }
 check "a Mac is asked for Apple's tools before all" asked_for 'xcode-select --install$'
 on_mac xcode-select true
+check 'then for Homebrew' asked_for 'Homebrew.*https://brew.sh'
+on_mac brew "echo '$scratch/homebrew'"
 check 'then for the folder of stb' asked_for "git clone --depth 1 https://github.com/nothings/stb $scratch/homebrew/include/stb\$"
 : >"$scratch/homebrew/include/stb/stb_truetype.h"
 check "then for Homebrew's packages, those of the tests too" asked_for '^  brew install cglm cmocka git glfw imagemagick libpng pkg-config$'
