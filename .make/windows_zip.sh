@@ -7,7 +7,7 @@ export LC_ALL=C TZ=UTC
 zip=$PWD/build/ray-marching-windows.zip
 out=build/windows/zip/ray-marching
 rm -rf build/windows/zip "$zip"
-mkdir -p "$out/licences" "$out/shaders/textures" "$out/exercises"
+mkdir -p "$out/licences" "$out/shaders/textures" "$out/exercises" "$out/build" # the pages write their pictures there
 
 # ---- Programs, and what they read ----
 
@@ -29,12 +29,12 @@ done
 
 if [ -d build/site ]; then
     cp -R build/site "$out/site"
-    pages='site\index.html'
+    pages='site\index.html; opened so, its own programs stand still: use those beside this file.'
 else
     mkdir -p "$out/docs/figures"
     cp docs/*.md "$out/docs"
     cp docs/figures/*.svg "$out/docs/figures"
-    pages='docs\README.md, without the pictures that the programs draw'
+    pages='docs\README.md, without the pictures that the programs draw.'
 fi
 
 # Notepad and cmd.exe expect carriage returns.
@@ -54,5 +54,5 @@ done
 date=$(git log -1 --format=%ct 2>/dev/null || echo 946684800)
 find "$out" -type d -exec chmod 755 {} + -o -exec chmod 644 {} +
 find "$out" -exec touch -d "@$date" {} +
-(cd build/windows/zip && find ray-marching -type f | sort | zip -q -9 -X -@ "$zip")
+(cd build/windows/zip && find ray-marching -type f -o -type d -empty | sort | zip -q -9 -X -@ "$zip")
 printf 'build/ray-marching-windows.zip: %s bytes\n' "$(wc -c <"$zip" | tr -d ' ')"

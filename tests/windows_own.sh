@@ -33,6 +33,12 @@ check 'a shader with such a name' own_shader
 printf 'x\n' >>"$strange/ombre à midi.frag"
 names_it() { ! picture -f "$strange/ombre à midi.frag" -o "$strange/b.png" && grep -q 'Élève 1 – мир 漢字 𝄞/ombre à midi.frag:[0-9]*: error' "$scratch/why"; }
 check 'an error names it as it is' names_it
+deep=$strange
+for number in 1 2 3 4 5 6; do deep="$deep/un dossier profond au nom assez long, n° $number"; done
+mkdir -p "$deep"
+cp chapters/03_shadows.frag "$deep/profond.frag"
+far_down() { [ "${#deep}" -gt 260 ] && picture -f "$deep/profond.frag" -o "$deep/profond.png" && alike "$deep/profond.png"; }
+check 'files whose path is longer than 260 letters' far_down
 backslashes() {
     # shellcheck disable=SC1003 # as Windows' shell would hand it on
     (cd "$strange" && "$root/$BUILD/03_shadows" "${small[@]}" --root 'Z:'"${root//\//\\}" -o '.\c.png') && alike "$strange/c.png"

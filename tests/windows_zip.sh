@@ -90,6 +90,11 @@ draws() { # each chapter's picture, small, is what it is on this machine
     [ "$(find "$course" -name '[0-9]*.exe' | wc -l)" = "$(find chapters -maxdepth 1 -name '[0-9]*.c' | wc -l)" ]
 }
 check 'every chapter draws its picture' draws
+# As README.txt says, from the folder itself.
+# shellcheck disable=SC1003 # as Windows' shell would hand it on
+in_terminal() { (cd "$course" && wine cmd /c '.\03_shadows.exe --size 64x36 --output build/a.png' && wine cmd /c '.\compare.exe --words build/a.png build\a.png') >"$scratch/said" 2>&1 </dev/null &&
+    grep -q 'no pixel differs' "$scratch/said"; }
+check "a page's command and its comparison in a terminal" in_terminal || sed 's/^/# /' "$scratch/said"
 
 # ---- An exercise ----
 

@@ -45,7 +45,7 @@ type "%folder%\words.txt"
 echo Look at yours.png, solution.png and difference.png in %folder%
 goto :eof
 :broken
-echo %file%: cannot be compared with %*: see the line above
+echo %file%: cannot be compared with %*: see the lines above
 set "status=2"
 goto :eof
 
