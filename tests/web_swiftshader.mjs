@@ -1,6 +1,6 @@
 // web_swiftshader.mjs [PATTERN] - the pictures on SwiftShader, Chromium's own rasteriser for machines without a
 // graphics card: how far each is from its reference, told and not judged, with how far its functions are from
-// their values, beside Mesa's; docs/platforms.md has the reasons. PATTERN picks others than one of each chapter.
+// their values, beside Mesa's; docs/architecture.md has the reasons. PATTERN picks others than one of each chapter.
 import fs from 'node:fs';
 import {check, compare, draw, finish, keep, launch, openPage, pictures, serve, WEB} from './web_browser.mjs';
 
