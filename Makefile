@@ -380,7 +380,7 @@ build/node/package-lock.json: docs/web/package.json docs/web/package-lock.json
 windows: ## cross-compile the programs for Windows into build/windows/, on Debian (a package set of its own)
 	@.make/setup.sh windows
 	@CC='$(WINDOWS_CC)' .make/windows_libraries.sh
-	+@$(AGAIN) WINDOWS=1 programs build/windows/tests/compare.exe
+	+@$(AGAIN) WINDOWS=1 programs build/windows/tests/compare.exe build/windows/tests/judge.exe
 
 windows-zip: windows ## pack them with all that they read, for another's Windows: build/ray-marching-windows.zip
 	@.make/windows_zip.sh

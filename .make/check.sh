@@ -71,7 +71,7 @@ why_not() { # STATUS
 
 # One file: prints its verdict, in the first line what a table has room for.
 judge() { # FILE
-    local file=$1 options status said place share shown places number=0 worst=0 mine=$scratch/mine.png
+    local file=$1 options status said place share shares=() shown places number=0 mine=$scratch/mine.png
     local difference=${file%.frag}.difference.png
     difference=$folder/$(sed -E 's|^([.]{0,2}/)*||; s|/[.]{1,2}/|/|g' <<<"$difference")
     [ -f "$file" ] || { echo 'is no file'; return 1; }
@@ -88,7 +88,7 @@ judge() { # FILE
         status=$?
         { read -r place; read -r share; read -r said; } <<<"$said"
         [ "$status" = 0 ] || { echo "$said: see $difference"; look "$file" "$options" "$place"; return 1; }
-        worst=$(printf '%s\n' "$worst" "$share" | sort -g | tail -n 1)
+        shares+=("$share")
         [ "$number" = 1 ] || continue
         places=$(places_of "$options")
         right_rays "$options" "$places"
@@ -96,7 +96,7 @@ judge() { # FILE
         probes "$file" "$options" $places >"$scratch/mine"
         build/tests/judge rays "$shown" "$places" "$scratch/rays" "$scratch/mine" || return 1
     done <<<"$wanted"
-    build/tests/judge right "$number" "$worst"
+    build/tests/judge right "${shares[@]}"
 }
 
 # Set files to those that FILE or FILES asks for. A pattern whose folder has spaces is tried whole first.

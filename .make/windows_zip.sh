@@ -11,7 +11,7 @@ mkdir -p "$out/licences" "$out/shaders/textures" "$out/exercises" "$out/build" #
 
 # ---- Programs, and what they read ----
 
-cp build/windows/[0-9][0-9]_*.exe build/windows/harness.dll build/windows/tests/compare.exe "$out"
+cp build/windows/[0-9][0-9]_*.exe build/windows/harness.dll build/windows/tests/compare.exe build/windows/tests/judge.exe "$out"
 cp shaders/*.glsl shaders/screen.vert "$out/shaders"
 cp shaders/textures/*.png "$out/shaders/textures"
 find chapters -name '*.frag' ! -path chapters/play.frag -o -name '*.glsl' | while read -r file; do
@@ -19,11 +19,17 @@ find chapters -name '*.frag' ! -path chapters/play.frag -o -name '*.glsl' | whil
     cp "$file" "$out/$file"
 done
 
-# For check.bat: a line with the program and the solution, then the options of each picture.
-.make/exercises.sh | awk -F '|' -v out="$out/exercises/" '
-    { file = out $1 ".txt" }
-    !(file in seen) { seen[file] = 1; printf "%s %s_%s\r\n", $2, $2, substr($1, 4) > file }
-    { sub(/^ */, "", $3); printf "%s\r\n", $3 > file }'
+# For check.bat: program, solution, places and options of the rays; then of each picture its options, what of them its
+# rays have, and what a page would say of them, last, for it may be empty.
+.make/exercises.sh | awk -F '|' -v OFS='|' -v ORS='\r\n' -v out="$out/exercises/" '
+    { file = out $1 ".txt"; gsub(/^ +| +$/, "", $3); gsub(/^ +| +$/, "", $5) }
+    !(file in seen) {
+        seen[file] = 1
+        probes = " " $6
+        gsub(/ /, " --probe=", probes)
+        print $2, $2 "_" substr($1, 4), $6, substr(probes, 2) > file
+    }
+    { print $3, $5, $4 > file }'
 
 # ---- What a person reads ----
 

@@ -3,14 +3,16 @@
 //   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png  place, share, what is wrong: a line each
 //   judge rays WITH PLACES RIGHT MINE  what is wrong; files of what --probe prints
 //   judge ray PROBE                    a march in words, from such a file
-//   judge right COUNT SHARE            the sentence for an answer that is right
+//   judge right SHARE...               the sentence for a right answer, of its pictures' shares
 //
 // Exit status: 0 right, 1 wrong, 2 when it could not judge.
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "../common/report.h"
+#include "../common/shader/text_file.h"
 #include "support_compare.h"
 #include "support_judge.h"
 
@@ -49,10 +51,11 @@ static int judge_files(const char *with, char **path)
 static char *read_text(const char *path)
 {
     enum { MOST = 1 << 22 };
-    FILE *file = fopen(path, "r");
+    char why[TEXT_FILE_WHY] = "not enough memory";
+    FILE *file = text_file_open(path, why);
     char *text = file != NULL ? malloc(MOST) : NULL;
     if (text == NULL)
-        report("%s: cannot be read", path);
+        report("%s: cannot be read: %s", path, why);
     else
         text[fread(text, 1, MOST - 1, file)] = '\0';
     if (file != NULL)
@@ -87,12 +90,15 @@ int main(int argc, char **argv)
         return judge_texts(argv[2], argv[3], argv[4], argv[5]);
     if (argc == 3 && strcmp(what, "ray") == 0)
         return tell_ray(argv[2]);
-    if (argc == 4 && strcmp(what, "right") == 0) {
-        puts(judge_right(atoi(argv[2]), strtod(argv[3], NULL)));
+    if (argc > 2 && strcmp(what, "right") == 0) {
+        double most = 0.0;
+        for (int i = 2; i < argc; i++)
+            most = fmax(most, strtod(argv[i], NULL));
+        puts(judge_right(argc - 2, most));
         return RIGHT;
     }
     fprintf(stderr,
             "usage: judge picture WITH RIGHT.png MINE.png DIFFERENCE.png | rays WITH PLACES "
-            "RIGHT MINE | ray PROBE | right COUNT SHARE\n");
+            "RIGHT MINE | ray PROBE | right SHARE...\n");
     return NOT_JUDGED;
 }

@@ -102,20 +102,34 @@ check "a page's command and its comparison in a terminal" in_terminal || sed 's/
 checks() {
     local wanted=$1 pattern=$2 status
     shift 2
-    (cd "$course" && wine cmd /c check.bat "$@" </dev/null) >"$scratch/said" 2>&1
-    status=$?
-    [ $status = "$wanted" ] && grep -q -e "$pattern" "$scratch/said" && return
+    (cd "$course" && wine cmd /c check.bat "$@" </dev/null) 2>&1 | tr -d '\r' >"$scratch/said"
+    status=${PIPESTATUS[0]}
+    [ "$status" = "$wanted" ] && LC_ALL=C grep -aq -e "$pattern" "$scratch/said" && return
     echo "# status $status, not $wanted"
     sed 's/^/# /' "$scratch/said"
     return 1
 }
+# words FILE: the verdict and the two rays that are told, without names of files.
+words() { LC_ALL=C sed -nE 's/.*: ((right|wrong): .*)/\1/; s/: see .*//; /^(right|wrong): /p; /^ +(your pixel|the solution)/p' "$1"; }
+# as_here STATUS PATTERN: of 03_2, and the words are those of make check on this machine.
+as_here() {
+    checks "$@" 03_2 "$(windows_path "$mine")" || return
+    EXERCISE=03_2 FILE=$mine CHECK_FOLDER=$scratch/check .make/check.sh >"$scratch/here" 2>&1
+    diff <(words "$scratch/here") <(words "$scratch/said") >"$scratch/differ" && grep -aq . <(words "$scratch/said") && return
+    sed 's/^/# /' "$scratch/differ"
+    return 1
+}
 mine="$folder/ma réponse.frag"
 cp chapters/solutions/03_shadows_2.frag "$mine"
-check 'check.bat: a right answer' checks 0 ': right: as the solution in all' 03_2 "$(windows_path "$mine")"
+check 'check.bat: a right answer, in the words of make check' as_here 0 ': right: as the solution in '
 sed 's/p + offset \* toLight/p + offset * normal/' chapters/solutions/03_shadows_2.frag >"$mine"
-check 'check.bat: a wrong answer' checks 1 ': wrong with ' 03_2 "$(windows_path "$mine")"
+check 'check.bat: a wrong answer, and two rays' as_here 1 "the solution's: .*hit"
+# The picture is right, but its first march goes elsewhere.
+printf '#include "main.glsl"\n#include "march.glsl"\n#define rayColour painted\n#include "solutions/03_shadows_2.frag"\n#undef rayColour\n%s\n' \
+    'vec3 rayColour(Ray ray) { march(Ray(ray.origin, -ray.direction), 0.0, 1.0, 0.001, 64); return painted(ray); }' >"$mine"
+check 'check.bat: rays that are wrong' as_here 1 'its rays are not: pixel '
 sed 's/p + offset \* toLight/p + offset * toLigth/' chapters/solutions/03_shadows_2.frag >"$mine"
-check 'check.bat: an answer that does not compile' checks 2 'réponse.frag:[0-9]*: error.*toLigth' 03_2 "$(windows_path "$mine")"
+check 'check.bat: an answer that does not compile' checks 1 'réponse.frag:[0-9]*: error.*toLigth' 03_2 "$(windows_path "$mine")"
 check 'check.bat: an exercise that there is not' checks 2 '03_9: there is no such exercise' 03_9 "$(windows_path "$mine")"
 check 'check.bat: a file that there is not' checks 2 'there is no such file' 03_2 nowhere.frag
 

@@ -1,7 +1,7 @@
 @echo off
 rem check.bat EXERCISE FILE - is a solution right? For example: check.bat 03_2 my.frag
-rem A file may be dropped on it; then it asks for the exercise. The pictures of the file are compared with those of
-rem the solution. Exit status: 0 where they are the same, 1 where they are not, 2 where nothing could be compared.
+rem A file may be dropped on it; then it asks for the exercise. As make check does: pictures of the file and nine of its
+rem rays are compared with those of the solution. Exit status: 0 right, 1 wrong, 2 where nothing could be compared.
 setlocal
 set "exercise=%~1"
 set "file=%~f2"
@@ -19,34 +19,66 @@ if not exist "%file%" goto missing
 set "folder=%TEMP%\ray-marching-check"
 if not exist "%folder%" mkdir "%folder%"
 set "program="
-set "number=0"
+set "rayed="
+set "shares="
 set "status=0"
-for /f "usebackq delims=" %%l in ("exercises\%exercise%.txt") do call :line %%l
-if %status%==0 echo %file%: right: as the solution in all %number% pictures
+for /f "usebackq tokens=1-4 delims=|" %%a in ("exercises\%exercise%.txt") do call :line "%%a" "%%b" "%%c" "%%d"
+if not %status%==0 goto end
+judge.exe right %shares% >"%folder%\said.txt"
+for /f "usebackq delims=" %%w in ("%folder%\said.txt") do echo "%file%": right: %%w
 goto end
 
+rem A line of the exercise: the first names all that its pictures have in common, each other one is a picture's.
 :line
 if not %status%==0 goto :eof
 if defined program goto picture
-set "program=%1.exe"
-set "solution=chapters\solutions\%2.frag"
+set "program=%~1.exe"
+set "solution=chapters\solutions\%~2.frag"
+set "places=%~3"
+set "probes=%~4"
 goto :eof
 :picture
-set /a number=number+1 >nul
-"%program%" %* --shader "%solution%" --output "%folder%\solution.png"
+set "options=%~2"
+set "shown=%~3"
+"%program%" %~1 --shader "%solution%" --output "%folder%\solution.png"
 if errorlevel 1 goto broken
-"%program%" %* --shader "%file%" --output "%folder%\yours.png"
-if errorlevel 1 goto broken
-compare.exe --words "%folder%\solution.png" "%folder%\yours.png" "%folder%\difference.png" >"%folder%\words.txt"
+"%program%" %~1 --shader "%file%" --output "%folder%\yours.png"
+if errorlevel 1 goto fails
+judge.exe picture "%shown%" "%folder%\solution.png" "%folder%\yours.png" "%folder%\difference.png" >"%folder%\said.txt"
+if errorlevel 2 goto broken
+if errorlevel 1 goto differs
+for /f "usebackq skip=1 delims=" %%w in ("%folder%\said.txt") do set "shares=%shares% %%w"
+if defined rayed goto :eof
+set "rayed=yes"
+"%program%" %options% --shader "%solution%" %probes% >"%folder%\solution.txt" 2>nul
+"%program%" %options% --shader "%file%" %probes% >"%folder%\yours.txt" 2>nul
+judge.exe rays "%shown%" "%places%" "%folder%\solution.txt" "%folder%\yours.txt" >"%folder%\said.txt"
 if not errorlevel 1 goto :eof
 set "status=1"
-echo %file%: wrong with %*:
-type "%folder%\words.txt"
-echo Look at yours.png, solution.png and difference.png in %folder%
+for /f "usebackq delims=" %%w in ("%folder%\said.txt") do echo "%file%": wrong: %%w
+goto :eof
+:differs
+set "status=1"
+set "place="
+for /f "usebackq delims=" %%w in ("%folder%\said.txt") do if not defined place set "place=%%w"
+for /f "usebackq skip=2 delims=" %%w in ("%folder%\said.txt") do echo "%file%": wrong: %%w
+echo   see difference.png, yours.png and solution.png in %folder%
+echo   look at yours: .\%program% --shader "%file%" %shown%
+call :ray "your pixel %place%" "%file%"
+call :ray "the solution's" "%solution%"
+goto :eof
+:ray
+"%program%" %options% --shader "%~2" --probe=%place% >"%folder%\ray.txt" 2>nul
+judge.exe ray "%folder%\ray.txt" >"%folder%\said.txt"
+for /f "usebackq delims=" %%w in ("%folder%\said.txt") do echo   %~1: %%w
+goto :eof
+:fails
+set "status=1"
+echo "%file%": wrong: does not run: see the lines above
 goto :eof
 :broken
-echo %file%: cannot be compared with %*: see the lines above
 set "status=2"
+echo "%file%": cannot be compared: see the lines above
 goto :eof
 
 :unknown
@@ -54,7 +86,7 @@ echo %exercise%: there is no such exercise: give a chapter and a number, as 03_2
 popd
 goto usage
 :missing
-echo %file%: there is no such file
+echo "%file%": there is no such file
 set "status=2"
 goto end
 :usage
