@@ -132,6 +132,8 @@ sed 's/p + offset \* toLight/p + offset * toLigth/' chapters/solutions/03_shadow
 check 'check.bat: an answer that does not compile' checks 1 'réponse.frag:[0-9]*: error.*toLigth' 03_2 "$(windows_path "$mine")"
 check 'check.bat: an exercise that there is not' checks 2 '03_9: there is no such exercise' 03_9 "$(windows_path "$mine")"
 check 'check.bat: a file that there is not' checks 2 'there is no such file' 03_2 nowhere.frag
+without_file() { checks 2 'check.bat EXERCISE FILE' 03_2 && ! grep -q 'any key' "$scratch/said"; } # which nobody dropped
+check 'check.bat: an exercise and no file' without_file
 
 # ---- A shader of one's own ----
 

@@ -4,13 +4,18 @@ rem A file may be dropped on it; then it asks for the exercise. As make check do
 rem rays are compared with those of the solution. Exit status: 0 right, 1 wrong, 2 where nothing could be compared.
 setlocal
 set "exercise=%~1"
+set "given=%~2"
 set "file=%~f2"
 set "dropped="
 if not "%~2"=="" goto asked
 set "dropped=yes"
 if "%~1"=="" goto usage
+if exist "%~f1" goto one
+set "dropped="
+goto usage
+:one
+set "given=%~1"
 set "file=%~f1"
-if not exist "%file%" goto usage
 set /p "exercise=Which exercise? For example 03_2: "
 :asked
 pushd "%~dp0"
@@ -25,7 +30,7 @@ set "status=0"
 for /f "usebackq tokens=1-4 delims=|" %%a in ("exercises\%exercise%.txt") do call :line "%%a" "%%b" "%%c" "%%d"
 if not %status%==0 goto end
 judge.exe right %shares% >"%folder%\said.txt"
-for /f "usebackq delims=" %%w in ("%folder%\said.txt") do echo "%file%": right: %%w
+for /f "usebackq delims=" %%w in ("%folder%\said.txt") do echo "%given%": right: %%w
 goto end
 
 rem A line of the exercise: the first names all that its pictures have in common, each other one is a picture's.
@@ -55,13 +60,13 @@ set "rayed=yes"
 judge.exe rays "%shown%" "%places%" "%folder%\solution.txt" "%folder%\yours.txt" >"%folder%\said.txt"
 if not errorlevel 1 goto :eof
 set "status=1"
-for /f "usebackq delims=" %%w in ("%folder%\said.txt") do echo "%file%": wrong: %%w
+for /f "usebackq delims=" %%w in ("%folder%\said.txt") do echo "%given%": wrong: %%w
 goto :eof
 :differs
 set "status=1"
 set "place="
 for /f "usebackq delims=" %%w in ("%folder%\said.txt") do if not defined place set "place=%%w"
-for /f "usebackq skip=2 delims=" %%w in ("%folder%\said.txt") do echo "%file%": wrong: %%w
+for /f "usebackq skip=2 delims=" %%w in ("%folder%\said.txt") do echo "%given%": wrong: %%w
 echo   see difference.png, yours.png and solution.png in %folder%
 echo   look at yours: .\%program% --shader "%file%" %shown%
 call :ray "your pixel %place%" "%file%"
@@ -74,11 +79,11 @@ for /f "usebackq delims=" %%w in ("%folder%\said.txt") do echo   %~1: %%w
 goto :eof
 :fails
 set "status=1"
-echo "%file%": wrong: does not run: see the lines above
+echo "%given%": wrong: does not run: see the lines above
 goto :eof
 :broken
 set "status=2"
-echo "%file%": cannot be compared: see the lines above
+echo "%given%": cannot be compared: see the lines above
 goto :eof
 
 :unknown
@@ -86,7 +91,7 @@ echo %exercise%: there is no such exercise: give a chapter and a number, as 03_2
 popd
 goto usage
 :missing
-echo "%file%": there is no such file
+echo "%given%": there is no such file
 set "status=2"
 goto end
 :usage

@@ -1,5 +1,5 @@
-// An empty scene to start from: `make play` copies it to chapters/play.frag, which is yours, and
-// opens that. Change it, save, and the window shows it; what is wrong is said there.
+// An empty scene to start from: `make play`, or play.bat, copies it to chapters/play.frag, which is
+// yours, and opens that. Change it, save, and the window shows it; what is wrong is said there.
 //
 // The library is shaders/: include a file of it, as below, and its functions are there.
 
