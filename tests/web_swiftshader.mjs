@@ -10,10 +10,11 @@ const rows = pictures().filter((row) => pattern ? pattern.test(row.name) : row.n
 fs.mkdirSync(OUT, {recursive: true});
 const server = await serve(WEB), browser = await launch('swiftshader');
 const {page, said} = await openPage(browser, server.at);
-const renderer = await page.evaluate(() => {
+// Seldom the browser gives no context at first: what draws for it is started again then.
+const renderer = await (await page.waitForFunction(() => {
     const context = document.createElement('canvas').getContext('webgl2');
-    return context.getParameter(context.getExtension('WEBGL_debug_renderer_info').UNMASKED_RENDERER_WEBGL);
-});
+    return context?.getParameter(context.getExtension('WEBGL_debug_renderer_info').UNMASKED_RENDERER_WEBGL);
+})).jsonValue();
 check('SwiftShader draws', /SwiftShader/.test(renderer), renderer);
 
 // The largest error of some functions in a fragment shader, of the value or of 1 where that is larger, at 4096 places.
