@@ -45,6 +45,8 @@ goto :eof
 :picture
 set "options=%~2"
 set "shown=%~3"
+rem What an earlier picture left must not be taken for this one's, however a program ends.
+del /q "%folder%\*.png" 2>nul
 "%program%" %~1 --shader "%solution%" --output "%folder%\solution.png"
 if errorlevel 1 goto broken
 "%program%" %~1 --shader "%file%" --output "%folder%\yours.png"
