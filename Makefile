@@ -1,12 +1,15 @@
-# Every command that a person types: `make help` lists them. GNU make 3.81 suffices.
-# Chapters, modules and tests are found by name, never listed.
+# All commands of the project; `make help` lists them. GNU make 3.81 is enough.
+# Chapters, modules and tests are found by their names, never listed.
 
-# The pictures are the driver's work: -O2 compiles a quarter longer and draws no faster. What WINDOWS=1 makes is handed
-# out, without names for a debugger.
+# The driver draws the pictures, so -O2 takes a quarter longer to compile and draws no faster. Programs built with
+# WINDOWS=1 are handed out, so they have no symbols for a debugger.
 CFLAGS ?= -O1$(if $(WINDOWS),, -g)
 OPTIONS =
 CHAPTER =
+FIGURE =
 SUITE =
+COUNT =
+SEED =
 EXERCISE =
 NAME =
 FILE =
@@ -24,31 +27,31 @@ PORT = 8000
 DURATION =
 SANITIZE =
 FUZZER =
-# What awk, sort and gcc read and print does not depend on the reader's language.
+# The input and output of awk, sort and gcc must not depend on the user's language.
 export LC_ALL = C
-export CHAPTER SUITE NAME EXERCISE FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE DURATION
+export CHAPTER FIGURE SUITE COUNT SEED NAME EXERCISE EXERCISES CSV FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE DURATION
 
-# Recursive makes run in parallel, unless the caller has said how.
+# Recursive makes run in parallel, unless the caller has chosen the number of jobs.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
-JOBS = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(CPUS))
-# Where a recipe says it, '+' hands the caller's jobs on: make looks for the word MAKE itself.
-AGAIN = $(MAKE) --no-print-directory $(if $(V),,-s) $(JOBS)
+PARALLEL = $(if $(filter -j% --jobserver%,$(MAKEFLAGS)),,-j$(CPUS))
+# A recipe that uses AGAIN needs a '+' to pass on the caller's jobs: make itself looks only for the word MAKE.
+AGAIN = $(MAKE) --no-print-directory $(if $(V),,-s) $(PARALLEL)
 
-# Two commands at once are carried out one after the other, or both would compile the same files.
+# Two commands on one command line run one after the other; otherwise both would compile the same files.
 ifneq ($(filter-out programs tests fuzzer figure_programs build/%,$(MAKECMDGOALS)),)
 ifneq ($(word 2,$(MAKECMDGOALS)),)
 .NOTPARALLEL:
 endif
 endif
 
-# ---- What the programs are for, and what this machine has ----
+# ---- The target system, and the libraries of this machine ----
 
-# WINDOWS=1 asks a cross compiler for programs for Windows; on Windows itself they are for it anyway.
+# WINDOWS=1 cross-compiles for Windows; on Windows itself every build is for Windows.
 SYSTEM := $(if $(WINDOWS)$(filter Windows_NT,$(OS)),Windows,$(shell uname -s))
 MAC := $(filter Darwin,$(SYSTEM))
 EXE := $(if $(filter Windows,$(SYSTEM)),.exe)
 PKG_CONFIG = pkg-config
-# As MSYS2's: it links the C library of Windows 10.
+# Like MSYS2's compiler, this one links the C library of Windows 10.
 WINDOWS_CC = x86_64-w64-mingw32-gcc -specs=build/windows/ucrt.specs -D_UCRT
 ifneq ($(WINDOWS),)
 CC = $(WINDOWS_CC)
@@ -60,17 +63,17 @@ endif
 
 comma := ,
 found = $(shell $(PKG_CONFIG) --exists $(1) 2>/dev/null && echo yes)
-# A Mac and Windows have neither EGL nor OSMesa of their own: what calls itself so there is something else.
+# Macs and Windows have no EGL or OSMesa of their own: a library of this name there is something else.
 BACKENDS := $(if $(call found,glfw3),glfw) $(if $(MAC)$(EXE),,$(if $(call found,egl),egl) \
             $(if $(call found,osmesa),osmesa))
 LIBRARIES := libpng $(if $(filter glfw,$(BACKENDS)),glfw3) $(if $(filter egl,$(BACKENDS)),egl)
 
 HAVE := $(if $(filter glfw,$(BACKENDS)),-DHAVE_GLFW) $(if $(filter egl,$(BACKENDS)),-DHAVE_EGL) \
         $(if $(filter osmesa,$(BACKENDS)),-DHAVE_OSMESA)
-# Other people's headers are not held to our warnings: -isystem.
+# -isystem exempts other people's headers from our warnings.
 HEADERS := $(patsubst -I%,-isystem %,$(shell $(PKG_CONFIG) --cflags $(LIBRARIES) cglm 2>/dev/null))
 ifneq ($(MAC),)
-# No compiler searches Homebrew's folder by itself where the processor is Apple's.
+# On Apple's processors, compilers do not search Homebrew's folder by themselves.
 HEADERS += $(addprefix -isystem ,$(addsuffix /include,$(shell brew --prefix 2>/dev/null)))
 endif
 ifneq ($(WEB),)
@@ -78,32 +81,32 @@ HAVE := -DHAVE_GLFW
 HEADERS := -isystem build/web/objects/include
 CFLAGS = -Oz -flto -DNDEBUG
 endif
-# Windows: a stack as elsewhere, no file of the compiler's beside the program, and the same bytes at any time.
+# Windows: the same stack size as elsewhere, no libraries of the compiler beside the program, and a reproducible build.
 LINK := $(shell $(PKG_CONFIG) --libs $(LIBRARIES) 2>/dev/null) $(if $(EXE),-municode -static-libgcc -lgdi32 -lshell32 -lwinmm \
         -Wl$(comma)--stack$(comma)8388608 -Wl$(comma)--no-insert-timestamp $(if $(WINDOWS),-s),-ldl -lm -pthread)
 CMOCKA := $(shell $(PKG_CONFIG) --libs cmocka 2>/dev/null)
 
-# Short lines; V=1 shows the whole commands.
+# Print short lines; V=1 shows the whole commands.
 V =
 say = $(if $(V),,@echo '$(1)' &&)
 
-# A warning stops `make lint` and CI, not a reader whose compiler knows more of them.
+# Warnings stop `make lint` and CI, but not a user whose compiler has more warnings than ours.
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(if $(CI),-Werror)
-# What a format may hold is judged on Windows by its old C library, which is not the one that is linked.
-# Its isfinite and the like are macros that convert.
+# On Windows the compiler checks format strings against the old C library, which is not the one that is linked;
+# and isfinite and similar functions are macros that convert their arguments.
 WARNINGS += $(if $(EXE),-Wno-format -Wno-float-conversion)
-# No product and sum are rounded in one: what a texture's program computes is the same everywhere.
-LANGUAGE = -std=c11 -ffp-contract=off -D_XOPEN_SOURCE=700 -Icommon
+# No fused multiply-add, so that the programs of the textures compute the same numbers everywhere.
+LANGUAGE = -std=c11 -ffp-contract=off -D_XOPEN_SOURCE=700 -Icommon -Ishaders -Itests
 LANGUAGE += $(if $(MAC),-D_DARWIN_C_SOURCE) $(if $(EXE),-D_WIN32_WINNT=0x0A00)
 COMPILE = $(LANGUAGE) $(WARNINGS) $(HAVE) $(HEADERS) $(INSTRUMENT) $(CFLAGS)
 
 .DEFAULT_GOAL = all
 
-# ---- What is built ----
+# ---- Targets ----
 
-# The sanitizers: `make SANITIZE=1 programs tests` builds the same into build/sanitize/. Mesa unloads
-# its drivers, and a leak report from unloaded code has no names: so dlclose is empty there.
-# `make FUZZER=1 fuzzer` builds what libFuzzer watches into build/fuzz/, `make WEB=1 module` the same
+# `make SANITIZE=1 programs tests` builds with the sanitizers into build/sanitize/. Mesa unloads its drivers, and
+# leak reports from unloaded code have no names, so this build has an empty dlclose.
+# `make FUZZER=1 fuzzer` builds the target of libFuzzer into build/fuzz/; `make WEB=1 module` builds the same
 # sources for a browser into build/web/.
 CHECKS = address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 ifneq ($(FUZZER),)
@@ -127,46 +130,49 @@ EXTRA =
 else
 BUILD = build/sanitize
 INSTRUMENT = -fsanitize=$(CHECKS)
-EXTRA = $(BUILD)/tests/no_dlclose.o
+EXTRA = $(BUILD)/tests/lib/no_dlclose.o
 endif
 
-# What this machine has no library for is left out.
+# Sources that need a library this machine lacks are left out.
 SOURCES := $(sort $(shell find common -name '*.c'))
 ABSENT := $(foreach name,glfw egl osmesa,$(if $(filter $(name),$(BACKENDS)),,common/context/$(name).c))
 ABSENT += $(if $(filter glfw,$(BACKENDS)),common/window/none.c,$(filter-out %/none.c %/watch.c,$(filter common/window/%,$(SOURCES))))
-# What each system does in its own way.
+# The sources for this system.
 PLATFORM := $(patsubst common/%.c,%,$(filter common/platform/$(if $(EXE),windows,posix)%,$(SOURCES)))
 ABSENT += $(filter-out $(PLATFORM:%=common/%.c),$(filter common/platform/%,$(SOURCES)))
-# In a browser common/browser/ takes the place of some of them.
+# For a browser, common/browser/ replaces some of them.
 BROWSER := $(filter common/browser/%,$(SOURCES))
+ABSENT += $(if $(WEB),common/window/full_screen.c)
 ABSENT += $(if $(WEB),$(patsubst %,common/%.c,context/egl context/osmesa context/guard picture/image_read picture/image_write platform/posix_process window/none),$(BROWSER))
 COMMON := $(patsubst %.c,$(BUILD)/%.o,$(filter-out $(ABSENT),$(SOURCES))) $(BUILD)/common/picture/font.o
 STEMS := $(patsubst chapters/%.c,%,$(sort $(wildcard chapters/[0-9][0-9]_*.c)))
-SUPPORT := $(filter-out tests/support_system_$(if $(EXE),posix,windows).c,$(wildcard tests/support_*.c))
+# Code shared by tests: an archive, from which the linker takes the objects that a test or a figure uses. No code calls
+# choice.c by name, so it is linked separately.
+SUPPORT := $(filter-out %/system_$(if $(EXE),posix,windows).c %/choice.c %/no_dlclose.c %/user.c %/session.c,$(wildcard tests/lib/*.c))
 SUPPORT := $(SUPPORT:%.c=$(BUILD)/%.o)
-# All that a test or a figure may ask; of an archive the linker takes what is asked. support_choice.c is asked by nobody.
 PARTS := $(BUILD)/tests/parts.a
-JUDGE := $(BUILD)/tests/support_compare.o $(BUILD)/tests/support_judge.o
+JUDGE := $(BUILD)/tests/lib/compare.o $(BUILD)/tests/lib/judge.o
 PROGRAMS := $(STEMS:%=$(BUILD)/%$(EXE))
-# Two whole programs that need one library each and nothing of common/; Khronos' header is no part of a Mac,
-# and not of Windows.
-FIRST_STEPS := $(if $(MAC)$(EXE),,$(if $(filter glfw,$(BACKENDS)),window)) $(if $(filter egl,$(BACKENDS)),picture)
-FIRST_STEPS := $(FIRST_STEPS:%=$(BUILD)/first_steps/%)
+# The steps of the engine in docs/engine.md, which use nothing from common/. Macs and Windows lack Khronos's header.
+FIRST_STEPS := $(if $(MAC)$(EXE),,$(if $(filter-out osmesa,$(BACKENDS)),$(wildcard chapters/first_steps/*.c)))
+FIRST_STEPS := $(FIRST_STEPS:chapters/%.c=$(BUILD)/%)
 FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
-# A source with a header of its own draws nothing: it helps the others.
+# A source that has a header draws nothing: it contains functions for the others.
 PAINT := $(patsubst %.h,$(BUILD)/%.o,$(wildcard shaders/textures/*.h))
 TEXTURES := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard shaders/textures/*.c)))
 TEXTURES := $(filter-out $(PAINT:%.o=%),$(TEXTURES))
-TESTS := $(sort $(wildcard tests/test_*.c))
-# What asks for processes and limits of POSIX cannot be built for Windows.
+TESTS := $(sort $(wildcard $(addprefix tests/,$(addsuffix /*.c,unit shaders pictures window command course))))
+# Tests that need POSIX processes and limits cannot be built for Windows, nor a window that nobody sees without EGL.
 TESTS := $(filter-out $(if $(EXE),$(shell grep -l '<sys/\|<glob' $(TESTS))),$(TESTS))
+TESTS := $(filter-out $(if $(filter egl,$(BACKENDS)),,$(shell grep -l 'lib/session' $(TESTS))),$(TESTS))
+TESTS := $(filter-out $(if $(filter glfw,$(BACKENDS)),,$(shell grep -l 'lib/session\|lib/user\|window/keys' $(TESTS))),$(TESTS))
 TESTS := $(TESTS:%.c=$(BUILD)/%$(EXE))
 
 programs: $(PROGRAMS) $(FIRST_STEPS)
 tests: $(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),compare judge draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
 fuzzer: $(BUILD)/tests/fuzz
 
-# What is packed for others has what all programs do once, in a library beside them.
+# In the package for Windows, the code that all programs share is in one library beside them.
 SHARED := $(if $(WINDOWS),$(BUILD)/harness.dll)
 ENTRY := $(BUILD)/common/platform/windows_main.o
 $(PROGRAMS): $(BUILD)/%$(EXE): $(BUILD)/chapters/%.o $(if $(SHARED),$(ENTRY) $(SHARED),$(COMMON)) $(EXTRA)
@@ -179,42 +185,48 @@ $(FIRST_STEPS): $(BUILD)/first_steps/%: $(BUILD)/chapters/first_steps/%.o $(EXTR
 	@mkdir -p $(@D)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-# What the tables of the sky are computed by is tested as it is.
+# PAINT is included, so that the code that computes the tables of the sky is itself tested.
 $(PARTS): $(SUPPORT) $(PAINT) $(COMMON)
 	@rm -f $@
 	@$(AR) rcs $@ $^
 
-$(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),measure draw): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(BUILD)/tests/support_choice.o $(PARTS) $(EXTRA)
+TEST_PARTS := $(BUILD)/tests/lib/choice.o $(PARTS) $(EXTRA)
+$(TESTS): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(TEST_PARTS)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(CMOCKA) $(LINK)
+
+$(patsubst %,$(BUILD)/tests/%$(EXE),measure draw): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/tools/%.o $(TEST_PARTS)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
-# It has functions of its own in the place of GLFW's, which is no library by itself on Windows.
-$(BUILD)/tests/test_input.exe: LDFLAGS += -Wl,--allow-multiple-definition
+# The tests of the window replace some functions of GLFW, which is not a separate library on Windows.
+$(filter-out %/watch$(EXE),$(filter $(BUILD)/tests/window/%,$(TESTS))): $(patsubst %,$(BUILD)/tests/lib/%.o,$(if $(filter egl,$(BACKENDS)),session) user)
+$(BUILD)/tests/window/%.exe: LDFLAGS += -Wl,--allow-multiple-definition
 
-# What says how far two pictures are apart, and what judges an answer to an exercise by that.
-$(BUILD)/tests/compare$(EXE) $(BUILD)/tests/judge$(EXE): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(JUDGE) \
+# compare measures how much two pictures differ; judge uses this to check the solution of an exercise.
+$(BUILD)/tests/compare$(EXE) $(BUILD)/tests/judge$(EXE): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/tools/%.o $(JUDGE) \
     $(patsubst %,$(BUILD)/common/%.o,picture/image picture/image_read picture/image_write shader/text_file memory report $(PLATFORM)) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-# libFuzzer brings its own main.
-$(BUILD)/tests/fuzz: $(patsubst %,$(BUILD)/tests/%.o,fuzz support_fuzz support_scratch support_system_posix) $(COMMON)
+# libFuzzer has its own main.
+$(BUILD)/tests/fuzz: $(patsubst %,$(BUILD)/tests/%.o,tools/fuzz lib/fuzz lib/scratch lib/system_posix) $(COMMON)
 	$(call say,link $@) $(CC) -fsanitize=fuzzer,$(CHECKS) $(LDFLAGS) -o $@ $^ $(LINK)
 
-# A figure may ask the mathematics that the tests ask.
+# Figures may use the same mathematical functions as the tests.
 $(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/figures/svg.o $(PARTS) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
 
 $(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-# One module holds all chapters, so each main gets a name of its own; what it calls leaves the loop to the page.
+# One module contains all chapters, so each main gets a different name, and the function that it calls leaves the loop
+# to the page.
 ifneq ($(WEB),)
 $(BUILD)/chapters/%.o: INSTRUMENT = -Dmain=main_$(notdir $*) -Dchapter_run=live_run
-EXPORTS := _malloc,_free,$(shell grep -oh '\<live_[a-z]*' common/browser/live.h common/browser/hands.h | sort -u | sed s/^/_/ | paste -sd , -),$(shell grep -oh '\<judge_[a-z]*' tests/support_judge.h | sort -u | sed s/^/_/ | paste -sd , -)
+EXPORTS := _malloc,_free,$(shell grep -oh '\<live_[a-z]*' common/browser/live.h common/browser/canvas.h | sort -u | sed s/^/_/ | paste -sd , -),$(shell grep -oh '\<judge_[a-z]*' tests/lib/judge.h | sort -u | sed s/^/_/ | paste -sd , -)
 EMSCRIPTEN = -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sMODULARIZE -sEXPORT_ES6 \
              -sUSE_ES6_IMPORT_META=1 -sENVIRONMENT=web -sEXPORT_NAME=loadHarness -sFORCE_FILESYSTEM \
              -sEXPORTED_RUNTIME_METHODS=FS,ccall,UTF8ToString \
              -sINCOMING_MODULE_JS_API=canvas,print,printErr,locateFile,noInitialRun
-# Debian's has its JavaScript tools there.
+# Debian's Emscripten has its JavaScript tools there.
 export NODE_PATH = /usr/share/nodejs
 module: build/web/harness.js
 build/web/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COMMON) $(JUDGE) common/browser/page.js
@@ -232,7 +244,7 @@ $(BUILD)/chapters.c: Makefile $(STEMS:%=chapters/%.c)
 	    for stem in $(STEMS); do echo "    {\"$$stem\", main_$$stem},"; done; \
 	    echo '    {0, 0}};'; } > $@
 
-# The headers that are the same everywhere; emcc has its own of the rest.
+# Headers that are the same on all systems; emcc has its own versions of the others.
 $(BUILD)/flags: $(BUILD)/include
 $(BUILD)/include:
 	@mkdir -p $@
@@ -243,7 +255,7 @@ $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(call say,$(CC) $<) $(CC) $(COMPILE) -MMD -MP -c -o $@ $<
 
-# The overlay's font, as numbers of a C array.
+# The overlay's font as a C array.
 $(BUILD)/common/picture/font.c: common/picture/font/DejaVuSansCondensed.ttf
 	@mkdir -p $(@D)
 	$(call say,od $<) (echo '#include "picture/letters.h"'; echo 'const unsigned char letters_font[] = {'; \
@@ -252,12 +264,12 @@ $(BUILD)/common/picture/font.c: common/picture/font/DejaVuSansCondensed.ttf
 $(BUILD)/common/picture/font.o: $(BUILD)/common/picture/font.c $(BUILD)/flags
 	$(call say,$(CC) $<) $(CC) $(COMPILE) -c -o $@ $<
 
-# Everything is compiled again when the compiler, the flags or what the machine has change.
+# Everything is compiled again when the compiler, the flags or the libraries of the machine change.
 $(BUILD)/flags: always
 	@mkdir -p $(@D)
 	@echo '$(CC) $(COMPILE) $(LINK)' | cmp -s - $@ || echo '$(CC) $(COMPILE) $(LINK)' > $@
 
-# The tests and CI try a language that writes a comma in its numbers, where its source is at hand.
+# The tests and CI also use a locale with a decimal comma, if its source is installed.
 LOCALE = build/locale/fr_FR.UTF-8
 $(LOCALE):
 	@mkdir -p $(@D)
@@ -265,146 +277,163 @@ $(LOCALE):
 
 -include $(shell find $(BUILD)/common $(BUILD)/chapters $(BUILD)/tests $(BUILD)/docs $(BUILD)/shaders -name '*.d' 2>/dev/null)
 
-# ---- To learn by ----
+# ---- To take the course ----
 
-# What most of the commands below begin with.
+# The first step of most of the commands below.
 ready:
 	@.make/setup.sh run
 	+@$(AGAIN) programs build/tests/compare$(EXE) build/tests/judge$(EXE)
 
-all: ## build every chapter's program into build/ (the default)
+all: ## build every chapter's program in build/ (the default)
 	@.make/setup.sh --check run
 	+@$(AGAIN) programs
 
-run: ready ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2'; without a display, render all
+run: ready ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2', or a figure: make run FIGURE=01_march; without a display, render them
 	@.make/run.sh $(OPTIONS)
 
-play: ready ## open your own shader in a window: make play FILE=my.frag; without FILE chapters/play.frag, made for you
+play: ready ## open your own shader in a window: make play FILE=my.frag; without FILE, create and open chapters/play.frag
 	@.make/play.sh $(OPTIONS)
 
-check: ready ## is a solution right? make check EXERCISE=03_2 FILE=my.frag; FILES='handed_in/*.frag' for a table
+check: ready ## check a solution: make check EXERCISE=03_2 FILE=my.frag; with FILES='handed_in/*.frag', check many
 	@.make/check.sh
 
-# Pictures that differ are an answer, no error of make's.
-compare: ready ## by how much do two pictures differ? make compare PICTURES='one.png two.png'
+marks: ready ## mark a class: make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv
+	@.make/marks.sh
+
+# Pictures that differ are a result and not an error of make.
+compare: ready ## print how much two pictures differ: make compare PICTURES='one.png two.png'
 	@.make/compare.sh || [ $$? = 1 ]
 
-diff: ## show what changed since the chapter before: make diff CHAPTER=03
+diff: ## show what changed since the previous chapter, or step of the engine: make diff CHAPTER=03, CHAPTER=engine_2
 	@.make/diff.sh
 
-film: ready ## make an MP4 and a GIF of a chapter by ffmpeg: make film CHAPTER=00 FRAMES=100 FPS=25 VIEW=slice
+film: ready ## make an MP4 and a GIF of a chapter with ffmpeg: make film CHAPTER=00 FRAMES=100 FPS=25 VIEW=slice
 	@.make/film.sh $(OPTIONS)
 
-gallery: ready ## render every picture of tests/images.txt into build/gallery/
-	@tests/references.sh gallery
+gallery: ready ## render every picture of tests/pictures/images.txt into build/gallery/
+	@tests/pictures/references.sh gallery
 
-benchmark: ready ## measure every chapter against the reference scene; WRITE=1 keeps the table in docs/benchmark.md
+benchmark: ready ## measure every chapter relative to the reference scene; with WRITE=1, write the table to docs/benchmark.md
 	@.make/benchmark.sh
 
-book: ## set all pages as one PDF, build/book.pdf (pandoc and XeLaTeX, a package set of its own)
+book: ## typeset all pages as one PDF, build/book.pdf (installs pandoc and XeLaTeX)
 	@.make/setup.sh book
 	@.make/book.sh
 
-site: web build/node/package-lock.json ## set all pages as a web site with their programs alive: build/site/ and build/site.zip
+site: web build/node/package-lock.json ## build a website from all pages, with the programs running in them: build/site/ and build/site.zip
 	@.make/site.sh
 
-serve: site ## show that site on this machine alone: http://127.0.0.1:8000/, or another PORT
+serve: site ## serve that website on this machine only, at http://127.0.0.1:8000/; choose another port with PORT=8001
 	@node docs/web/serve.mjs build/site $(PORT)
 
-setup: ## install what run, test and lint need
+setup: ## install everything that run, test and lint need
 	@.make/setup.sh --all run test lint
 
 clean: ## remove build/
 	rm -rf build
 
-help: ## this list
+help: ## print this list
 	@awk -F ':.*## ' '/^# ---- To / { print (n++ ? "\n" : "") substr($$1, 8, length($$1) - 12) } \
 	    /^[a-z-]+:.*## / { printf "  make %-12s %s\n", $$1, $$2 }' Makefile
 
 # ---- To work on the course ----
 
-test: ## run every test; make test SUITE='camera run' runs these
-	@tests/run.sh --find $(SUITE)
+test: ## run the tests, or only some suites: make test SUITE='camera run'
+	@tests/run --find $(SUITE)
 	@.make/setup.sh test
 	+@$(AGAIN) programs tests $(LOCALE)
 	$(if $(CI)$(findstring sanitize/,$(SUITE)),+@$(AGAIN) SANITIZE=1 programs tests)
-	@tests/run.sh $(SUITE)
+	@tests/run $(SUITE)
 
-test-fresh: ## type `make run` and `make test` on bare Debian machines made for it, as root and as a user; needs root
+test-all: ## run every test before a release; takes an hour or two
+	@.make/setup.sh fresh
+	$(MAKE) --no-print-directory lint
+	ALL=1 $(MAKE) --no-print-directory CI=1 test
+	ALL=1 $(MAKE) --no-print-directory CI=1 test-windows
+	ALL=1 $(MAKE) --no-print-directory CI=1 test-web
+	ALL=1 $(MAKE) --no-print-directory CI=1 test-fresh
+	$(MAKE) --no-print-directory mutants
+
+test-fresh: ## try `make run` and `make test` on fresh, bare Debian systems, as root and as a user; needs root
 	@.make/setup.sh fresh
 	@.make/fresh.sh
 
-test-gpu: ready ## compare the references with this machine's own GPU; reports, does not judge
-	@tests/references.sh gpu
+test-gpu: ready ## compare the references with pictures of this machine's GPU; reports differences but never fails
+	@tests/pictures/references.sh gpu
 
-test-windows: ready windows ## try the programs for Windows under Wine: units, pictures, failures, windows; some minutes
+test-windows: ready windows ## test the programs for Windows with Wine: units, pictures, failures, windows; takes several minutes
 	@.make/setup.sh wine
-	+@$(AGAIN) WINDOWS=1 tests
-	@tests/windows.sh $(SUITE)
+	+@$(AGAIN) WINDOWS=1 $(if $(ALL)$(SUITE),tests,build/windows/tests/draw.exe)
+	@tests/windows/run.sh $(SUITE)
 
-fuzz: ## feed made-up bytes to the readers of shaders, parameters and command lines; DURATION=60 seconds each
+fuzz: ## fuzz the parsers of shaders, parameters and command lines, each for DURATION=60 seconds
 	@.make/setup.sh run fuzz
 	+@$(AGAIN) FUZZER=1 fuzzer
 	@.make/fuzz.sh
 
-lint: ## hold C, GLSL and scripts against every checker; warnings are errors
+mutants: ## check that the tests notice mistakes: make mutants FILES='shaders/march.glsl common/camera.c' COUNT=30 SEED=1
+	@.make/setup.sh test
+	+@$(AGAIN) programs tests
+	@.make/mutants.sh
+
+lint: ## run all checkers on C, GLSL and scripts; warnings are errors
 	@.make/setup.sh lint
 	+@$(AGAIN) programs
 	@CFLAGS='$(LANGUAGE) $(WARNINGS) -Werror $(HAVE) $(HEADERS)' .make/lint.sh
 
-format: ## lay out the C sources by .clang-format
+format: ## format the C sources according to .clang-format
 	@.make/setup.sh lint
 	@clang-format -i $$(find common chapters shaders tests docs -name '*.[ch]')
 
-chapter: ## begin a chapter with the next number: make chapter NAME=soft_shadows
+chapter: ## create a chapter with the next number: make chapter NAME=soft_shadows
 	@.make/chapter.sh
 
-docs: ready ## rewrite the listings and tables in docs/ from the sources that they show
+docs: ready ## regenerate the listings and tables in docs/ from the sources
 	@.make/listings.sh
 
-web: ## build the programs for a browser into build/web/ (Emscripten; a package set of its own)
+web: ## build the programs for a browser in build/web/ (installs Emscripten)
 	@.make/setup.sh web
 	+@$(AGAIN) build/node/package-lock.json
 	+@$(AGAIN) WEB=1 module
 	@.make/web.sh
 
-test-web: ready site build/tests/compare ## draw, drive and measure the programs in Chromium and Firefox, without a screen, on Mesa's software renderer
-	@tests/web.sh
+test-web: ready site build/tests/compare ## test and measure the programs in Chromium and Firefox, without a display, on Mesa's software renderer
+	@JOBS=1 tests/run web
 
-# What docs/web/ takes from npm, as its lock file has it.
+# The npm packages of docs/web/, in the versions of its lock file.
 build/node/package-lock.json: docs/web/package.json docs/web/package-lock.json
 	@mkdir -p $(@D) && cp $^ $(@D)/
 	$(call say,npm ci) npm ci --prefix $(@D) --ignore-scripts --no-audit --no-fund --silent
 	@touch $@
 
-windows: ## cross-compile the programs for Windows into build/windows/, on Debian (a package set of its own)
+windows: ## cross-compile the programs for Windows in build/windows/, on Debian (installs a cross compiler)
 	@.make/setup.sh windows
 	@CC='$(WINDOWS_CC)' .make/windows_libraries.sh
 	+@$(AGAIN) WINDOWS=1 programs build/windows/tests/compare.exe build/windows/tests/judge.exe
 
-windows-zip: windows ## pack them with all that they read, for another's Windows: build/ray-marching-windows.zip
+windows-zip: windows ## pack the programs for Windows and all the files that they read into build/ray-marching-windows.zip
 	@.make/windows_zip.sh
 
-figures: ## draw the diagrams of docs/figures/ again
+figures: ## redraw the diagrams of docs/figures/
 	@.make/setup.sh test
 	+@$(AGAIN) figure_programs
 	@for name in $(FIGURES); do build/docs/figures/$$name > docs/figures/$$name.svg || exit 1; done
 
 figure_programs: $(FIGURES:%=$(BUILD)/docs/figures/%)
 
-textures: ## draw the textures of shaders/textures/ again
+textures: ## redraw the textures of shaders/textures/
 	@.make/setup.sh test
 	+@$(AGAIN) texture_programs
 	@.make/textures.sh
 
 texture_programs: $(TEXTURES) $(BUILD)/tests/compare$(EXE)
 
-references: ready ## render the reference pictures again; those within tolerance stay (FORCE=1 rewrites all)
-	@tests/references.sh update
+references: ready ## regenerate the references, or those of CHAPTER=03, that are out of tolerance; with FORCE=1, all that differ
+	@tests/pictures/references.sh update
 
 always:
-.PHONY: all programs tests fuzzer ready run play check compare diff film gallery benchmark book setup clean help test \
-        test-fresh test-gpu fuzz lint format chapter docs figures figure_programs textures texture_programs \
+.PHONY: all programs tests fuzzer ready run play check marks compare diff film gallery benchmark book setup clean help test \
+        test-all test-fresh test-gpu fuzz mutants lint format chapter docs figures figure_programs textures texture_programs \
         references web test-web test-windows site serve module windows windows-zip always
 .DELETE_ON_ERROR:
 .SUFFIXES:

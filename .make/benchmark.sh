@@ -1,9 +1,9 @@
 #!/bin/sh
-# benchmark.sh - `make benchmark`: what each chapter costs at 640x360, in milliseconds and in units of
-# tests/reference_scene.frag, beside the last table in docs/benchmark.md.
+# benchmark.sh - `make benchmark`: print the cost of each chapter at 640x360, in milliseconds and in units of
+# tests/pictures/reference_scene.frag, and compare it with the table in docs/benchmark.md.
 #
-# Environment: CHAPTER, one chapter; ROUNDS and FRAMES, how often each is measured and how many frames
-# at a time; WRITE=1 puts the table into docs/benchmark.md. With STEPS=1 it is the table of steps.sh.
+# Environment: CHAPTER, a single chapter; ROUNDS and FRAMES, the number of measurements and the number of frames in
+# each; WRITE=1 writes the table to docs/benchmark.md. With STEPS=1, steps.sh makes its table instead.
 set -u
 . .make/chapters.sh
 
@@ -22,7 +22,7 @@ trap 'exit 1' HUP INT TERM
 
 # The value of a name in the JSON on standard input.
 value() { sed -n "s/^  \"$1\": \"\{0,1\}\(.*[^\",]\)\"\{0,1\},\{0,1\}\$/\1/p"; }
-# The number in the middle of those on standard input.
+# The median of the numbers on standard input.
 middle() { sort -g | awk '{ v[NR] = $1 } END { print v[int((NR + 1) / 2)] }'; }
 
 measure() { # FILE PROGRAM OPTION...
@@ -31,13 +31,13 @@ measure() { # FILE PROGRAM OPTION...
     "$@" --benchmark "$frames" --benchmark=json -s 640x360 -t 1 >"$to" || exit 1
 }
 
-# The reference before each chapter, every round: whatever slows the machine slows both.
+# In every round the reference scene is measured before each chapter: whatever slows down the machine affects both.
 for round in $(seq "$rounds"); do
     for stem in $stems; do
         [ -t 2 ] && printf '%s, round %d of %d        \r' "$stem" "$round" "$rounds" >&2
-        measure "$work/unit" build/00_first_scene --shader tests/reference_scene.frag
+        measure "$work/unit" build/00_first_scene --shader tests/pictures/reference_scene.frag
         measure "$work/$stem.$round" "build/$stem"
-        # On a graphics card its own clock counts, elsewhere the processor time.
+        # On a graphics card use its own clock, elsewhere the processor time.
         clock=gpu
         [ "$(value frame_median_gpu_ms <"$work/unit")" = null ] && clock=cpu
         unit=$(value frame_median_${clock}_ms <"$work/unit")
@@ -74,15 +74,15 @@ hundredth() { sed 's/^null$/-/' | awk '{ print ($1 == "-" ? "-" : sprintf("%.2f"
 cat "$work/table"
 echo
 
-# ---- Against the last one ----
+# ---- Compare with the last table ----
 
-# The table in the page stands between two markers.
+# The table in the page is between two markers.
 awk '/^<!-- \/benchmark -->/ { p = 0 } p { print } /^<!-- benchmark -->/ { p = 1 }' "$page" >"$work/old"
 old_backend=$(sed -n '/;/ { s/;.*//; p; q; }' "$work/old")
 if [ -z "$old_backend" ]; then
-    echo "$page holds no table yet: WRITE=1 writes one."
+    echo "$page has no table yet: WRITE=1 writes one."
 elif [ "$old_backend" != "$(cat "$work/backend")" ]; then
-    echo "The table in $page is of another renderer ($old_backend): not compared."
+    echo "The table in $page was measured with another renderer ($old_backend), so the two are not compared."
 else
     for stem in $stems; do
         before=$(sed -n "s/^| $stem | \([0-9.]*\) .*/\1/p" "$work/old")

@@ -1,7 +1,6 @@
--- book.lua - turns a page of docs/ into a chapter of the book: links between pages become links inside
--- the book, a picture alone in a paragraph becomes a numbered figure, what is folded moves to the
--- chapter's end, comments go.
--- Metadata: page, the file's name such as 03_shadows.md.
+-- book.lua - turns a page of docs/ into a chapter of the book: links between pages become links inside the book, a
+-- picture that is a paragraph by itself becomes a numbered figure, folds move to the end of the chapter, and comments
+-- are removed. Metadata: page, the name of the file, such as 03_shadows.md.
 
 local pages = dofile('.make/pages.lua')
 local page = 'page'
@@ -25,7 +24,7 @@ end
 local function link(element)
     local kind, file, id = pages.target(element.target)
     if kind == 'file' then
-        return element.content -- its name stands in the text
+        return element.content -- its name is in the text
     elseif kind ~= 'outside' then
         element.target = '#' .. anchor(kind == 'here' and page or file, id)
     end
@@ -45,7 +44,7 @@ local function paragraph(element)
     end
 end
 
--- Signs that the text's font lacks come from another.
+-- Characters that the font of the text lacks are set in another font.
 local function str(element)
     local parts, plain = {}, ''
     for _, code in utf8.codes(element.text) do
@@ -65,7 +64,7 @@ local function str(element)
     return parts
 end
 
--- Inline code may break after a mark, so that a long path stays on the page.
+-- Inline code may break after punctuation, so that long paths fit on the page.
 local escapes = {
     ['\\'] = '\\textbackslash{}', ['{'] = '\\{', ['}'] = '\\}', ['$'] = '\\$', ['&'] = '\\&', ['#'] = '\\#',
     ['%'] = '\\%', ['_'] = '\\_', ['^'] = '\\textasciicircum{}', ['~'] = '\\textasciitilde{}',
@@ -82,15 +81,14 @@ local function code(element)
     return pandoc.RawInline('latex', '\\texttt{' .. text .. '}')
 end
 
--- A displayed formula that is wider than the page is set smaller.
+-- A displayed formula that is wider than the page is scaled down.
 local function formula(element)
     if element.mathtype == 'DisplayMath' then
         return pandoc.RawInline('latex', '\\[\\fitted{' .. element.text .. '}\\]')
     end
 end
 
--- A wide table gets columns in proportion to their text, so that its cells wrap.
--- Pictures share the width.
+-- The columns of a wide table are as wide as their text requires, so that its cells wrap. Pictures share the width.
 local function width_of(cell)
     local pictures = false
     pandoc.walk_block(pandoc.Div(cell.contents), {Image = function(image)
@@ -99,7 +97,7 @@ local function width_of(cell)
     return pictures and 60 or #pandoc.utils.stringify(pandoc.Div(cell.contents))
 end
 
--- The longest word of a cell, which cannot be broken; code can, and a formula's source says little.
+-- The length of the longest word of a cell, which cannot be broken. Code can, and a formula's source tells little.
 local function word_of(cell)
     local most = 0
     local prose = pandoc.walk_block(pandoc.Div(cell.contents), {
@@ -137,7 +135,7 @@ local function table_widths(element)
         total = total + longest[i]
         words = words + word[i]
     end
-    -- Each column holds its longest word, of the 84 letters of a line; what is left goes by length.
+    -- Each column has room for its longest word; the rest of a line of 84 letters is shared in proportion to the text.
     local line = math.max(84, 1.1 * words)
     for i, spec in ipairs(element.colspecs) do
         element.colspecs[i] = {spec[1], word[i] / line + (1 - words / line) * longest[i] / total}
@@ -158,9 +156,9 @@ local function block(element)
     return pages.mermaid(element) and {} or nil
 end
 
--- ---- What is folded ----
+-- ---- Folds ----
 
--- What a fold belongs to: an exercise or an experiment by its number, else its section by its title.
+-- The owner of a fold: the number of an exercise or experiment, otherwise the title of the section.
 local function owner(title, number)
     local kind = number and ({Experiments = 'Experiment', Exercises = 'Exercise'})[title]
     return kind and kind .. ' ' .. number or title
@@ -170,8 +168,8 @@ local function latex(text)
     return pandoc.RawInline('latex', text)
 end
 
--- The blocks of a page with a reference in the place of each fold, and the folds at the end: first the
--- hints, so that none stands beside a solution.
+-- The blocks of a page with each fold replaced by a reference, and the folds at the end. The hints come first, so that
+-- no hint is beside a solution.
 local function unfolded(blocks)
     local kept, folds, order = {}, {Answer = {}, Hint = {}, Solution = {}}, {'Hint', 'Answer', 'Solution'}
     local title, number, into, count, reference = '', nil, nil, 0, nil

@@ -1,6 +1,6 @@
 #!/bin/bash
-# book.sh - `make book`: all pages as one PDF, build/book.pdf, with a table of contents, numbered figures
-# and listings. pandoc reads the pages, XeLaTeX sets them.
+# book.sh - `make book`: typeset all pages as one PDF, build/book.pdf, with a table of contents, numbered figures
+# and listings. pandoc reads the pages, and XeLaTeX typesets them.
 set -u
 export LC_ALL=C
 . .make/pages.sh
@@ -34,7 +34,7 @@ cat >"$folder/head.tex" <<'END'
 \emergencystretch=3em
 END
 
-# The pages' pictures are written from docs/ on.
+# The paths of pictures in the pages are relative to docs/.
 pandoc -s "${files[@]}" -o build/book.pdf --pdf-engine=xelatex --resource-path=docs \
     --toc --toc-depth=2 --top-level-division=chapter --highlight-style=tango -H "$folder/head.tex" \
     -M title='Ray marching, step by step' -M subtitle='A course in C and GLSL' -M lang=en-GB \
@@ -46,7 +46,7 @@ if [ "$status" != 0 ]; then
     echo "make: the book could not be set: $(grep -E -m 1 -A 2 '^!|Error' "$folder/log" | tr '\n' ' ')" >&2
     exit 1
 fi
-# What a font lacks would be a hole in the text.
+# A character that the font lacks would leave a gap in the text.
 if grep -q 'Missing character' "$folder/log"; then
     grep 'Missing character' "$folder/log" | sort -u >&2
     exit 1

@@ -1,8 +1,8 @@
 #!/bin/bash
-# chapter.sh - `make chapter NAME=soft_shadows`: begin a chapter with the next free number.
+# chapter.sh - `make chapter NAME=soft_shadows`: create a chapter with the next free number.
 #
-# Environment: NAME. Writes chapters/NN_NAME.c and .frag, docs/NN_NAME.md, and a line in
-# tests/images.txt; nothing that exists is overwritten.
+# Environment: NAME. Writes chapters/NN_NAME.c and .frag and docs/NN_NAME.md, and adds a line to
+# tests/pictures/images.txt. It never overwrites a file.
 set -u
 . .make/chapters.sh
 
@@ -11,19 +11,19 @@ fail() {
     exit 1
 }
 
-[ -n "${NAME-}" ] || fail 'which name? For example: make chapter NAME=soft_shadows'
-[[ $NAME =~ ^[a-z][a-z0-9_]*$ ]] || fail "NAME=$NAME: small letters, digits and _, such as soft_shadows"
+[ -n "${NAME-}" ] || fail 'NAME is missing; for example: make chapter NAME=soft_shadows'
+[[ $NAME =~ ^[a-z][a-z0-9_]*$ ]] || fail "NAME=$NAME: must have only lower-case letters, digits and _, such as soft_shadows"
 last=$(stems | tail -n 1)
 number=$(printf '%02d' $((10#${last%%_*} + 1)))
-[ "$number" -le 99 ] || fail 'there are a hundred chapters'
+[ "$number" -le 99 ] || fail 'there are already a hundred chapters'
 stem=${number}_$NAME
 small=${NAME//_/ }
-title=$(printf '%s' "${small:0:1}" | tr '[:lower:]' '[:upper:]')${small:1} # for the bash of a Mac
+title=$(printf '%s' "${small:0:1}" | tr '[:lower:]' '[:upper:]')${small:1} # the bash of a Mac cannot change the case itself
 for file in "chapters/$stem.c" "chapters/$stem.frag" "docs/$stem.md"; do
-    [ ! -e "$file" ] || fail "$file exists"
+    [ ! -e "$file" ] || fail "$file already exists"
 done
 
-# fill TEMPLATE: the template with this chapter's names in it.
+# fill TEMPLATE: print the template with the names of this chapter filled in.
 fill() {
     sed "s/@number@/$number/g; s/@before@/${last%%_*}/g; s/@stem@/$stem/g; s/@title@/$title/g; s/@small@/$small/g" \
         ".make/chapter/$1"
@@ -31,7 +31,7 @@ fill() {
 fill chapter.c >"chapters/$stem.c" || exit 1
 fill chapter.frag >"chapters/$stem.frag" || exit 1
 fill chapter.md >"docs/$stem.md" || exit 1
-printf '\n%s  -\n' "$stem" >>tests/images.txt
+printf '\n%s  -\n' "$stem" >>tests/pictures/images.txt
 
-printf '%s\n' "chapters/$stem.c, chapters/$stem.frag, docs/$stem.md: written; tests/images.txt: its picture" \
-    "next: make docs references; make run CHAPTER=$number; docs/contributing.md says the rest"
+printf '%s\n' "chapters/$stem.c, chapters/$stem.frag, docs/$stem.md: written; tests/pictures/images.txt: its picture" \
+    "next: make docs references; make run CHAPTER=$number; docs/contributing.md describes the other steps"

@@ -1,6 +1,6 @@
 # shellcheck shell=sh
-# chapters.sh - read by the other scripts here: which chapters there are, and what runs them. They read and
-# print the same in every language.
+# chapters.sh - sourced by the other scripts here: the list of chapters, and functions that run them. It also sets
+# LC_ALL, so that the scripts behave the same in every language.
 export LC_ALL=C
 
 stems() {
@@ -9,7 +9,7 @@ stems() {
     done
 }
 
-# stem_of NAME: the stem of 03, 3 or 03_shadows; the first one of no name.
+# stem_of NAME: print the stem of the chapter 03, 3 or 03_shadows; if NAME is empty, that of the first chapter.
 stem_of() {
     for stem in $(stems); do
         case $stem in
@@ -22,8 +22,8 @@ stem_of() {
     return 1
 }
 
-# in_window PROGRAM OPTION...: run it, and end with its status; come back only where it wants a window and none can
-# be opened, which the program alone knows: status 3.
+# in_window PROGRAM OPTION...: run the program and exit with its status; return only if it needs a window and none can
+# be opened. Only the program can tell, and its status is then 3.
 in_window() {
     "$@"
     status=$?
@@ -31,7 +31,7 @@ in_window() {
     echo 'No window can be opened here: rendering into files instead.'
 }
 
-# in_file NAME PROGRAM OPTION...: a picture in build/gallery/.
+# in_file NAME PROGRAM OPTION...: render a picture into build/gallery/.
 in_file() {
     picture=build/gallery/$1.png
     shift

@@ -1,25 +1,28 @@
 #!/bin/bash
-# check.sh - `make check EXERCISE=03_2 FILE=my.frag`: is a reader's solution of an exercise right? It is
-# rendered like the solution in chapters/solutions, with the options of the exercise's pictures in
-# tests/images.txt and those of tests/checks.txt; the pictures and the marches of some rays are compared.
+# check.sh - `make check EXERCISE=03_2 FILE=my.frag`: check a reader's solution of an exercise. The file and the
+# solution in chapters/solutions are rendered with the same options, those of the exercise's pictures in
+# tests/pictures/images.txt and tests/course/checks.txt. Their pictures and the marches of some rays are compared.
+# EXERCISE=engine_1 is an exercise of docs/engine.md: FILE is a C program, which is built and run.
 #
-# Environment: EXERCISE; FILE, or FILES for a table, one line a file: a pattern, or several with spaces
-# between them. What differs is left as a picture in build/check/EXERCISE/, under the file's own path.
-# Exit status: 0 when every file is right, 1 when one is not, 2 when the question is wrong.
+# Environment: EXERCISE; FILE, or FILES for a table with one line for each file. FILES is a pattern, or several patterns
+# separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file.
+# For `make marks`, the files are arguments, and MARKS names a file that gets a line for each of them, its fields
+# separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' for none).
+# Exit status: 0 if every file is right, 1 if one is not, 2 if the arguments are wrong.
 set -u
 export LC_ALL=C
 
 # shellcheck source=.make/exercises.sh
 . .make/exercises.sh
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
-limit=${CHECK_LIMIT:-60} # seconds of the processor for one picture, so that a busy machine refuses nobody
+limit=${CHECK_LIMIT:-60} # seconds of processor time for one picture, so that a busy machine makes no difference
 
 fail() {
     printf 'make: %s\n' "$*" >&2
     exit 2
 }
 
-# The program with some options as one word; what is handed in for at most so long, for a loop of it may never end.
+# Run the program; OPTIONS is one word. A file that was handed in has a time limit, because its loop may be endless.
 render() { # OPTIONS SHADER OPTION...
     local options=$1 shader=$2
     shift 2
@@ -27,30 +30,30 @@ render() { # OPTIONS SHADER OPTION...
         [ "$shader" = "$solution" ] || ulimit -S -t "$limit"
         # shellcheck disable=SC2086 # options are words
         "$program" $options -f "$shader" "$@"
-        exit $? # not its last command: what this shell says of a program that was ended goes where the program's words go
+        exit $? # keeps this shell alive, so that its message about a killed program goes where the program's messages go
     )
 }
 
-# What --probe prints of some pixels, in the picture's options.
+# The output of --probe for some pixels, with the options of the picture.
 probes() { # SHADER OPTIONS X,Y...
     local probes=("${@:3}")
     render "$(options_of_rays "$2")" "$1" "${probes[@]/#/--probe=}" 2>/dev/null
 }
 
-# One ray in words.
-told() { # SHADER OPTIONS X,Y
+# Describe one ray in words.
+describe() { # SHADER OPTIONS X,Y
     probes "$@" >"$scratch/ray"
     build/tests/judge ray "$scratch/ray"
 }
 
-# Where to look, below what is wrong in a picture.
+# Say where to look; this is printed below the message on a wrong picture.
 look() { # FILE OPTIONS PLACE
     echo "  look at yours: $program --shader $1${shown:+ $shown}"
-    echo "  your pixel $3: $(told "$1" "$2" "$3")"
-    echo "  the solution's: $(told "$solution" "$2" "$3")"
+    echo "  your pixel $3: $(describe "$1" "$2" "$3")"
+    echo "  the solution's: $(describe "$solution" "$2" "$3")"
 }
 
-# The solution's picture for line N of the options, and its nine rays; made when first asked for.
+# The solution's picture for line N of the options, and its nine rays; each is made when it is first needed.
 right_picture() { # N OPTIONS
     [ -e "$scratch/$1.png" ] ||
         render "$2" "$solution" -o "$scratch/$1.png" >/dev/null 2>"$scratch/errors" ||
@@ -61,7 +64,7 @@ right_rays() { # OPTIONS PLACES
     [ -e "$scratch/rays" ] || probes "$solution" "$1" $2 >"$scratch/rays"
 }
 
-# Why a file gave no picture, from the status and what was said.
+# The reason why a file gave no picture, from the exit status and the messages.
 why_not() { # STATUS
     case $1 in
     152) echo "does not end: no picture after $limit s" ;; # SIGXCPU
@@ -69,14 +72,54 @@ why_not() { # STATUS
     esac
 }
 
-# One file: prints its verdict, in the first line what a table has room for.
+# Keep the two pictures of a file that are compared last, for the page of `make marks`.
+keep_pictures() { # N PICTURE
+    cp "$mine" "$2"
+    cp "$scratch/$1.png" "${2%.png}.right.png"
+    printf '%s\t%s\n' "$2" "${2%.png}.right.png" >"$scratch/kept"
+}
+
+# Build a C program as docs/engine.md says, and tell what one command line does: its status, and the file and line that
+# its message names.
+build_program() { # SOURCE PROGRAM
+    # shellcheck disable=SC2046 # flags are words
+    "${CC:-cc}" -o "$2" "$1" $(pkg-config --cflags --libs glfw3 egl libpng) -lm 2>"$scratch/errors"
+}
+outcome() { # PROGRAM OPTIONS
+    # shellcheck disable=SC2086 # options are words
+    (ulimit -S -t "$limit" && "$scratch/$1" -o "$scratch/$1.png" $2) 2>"$scratch/errors"
+    local status=$?
+    case $status in
+    0) echo 'writes a picture' ;;
+    1) echo "ends with status 1 and names '$(sed -nE '1s/^[^:]*: ([^:]*(:[0-9]+)?).*/\1/p' "$scratch/errors")'" ;;
+    *) echo "ends with status $status" ;;
+    esac
+}
+
+# Judge a C program: on each command line it ends as the solution does, and writes the same picture.
+judge_program() { # FILE DIFFERENCE
+    local options said right share shares=()
+    build_program "$1" "$scratch/mine" || { echo "does not compile: $(grep -m 1 error "$scratch/errors")"; return 1; }
+    while read -r options; do
+        right=$(outcome right "$options")
+        said=$(outcome mine "$options")
+        [ "$said" = "$right" ] || { echo "with -o FILE.png $options it $said, and the solution $right"; return 1; }
+        [[ $right == writes* ]] || continue
+        said=$(build/tests/judge picture "$options" "$scratch"/{right,mine}.png "$2") || { tail -n 1 <<<"$said: see $2"; return 1; }
+        shares+=("$(sed -n 2p <<<"$said")")
+    done <<<"$wanted"
+    build/tests/judge right "${shares[@]}"
+}
+
+# Judge one file and print the verdict; its first line also fits into a table.
 judge() { # FILE
     local file=$1 options status said place share shares=() shown places number=0 mine=$scratch/mine.png
-    local difference=${file%.frag}.difference.png
+    local difference=${file%.*}.difference.png
     difference=$folder/$(sed -E 's|^([.]{0,2}/)*||; s|/[.]{1,2}/|/|g' <<<"$difference")
-    [ -f "$file" ] || { echo 'is no file'; return 1; }
+    [ -f "$file" ] || { echo 'no such file'; return 1; }
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
     mkdir -p "$(dirname "$difference")" || return 1
+    [[ $solution != *.diff ]] || { judge_program "$file" "$difference"; return; }
     while read -r options; do
         number=$((number + 1))
         shown=$(shown_of "$options")
@@ -84,6 +127,7 @@ judge() { # FILE
         render "$options" "$file" -o "$mine" >/dev/null 2>"$scratch/errors"
         status=$?
         [ "$status" = 0 ] || { why_not "$status"; return 1; }
+        [ -z "${MARKS-}" ] || keep_pictures "$number" "${difference%.difference.png}.png"
         said=$(build/tests/judge picture "$shown" "$scratch/$number.png" "$mine" "$difference")
         status=$?
         { read -r place; read -r share; read -r said; } <<<"$said"
@@ -99,40 +143,33 @@ judge() { # FILE
     build/tests/judge right "${shares[@]}"
 }
 
-# Set files to those that FILE or FILES asks for. A pattern whose folder has spaces is tried whole first.
-find_files() {
-    local IFS='' file
-    files=(${FILE:+"$FILE"})
-    [ -n "${FILES-}" ] || return
-    shopt -s nullglob
-    for IFS in '' ' '; do
-        # shellcheck disable=SC2206 # a pattern stands for files
-        files=($FILES)
-        for file in ${files[@]+"${files[@]}"}; do
-            [ ! -e "$file" ] || return
-        done
-    done
-    fail "FILES='$FILES': no file has such a name"
-}
-
 case ${EXERCISE-} in
-[0-9][0-9]_[0-9]*) ;;
+[0-9][0-9]_[0-9]* | engine_[0-9]*) ;;
 '') fail "which exercise? For example: make check EXERCISE=03_2 FILE=my.frag" ;;
 *) fail "EXERCISE=$EXERCISE: a chapter and a number, such as 03_2" ;;
 esac
 stem=$(basename "$(echo chapters/"${EXERCISE%%_*}"_*.c)" .c)
 wanted=$(pictures_of "$stem" "${EXERCISE#*_}")
-[ -n "$wanted" ] || fail "EXERCISE=$EXERCISE: no solution to compare with; there are $(exercises | paste -s -d ' ' -)"
-find_files
+[[ $EXERCISE == [0-9]* ]] || wanted=$(sed -n "s/^$EXERCISE  *//p" tests/course/checks.txt)
+[ -n "$wanted" ] || fail "EXERCISE=$EXERCISE: no solution to compare with; there are $({ exercises; grep -o '^engine_[0-9]*' tests/course/checks.txt | uniq; } | paste -s -d ' ' -)"
+if [ $# -gt 0 ]; then files=("$@"); else find_files; fi
 set -f
 [ ${#files[@]} -gt 0 ] || fail "which file? For example: make check EXERCISE=$EXERCISE FILE=my.frag"
 
 program=build/$stem
 solution=chapters/solutions/${stem}_${EXERCISE#*_}.frag
-folder=${CHECK_FOLDER:-build/check}/$EXERCISE # for the pictures that are left
+folder=${CHECK_FOLDER:-build/check}/$EXERCISE # for the pictures of the differences
 rm -rf "$folder" && mkdir -p "$folder" && scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-check.XXXXXX") || exit 2
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 2' HUP INT TERM
+if [[ $EXERCISE != [0-9]* ]]; then
+    solution=chapters/solutions/$EXERCISE.diff
+    command -v patch >/dev/null || fail "EXERCISE=$EXERCISE: needs patch: make setup installs it"
+    if ! patch -s -o "$scratch/right.c" chapters/first_steps/engine_6.c "$solution" ||
+        ! build_program "$scratch/right.c" "$scratch/right"; then
+        fail "$solution: cannot be built: $(head -n 1 "$scratch/errors")"
+    fi
+fi
 
 wrong=0 width=0
 for file in "${files[@]}"; do
@@ -140,13 +177,16 @@ for file in "${files[@]}"; do
 done
 for file in "${files[@]}"; do
     mark=right
+    printf -- '-\t-\n' >"$scratch/kept"
     verdict=$(judge "$file") || { [ $? = 2 ] && exit 2; mark=wrong wrong=$((wrong + 1)); }
-    if [ -n "${FILES-}" ]; then
+    if [ -n "${MARKS-}" ]; then
+        printf '%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "${verdict%%$'\n'*}" "$(cat "$scratch/kept")" >>"$MARKS"
+    elif [ -n "${FILES-}" ]; then
         printf '%-5s  %-*s  %s\n' "$mark" "$width" "$file" "${verdict%%$'\n'*}"
     else
         printf '%s: %s: %s\n' "$file" "$mark" "$verdict"
     fi
 done
 find "$folder" -depth -type d -empty -delete
-[ -z "${FILES-}" ] || echo "$((${#files[@]} - wrong)) of ${#files[@]} right"
+[ -z "${FILES-}" ] || [ -n "${MARKS-}" ] || echo "$((${#files[@]} - wrong)) of ${#files[@]} right"
 [ "$wrong" = 0 ]

@@ -1,8 +1,8 @@
 #!/bin/bash
-# compare.sh - `make compare PICTURES='one.png two.png'`: by how much do two pictures differ? One line in
-# words; where they differ by more than a rounding the difference is left as a picture in build/compare.png.
+# compare.sh - `make compare PICTURES='one.png two.png'`: print in one line how much two pictures differ. If they differ
+# by more than rounding, a picture of the difference is left in build/compare.png.
 #
-# Environment: PICTURES. Exit status: 0 when they are the same within the tolerance, 1 when not, 2 when
+# Environment: PICTURES. Exit status: 0 if they are the same within the tolerance, 1 if they are not, 2 if
 # they cannot be compared.
 set -u -f
 export LC_ALL=C

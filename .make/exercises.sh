@@ -1,16 +1,16 @@
 #!/bin/bash
-# exercises.sh - which pictures and rays of an exercise are compared, for `make check` and for the pages. Sourced it
-# has functions; run it prints a line for each picture: NN_K|STEM|OPTIONS|OPTIONS AS SHOWN|OPTIONS OF ITS RAYS|PLACES.
+# exercises.sh - the pictures and rays that are compared for an exercise, for `make check`, `make marks` and the pages. When
+# sourced, it defines functions; when run, it prints a line for each picture:
+# NN_K|STEM|OPTIONS|OPTIONS AS SHOWN|OPTIONS OF ITS RAYS|PLACES.
 export LC_ALL=C
 
-# NN_K of every exercise that has a solution.
+# Print NN_K for every exercise that has a solution.
 exercises() {
     awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2) "_" $2 }' \
-        tests/images.txt | sort -t _ -k 1,1 -k 2,2n
+        tests/pictures/images.txt | sort -t _ -k 1,1 -k 2,2n
 }
 
-# The options of each picture of the exercise, a line each, as the pages spell them, without the solution's
-# own file.
+# Print the options of each picture of the exercise, one line each, with long names and without the solution's file.
 pictures_of() { # STEM NUMBER
     awk -v stem="$1" -v number="$2" '
         BEGIN {
@@ -24,10 +24,10 @@ pictures_of() { # STEM NUMBER
                 if ($i == "-f" || $i == "--shader") i++
                 else options = options " " ($i in long ? long[$i] : $i)
             print options
-        }' tests/images.txt tests/checks.txt
+        }' tests/pictures/images.txt tests/course/checks.txt
 }
 
-# What of the options a page would name.
+# The part of the options that a page would show.
 shown_of() { # OPTIONS
     sed -E 's/^ *//; s/^--size 640x360 ?//' <<<"$1"
 }
@@ -42,9 +42,25 @@ places_of() { # OPTIONS
     echo "${places[*]}"
 }
 
-# The options of a picture that its rays have too.
+# The options of a picture that its rays use too.
 options_of_rays() { # OPTIONS
     sed -E 's/(--view|--probe) +[^ ]+//g' <<<"$1"
+}
+
+# Set files to those named by FILE or FILES. FILES is first tried as a single pattern, because folders may have spaces.
+find_files() {
+    local IFS='' file
+    files=(${FILE:+"$FILE"})
+    [ -n "${FILES-}" ] || return
+    shopt -s nullglob
+    for IFS in '' ' '; do
+        # shellcheck disable=SC2206 # a pattern is expanded to files
+        files=($FILES)
+        for file in ${files[@]+"${files[@]}"}; do
+            [ ! -e "$file" ] || return
+        done
+    done
+    fail "FILES='$FILES': no file has such a name"
 }
 
 [ "${BASH_SOURCE[0]}" = "$0" ] || return 0

@@ -1,10 +1,9 @@
 #!/bin/sh
-# film.sh [OPTION...] - `make film`: a chapter as an MP4 and a GIF, by ffmpeg.
+# film.sh [OPTION...] - `make film`: make an MP4 and a GIF of a chapter with ffmpeg.
 #
-# Environment: CHAPTER, "03" or a whole stem, the first one where it is empty; FRAMES and FPS, how
-# many pictures and how many a second; VIEW, what they show. Slice and plot show one ray: in their films
-# it goes from its first step to its last. The pictures stay in build/film/STEM/. A film that is
-# interrupted leaves the old one as it was.
+# Environment: CHAPTER, "03" or a whole stem (if empty, the first chapter); FRAMES and FPS, the number of pictures and
+# the number per second; VIEW, the view. The slice and the plot show one ray, and their films follow it from its first
+# step to its last. The pictures stay in build/film/STEM/. If the command is interrupted, the old film is kept.
 set -u
 . .make/chapters.sh
 
@@ -31,13 +30,13 @@ trap 'exit 143' HUP TERM
 mkdir -p "$folder" && rm -f "$folder"/frame-*.png || exit 1
 build/"$stem" "$@" --frames "$frames" --fps "$fps" -o "$folder/frame-%04d.png" || exit 1
 
-# Halved colour, which players expect, needs an even width and height. Colours are converted as the file
-# says that they are; players guess otherwise, by the size.
+# Players expect colours at half the resolution, which requires an even width and height. The file states which
+# conversion of colours it uses; otherwise players would guess it from the size.
 ffmpeg -nostdin -loglevel error -y -framerate "$fps" -i "$folder/frame-%04d.png" \
     -vf 'crop=trunc(iw/2)*2:trunc(ih/2)*2,scale=out_color_matrix=bt709:out_range=tv:flags=accurate_rnd+full_chroma_int' -pix_fmt yuv420p \
     -color_range tv -colorspace bt709 -color_primaries bt709 -color_trc bt709 \
     -c:v libx264 -crf 18 -movflags +faststart "$part.mp4" || exit 1
-# A GIF has 256 colours: those of this film. Browsers slow down one of more than 50 pictures a second.
+# A GIF has 256 colours, which are chosen for this film. Browsers slow down a GIF of more than 50 pictures a second.
 rate=$(echo "$fps" | awk '{ print ($1 > 50 ? 50 : $1) }')
 ffmpeg -nostdin -loglevel error -y -framerate "$fps" -i "$folder/frame-%04d.png" \
     -filter_complex "fps=$rate,split[a][b];[a]palettegen[colours];[b][colours]paletteuse" \

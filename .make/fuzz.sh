@@ -1,10 +1,10 @@
 #!/bin/bash
-# fuzz.sh - `make fuzz`: libFuzzer makes up bytes and hands them to what reads a person's words, while
-# clang's sanitizers watch. It sets out from tests/corpus/NAME; tests/support_fuzz.h says what must hold.
+# fuzz.sh - `make fuzz`: libFuzzer invents inputs for the parsers of text that people write, which run with clang's
+# sanitizers. It starts from the files in tests/corpus/NAME; tests/lib/fuzz.h lists the conditions that must hold.
 #
-# Environment: DURATION, seconds for each target, 60 by default. Exit status: 0 when nothing was found;
-# 1 after a crash, a leak, a hang (5 s for one input) or a broken promise: the bytes are kept in
-# build/fuzz/, and are given to a person to add to tests/corpus once mended.
+# Environment: DURATION, seconds for each target, 60 by default. Exit status: 0 if nothing was found;
+# 1 after a crash, a leak, a hang (5 s for one input) or a broken promise. The input is then kept in build/fuzz/; add
+# it to tests/corpus after the error is corrected.
 set -u
 export LC_ALL=C
 
@@ -17,14 +17,14 @@ export ASAN_OPTIONS=detect_leaks=1
 export UBSAN_OPTIONS=print_stacktrace=1
 
 running=''
-# Files in memory are written sooner. libFuzzer ends without tidying up.
+# Files in memory are written faster. libFuzzer exits without removing its files.
 TMPDIR=$(mktemp -d -p "$([ ! -w /dev/shm ] || echo /dev/shm)") || exit 1
 export TMPDIR
 trap 'rm -rf "$TMPDIR"' EXIT
 trap 'kill $running 2>/dev/null; wait; exit 1' HUP INT TERM
 
-# What is found on the way is kept for the next time, apart from the committed files. The program's
-# standard error belongs to the tests: -close_fd_mask=2 has libFuzzer keep one of its own.
+# Inputs that are found on the way are kept for the next run, separately from the committed files. The tests use the
+# program's standard error, so -close_fd_mask=2 makes libFuzzer keep its own copy.
 fuzz() { # TARGET
     mkdir -p "$folder/found/$1"
     FUZZ=$1 exec "$folder/tests/fuzz" -max_total_time="$duration" -timeout=5 -rss_limit_mb=2048 -max_len=4096 \
@@ -38,7 +38,7 @@ targets=()
 for list in tests/corpus/*.dict; do
     targets+=("$(basename "$list" .dict)")
 done
-echo "make fuzz: ${targets[*]}: $duration s each, side by side"
+echo "make fuzz: ${targets[*]}: $duration s each, at the same time"
 for target in "${targets[@]}"; do
     fuzz "$target" &
     running="$running $!"

@@ -1,140 +1,187 @@
 #!/bin/bash
-# lint.sh - `make lint`: every source against every checker that knows its language. Called by make
-# after the programs are built; CFLAGS holds the language, the warnings and what this machine has.
+# lint.sh - `make lint`: check every source with every checker that knows its language. Called by make
+# after the programs are built; CFLAGS holds the language, the warnings and the libraries that this machine has.
+#
+# A source that passed is not checked again until a file that its checkers read has changed. The name of its stamp is
+# made from the checkers, their settings and the source. The stamp lists the checksum of every file that was read.
 set -u
 export LC_ALL=C
 
-glsl_folder=build/lint
+scratch=build/lint
+stamps=${XDG_CACHE_HOME:-$HOME/.cache}/ray-marching/lint
 read -r -a flags <<<"${CFLAGS-}"
-windows=(-std=c11 -D_WIN32_WINNT=0x0A00 -Icommon -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
+windows=(-std=c11 -D_WIN32_WINNT=0x0A00 -Icommon -Ishaders -Itests -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror)
 
-# ---- GLSL ----
+# clang looks for the headers for Windows beside the compiler in PATH, which must not be a link to ccache.
+PATH=${PATH//\/usr\/lib\/ccache:/}
 
-# validate FILE NAME: an expanded fragment shader, as desktop OpenGL and as ES. Its line 1 is #version.
-validate() {
-    local desktop=$glsl_folder/$2.330.frag es=$glsl_folder/$2.es.frag failed=0
-    cp "$1" "$desktop"
-    {
-        printf '#version 300 es\n'
-        printf 'precision highp %s;\n' float int sampler2D sampler3D
-        tail -n +2 "$1"
-    } >"$es"
-    glslangValidator -S frag "$desktop" || failed=1
-    # The chapters must run in a browser; a reader's little example need not.
-    case $2 in
-    experiments-* | solutions-*) ;;
-    *) glslangValidator -S frag "$es" || failed=1 ;;
-    esac
-    return $failed
-}
+# ---- The checkers: one process for several sources costs less than one for each ----
 
-# Expand a shader into FILE; no OpenGL is needed for it.
-expand() { # SHADER FILE
-    build/00_first_scene --shader "$1" --print-shader >"$2"
-}
+check_c() { compile gcc '' "${flags[@]}"; }
+check_windows() { compile x86_64-w64-mingw32-gcc --target=x86_64-w64-mingw32 -D_UCRT "${windows[@]}"; }
 
-# A library file in a stub of its own: it must stand alone.
-check_library() {
-    local name stub
-    name=library-$(basename "$1" .glsl)
-    stub=$glsl_folder/$name.stub.frag
-    printf '#include "%s"\n' "$(basename "$1")" >"$stub"
-    grep -q 'void main()' "$1" || printf 'void main() {}\n' >>"$stub"
-    expand "$stub" "$glsl_folder/$name.frag" && check_views "$glsl_folder/$name.frag" "$name"
-}
-
-check_shader() {
-    local name
-    name=$(echo "${1#chapters/}" | tr / -)
-    name=${name%.frag}
-    expand "$1" "$glsl_folder/$name.frag" && check_views "$glsl_folder/$name.frag" "$name"
-}
-
-# The course's own form is compiled once for each view.
-check_views() { # EXPANDED NAME
-    local view failed=0
-    if ! sed -n 2p "$1" | grep -q '^#define VIEW '; then
-        validate "$1" "$2"
-        return
-    fi
-    for view in 0 1 2 3 4 5 6 7 8 9; do
-        sed "2s/.*/#define VIEW $view/" "$1" >"$glsl_folder/$2.$view.frag"
-        validate "$glsl_folder/$2.$view.frag" "$2.$view" || failed=1
+# gcc finds some mistakes only when it optimises, and lists the headers. clang-tidy reports clang's warnings too. It
+# needs a process for each source: after the first one, its analyzer no longer recognises va_start.
+compile() { # COMPILER TARGET FLAG...
+    for file in "${sources[@]}"; do
+        "$1" "${@:3}" -O2 -c -o /dev/null -MD -MF "$scratch/$$.d" "$file" || failed=1
+        sed 's/^[^ ]*: //; s/\\$//' "$scratch/$$.d" | xargs sha256sum >"$(list_of "$file")" || failed=1
+        clang-tidy --quiet "$file" -- ${2:+"$2"} "${@:3}" || failed=1
     done
-    return $failed
+    check_cppcheck
 }
 
-check_vertex() {
-    cp "$1" "$glsl_folder/vertex.vert"
-    grep -q '^#version' "$1" || { echo '#version 330 core'; cat "$1"; } >"$glsl_folder/vertex.vert"
-    glslangValidator -S vert "$glsl_folder/vertex.vert"
+# cppcheck reads no system headers. Two of its checks are therefore suppressed: it would take functions of unknown type
+# to return integers, and it does not follow realloc as clang's analyzer does.
+check_cppcheck() {
+    cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 \
+        --enable=warning,performance,portability --suppress=missingIncludeSystem \
+        --suppress=CastIntegerToAddressAtReturn --suppress=memleak \
+        -Icommon -Ishaders -Itests -DHAVE_GLFW -DHAVE_EGL -DHAVE_OSMESA "${sources[@]}" || failed=1
 }
 
-# ---- One check ----
+check_shell() {
+    shellcheck -x "${sources[@]}" || failed=1
+    for file in "${sources[@]}"; do # with the scripts that they source
+        awk '!/^ *#/ { for (i = 1; i < NF; i++) if ($i == "." && $(i + 1) ~ /[.]sh$/) print $(i + 1) }' "$file" | xargs sha256sum "$file" >"$(list_of "$file")"
+    done
+}
 
-one() { # CHECK [FILE]
-    case $1 in
-    gcc) gcc "${flags[@]}" -O2 -c -o /dev/null "$2" ;; # it sees some mistakes only as it optimises
-    clang) clang "${flags[@]}" -fsyntax-only "$2" ;;
-    format) clang-format --dry-run --Werror "$2" ;;
-    tidy) clang-tidy --quiet "$2" -- "${flags[@]}" ;;
-    windows) x86_64-w64-mingw32-gcc -D_UCRT "${windows[@]}" -O2 -c -o /dev/null "$2" ;;
-    windows_tidy) clang-tidy --quiet "$2" -- --target=x86_64-w64-mingw32 "${windows[@]}" ;;
-    cppcheck)
-        # It reads no system header: a function of unknown type is no integer, and clang's analyzer
-        # follows realloc where it does not.
-        cppcheck --quiet --error-exitcode=1 --inline-suppr --std=c11 \
-            --enable=warning,performance,portability --suppress=missingIncludeSystem \
-            --suppress=CastIntegerToAddressAtReturn --suppress=memleak \
-            -Icommon -DHAVE_GLFW -DHAVE_EGL -DHAVE_OSMESA "$2"
-        ;;
-    shellcheck) shellcheck -x "$2" ;;
-    library) check_library "$2" ;;
-    shader) check_shader "$2" ;;
-    vertex) check_vertex "$2" ;;
-    esac
+# Expanded shaders, as desktop OpenGL and as ES, once for each view that they distinguish. Line 1 is
+# #version; line 2 sets VIEW in the course's own dialect.
+check_glsl() {
+    local es variants=()
+    for file in "${sources[@]}"; do
+        # The chapters must run in a browser; a reader's little example, or a shader of the engine, need not.
+        case $file in */experiments-* | */solutions-* | */first_steps-engine_*) es=0 ;; *) es=1 ;; esac
+        read -r -a variants <<<"${variants[*]-} $(awk -v name="${file%.frag}" -v es=$es '
+            { line[NR] = $0 }
+            NR == 2 { own = /^#define VIEW / }
+            NR > 2 && /VIEW/ { distinguishes = 1 }
+            END {
+                for (view = 0; view < (own && distinguishes ? 10 : 1); view++)
+                    for (dialect = 0; dialect <= es; dialect++) {
+                        if (own)
+                            line[2] = "#define VIEW " view
+                        out = name "." view (dialect ? ".es" : ".330") ".frag"
+                        if (dialect)
+                            print "#version 300 es\nprecision highp float;\nprecision highp int;\n" \
+                                "precision highp sampler2D;\nprecision highp sampler3D;" >out
+                        for (i = 1 + dialect; i <= NR; i++)
+                            print line[i] >out
+                        close(out)
+                        printf "%s ", out
+                    }
+            }' "$file")"
+    done
+    # The validator prints the name of every file; only those with a message matter.
+    glslangValidator -S frag "${variants[@]}" >"$scratch/$$.log" || failed=1
+    grep -B1 '^[A-Z]*:' "$scratch/$$.log"
+    rm -f "${variants[@]}"
+}
+
+# Expand a shader and print the name of the result; no OpenGL is needed. A library file goes into a
+# stub, because it must compile alone.
+expand() { # SHADER
+    local name=${1#chapters/} shader=$1
+    name=$scratch/${name//\//-}
+    if [ "${1##*.}" = glsl ]; then
+        shader=$name.stub.frag
+        printf '#include "%s"\n' "${1##*/}" >"$shader"
+        grep -qE 'void main\(\)|include "main.glsl"' "$1" || printf 'void main() {}\n' >>"$shader"
+    fi
+    build/00_first_scene --shader "$shader" --print-shader >"$name.frag" && printf '%s\n' "$name.frag"
+}
+
+# The list of the files that the checkers read for a source, with their checksums.
+list_of() { # FILE
+    printf '%s/%s.read' "$scratch" "${1//\//-}"
+}
+
+# ---- Some sources of one language ----
+
+check() { # LANGUAGE SETTINGS FILE...
+    local language=$1 settings=$2 failed=0 files=() sources=() names=() current=() sums hash file i
+    shift 2
+    for file in "$@"; do
+        [ "$language" != glsl ] || file=$(expand "$file") || { failed=1; continue; }
+        files+=("$file")
+    done
+    [ ${#files[@]} != 0 ] && sums=$(sha256sum -- "${files[@]}") || return 1
+    while read -r hash file; do
+        name=$stamps/$language-$settings-${file//\//-}-$hash
+        if sha256sum --status --check "$name" 2>/dev/null; then
+            current+=("$name")
+        else
+            sources+=("$file")
+            names+=("$name")
+            printf '%s  %s\n' "$hash" "$file" >"$(list_of "$file")"
+        fi
+    done <<<"$sums"
+    [ ${#current[@]} = 0 ] || touch "${current[@]}"
+    [ ${#sources[@]} != 0 ] || return $failed
+    "check_$language"
+    [ $failed = 0 ] || return 1
+    for i in "${!sources[@]}"; do
+        cp "$(list_of "${sources[i]}")" "${names[i]}.$$" && mv "${names[i]}.$$" "${names[i]}"
+    done
 }
 
 if [ $# != 0 ]; then
-    if ! output=$(one "$@" 2>&1); then
-        printf '%s\n' "$output" "lint: $1 finds fault with ${2-the sources}"
-        exit 1
-    fi
+    output=$(check "$@" 2>&1) || { printf '%s\nlint: faults among %s\n' "$output" "${*:3}"; exit 1; }
     exit 0
 fi
 
 # ---- All of them ----
 
 shopt -s nullglob
-rm -rf "$glsl_folder"
-mkdir -p "$glsl_folder"
+rm -rf "$scratch"
+mkdir -p "$scratch" "$stamps"
+find "$stamps" -type f -mtime +30 -exec rm -f {} +
+jobs=$(getconf _NPROCESSORS_ONLN) failed=0
 
-list() {
-    local file
-    for file in $(find common chapters shaders tests docs -name '*.c' | sort); do
-        # What is for Windows is read as such, where its headers are.
-        case $file in */platform/windows*.c | *_windows.c)
-            printf '%s\n' "cppcheck $file" "format $file"
-            ! command -v x86_64-w64-mingw32-gcc >/dev/null || printf '%s\n' "windows $file" "windows_tidy $file"
-            continue
-            ;;
-        esac
-        printf '%s\n' "tidy $file" "gcc $file" "clang $file" "cppcheck $file" "format $file"
-    done
-    for file in $(find common shaders tests docs -name '*.h' | sort); do
-        echo "format $file"
-    done
-    for file in shaders/*.glsl chapters/*.glsl; do
-        echo "library $file"
-    done
-    for file in chapters/*.frag chapters/*/*.frag; do
-        echo "shader $file"
-    done
-    echo 'vertex shaders/screen.vert'
-    for file in .make/*.sh tests/*.sh .ci/run; do
-        echo "shellcheck $file"
-    done
+# The settings are the contents of files and the versions of programs.
+lint() { # LANGUAGE SETTINGS FILE...
+    local language=$1 setting settings
+    settings=$(for setting in .make/lint.sh $2; do
+        if [ -f "$setting" ]; then cat "$setting"; else printf '%s\n' "${CFLAGS-}" && "$setting" --version; fi
+    done | sha256sum | cut -c 1-16)
+    shift 2
+    printf '%s\n' "$@" | xargs -P "$jobs" -n 8 .make/lint.sh "$language" "$settings" || { failed=1; return 1; }
 }
 
-list | xargs -P "$(getconf _NPROCESSORS_ONLN)" -L 1 .make/lint.sh || { echo 'lint: failed' >&2; exit 1; }
-echo "lint: $(list | wc -l) checks, no fault found"
+here=() elsewhere=()
+for file in $(find common chapters shaders tests docs -name '*.c' | sort); do
+    case $file in */platform/windows*.c | *_windows.c) elsewhere+=("$file") ;; *) here+=("$file") ;; esac
+done
+# The layout has no stamps: computing the checksums would take as long as the check.
+find common chapters shaders tests docs -name '*.[ch]' -print0 |
+    xargs -0 -P "$jobs" -n 100 clang-format --dry-run --Werror || failed=1
+lint shell shellcheck .make/*.sh tests/run tests/*/*.sh .ci/run
+{ echo '#version 330 core' && cat shaders/screen.vert; } >"$scratch/screen.vert"
+glslangValidator -S vert "$scratch/screen.vert" || failed=1
+# Expanding every shader takes longer than computing the checksums of all files that it depends on.
+whole() {
+    { glslangValidator --version && find build/00_first_scene .make/lint.sh shaders chapters -type f -print0 |
+        sort -z | xargs -0 sha256sum; } | sha256sum | cut -c 1-64
+}
+before=$(whole)
+touch -c "$stamps/glsl-$before"
+if [ ! -f "$stamps/glsl-$before" ]; then
+    # The engine's picture, a uniform of docs/engine.md alone, is refused by the harness; first_steps.sh draws with it.
+    drawn=()
+    for shader in chapters/*/*.frag; do
+        case $shader in */engine_5.frag) ;; *) drawn+=("$shader") ;; esac
+    done
+    lint glsl glslangValidator shaders/*.glsl chapters/*.glsl chapters/*.frag "${drawn[@]}" &&
+        [ "$before" = "$(whole)" ] && : >"$stamps/glsl-$before"
+fi
+if command -v x86_64-w64-mingw32-gcc >/dev/null; then
+    lint windows '.clang-tidy x86_64-w64-mingw32-gcc clang-tidy cppcheck' "${elsewhere[@]}"
+else
+    lint cppcheck cppcheck "${elsewhere[@]}"
+fi
+lint c '.clang-tidy gcc clang-tidy cppcheck' "${here[@]}"
+
+[ $failed = 0 ] || { echo 'lint: failed' >&2; exit 1; }
+echo "lint: no faults found"

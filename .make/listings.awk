@@ -1,5 +1,5 @@
-# listings.awk - one page for listings.sh: the page on standard input or as operand, the page with
-# fresh blocks on standard output. After source.awk. Variables: mode (write, check), page, build.
+# listings.awk - process one page for listings.sh: it reads the page from standard input or an operand, and writes it
+# with regenerated blocks to standard output. Requires source.awk. Variables: mode (write, check), page, build.
 
 function fail(text)
 {
@@ -37,7 +37,7 @@ function listing(file, name, comment,    first, last, text, i)
 
 # ---- The table of parameters ----
 
-# The trimmed part of a line from column a to before column b; to the end where b is 0.
+# The part of a line from column a up to column b, which is excluded, or to the end if b is 0, without outer spaces.
 function cell(line, a, b,    text)
 {
     text = b ? substr(line, a, b - a) : substr(line, a)
@@ -46,8 +46,8 @@ function cell(line, a, b,    text)
     return text
 }
 
-# The parameters of a program, and its textures, as tables of Markdown; "" after an error. The words of
-# the first line of each of --list's tables say where its columns begin.
+# The parameters and textures of a program as Markdown tables; "" after an error. The words in the first line of each
+# table that --list prints determine where its columns begin.
 function table(stem,    command, line, text, n, name, at, i, wrong)
 {
     command = build "/" stem " --list"
@@ -80,15 +80,15 @@ function table(stem,    command, line, text, n, name, at, i, wrong)
     return text
 }
 
-# ---- The time ----
+# ---- The reading time ----
 
-# The minutes of so many words, rounded up to a multiple of five.
+# The minutes that so many words take, rounded up to a multiple of five.
 function minutes(words, a_minute)
 {
     return 5 * int((words / a_minute + 4.999) / 5)
 }
 
-# How long the page takes to read: 200 words of the story a minute, or 100 words of a proof.
+# The reading time of the page, at 200 words of the story or 100 words of the proofs a minute.
 function time(    command, line, word)
 {
     command = "awk -f .make/words.awk \"" page "\""
@@ -101,7 +101,7 @@ function time(    command, line, word)
 
 # ---- The page ----
 
-# What a marker asks for; "" after an error.
+# The block that a marker requests; "" after an error.
 function block(line,    word, n)
 {
     n = split(line, word, " ")
@@ -115,7 +115,7 @@ function block(line,    word, n)
     return ""
 }
 
-# The block below a marker has been read: write it afresh.
+# The block below a marker has been read: write the new one.
 function finish()
 {
     if (old != fresh && mode == "check") {
@@ -129,7 +129,7 @@ function finish()
 
 BEGIN { state = "text" }
 
-# The first line below a marker: the block begins, or there is none yet.
+# The first line below a marker: either the block begins, or there is none yet.
 state == "marker" {
     begins = marker ~ /^<!-- code:/ ? "^```" : marker ~ /^<!-- time/ ? "^\\*\\*Time\\.\\*\\*" : "^\\|"
     if ($0 ~ begins) {
@@ -147,7 +147,7 @@ state == "listing" {
     next
 }
 
-# Behind an empty line a second table may follow: of the textures.
+# After an empty line, a second table may follow: that of the textures.
 state == "rows" {
     if ($0 ~ begins) {
         old = old held $0 "\n"
@@ -163,7 +163,7 @@ state == "rows" {
     held = ""
 }
 
-# Markers inside another fence are shown, not obeyed.
+# Markers inside another fence are text and are ignored.
 state == "text" && /^```/ { fenced = !fenced }
 
 { print }

@@ -1,25 +1,24 @@
 #!/bin/sh
-# listings.sh - rewrite what the pages take from elsewhere: listings, tables of parameters, reading times.
+# listings.sh - rewrite the generated parts of the pages: listings, tables of parameters and reading times.
 #
 #   .make/listings.sh [--check] [PAGE...]     default: README.md and docs/*.md
 #
-# A page holds a marker on a line of its own, and the block below it is written by this script:
+# A page has markers on separate lines, and this script writes the block below each marker:
 #
-#   <!-- code: shaders/march.glsl march -->               what the file defines under this name
-#   <!-- code: shaders/march.glsl march with-comment -->  with the comment block above it
+#   <!-- code: shaders/march.glsl march -->               the definition of this name in the file
+#   <!-- code: shaders/march.glsl march with-comment -->  the same, with the comment above it
 #   <!-- code: chapters/first_steps/1_screen.frag * -->   the whole file
-#   <!-- parameters: 01_normal_colouring -->              what build/01_normal_colouring --list prints
-#   <!-- time -->                                         how long the page takes to read, by words.awk
+#   <!-- parameters: 01_normal_colouring -->              the output of build/01_normal_colouring --list
+#   <!-- time -->                                         the reading time of the page, from words.awk
 #
-# What is shown must be used: a page speaks of each of its listings, naming it in backticks; no block of
-# code is a copy by hand of a source; and every function and struct of the library that the course
-# teaches (shaders/, without the machinery of views and inputs) stands on some page.
+# Listings must be used: the text of a page must name each of its listings in backticks; no block of code may be copied
+# from a source by hand; and every function and struct of the library that the course teaches (shaders/, without the
+# machinery of views and inputs) must be on some page.
 #
-# A name is a function, struct, enum, variable or #define that begins at column 0; prototypes,
-# forward and extern declarations define nothing. An error (a name that is gone or defined twice,
-# a malformed marker, a fence without end) gives status 1 and leaves the page as it was. --check
-# changes nothing and gives status 1 when a block differs from its source or is not used; without pages
-# it also looks at the library.
+# A name is a function, struct, enum, variable or #define that begins in column 0; prototypes, forward declarations and
+# extern declarations define nothing. An error (a name that is not defined or is defined twice, a malformed marker, a
+# fence without an end) gives status 1 and leaves the page unchanged. --check changes nothing, and gives status 1 if a
+# block differs from its source or is not used; without pages it also checks the library.
 set -eu
 export LC_ALL=C
 cd "$(dirname "$0")/.."
@@ -33,7 +32,7 @@ library=""
 if [ $# -eq 0 ]; then
     for file in shaders/*.glsl; do
         case $file in
-        shaders/main.glsl | shaders/views.glsl | shaders/ramp.glsl | shaders/slice.glsl | shaders/plot.glsl | shaders/places.glsl | shaders/signs.glsl | shaders/inputs.glsl | shaders/marched.glsl) ;;
+        shaders/main.glsl | shaders/figure.glsl | shaders/views.glsl | shaders/ramp.glsl | shaders/slice.glsl | shaders/plot.glsl | shaders/places.glsl | shaders/signs.glsl | shaders/inputs.glsl | shaders/marched.glsl) ;;
         *) library="$library $file" ;;
         esac
     done
@@ -59,7 +58,7 @@ for page in "$@"; do
     fi
 done
 if [ "$mode" = check ] && ! awk -v library="$library" \
-    -v sources="$(echo shaders/*.* chapters/*.[cfg]* chapters/*/*.frag common/*.[ch] common/*/*.[ch])" \
+    -v sources="$(echo shaders/*.* chapters/*.[cfg]* chapters/*/*.[cf]* common/*.[ch] common/*/*.[ch])" \
     -f .make/source.awk -f .make/listings_used.awk "$@"; then
     status=1
 fi

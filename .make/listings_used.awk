@@ -1,9 +1,9 @@
-# listings_used.awk - do the pages use their listings? After source.awk, for listings.sh; pages as operands.
-# A page that shows a listing names it in backticks in its text. A block of code of three lines or more
-# that is not written by a marker is no copy of a source, for it could rot. Variables:
+# listings_used.awk - check for listings.sh that the pages use their listings. Requires source.awk; operands: the pages.
+# A page must name each of its listings in backticks in its text. A block of code of three lines or more that is not
+# generated must not be a copy of a source, because it would become outdated. Variables:
 #
-#   sources  the files that a block may be copied from, spaces between them
-#   library  files whose every function and struct must stand as a listing on some page, or nothing
+#   sources  the files that a block may have been copied from, separated by spaces
+#   library  the files whose functions and structs must all be listed on some page, or nothing
 
 function fail(where, text)
 {
@@ -24,7 +24,7 @@ function note_spoken(line,    part, word, n, m, i, k)
     }
 }
 
-# A page has been read: it must have spoken of each of its listings.
+# The end of a page: its text must have named each of its listings.
 function end_page(    i, name)
 {
     for (i = 1; i <= shown; i++) {
@@ -40,9 +40,9 @@ function end_page(    i, name)
     shown = 0
 }
 
-# ---- A copy ----
+# ---- Copies ----
 
-# A line as a copy is recognised: without its comment, its spaces reduced.
+# A line in the form in which copies are compared: without its comment, and with single spaces.
 function plain(line)
 {
     sub(/\/\/.*/, "", line)
@@ -51,7 +51,7 @@ function plain(line)
     return line
 }
 
-# The first line of the file from which on all lines of the block stand there in order; 0 if they do not.
+# The line of the file at which the block begins, if all lines of the block follow there in this order; otherwise 0.
 function copied_from(file,    i, k, first)
 {
     read_source(file)
@@ -124,7 +124,7 @@ END {
             if (word[1] == "other" || (file[i] ~ /scene\.glsl$/ && word[2] ~ /^[Tt]race/))
                 continue
             if (!((file[i], word[2]) in listed))
-                fail(file[i] ":" from[file[i], word[2]], "the " word[1] " " word[2] " stands on no page")
+                fail(file[i] ":" from[file[i], word[2]], "the " word[1] " " word[2] " is on no page")
         }
     }
     exit bad

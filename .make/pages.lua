@@ -1,9 +1,9 @@
--- pages.lua - what the book (book.lua) and the site (docs/web/filter.lua) both know about a page of docs/.
+-- pages.lua - functions for the pages of docs/ that the book (book.lua) and the site (docs/web/filter.lua) share.
 
 local pages = {}
 
--- Where a link of a page leads: 'outside'; 'here', to a place of the same page; 'page', to one of docs/; 'file',
--- to a file of the project. Then its file and its place, '' for none; a file of the project counts from the top.
+-- The target of a link in a page: its kind, its file and its anchor ('' for none). The kind is 'outside'; 'here', the
+-- same page; 'page', a page of docs/; or 'file', a file of the project, whose path is relative to the project's root.
 function pages.target(target)
     if target:match('^%a+:') then
         return 'outside', target, ''
@@ -18,7 +18,7 @@ function pages.target(target)
     return 'file', file:match('^%.%./(.*)$') or 'docs/' .. file, id
 end
 
--- The picture of a paragraph that holds nothing else: its words become the caption.
+-- The picture of a paragraph that contains nothing else; its alternative text becomes the caption.
 function pages.figure(paragraph)
     local image = #paragraph.content == 1 and paragraph.content[1]
     if image and image.t == 'Image' then
@@ -27,12 +27,12 @@ function pages.figure(paragraph)
     end
 end
 
--- A diagram in Mermaid is for GitHub's screen; the table before it says the same.
+-- Is this a diagram in Mermaid? It is only for GitHub; the table before it contains the same information.
 function pages.mermaid(block)
     return block.classes:includes('mermaid')
 end
 
--- What a marker of listings.sh says of the block below it: the file and the name.
+-- The file and the name in a marker of listings.sh, which describe the block below it.
 function pages.marker(html)
     return html:match('^<!%-%- code: (%S+) (%S+).*%-%->')
 end

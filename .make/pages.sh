@@ -1,12 +1,12 @@
 # shellcheck shell=sh
-# pages.sh - read by the scripts that set all pages: their order. How to read the course, the chapters, what is
-# looked up, how to teach it, how the house is built.
+# pages.sh - sourced by the scripts that typeset all pages: their order, which is how to read the course, the chapters,
+# the reference pages, the guide for teachers, and the pages on the code.
 
 pages() {
     for page in docs/README.md docs/[0-9][0-9]_*.md; do
         [ ! -e "$page" ] || echo "$page"
     done
-    for name in using platforms benchmark errata errata_workshop errata_sky glossary teaching architecture contributing; do
+    for name in engine using platforms benchmark errata errata_workshop errata_sky further_reading glossary teaching architecture contributing; do
         echo "docs/$name.md"
     done
 }

@@ -1,9 +1,9 @@
 #!/bin/sh
-# play.sh [OPTION...] - `make play`: a reader's own shader in a window, loaded again at each save.
+# play.sh [OPTION...] - `make play`: show a reader's own shader in a window, reloaded on every save.
 #
-# Environment: FILE, a shader in the course's form, in Shadertoy's, or a whole one. Without it
-# chapters/play.frag, made from chapters/first_steps/play.frag when it is not there; one that is
-# there is never touched. Where no window can be opened the picture goes to build/gallery/play.png.
+# Environment: FILE, a shader in the course's dialect, in Shadertoy's, or a complete one. By default it is
+# chapters/play.frag, which is copied from chapters/first_steps/play.frag if it does not exist; an existing file is
+# never changed. If no window can be opened, the picture is written to build/gallery/play.png.
 set -u
 . .make/chapters.sh
 

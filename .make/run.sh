@@ -1,13 +1,23 @@
 #!/bin/sh
-# run.sh [OPTION...] - `make run`: a chapter in a window; where none can be opened, pictures of all chapters.
+# run.sh [OPTION...] - `make run`: show a chapter in a window; if none can be opened, render pictures of all chapters.
 #
-# Environment: CHAPTER, "03" or a whole stem; the first chapter, or without a window every one.
+# Environment: CHAPTER, "03" or a whole stem; by default the first chapter, or, without a window, all chapters.
+# FIGURE, "01_march": an interactive figure of a page, chapters/figures/01_march.frag, instead of a chapter.
 set -u
 . .make/chapters.sh
 
+if [ -n "${FIGURE-}" ]; then
+    if [ ! -f "chapters/figures/$FIGURE.frag" ]; then
+        printf 'make: FIGURE=%s: no such figure: there are\n' "$FIGURE" >&2
+        for file in chapters/figures/*.frag; do printf '  %s\n' "$(basename "$file" .frag)" >&2; done
+        exit 1
+    fi
+    CHAPTER=${FIGURE%%_*}
+    set -- --shader "chapters/figures/$FIGURE.frag" "$@"
+fi
 stem=$(stem_of "${CHAPTER-}") || exit 1
 in_window "build/$stem" "$@"
 [ -n "${CHAPTER-}" ] || stem=$(stems)
 for each in $stem; do
-    in_file "$each" "build/$each" "$@"
+    in_file "${FIGURE:-$each}" "build/$each" "$@"
 done

@@ -1,13 +1,14 @@
 #!/bin/sh
-# setup.sh [--check|--all] SET... - see to it that what the sets need is on this machine.
+# setup.sh [--check|--all] SET... - make sure that this machine has everything that the sets need.
 #
 # Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), windows (the cross
-# build), wine (to try it), fresh (bare machines to test on). Where nothing is missing this asks only files and
-# commands: no network, no package manager. Else, as root it installs; with a terminal and sudo it
-# says what it will install and lets sudo ask; otherwise it prints the one command and fails.
+# build), wine (to try it), fresh (bare machines to test on). If nothing is missing, this only looks for files and
+# commands, and uses neither the network nor the package manager. If something is missing, it installs it as root;
+# with a terminal and sudo, it says what it will install and lets sudo ask for the password; otherwise it prints one
+# command and fails.
 #   --check  install nothing
-#   --all    also what is useful but not needed
-# The tests are handed to need by name.
+#   --all    also install packages that are useful but not required
+# ShellCheck does not see that the functions has_... are called, because they are passed to need by name.
 # shellcheck disable=SC2317
 set -u
 export LC_ALL=C
@@ -30,17 +31,17 @@ for candidate in apt-get dnf pacman brew; do
     column=$((column + 1))
 done
 
-# Without Apple's command line tools cc, make and git are names that open a dialogue.
+# Without Apple's command line tools, the commands cc, make and git only open a dialogue.
 if [ "$(uname)" = Darwin ]; then
     if ! xcode-select -p >/dev/null 2>&1; then
         printf "setup: Apple's command line tools are missing: xcode-select --install\n" >&2
         exit 1
     fi
     if ! command -v brew >/dev/null; then
-        printf 'setup: Homebrew, which brings the libraries, is missing: https://brew.sh says how to install it\n' >&2
+        printf 'setup: Homebrew, which installs the libraries, is missing: see https://brew.sh\n' >&2
         exit 1
     fi
-    # Homebrew has no package of it, and needs none: it is a folder of headers.
+    # Homebrew has no package of stb, which is only a folder of headers.
     includes=$(brew --prefix)/include
     if [ ! -e "$includes/stb/stb_truetype.h" ]; then
         printf 'setup: stb_truetype (the letters of the overlay) is missing: git clone --depth 1 %s %s\n' \
@@ -49,20 +50,21 @@ if [ "$(uname)" = Darwin ]; then
     fi
 fi
 
-# Windows has MSYS2's pacman, whose packages are not Arch's; each of its shells is for programs of another kind.
+# Windows has MSYS2's pacman, whose packages differ from Arch's; each of its shells builds a different kind of program.
 if [ "${OS-}" = Windows_NT ]; then
     column=5
     if [ "$manager" != pacman ] || [ "${MSYSTEM-}" != UCRT64 ]; then
-        printf "setup: on Windows the course is built in the shell 'MSYS2 UCRT64' (https://www.msys2.org), this is %s: %s\n" \
-            "${MSYSTEM:-another}" 'docs/platforms.md says how' >&2
+        printf "setup: on Windows, build the course in the shell 'MSYS2 UCRT64' (https://www.msys2.org); this is %s: %s\n" \
+            "${MSYSTEM:-another shell}" 'see docs/platforms.md' >&2
         exit 1
     fi
 fi
 
 packages='' purposes='' extra=''
 
-# names_here APT|DNF|PACMAN|BREW|MSYS2: the packages of this machine's column; '-', or no such column, means there
-# is none. MSYS2's are programs and libraries of Windows; '=' stands before those of its shell.
+# names_here APT|DNF|PACMAN|BREW|MSYS2: print the packages in this machine's column; '-', or no such column, means
+# that there are none. The packages of MSYS2 contain programs and libraries for Windows, except those marked with '=',
+# which belong to its shell.
 names_here() {
     [ "$manager" = none ] && return
     for name in $(printf '%s' "$1" | cut -d '|' -f "$column"); do
@@ -75,12 +77,12 @@ names_here() {
     done
 }
 
-# need PURPOSE PACKAGES TEST...: when the test fails, the packages are missing.
+# need PURPOSE PACKAGES TEST...: if the test fails, the packages are missing.
 need() {
     purpose=$1 names=$2
     shift 2
     "$@" >/dev/null 2>&1 && return
-    # Where the package manager has no such package, what needs it is skipped, and says so.
+    # If the package manager has no such package, everything that needs it is skipped, with a message.
     found=$(names_here "$names")
     [ "$manager" != none ] && [ -z "$found" ] && return
     packages=$packages$found
@@ -121,10 +123,10 @@ need_run() {
     need 'cmp and diff' 'diffutils|diffutils|diffutils|-|=diffutils' has_command cmp
     need 'stb_truetype (the letters of the overlay)' 'libstb-dev|stb_truetype-devel|stb|-|stb' \
         has_header stb/stb_truetype.h
-    # Gone from Mesa 25.1 on: the programs do without it.
+    # Mesa 25.1 and later have no OSMesa; the programs do not require it.
     has_library osmesa >/dev/null 2>&1 ||
         extra=$(names_here 'libosmesa6-dev|mesa-libOSMesa-devel|-|-')
-    # GNOME on Wayland leaves title bar and frame to the program; GLFW has libdecor draw them.
+    # GNOME on Wayland leaves the title bar and the frame to the program; GLFW draws them with libdecor.
     [ -z "${WAYLAND_DISPLAY-}" ] || has_frames >/dev/null 2>&1 ||
         extra=$extra$(names_here 'libdecor-0-plugin-1-gtk|libdecor|libdecor|-')
 }
@@ -133,6 +135,7 @@ need_test() {
     need_run
     need 'cmocka' 'libcmocka-dev|libcmocka-devel|cmocka|cmocka' has_library cmocka
     need 'git' 'git|git|git|git' has_command git
+    need 'patch' 'patch|patch|patch|-' has_command patch
     need 'the sanitizers' '-|libasan libubsan|-|-' has_sanitizers
     need 'a French locale' 'locales|glibc-locale-source|glibc|-' has_french
     need 'a virtual display' 'xvfb|xorg-x11-server-Xvfb|xorg-server-xvfb|-' has_command Xvfb
@@ -157,7 +160,7 @@ need_lint() {
     need 'glslangValidator' 'glslang-tools|glslang|glslang|glslang' has_command glslangValidator
 }
 
-# The runtime of Debian's clang is a package of its own, named by clang's version.
+# The runtime of Debian's clang is a separate package, named after clang's version.
 fuzzer_version() {
     { clang -dumpversion || apt-cache show clang | sed -n 's/^Version: [0-9]*:*\([0-9.]*\).*/\1/p'; } 2>/dev/null |
         sed -n '1s/\..*//p'
@@ -202,7 +205,7 @@ need_web() {
     need 'zip' 'zip|zip|zip|zip' has_command zip
 }
 
-# The cross build for Windows, on Debian alone: the libraries are made from its source packages.
+# The cross build for Windows works only on Debian, because the libraries are built from its source packages.
 need_windows() {
     need_run
     need 'a compiler for Windows' 'gcc-mingw-w64-x86-64-win32|-|-|-' has_command x86_64-w64-mingw32-gcc
@@ -211,7 +214,7 @@ need_windows() {
     need 'zip' 'zip|-|-|-' has_command zip
 }
 
-# Its programs are tried by Wine.
+# The programs for Windows are tried with Wine.
 need_wine() {
     need_windows
     need_test
@@ -243,14 +246,14 @@ look() {
             ;;
         esac
     done
-    # Two sets may name one package.
+    # Two sets may need the same package.
     packages=$(echo "$packages" | tr ' ' '\n' | sort -u | tr '\n' ' ')
     packages=${packages# } packages=${packages% }
 }
 
-# ---- What is done about it ----
+# ---- Installation ----
 
-# Of the packages that are useful but not needed, those that there are.
+# The packages that are useful but not required, as far as the package manager has them.
 available() {
     for name in $extra; do
         if [ "$manager" = apt-get ]; then
@@ -261,8 +264,8 @@ available() {
     done
 }
 
-# The same for a command that begins with a refresh: apt finds out then, and a name in '?exact-name()' that
-# it does not know is no error.
+# The same for a command that begins with a refresh: apt finds out only then, and an unknown name in '?exact-name()'
+# is not an error.
 useful() {
     [ "$manager" = apt-get ] || { available; return; }
     for name in $extra; do printf " '?exact-name(%s)'" "$name"; done
@@ -285,7 +288,7 @@ install_command() {
     esac
 }
 
-# What a person would type, or hand to somebody: where there is no sudo, that is root.
+# The command that a person would type or give to an administrator: without sudo, to root.
 one_command() {
     as=
     [ "$(id -u)" != 0 ] && command -v sudo >/dev/null && as='sudo '
@@ -297,7 +300,7 @@ one_command() {
     esac
 }
 
-# Run a command quietly; where it fails, show the end of what it said.
+# Run a command quietly; if it fails, show the end of its output.
 quietly() {
     sh -c "$1" >>build/setup.log 2>&1 && return
     tail -n 15 build/setup.log >&2
@@ -313,18 +316,18 @@ carry_out() { # AS: sudo or nothing
 
 look "$@"
 if [ -n "$all" ] && [ -z "$packages" ] && [ -n "$(available)" ]; then
-    purposes='what is useful and not needed'
+    purposes='useful packages that are not required'
     packages=$(available)
 fi
 [ -z "$purposes" ] && exit 0
 
 if [ "$manager" = none ]; then
-    printf 'setup: this machine lacks: %s. No apt-get, dnf, pacman or brew here: install them by hand.\n' \
+    printf 'setup: this machine lacks: %s. It has no apt-get, dnf, pacman or brew: install them by hand.\n' \
         "$purposes" >&2
     exit 1
 fi
 
-# Homebrew and MSYS2 belong to the person who installed them: they ask for no rights.
+# Homebrew and MSYS2 belong to the person who installed them, so they need no special rights.
 is_own() { [ "$manager" = brew ] || [ "$column" = 5 ]; }
 can_sudo() { [ -t 0 ] && [ -t 2 ] && command -v sudo >/dev/null; }
 
@@ -340,9 +343,9 @@ elif [ "$mode" = install ] && is_own && [ -t 0 ] && [ "$(id -u)" != 0 ]; then
     carry_out ''
 else
     lacks=$purposes
-    # Who must ask somebody asks once: the command also brings what `make test` needs.
+    # A user who has to ask an administrator should ask only once, so the command also installs what `make test` needs.
     [ "$(id -u)" = 0 ] || [ "$column" = 5 ] || look "$@" test
-    printf 'setup: this machine lacks: %s. Install with, as one who may:\n  %s\n' "$lacks" \
+    printf 'setup: this machine lacks: %s. To install them, type this, or give it to an administrator:\n  %s\n' "$lacks" \
         "$(one_command "$packages$(useful)")" >&2
     exit 1
 fi

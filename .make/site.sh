@@ -1,26 +1,26 @@
 #!/bin/bash
-# site.sh - `make site`: all pages as a static site, build/site/, and build/site.zip to hand out. Called after the
-# module and the node packages are there. The same sources give the same bytes.
+# site.sh - `make site`: build a static site from all pages in build/site/, and build/site.zip to hand out. make calls
+# it after the module is built and the node packages are installed. The same sources give the same bytes.
 set -eu
 export LC_ALL=C TZ=UTC SOURCE_DATE_EPOCH=0
 . .make/pages.sh
-out=${SITE_FOLDER:-build/site} source=${SITE_SOURCE:-docs/web} # the tests build another one
+out=${SITE_FOLDER:-build/site} source=${SITE_SOURCE:-docs/web} # the tests set these to build another site
 
 rm -rf "$out" "$out.parts" "$out.zip"
 mkdir -p "$out/fonts"
 # shellcheck disable=SC2046
 node "$source/site.mjs" "$out" $(pages)
 
-# The programs, as `make web` lays them.
+# The programs, in the layout of `make web`.
 (cd build/web && find . -type f ! -path './objects/*' ! -name '*.map') | while read -r file; do
     mkdir -p "$out/$(dirname "$file")"
     cp "build/web/$file" "$out/$file"
 done
-cp "$source"/{site.css,site.js,play.js,icon.svg} "$out/"
+cp "$source"/{site.css,site.js,find.js,guess.js,play.js,edits.js,icon.svg} "$out/"
 cp "$source/LICENSE.fonts" "$out/fonts/LICENSE.txt"
 rm -r "$out.parts"
 
-# No times, no owners, one order: the archive depends on the files alone.
+# With fixed times, no owners and a fixed order, the archive depends only on the files.
 find "$out" -exec chmod u=rwX,go=rX {} + -exec touch -d '1980-01-01 00:00:00' {} +
 (cd "$(dirname "$out")" && find "$(basename "$out")" -type f | sort | zip -q -X -9 -@ "$(basename "$out").zip")
 echo "$out/: $(find "$out" -type f | wc -l) files, $(du -sm "$out" | cut -f 1) MB; $out.zip: $(du -m "$out.zip" | cut -f 1) MB"

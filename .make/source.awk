@@ -1,6 +1,6 @@
-# source.awk - what a source file of C or GLSL defines, for the scripts that look after the pages.
+# source.awk - find the definitions in a C or GLSL source, for the scripts that maintain the pages.
 
-# A line of a source without strings and comments, so that only code is left to count.
+# A line of a source without strings and comments, so that only its code is counted.
 function bare(line)
 {
     gsub(/'(\\.|[^'\\])'/, "0", line)
@@ -26,7 +26,7 @@ function count(text, pattern)
     return gsub(pattern, "", text)
 }
 
-# Note that file defines name from line first to line last. shape: function, struct or other.
+# Record that file defines name from line first to line last. shape: function, struct or other.
 function define(file, name, first, last, shape)
 {
     definitions[file, name]++
@@ -35,7 +35,7 @@ function define(file, name, first, last, shape)
     to[file, name] = last
 }
 
-# Note the names that a statement at column 0 defines.
+# Record the names that a statement in column 0 defines.
 function define_statement(file, text, first, last,    at, head, mark, piece, shape, n, i)
 {
     at = match(text, /[{=;(\[]/)
@@ -55,7 +55,7 @@ function define_statement(file, text, first, last,    at, head, mark, piece, sha
             define(file, substr(piece[i], RSTART), first, last, shape)
 }
 
-# Read a file once, and every definition in it. Returns the number of its lines, -1 when unreadable.
+# Read a file, only once, and record its definitions. Returns the number of its lines, or -1 if it cannot be read.
 function read_source(file,    line, n, code, first, text, depth, word)
 {
     if (file in lines)

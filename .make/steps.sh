@@ -1,10 +1,10 @@
 #!/bin/sh
-# steps.sh - `make benchmark STEPS=1`: each chapter's scene by the means of chapter 16, one by one and together:
-# evaluations of a pixel, march / bound, and the frame's time as a share of the chapter's own. Where there is an
-# experiment 16_frame_NN, its frame too.
+# steps.sh - `make benchmark STEPS=1`: measure the scene of each chapter with the methods of chapter 16, one by one and
+# together: the evaluations per pixel, march / bound, and the time of a frame relative to that of the chapter itself. If
+# there is an experiment 16_frame_NN, its frame is measured too.
 #
-# Environment: CHAPTER, one chapter; ROUNDS and FRAMES, how often each is measured and how many frames at a
-# time; WRITE=1 puts the table into docs/benchmark.md.
+# Environment: CHAPTER, a single chapter; ROUNDS and FRAMES, the number of measurements and the number of frames in
+# each; WRITE=1 writes the table to docs/benchmark.md.
 set -u
 . .make/chapters.sh
 
@@ -16,7 +16,7 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 
-# The largest threshold of the first march, in GLSL; nothing for a chapter that marches no scene by march or
+# The largest threshold of the first march, in GLSL; empty for a chapter that does not march its scene with march or
 # marchCone.
 margin() {
     case $1 in
@@ -27,7 +27,7 @@ margin() {
     esac
 }
 
-# The chapter's scene by the means: the experiment of that name where there is one.
+# Print the file that draws the chapter's scene with these methods: the experiment 16_scene_NN, if there is one.
 scene() { # STEM
     own=chapters/experiments/16_scene_${1%%_*}.frag
     if [ -e "$own" ]; then
@@ -42,7 +42,7 @@ scene() { # STEM
     echo "$work/means_$1.frag"
 }
 
-# The same without longer steps: the loop of marchCone, which has less to compute in each.
+# The same without longer steps, with the loop of marchCone, which computes less in each step.
 plain() { # STEM FILE
     case $2 in "$work"/*) included=${2##*/} ;; *) included=${2#chapters/} ;; esac
     {
@@ -62,7 +62,7 @@ measure() { # NAME PROGRAM OPTION...
     "$@" --benchmark "$frames" --benchmark=json -s 640x360 -t 1 >"$work/$name" || exit 1
 }
 
-# A chapter by some of the means, after the chapter as it is: whatever slows the machine slows both.
+# Measure a chapter as it is and then with some of the methods: whatever slows down the machine affects both.
 compared() { # STEM KIND FILE OPTION...
     stem=$1 kind=$2 file=$3
     shift 3

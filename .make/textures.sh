@@ -1,6 +1,6 @@
 #!/bin/bash
-# textures.sh - `make textures`: draw each texture of shaders/textures/ by its program. A file whose
-# pixels are the same is left as it is: another zlib packs the same picture into other bytes.
+# textures.sh - `make textures`: draw each texture of shaders/textures/ with its program. A file whose pixels are the
+# same is not replaced, because another version of zlib packs the same picture into different bytes.
 set -u
 export LC_ALL=C
 
@@ -10,10 +10,10 @@ same_pixels() { # A.png B.png
 
 for program in shaders/textures/*.c; do
     name=$(basename "$program" .c)
-    [ -e "shaders/textures/$name.h" ] && continue # it helps the others
+    [ -e "shaders/textures/$name.h" ] && continue # it contains functions for the others
     file=shaders/textures/$name.png new=build/shaders/textures/$name.png
     "build/shaders/textures/$name" >"$new" || exit 1
-    # compare does not look at a fourth number: a file that has one is the same if its bytes are.
+    # compare ignores the alpha channel, so a file that has one is the same only if its bytes are.
     [ "$(od -An -tu1 -j25 -N1 "$new")" -eq 6 ] && same=(cmp -s) || same=(same_pixels)
     if [ -e "$file" ] && "${same[@]}" "$file" "$new"; then
         echo "same     $file"

@@ -1,11 +1,11 @@
 #!/bin/bash
-# web.sh - lay beside the module what it reads, into build/web/. Called by make after the module is built.
+# web.sh - put the files that the module reads beside it, into build/web/. make calls it after the module is built.
 #
-# course.json holds the texts that every chapter needs, and the names of the files that only some ask for:
-# those lie in course/ and are loaded when a command line asks for them.
+# course.json contains the texts that every chapter needs, and the names of the files that only some chapters need.
+# These are in course/ and are loaded when a command line needs them.
 set -eu
 export LC_ALL=C
-out=${WEB_FOLDER:-build/web} source=${SITE_SOURCE:-docs/web} # the tests lay a planted mistake elsewhere
+out=${WEB_FOLDER:-build/web} source=${SITE_SOURCE:-docs/web} # the tests set these to build another site elsewhere
 
 rm -rf "$out/course"
 find chapters shaders/textures -name '*.frag' -o -name '*.glsl' -o -name '*.png' | sort >"$out/later.txt"
@@ -17,9 +17,10 @@ node "$source/pack.mjs" "$out/later.txt" "$out/course.json" shaders/*.glsl shade
 rm "$out/later.txt"
 cp "$source/live.css" "$out/"
 .make/exercises.sh >"$out/exercises.txt"
-# What is loaded together is one file, without comments. What others import too stays a file of its own.
+# Scripts that are loaded together become one file, without comments. Those that others import too stay separate files.
 NODE_PATH=build/node/node_modules build/node/node_modules/.bin/esbuild "$source"/{live,stage,check,program,editor}.js --bundle --minify \
     --format=esm --external:./{harness,program,stage,check,editor}.js --log-level=warning --outdir="$out"
+build/node/node_modules/.bin/esbuild "$out/harness.js" --minify --format=esm --log-level=warning --allow-overwrite --outfile="$out/harness.js"
 total=0
 for file in harness.wasm harness.js course.json {live,stage,check,program}.js editor.js exercises.txt; do
     packed=$(gzip -9c "$out/$file" | wc -c)

@@ -1,10 +1,11 @@
 #!/bin/sh
-# windows_libraries.sh - what the programs for Windows link and include, made on Debian for the cross build: zlib,
-# libpng, GLFW and, for the tests, cmocka, each compiled here from Debian's own source package; cglm and stb are
-# headers alone. All goes to build/windows/prefix, with the files that pkg-config reads, and the licences.
+# windows_libraries.sh - build the libraries and headers of the programs for Windows, on Debian, for the cross build:
+# zlib, libpng, GLFW and, for the tests, cmocka, each compiled here from Debian's own source package; cglm and stb
+# consist only of headers. Everything goes to build/windows/prefix, with the files for pkg-config and the licences.
 #
-# Environment: CC, the cross compiler with its flags. Asks for no rights: the lists of the source packages are
-# kept in build/windows/sources. Made once; again when this script, the compiler or its flags change.
+# Environment: CC, the cross compiler with its flags. No special rights are needed, because the lists of the source
+# packages are kept in build/windows/sources. The libraries are built once, and again if this script, the compiler or
+# its flags change.
 set -eu
 export LC_ALL=C
 
@@ -25,7 +26,7 @@ echo 'windows: compiling zlib, libpng, GLFW and cmocka, once'
 rm -rf "$prefix"
 mkdir -p "$sources/lists/partial" "$sources/parts" "$prefix/lib/pkgconfig" "$prefix/include" "$prefix/licences"
 
-# Debian's compiler links the C library of Windows XP where nobody says otherwise.
+# By default, Debian's compiler links the C library of Windows XP.
 "$compiler" -dumpspecs | sed 's/-lmsvcrt/-lucrt/g' >"$folder/ucrt.specs"
 
 fail() {
@@ -34,9 +35,9 @@ fail() {
     exit 1
 }
 
-# ---- Debian's sources, by lists of our own ----
+# ---- Debian's sources, with our own lists ----
 
-# source_lists: the machine's own sources of packages, asked for source packages.
+# source_lists: list the source packages of the machine's own package sources.
 source_lists() {
     rm -f "$sources"/parts/*
     for file in /etc/apt/sources.list /etc/apt/sources.list.d/*.list /etc/apt/sources.list.d/*.sources; do
@@ -52,12 +53,12 @@ Dir::Cache::srcpkgcache "";
 APT::Sandbox::User "";
 END_OF_CONFIGURATION
     export APT_CONFIG="$sources/apt.conf"
-    # An archive that has no sources of its own is no loss: what is wanted is asked for below.
+    # An archive without source packages does not matter: the packages that are needed are requested below.
     apt-get -q update >"$sources/log" 2>&1 || true
 }
 
-# unpack PACKAGE: into sources/PACKAGE/tree. The newest version that is there: an archive may list one that it
-# has no longer, or not yet.
+# unpack PACKAGE: unpack into sources/PACKAGE/tree the newest version that can be fetched: an archive may list a version
+# that it no longer has, or does not have yet.
 unpack() {
     [ ! -e "$sources/$1/done" ] || return 0
     [ -n "${APT_CONFIG-}" ] || source_lists
@@ -74,8 +75,8 @@ unpack() {
 
 # ---- One library ----
 
-# library NAME FLAGS FILE...: lib/libNAME.a of these sources, compiled beside each other. Of <windows.h> they need what
-# a lean one has, and none of the processor's own instructions, whose headers would be most of what is compiled.
+# library NAME FLAGS FILE...: build lib/libNAME.a from these sources, which are compiled in parallel. They need only the
+# lean part of <windows.h>, and no intrinsics, whose headers would be most of the code to compile.
 library() {
     name=$1 flags=$2 compilers=
     shift 2
@@ -93,7 +94,7 @@ library() {
     rm -r "$folder/objects"
 }
 
-# describe NAME LIBRARIES: what pkg-config says of it.
+# describe NAME LIBRARIES: write the file for pkg-config.
 describe() {
     printf 'Name: %s\nDescription: for Windows\nVersion: 0\nCflags: -I%s\nLibs: -L%s %s\n' \
         "$1" "$prefix/include" "$prefix/lib" "$2" >"$prefix/lib/pkgconfig/$1.pc"
@@ -119,7 +120,7 @@ cp -R "$glfw/include/GLFW" "$prefix/include"
 set -- "$glfw"/src/context.c "$glfw"/src/init.c "$glfw"/src/input.c "$glfw"/src/monitor.c "$glfw"/src/vulkan.c \
     "$glfw"/src/window.c "$glfw"/src/win32_*.c "$glfw"/src/wgl_context.c "$glfw"/src/egl_context.c \
     "$glfw"/src/osmesa_context.c
-# From 3.4 on one library holds several platforms.
+# From version 3.4 on, one library contains several platforms.
 [ ! -e "$glfw/src/platform.c" ] || set -- "$@" "$glfw"/src/platform.c "$glfw"/src/null_*.c
 library glfw3 '-D_GLFW_WIN32 -DUNICODE -D_UNICODE -DWINVER=0x0601 -D_WIN32_WINNT=0x0601' "$@"
 describe glfw3 '-lglfw3 -lgdi32 -luser32 -lshell32'
@@ -133,12 +134,12 @@ done
 library cmocka "$flags -DHAVE_SNPRINTF -DHAVE_VSNPRINTF -DHAVE_STRSIGNAL" "$cmocka"/src/cmocka.c
 describe cmocka -lcmocka
 
-# Headers alone.
+# Libraries that consist only of headers.
 cp -R /usr/include/cglm "$prefix/include"
 mkdir "$prefix/include/stb" && cp /usr/include/stb/stb_truetype.h "$prefix/include/stb"
 describe cglm ''
 
-# ---- What goes with a program that holds them ----
+# ---- Licences that must accompany the programs ----
 
 licence() { # NAME FILE
     sed 's/[[:blank:]]*$//' "$2" >"$prefix/licences/$1.txt"

@@ -1,15 +1,15 @@
 #!/bin/sh
-# windows_zip.sh - `make windows-zip`: the programs for Windows with all that they read, to be unpacked and opened by a
-# double click: build/ray-marching-windows.zip. The same sources give the same bytes.
+# windows_zip.sh - `make windows-zip`: pack the programs for Windows and all the files that they read into
+# build/ray-marching-windows.zip, to be unpacked and opened with a double click. The same sources give the same bytes.
 set -eu
 export LC_ALL=C TZ=UTC
 
 zip=$PWD/build/ray-marching-windows.zip
 out=build/windows/zip/ray-marching
 rm -rf build/windows/zip "$zip"
-mkdir -p "$out/licences" "$out/shaders/textures" "$out/exercises" "$out/build" # the pages write their pictures there
+mkdir -p "$out/licences" "$out/shaders/textures" "$out/exercises" "$out/build" # commands in the pages write their pictures there
 
-# ---- Programs, and what they read ----
+# ---- The programs and the files that they read ----
 
 cp build/windows/[0-9][0-9]_*.exe build/windows/harness.dll build/windows/tests/compare.exe build/windows/tests/judge.exe "$out"
 cp shaders/*.glsl shaders/screen.vert "$out/shaders"
@@ -19,8 +19,8 @@ find chapters -name '*.frag' ! -path chapters/play.frag -o -name '*.glsl' | whil
     cp "$file" "$out/$file"
 done
 
-# For check.bat: program, solution, places and options of the rays; then of each picture its options, what of them its
-# rays have, and what a page would say of them, last, for it may be empty.
+# For check.bat: program, solution, positions and options of the rays; then for each picture its options, those that its
+# rays use, and those that a page would show, which are last because they may be empty.
 .make/exercises.sh | awk -F '|' -v OFS='|' -v ORS='\r\n' -v out="$out/exercises/" '
     { file = out $1 ".txt"; gsub(/^ +| +$/, "", $3); gsub(/^ +| +$/, "", $5) }
     !(file in seen) {
@@ -31,11 +31,11 @@ done
     }
     { print $3, $5, $4 > file }'
 
-# ---- What a person reads ----
+# ---- Documentation ----
 
 if [ -d build/site ]; then
     cp -R build/site "$out/site"
-    pages='site\index.html; opened so, its own programs stand still: use those beside this file.'
+    pages='site\index.html. Programs do not run in pages that are opened as files: use those beside this file.'
 else
     mkdir -p "$out/docs/figures"
     cp docs/*.md "$out/docs"

@@ -1,6 +1,6 @@
-# words.awk - how long a chapter's page is to read: prints the words of its story (all in front of
-# its parameters or, where it has none, of its experiments) and those of its proofs. Counted is prose: no listing, table, picture or comment, nothing
-# folded, and not the summary in French.
+# words.awk - print the number of words in the story of a chapter's page (everything before its parameters or, if it has
+# none, its experiments) and in its proofs. Only prose is counted: no listings, tables, pictures, comments or folds, and
+# not the French summary.
 
 /^ *```/ { fenced = !fenced; next }
 fenced || /^<!--/ || /^(\||>|!\[|\*\*Time\.\*\*)/ { next }

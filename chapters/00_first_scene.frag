@@ -1,8 +1,8 @@
 #version 330 core
-// A sphere in the frame of a box, and a camera that turns around them: a whole ray marcher in one
-// file, after the scene of the annex of the report.
+// A sphere in the frame of a box, and a camera that moves around them: a complete ray marcher in
+// one file, with the scene of the report's annex.
 
-in vec2 FragCoord;  // the pixel's place: y from -1 to 1, x from -aspect to aspect
+in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds
 out vec4 FragColor; // the pixel's colour
 
@@ -32,7 +32,7 @@ float sceneDistance(vec3 p)
     return min(sdBoxFrame(p, vec3(0.5), 0.05), sdSphere(p, 0.3));
 }
 
-// 2. The march: how far along the ray is the scene? Negative: nowhere.
+// 2. The march: how far along the ray is the scene? A negative result is a miss.
 
 float march(vec3 origin, vec3 direction)
 {
@@ -56,7 +56,7 @@ vec3 normalAt(vec3 p)
                           sceneDistance(p + h.yyx) - sceneDistance(p - h.yyx)));
 }
 
-// 4. The colour: what faces the sun is bright.
+// 4. The colour: a surface that faces the sun is bright.
 
 vec3 rayColour(vec3 origin, vec3 direction)
 {

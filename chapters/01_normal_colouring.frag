@@ -1,20 +1,20 @@
-// 01 Normal colouring: which way each surface faces, shown as a colour.
+// 01 Normal colouring: the direction in which each surface faces, shown as a colour.
 //
-// A frame, a ball in it and an orbit of smaller balls, before a sky of one colour. There is no
+// A frame, a ball in it and an orbit of smaller balls, in front of a sky of one colour. There is no
 // light yet: x of the normal is red, y is green, z is blue.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere, sdBoxFrame
 
 uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
-uniform int   maxSteps;     // 256 in [1, 1024]: steps before a ray is given up
-uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
+uniform int   maxSteps;     // 256 in [1, 1024]: steps after which a ray is abandoned
+uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: a distance below this counts as a hit
 uniform bool  biased;       // false: show 0.5 N + 0.5 instead of N, whose negative half is black
 
-const float FAR = 40.0; // a ray that has travelled so far sees the sky
+const float FAR = 40.0; // a ray that has travelled this far meets the sky
 
 const vec3 SKY = vec3(0.5, 0.7, 1.0);
 

@@ -1,9 +1,9 @@
 // 02 Lighting: a lamp, a matt surface, and the light that comes back.
 //
-// A frame on a stage, balls and a block, under a warm lamp that circles and a cold one that stands
-// still. Nothing casts a shadow yet: the lamp shines through everything.
+// A frame on a stage, balls and a block, under a warm, circling lamp and a cold, fixed one. There
+// are no shadows yet: the lamps shine through everything.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
 #include "normal.glsl"     // normalAt
@@ -11,19 +11,19 @@
 #include "lighting.glsl"   // lambert, fallOff, encodeSRGB
 
 uniform vec3  lampColour;   // 1.0, 0.72, 0.45 in [0, 4], linear RGB: the lamp's light at the reference distance
-uniform float lampHeight;   // 4.6 in [0.5, 8] step 0.1, scene units: height of the lamp over the stage
+uniform float lampHeight;   // 4.6 in [0.5, 8] step 0.1, scene units: height of the lamp above the stage
 uniform float lampSpeed;    // 20 in [0, 180] step 5, degrees per second: how fast the lamp circles
 uniform vec3  coldColour;   // 0.06, 0.14, 0.3 in [0, 4], linear RGB: the light of the second lamp
-uniform vec3  ambient;      // 0.012, 0.02, 0.035 in [0, 1], linear RGB: light that comes from everywhere
-uniform bool  falloff;      // true: a lamp weakens with the square of the distance; the report leaves this out
-uniform vec3  objectColour; // 0.95, 0.9, 0.85 in [0, 1], linear RGB: the share of each colour that the surface sends back
-uniform bool  encoded;      // true: turn linear light into the numbers a screen expects
-uniform int   maxSteps;     // 256 in [1, 1024]: steps before a ray is given up
-uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
+uniform vec3  ambient;      // 0.012, 0.02, 0.035 in [0, 1], linear RGB: light that comes from all directions
+uniform bool  falloff;      // true: a lamp weakens with the square of the distance; the report omits this
+uniform vec3  objectColour; // 0.95, 0.9, 0.85 in [0, 1], linear RGB: the share of each colour that the surface reflects
+uniform bool  encoded;      // true: encode linear light as a screen expects it
+uniform int   maxSteps;     // 256 in [1, 1024]: steps after which a ray is abandoned
+uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: a distance below this counts as a hit
 uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
 
-const float FAR = 40.0;                       // a ray that has travelled so far sees the sky
-const float REFERENCE = 6.0;                  // where the lamp's light is lampColour, scene units
+const float FAR = 40.0;                       // a ray that has travelled this far meets the sky
+const float REFERENCE = 6.0;                  // where a lamp's light equals its colour
 const vec3  COLD_LAMP = vec3(-5.0, 3.0, 4.0); // position of the second lamp
 
 Ray pixelRay(vec2 screen)
@@ -48,7 +48,7 @@ vec3 lampPosition()
     return vec3(4.2 * cos(angle), lampHeight, -4.2 * sin(angle));
 }
 
-// What one lamp adds: Lambert's law times the lamp's colour, weakened by the distance.
+// The light that one lamp adds: Lambert's law times the lamp's colour, weakened with distance.
 //   toLamp  from the surface to the lamp
 vec3 lampLight(vec3 normal, vec3 toLamp, vec3 colour)
 {
@@ -57,14 +57,14 @@ vec3 lampLight(vec3 normal, vec3 toLamp, vec3 colour)
     return colour * weakened * lambert(normal, toLamp / distance);
 }
 
-// All that arrives at a point: several lamps are a sum.
+// All the light that arrives at a point: the sum over the lamps, and the ambient light.
 vec3 receivedLight(vec3 p, vec3 normal)
 {
     return ambient + lampLight(normal, lampPosition() - p, lampColour) +
            lampLight(normal, COLD_LAMP - p, coldColour);
 }
 
-// A dark sky, lighter below.
+// A dark sky, lighter towards the bottom.
 vec3 skyLight(vec3 direction)
 {
     return mix(vec3(0.030, 0.075, 0.11), vec3(0.003, 0.007, 0.018), smoothstep(-0.5, 0.3, direction.y));

@@ -1,6 +1,6 @@
-// 03 Shadows: the stage of chapter 02, and a second march that asks whether the lamp is in sight.
+// 03 Shadows: the stage of chapter 02, and a second march that checks whether the lamp is visible.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
 #include "normal.glsl"     // normalAt
@@ -9,26 +9,26 @@
 #include "shadow.glsl"     // shadowRay, shadowReach, lightReaching
 #include "bounds.glsl"     // boxInterval
 
-uniform bool  sun;          // false: light from a direction, as the sun's, instead of from the lamp's position
-uniform bool  shadows;      // true: ask whether the light is in sight
-uniform float shadowOffset; // 4 in [0, 40] step 0.25, times the threshold: where a shadow ray starts above the surface
-uniform bool  clipped;      // true: march only inside the box that holds the scene
-uniform float lampHeight;   // 4.6 in [0.5, 8] step 0.1, scene units: height of the lamp over the stage
+uniform bool  sun;          // false: treat the lamp as a sun, with a direction instead of a position
+uniform bool  shadows;      // true: check whether the light is visible from the surface
+uniform float shadowOffset; // 4 in [0, 40] step 0.25, times the threshold: height above the surface where a shadow ray starts
+uniform bool  clipped;      // true: march only inside the box that contains the scene
+uniform float lampHeight;   // 4.6 in [0.5, 8] step 0.1, scene units: height of the lamp above the stage
 uniform float lampSpeed;    // 20 in [0, 180] step 5, degrees per second: how fast the lamp circles
-uniform int   maxSteps;     // 256 in [1, 1024]: steps before a ray is given up
-uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
+uniform int   maxSteps;     // 256 in [1, 1024]: steps after which a ray is abandoned
+uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: a distance below this counts as a hit
 uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
 
-const float FAR = 40.0;                           // a ray that has travelled so far sees the sky
-const vec3  LOW = vec3(-2.65, -0.25, -2.25);      // opposite corners of a box that holds the scene
+const float FAR = 40.0;                           // a ray that has travelled this far meets the sky
+const vec3  LOW = vec3(-2.65, -0.25, -2.25);      // corners of a box that contains the scene
 const vec3  HIGH = vec3(2.65, 2.45, 2.25);
 
-// The light of chapter 02, linear RGB: what were its parameters are constants here.
-const vec3  LAMP_COLOUR = vec3(1.0, 0.72, 0.45);  // of the lamp that circles
+// The light of chapter 02, in linear RGB. Its parameters are constants here.
+const vec3  LAMP_COLOUR = vec3(1.0, 0.72, 0.45);  // of the circling lamp
 const vec3  COLD_COLOUR = vec3(0.06, 0.14, 0.3);  // of the second lamp, which casts no shadow
 const vec3  COLD_LAMP = vec3(-5.0, 3.0, 4.0);     // its position
-const float REFERENCE = 6.0;                      // where a lamp's light is its colour, scene units
-const vec3  AMBIENT = vec3(0.012, 0.02, 0.035);   // light that comes from everywhere
+const float REFERENCE = 6.0;                      // where a lamp's light equals its colour, scene units
+const vec3  AMBIENT = vec3(0.012, 0.02, 0.035);   // light that comes from all directions
 const vec3  OBJECT_COLOUR = vec3(0.95, 0.9, 0.85);
 
 Ray pixelRay(vec2 screen)
@@ -53,7 +53,7 @@ vec3 lampPosition()
     return vec3(4.2 * cos(angle), lampHeight, -4.2 * sin(angle));
 }
 
-// What one lamp adds: Lambert's law times the lamp's colour, weakened by the distance.
+// The light that one lamp adds: Lambert's law times the lamp's colour, weakened with distance.
 //   toLamp  from the surface to the lamp
 vec3 lampLight(vec3 normal, vec3 toLamp, vec3 colour)
 {
@@ -61,13 +61,14 @@ vec3 lampLight(vec3 normal, vec3 toLamp, vec3 colour)
     return colour * fallOff(distance, REFERENCE) * lambert(normal, toLamp / distance);
 }
 
-// The interval of a ray in which there is something to hit.
+// The interval of a ray in which it can hit the scene.
 vec2 sceneInterval(Ray ray)
 {
     return clipped ? boxInterval(ray, LOW, HIGH) : vec2(0.0, FAR);
 }
 
-// Does the light arrive? Looked at only where the surface faces it, and no farther than the lamp.
+// 1 if the light arrives, else 0. Marches only where the surface faces the light, and no farther
+// than the lamp.
 float visibility(vec3 p, vec3 normal, vec3 toLight, float distance)
 {
     Ray ray = shadowRay(p, normal, toLight, shadowOffset * hitThreshold);
@@ -75,7 +76,7 @@ float visibility(vec3 p, vec3 normal, vec3 toLight, float distance)
     return lightReaching(ray, shadows ? far : 0.0, hitThreshold, maxSteps);
 }
 
-// The warm light: from where the lamp is, or from its direction alone, the same for every point.
+// The warm light, from the lamp's position or from a direction that is the same for every point.
 vec3 warmLight(vec3 p, vec3 normal)
 {
     vec3 toLamp = sun ? lampPosition() : lampPosition() - p;
@@ -84,7 +85,7 @@ vec3 warmLight(vec3 p, vec3 normal)
     return seen * lampLight(normal, toLamp, LAMP_COLOUR);
 }
 
-// A dark sky, lighter below.
+// A dark sky, lighter towards the bottom.
 vec3 skyLight(vec3 direction)
 {
     return mix(vec3(0.030, 0.075, 0.11), vec3(0.003, 0.007, 0.018), smoothstep(-0.5, 0.3, direction.y));

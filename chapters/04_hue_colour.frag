@@ -1,6 +1,6 @@
 // 04 Hue and combination: every solid has a hue, and solids are made of solids.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
 #include "normal.glsl"     // normalAt
@@ -14,28 +14,28 @@
 uniform float hueShift;     // 0 in [0, 360] step 5, degrees: turns the hues around the wheel
 uniform float saturation;   // 0.97 in [0, 1] step 0.05: 0 grey, 1 the pure hue
 uniform float value;        // 0.8 in [0, 1] step 0.05: the largest channel of a colour
-uniform int   operation;    // 3 in [0, 3]: of block and ball: 0 union, 1 intersection, 2 block less ball, 3 smooth union
+uniform int   operation;    // 3 in [0, 3]: block and ball: 0 union, 1 intersection, 2 block minus ball, 3 smooth union
 uniform float blend;        // 0.6 in [0.01, 1.5] step 0.05, scene units: width of the smooth union's blend
-uniform int   maxSteps;     // 128 in [1, 1024]: steps before a ray is given up
+uniform int   maxSteps;     // 128 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 uniform float normalStep;   // 0.001 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
 
-const vec3  LOW = vec3(-3.25, -0.27, -3.25);       // opposite corners of a box that holds the scene
+const vec3  LOW = vec3(-3.25, -0.27, -3.25);       // opposite corners of a box around the scene
 const vec3  HIGH = vec3(3.25, 1.6, 3.25);
 
-// The wheel, seen from above: x to the right, z to the viewer. A mirror's normal points to the side
-// that its fold keeps.
+// The wheel, seen from above: x points right, z towards the viewer. A mirror's normal points to the
+// side that its fold keeps.
 const float RING = 2.5;                            // radius of the wheel, scene units
 const vec2  MIRROR_60 = vec2(0.8660254, -0.5);     // normal of the mirror at 60 degrees
 const vec2  MIRROR_30 = vec2(0.5, -0.8660254);     // normal of the mirror at 30 degrees
-const vec2  ALONG_30 = vec2(0.8660254, 0.5);       // direction in which the die of 30 degrees stands
+const vec2  ALONG_30 = vec2(0.8660254, 0.5);       // direction of the die at 30 degrees
 
 const vec3  SUN = vec3(-0.72, 0.6, 0.3487);        // direction of the sun, length 1
 const vec3  SUN_LIGHT = vec3(1.25, 1.05, 0.82);    // its light, linear RGB
-const vec3  SKY_LIGHT = vec3(0.28, 0.335, 0.41);   // what an upward face receives from the sky
-const vec3  GLOW = vec3(-0.5196, 0.1, -0.8485);    // where the backdrop is brightest, length 1
+const vec3  SKY_LIGHT = vec3(0.28, 0.335, 0.41);   // light from the sky on an upward face
+const vec3  GLOW = vec3(-0.5196, 0.1, -0.8485);    // direction of the brightest backdrop, length 1
 const vec3  STAGE_COLOUR = vec3(0.28, 0.27, 0.265);
-const float BLOCK_HUE = 255.0;                     // of the solids in the middle, degrees
+const float BLOCK_HUE = 255.0;                     // hues of the solids in the middle, degrees
 const float BALL_HUE = 12.0;
 
 Ray pixelRay(vec2 screen)
@@ -43,14 +43,14 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// Fold the plane at a mirror through the origin: a point behind it is replaced by its mirror image, a
-// point in front of it, where the product of q and normal is positive, stays.
+// Fold the plane at a mirror through the origin: replace a point behind the mirror by its mirror
+// image, and leave a point in front of it, where dot(q, normal) is positive, unchanged.
 vec2 folded(vec2 q, vec2 normal)
 {
     return q - 2.0 * min(dot(q, normal), 0.0) * normal;
 }
 
-// A cube whose corners and edges a ball has cut off. q: the point, measured from the die's middle.
+// A cube with its corners and edges cut off by a ball. q is the point relative to the die's centre.
 float dieDistance(vec3 q)
 {
     vec3 faces = abs(q) - 0.33;
@@ -58,9 +58,9 @@ float dieDistance(vec3 q)
     return opIntersection(cube, sdSphere(q, 0.45));
 }
 
-// Six balls and between them six dice, by folding: mirrors every 30 degrees send every point to one
-// wedge. On its one mirror stands a ball, on the other a die; each is asked in coordinates of its own,
-// outwards from the axis of the wheel, upwards, across.
+// Six balls alternating with six dice, made by folding: mirrors every 30 degrees send every point
+// to one wedge. There is a ball on one of its mirrors and a die on the other. The point is given in
+// the coordinates of each: outwards from the axis of the wheel, upwards, and sideways.
 float wheelDistance(vec3 p)
 {
     vec2 q = folded(folded(abs(p.xz), MIRROR_60), MIRROR_30);
@@ -69,7 +69,7 @@ float wheelDistance(vec3 p)
     return opUnion(sdSphere(fromBall, 0.4), dieDistance(fromDie));
 }
 
-// A round stage with a groove: a cylinder and a slab intersected, a ring subtracted.
+// A round stage with a groove: the intersection of a cylinder and a slab, minus a ring.
 float stageDistance(vec3 p)
 {
     vec2 q = vec2(length(p.xz), p.y);
@@ -110,11 +110,11 @@ float ballShare(vec3 p)
 {
     float a = blockDistance(p), b = ballDistance(p);
     if (operation == 0)
-        return step(b, a); // the lesser distance makes the surface
+        return step(b, a); // the smaller distance forms the surface
     if (operation == 1)
-        return step(a, b); // the larger one
+        return step(a, b); // the larger one does
     if (operation == 2)
-        return step(a, -b); // the larger of a and -b
+        return step(a, -b); // the larger of a and -b does
     return smoothUnionShare(a, b, blend);
 }
 
@@ -125,14 +125,15 @@ vec3 middleColour(vec3 p)
     return mix(block, ball, ballShare(p));
 }
 
-// The twelve hues, each from 15 degrees before its solid to 15 degrees behind.
+// The colour of the wheel at p: each hue extends 15 degrees to both sides of its solid. On the axis,
+// where atan is undefined, there is no wheel, and the colour is not used.
 vec3 wheelColour(vec3 p)
 {
     float angle = degrees(atan(p.z, p.x));
     return hsvToRGB(30.0 * floor(angle / 30.0 + 0.5) + hueShift, saturation, value);
 }
 
-// The colour of the surface at p: found once, where the march has ended.
+// The colour of the surface at p, computed once, where the march has ended.
 vec3 colourAt(vec3 p)
 {
     float stage = stageDistance(p), wheel = wheelDistance(p), middle = middleDistance(p);
@@ -141,14 +142,15 @@ vec3 colourAt(vec3 p)
     return wheel < middle ? wheelColour(p) : middleColour(p);
 }
 
-// What a ray sees that meets nothing: a dark room, brightest towards GLOW.
+// The light of a ray that hits nothing: a dark room, brightest towards GLOW.
 vec3 skyLight(vec3 direction)
 {
     float towards = max(0.5 + 0.5 * dot(direction, GLOW), 0.0);
     return mix(vec3(0.006, 0.012, 0.026), vec3(0.060, 0.140, 0.180), pow(towards, 6.0));
 }
 
-// The light that arrives: the sun's where it is in sight, and the sky's, more from above.
+// The light that arrives at p: that of the sun where it is visible, and that of the sky, which
+// gives more to a face that points up.
 vec3 receivedLight(vec3 p, vec3 normal)
 {
     Ray ray = shadowRay(p, normal, SUN, 8.0 * hitThreshold);

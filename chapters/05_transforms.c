@@ -1,4 +1,4 @@
-// Chapter 05: transformations. Things are turned and twisted by asking about another point.
+// Chapter 05: transformations. Objects are turned and twisted by evaluating them at another point.
 //
 // The page is docs/05_transforms.md.
 #include "../common/chapter.h"
@@ -8,7 +8,7 @@ int main(int argc, char **argv)
     const struct chapter chapter = {
         .stem = "05_transforms",
         .title = "05 Transformations",
-        .shows = "A sea at sunrise, on which a twisted ring, a ball and a crate float.",
+        .shows = "A twisted ring, a ball and a crate, afloat on the sea at sunrise.",
         .camera = {.position = {0.0f, 1.5f, 5.2f}, .pan = 0.0f, .tilt = -9.0f},
     };
     return chapter_run(&chapter, argc, argv);

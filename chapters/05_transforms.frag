@@ -1,7 +1,7 @@
-// 05 Transformations: things are moved, turned and twisted by asking about another point. A sea, and
-// what floats on it.
+// 05 Transformations: objects are moved, turned and twisted by evaluating them at another point.
+// The scene is a sea with floating objects.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
 #include "normal.glsl"     // normalAt
@@ -15,28 +15,28 @@
 uniform float waveHeight;   // 1 in [0, 3] step 0.1, times a calm sea: height of the waves
 uniform float twist;        // 0.6 in [0, 3] step 0.1, radians per radius of the ring: twist of the ring along its length
 uniform float stepScale;    // 1 in [0.2, 4] step 0.1, times the safe step: more than 1 makes holes
-uniform float sunAzimuth;   // -25 in [-180, 180] step 2, degrees: where the sun stands, 0 straight ahead, right positive
-uniform int   maxSteps;     // 160 in [1, 512]: steps before a ray is given up
+uniform float sunAzimuth;   // -25 in [-180, 180] step 2, degrees: azimuth of the sun, 0 straight ahead, positive to the right
+uniform int   maxSteps;     // 160 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.004 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
-const float FAR = 1000.0;                         // the sky
-const vec3  LOW = vec3(-14.0, -0.125, -10.0);     // opposite corners of a box that holds waves of height 1:
-const vec3  HIGH = vec3(14.0, 0.125, 5.5);        // farther away the sea is drawn flat
+const float FAR = 1000.0;                         // distance of the sky
+const vec3  LOW = vec3(-14.0, -0.125, -10.0);     // opposite corners of a box around waves of
+const vec3  HIGH = vec3(14.0, 0.125, 5.5);        // height 1; outside it the sea is flat
 
-// Three waves at once: amplitudes, wave vectors (x and z), and angular speeds sqrt(9.81 |k|).
+// The three waves: amplitudes, wave vectors (x and z), and angular speeds sqrt(9.81 |k|).
 const vec3  AMPLITUDE = vec3(0.060, 0.036, 0.024);
 const vec3  WAVE_X = vec3(0.45, -1.10, 1.90);
 const vec3  WAVE_Z = vec3(1.20, 1.70, 1.60);
 const vec3  WAVE_SPEED = vec3(3.55, 4.46, 4.94);
-const float STEEPEST = 0.210;                     // the sum of amplitude times |k|: no slope is larger
+const float STEEPEST = 0.210;                     // sum of amplitude times |k|, bounds the slope
 const float RING = 0.66;                          // radius of the ring, scene units
-const float RING_REACH = 1.5;                     // of a ball around the ring and a margin, in radii of the ring
+const float RING_REACH = 1.5;                     // radius of a ball around the ring, in its radii
 
 const vec3  SUN_COLOUR = vec3(2.6, 1.6, 0.7);    // linear RGB
 
 // ---- The sea ----
 
-// The phases of the waves over a point of the sea.
+// The phases of the waves at a point of the sea.
 vec3 wavePhase(vec2 xz)
 {
     return WAVE_X * xz.x + WAVE_Z * xz.y + WAVE_SPEED * iTime;
@@ -53,11 +53,12 @@ vec2 seaSlope(vec2 xz)
     return vec2(dot(WAVE_X, change), dot(WAVE_Z, change));
 }
 
-// ---- What floats on it, and where ----
+// ---- The floating objects and their poses ----
 
-// Up and down with the sea at a place, its deck along the water there.
-//   draught  how high the middle floats
-//   turn     how the thing lies in still water
+// An object that moves up and down with the sea and lies parallel to the water at its position.
+//   xz       its position
+//   draught  height of its centre above the water
+//   turn     its rotation in still water
 Pose afloat(vec2 xz, float draught, mat3 turn)
 {
     vec2 slope = seaSlope(xz);
@@ -65,8 +66,8 @@ Pose afloat(vec2 xz, float draught, mat3 turn)
     return Pose(vec3(xz.x, seaHeight(xz) + draught, xz.y), rock * turn);
 }
 
-// What the scene is at the time of the picture: where the things float, and by what the distances that
-// are not exact are divided.
+// The state of the scene at the time of the picture: the poses of the objects, and the stretches by
+// which distances that are not exact are divided.
 struct Moment {
     Pose  ring, ball, crate;
     float ringStretch, seaStretch;
@@ -80,8 +81,8 @@ Moment momentNow()
                   twistStretch(twist, RING_REACH), heightStretch(waveHeight * STEEPEST));
 }
 
-// The same for every point that a pixel asks about. So pixelRay, which runs first, finds it once for
-// all that follows.
+// It is the same for all points along the rays of a pixel. So pixelRay, which runs first, computes
+// it once for everything that follows.
 Moment now;
 
 Ray pixelRay(vec2 screen)
@@ -92,8 +93,8 @@ Ray pixelRay(vec2 screen)
 
 // ---- The scene at that moment ----
 
-// The ring is a torus, twisted along y, scaled. The bound of the twist holds near the axis; farther
-// away the distance to a ball around the ring serves.
+// The ring is a torus, twisted along y and scaled. The bound of the twist applies only near the
+// axis. Farther away, the distance to a ball around the ring replaces it.
 float ringDistance(vec3 p)
 {
     vec3 q = seenFrom(now.ring, p) / RING;
@@ -102,7 +103,7 @@ float ringDistance(vec3 p)
     return RING * (ball > 0.2 ? ball : ring);
 }
 
-// A ball that is turned is the same ball: it needs its place alone.
+// Turning a ball does not change it, so only its position is needed.
 float thingsDistance(vec3 p)
 {
     float ball = sdSphere(p - now.ball.place, 0.62);
@@ -120,13 +121,13 @@ float sceneDistance(vec3 p)
     return stepScale * min(seaDistance(p), thingsDistance(p));
 }
 
-// Where a ray is in a cube around a thing.
+// The interval in which a ray is inside a cube that encloses an object.
 vec2 cubeInterval(Ray ray, vec3 middle, float reach)
 {
     return boxInterval(ray, middle - reach, middle + reach);
 }
 
-// Where a ray can meet a thing.
+// The interval in which a ray can meet an object.
 vec2 thingsInterval(Ray ray)
 {
     vec2 ring = cubeInterval(ray, now.ring.place, RING * (RING_REACH - 0.2));
@@ -134,7 +135,8 @@ vec2 thingsInterval(Ray ray)
     return intervalUnion(intervalUnion(ring, ball), cubeInterval(ray, now.crate.place, 0.77));
 }
 
-// The paint of a thing at p, asked of the same point as its distance: the stripes turn with it.
+// The paint of an object at p. It is evaluated at the same point as the distance, so the stripes
+// turn with the object.
 vec3 colourAt(vec3 p)
 {
     vec3 ring = opTwist(seenFrom(now.ring, p) / RING, twist);
@@ -165,28 +167,28 @@ vec3 skyLight(vec3 direction, vec3 toSun)
     return blue + vec3(0.62, 0.25, 0.04) * sun8 * low * low + vec3(0.55, 0.36, 0.14) * sun32;
 }
 
-// The sun in the sky: a disc, or as a mirror that is never quite smooth spreads it.
+// The light of the sun in the sky: a disc, or spread out by a mirror that is never quite smooth.
 vec3 sunGlare(vec3 direction, vec3 toSun, bool mirrored)
 {
     float sun = max(dot(direction, toSun), 0.0);
     return (mirrored ? 12.0 * pow(sun, 260.0) : 4.0 * smoothstep(0.9997, 0.9998, sun)) * SUN_COLOUR;
 }
 
-// What a matt surface receives.
+// The light that a matt surface receives.
 vec3 receivedLight(vec3 normal, vec3 toSun, bool shadowed)
 {
     vec3 sunny = shadowed ? vec3(0.0) : SUN_COLOUR * lambert(normal, toSun);
     return sunny + mix(vec3(0.05, 0.08, 0.10), vec3(0.30, 0.36, 0.46), 0.5 + 0.5 * normal.y);
 }
 
-// The light out of the water: greener in the crests, where it is thin.
+// The light from below the surface of the water: greener in the crests, where the water is thin.
 vec3 deepLight(float height)
 {
     return vec3(0.004, 0.040, 0.060) + vec3(0.0, 0.07, 0.06) * max(height / 0.12, 0.0);
 }
 
-// The sea's normal: the waves of the march and ripples too small for it, flatter with the distance t,
-// for what is smaller than a pixel would sparkle.
+// The normal of the sea: the waves of the march, and ripples that are too small for it. They become
+// flatter with the distance t, because waves smaller than a pixel would sparkle.
 vec3 waterNormal(vec2 xz, float t)
 {
     vec4 bent = 1.5 * sin(vec4(1.3, 2.1, -1.7, 0.9) * xz.x + vec4(-1.9, 1.1, 2.3, 2.7) * xz.y);
@@ -199,7 +201,7 @@ vec3 waterNormal(vec2 xz, float t)
 
 // ---- The picture ----
 
-// A hit that is not at the sea is at a thing.
+// A hit that is not on the sea is on an object.
 bool atThing(Hit hit, vec3 p)
 {
     return hit.found && stepScale * seaDistance(p) >= hitThreshold;
@@ -207,7 +209,7 @@ bool atThing(Hit hit, vec3 p)
 
 vec3 rayColour(Ray ray)
 {
-    // The first ray meets a thing, the waves, the flat sea beyond them, or the sky.
+    // The first ray meets an object, the waves, the flat sea beyond them, or the sky.
     vec3 size = vec3(1.0, waveHeight, 1.0), toSun = sunDirection();
     vec2 interval = intervalUnion(thingsInterval(ray), boxInterval(ray, size * LOW, size * HIGH));
     Hit hit = march(ray, interval.x, interval.y, hitThreshold, maxSteps);
@@ -218,7 +220,7 @@ vec3 rayColour(Ray ray)
     vec3 normal = hit.found ? normalAt(p, 0.002) : vec3(0.0, 1.0, 0.0);
     normal = thing ? normal : waterNormal(p.xz, t);
 
-    // The second goes from a thing to the sun, from the water to what is mirrored in it.
+    // The second ray goes from an object to the sun, or from the water in the mirrored direction.
     vec3 mirrored = sky ? ray.direction : reflect(ray.direction, normal);
     mirrored.y = abs(mirrored.y);
     Ray next = shadowRay(p, normal, thing ? toSun : mirrored, 0.03);
@@ -226,7 +228,8 @@ vec3 rayColour(Ray ray)
     Hit second = march(next, interval.x, interval.y, hitThreshold, maxSteps);
     vec3 q = next.origin + second.t * next.direction;
 
-    // What a mirror here would show, its share of the light, and the light of what was met.
+    // The image in a mirror at this point, its share of the light, and the light of the object or
+    // the water.
     vec3 image = skyLight(mirrored, toSun) + sunGlare(mirrored, toSun, !sky);
     float share = schlickShare(max(dot(normal, -ray.direction), 0.0), 0.02);
     vec3 paint = colourAt(thing ? p : q);

@@ -1,6 +1,7 @@
-// 06 Symmetry: a pyramid of 4^n tetrahedra out of 3 n folds, and a march with a pixel's footprint.
+// 06 Symmetry: a pyramid of 4^m tetrahedra with 3 m folds, and a march with the footprint of a
+// pixel.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "cone.glsl"       // marchCone, pixelSpread, coneReaching
 #include "normal.glsl"     // normalAt
@@ -11,24 +12,24 @@
 #include "shadow.glsl"     // shadowRay, shadowReach
 #include "bounds.glsl"     // boxInterval, intervalUnion
 
-uniform int   levels;       // 7 in [0, 10]: how often each tetrahedron is cut in four
+uniform int   levels;       // 7 in [0, 10]: how often each tetrahedron is divided into four
 uniform float footprint;    // 1.5 in [0, 4] step 0.25, half pixels: how fast the threshold and the normal's step grow along the ray; 0 keeps them fixed
-uniform float tint;         // 0.5 in [0, 1] step 0.05: saturation of the colours that the folds give
-uniform float sunElevation; // 28 in [1, 89] step 1, degrees: height of the sun over the horizon
-uniform float sunAzimuth;   // 160 in [-180, 180] step 5, degrees: where the sun stands, from the right towards the viewer
-uniform float sunSpeed;     // 8 in [0, 90] step 1, degrees per second: how fast it goes round
-uniform int   maxSteps;     // 160 in [1, 1024]: steps before a ray is given up
+uniform float tint;         // 0.5 in [0, 1] step 0.05: saturation of the colours that come from the folds
+uniform float sunElevation; // 28 in [1, 89] step 1, degrees: height of the sun above the horizon
+uniform float sunAzimuth;   // 160 in [-180, 180] step 5, degrees: azimuth of the sun, from the right towards the viewer
+uniform float sunSpeed;     // 8 in [0, 90] step 1, degrees per second: speed of the sun's azimuth
+uniform int   maxSteps;     // 160 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit, at the eye
 uniform float normalStep;   // 0.0005 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal, at the eye
 
-const float SIZE = 1.1;                            // of the pyramid, whose height is 4 SIZE / sqrt(3)
-const vec3  PYRAMID = vec3(-0.7, 0.63508530, -0.5); // its centre, SIZE / sqrt(3) over the ground
+const float SIZE = 1.1;                            // of the pyramid; its height: 4 SIZE / sqrt(3)
+const vec3  PYRAMID = vec3(-0.7, 0.63508530, -0.5); // its centre, SIZE / sqrt(3) above the ground
 const vec3  SLAB = vec3(0.0, -0.1, 0.0);           // centre and half size of the slab it stands on
 const vec3  SLAB_HALF = vec3(4.2, 0.1, 3.2);
-const float MARGIN = 0.02;                         // by which the bounds of both are larger than they
+const float MARGIN = 0.02;                         // margin of the bounds around both
 
-// The world's axes as the pyramid sees them, in columns: its corner (1, 1, 1) points up. An
-// isometry, as in chapter 05.
+// The columns are the world's axes in the coordinates of the pyramid, whose corner (1, 1, 1) points
+// up. This is an isometry, as in chapter 05.
 const mat3 TO_PYRAMID = mat3( 0.70710678, -0.70710678, 0.0,
                               0.57735027,  0.57735027, 0.57735027,
                              -0.40824829, -0.40824829, 0.81649658);
@@ -67,7 +68,7 @@ vec2 pyramidInterval(Ray ray)
     return tetrahedronInterval(turned, SIZE + 1.7320508 * MARGIN);
 }
 
-// The interval of a ray in which there is something to hit.
+// The interval in which a ray can hit anything.
 vec2 sceneInterval(Ray ray)
 {
     vec2 pyramid = pyramidInterval(ray);
@@ -75,10 +76,10 @@ vec2 sceneInterval(Ray ray)
     return intervalUnion(pyramid, slab);
 }
 
-// What the first four levels of folds say about a point.
+// Two numbers that the first four levels of folds give for a point.
 struct Trail {
-    float address; // a binary number below 1: each level that moves the point is a digit; 0 at the top
-    float open;    // how open the point lies, from 1 down: each level takes away by the depth in its tetrahedron
+    float address; // a binary number below 1: a digit is 1 if its level moves the point
+    float open;    // from 1 down: each level reduces it with the depth of the point
 };
 
 Trail foldTrail(vec3 p)
@@ -97,18 +98,20 @@ Trail foldTrail(vec3 p)
     return trail;
 }
 
-// Paving: squares with dark joints, each the share of the pixel's footprint that it covers.
-//   radius  of the footprint at p, across the view; a flat look draws it out along the ground
+// The paving: squares with joints that darken a pixel by the share of its footprint that they
+// cover.
+//   radius  of the footprint at p, perpendicular to the view; a grazing view stretches it on the
+//           ground
 vec3 slabColour(vec3 p, vec3 direction, float radius)
 {
     vec2 reach = radius * (1.0 + abs(direction.xz / direction.y));
-    vec2 away = TILE * (0.5 - abs(fract(p.xz / TILE) - 0.5)); // from the nearest joint, each way
+    vec2 away = TILE * (0.5 - abs(fract(p.xz / TILE) - 0.5)); // distances to the nearest joints
     vec2 joint = max((min(away + reach, JOINT) - max(away - reach, -JOINT)) / (2.0 * reach), 0.0);
     return SLAB_COLOUR * (1.0 - 0.5 * max(joint.x, joint.y));
 }
 
-// Gold where no fold moves the point, rose where all do; what is nearer to the slab than the
-// footprint's radius counts as the slab.
+// Gold where no fold moves the point, rose where all do. A point nearer to the slab than the radius
+// of the footprint has the colour of the slab.
 vec3 colourAt(vec3 p, vec3 direction, Trail trail, float radius)
 {
     vec3 stone = hsvToRGB(46.0 - 60.0 * trail.address, tint, 0.85);
@@ -122,7 +125,8 @@ vec3 sunDirection()
     return vec3(cos(elevation) * vec2(cos(azimuth), sin(azimuth)), sin(elevation)).xzy;
 }
 
-// The evening sky: blue above, a warm band over the horizon, the more so where the sun is, and haze below.
+// The evening sky: blue above, a warm band above the horizon, which is warmest below the sun, and
+// haze below.
 vec3 skyLight(vec3 direction, vec3 toSun)
 {
     float facing = 0.5 + 0.5 * dot(direction, toSun);
@@ -131,7 +135,8 @@ vec3 skyLight(vec3 direction, vec3 toSun)
     return mix(vec3(0.05, 0.065, 0.12), sky, smoothstep(-0.14, 0.06, direction.y));
 }
 
-// The sun's light that arrives; looked for only where the surface faces it, and only in the pyramid.
+// The light that arrives from the sun. It marches only where the surface faces the sun, and only
+// through the pyramid.
 //   radius  of the pixel's footprint at p
 vec3 sunLight(vec3 p, vec3 normal, vec3 toSun, float radius)
 {

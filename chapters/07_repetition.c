@@ -1,5 +1,5 @@
-// Chapter 07: repetition. One lantern, and the coordinate folded into its cell: a field without
-// end.
+// Chapter 07: repetition. There is one lantern; folding each coordinate into its cell makes it a
+// field without end.
 //
 // The page is docs/07_repetition.md.
 #include "../common/chapter.h"
@@ -9,7 +9,7 @@ int main(int argc, char **argv)
     const struct chapter chapter = {
         .stem = "07_repetition",
         .title = "07 Repetition",
-        .shows = "A field of lanterns without end, no two alike, in the mist at dusk.",
+        .shows = "An endless field of lanterns, no two alike, in the mist at dusk.",
         .camera = {.position = {1.45f, 3.9f, 5.1f}, .pan = 13.5f, .tilt = -13.5f},
     };
     return chapter_run(&chapter, argc, argv);

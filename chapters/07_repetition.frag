@@ -1,6 +1,7 @@
-// 07 Repetition: one lantern, and the place in its cell: a field without end, no two lanterns alike.
+// 07 Repetition: folding each point into the cell of one lantern gives an endless field of
+// lanterns, no two alike.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
 #include "primitives.glsl" // sdSphere
 #include "lighting.glsl"   // lambert, fallOff, encodeSRGB
@@ -9,36 +10,36 @@
 
 uniform float period;       // 5.5 in [3, 10] step 0.25, scene units: width of a cell along x and z
 uniform float variety;      // 1 in [0, 1] step 0.05: how much the lanterns differ; at 0 all are alike
-uniform bool  capped;       // true: no step is longer than the way to the other cells' lanterns
-uniform float fogDistance;  // 26 in [4, 80] step 1, scene units: over which the mist leaves 1/e of the light
+uniform bool  capped;       // true: no step is longer than the distance to the other cells' lanterns
+uniform float fogDistance;  // 26 in [4, 80] step 1, scene units: where 1/e of the light is left in the mist
 uniform float drift;        // 0.5 in [0, 5] step 0.25, scene units per second: how fast the eye moves
-uniform int   maxSteps;     // 128 in [1, 1024]: steps before a ray is given up
-uniform float hitThreshold; // 0.001 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit at the eye
+uniform int   maxSteps;     // 128 in [1, 1024]: steps after which a ray is abandoned
+uniform float hitThreshold; // 0.001 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit, at the eye
 
-const float FAR = 38.0;                          // a ray that has travelled so far sees mist alone
-const float FADE = 12.0;                         // over the last of it whatever is left fades
-const float LOW = 0.15;                          // between these heights hang the lanterns
+const float FAR = 38.0;                          // beyond this distance only mist is visible
+const float FADE = 12.0;                         // over the last 12 units, the light fades
+const float LOW = 0.15;                          // the lanterns hang between these two heights
 const float HIGH = 2.95;
 const vec3  BODY = vec3(0.5, 0.7, 0.5);          // half size of a frame of size 1
 const float BALL = 0.34;                         // radius of the ball in it
 const float BAR = 0.05;                          // radius of a frame's bars
 const float SIZE = 1.15;                         // the largest size
-const float REFERENCE = 2.0;                     // where a lantern of size 1 sheds its colour, scene units
+const float REFERENCE = 2.0;                     // where the fall-off of a lantern of size 1 is 1
 const vec3  METAL = vec3(0.50, 0.44, 0.42);      // colours, linear RGB
 const vec3  GROUND = vec3(0.13, 0.14, 0.19);
 const vec3  ZENITH = vec3(0.012, 0.020, 0.075);
 const vec3  HAZE = vec3(0.06, 0.042, 0.09);
 const vec3  GLOW = vec3(0.95, 0.36, 0.12);
-const vec3  SUNSET = vec3(-0.384, 0.030, -0.923); // where the sun went down, length 1
+const vec3  SUNSET = vec3(-0.384, 0.030, -0.923); // direction of the sunset, length 1
 
 struct Lantern {
-    vec3  place; // of the point asked for, from the lantern's middle, scene units
+    vec3  place; // position of the point, relative to the lantern's centre, scene units
     float size;
     float hue;   // degrees
 };
 
-// The lantern of the cell that holds p. One random number is three: its first digits, and those that
-// stand behind 6 and 12 bits.
+// The lantern of the cell that contains p. One random number serves as three: all of its bits,
+// those after the first 6, and those after the first 12.
 Lantern lanternAt(vec3 p)
 {
     vec2 cell = vec2(cellOf(p.x, period), cellOf(p.z, period));
@@ -54,8 +55,8 @@ float ballDistance(Lantern lantern)
     return length(lantern.place) - BALL * lantern.size;
 }
 
-// A frame of twelve round bars. Exact outside: the distance to the nearest of the box's edges, less
-// the radius. Beside an edge one of the three differences is free, and does not count.
+// The distance to a frame of twelve round bars: the distance to the nearest edge of the box, less
+// the radius of a bar; exact outside. Beside an edge, one of the three differences does not count.
 float frameDistance(Lantern lantern)
 {
     vec3 corner = abs(lantern.place) - lantern.size * BODY;
@@ -64,8 +65,8 @@ float frameDistance(Lantern lantern)
     return sqrt(dot(corner, corner) - max(free.x, max(free.y, free.z))) - BAR;
 }
 
-// Where a lantern's surface faces, length 1: away from its middle, or from the nearest edge. Only the
-// copy that was hit is asked, not six times the scene.
+// The normal of a lantern, length 1: it points away from the ball's centre, or from the nearest
+// edge. This evaluates only the copy that was hit, not the whole scene six times.
 vec3 lanternNormal(Lantern lantern, bool ball)
 {
     vec3 corner = abs(lantern.place) - lantern.size * BODY;
@@ -91,7 +92,8 @@ float sceneDistance(vec3 p)
     return capped ? min(own, others) : own;
 }
 
-// Light of the sky from a direction: an afterglow over the horizon. The mist sends the same.
+// The light of the sky from a direction: an afterglow above the horizon. The light of the mist is
+// the same.
 vec3 skyLight(vec3 direction)
 {
     float low = exp(-6.0 * max(direction.y, 0.0));
@@ -101,8 +103,8 @@ vec3 skyLight(vec3 direction)
     return mix(ZENITH, HAZE, low) + low * low * (0.05 + 0.1 * towards + 0.55 * glow * glow) * GLOW;
 }
 
-// What a surface of the cell receives: its lantern's light, faded out towards the walls of the cell,
-// and the dusk.
+// The light that a surface in the cell receives: that of its lantern, which fades out towards the
+// walls of the cell, and that of the dusk.
 vec3 receivedLight(Lantern lantern, vec3 normal)
 {
     float distance = length(lantern.place);
@@ -113,13 +115,13 @@ vec3 receivedLight(Lantern lantern, vec3 normal)
     return share * colour + dusk + 0.25 * lambert(normal, SUNSET) * GLOW;
 }
 
-// Light of the glowing ball: paler where it faces the eye.
+// The light of the glowing ball, paler where the surface faces the eye.
 vec3 ballLight(Lantern lantern, float facing)
 {
     return mix(0.8, 1.9, facing) * hsvToRGB(lantern.hue, mix(0.9, 0.4, facing * facing), 1.0);
 }
 
-// Light from the lantern or the ground that the ray has met at p.
+// The light from the lantern or the ground that the ray hits at p.
 vec3 surfaceLight(Ray ray, vec3 p, bool found)
 {
     Lantern lantern = lanternAt(p);
@@ -131,7 +133,8 @@ vec3 surfaceLight(Ray ray, vec3 p, bool found)
     return ball ? ballLight(lantern, abs(dot(normal, ray.direction))) : matt;
 }
 
-// The lanterns hang in a slab of air, which a ray crosses from start to end; under it is the ground.
+// The lanterns hang in a slab of air, which a ray crosses from start to end; below it is the
+// ground.
 vec3 rayColour(Ray ray)
 {
     vec2 slab = (vec2(LOW, HIGH) - ray.origin.y) / ray.direction.y;

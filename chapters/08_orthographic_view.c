@@ -1,4 +1,4 @@
-// Chapter 08: the orthographic view. Parallel rays, and the passage from perspective to them.
+// Chapter 08: the orthographic view, with parallel rays, and the passage to it from perspective.
 //
 // The page is docs/08_orthographic_view.md.
 #include "../common/chapter.h"
@@ -8,8 +8,7 @@ int main(int argc, char **argv)
     const struct chapter chapter = {
         .stem = "08_orthographic_view",
         .title = "08 Orthographic view",
-        .shows =
-            "A level channel that feeds its own waterfall, until Tab lets the eye come nearer.",
+        .shows = "A level channel that feeds its own waterfall, until Tab switches to perspective.",
         .camera = {.position = {-3.55f, 6.05f, 5.05f}, .pan = 45.0f, .tilt = -35.26439f},
     };
     return chapter_run(&chapter, argc, argv);

@@ -1,6 +1,6 @@
-// 08 Orthographic view: parallel rays, and a waterfall that feeds itself as long as they are parallel.
+// 08 Orthographic view: a waterfall that seems to feed itself, as long as the rays are parallel.
 
-#include "main.glsl"         // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"         // main(): calls pixelRay, then rayColour
 #include "orthographic.glsl" // projectionRay
 #include "march.glsl"        // march
 #include "normal.glsl"       // normalAt
@@ -8,26 +8,26 @@
 #include "shadow.glsl"       // shadowRay, shadowReach, lightReaching
 #include "bounds.glsl"       // boxInterval
 
-uniform float framingDistance; // 9.5 in [1, 40] step 0.5, scene units: from the camera's plane to the one that keeps its size
-uniform int   maxSteps;        // 128 in [1, 512]: steps before a ray is given up
+uniform float framingDistance; // 9.5 in [1, 40] step 0.5, scene units: from the camera's plane to the plane that keeps its size
+uniform int   maxSteps;        // 128 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;    // 0.001 in [0.0001, 0.016] step *2, scene units: distance that counts as a hit
 
-const vec3  LOW = vec3(-1.3, -0.4, -4.8); // opposite corners of a box that holds the scene; its lower
-const vec3  HIGH = vec3(6.3, 3.55, 2.8);  // face ends everything, for nothing has an underside
-const float SHADOW_OFFSET = 0.02;         // where a shadow ray starts above the surface
+const vec3  LOW = vec3(-1.3, -0.4, -4.8); // corners of a box around the scene; the lower face of
+const vec3  HIGH = vec3(6.3, 3.55, 2.8);  // the box cuts off all objects, which have no undersides
+const float SHADOW_OFFSET = 0.02;         // height above the surface at which a shadow ray starts
 
-// The scene's measures, in scene units.
-const vec2  MIDDLE = vec2(2.5, -1.0); // x and z of the plinth's middle
+// The measurements of the scene, in scene units.
+const vec2  MIDDLE = vec2(2.5, -1.0); // x and z of the plinth's centre
 const float PLINTH = 3.75;            // half its side
 const vec2  LOOP = vec2(2.5, 2.0);    // half sides of the rectangle along which the channel runs
 const float WALL = 0.5;               // half the width of channel and tower
 const float WATER = 0.32;             // half the width of the water
-const float TOP = 0.5;                // of the channel's walls, over the plinth
-const float CLIMB = 3.0;              // of the tower, over them
-const float DEEP = 0.1;               // the water, under the top of its walls
+const float TOP = 0.5;                // height of the channel's walls above the plinth
+const float CLIMB = 3.0;              // height of the tower above these walls
+const float DEEP = 0.1;               // depth of the water below the top of its walls
 const float FRAME = 0.55;             // half the side of a frame
 const float BEAM = 0.15;              // thickness of its beams
-const float CORNER = 3.15;            // the frames stand at (-CORNER, CORNER) and (CORNER, -CORNER)
+const float CORNER = 3.15;            // the frames are at (-CORNER, CORNER) and (CORNER, -CORNER)
 
 const vec3 TO_SUN = vec3(-0.6149, 0.7549, 0.228); // length 1
 const vec3 SUN_COLOUR = vec3(1.30, 0.95, 0.60); // linear RGB
@@ -38,15 +38,15 @@ Ray pixelRay(vec2 screen)
     return projectionRay(screen, framingDistance);
 }
 
-// How far p is beside the channel's middle line, a rectangle: by the larger coordinate, not by the
-// length, as everywhere in this scene. It is a lower bound of the distance, and needs no root.
+// A lower bound of the distance to the channel's centre line, a rectangle. As everywhere in this
+// scene, it is the larger coordinate instead of the length, so it needs no square root.
 float besideLoop(vec3 p)
 {
     vec2 q = abs(p.xz - MIDDLE) - LOOP;
     return abs(max(q.x, q.y));
 }
 
-// Walls and water on three sides of the rectangle. The fourth has none, and half of the third.
+// Walls and water on two and a half sides of the rectangle.
 float channelDistance(vec3 p)
 {
     float beside = besideLoop(p);
@@ -55,15 +55,15 @@ float channelDistance(vec3 p)
     return max(max(beside - WALL, p.y - TOP), max(open, -bed));
 }
 
-// The tower over the origin. On its top the water comes from the side of +x and leaves to that of +z.
+// The tower above the origin. On its top the water arrives from +x and leaves towards +z.
 float towerDistance(vec3 p)
 {
     float bed = max(abs(min(p.x, p.z)) - WATER, TOP + CLIMB - DEEP - p.y);
     return max(max(abs(p.x), abs(p.z)) - WALL, max(p.y - TOP - CLIMB, -bed));
 }
 
-// Two equal frames: min and max fold one onto the other, in the plinth's diagonal. A frame is what is
-// left of a cube where two of the three coordinates, so the middle one too, are near to a face.
+// Two equal frames: min and max fold one onto the other, in the plinth's diagonal. A frame is the
+// part of a cube where two of the three coordinates, and so the middle one too, are near a face.
 float frameDistance(vec3 p)
 {
     vec2 q = p.xz - MIDDLE;
@@ -80,7 +80,7 @@ float sceneDistance(vec3 p)
     return min(min(plinth, channelDistance(p)), min(towerDistance(p), frameDistance(p)));
 }
 
-// Bright lines that the water carries along, in lanes of a twelfth.
+// Bright lines that the water carries along, in lanes of width 1/12.
 float foam(float along, float aside)
 {
     float lane = floor(12.0 * aside);
@@ -88,7 +88,7 @@ float foam(float along, float aside)
     return smoothstep(0.75, 0.9, line) * (1.0 - smoothstep(0.9, 1.0, line));
 }
 
-// How far the water at p has come, from one side of the channel to the next.
+// How far the water at p has flowed, from one side of the channel to the next.
 float streamAt(vec3 p)
 {
     vec2 q = p.xz - MIDDLE;
@@ -110,7 +110,7 @@ vec3 colourAt(vec3 p)
     return frameDistance(p) < 0.02 ? vec3(0.72, 0.20, 0.11) : colour;
 }
 
-// The share of the sun that a surface catches.
+// The share of the sun's light that a surface receives.
 float sunlight(vec3 p, vec3 normal)
 {
     Ray ray = shadowRay(p, normal, TO_SUN, SHADOW_OFFSET);
@@ -118,8 +118,8 @@ float sunlight(vec3 p, vec3 normal)
     return lambert(normal, TO_SUN) * lightReaching(ray, far, hitThreshold, maxSteps);
 }
 
-// What is behind all. Parallel rays see one and the same point of a sky: so it is a painting, seen at
-// the pixel's own place.
+// The background. All parallel rays would meet the same point of a sky, so this is a painting that
+// depends on the pixel's position.
 vec3 backdrop()
 {
     vec2 screen = screenPosition(gl_FragCoord.xy + iPixelOffset);

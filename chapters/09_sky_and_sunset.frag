@@ -1,28 +1,29 @@
-// 09 Sky and sunset: a city of towers that vary from cell to cell, under a sky that follows the sun.
+// 09 Sky and sunset: a city of towers that vary from cell to cell, under a sky that follows the
+// sun.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
 #include "repetition.glsl" // cellRandom
-#include "city.glsl"       // cityDistance, cityNormal, and the block of a place
+#include "city.glsl"       // cityDistance, cityNormal, and the block of a point
 #include "lighting.glsl"   // lambert, encodeSRGB
-#include "shadow.glsl"     // shadowRay; march comes with it
+#include "shadow.glsl"     // shadowRay; it includes march
 #include "bounds.glsl"     // boxInterval
 #include "coverage.glsl"   // coverage, stripes, blurred
-#include "sky.glsl"        // the sun's direction and light, sunlitSky, nightSky, skyAmbient, glow, disc
+#include "sky.glsl"        // direction and light of the sun, sunlitSky, nightSky, skyAmbient, glow, disc
 
-uniform float timeOfDay;      // 17.8 in [0, 24] step 0.25, hours: solar time at the start; at 12 the sun is highest
-uniform float hoursPerSecond; // 0.25 in [0, 4] step 0.05, hours per second: how fast the time of day runs
-uniform bool  reportSky;      // false: the report's sky, mended, in place of scattered sunlight
+uniform float timeOfDay;      // 17.8 in [0, 24] step 0.25, hour of the day: solar time at the start; the sun is highest at 12
+uniform float hoursPerSecond; // 0.25 in [0, 4] step 0.05, hours per second: speed of the time of day
+uniform bool  reportSky;      // false: the report's sky, repaired, instead of scattered sunlight
 uniform float haze;           // 0.05 in [0, 0.3] step 0.01: optical depth of the dust overhead
-uniform float footprint;      // 1 in [0, 4] step 0.25, half pixels: how wide a ray is; 0 shows the speckle
-uniform int   maxSteps;       // 160 in [1, 512]: steps before a ray is given up
-uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
+uniform float footprint;      // 1 in [0, 4] step 0.25, half pixels: radius of a ray; 0 shows the speckle
+uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is abandoned
+uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit, at the eye
 
 // x points north, y up, z east: the avenue looks west. One scene unit is about 8 metres.
 const float LATITUDE = 43.6;   // degrees: of Toulouse
 const float DECLINATION = 2.0; // of the sun, degrees: at the end of March
-const float FAR = 80.0;        // a ray that has travelled so far sees the sky
-const float SHADOW_FAR = 18.0; // how far a shadow ray looks
+const float FAR = 80.0;        // a ray that has travelled this far shows the sky
+const float SHADOW_FAR = 18.0; // length of a shadow ray
 const vec3  LAMPLIGHT = vec3(1.0, 0.55, 0.22);
 
 Ray pixelRay(vec2 screen)
@@ -48,7 +49,7 @@ vec3 airDepth()
     return RAYLEIGH + haze;
 }
 
-// Sunlight that the air sends on, or the report's colour for it, and what the night has of its own.
+// Sunlight that the air scatters, or the report's colour for it, and the light of the night sky.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
     vec3 day = sunlitSky(direction, sun, airDepth());
@@ -57,7 +58,7 @@ vec3 skyLight(vec3 direction, vec3 sun)
     return day + nightSky(direction, sun);
 }
 
-// Where the strongest light comes from: by night from the moon.
+// The direction of the strongest light, at night that of the moon.
 vec3 lightDirection(vec3 sun)
 {
     return sun.y > 0.0 ? sun : -sun;
@@ -65,19 +66,19 @@ vec3 lightDirection(vec3 sun)
 
 // ---- What a ray meets ----
 
-// The place where a ray ends, and how the pixel sees it.
+// The point where a ray ends, and how it appears in the pixel.
 struct Place {
     vec3  p;
     float t;                   // of p along the ray
-    bool  met;                 // false: the ray sees the sky
+    bool  met;                 // false: the ray shows the sky
     bool  ground, tower, lamp; // none of the three: a tree
     Block block;
     vec3  normal;
-    float width;               // of the pixel there, scene units
+    float width;               // of the pixel at p, scene units
     float facing;              // cosine of the angle between normal and ray, at least 0.03
 };
 
-// The march asks for towers, lamps and trees. The ground is the floor of the interval.
+// The march finds towers, lamps and trees. The ground is the floor of the interval.
 Place placeAlong(Ray ray)
 {
     float spread = footprint * pixelSpread();
@@ -93,7 +94,7 @@ Place placeAlong(Ray ray)
     bool tower = max(aside.x, aside.z) < 4.5 * BAY.x + 2.0 * (hitThreshold + width), lamp = aside.z < 0.7;
     vec3 normal = ground ? vec3(0.0, 1.0, 0.0) : cityNormal(block, tower, lamp);
     float facing = max(abs(dot(normal, ray.direction)), 0.03);
-    if (met) { // the views and the probe show what was met, the ground too
+    if (met) { // report the hit to the views and the probe, on the ground too
         traceNormal(normal);
         traceMarch(trace.steps, t, END_HIT);
     }
@@ -102,41 +103,42 @@ Place placeAlong(Ray ray)
 
 // ---- What it is made of, found once, at the hit ----
 
-// A window's glass, as a share of the wall that it has for itself, across and up: a shop's, and one of the
-// floors above. And the share of each that is lit in the evening.
+// The glass of a shop and of a window above, as shares of the wall that belongs to each,
+// horizontally and vertically; and the share of each that is lit in the evening.
 const vec2  SHOP = vec2(0.86, 0.7);
 const vec2  WINDOW = vec2(0.6, 0.56);
 const float SHOPS_LIT = 0.8;
 const float WINDOWS_LIT = 0.42;
 
 struct Material {
-    vec3  colour; // the share of each colour that comes back in all directions
-    float pane;   // the share of the pixel that is a window, which mirrors
-    float gloss;  // the share that is asphalt, which glints
-    vec3  glow;   // light of its own
+    vec3  colour; // the share of each colour that is reflected in all directions
+    float pane;   // the share of the pixel that is a window, which reflects
+    float gloss;  // the share of the pixel that is asphalt, which glints
+    vec3  glow;   // light that it emits
 };
 
-// How far the street lamps are on: from a little before sunset until a little after sunrise.
+// How brightly the street lamps are lit: from shortly before sunset until shortly after sunrise.
 float lampsOn(vec3 sun)
 {
     return 1.0 - smoothstep(-0.02, 0.12, sun.y);
 }
 
-// How far people light their windows: from dusk on, until they sleep, when the sun is deep down.
+// How many people light their windows: from dusk until they sleep, when the sun is far below the
+// horizon.
 float windowsOn(vec3 sun)
 {
     return (1.0 - smoothstep(-0.08, 0.2, sun.y)) * smoothstep(-0.85, -0.4, sun.y);
 }
 
-// From the nearest lamp's bulb, across the street folded into one.
+// The vector from the bulb of the nearest lamp, in the folded street.
 vec3 fromBulb(Place place)
 {
     return pavement(place.block.local) - LAMP;
 }
 
 // The share of windows in a pixel of a wall (x), and how brightly they are lit (y).
-//   at      the place on the wall, in windows and floors
-//   random  of the window
+//   at      the position on the wall, in windows and floors
+//   random  number of the window
 vec2 windowsAt(Place place, vec2 at, float random, vec3 sun)
 {
     vec2 width = vec2(place.width / place.facing, place.width) / BAY.xy;
@@ -160,7 +162,7 @@ vec3 groundColour(Place place, float asphalt)
     return mix(vec3(0.27, 0.25, 0.23), vec3(0.06, 0.062, 0.07) + 0.5 * dash, asphalt);
 }
 
-// Each window of each side of each tower has a random number of its own, and so has each leaf.
+// Each window on each side of each tower has its own random number, and so has each leaf.
 Material materialAt(Place place, vec3 sun)
 {
     vec3 local = place.block.local, normal = place.normal;
@@ -181,10 +183,11 @@ Material materialAt(Place place, vec3 sun)
     return Material(colour, windows.x, place.ground ? asphalt : 0.0, glow * LAMPLIGHT);
 }
 
-// ---- What light arrives, and what goes to the eye ----
+// ---- What light arrives, and what goes to the camera ----
 
-// 1 where the sun or the moon is in sight, else 0. A ray that grazes too long has met something. Walls
-// that the light rakes, at a cosine below 0.02, are not asked: they catch next to none, and cost most.
+// 1 where the sun or the moon is visible, else 0. A ray that grazes for too long counts as blocked.
+// Walls that the light grazes, at a cosine below 0.02, are not tested: they receive hardly any
+// light and cost most.
 float lightSeen(Place place, vec3 toLight)
 {
     bool faces = place.met && dot(place.normal, toLight) > 0.02;
@@ -193,9 +196,9 @@ float lightSeen(Place place, vec3 toLight)
     return march(ray, 0.0, far, 0.01, 64).t < far ? 0.0 : 1.0;
 }
 
-// What a matt surface receives: the beam of sun or moon, the light of all the sky with a little of the
-// beam that streets throw about, and the nearest lamp's.
-//   direct  what of the beam comes here: the beam, or black in the shade
+// The light that a matt surface receives: the beam of sun or moon, the light of the whole sky with
+// a little of the beam that streets scatter, and the light of the nearest lamp.
+//   direct  the part of the beam that arrives: all of it, or black in the shade
 vec3 receivedLight(Place place, vec3 sun, vec3 beam, vec3 direct)
 {
     vec3 around = skyAmbient(sun, airDepth()) + 0.1 * beam, toBulb = -fromBulb(place);
@@ -204,9 +207,9 @@ vec3 receivedLight(Place place, vec3 sun, vec3 beam, vec3 direct)
     return open + 0.08 * catches * LAMPLIGHT;
 }
 
-// What panes mirror of the sky, and asphalt of the sun: the more, the flatter one looks. Panes that are
-// not quite flat mirror sooner than Schlick's fifth power has it: the fourth, by eye.
-//   sky  the sky behind the place: a wall along which one looks mirrors nearly the same
+// The sky that panes reflect, and the sun that asphalt reflects: more at smaller grazing angles.
+// The fourth power instead of Schlick's fifth was chosen by eye, for panes that are not quite flat.
+//   sky  the sky behind the point: a wall at a small grazing angle reflects nearly the same part
 vec3 mirroredLight(Place place, Material material, vec3 direction, vec3 sun, vec3 direct, vec3 sky)
 {
     float grazing = 1.0 - place.facing, square = grazing * grazing;
@@ -215,7 +218,7 @@ vec3 mirroredLight(Place place, Material material, vec3 direction, vec3 sun, vec
     return (0.04 + 0.96 * square * square) * (panes + material.gloss * glint);
 }
 
-// What a place sends to the eye: matt, mirrored, and its own.
+// The light that a point sends to the camera: matt, reflected and emitted.
 vec3 placeLight(Place place, vec3 direction, vec3 sun, vec3 sky)
 {
     Material material = materialAt(place, sun);
@@ -226,8 +229,9 @@ vec3 placeLight(Place place, vec3 direction, vec3 sun, vec3 sky)
 
 // ---- The picture ----
 
-// Light as the screen shows it: the exposure follows the sky as an eye does; then light of any strength
-// is brought below 1 as film does it: the more there is, the less more counts.
+// Light as the screen shows it. The exposure follows the sky, as an eye does. Then light of any
+// strength is compressed below 1, as film does: the more light there is, the less an addition
+// counts.
 vec3 exposed(vec3 light, vec3 sun)
 {
     float exposure = 0.95 / sqrt(skyAmbient(sun, airDepth()).y + 0.02);
@@ -235,9 +239,9 @@ vec3 exposed(vec3 light, vec3 sun)
     return encodeSRGB(1.0 - 1.0 / (1.0 + x + x * x));
 }
 
-// The city under a sky: what the ray meets, or the sky itself, and the air between.
-//   sun  where the sun stands, length 1
-//   sky  the light of the sky behind
+// The city under a sky: what the ray meets, or the sky itself, and the air in between.
+//   sun  direction of the sun, length 1
+//   sky  light of the sky in the direction of the ray
 vec3 cityColour(Ray ray, vec3 sun, vec3 sky)
 {
     Place place = placeAlong(ray);

@@ -1,7 +1,7 @@
-// 10 Distance in the plane: a figure on a sheet, its distance as a print of lines, and one ray.
+// 10 Distance in the plane: a figure on a sheet, its distance printed as lines, and one ray.
 
-#include "main.glsl"     // main(): asks for pixelRay, then for rayColour
-#include "camera.glsl"   // focalLength
+#include "main.glsl"     // main(): calls pixelRay, then rayColour
+#include "camera.glsl"   // focalLength, perspectiveRay
 #include "march.glsl"    // march
 #include "marched.glsl"  // marchedSteps, marchedStep, marchedHit
 #include "normal.glsl"   // normalAt
@@ -10,46 +10,48 @@
 #include "coverage.glsl" // coverage, blurred
 #include "lighting.glsl" // encodeSRGB
 
-uniform int   figure;       // 6 in [0, 6]: 0 disc, 1 bar, 2 rectangle, 3 triangle, 4 dart, 5 arc, 6 leaf
+uniform int   figure;       // 6 in [0, 8]: 0 disc, 1 bar, 2 rectangle, 3 triangle, 4 dart, 5 arc, 6 leaf, 7 half-plane, 8 point
 uniform int   operation;    // 0 in [0, 6]: 0 none; with a disc 1 union, 2 intersection, 3 difference, 4 smooth union; 5 onion, 6 round
-uniform float amount;       // 0.1 in [0.01, 0.5] step 0.01, units: of the blend, the shell or the rounding
-uniform float morph;        // 0 in [0, 1] step 0.05: mixes the distance with that of the disc
-uniform vec2  rayStart;     // -1.85, -0.75 in [-10, 10] step 0.05, units: where the ray starts
-uniform vec2  aim;          // -0.45, -0.06 in [-10, 10] step 0.05, units: where the ray passes; a click sets it
-uniform float fixedStep;    // 0 in [0, 0.5] step 0.02, units: length of the fixed steps that ticks along the ray show; 0: none
-uniform float lineSpacing;  // 0.05 in [0.01, 1] step *2, units: from one line of equal distance to the next
-uniform int   maxSteps;     // 256 in [1, 512]: steps before a ray is given up
+uniform float amount;       // 0.1 in [0.01, 0.5] step 0.01, units: width of the blend, the shell or the rounding
+uniform float morph;        // 0 in [0, 1] step 0.05: how far the distance is mixed with that of the disc
+uniform vec2  rayStart;     // -1.85, -0.75 in [-10, 10] step 0.05, handle units: where the ray starts; drag it
+uniform vec2  aim;          // -0.45, -0.06 in [-10, 10] step 0.05, handle units: a point that the ray passes through; drag it
+uniform float fixedStep;    // 0 in [0, 0.5] step 0.02, units: length of the fixed steps, shown as ticks along the ray; 0: none
+uniform float lineSpacing;  // 0.05 in [0.01, 1] step *2, units: spacing of the lines of equal distance
+uniform int   maxSteps;     // 256 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.004 in [0.00001, 0.1] step *2, units: distance that counts as a hit
 
-const float FAR = 6.0; // a ray that has travelled so far has left the sheet
+const float FAR = 6.0; // a ray that has travelled this far has left the sheet
 
-// The place of the sheet, the plane z = 0, that a point of the screen shows. The eye stays in front of the
-// sheet; over its horizon the sheet goes on for ever.
+// The point of the sheet, the plane z = 0, that a point of the screen shows. The camera stays in
+// front of the sheet. Beyond the horizon, the sheet continues for ever.
 vec2 sheetPlace(vec2 screen)
 {
     vec3 way = screen.x * iCameraRight + screen.y * iCameraUp + focalLength * iCameraForward;
     return iCameraPosition.xy - max(iCameraPosition.z, 0.01) / min(way.z, -0.001) * way.xy;
 }
 
-// How far that place moves when the screen's point moves, to first order: the derivative of sheetPlace.
-//   p     the place
-//   move  of the point, as a vector of space: a share of the camera's right or up
-//   away  of the sheet from the eye, along the view, in focal lengths
+// How far that point moves when the point of the screen moves, to first order: the derivative of
+// sheetPlace.
+//   p     the point of the sheet
+//   move  of the point of the screen, as a vector in space: a multiple of the camera's right or up
+//   away  distance from the camera to the sheet, along the view, in focal lengths
 vec2 sheetStep(vec2 p, vec3 move, float away)
 {
     return away * (move.xy + move.z * (p - iCameraPosition.xy) / max(iCameraPosition.z, 0.01));
 }
 
-// All rays lie in the sheet. The picture, the probe and the slice have one, whatever the pixel: through
-// the aim. Each pixel of the other views has its own, through the place that it shows.
+// All rays lie in the sheet. The picture, the probe and the slice view use one ray for all pixels,
+// through the aim. In the other views each pixel has its own ray, through the point that it shows.
+// The program that looks for the handles in the picture needs the rays of the eye.
 Ray pixelRay(vec2 screen)
 {
-#if VIEW >= 1 && VIEW <= 3
-    vec2 way = sheetPlace(screen) - rayStart;
+#if VIEW == 9
+    return perspectiveRay(screen);
 #else
-    vec2 way = aim - rayStart;
-#endif
+    vec2 way = (VIEW >= 1 && VIEW <= 3 ? sheetPlace(screen) : aim) - rayStart;
     return Ray(vec3(rayStart, 0.0), normalize(vec3(way + 1e-7, 0.0)));
+#endif
 }
 
 // ---- The figure ----
@@ -58,15 +60,16 @@ const vec2 DART[POLYGON_CORNERS] = vec2[POLYGON_CORNERS](
     vec2(-0.9, 0.1), vec2(0.7, 0.8), vec2(0.2, 0.0), vec2(0.6, -0.8), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0),
     vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
 
-// A disc, a bar and a rectangle are rounded rectangles: the first two of no size, and of no height.
+// A disc, a bar and a rectangle are rounded rectangles: the disc one of size zero, the bar one of
+// height zero. The point is a rectangle of size zero that is not rounded.
 float roundedDistance(vec2 p)
 {
     vec2 halfSize = figure == 2 ? vec2(0.9, 0.55) : vec2(figure == 1 ? 0.9 : 0.0, 0.0);
-    return opRound(sdRectangle(p, halfSize), figure == 2 ? 0.0 : (figure == 1 ? 0.015 : 0.8));
+    return opRound(sdRectangle(p, halfSize), figure == 0 ? 0.8 : (figure == 1 ? 0.015 : 0.0));
 }
 
-// Four pairs of lobes on a stem; abs folds the left ones onto the right ones. A lobe is a segment that is
-// grown by a width, and flows together with what it meets.
+// Four pairs of lobes on a stem; abs folds the left lobes onto the right ones. A lobe is a segment
+// enlarged by a width, and blends smoothly with the parts that it meets.
 float leafDistance(vec2 p)
 {
     p = mat2(0.891, -0.454, 0.454, 0.891) * (p - vec2(0.24, -0.02)); // turned by 27 degrees
@@ -83,10 +86,11 @@ float leafDistance(vec2 p)
 
 float figureDistance(vec2 p)
 {
-    float d = figure <= 2 ? roundedDistance(p) : leafDistance(p);
+    float d = figure <= 2 || figure == 8 ? roundedDistance(p) : leafDistance(p);
     d = figure == 3 ? sdTriangle(p, vec2(-0.9, -0.6), vec2(0.9, -0.6), vec2(-0.3, 0.8)) : d;
     d = figure == 4 ? sdPolygon(p, DART, 4) : d;
-    return figure == 5 ? opRound(sdArc(p, 0.7, 2.0), 0.015) : d;
+    d = figure == 5 ? opRound(sdArc(p, 0.7, 2.0), 0.015) : d;
+    return figure == 7 ? p.y : d;
 }
 
 float sheetDistance(vec2 p)
@@ -118,17 +122,17 @@ const vec3 LINE_IN  = vec3(0.55, 0.75, 0.95);
 const vec3 OUTLINE  = vec3(1.0, 0.97, 0.88);
 const vec3 INK      = vec3(0.012, 0.010, 0.025);
 
-// How much of a pixel a line covers.
-//   x      from its middle, in pixels
-//   width  in pixels of a picture of 360 rows
+// The share of a pixel that a line covers.
+//   x      distance from the middle of the line, in pixels
+//   width  in pixels of a picture with 360 rows
 float line(float x, float width)
 {
     return coverage(0.5 * width * max(iResolution.y / 360.0, 1.0) - abs(x), 1.0);
 }
 
-// The distance at p as colours, lines and an outline. All have one width in pixels: d is divided by its own
-// change from pixel to pixel. Where lines would come too close they fade.
-//   right, up  what the neighbouring pixels show
+// The distance at p as colours, lines and an outline. Lines have a fixed width in pixels, because d
+// is divided by its change from pixel to pixel. Where lines would crowd they fade.
+//   right, up  the points that the neighbouring pixels show
 vec3 fieldColour(vec2 p, vec2 right, vec2 up)
 {
     float d = distanceAt(vec3(p, 0.0));
@@ -144,18 +148,18 @@ vec3 fieldColour(vec2 p, vec2 right, vec2 up)
     return mix(light, OUTLINE, line(d / perPixel, 2.6));
 }
 
-// The march over a colour: what its circles prove empty, the circles, the ray as far as it came, and ticks
-// where fixed steps would ask.
-//   right, up  the ways to what the neighbouring pixels show, units
+// The march, drawn over a colour: the area that its circles prove empty, the circles, the ray up to
+// the last evaluation, and ticks where fixed steps would evaluate the distance.
+//   right, up  vectors to the points that the neighbouring pixels show, units
 vec3 marchColour(vec3 light, vec2 p, vec2 right, vec2 up, Ray ray)
 {
     mat2 turn = mat2(ray.direction.xy, -ray.direction.y, ray.direction.x);
-    vec2 q = (p - ray.origin.xy) * turn; // along, beside
+    vec2 q = (p - ray.origin.xy) * turn; // coordinates along the ray and perpendicular to it
     mat2 next = mat2(right * turn, up * turn);
     vec2 pixel = vec2(length(vec2(next[0].x, next[1].x)), length(vec2(next[0].y, next[1].y)));
     int steps = marchedSteps(ray, FAR, hitThreshold, maxSteps);
     float circle = 1e6, inside = 1e6, t = 0.0, end = 0.0;
-    float middle = 0.0; // of the circle whose rim is nearest
+    float middle = 0.0; // t at the centre of the circle whose rim is nearest
     for (int k = 0; k < steps; k++) {
         float radius = marchedStep(k).y, outside = length(q - vec2(t, 0.0)) - radius;
         inside = min(inside, outside);
@@ -165,7 +169,7 @@ vec3 marchColour(vec3 light, vec2 p, vec2 right, vec2 up, Ray ray)
         t += radius;
     }
     vec2 across = q - vec2(middle, 0.0) + 1e-7, move = across * next;
-    float perUnit = sqrt(dot(across, across) / dot(move, move)); // pixels, across the rim
+    float perUnit = sqrt(dot(across, across) / dot(move, move)); // pixels, perpendicular to the rim
     float ink = q.x > 0.0 && q.x < end ? line(q.y / pixel.y, 1.2) : 0.0;
     if (fixedStep > 0.0 && q.x > 0.0 && abs(q.y) < 5.0 * pixel.y)
         ink = max(ink, line((fract(q.x / fixedStep + 0.5) - 0.5) * fixedStep / pixel.x, 1.2));
@@ -180,7 +184,7 @@ vec3 rayColour(Ray ray)
 {
 #if VIEW >= 1 && VIEW <= 6
     Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
-    if (VIEW == 2) // its greys change most around 6 units: on the sheet, at a quarter of that
+    if (VIEW == 2) // the greys of this view change most around 6 units: here, at a quarter of that
         traceMarch(trace.steps, 4.0 * hit.t, trace.end);
     if (VIEW < 4 && hit.found)
         normalAt(ray.origin + hit.t * ray.direction, hitThreshold);
@@ -190,7 +194,7 @@ vec3 rayColour(Ray ray)
     float down = screen.x * iCameraRight.z + screen.y * iCameraUp.z + focalLength * iCameraForward.z;
     float away = max(iCameraPosition.z, 0.01) / max(-down, 0.001) * 2.0 / iResolution.y;
     vec2 right = sheetStep(p, iCameraRight, away), up = sheetStep(p, iCameraUp, away);
-    float wide = down < -0.001 ? max(length(right), length(up)) : 1.0; // from a unit on there is only paper
+    float wide = down < -0.001 ? max(length(right), length(up)) : 1.0; // from one unit on there is only paper
     vec3 light = marchColour(fieldColour(p, p + right, p + up), p, right, up, ray);
     return encodeSRGB(mix(light, PAPER, blurred(wide)));
 #endif

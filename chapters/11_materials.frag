@@ -1,9 +1,10 @@
-// 11 Materials: a still life. The march asks how far; what a hit is made of is asked once, at the hit.
+// 11 Materials: a still life. The march needs only distances; the material is determined once, at
+// the hit.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread, coneReaching
 #include "normal.glsl"     // normalAt
-#include "still_life.glsl" // jugDistance and all that stands on the table, thingsInterval, SILVER_RADIUS
+#include "still_life.glsl" // jugDistance and the other objects on the table, thingsInterval, SILVER_RADIUS
 #include "combine.glsl"    // opUnion, opSmoothUnion, smoothUnionShare
 #include "material.glsl"   // Material, mixMaterials
 #include "checkers.glsl"   // planeFootprint, checkers
@@ -14,26 +15,26 @@
 
 uniform float blend;        // 0.45 in [0.05, 1] step 0.05, scene units: width of the pear's blend
 uniform float polish;       // 1 in [0.25, 4] step *1.1: divides the roughness of everything
-uniform bool  averaged;     // true: the cloth's squares are averaged over the pixel; false: asked at its middle
-uniform int   maxSteps;     // 96 in [1, 512]: steps before a ray is given up
+uniform bool  averaged;     // true: the cloth's squares are averaged over the pixel; false: evaluated at its centre
+uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.001 in [0.0001, 0.05] step *2, scene units: distance that counts as a hit, at the eye
 
 const float WALL = -2.2;                              // z of the wall
-const float FAR = 40.0;                               // a ray that has travelled so far sees the room
+const float FAR = 40.0;                               // a ray that has travelled this far shows the room
 const float TILE = 0.42;                              // side of a square of the cloth, scene units
-const vec3  TO_LIGHT = vec3(-0.7433, 0.5213, 0.4194);  // where the window's light comes from, length 1
+const vec3  TO_LIGHT = vec3(-0.7433, 0.5213, 0.4194);  // direction to the light of the window, length 1
 const vec3  WINDOW_LIGHT = vec3(2.25, 1.86, 1.34);     // linear RGB
 const vec3  ROOM_LIGHT = vec3(0.060, 0.062, 0.052);
-const vec3  CLOTH_LIGHT = vec3(0.050, 0.020, 0.010);   // what the cloth sends up
+const vec3  CLOTH_LIGHT = vec3(0.050, 0.020, 0.010);   // light that the cloth reflects upwards
 
 Ray pixelRay(vec2 screen)
 {
     return perspectiveRay(screen);
 }
 
-// ---- How far it is: the table, the wall and what stands there ----
+// ---- Distances: the table, the wall and the objects ----
 
-// How far the wax is on its way from the cube to the ball.
+// How far the wax has changed from the cube to the ball, 0 to 1.
 float waxShare()
 {
     return 0.5 - 0.5 * cos(0.5 * iTime + 1.2);
@@ -50,8 +51,8 @@ float sceneDistance(vec3 p)
 
 // ---- Where to look ----
 
-// Where a ray is to look: from where it enters a box, or from just in front of the plane that it meets, the
-// table or the wall, to a little behind that.
+// The interval of a ray: from where it enters a box, or from just in front of the plane that it
+// meets, the table or the wall, to a little behind that plane.
 vec2 sceneInterval(Ray ray)
 {
     vec2 things = thingsInterval(ray);
@@ -61,7 +62,7 @@ vec2 sceneInterval(Ray ray)
     return vec2((things.x < things.y ? min(things.x, end) : end) - 0.01, end + 0.3);
 }
 
-// ---- Materials: asked once, at the hit ----
+// ---- Materials, determined once, at the hit ----
 
 const Material PLASTER = Material(vec3(0.16, 0.175, 0.14), vec3(0.03), 0.9);
 const Material LINEN = Material(vec3(0.46, 0.39, 0.29), vec3(0.03), 0.8);
@@ -79,14 +80,15 @@ const Material WOOD = Material(vec3(0.07, 0.04, 0.02), vec3(0.04), 0.7);
 const Material BOTTLE = Material(vec3(0.02, 0.08, 0.05), vec3(0.04), 0.22);
 const Material HONEY = Material(vec3(0.55, 0.25, 0.03), vec3(0.04), 0.30);
 
-// What is known of the pixel that sees a point.
+// Data of the pixel that shows a point.
 struct Pixel {
     vec3  direction; // of its ray, length 1
-    float halfSide;  // at the point, across the view, scene units
+    float halfSide;  // at the point, perpendicular to the view, scene units
     float bend;      // how fast the direction changes across the pixel, per scene unit
 };
 
-// The linen's share of the cloth that a pixel sees: squares on their corners.
+// The share of linen in the part of the cloth that a pixel covers. The sides of the squares are at
+// 45 degrees to the axes.
 float linenShare(vec3 p, Pixel pixel)
 {
     const float S = 0.70710678 / TILE;
@@ -95,7 +97,7 @@ float linenShare(vec3 p, Pixel pixel)
     return checkers(seen.middle, averaged ? seen.width : vec2(1e-4));
 }
 
-// The nearer of two, with what it is made of.
+// The nearer of two parts, with its material.
 void take(inout float nearest, inout Material found, float distance, Material candidate)
 {
     if (distance < nearest) {
@@ -131,16 +133,16 @@ Material materialAt(vec3 p, Pixel pixel)
 // A rectangle with soft edges around the origin: 1 inside.
 float pane(vec2 q, vec2 halfSize, float soft)
 {
-    vec2 inside = smoothstep(halfSize + soft, halfSize - soft, abs(q));
+    vec2 inside = 1.0 - smoothstep(halfSize - soft, halfSize + soft, abs(q));
     return inside.x * inside.y;
 }
 
-// What a ray sees that meets nothing: the room behind the viewer, with the window on its left; painted by
-// eye, the softer the rougher the surface that mirrors it.
+// The light from the direction of a ray that meets nothing: the room behind the viewer, with the
+// window on the left. It is painted by eye, and is softer when a rougher surface reflects it.
 vec3 skyLight(vec3 direction, float roughness)
 {
     vec2 q = direction.yz / min(direction.x, -0.1) + vec2(0.55, 0.45);
-    vec2 bars = smoothstep(0.042, 0.018, abs(q));
+    vec2 bars = 1.0 - smoothstep(0.018, 0.042, abs(q));
     float cross = max(bars.x, bars.y);
     float window = pane(q, vec2(0.36, 0.3), 0.02 + roughness) * (1.0 - cross * max(1.0 - 4.0 * roughness, 0.0));
     return ROOM_LIGHT * (0.6 + 0.4 * direction.y) + 8.0 * WINDOW_LIGHT * window / (1.0 + 9.0 * roughness);
@@ -153,13 +155,14 @@ float shaft(vec3 p)
     return 0.06 + 0.94 * pane(q - vec2(4.8, 2.5), vec2(2.0, 2.4), 0.5);
 }
 
-// The share of light that a surface mirrors, for each colour.
+// The share of light that a surface reflects as a mirror, for each colour.
 vec3 mirroredShare(Material material, float facing)
 {
     return mix(material.straight, vec3(1.0), schlickShare(clamp(facing, 0.0, 1.0), 0.0));
 }
 
-// The window's light, mirrored and scattered, where it is in sight; and the room's, scattered.
+// The light of the window where it is visible, reflected and scattered, and the scattered light of
+// the room.
 vec3 surfaceLight(vec3 p, vec3 normal, vec3 toEye, Material material, float radius)
 {
     Ray ray = shadowRay(p, normal, TO_LIGHT, 4.0 * radius);
@@ -173,7 +176,8 @@ vec3 surfaceLight(vec3 p, vec3 normal, vec3 toEye, Material material, float radi
     return (material.colour * (1.0 - mirrored) + gloss) * received + material.colour * room;
 }
 
-// The normal at a hit: known on table and wall, most of the picture; elsewhere by differences.
+// The normal at a hit: known on table and wall, which fill most of the picture; elsewhere from
+// differences.
 vec3 surfaceNormal(vec3 p, float radius)
 {
     bool wall = p.z < WALL + radius;
@@ -185,8 +189,8 @@ vec3 surfaceNormal(vec3 p, float radius)
     return normal;
 }
 
-// What the eye sees, and once more what the silver mirrors. A pixel's ray widens as it goes, and faster
-// from a curved mirror on.
+// The light that reaches the camera, including the light that reaches it after one reflection in
+// the silver. The ray of a pixel widens along its path, and faster after a curved mirror.
 vec3 rayColour(Ray ray)
 {
     vec3 light = vec3(0.0), share = vec3(1.0);

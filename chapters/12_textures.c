@@ -1,4 +1,4 @@
-// Chapter 12: textures. A stone, a plank and a cloth, none of which has coordinates of its own.
+// Chapter 12: textures. Stones, a plank and a cloth, none of which has texture coordinates.
 //
 // The page is docs/12_textures.md.
 #include "../common/chapter.h"

@@ -1,6 +1,6 @@
-// 12 Textures: a stone, a plank and a cloth on a cold clear morning; none has coordinates of its own.
+// 12 Textures: stones, a plank and a cloth on a cold clear morning; none has texture coordinates.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread, coneReaching
 #include "primitives.glsl" // sdSphere, boxDistance
 #include "repetition.glsl" // opRepeatLimited
@@ -16,29 +16,29 @@ uniform sampler2D granite;  // "granite.png" sRGB repeat: polished stone
 uniform sampler2D plank;    // "plank.png" sRGB repeat: boards side by side
 uniform sampler2D cloth;    // "cloth.png" sRGB repeat: a plain weave
 
-uniform int   planes;       // 3 in [0, 3]: from how many sides the granite is thrown: 3, the 2 that count most, 1 from above; 0: coloured in space
-uniform float sharpness;    // 6 in [1, 64] step *1.5: how fast the side wins that the surface faces
-uniform float footprint;    // 0.577 in [0, 32] step 0.1, pixels: over how much a texture is averaged; 0: over nothing
-uniform bool  carried;      // true: the ball carries its texture; false: it rolls through it
-uniform float bumps;        // 0.02 in [0, 0.2] step 0.01, scene units: how high the bumps of the ground seem
-uniform float frost;        // 0.45 in [0, 1] step 0.05: how much of what looks up is white
-uniform float roughness;    // 0.12 in [0, 0.4] step 0.02, scene units: how deep the noise carves the stones
-uniform int   maxSteps;     // 160 in [1, 512]: steps before a ray is given up
-uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
-uniform float normalStep;   // 0.002 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal
+uniform int   planes;       // 3 in [0, 3]: sides from which the granite is projected: all 3, the 2 with the largest weights, 1 from above; 0: coloured in space
+uniform float sharpness;    // 6 in [1, 64] step *1.5: how strongly the side that the surface faces dominates
+uniform float footprint;    // 0.577 in [0, 32] step 0.1, pixels: width over which a texture is averaged; 0: no averaging
+uniform bool  carried;      // true: the ball carries its texture; false: it rolls through the texture
+uniform float bumps;        // 0.02 in [0, 0.2] step 0.01, scene units: apparent height of the bumps on the ground
+uniform float frost;        // 0.45 in [0, 1] step 0.05: how white the surfaces that face upwards are
+uniform float roughness;    // 0.12 in [0, 0.4] step 0.02, scene units: depth to which the noise carves the stones
+uniform int   maxSteps;     // 160 in [1, 512]: steps after which a ray is abandoned
+uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit, at the eye
+uniform float normalStep;   // 0.002 in [0.0000001, 0.5] step *2, scene units: step of the differences that estimate the normal
 
-const float FAR = 60.0;                       // so far away the ground has become mist
-const vec3  LOW = vec3(-1.85, -0.1, -0.62);   // opposite corners of a box that holds the bench
+const float FAR = 60.0;                       // at this distance the ground has become mist
+const vec3  LOW = vec3(-1.85, -0.1, -0.62);   // opposite corners of a box around the bench
 const vec3  HIGH = vec3(2.25, 1.6, 0.62);
-const vec3  ROW_LOW = vec3(-0.7, -0.1, -9.3); // and of one that holds the row of stones behind it
+const vec3  ROW_LOW = vec3(-0.7, -0.1, -9.3); // and of one around the row of stones behind it
 const vec3  ROW_HIGH = vec3(2.7, 2.25, -2.3);
-const int   OCTAVES = 1;                      // of the noise that carves the stones and is marched,
-const float CELLS = 2.8;                      //   with so many cells a scene unit,
-const float GAIN = 0.45;                      //   each octave so much weaker
-const float LACUNARITY = 2.0;                 //   and finer than the one before
+const int   OCTAVES = 1;                      // of the noise that carves the stones in the march,
+const float CELLS = 2.8;                      //   cells per scene unit,
+const float GAIN = 0.45;                      //   weight of an octave relative to the previous one,
+const float LACUNARITY = 2.0;                 //   and how much finer it is
 const float BALL = 0.28;                      // its radius
-const float REPEATS = 1.8;                    // of the granite, a scene unit
-const float WEAVE = 0.8;                      // repeats of plank and cloth, a scene unit
+const float REPEATS = 1.8;                    // of the granite, per scene unit
+const float WEAVE = 0.8;                      // repeats of plank and cloth, per scene unit
 const vec3  SUN = vec3(-0.899, 0.345, 0.269); // its direction, length 1
 const vec3  SUN_COLOUR = vec3(2.2, 1.62, 1.05);
 const vec3  SKY_COLOUR = vec3(0.13, 0.18, 0.26);
@@ -56,26 +56,26 @@ float roundBox(vec3 p, vec3 halfSize, float radius)
     return boxDistance(abs(p) - halfSize + radius) - radius;
 }
 
-// The stones before they are rough: two under the plank, and a row that stands in the mist.
+// The stones before they are carved: two under the plank, and a row in the mist.
 float smoothStones(vec3 p)
 {
     float under = roundBox(vec3(abs(p.x - 0.2) - 1.2, p.y - 0.36, p.z), vec3(0.45, 0.53, 0.5), 0.16);
     vec3 q = p - vec3(1.9, 0.9, -3.2);
-    vec2 row = vec2(0.944 * q.x - 0.33 * q.z, 0.33 * q.x + 0.944 * q.z);
+    vec2 row = vec2(0.943983 * q.x - 0.329994 * q.z, 0.329994 * q.x + 0.943983 * q.z);
     return min(under, roundBox(vec3(row.x, q.y, opRepeatLimited(row.y, 2.7, -2.0, 0.0)), vec3(0.5, 1.25, 0.62), 0.3));
 }
 
-// The ball rolls to and fro, and turns by the way over its radius.
+// The ball rolls to and fro, and turns by the angle path / radius.
 Pose ballPose()
 {
     float way = 0.35 - 0.7 * abs(2.0 * fract(0.1 * iTime) - 1.0);
     return Pose(vec3(way - 0.75, 0.96 + BALL, 0.0), rotationZ(-way / BALL));
 }
 
-// A shell round the plank, open below, and cut off at the hem: were it closed just under the cut, the bound of its
-// distance would be near 0 there, a hit for the wide rays of a small picture. Folds push it aside along z, the more
-// the lower it hangs, with a slope of at most 0.7. The shell alone is the same for every x, so the folds add their
-// slope at a right angle.
+// A shell around the plank, open below and cut off at the hem. If it were closed just under the
+// cut, the bound of its distance would be near 0 there, which is a hit for the wide rays of a small
+// picture. Folds push it sideways along z, more the lower it hangs, with a slope of at most 0.7.
+// Without the folds the shell is the same for every x, so their slope adds perpendicularly.
 float clothDistance(vec3 p)
 {
     vec3 q = p - vec3(0.75, 0.6, 0.0);
@@ -87,7 +87,7 @@ float clothDistance(vec3 p)
     return max(shell, hem) / heightStretch(0.7);
 }
 
-// The distances of the smooth stones, the plank, the ball and the cloth.
+// The distances to the smooth stones, the plank, the ball and the cloth.
 vec4 partDistances(vec3 p)
 {
     float board = roundBox(p - vec3(0.2, 0.9, 0.0), vec3(1.95, 0.06, 0.46), 0.02);
@@ -106,8 +106,8 @@ float stoneNoiseStretch()
     return CELLS * octaveStretch(OCTAVES, GAIN, LACUNARITY);
 }
 
-// The noise takes away from the stones, at most roughness: so the rough ones lie in the smooth ones, whose
-// distance is a lower bound too.
+// The noise removes material from the stones, up to the depth roughness. So the rough stones lie
+// inside the smooth ones, whose distance is therefore also a lower bound.
 float sceneDistance(vec3 p)
 {
     vec4 part = partDistances(p);
@@ -128,7 +128,8 @@ struct Surface {
     vec3 normal; // of the smooth shapes
 };
 
-// By differences of the smooth shapes alone, at the corners of a tetrahedron.
+// Uses differences of the smooth shapes only, at the corners of a tetrahedron. Where they cancel,
+// the normal points up.
 Surface surfaceAt(vec3 p, float h, bool hit)
 {
     Surface surface = Surface(vec4(1.0), vec3(0.0));
@@ -139,28 +140,30 @@ Surface surfaceAt(vec3 p, float h, bool hit)
         surface.normal += corner * min(min(part.x, part.y), min(part.z, part.w));
         surface.part = min(surface.part, abs(part));
     }
-    surface.normal = hit ? normalize(surface.normal) : vec3(0.0, 1.0, 0.0);
+    float size = length(surface.normal);
+    surface.normal = hit && size > 0.0 ? surface.normal / size : vec3(0.0, 1.0, 0.0);
     return surface;
 }
 
-// Granite from as many sides as planes says.
-//   p, normal, f  as the stone sees them
+// Granite, projected from as many sides as the parameter planes says.
+//   p, normal, f  in the coordinates of the stone
 vec3 graniteAt(vec3 p, vec3 normal, Footprint f)
 {
     vec3 weights = planeWeights(normal, sharpness);
     weights = planes == 2 ? twoPlaneWeights(weights) : (planes == 1 ? vec3(0.0, 1.0, 0.0) : weights);
-    weights *= step(0.01, weights); // less would not be seen, and costs a lookup
+    weights *= step(0.01, weights); // a smaller weight costs a lookup; the others sum to more than 0.98
     return textureOnPlanes(granite, REPEATS * p, footprintSeen(f, mat3(1.0), REPEATS), weights).rgb;
 }
 
 struct Material {
     vec3  colour;
-    vec3  normal; // with all its roughness
+    vec3  normal; // including all roughness
     float polish; // 1: it mirrors the sky
 };
 
-// What is met, found once, at the hit; what is not hit is the ground.
-//   width  of the pixel there, scene units
+// The material at the point where the ray ends, found once, at the hit. Without a hit it is the
+// ground.
+//   width  of the pixel at p, scene units
 Material materialAt(vec3 p, vec3 direction, float width, bool hit)
 {
     float h = normalStep + 0.5 * width, near = hitThreshold + h;
@@ -168,12 +171,13 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     bool isCloth = hit && surface.part.w < near, isBall = hit && surface.part.z < near;
     bool isPlank = hit && surface.part.y < near && !isCloth, isStone = hit && !(isCloth || isBall || isPlank);
 
-    // The gradient of the noise is known: of two octaves more than are marched, on the ground, which comes nearer
-    // to the eye, of four. The ground is flat, and only shaded as if it were rough.
+    // The gradient of the noise is known in closed form. It includes two octaves more than the
+    // march uses, or four more on the ground, which comes nearer to the eye. The ground is flat,
+    // and only shaded as if it were rough.
     float scale = hit ? 1.0 : 1.8, depth = isStone ? roughness : (hit ? 0.0 : bumps);
     int octaves = OCTAVES + (hit ? 2 : 4);
     vec4 noise = stoneNoise(scale * p, octaves);
-    depth *= geometricSum(GAIN, octaves) / geometricSum(GAIN, OCTAVES); // those that are marched stay as deep
+    depth *= geometricSum(GAIN, octaves) / geometricSum(GAIN, OCTAVES); // the marched octaves keep their depth
     vec3 normal = bumpedNormal(surface.normal, -depth * scale * noise.yzw);
     float pale = noise.x;
 
@@ -181,11 +185,11 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     Pose pose = Pose(vec3(0.0), mat3(1.0));
     if (isBall && carried)
         pose = ballPose();
-    bool granular = isStone || isBall; // elsewhere one lookup is enough, and of no matter
+    bool granular = isStone || isBall; // elsewhere one lookup is enough: the result is not used
     vec3 stone = graniteAt(seenFrom(pose, p), granular ? normal * pose.turn : vec3(0.0, 1.0, 0.0), footprintSeen(f, pose.turn, 1.0));
     stone = planes == 0 ? mix(vec3(0.10, 0.09, 0.08), vec3(0.62, 0.56, 0.52), pale) : stone;
 
-    // Plank and cloth lie flat or hang: one side is enough, the one that they face.
+    // Plank and cloth lie flat or hang, so one projection is enough, along the axis that they face.
     vec3 facing = abs(surface.normal);
     int axis = facing.y > 0.6 ? 1 : (facing.x > facing.z ? 0 : 2);
     Slide slide = slideAlong(WEAVE * p, footprintSeen(f, mat3(1.0), WEAVE), axis);
@@ -215,7 +219,7 @@ vec3 rayColour(Ray ray)
     float t = hit.found ? hit.t : ground, radius = hitThreshold + spread * t;
     vec3 p = ray.origin + t * ray.direction;
     Material material = materialAt(p, ray.direction, 2.0 * spread * t, hit.found);
-    if (t < FAR) { // the views and the probe show what was met, the ground too
+    if (t < FAR) { // report the hit to the views and the probe, on the ground too
         traceNormal(material.normal);
         traceMarch(trace.steps, t, END_HIT);
     }

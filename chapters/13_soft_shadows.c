@@ -1,4 +1,4 @@
-// Chapter 13: soft shadows. The lamp has a size, and a point sees a share of it.
+// Chapter 13: soft shadows. The lamp is a disc, and only a share of it is visible from a point.
 //
 // The page is docs/13_soft_shadows.md.
 #include "../common/chapter.h"

@@ -1,36 +1,37 @@
-// 13 Soft shadows: the lamp is a disc, and a point in the penumbra sees a share of it.
+// 13 Soft shadows: the lamp is a disc, and only a share of it is visible from a point in the
+// penumbra.
 
-#include "main.glsl"        // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"        // main(): calls pixelRay, then rayColour
 #include "cone.glsl"        // perspectiveRay, marchCone, pixelSpread
 #include "normal.glsl"      // normalAt
 #include "primitives.glsl"  // sdSphere, sdBox
 #include "combine.glsl"     // opSmoothUnion
 #include "repetition.glsl"  // opRepeatLimited, cellRandom
 #include "lighting.glsl"    // lambert, encodeSRGB
-#include "soft_shadow.glsl" // clearanceAlong, lampReaching; shadowRay, shadowReach come with it
+#include "soft_shadow.glsl" // clearanceAlong, lampReaching; includes shadowRay, shadowReach
 #include "bounds.glsl"      // boxInterval
 #include "coverage.glsl"    // stripes, blurred
 
-uniform int   shadow;       // 2 in [0, 3]: 0 hard, 1 by the smallest distance / t, 2 by pairs of steps, 3 by many rays
-uniform float spread;       // 0.04 in [0.002, 0.2] step *1.1: radius of the sun's disc, seen from one unit; the real sun's is 0.0047
-uniform int   rays;         // 4 in [1, 8]: with shadow 3 so many times so many rays go to the sun from each sample
-uniform float sunElevation; // 29 in [5, 80] step 1, degrees: height of the sun over the horizon
-uniform float sunAzimuth;   // 214 in [0, 360] step 2, degrees: where the sun stands, from the right towards the viewer
-uniform float sunSpeed;     // 3 in [0, 90] step 1, degrees per second: how fast it goes round
-uniform int   maxSteps;     // 96 in [1, 512]: steps before a ray is given up
+uniform int   shadow;       // 2 in [0, 3]: 0 hard, 1 from the smallest distance / t, 2 from pairs of steps, 3 with many rays
+uniform float spread;       // 0.04 in [0.002, 0.2] step *1.1: radius of the sun's disc at a distance of one unit; the real sun's is 0.0047
+uniform int   rays;         // 4 in [1, 8]: rays per side: with shadow 3 each sample sends rays x rays towards the sun
+uniform float sunElevation; // 29 in [5, 80] step 1, degrees: height of the sun above the horizon
+uniform float sunAzimuth;   // 214 in [0, 360] step 2, degrees: azimuth of the sun, from the right towards the viewer
+uniform float sunSpeed;     // 3 in [0, 90] step 1, degrees per second: speed of its azimuth
+uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
-// The floor is the plane y = 0, and no part of the distance: rays meet it by a division, and a shadow ray
-// need not climb away from it.
-const vec3  LOW = vec3(-10.1, -0.01, -5.3);         // opposite corners of a box that holds the rest
+// The floor is the plane y = 0. It is not part of the distance: a division finds where a ray meets
+// it, and a shadow ray need not climb away from it.
+const vec3  LOW = vec3(-10.1, -0.01, -5.3);         // opposite corners of a box around everything else
 const vec3  HIGH = vec3(6.9, 2.78, 2.9);
 const float EDGE = -5.2;                            // the floor ends there, scene units
 const float FAR = 60.0;
-const float WAY = 10.0;                             // the longest shadow of a sun 17 degrees high; its rays part by WAY spread
+const float LONGEST_SHADOW = 10.0;                  // length of the longest shadow with the sun 17 degrees high, scene units
 const vec3  SUN_COLOUR = vec3(1.36, 1.00, 0.68);    // its light on a surface that faces it, linear RGB
 const vec3  SKY_COLOUR = vec3(0.25, 0.35, 0.53);    // light from above
-const vec3  EARTH_COLOUR = vec3(0.54, 0.40, 0.31);  // light from below: what the floor sends back
-const vec3  GLOW_COLOUR = vec3(0.22, 0.13, 0.06);   // light from the bright sky round the sun
+const vec3  EARTH_COLOUR = vec3(0.54, 0.40, 0.31);  // light from below, reflected by the floor
+const vec3  GLOW_COLOUR = vec3(0.22, 0.13, 0.06);   // light from the bright sky around the sun
 const vec3  STONE = vec3(0.80, 0.76, 0.70);
 const vec4  BALL = vec4(0.1, 0.42, -1.7, 0.42);     // centre and radius
 const float PAVING = 0.9;                           // side of a paving stone, scene units
@@ -49,7 +50,7 @@ float trellisDistance(vec3 p)
     return min(posts, sdBox(q - vec3(0.0, 1.37, -0.9), vec3(0.09, 0.07, 3.7)));
 }
 
-// A slender figure on a plinth: a body that tapers upwards, shoulders, a head. A lower bound.
+// A slender figure on a plinth: a body that tapers upwards, shoulders and a head. A lower bound.
 float figureDistance(vec3 p)
 {
     vec3 q = p - vec3(1.45, 0.0, 0.1);
@@ -95,7 +96,7 @@ vec3 floorColour(vec3 p, vec2 width)
     return STONE * (0.94 + 0.1 * tone) * (1.0 - 0.35 * max(alongZ, alongX));
 }
 
-// Peach over the horizon, pale blue above; below it the sea.
+// Peach above the horizon and pale blue higher up; the sea below the horizon.
 vec3 skyLight(vec3 direction, vec3 toSun)
 {
     float facing = 0.5 + 0.5 * dot(direction, toSun);
@@ -105,11 +106,11 @@ vec3 skyLight(vec3 direction, vec3 toSun)
     return mix(sea, sky, smoothstep(-0.002, 0.002, direction.y));
 }
 
-// ---- What is met, and what it sees of the sun ----
+// ---- Where a ray ends, and how much of the sun is visible from there ----
 
 // Where the ray of a pixel ends.
 struct Place {
-    bool  open;   // nothing was met but the sky
+    bool  open;   // the ray met only the sky
     vec3  p;      // scene units
     vec3  normal; // length 1
     vec3  colour;
@@ -127,27 +128,28 @@ Place placeAt(Ray ray)
     vec2 width = 2.0 * radius * (1.0 + abs(ray.direction.xz / ray.direction.y));
     vec3 normal = hit.found ? normalAt(p, radius) : vec3(0.0, 1.0, 0.0);
     bool open = !hit.found && (t >= FAR || p.z < EDGE);
-    if (!hit.found && !open) { // the floor: the views and the probe are told
+    if (!hit.found && !open) { // the floor: report the hit to the views and the probe
         traceMarch(trace.steps, t, END_HIT);
         traceNormal(normal);
     }
     return Place(open, p, normal, hit.found ? STONE : floorColour(p, width), radius);
 }
 
-// From the place to the middle of the sun.
+// The shadow ray from a place to the centre of the sun.
 Ray sunRay(Place place, vec3 toSun)
 {
     return shadowRay(place.p, place.normal, toSun, 2.0 * place.radius);
 }
 
-// How far to look along it: out of the box, and as far beyond as the sun's rays part.
+// How far to march along the shadow ray: to the end of the box, enlarged by the distance between
+// the rays to the sun's centre and to its rim.
 float sunReach(Place place, Ray ray)
 {
-    float room = WAY * spread;
+    float room = LONGEST_SHADOW * spread;
     return place.open ? 0.0 : shadowReach(place.normal, ray.direction, boxInterval(ray, LOW - room, HIGH + room).y);
 }
 
-// The share of the sun that is seen, in one of four ways.
+// The visible share of the sun, by one of four methods.
 float sunSeen(Place place, vec3 toSun)
 {
     Ray ray = sunRay(place, toSun);
@@ -166,7 +168,7 @@ vec3 ambientLight(vec3 normal, vec3 toSun)
     return mix(EARTH_COLOUR, SKY_COLOUR, 0.5 + 0.5 * normal.y) + (0.5 + 0.5 * dot(normal, toSun)) * GLOW_COLOUR;
 }
 
-// What the eye gets: the shadow takes of the sun's light alone.
+// The light that reaches the eye: the shadow darkens only the sun's light.
 vec3 placeLight(Place place, Ray ray, vec3 toSun, float seen)
 {
     vec3 light = ambientLight(place.normal, toSun) + seen * lambert(place.normal, toSun) * SUN_COLOUR;

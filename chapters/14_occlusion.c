@@ -1,4 +1,4 @@
-// Chapter 14: occlusion. The lamp is the whole sky, and a place sees a share of it.
+// Chapter 14: occlusion. The lamp is the whole sky, and only a share of it is visible from a point.
 //
 // The page is docs/14_occlusion.md.
 #include "../common/chapter.h"

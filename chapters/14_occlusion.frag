@@ -1,71 +1,73 @@
-// 14 Occlusion: an overcast day. The whole sky is the lamp, and a point sees a share of it.
+// 14 Occlusion: an overcast day. The whole sky is the lamp, and only a share of it is visible from
+// a point.
 
-#include "main.glsl"        // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"        // main(): calls pixelRay, then rayColour
 #include "cone.glsl"        // perspectiveRay, pixelSpread
 #include "lighting.glsl"    // encodeSRGB
 #include "occlusion.glsl"   // openByTaps, skyReaching, skyAndBounces
 #include "courtyard.glsl"   // the court: courtyardPlace, courtyardDistance, troughDistance
 
-uniform int   method;       // 1 in [0, 3]: 0 nothing hides the sky, 1 five taps, 2 many rays, 3 taps less rays: blue too dark
+uniform int   method;       // 1 in [0, 3]: 0 nothing hides the sky, 1 five taps, 2 many rays, 3 the error, taps minus rays: blue is too dark
 uniform float reach;        // 5 in [0.1, 10] step *1.2, scene units: height of the last tap
-uniform float strength;     // 1 in [0, 2] step 0.05: how much a tap takes
-uniform int   rays;         // 4 in [1, 8]: with method 2 and 3 so many times so many rays from each sample
-uniform int   bounces;      // 2 in [0, 2]: light sent back by what is near: 0 never, 1 once, 2 however often
-uniform bool  bare;         // false: show the share of the sky that is seen, without colours
-uniform int   maxSteps;     // 96 in [1, 512]: steps before a ray is given up
+uniform float strength;     // 1 in [0, 2] step 0.05: how much a tap darkens
+uniform int   rays;         // 4 in [1, 8]: rays per side: with methods 2 and 3 each sample sends rays x rays
+uniform int   bounces;      // 2 in [0, 2]: light reflected by nearby surfaces: 0 never, 1 once, 2 any number of times
+uniform bool  bare;         // false: show the openness itself, without colours
+uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 const vec3 SKY = vec3(1.18, 1.22, 1.26);              // light of the whole sky on an open floor, linear RGB
-const vec3 NEAR = vec3(0.66, 0.56, 0.46);             // share of it that the court's surfaces send back, in the mean
-const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // where the taps are all wrong
+const vec3 NEAR = vec3(0.66, 0.56, 0.46);             // share of it that the court's surfaces reflect, on average
+const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // for large errors of the taps
 
-bool lookingRound; // what hides the sky is asked for, and not what the eye's ray meets
+bool lookingRound; // true: the distance is for rays to the sky; false: for the ray from the eye
 
 Ray pixelRay(vec2 screen)
 {
     return perspectiveRay(screen);
 }
 
-// The eye's ray meets floor and side walls by a division; from them, the sky is hidden by everything.
+// A division finds where the ray from the eye meets the floor and the side walls, so these are part
+// of the distance only for rays to the sky.
 float sceneDistance(vec3 p)
 {
     float trough = lookingRound ? troughDistance(p) : COURT_FAR;
     return min(courtyardDistance(p), trough);
 }
 
-// An overcast sky, nearly three times as bright above as at the horizon.
+// An overcast sky, nearly three times as bright at the zenith as at the horizon.
 vec3 skyLight(vec3 direction)
 {
     float up = max(direction.y, 0.0);
     return mix(vec3(0.70, 0.73, 0.76), vec3(0.80, 0.85, 0.90), up) * (0.62 + 0.9 * up);
 }
 
-// The share of the sky that is seen, by five taps.
+// The openness, from five taps.
 float openQuickly(Place place)
 {
     return openOverGround(place.normal) * openByTaps(place.p, place.normal, reach, strength);
 }
 
-// The same by many rays.
+// The openness, from many rays.
 float openTruly(Place place, int side)
 {
     return skyReaching(place.p, place.normal, 2.0 * place.radius, COURT_FAR, side, hitThreshold, maxSteps, 0);
 }
 
-// By the method that was chosen.
+// The openness, by the selected method.
 float openBy(Place place, float taps, float truth)
 {
     return method == 0 ? openOverGround(place.normal) : (method == 1 ? taps : truth);
 }
 
-// What the eye gets of a place that sees a share of the sky.
+// The light that reaches the eye from a place of this openness.
 vec3 placeLight(Place place, float open)
 {
     vec3 light = SKY * skyAndBounces(open, NEAR, bounces);
     return bare ? vec3(open) : place.colour * light;
 }
 
-// White where two shares agree; the court behind it in grey.
+// The court in grey, coloured where the taps are wrong.
 vec3 errorColour(Place place, float off)
 {
     vec3 ground = vec3(0.45 + 0.45 * dot(place.colour, vec3(0.3)));

@@ -1,44 +1,44 @@
 // 15 The picture: the courtyard of chapter 14 as a photograph, early on a misty morning.
 
-#include "main.glsl"      // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"      // main(): calls pixelRay, then rayColour
 #include "courtyard.glsl" // the scene: courtyardPlaceFrom, courtyardDistance, troughReached, arcadeCorners
 #include "lighting.glsl"  // lambert, encodeSRGB
 #include "fog.glsl"       // fogDepth, skyFogDepth, fogPlace, fogLight, throughFog
 #include "film.glsl"      // exposed, cosineFourth, contrast, filmCurve, filmOfLargest, ditherStep
-#include "lens.glsl"      // lensRay, sampleDisc; lampDirection, shadowRay, lightReaching come with it
-#include "filter.glsl"    // filteredScreen; sampleLine comes with it
+#include "lens.glsl"      // lensRay, sampleDisc; includes lampDirection, shadowRay, lightReaching
+#include "filter.glsl"    // filteredScreen; includes sampleLine
 
-uniform float fogDensity;   // 0.09 in [0, 1] step 0.01, per scene unit: what the mist takes of the light at the floor
-uniform float fogScale;     // 1.6 in [0.1, 1000] step *1.1, scene units: height over which the mist thins to 1 / e
-uniform int   shafts;       // 3 in [0, 16]: places of a ray at which the mist asks for the sun; 0: it is in the sun
-uniform float sunElevation; // 15 in [3, 60] step 1, degrees: height of the sun over the horizon
-uniform float sunAzimuth;   // 66 in [0, 360] step 2, degrees: where the sun stands, from the right towards the viewer
-uniform float sunSpread;    // 0.012 in [0.001, 0.1] step *1.1: radius of the sun's disc, seen from one unit
+uniform float fogDensity;   // 0.09 in [0, 1] step 0.01, per scene unit: share of the light that the mist takes at the floor
+uniform float fogScale;     // 1.6 in [0.1, 1000] step *1.1, scene units: height at which the mist has thinned to 1 / e
+uniform int   shafts;       // 3 in [0, 16]: points per ray at which the mist is tested for sun or shade; 0: it is always in the sun
+uniform float sunElevation; // 15 in [3, 60] step 1, degrees: height of the sun above the horizon
+uniform float sunAzimuth;   // 66 in [0, 360] step 2, degrees: azimuth of the sun, from the right towards the viewer
+uniform float sunSpread;    // 0.012 in [0.001, 0.1] step *1.1: radius of the sun's disc at a distance of one unit
 uniform float aperture;     // 0.03 in [0, 0.3] step 0.005, scene units: radius of the lens; one sample is a pinhole
-uniform float focus;        // 4.5 in [0.5, 40] step *1.05, scene units: distance that is sharp
+uniform float focus;        // 4.5 in [0.5, 40] step *1.05, scene units: distance of the plane in focus
 uniform int   kernel;       // 1 in [0, 2]: filter of a pixel: 0 box, 1 tent, 2 Gaussian
-uniform bool  jitter;       // true: each sample anywhere in its cell, false: in the cell's middle
+uniform bool  jitter;       // true: each sample is at a random point of its cell; false: at the cell's centre
 uniform float exposure;     // 0 in [-6, 6] step 0.25, stops: each doubles the light
-uniform bool  vignette;     // true: light falls off from the middle as cos^4
+uniform bool  vignette;     // true: light falls off from the centre as cos^4
 uniform int   curve;        // 1 in [0, 2]: 0 clamp, 1 film on each channel, 2 film on the largest channel
-uniform float gamma;        // 1.45 in [1, 3] step 0.05: how steep the film's curve is
+uniform float gamma;        // 1.45 in [1, 3] step 0.05: steepness of the film's curve
 uniform float white;        // 8 in [1.5, 64] step *1.1: the light that becomes white
 uniform float punch;        // 0 in [0, 1] step 0.1: contrast of the encoded numbers; 1 is a smoothstep
 uniform bool  dither;       // true: a fixed pattern before the rounding to 255 steps
-uniform int   maxSteps;     // 96 in [1, 512]: steps before a ray is given up
+uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 const vec3  SUN_COLOUR = vec3(5.4, 3.2, 1.45);      // its light on a surface that faces it, linear RGB
 const vec3  SKY_COLOUR = vec3(0.21, 0.34, 0.58);    // light from above
-const vec3  COURT_COLOUR = vec3(0.16, 0.15, 0.16);  // light from below: what the court sends back
+const vec3  COURT_COLOUR = vec3(0.16, 0.15, 0.16);  // light from below, reflected by the court
 const vec3  MIST_SKY = vec3(0.10, 0.16, 0.27);      // light of the sky that the mist scatters
-const vec3  MIST_SUN = vec3(3.3, 1.90, 0.86);       // light of the sun that it scatters straight on
-const float FORWARD = 0.6;                          // mean cosine of its angles
-const vec3  AIR_LOW = vec3(-4.74, 0.61, -6.19);     // opposite corners of a box in the gallery in which nothing stands
+const vec3  MIST_SUN = vec3(3.3, 1.90, 0.86);       // light of the sun that it scatters straight ahead
+const float FORWARD = 0.6;                          // mean cosine of the scattering angle
+const vec3  AIR_LOW = vec3(-4.74, 0.61, -6.19);     // opposite corners of an empty box in the gallery
 const vec3  AIR_HIGH = vec3(4.74, 3.70, -4.29);
-const float ARCADE = -4.0;                          // the middle of its wall, along z
-const float SKY = 1e4;                              // how far the sky is, scene units
-const float EAVES = 3.5;                            // over it the roof keeps the sun out
+const float ARCADE = -4.0;                          // z of the middle of its wall
+const float SKY = 1e4;                              // distance of the sky, scene units
+const float EAVES = 3.5;                            // height above which the roof blocks the sun
 
 // ---- Lens ----
 
@@ -61,14 +61,15 @@ vec3 sunDirection()
     return vec3(cos(elevation) * vec2(cos(azimuth), sin(azimuth)), sin(elevation)).xzy;
 }
 
-// Gold round the sun, blue above.
+// Gold around the sun, blue above.
 vec3 skyLight(vec3 direction, vec3 toSun)
 {
     vec3 blue = mix(vec3(0.60, 0.58, 0.62), vec3(0.16, 0.27, 0.48), smoothstep(0.0, 0.55, direction.y));
     return blue + vec3(1.6, 0.95, 0.42) * glow(direction, toSun, 0.7);
 }
 
-// Whether a place of the mist is in the sun: walls and arcade are asked for, all else is too small.
+// Whether a point of the mist is in the sun: only the walls and the arcade are tested, because all
+// other objects are too small.
 float mistLit(Ray toSun)
 {
     float t = (ARCADE - toSun.origin.z) / toSun.direction.z;
@@ -77,8 +78,8 @@ float mistLit(Ray toSun)
     return through && troughReached(toSun) >= COURT_FAR ? 1.0 : 0.0;
 }
 
-// The share of the sun's light in the mist along a ray: the mean over places that lie as dense as the light
-// that comes from there.
+// The share of the sun's light in the mist along a ray: the mean over points whose density is
+// proportional to the light that comes from there.
 //   depth  optical depth of the ray
 float mistSeen(Ray ray, float depth, vec3 toSun)
 {
@@ -91,24 +92,25 @@ float mistSeen(Ray ray, float depth, vec3 toSun)
     return shafts > 0 ? lit / float(shafts) : 1.0;
 }
 
-// What a place sends to the eye: the sun's light where it arrives, and the sky's where it is open.
+// The light from a place to the eye: it reflects the light of the sun that arrives there, and that
+// of the sky.
 vec3 placeLight(Place place, vec3 toSun)
 {
     Ray ray = shadowRay(place.p, place.normal, toSun, 2.0 * place.radius);
-    bool free = !place.open && troughReached(ray) >= COURT_FAR; // the side walls, by a division
+    bool free = !place.open && troughReached(ray) >= COURT_FAR; // the side walls, with a division
     float far = free ? shadowReach(place.normal, toSun, boxInterval(ray, COURT_LOW, COURT_HIGH).y) : 0.0;
     float seen = free ? lightReaching(ray, far, hitThreshold, maxSteps) : 0.0;
-    float outdoors = smoothstep(-6.2, -3.6, place.p.z); // how much of the sky the gallery's roof leaves, by eye
+    float outdoors = smoothstep(-6.2, -3.6, place.p.z); // share of the sky that the gallery's roof leaves open, by eye
     vec3 sky = (0.3 + 0.7 * outdoors) * mix(COURT_COLOUR, SKY_COLOUR, 0.5 + 0.5 * place.normal.y);
     return place.colour * (sky + seen * lambert(place.normal, toSun) * SUN_COLOUR);
 }
 
-// What a ray meets: the light that sets out, the light of the mist, and how much of it is between.
+// The light along a ray: from its end, from the mist, and how much mist is in between.
 struct Seen {
     vec3  light; // linear
     vec3  fog;
-    float way;   // how far it came, scene units
-    float depth; // optical, of the mist on that way
+    float way;   // length of the path, scene units
+    float depth; // optical depth of the mist on this path
 };
 
 Seen seenAlong(Ray ray)
@@ -126,14 +128,15 @@ Seen seenAlong(Ray ray)
 
 // ---- Film ----
 
-// From the light on the film to what is shown, linear.
+// From the light on the film to the displayed light, linear.
 vec3 developed(vec3 light)
 {
     vec3 film = curve == 2 ? filmOfLargest(light, gamma, white) : filmCurve(light, gamma, white);
     return curve == 0 ? clamp(light, 0.0, 1.0) : film;
 }
 
-// The light on the film: through the mist, weaker off the axis, for as long as the shutter is open.
+// The light on the film: it has passed through the mist, is weaker off the axis, and arrives for as
+// long as the shutter is open.
 vec3 lightOnFilm(Ray ray)
 {
     Seen seen = seenAlong(ray);
@@ -141,7 +144,7 @@ vec3 lightOnFilm(Ray ray)
     return exposed(share * throughFog(seen.light, seen.fog, seen.depth), exposure);
 }
 
-// What is written: the numbers of the screen, with more contrast if that is asked for. The dither comes last.
+// The result: encoded numbers, with more contrast if requested. The dither comes last.
 vec3 rayColour(Ray ray)
 {
     vec3 numbers = contrast(encodeSRGB(developed(lightOnFilm(ray))), punch);

@@ -1,4 +1,4 @@
-// Chapter 16: fewer steps. Where the steps of a march go, and six ways to take fewer.
+// Chapter 16: fewer steps. Where the steps of a march go, and six methods to save them.
 //
 // The page is docs/16_fewer_steps.md.
 #include "../common/chapter.h"

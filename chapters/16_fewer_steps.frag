@@ -1,8 +1,8 @@
-// 16 Fewer steps: one scene marched in two ways, and the steps of both in colour.
+// 16 Fewer steps: one scene marched with two methods, and the steps of both in colour.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, pixelSpread
-#include "relaxed.glsl"    // marchRelaxed; march comes with it
+#include "relaxed.glsl"    // marchRelaxed; includes march
 #include "stretch.glsl"    // twistStretchAlong
 #include "transform.glsl"  // opTwist, twistStretch
 #include "normal.glsl"     // normalAt
@@ -13,29 +13,30 @@
 #include "bounds.glsl"     // boxInterval, intervalUnion
 #include "coarse.glsl"     // coarseStart
 
-uniform bool  lit;          // false: the scene in the sun, in place of its steps
-uniform float divider;      // 0.5 in [0, 1] step 0.05, widths of the picture: left of it the scene is marched as before, right of it by the means below
-uniform float far;          // 150 in [20, 100000] step *1.5, scene units: a ray that has travelled so far sees the sky, on both sides
-uniform bool  boxes;        // true: march only in the boxes round the pier and the poles
+uniform bool  lit;          // false: show the scene in sunlight instead of its steps
+uniform float divider;      // 0.5 in [0, 1] step 0.05, widths of the picture: left of it the scene is marched as before, right of it with the methods below
+uniform float far;          // 150 in [20, 100000] step *1.5, scene units: a ray that has travelled this far sees the sky, on both sides
+uniform bool  boxes;        // true: march only in the boxes around the pier and the poles
 uniform float footprint;    // 1 in [0, 4] step 0.25, half pixels: how fast the threshold grows along the ray
 uniform float omega;        // 1.2 in [1, 1.95] step 0.05, distances: length of a step
-uniform bool  along;        // true: the twisted poles have a stretch for each ray
-uniform int   maxSteps;     // 256 in [1, 1024]: steps before a ray is given up
+uniform bool  along;        // true: each ray has its own stretch for the twisted poles
+uniform int   maxSteps;     // 256 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
-// The pier runs along z and is its own mirror image in x = 0. The water is the plane y = SEA, which rays meet by
-// a division; it is no part of the distance.
+// The pier runs along z and is symmetric about the plane x = 0. The water is the plane y = SEA,
+// which rays meet with a division; it is not part of the distance.
 const float SEA = -1.1;
-const vec3  LOW = vec3(-4.3, -1.2, -49.0), HIGH = vec3(4.3, 7.1, 7.9); // corners of a box that holds the pier
+const vec3  LOW = vec3(-4.3, -1.2, -49.0), HIGH = vec3(4.3, 7.1, 7.9); // corners of a box around the pier
 const vec3  POLES_LOW = vec3(3.9, -1.5, -36.0), POLES_HIGH = vec3(4.7, 2.2, 1.0); // the poles on one side
 const float TWIST = 3.0;                         // of a pole, radians per scene unit
-const float POLE_REACH = 0.28;                   // radius of the cylinder in which the twist is asked, scene units
+const float POLE_REACH = 0.28;                   // radius of the cylinder in which the twist is evaluated, scene units
 const vec3  TO_SUN = vec3(-0.4933, 0.6972, 0.5202);
 const vec3  SUN_COLOUR = vec3(1.55, 1.38, 1.10); // linear RGB
 const vec3  SKY_COLOUR = vec3(0.26, 0.42, 0.55);
 const vec3  WATER_COLOUR = vec3(0.05, 0.30, 0.32);
 
-// By what a pole's distance is divided: safe for all rays, or for the one that is marched.
+// The number by which a pole's distance is divided: a stretch that is safe for all rays, or only
+// for the ray being marched.
 float poleStretch;
 
 Ray pixelRay(vec2 screen)
@@ -44,13 +45,13 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// A bar of a square section, from its middle.
+// A bar with a square cross-section; p is relative to its centre.
 float bar(vec3 p, float width, float height)
 {
     return sdBox(p, vec3(width, height, width));
 }
 
-// The walk, its rails and their posts, the piles, the masts with lanterns; x >= 0.
+// The walk, its rails and their posts, the piles, and the masts with lanterns; x >= 0.
 float pierDistance(vec3 p)
 {
     float deck = sdBox(p - vec3(0.0, -0.06, -16.5), vec3(1.4, 0.06, 24.0));
@@ -64,7 +65,8 @@ float pierDistance(vec3 p)
     return min(min(deck, rails), min(min(posts, piles), min(bar(mast, 0.025, 1.3), lantern)));
 }
 
-// The pavilion at the end of the pier: a roof on slender columns, and a lantern over it. A lower bound.
+// The pavilion at the end of the pier: a roof on slender columns, and a lantern above it. A lower
+// bound.
 float pavilionDistance(vec3 p)
 {
     vec3 q = p - vec3(0.0, 0.0, -44.5);
@@ -76,8 +78,8 @@ float pavilionDistance(vec3 p)
     return min(min(columns, cupola), min(sdBox(q - vec3(0.0, -0.06, 0.0), vec3(4.2, 0.06, 4.2)), top));
 }
 
-// Mooring poles: square bars, twisted, with a ball on top; x >= 0. Near its axis a pole is asked by its
-// twist, farther away a cylinder round it serves.
+// Mooring poles: twisted square bars with a ball on top; x >= 0. The twist is evaluated only near
+// the axis of a pole; farther away, a cylinder around the pole is enough.
 float polesDistance(vec3 p)
 {
     vec3 q = vec3(p.x - 4.3, p.y - 0.2, opRepeatLimited(p.z, 7.0, -5.0, 0.0));
@@ -96,7 +98,7 @@ float sceneDistance(vec3 p)
 
 // ---- Where to march, and how ----
 
-// Where a ray can meet something: a box for the pier, one for the poles on each side.
+// The interval in which a ray can hit: a box for the pier, and one for the poles on each side.
 vec2 boxesInterval(Ray ray)
 {
     vec3 mirror = vec3(-1.0, 1.0, 1.0), other = mirror * POLES_LOW, opposite = mirror * POLES_HIGH;
@@ -111,9 +113,10 @@ float coarseMargin(float t)
     return hitThreshold + footprint * pixelSpread() * t;
 }
 
-// March a pixel's ray as before, or by the means. One loop serves both: all means are numbers that it is given.
+// March a pixel's ray as before, or with this chapter's methods. One loop does both: the methods
+// are its arguments.
 //   ground  where the ray meets the water
-//   now     true: by the means
+//   now     true: with the methods
 Hit marchPier(Ray ray, float ground, bool now)
 {
     float last = min(ground, far), spread = now ? footprint * pixelSpread() : 0.0;
@@ -126,10 +129,10 @@ Hit marchPier(Ray ray, float ground, bool now)
     return hit;
 }
 
-// ---- What is seen ----
+// ---- Colours ----
 
-// From night over violet and rose to straw: each colour is lighter than the one before, so that the order can
-// be read as grey.
+// From night blue through violet and rose to straw: each colour is lighter than the previous one,
+// so that the order is also visible in grey.
 vec3 stepColour(int steps)
 {
     const vec3 colours[5] = vec3[5](vec3(0.05, 0.04, 0.15), vec3(0.24, 0.16, 0.43), vec3(0.62, 0.27, 0.46),
@@ -139,20 +142,20 @@ vec3 stepColour(int steps)
     return mix(colours[i], colours[i + 1], x - float(i));
 }
 
-// A summer sky, pale over the horizon; below it the water's colour far away.
+// A summer sky, pale at the horizon; below the horizon, the colour of distant water.
 vec3 skyLight(vec3 direction)
 {
     return mix(vec3(0.62, 0.80, 0.82), vec3(0.10, 0.33, 0.62), smoothstep(0.0, 0.5, direction.y));
 }
 
-// The lagoon: shallow and clear below the eye, a mirror farther away.
+// The lagoon: shallow and clear below the eye, and a mirror farther away.
 vec3 waterLight(Ray ray)
 {
     float grazing = 1.0 - abs(ray.direction.y), square = grazing * grazing;
     return mix(WATER_COLOUR, 0.9 * skyLight(reflect(ray.direction, vec3(0.0, 1.0, 0.0))), 0.04 + 0.8 * square * square * square);
 }
 
-// What the place is made of: planks, red and white poles, white paint.
+// The colour of a surface point: planks, red and white poles, or white paint.
 vec3 paintAt(vec3 p, vec3 normal)
 {
     vec3 q = vec3(abs(p.x) - 4.3, p.y - 0.2, opRepeatLimited(p.z, 7.0, -5.0, 0.0)), turned = opTwist(q, TWIST);
@@ -162,7 +165,7 @@ vec3 paintAt(vec3 p, vec3 normal)
     return abs(p.x) > 3.5 ? pole : (deck ? planks : vec3(0.82, 0.82, 0.80));
 }
 
-// The picture in the sun.
+// The picture in sunlight.
 //   ground  where the ray meets the water
 vec3 sceneLight(Ray ray, Hit hit, float ground)
 {
@@ -185,10 +188,10 @@ vec3 rayColour(Ray ray)
     float place = (float(iPixel.x) + 0.5) / iResolution.x;
     Hit hit = marchPier(ray, ground, place >= divider);
     int steps = trace.steps;
-    if ((VIEW == 1 || VIEW == 2) && trace.end == END_PASSED && ground < far) { // normals and depth: the water too
+    if ((VIEW == 1 || VIEW == 2) && trace.end == END_PASSED && ground < far) { // normals and depth: include the water
         traceNormal(vec3(0.0, 1.0, 0.0));
         traceMarch(steps, ground, END_HIT);
     }
-    bool sunny = lit || VIEW == 1; // who looks at the normals asks for them
+    bool sunny = lit || VIEW == 1; // the normal view needs the normals
     return sunny ? encodeSRGB(sceneLight(ray, hit, ground)) : stepColour(steps);
 }

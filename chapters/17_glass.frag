@@ -1,6 +1,7 @@
-// 17 Glass: at each surface light parts; the ray goes on with what is let through, inside by minus the distance.
+// 17 Glass: light splits at each surface. The ray goes on with the transmitted part; inside, a step
+// is minus the distance.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, pixelSpread
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere
@@ -16,33 +17,33 @@
 #include "shadow.glsl"     // shadowRay
 #include "bounds.glsl"     // boxInterval
 
-uniform int   surfaces;     // 10 in [0, 24]: that a ray meets at most; what is left then is dark
-uniform int   waves;        // 1 in [1, 16]: wavelengths in each sample; with 1 all colours go the way of green
-uniform bool  byLot;        // false: at a surface the ray is mirrored or let through as a whole, drawn by lot
-uniform bool  white;        // false: clear glass in a white world, which must be white
-uniform float tint;         // 1 in [0, 4] step 0.1: how much light the tumbler's glass takes
-uniform float startOffset;  // 2.5 in [0, 10] step 0.5, thresholds: how far off a surface the next ray starts
-uniform float lampAzimuth;  // 28 in [0, 360] step 2, degrees: where the lamp stands, from the right away from the viewer
-uniform float lampSpeed;    // 12 in [0, 90] step 2, degrees per second: how fast it goes round
-uniform int   maxSteps;     // 80 in [1, 512]: steps before a ray is given up
+uniform int   surfaces;     // 10 in [0, 24]: most surfaces that a ray may meet; light that is left after them is lost
+uniform int   waves;        // 1 in [1, 16]: wavelengths in each sample; with 1 all colours take the path of green
+uniform bool  byLot;        // false: at a surface the ray is reflected or transmitted as a whole, at random
+uniform bool  white;        // false: clear glass in a white world; the picture must be white
+uniform float tint;         // 1 in [0, 4] step 0.1: how much light the tumbler's glass absorbs
+uniform float startOffset;  // 2.5 in [0, 10] step 0.5, thresholds: distance from a surface at which the next ray starts
+uniform float lampAzimuth;  // 28 in [0, 360] step 2, degrees: azimuth of the lamp, from the right away from the viewer
+uniform float lampSpeed;    // 12 in [0, 90] step 2, degrees per second: speed of its azimuth
+uniform int   maxSteps;     // 80 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0004 in [0.00001, 0.05] step *2, scene units: distance that counts as a hit, on both sides
 
-// The table is the plane y = 0, and no part of the distance.
-const vec3  LOW = vec3(-1.95, -0.01, -1.10), HIGH = vec3(1.65, 1.65, 1.15); // of a box that holds the glass
+// The table is the plane y = 0. It is not part of the distance.
+const vec3  LOW = vec3(-1.95, -0.01, -1.10), HIGH = vec3(1.65, 1.65, 1.15); // corners of a box around the glass
 const float FAR = 30.0;
 const vec4  BALL = vec4(1.10, 0.502, 0.0, 0.5);      // centre and radius
-const vec3  TUMBLER = vec3(-0.10, 0.802, -0.40);     // its middle
-const vec3  PRISM = vec3(-1.32, 0.322, 0.45);        // its middle
+const vec3  TUMBLER = vec3(-0.10, 0.802, -0.40);     // its centre
+const vec3  PRISM = vec3(-1.32, 0.322, 0.45);        // its centre
 const float PRISM_RADIUS = 0.32;                     // from its axis to a side
-const vec2  PRISM_BASE = vec2(0.9916, -0.1296);      // x and z along its base, length 1
-const vec2  CROWN = vec2(1.5046, 0.00420);           // Cauchy's numbers: BK7
+const vec2  PRISM_BASE = vec2(0.9916, -0.1296);      // x and z of the direction of its base, length 1.00003
+const vec2  CROWN = vec2(1.5046, 0.00420);           // Cauchy's coefficients: BK7
 const vec2  FLINT = vec2(1.6894, 0.01341);           // SF10
 const vec3  AMBER = vec3(0.25, 0.9, 2.4);            // absorption per scene unit
 const vec3  LAMP_COLOUR = vec3(1.25, 1.02, 0.78);
 const vec3  TABLE_COLOUR = vec3(0.045, 0.060, 0.080);
-const float SQUARE = 0.6;                            // of the table's pattern
+const float SQUARE = 0.6;                            // side of a square of the table's pattern
 const float BEAM = 0.035;                            // half the width of the prism's beam
-const float BEAM_RISE = 0.14;                        // sine of the angle at which it sinks to the table
+const float BEAM_RISE = 0.14;                        // sine of the angle at which it descends to the table
 const float BEAM_LIGHT = 8.0;
 
 Ray pixelRay(vec2 screen)
@@ -59,7 +60,8 @@ vec2 prismPlan(vec2 p)
     return vec2(dot(PRISM_BASE, q), PRISM_BASE.y * q.x - PRISM_BASE.x * q.y);
 }
 
-// A triangle with equal sides, drawn upwards and rounded: to be rounded its distance must be exact outside too.
+// An equilateral triangle, extruded upwards and rounded: rounding needs a distance that is also
+// exact outside.
 float prismDistance(vec3 p)
 {
     const float r = PRISM_RADIUS - 0.015, corner = 1.7320508 * r;
@@ -84,7 +86,7 @@ float sceneDistance(vec3 p)
     return min(tumblerDistance(p), min(prismDistance(p), ballDistance(p)));
 }
 
-// What the glass near p is made of: Cauchy's numbers and absorption.
+// The material of the glass near p: Cauchy's coefficients and absorption.
 struct Glass {
     vec2 cauchy;
     vec3 absorption;
@@ -104,7 +106,7 @@ vec3 toLamp()
     return normalize(vec3(cos(azimuth), 0.50, -sin(azimuth)));
 }
 
-// A dark room: behind the table a lit screen, tall windows to both sides, the lamp itself.
+// A dark room: a lit screen behind the table, tall windows on both sides, and the lamp itself.
 vec3 surroundings(vec3 d)
 {
     vec2 screen = vec2(d.x, d.y - 0.06) / max(-d.z, 0.05);
@@ -124,7 +126,7 @@ vec3 beamLight(vec3 p)
     return BEAM_LIGHT * (beam.white + meanColour(beam.waves.x, beam.waves.y));
 }
 
-// The lamp's light on the table: straight through the glass, but for the ball, which gathers it.
+// The lamp's light on the table: straight through the glass, except for the ball, which gathers it.
 vec3 lampLight(vec3 p, bool asked)
 {
     vec3 lamp = toLamp(), fromBall = p - BALL.xyz;
@@ -141,12 +143,12 @@ vec3 lampLight(vec3 p, bool asked)
 }
 
 // The table, and the room behind it.
-//   far  how far the light of the pixel has come to this ray's start, scene units
+//   far  length of the path from the eye to this ray's start, scene units
 vec3 worldLight(Ray ray, float far)
 {
     float t = ray.direction.y < 0.0 ? min(-ray.origin.y / ray.direction.y, FAR) : FAR;
     vec3 p = ray.origin + t * ray.direction;
-    vec2 width = 2.0 * pixelSpread() * (far + t) * (1.0 + abs(ray.direction.xz / ray.direction.y)) / SQUARE;
+    vec2 width = 2.0 * pixelSpread() * (far + t) * (1.0 + abs(ray.direction.xz) / max(abs(ray.direction.y), 1e-6)) / SQUARE;
     vec2 lines = vec2(stripes(p.x / SQUARE, 0.025, width.x), stripes(p.z / SQUARE, 0.025, width.y));
     lines = mix(lines, vec2(0.025), vec2(blurred(width.x), blurred(width.y)));
     vec3 colour = TABLE_COLOUR * (1.0 + 2.2 * max(lines.x, lines.y));
@@ -155,18 +157,19 @@ vec3 worldLight(Ray ray, float far)
     return white ? vec3(1.0) : mix(colour * light, room, t < FAR ? smoothstep(2.5, 12.0, length(p.xz)) : 1.0);
 }
 
-// ---- The way of a ray ----
+// ---- The path of a ray ----
 
 struct Way {
     Ray   ray;   // behind the last surface
-    float far;   // how far the light comes to there, scene units
+    float far;   // length of the path from the eye to there, scene units
     vec3  share; // of the light there that reaches the eye
-    vec3  light; // what was mirrored to the eye on the way
-    bool  free;  // the ray met nothing more: else the surfaces ran out
+    vec3  light; // reflected towards the eye at the surfaces before
+    bool  free;  // the ray met nothing more; false: the number of surfaces ran out
 };
 
-// From surface to surface. The part that is not followed, mirrored unless all is, is taken to come straight from the room.
-//   wave  of the light, micrometres
+// From surface to surface. The part that is not followed, which is the reflected one unless all is
+// reflected, is assumed to come straight from the room.
+//   wave  wavelength of the light, micrometres
 //   lot   the first dimension of pixelRandom
 Way wayThrough(Ray ray, float wave, int lot)
 {
@@ -191,7 +194,7 @@ Way wayThrough(Ray ray, float wave, int lot)
             way.ray = leavingRay(p, normal, back ? parting.away : parting.bent, startOffset * hitThreshold);
             side = back ? side : -side;
             met++;
-        } else if (met == 0 && ground < FAR) { // the table: the views and the probe are told
+        } else if (met == 0 && ground < FAR) { // the table: report it to the views and the probe
             traceMarch(trace.steps, ground, END_HIT);
             traceNormal(vec3(0.0, 1.0, 0.0));
         }

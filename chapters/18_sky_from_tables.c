@@ -1,4 +1,4 @@
-// Chapter 18: sky from tables. A pine on an islet under a sky that a program has computed.
+// Chapter 18: a sky from tables. A pine on an islet under a sky computed in advance.
 //
 // The page is docs/18_sky_from_tables.md.
 #include "../common/chapter.h"

@@ -1,6 +1,6 @@
-// 18 A sky from tables: a pine on an islet in a calm sea, under a sky that a program has computed.
+// 18 A sky from tables: a pine on an islet in a calm sea, under a sky computed in advance.
 
-#include "main.glsl"      // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"      // main(): calls pixelRay, then rayColour
 #include "cone.glsl"      // perspectiveRay, marchCone, pixelSpread
 #include "bounds.glsl"    // boxInterval
 #include "fresnel.glsl"   // schlickShare
@@ -8,32 +8,32 @@
 #include "film.glsl"      // exposed, filmOfLargest, ditherStep
 #include "sky_table.glsl" // sunDirection, tableSky, tableSun, tableSunlight, tableAmbient, hourStops
 
-uniform sampler2D sunward; // "sky_sunward.png" sRGB clamp: the half of the sky that holds the sun
+uniform sampler2D sunward; // "sky_sunward.png" sRGB clamp: the half of the sky that contains the sun
 uniform sampler2D away;    // "sky_away.png" sRGB clamp: the other half
-uniform sampler2D halo;    // "sun_halo.png" sRGB clamp: the sun and what is round it
+uniform sampler2D halo;    // "sun_halo.png" sRGB clamp: the sun and its halo
 
-uniform float timeOfDay;      // 18.4 in [0, 24] step 0.05, hours: solar time at the start
-uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: how fast the time of day runs
-uniform float sunRadius;      // 0.267 in [0.1, 5] step 0.1, degrees: 0.267 is the real one, the article's 2.9
-uniform float exposure;       // 0 in [-8, 8] step 0.5, stops: more or less than the hour asks for
+uniform float timeOfDay;      // 18.4 in [0, 24] step 0.05, hour of the day: solar time at the start
+uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: speed of the time of day
+uniform float sunRadius;      // 0.267 in [0.1, 5] step 0.1, degrees: the true radius is 0.267, the article's 2.9
+uniform float exposure;       // 0 in [-8, 8] step 0.5, stops: added to the exposure of the hour
 uniform float swell;          // 0.04 in [0, 0.2] step 0.01: slope of the waves
-uniform int   maxSteps;       // 96 in [1, 512]: steps before a ray is given up
-uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distance that counts as a hit at the eye
+uniform int   maxSteps;       // 96 in [1, 512]: steps after which a ray is abandoned
+uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distance at the eye that counts as a hit
 
-// x points north, y up, z east: one looks out to the west. One scene unit is a metre.
+// x points north, y up, z east; the camera looks west. One scene unit is one metre.
 const float LATITUDE = 43.6;              // degrees
 const float DECLINATION = 2.0;            // of the sun, degrees: at the end of March
 const vec3  PINE = vec3(29.0, 2.4, -47.0); // its foot
-const vec3  HILL = vec3(33.0, -28.0, -48.0); // the middle of the ball whose top it is
+const vec3  HILL = vec3(33.0, -28.0, -48.0); // the centre of the ball whose top it is
 
-// Boxes round the land and round the pine, their mirror images included.
+// Bounding boxes of the land and of the pine, including their mirror images.
 const vec3 LAND_LOW = vec3(10.0, -4.0, -61.0), LAND_HIGH = vec3(47.0, 4.0, -35.0);
 const vec3 PINE_LOW = vec3(21.0, -12.0, -52.0), PINE_HIGH = vec3(33.5, 12.0, -42.0);
 
-// What is left without sun and moon, 2e-4 cd/m^2: the air glows by itself, and stars add to it.
+// The light without sun and moon, 2e-4 cd/m^2: airglow and stars.
 const vec3 NIGHT = vec3(0.4e-7, 0.5e-7, 0.8e-7);
 
-// How the waves turn the light of this pixel aside: metres across for each metre below the water.
+// The displacement of the image by the waves at this pixel: metres sideways per metre of depth.
 vec2 bend = vec2(0.0);
 
 Ray pixelRay(vec2 screen)
@@ -48,7 +48,7 @@ vec3 sunNow()
     return sunDirection(timeOfDay + hoursPerSecond * iTime, LATITUDE, DECLINATION);
 }
 
-// The sky, with the sun in it, and what it has of its own by night.
+// The sky with the sun, plus its own light at night.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
     return tableSky(sunward, away, direction, sun) + tableSun(halo, direction, sun, radians(sunRadius)) + NIGHT;
@@ -56,13 +56,13 @@ vec3 skyLight(vec3 direction, vec3 sun)
 
 // ---- The islet ----
 
-// A wave of straight lines, from -1 to 1 and back in one unit: slope at most 4.
+// A triangle wave from -1 to 1 and back in one unit: its slope is at most 4.
 float zigzag(float x)
 {
     return 4.0 * abs(fract(x) - 0.5) - 1.0;
 }
 
-// The pine: a leaning trunk, and a crown of three flat domes that is cut off below. A lower bound.
+// The pine: a leaning trunk, and a crown of three flat domes, cut off at the bottom. A lower bound.
 float pineDistance(vec3 p)
 {
     vec3 q = p - PINE;
@@ -76,7 +76,7 @@ float pineDistance(vec3 p)
     return min(0.75 * trunk, max(0.4 * (domes - leaf), 0.55 * (leaf - 0.5 - c.y)));
 }
 
-// Three round hills, roughened. A lower bound.
+// Three round hills with a rough surface. A lower bound.
 float landDistance(vec3 p)
 {
     float land = length(p - HILL) - 31.0;
@@ -86,8 +86,8 @@ float landDistance(vec3 p)
     return 0.65 * (land + rock);
 }
 
-// Above the water the islet, below it its mirror image, drawn aside by the waves: what water mirrors is the world
-// upside down, and a ray goes straight on into that.
+// Above the water the islet, below it the mirror image, displaced by the waves. Water shows the
+// world upside down, so a ray goes straight on into the mirror image.
 float sceneDistance(vec3 p)
 {
     float depth = max(-p.y, 0.0);
@@ -97,7 +97,8 @@ float sceneDistance(vec3 p)
 
 // ---- The water ----
 
-// The slope of the water at a place: two trains of waves, each as far as a pixel of that width can tell them.
+// The slope of the water at a point: two trains of waves, each damped where a pixel of this width
+// cannot resolve it.
 vec2 waveSlope(vec2 at, float width)
 {
     const vec2 LONG = vec2(0.08, 0.22), SHORT = vec2(-0.41, 0.77);
@@ -110,9 +111,9 @@ vec2 waveSlope(vec2 at, float width)
 
 struct Place {
     vec3  p;        // on the islet, if met
-    bool  met;      // the islet, or its mirror image
-    bool  mirrored; // the ray has been at the water before
-    vec3  leaves;   // where the ray goes if it meets nothing: what to ask the sky for
+    bool  met;      // the ray has met the islet or its mirror image
+    bool  mirrored; // the ray has met the water before
+    vec3  leaves;   // the direction in which the ray leaves if it meets nothing
     float down;     // sine of the angle between ray and water
 };
 
@@ -125,15 +126,15 @@ Place placeAlong(Ray ray)
     bend = 2.0 * slope;
     vec2 interval = intervalUnion(boxInterval(ray, LAND_LOW, LAND_HIGH), boxInterval(ray, PINE_LOW, PINE_HIGH));
     Hit hit = marchCone(ray, interval.x, interval.y, hitThreshold, pixelSpread(), maxSteps);
-    // Waves too small for a pixel lift what is mirrored a little.
+    // Waves too small for a pixel raise the mirrored direction a little.
     vec3 leaves = sea ? normalize(vec3(d.x + bend.x * down, down + 0.02, d.z + bend.y * down)) : d;
     return Place(ray.origin + hit.t * d, hit.found, sea && (!hit.found || hit.t > toSea), leaves, down);
 }
 
 // ---- Light ----
 
-// What a place of the islet sends on: the light of sun and sky on a matt surface, by a normal of the ball or the
-// dome that it lies on.
+// The light reflected at a point of the islet: that of sun and sky on a matt surface, with the
+// normal of the ball or the dome on which the point lies.
 vec3 isletLight(vec3 p, vec3 sun)
 {
     p.y = abs(p.y);
@@ -143,7 +144,7 @@ vec3 isletLight(vec3 p, vec3 sun)
     return colour * ((0.6 + 0.4 * normal.y) * tableAmbient(sun) + lambert(normal, sun) * tableSunlight(sun));
 }
 
-// What comes along a ray. The sky was asked once, where the ray leaves.
+// The light along a ray. The sky has been evaluated once, in the direction in which the ray leaves.
 vec3 placeLight(Place place, vec3 sky, vec3 sun)
 {
     vec3 light = place.met ? isletLight(place.p, sun) : sky;
@@ -152,7 +153,8 @@ vec3 placeLight(Place place, vec3 sky, vec3 sun)
     return mix(water, light, share);
 }
 
-// Light as the screen shows it: exposed as the hour asks, by a film that keeps hues but bleaches what is very bright.
+// Light as the screen shows it: exposed for the hour, with a film that keeps hues but bleaches very
+// bright light.
 vec3 developed(vec3 light, vec3 sun)
 {
     vec3 e = exposed(daylightFilm(light), hourStops(sun.y) + exposure);

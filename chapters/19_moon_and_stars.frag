@@ -1,6 +1,7 @@
-// 19 Moon and stars: a lake at dusk under a young moon, an observatory on its shore, and the sky that turns.
+// 19 Moon and stars: a lake at dusk under a young moon, an observatory on its shore, and a sky that
+// turns.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
 #include "bounds.glsl"     // boxInterval, intervalUnion
 #include "repetition.glsl" // cellRandom
@@ -8,24 +9,25 @@
 #include "fresnel.glsl"    // schlickShare
 #include "coverage.glsl"   // coverage
 #include "sky.glsl"        // sunDirection, sunlitSky, transmittance, airMass
-#include "night.glsl"      // where stars and moon stand, and their light
+#include "night.glsl"      // the directions of stars and moon, and their light
 #include "film.glsl"       // exposed, filmOfLargest
 
-uniform sampler2D moon;       // "moon.png" linear clamp: how bright the moon's ground is, and how steep
+uniform sampler2D moon;       // "moon.png" linear clamp: brightness and slopes of the moon's ground
 
-uniform float timeOfDay;      // 19.35 in [0, 24] step 0.25, hours: solar time at the start; at 12 the sun is highest
-uniform float hoursPerSecond; // 0.25 in [0, 4] step 0.05, hours per second: how fast the time of day runs
-uniform float moonAge;        // 2.9 in [0, 29.5] step 0.5, days: since new moon, at the start; 14.77 is full
-uniform float moonRadius;     // 2.6 in [0.1, 8] step *1.1, degrees: as it is drawn; the true one is 0.259, the article's 1.7
-uniform bool  lightKept;      // true: an enlarged moon sends as much light as the true one; false: it is as bright
-uniform float relief;         // 1.5 in [0, 6] step 0.5: how many times as steep as they are the moon's slopes stand
-uniform float exposure;       // 2 in [-16, 8] step 0.5, stops: to expose longer than the hour asks for
-uniform float softness;       // 0.6 in [0.2, 1] step 0.05: the power of the light that is shown; 1 shows it as it is
-uniform float latitude;       // 43.6 in [-89, 89] step 5, degrees: of the place
-uniform int   maxSteps;       // 90 in [1, 512]: steps before a ray is given up
-uniform float hitThreshold;   // 0.005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
+uniform float timeOfDay;      // 19.35 in [0, 24] step 0.25, hour of the day: solar time at the start; at 12 the sun is highest
+uniform float hoursPerSecond; // 0.25 in [0, 4] step 0.05, hours per second: speed of the time of day
+uniform float moonAge;        // 2.9 in [0, 29.5] step 0.5, days: since new moon, at the start; 14.77 is full moon
+uniform float moonRadius;     // 2.6 in [0.1, 8] step *1.1, degrees: radius of the moon as drawn; the true one is 0.259, the article's 1.7
+uniform bool  lightKept;      // true: an enlarged moon sends as much light as the true one; false: its surface is as bright as the true one's
+uniform float relief;         // 1.5 in [0, 6] step 0.5: factor by which the moon's slopes are exaggerated
+uniform float exposure;       // 2 in [-16, 8] step 0.5, stops: added to the exposure of the hour
+uniform float softness;       // 0.6 in [0.2, 1] step 0.05: exponent applied to the light before it is shown; 1 changes nothing
+uniform float latitude;       // 43.6 in [-89, 89] step 5, degrees: of the observer
+uniform int   maxSteps;       // 90 in [1, 512]: steps after which a ray is abandoned
+uniform float hitThreshold;   // 0.005 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
 
-// x points north, y up, z east, as in chapter 09: the first look goes west. One scene unit is a metre.
+// x points north, y up, z east, as in chapter 09; at the start the camera looks west. One scene
+// unit is one metre.
 const float DECLINATION = 2.0;                // of the sun, degrees: at the end of March
 const vec3  DOME = vec3(17.0, 6.2, -57.0);    // the foot of the observatory
 const vec3  DOME_LOW = DOME + vec3(-3.1, -2.1, -3.1);
@@ -41,7 +43,8 @@ Ray pixelRay(vec2 screen)
 
 // ---- The shore ----
 
-// A spruce: a cone with branches. A lower bound: the saw's slope is at most 1, so 0.6 is safe.
+// A spruce: a cone with branches. This is a lower bound: the slope of the sawtooth is at most 1, so
+// 0.6 is safe.
 float spruce(vec3 p, float height)
 {
     float y = p.y / height, tier = fract(9.0 * y);
@@ -49,8 +52,9 @@ float spruce(vec3 p, float height)
     return 0.6 * max(length(p.xz) - max(wide, 0.04), max(p.y - height, -p.y));
 }
 
-// The row of trees: each cell has one, of its own height and place. To the trees of other cells it is at least
-// as far as to the wall of this cell and the rest of the way.
+// The row of trees: each cell has one, with its own height and position. The distance to the trees
+// of other cells is at least the distance to the wall of this cell plus that from the wall to a
+// tree.
 float forest(vec3 p)
 {
     const float PERIOD = 2.7;
@@ -60,7 +64,7 @@ float forest(vec3 p)
     return min(spruce(q, height), wall > 0.0 ? 0.6 * wall + 0.3 : 1e3);
 }
 
-// A drum and a half ball with a slit, which opens towards the moon.
+// A drum, and a hemisphere with a slit that opens towards the moon.
 float observatory(vec3 p)
 {
     vec3 q = p - DOME;
@@ -69,7 +73,7 @@ float observatory(vec3 p)
     return min(min(drum, max(ball, 2.7 - q.y)), 0.92 * house);
 }
 
-// The slit of the dome and the window of the house: where their light comes from.
+// 1 in the slit of the dome and in the window of the house, from which light comes; 0 elsewhere.
 float lampLight(vec3 p)
 {
     vec3 q = p - DOME;
@@ -85,11 +89,11 @@ float sceneDistance(vec3 p)
 
 // ---- The sky ----
 
-// What is the same for all pixels.
+// The values that are the same for all pixels.
 struct Hour {
     float hour;       // solar time
     vec3  sun, moon;  // the directions to them
-    vec3  moonlight;  // on a surface across its rays; none while the moon is down
+    vec3  moonlight;  // on a perpendicular surface; 0 while the moon is down
     float zenith;     // the light of the sky overhead
 };
 
@@ -102,12 +106,13 @@ Hour hourNow()
     return Hour(hour, sun, toMoon, light, zenithLight(sun.y));
 }
 
-// The light that the air sends on, of a sun above or below the horizon: by day that of chapter 09; at dusk its
-// sunset, as much weaker as the sky overhead has become, with an arch over the place where the sun went down.
+// The light that the air scatters from a sun above or below the horizon: by day that of chapter 09;
+// at dusk the sunset of chapter 09, weaker in proportion to the sky overhead, with an arch above
+// the point where the sun went down.
 vec3 skyLight(vec3 direction, vec3 sun)
 {
     vec3 raised = normalize(vec3(sun.x, max(sun.y, 0.02), sun.z));
-    float gone = min((zenithLight(sun.y) - 4.4e-8) / 0.053, 1.0), below = smoothstep(0.0, -0.1, sun.y);
+    float gone = min((zenithLight(sun.y) - 4.4e-8) / 0.053, 1.0), below = 1.0 - smoothstep(-0.1, 0.0, sun.y);
     vec2 level = normalize(direction.xz + vec2(1e-6, 0.0)), west = normalize(sun.xz);
     float toward = 0.5 + 0.5 * dot(level, west), low = exp(-direction.y / mix(0.30, 0.075, below));
     vec3 day = sunlitSky(direction, raised, RAYLEIGH + 0.03) * mix(1.0, 0.25 + 0.75 * toward, below);
@@ -116,7 +121,7 @@ vec3 skyLight(vec3 direction, vec3 sun)
     return mix(day, blue + 6.0 * arch * vec3(1.0, 0.62, 0.36), below) * gone;
 }
 
-// The share of the moon's disc in a pixel (w) and its light.
+// The light of the moon's disc, and the share of the pixel that the disc covers (w).
 vec4 moonSeen(vec3 direction, Hour now, float width)
 {
     mat3 frame = moonFrame(now.moon, latitude);
@@ -127,15 +132,15 @@ vec4 moonSeen(vec3 direction, Hour now, float width)
     return vec4(spread * spread * light, coverage(1.0 - length(place), width / radius));
 }
 
-// What the air sends by itself: the sun's light or the dusk's, its own faint glow, and the moon's light, which it
-// scatters as it does the sun's.
+// The light of the air: the light of the sun or of dusk, the airglow, and the light of the moon,
+// which the air scatters like that of the sun.
 vec3 airLight(vec3 direction, Hour now, vec3 clear)
 {
     vec3 moonlit = 0.10 * (1.0 - clear) + 0.25 * glow(direction, now.moon, 0.9);
     return skyLight(direction, now.sun) + airglow(direction.y) + now.moonlight * moonlit;
 }
 
-// The light from beyond the air: stars, and the moon before them.
+// The light from beyond the air: the stars, and the moon in front of them.
 vec3 heavens(vec3 direction, Hour now, float width)
 {
     vec3 star = skyTurn(now.hour, latitude) * direction;
@@ -145,17 +150,17 @@ vec3 heavens(vec3 direction, Hour now, float width)
 
 // ---- Land and water ----
 
-// Two ranges of hills, too far to be marched: their outline is a function of the direction alone. The shares of the
-// pixel that they cover, the far one first.
+// Two ranges of hills, too far away for the march: their outlines depend only on the direction.
+// Returns the shares of the pixel that they cover, the far range first.
 vec2 rangesSeen(vec3 direction, float width)
 {
-    float turn = atan(direction.x, -direction.z), up = direction.y / length(direction.xz);
+    float turn = atan(direction.x, -direction.z + 1e-12), up = direction.y / max(length(direction.xz), 1e-6);
     vec2 wave = sin(vec2(5.0, 7.0) * turn + vec2(0.6, 2.9)) + 0.5 * sin(vec2(13.0, 19.0) * turn + vec2(0.0, 1.0));
     vec2 top = vec2(0.072, 0.042) + vec2(0.019, 0.013) * wave;
     return vec2(coverage(top.x - up, width), coverage(top.y - up, width));
 }
 
-// Where the ray meets the land: the nearest of three flat balls. 1e6: nowhere.
+// The t at which the ray meets the land, which consists of three large balls; 1e6 if it meets none.
 float landAlong(Ray ray)
 {
     float t = 1e6;
@@ -167,8 +172,8 @@ float landAlong(Ray ray)
     return t;
 }
 
-// The ray that the lake sends on, which it meets at t, mirrored at water that is not quite still: two long waves, and
-// two short ones, which fade where a pixel holds several of them.
+// The mirror image of a ray that meets the lake at t. The water is not quite still: it has two long
+// waves, and two short ones, which fade where a pixel contains several of them.
 Ray mirroredRay(Ray ray, float t)
 {
     vec3 p = ray.origin + t * ray.direction;
@@ -180,7 +185,7 @@ Ray mirroredRay(Ray ray, float t)
     return Ray(p, normalize(vec3(away.x, abs(away.y) + 1e-4, away.z)));
 }
 
-// What the shore sends to the eye: next to nothing, but for the dome, which is white, and its lamp.
+// The light from the shore: almost nothing, except from the white dome and its lamp.
 vec3 shoreLight(vec3 p, bool marched, Hour now)
 {
     vec3 q = p - DOME;
@@ -191,7 +196,7 @@ vec3 shoreLight(vec3 p, bool marched, Hour now)
     return colour * received + (dome ? lampLight(p) : 0.0) * vec3(5.7e-5, 2.2e-5, 6e-6);
 }
 
-// All that stands behind the shore: the ranges, the air, and what is beyond it.
+// Everything behind the shore: the ranges of hills, the air, and the heavens beyond it.
 vec3 skyAll(vec3 direction, Hour now, float width)
 {
     vec3 above = vec3(direction.x, max(direction.y, 0.0), direction.z), clear = transmittance(RAYLEIGH, airMass(above.y));
@@ -200,7 +205,7 @@ vec3 skyAll(vec3 direction, Hour now, float width)
     return mix(mix(air + clear * heavens(above, now, width), 0.45 * air, ranges.x), 0.22 * air, ranges.y);
 }
 
-// What a ray meets of the shore, or the sky behind.
+// The light of the shore where a ray meets it, otherwise that of the sky behind.
 vec3 behindLake(Ray ray, vec3 sky, Hour now)
 {
     float land = landAlong(ray);
@@ -210,7 +215,8 @@ vec3 behindLake(Ray ray, vec3 sky, Hour now)
     return t < 1e5 ? shoreLight(ray.origin + t * ray.direction, hit.found, now) : sky;
 }
 
-// Light as it is shown: exposed by the hour, then as a power of itself, for no screen shows eight decades.
+// Light as it is shown: exposed for the hour, then raised to a power, because no screen shows eight
+// decades.
 vec3 shown(vec3 light, Hour now)
 {
     vec3 x = exposed(light, nightStops(now.zenith + 0.1 * now.moonlight.y) + exposure);
@@ -224,7 +230,7 @@ vec3 rayColour(Ray ray)
     float lake = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : 1e6;
     bool water = lake < landAlong(ray);
     Ray mirrored = mirroredRay(ray, lake), seen = Ray(water ? mirrored.origin : ray.origin, water ? mirrored.direction : ray.direction);
-    float width = 2.0 * pixelSpread() * pow(dot(ray.direction, iCameraForward), 1.5); // the pixel's, radians
+    float width = 2.0 * pixelSpread() * pow(dot(ray.direction, iCameraForward), 1.5); // of the pixel, radians
     vec3 light = behindLake(seen, skyAll(seen.direction, now, width), now);
     return shown(water ? (0.03 + 0.95 * schlickShare(seen.direction.y, 0.02)) * light : light, now);
 }

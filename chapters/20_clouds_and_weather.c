@@ -1,4 +1,4 @@
-// Chapter 20: clouds and weather. A lighthouse under a sky whose clouds follow hour and weather.
+// Chapter 20: clouds and weather. A lighthouse under clouds that follow the hour and the weather.
 //
 // The page is docs/20_clouds_and_weather.md.
 #include "../common/chapter.h"

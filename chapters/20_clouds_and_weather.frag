@@ -1,6 +1,7 @@
-// 20 Clouds and weather: a lighthouse by the sea, under clouds that drift, by every hour and weather.
+// 20 Clouds and weather: a lighthouse by the sea, under drifting clouds, at every hour and in every
+// weather.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "cone.glsl"       // perspectiveRay, marchCone, pixelSpread
 #include "coast.glsl"      // the lighthouse, its house and its rocks: coastDistances, coastInterval, coastColour
 #include "shadow.glsl"     // shadowRay; march comes with it
@@ -9,7 +10,7 @@
 #include "noise.glsl"      // valueNoise
 #include "texture.glsl"    // bumpedNormal
 #include "fresnel.glsl"    // schlickShare
-#include "film.glsl"       // exposed, filmOfLargest
+#include "film.glsl"       // exposed, filmOfLargest, ditherStep
 #include "fog.glsl"        // fogDepth, throughFog, lampInFog, beamInFog
 #include "sky_table.glsl"  // the clear sky, its sun, their light
 #include "clouds.glsl"     // panoramas, layer, light, weather
@@ -21,22 +22,22 @@ uniform sampler2D cloudsFair;  // "clouds_fair.png" linear repeat: panorama of f
 uniform sampler2D cloudsStorm; // "clouds_storm.png" linear repeat: panorama of bad weather
 uniform sampler2D cloudsHigh;  // "clouds_high.png" linear repeat: a layer from below
 
-uniform float timeOfDay;      // 16.9 in [0, 24] step 0.1, hours: solar time at the start
-uniform float hoursPerSecond; // 0 in [0, 4] step 0.05, hours per second: how fast the time of day runs
+uniform float timeOfDay;      // 16.9 in [0, 24] step 0.1, hour of the day: solar time at the start
+uniform float hoursPerSecond; // 0 in [0, 4] step 0.05, hours per second: speed of the time of day
 uniform float weather;        // 1 in [0.5, 1] step 0.05: 1 fair, 0.5 bad
-uniform float turned;         // 0.38 in [-1, 1] step 0.02, turns: where the panoramas stand at the start
-uniform float drift;          // 0.001 in [0, 0.1] step 0.001, turns a second: how fast they go round
-uniform vec2  walk;           // 0,0 in [-2, 2] step 0.1, km: how far the eye has gone, to the north and to the east
+uniform float turned;         // 0.38 in [-1, 1] step 0.02, turns: position of the panoramas at the start
+uniform float drift;          // 0.001 in [0, 0.1] step 0.001, turns per second: speed of the panoramas
+uniform vec2  walk;           // 0,0 in [-2, 2] step 0.1, km: distance that the eye has moved, to the north and to the east
 uniform int   clouds;         // 3 in [0, 3]: 0 none, 1 the panoramas, 2 the high layer, 3 both
-uniform int   maxSteps;       // 96 in [1, 512]: steps before a ray is given up
+uniform int   maxSteps;       // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit
 
-// x points north, y up, z east; the eye looks to the south. One scene unit is 5 metres.
+// x points north, y up, z east; the camera looks south. One scene unit is 5 metres.
 const float LATITUDE = 43.6;
 const float DECLINATION = -8.0; // of the sun, degrees: in the middle of October
-const float RISE = 0.56;        // by which the lens is shifted up, half screen heights: upright lines stay so
+const float RISE = 0.56;        // upward shift of the lens, half screen heights: vertical lines stay vertical
 const float LOW_CLOUDS = 1.2, CLOUD_TOPS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
-const float MOON = 2.2e-6;      // light of a full moon, of the sun's
+const float MOON = 2.2e-6;      // light of the full moon, as a share of the sun's
 const float SUN_RADIUS = 0.009; // radians, of sun and moon: twice the true one
 const vec3  LAMPLIGHT = vec3(1.0, 0.72, 0.38);
 
@@ -51,39 +52,52 @@ float sceneDistance(vec3 p)
     return opUnion(part.x, opUnion(part.y, part.z));
 }
 
-// ---- What gives light ----
+// ---- The sources of light ----
 
-// Found once for each pixel. By night the full moon takes the sun's place: the same sky, much darker.
+// Computed once for each pixel. The full moon is opposite the sun: it fades in while the sun sinks
+// from -2 degrees to -7, and the light of both skies adds.
 struct Lights {
-    vec3  sun;      // or moon: direction, length 1
-    float strength; // of it and of its sky: 1 the sun's
-    vec3  low;      // its light at the ground, on a surface across it
+    vec3  skySun;      // the one whose sky is brighter, length 1
+    float skyStrength; // of that sky: 1 for the sun
+    vec3  even;        // light of the other one's sky, taken as the same in all directions
+    vec3  clear;       // the mean light of both skies
+    float apart;       // 0 where both are equally bright, and the whole sky is taken as even; 1 by day
+    vec3  sun;      // direction to the sun, or to the moon once the sun lights no cloud
+    float strength; // light of that one: 1 for the sun
+    vec3  low;      // its light at the ground, on a perpendicular surface
     vec3  high;     // the same at the clouds
-    vec3  sky;      // light of all the sky on a level white surface
+    vec3  sky;      // light of the whole sky on a horizontal white surface
     float stops;    // of the exposure
-    float lamp;     // how far the lamps are on
+    float lamp;     // brightness of the lamps
 };
 
 Lights lightsAt(float hour)
 {
-    vec3 sun = sunDirection(hour, LATITUDE, DECLINATION);
-    bool night = sun.y < -0.2;
-    float strength = night ? MOON * smoothstep(0.2, 0.28, -sun.y) : 1.0;
-    sun = night ? -sun : sun;
-    vec3 low = strength * tableSunlight(sun), clear = strength * tableAmbient(sun) + 6e-8;
+    vec3 daySun = sunDirection(hour, LATITUDE, DECLINATION);
+    bool night = daySun.y < -0.05;
+    float moon = MOON * smoothstep(0.035, 0.12, -daySun.y), strength = night ? moon : 1.0;
+    vec3 sun = night ? -daySun : daySun;
+    vec3 ofSun = tableAmbient(daySun), ofMoon = moon * tableAmbient(-daySun), clear = ofSun + ofMoon + 6e-8;
+    float apart = smoothstep(0.0, 0.8, abs(ofSun.y - ofMoon.y) / (ofSun.y + ofMoon.y));
+    bool moonlit = ofMoon.y > ofSun.y;
+    vec3 low = strength * tableSunlight(sun);
     vec3 high = strength * tableSunlight(vec3(0.0, cloudSunHeight(sun.y, CLOUD_TOPS), 0.0));
     vec3 sky = mix(clear, overcastWhite(clear + low * max(sun.y, 0.0)), overcastShare(weather));
-    float stops = 0.5 * overcastShare(weather) - 2.2 - 0.85 * log2(clear.y), left = sunLeft(weather);
+    // Exposed for what the eye sees most of: sky and sunlit clouds, or the overcast sky alone.
+    float bright = mix(clear.y + 0.2 * high.y, 2.0 * sky.y, overcastShare(weather));
+    float stops = -1.2 - 0.85 * log2(bright), left = sunLeft(weather);
     float dark = 1.0 - smoothstep(0.04, 0.15, sky.y);
-    return Lights(sun, strength, left * low, left * high, sky, stops, dark * exp2(-stops));
+    return Lights(moonlit ? -daySun : daySun, moonlit ? moon : 1.0, moonlit ? ofSun : ofMoon, clear, apart, sun, strength,
+                  left * low, left * high, sky, stops, dark * exp2(-stops));
 }
 
 // ---- Sky and clouds ----
 
-// The clear sky, and sun or moon in it.
+// The clear sky without sun or moon.
 vec3 skyLight(vec3 direction, Lights lights)
 {
-    return lights.strength * tableSky(sunward, away, direction, lights.sun) + 6e-8;
+    vec3 brighter = lights.skyStrength * tableSky(sunward, away, direction, lights.skySun);
+    return mix(lights.clear, brighter + lights.even + 6e-8, lights.apart);
 }
 
 vec3 discLight(vec3 direction, Lights lights)
@@ -91,7 +105,7 @@ vec3 discLight(vec3 direction, Lights lights)
     return lights.strength * tableSun(halo, direction, lights.sun, SUN_RADIUS);
 }
 
-// The fair panorama before the storm's before the high layer.
+// The fair panorama in front of the storm's, and both in front of the high layer.
 Cloud cloudsAt(vec3 direction, float width)
 {
     float turn = turned + drift * iTime;
@@ -103,7 +117,8 @@ Cloud cloudsAt(vec3 direction, float width)
     return cloudOver(fair, cloudOver(storm, cloudShare(high, there.y)));
 }
 
-// The clear or the overcast sky with its disc, the clouds before it, and the haze before them.
+// The clear or overcast sky with its disc, the clouds in front of it, and the haze in front of
+// them.
 vec3 skyWithClouds(vec3 direction, Lights lights, float width)
 {
     float grey = overcastShare(weather);
@@ -118,20 +133,20 @@ vec3 skyWithClouds(vec3 direction, Lights lights, float width)
 
 // ---- Sea and land ----
 
-// What a ray meets.
+// The point that a ray meets.
 struct Place {
-    bool  land, water; // neither: it meets the sky
+    bool  land, water; // both false: the sky
     float t;           // of p along the ray; 1e5 for the sky
     vec3  p;
     vec3  part;        // distances of rock, tower and house
     vec3  normal;
     float tone;        // noise there, in [0, 1)
     float width;       // of the pixel there, scene units
-    Ray   seen;        // the ray that looks at the sky: the sea's is mirrored
+    Ray   seen;        // the ray on which the sky is evaluated: mirrored for the sea
 };
 
-// The normal of the waves at a place, without those that are shorter than a pixel.
-//   swell  noise of the long ones
+// The normal of the waves at a point, without waves that are shorter than a pixel.
+//   swell  noise of the long waves
 vec3 waveNormal(vec3 p, vec4 swell, float width)
 {
     vec2 ripple = valueNoise(vec3(4.7 * p.zx, 1.9 * iTime)).zy;
@@ -139,7 +154,7 @@ vec3 waveNormal(vec3 p, vec4 swell, float width)
     return normalize(vec3(-slope.x, 1.0, -slope.y));
 }
 
-// The march asks for the coast. The sea is the plane y = 0.
+// The march looks for the coast. The sea is the plane y = 0.
 Place placeAlong(Ray ray)
 {
     float spread = pixelSpread(), sea = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : 1e5;
@@ -152,7 +167,7 @@ Place placeAlong(Ray ray)
     vec3 normal = land ? normalAt(p, hitThreshold + spread * t) : waveNormal(p, grain, width);
     bool rock = land && part.x < min(part.y, part.z);
     normal = rock ? bumpedNormal(normal, 0.055 * vec3(1.7, 7.0, 1.7) * grain.yzw) : normal;
-    if (land || water) { // the views and the probe show what was met, the sea too
+    if (land || water) { // the views and the probe show every hit, including the sea
         traceNormal(normal);
         traceMarch(trace.steps, t, END_HIT);
     }
@@ -162,7 +177,7 @@ Place placeAlong(Ray ray)
     return Place(land, water, t, p, part, normal, grain.x, width, seen);
 }
 
-// How wide a pixel of that sky is, radians: waves throw what they mirror about.
+// The width of a pixel of the sky, radians; waves scatter the mirrored rays.
 float skyWidth(Place place)
 {
     return place.water ? 0.01 : 2.0 * pixelSpread();
@@ -170,8 +185,8 @@ float skyWidth(Place place)
 
 // ---- The picture ----
 
-// What a place sends to the eye.
-//   sky  of skyWithClouds along place.seen
+// The light from a point to the eye.
+//   sky  from skyWithClouds along place.seen
 vec3 placeLight(Place place, vec3 direction, vec3 sky, Lights lights)
 {
     Ray up = shadowRay(place.p, place.normal, lights.sun, 0.02 + place.width);
@@ -185,7 +200,7 @@ vec3 placeLight(Place place, vec3 direction, vec3 sky, Lights lights)
     return place.land ? land : (place.water ? mix(deep, sky, share) : sky);
 }
 
-// The haze that the lamp and its beam light, and the rain, before all that; and the film.
+// Adds the haze lit by the lamp and its beam, then the rain in front of everything; then the film.
 vec3 developed(vec3 light, Place place, Lights lights)
 {
     vec3 from = place.seen.origin - LANTERN, beam = vec3(sin(1.2 * iTime + 0.5), 0.03, cos(1.2 * iTime + 0.5));
@@ -195,7 +210,7 @@ vec3 developed(vec3 light, Place place, Lights lights)
     light += haze * lights.lamp * LAMPLIGHT;
     float drops = rainStreaks(screenPosition(vec2(iPixel) + 0.5), iTime, 2.0 / iResolution.y);
     light = mix(light, lights.sky, 0.35 * rainShare(weather) * drops);
-    return encodeSRGB(filmOfLargest(exposed(light, lights.stops), 1.3, 6.0));
+    return encodeSRGB(filmOfLargest(exposed(light, lights.stops), 1.3, 6.0)) + ditherStep(iPixel) / 255.0;
 }
 
 vec3 rayColour(Ray ray)

@@ -1,6 +1,6 @@
 // 21 A landscape: a lake between mountains, at every hour and in every weather.
 
-#include "main.glsl"      // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"      // main(): calls pixelRay, then rayColour
 #include "cone.glsl"      // perspectiveRay, pixelSpread
 #include "relaxed.glsl"   // marchRelaxed
 #include "valley.glsl"    // the scene: landDistance, landAt, landColour, thingsAlong, unmirrored, wavesAt
@@ -9,7 +9,7 @@
 #include "lighting.glsl"  // lambert, encodeSRGB
 #include "soft_shadow.glsl" // discBesideEdge; shadowRay, shadowReach come with it
 #include "fog.glsl"       // fogDepth, fogLight, throughFog; sunDirection and airMass come with it
-#include "film.glsl"      // exposed, filmOfLargest
+#include "film.glsl"      // exposed, filmOfLargest, ditherStep
 #include "sky_table.glsl" // tableSky, tableSun, tableSunlight, tableAmbient, daylightFilm
 #include "night.glsl"     // skyTurn, starLight, airglow, the moon
 #include "clouds.glsl"    // cloudPanorama, cloudLight, and the weather
@@ -23,33 +23,33 @@ uniform sampler2D cloudsFair;  // "clouds_fair.png" linear repeat: panorama of f
 uniform sampler2D cloudsStorm; // "clouds_storm.png" linear repeat: panorama of bad weather
 uniform sampler2D cloudsHigh;  // "clouds_high.png" linear repeat: a layer from below
 
-uniform float timeOfDay;      // 18.4 in [0, 24] step 0.2, hours: solar time at the start
-uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: how fast the time of day runs
+uniform float timeOfDay;      // 18.4 in [0, 24] step 0.2, hour of the day: solar time at the start
+uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: speed of the time of day
 uniform float declination;    // 10 in [-23, 23] step 1, degrees: of the sun
 uniform float weather;        // 1 in [0.5, 1] step 0.05: 1 fair, 0.5 bad
-uniform float moonAge;        // 14.77 in [0, 29.53] step 1, days: since new moon; 14.77 is full
-uniform bool  clouds;         // true: false: a sky without any
-uniform float turned;         // 0.1 in [0, 1] step 0.02, turns: where the clouds stand at noon; they go round in a day
-uniform float wind;           // 0.3 in [0, 1] step 0.05: how rough the water is
-uniform float mist;           // 0.005 in [0, 0.1] step 0.001, per scene unit: what the clear air takes of the light over the lake
-uniform float exposure;       // 0 in [-6, 6] step 0.25, stops: beyond what the hour asks for
+uniform float moonAge;        // 14.77 in [0, 29.53] step 1, days: since new moon; 14.77 is full moon
+uniform bool  clouds;         // true: false: a sky without clouds
+uniform float turned;         // 0.1 in [0, 1] step 0.02, turns: position of the clouds at noon; they go round once a day
+uniform float wind;           // 0.3 in [0, 1] step 0.05: roughness of the water
+uniform float mist;           // 0.005 in [0, 0.1] step 0.001, per scene unit: share of light lost in the clear air at the water
+uniform float exposure;       // 0 in [-6, 6] step 0.25, stops: added to the exposure of the hour
 uniform float omega;          // 1.3 in [1, 1.95] step 0.05, distances: length of a step
 uniform float footprint;      // 1 in [0, 8] step 0.25, half pixels: how fast the threshold grows along the ray
-uniform int   maxSteps;       // 160 in [1, 512]: steps before a ray is given up
-uniform float hitThreshold;   // 0.0002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
+uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is abandoned
+uniform float hitThreshold;   // 0.0002 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
 
-const float FAR = 160.0;       // a ray that has travelled so far sees the sky
+const float FAR = 160.0;       // a ray that has travelled this far sees the sky
 const float SHADOW_FAR = 60.0; // how far a shadow ray looks
 const float MIST_SCALE = 3.0;  // the height over which the mist thins to 1 / e
 const float LATITUDE = 43.6;   // degrees
 const float SUN_RADIUS = 0.0047, MOON_RADIUS = 0.009; // radians: the moon's is twice the true one
-const float DISC = 0.0047;      // the true one of both, for shadows
+const float DISC = 0.0047;      // the true radius of both, for shadows
 const float LOW_CLOUDS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
-const float HIGH_PERIOD = 70.0; // of the picture of the high clouds, km: they pass once a day
-const float MOON_STOPS = 3.5;   // an eye that looks at the moon is used to its light: it is exposed by no more
-const vec3  LAMPLIGHT = vec3(0.62, 0.24, 0.06);  // of the cabin's windows
+const float HIGH_PERIOD = 70.0; // of the picture of the high clouds, km; it passes once a day
+const float MOON_STOPS = 3.5;   // of exposure at most for the moon: an eye that looks at it adapts
+const vec3  LAMPLIGHT = vec3(0.62, 0.24, 0.06);  // from the windows of the cabin
 
-// The hour, the weather and the place on the screen, found once for each pixel.
+// The hour, the weather and the point on the screen, set once for each pixel.
 float theHour, theWeather;
 vec2  theScreen;
 
@@ -61,12 +61,12 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// By how much the waves widen what they mirror, per unit of its way; and the octaves that are asked for, 0 for those of
-// the parameter.
+// How much the waves blur the image, per unit of distance from the water; and the number of octaves
+// to evaluate, where 0 means the value of the parameter.
 float mirrorBlur = 0.0;
 int   asked = 0;
 
-// The land, and in the water a coarser one.
+// The land, and in the water a coarser version of it.
 float sceneDistance(vec3 p)
 {
     bool below = p.y < 0.0;
@@ -81,16 +81,16 @@ float coarseMargin(float t)
 
 // ---- The hour ----
 
-// What gives light, found once for each pixel.
+// The sources of light, computed once for each pixel.
 struct Hour {
     float noon;             // hours since noon, in [0, 24)
-    vec3  sun, moon, toLight; // directions; the last to that of both which counts
-    vec3  beam, cloudBeam;  // its light on a surface across it: on the ground, and on the clouds
-    vec3  sky;              // light of the whole sky on a level white surface
-    vec3  moonlit;          // of the clear night sky, the part that the moon lights
-    float lamp;             // how far the lamps are on
+    vec3  sun, moon, toLight; // directions; toLight is that of the one that counts
+    vec3  beam, cloudBeam;  // its light on a perpendicular surface: ground, clouds
+    vec3  sky;              // light of the whole sky on a horizontal white surface
+    vec3  moonlit;          // light of the clear night sky that comes from the moon
+    float lamp;             // brightness of the lamps, in [0, 1]
     float stops;            // of the exposure
-    float dimmed;           // what is shown of the light of the moon's disc, and of its image in the water
+    float dimmed;           // share of the light of the moon's disc and of its image that is shown
 };
 
 Hour hourNow()
@@ -105,23 +105,27 @@ Hour hourNow()
     float moonUp = max(moon.y, 0.0);
     vec3 moonlit = vec3(0.8, 1.0, 1.3) * (0.15 * moonUp * moonBeam), clear = tableAmbient(sun) + moonlit + 6e-8;
     vec3 sky = mix(clear, overcastWhite(clear + max(toLight.y, 0.0) * beam), overcastShare(theWeather));
-    float left = sunLeft(theWeather), bright = exp2(skyBrightness(max(sun.y, -0.3))) + 6e-8 + 0.2 * moonUp * moonBeam.g;
-    float stops = exposure - 2.0 - 0.9 * log2(bright);
-    return Hour(noon, sun, moon, toLight, left * beam, left * (day ? vec3(1.0) : full) * high, sky, moonlit,
+    // Exposed for what the eye sees most of: sky and sunlit clouds, or the overcast sky alone.
+    vec3 cloudBeam = (day ? vec3(1.0) : full) * high;
+    float left = sunLeft(theWeather), bright = exp2(skyBrightness(sun.y)) + 9e-8 + 0.08 * (2.0 * moonUp * moonBeam.g + cloudBeam.g);
+    float stops = exposure - 1.5 - 0.9 * log2(mix(bright, 1.3 * sky.g + 8e-8, overcastShare(theWeather)));
+    return Hour(noon, sun, moon, toLight, left * beam, left * cloudBeam, sky, moonlit,
                 1.0 - smoothstep(0.05, 0.3, sky.g), stops, exp2(min(MOON_STOPS - stops, 0.0)));
 }
 
 // ---- The sky ----
 
-// The hour of the equinox of March at which the stars stand as they do now: the sun has gone on among them, by an angle
-// whose sine is the tangent of its declination over that of the obliquity.
+// The hour of the March equinox at which the stars are where they are now. Since then the sun has
+// moved among them, by an angle whose sine is the tangent of its declination over the tangent of
+// the obliquity.
 float hourOfStars(Hour now)
 {
-    return now.noon + 12.0 + SIDEREAL_DAY / 360.0 * degrees(asin(tan(radians(declination)) / tan(radians(OBLIQUITY))));
+    float sine = tan(radians(declination)) / tan(radians(OBLIQUITY));
+    return now.noon + 12.0 + SIDEREAL_DAY / 360.0 * degrees(atan(sine, sqrt(1.0 - sine * sine)));
 }
 
-// What stands behind the air: stars, the band of the Milky Way, and the moon.
-//   mirrored  seen in the water, whose waves do not mirror a disc as one: glitter has its light
+// The sky behind the air: stars, the band of the Milky Way, and the moon.
+//   mirrored  true in the water, whose waves do not mirror a disc as a disc: glitter adds its light
 vec3 heavens(vec3 direction, Hour now, float width, bool mirrored)
 {
     vec3 star = skyTurn(hourOfStars(now), LATITUDE) * direction, stars = starLight(star, width) + milkyWay(star);
@@ -131,9 +135,9 @@ vec3 heavens(vec3 direction, Hour now, float width, bool mirrored)
     return mix(stars, now.dimmed * moonFace(moonMap, place, rim, frame * now.sun, 1.0), mirrored ? 0.0 : inside);
 }
 
-// The sky of an hour and a weather.
-//   mirrored  as of heavens
-//   open      how much of a disc there the clouds and the weather leave
+// The sky at an hour, in a weather.
+//   mirrored  as for heavens
+//   open      share of a disc in this direction that clouds and weather leave visible
 vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
 {
     float width = min(2.0 * pixelSpread(), 0.003), noon = now.noon / 24.0, disc = discLeft(theWeather);
@@ -154,13 +158,13 @@ vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
 
 struct Place {
     vec3  p, normal, colour;
-    float lamp; // the share of it that is a lit window
-    bool  met;  // false: the sky
+    float lamp; // share of lit window
+    bool  met;  // false: sky
 };
 
 Place placeAt(vec3 p, vec3 direction, float width, bool met, bool thing)
 {
-    vec2 slope = higherGround(hills(inValley(p.xz)), shore(inValley(p.xz))).yz; // a pixel that sees it flat sees more of it
+    vec2 slope = higherGround(hills(inValley(p.xz)), shore(inValley(p.xz))).yz; // at a grazing angle a pixel covers more ground
     float facing = abs(dot(direction, normalize(vec3(-fromValley(slope), 1.0)).xzy));
     float count = log2(1.2 * sqrt(facing) / (CELLS * width)) / log2(LACUNARITY);
     vec4 land = landAt(inValley(p.xz), met ? clamp(count, 1.0, 12.0) : 0.0);
@@ -170,9 +174,9 @@ Place placeAt(vec3 p, vec3 direction, float width, bool met, bool thing)
     return Place(p, thing ? ofThing : normal, thing ? paint.rgb : colour, thing ? paint.w : 0.0, met);
 }
 
-// The share of the disc of sun or moon that is in sight. The ray goes to its upper rim; the skyline stands below the ray
-// by the smallest of gap / way, and hides the disc from below. Of the land's ridges the first octave alone is asked; the
-// things' shadows are hard.
+// The visible share of the disc of the sun or the moon. The ray goes to the upper rim of the disc.
+// The skyline hides the disc from below; its angle below the ray is the smallest gap / distance.
+// Only the first octave of the ridges is evaluated. The shadows of cabin, trees and boat are hard.
 //   radius  of the pixel's footprint
 float lightSeen(Place place, vec3 toLight, float radius)
 {
@@ -191,7 +195,7 @@ float lightSeen(Place place, vec3 toLight, float radius)
         traceStep(steps, t, distance);
         steps++;
         clear = min(clear, overLand * length(rim.xz) / max(t, 0.01));
-        t += max(distance, 0.05 * t + radius);
+        t += max(distance, 0.2 * t + radius);
         searching = clear > 0.0 && t < far && steps < 24;
     }
     traceMarch(steps, t, clear > 0.0 ? END_PASSED : END_HIT);
@@ -207,7 +211,8 @@ vec3 placeLight(Place place, Hour now, float seen)
 
 // ---- The picture ----
 
-// In the dark an eye sees by its rods, which tell no colours and take blue for bright: so pictures of nights are blue.
+// In the dark the eye sees with its rods, which distinguish no colours and are most sensitive to
+// bluish light. That is why pictures of nights are blue.
 vec3 nightFilm(vec3 light)
 {
     float rods = dot(light, vec3(0.05, 0.45, 0.5));
@@ -216,7 +221,7 @@ vec3 nightFilm(vec3 light)
 
 vec3 rayColour(Ray ray)
 {
-    // Where the ray would meet the water, and how that would mirror it.
+    // Where the ray would meet the water, and how the water would mirror it.
     Hour now = hourNow();
     float spread = pixelSpread(), water = ray.direction.y < 0.0 ? -ray.origin.y / ray.direction.y : 2.0 * FAR;
     vec3 on = ray.origin + water * ray.direction;
@@ -234,12 +239,12 @@ vec3 rayColour(Ray ray)
     bool met = t < far, lake = t > water;
     vec3 p = unmirrored(ray.origin + t * ray.direction), direction = lake ? bend.direction : ray.direction;
     float first = min(t, water), then = t - first;
-    if (lake) { // the views and the probe show what was met, the water too
+    if (lake) { // the views and the probe show every hit, including the water
         traceNormal(facet);
         traceMarch(trace.steps, first, END_HIT);
     }
 
-    // What sends light there, through the mist to the water, and off the water through the mist to the eye.
+    // The light at that point, attenuated by mist up to the water, and from there to the eye.
     Place place = placeAt(p, direction, 2.0 * spread * t + sqrt(waves.variance) * then, met, thing > 0.0);
     float open;
     vec3 sky = skyLight(direction, now, lake, open);
@@ -255,5 +260,6 @@ vec3 rayColour(Ray ray)
     ofLake = throughFog(ofLake, fog, fogDepth(ray.origin.y, ray.direction.y, first, density, MIST_SCALE));
     float drops = rainStreaks(theScreen, iTime, 2.0 * spread * focalLength);
     vec3 seen = mix(lake ? ofLake : light, now.sky, 0.35 * rainShare(theWeather) * drops);
-    return encodeSRGB(filmOfLargest(exposed(nightFilm(daylightFilm(seen)), now.stops), 1.3, 8.0));
+    vec3 shown = filmOfLargest(exposed(nightFilm(daylightFilm(seen)), now.stops), 1.3, 8.0);
+    return encodeSRGB(shown) + ditherStep(iPixel) / 255.0;
 }

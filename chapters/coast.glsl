@@ -1,6 +1,7 @@
 // coast.glsl - a lighthouse with its keeper's house on flat rocks in the sea: the scene of chapter 20.
 //
-// x points north, y up, z east; the eye looks to the south. One scene unit is 5 metres, the sea is y = 0.
+// x points north, y up, z east; the camera looks south. One scene unit is 5 metres; the sea is y =
+// 0.
 #include "bounds.glsl"     // boxInterval, intervalUnion
 #include "combine.glsl"    // opUnion, opSmoothUnion
 #include "coverage.glsl"   // coverage
@@ -10,7 +11,7 @@ const vec3 TOWER = vec3(-15.5, 1.5, -6.4);
 const vec3 HOUSE = vec3(-16.0, 2.0, -8.9);
 const vec3 LANTERN = TOWER + vec3(0.0, 4.95, 0.0); // the lamp
 
-// Flat rocks with ledges and clefts: folds of triangular waves, whose slope together is at most 0.9.
+// Flat rocks with ledges and clefts: folds of triangle waves, whose total slope is at most 0.9.
 float rockDistance(vec3 p)
 {
     vec3 fold = abs(fract(vec3(0.47, 0.9, 0.61) * p + 0.21 * p.zxy) - 0.5);
@@ -22,8 +23,8 @@ float rockDistance(vec3 p)
     return (d - 0.2 + fold.x * fold.z + 0.2 * fold.y + 0.2 * fold.z) / 1.9;
 }
 
-// A tapered tower, a gallery, a lantern and a roof, all turned about one axis. Each is an intersection, so a lower
-// bound.
+// A tapered tower, a gallery, a lantern and a roof, all solids of revolution about one axis. Each
+// is an intersection, and so a lower bound.
 float towerDistance(vec3 p)
 {
     float r = length(p.xz - TOWER.xz), y = p.y - TOWER.y;
@@ -41,21 +42,22 @@ float houseDistance(vec3 p)
     return opUnion(d, sdBox(q - vec3(0.1, 1.0, -0.8), vec3(0.14, 0.36, 0.16)));
 }
 
-// Distances of rocks, tower and house, so that the hit knows which it is.
+// The distances to rocks, tower and house; the smallest tells which of them a ray has hit.
 vec3 coastDistances(vec3 p)
 {
     return vec3(rockDistance(p), towerDistance(p), houseDistance(p));
 }
 
-// Where a ray may meet it: in a flat box round rocks and house, or in a slender one round the tower.
+// The interval in which a ray can meet the coast: inside a flat box around rocks and house, or a
+// slender box around the tower.
 vec2 coastInterval(Ray ray)
 {
     vec2 rocks = boxInterval(ray, vec3(-22.5, -0.1, -21.0), vec3(-10.8, 3.4, -1.4));
     return intervalUnion(rocks, boxInterval(ray, TOWER - vec3(0.76, 0.5, 0.76), TOWER + vec3(0.76, 5.8, 0.76)));
 }
 
-// What the coast is made of at a place: its colour, and in w how brightly a lamp shines behind it.
-//   part   of coastDistances
+// The material of the coast at a point: its colour, and in w the brightness of a lamp behind it.
+//   part   from coastDistances
 //   tone   noise, in [0, 1)
 //   width  of the pixel there, scene units
 vec4 coastColour(vec3 p, vec3 part, vec3 normal, float tone, float width)

@@ -1,10 +1,11 @@
-// courtyard.glsl - a court with an arcade, which chapters 14 and 15 draw: what stands where, and what it is
-// made of. Light, camera and parameters are the chapters' own.
+// courtyard.glsl - a court with an arcade, which chapters 14 and 15 draw: its objects and their
+// materials. Light, camera and parameters belong to the chapters.
 //
-// x to the right, y upwards, z towards the eye; one scene unit is a metre. The court is a trough, which is the
-// floor between the two side walls, with things in it. A ray meets the trough by divisions, and the things by a
-// march: courtyardDistance is that of the things alone. What looks for all that hides the sky takes the smaller
-// of courtyardDistance and troughDistance, or the nearer of the march's end and troughReached.
+// x points to the right, y upwards, z towards the eye; one scene unit is a metre. The court is a
+// trough, which is the floor between the two side walls, with objects in it. Rays meet the trough
+// with divisions and the objects with a march: courtyardDistance is the distance to the objects
+// only. A search for everything that hides the sky takes the smaller of courtyardDistance and
+// troughDistance, or the nearer of the march's end and troughReached.
 #include "bounds.glsl"
 #include "cone.glsl"
 #include "coverage.glsl"
@@ -13,23 +14,23 @@
 #include "primitives.glsl"
 #include "repetition.glsl"
 
-const vec3  COURT_LOW = vec3(-4.80, -0.01, -6.35);   // opposite corners of a box that holds all things
+const vec3  COURT_LOW = vec3(-4.80, -0.01, -6.35);   // opposite corners of a box around all objects
 const vec3  COURT_HIGH = vec3(4.80, 4.75, 1.50);
-const float COURT_FAR = 40.0;                        // beyond, along a ray, only sky is drawn
-const float COURT_SIDE = 4.75;                       // the side walls stand at x = -4.75 and 4.75
+const float COURT_FAR = 40.0;                        // a ray that has travelled this far sees the sky
+const float COURT_SIDE = 4.75;                       // the side walls are at x = -4.75 and 4.75
 const float COURT_TOP = 3.10;                        // their height
-const float COURT_FRONT = -3.60;                     // the gallery's floor begins there, along z
-const float COURT_BACK = -6.20;                      // its rear wall stands there
+const float COURT_FRONT = -3.60;                     // z at which the gallery's floor begins
+const float COURT_BACK = -6.20;                      // z of its rear wall
 const vec2  COURT_EAVES = vec2(-3.3, 3.46);          // z and y of the roof's edge
 const float TILE = 0.27;                             // width of a tile
 const vec3  COURT_WELL = vec3(-2.15, 0.0, 0.30);     // foot of its axis
-const vec3  COURT_JAR = vec3(2.90, 0.0, -2.85);      // foot of a jar; another at -x
+const vec3  COURT_JAR = vec3(2.90, 0.0, -2.85);      // foot of a jar; there is another at -x
 const vec4  COURT_BALL = vec4(3.50, 0.68, -0.5, 0.68); // the larger box tree: centre and radius
 const vec4  COURT_SMALL_BALL = vec4(2.70, 0.36, 1.05, 0.36);
 const float COURT_PAVING = 0.95;                     // side of a paving stone
 const float COURT_JOINT = 0.018;                     // width of a joint, in paving stones
 
-const vec3  LIME = vec3(0.82, 0.79, 0.74);            // shares of the light that come back, linear RGB: limewash,
+const vec3  LIME = vec3(0.82, 0.79, 0.74);            // shares of the light that are reflected, linear RGB: limewash,
 const vec3  DADO = vec3(0.56, 0.34, 0.23);            // the painted foot and top of the side walls,
 const vec3  STONE = vec3(0.58, 0.55, 0.50);
 const vec3  PAVING = vec3(0.57, 0.53, 0.47);
@@ -38,10 +39,11 @@ const vec3  LEAF = vec3(0.12, 0.20, 0.07);
 const vec3  DOOR = vec3(0.10, 0.22, 0.21);
 const vec3  IRON = vec3(0.05, 0.055, 0.06);
 
-// ---- What stands where ----
+// ---- The objects ----
 
-// A convex corner of a figure in the plane, in the form of which a union of many takes one root: the square of
-// the distance outside, and the depth inside, negative. The smaller of each is that of the union.
+// A convex corner of a figure in the plane, in a form that needs only one root for a union of many:
+// the square of the distance outside, and the negative depth inside. The minimum of each is that of
+// the union.
 //   q        distances to two edges at right angles, each negative inside, scene units
 //   returns  (|max(q, 0)|^2, max(q.x, q.y)), for cornersDistance
 vec2 corner(vec2 q)
@@ -50,15 +52,16 @@ vec2 corner(vec2 q)
     return vec2(dot(outside, outside), max(q.x, q.y));
 }
 
-// The distance of a union of corners: sqrt(squares) + min(depth, 0), scene units. Exact outside where each q is;
-// else a lower bound where each q is 1-Lipschitz; inside a lower bound of the depth.
+// The distance to a union of corners: sqrt(squares) + min(depth, 0), scene units. It is exact
+// outside where each q is exact, and otherwise a lower bound where each q is 1-Lipschitz; inside, a
+// lower bound of the depth.
 //   corners  the smallest square of all corners, and the smallest depth
 float cornersDistance(vec2 corners)
 {
     return sqrt(corners.x) + min(corners.y, 0.0);
 }
 
-// A wall with five openings under round arches, and ledges where the arches begin.
+// A wall with five openings below round arches, and ledges where the arches begin.
 vec2 arcadeCorners(vec3 p)
 {
     float x = opRepeatLimited(p.x, 1.9, -2.0, 2.0);
@@ -68,7 +71,7 @@ vec2 arcadeCorners(vec3 p)
     return min(wall, corner(vec2(0.66 - abs(x), max(abs(p.y - 2.02) - 0.06, before - 0.06))));
 }
 
-// The gallery behind it: the floor, to which three round steps lead up, and the rear wall.
+// The gallery behind it: the floor, three round steps that lead up to it, and the rear wall.
 vec2 galleryCorners(vec3 p)
 {
     float r = length(p.xz - vec2(0.0, COURT_FRONT));
@@ -85,7 +88,7 @@ vec2 roofCorners(vec3 p)
     return corner(vec2(-q.x, max(min(tile, q.y - 0.05), -q.y - 0.03)));
 }
 
-// A ring of stone under a slab with a hole, and a bow of iron over it.
+// A ring of stone below a slab with a hole, and an iron bow above it.
 //   q  from the foot of its axis
 vec2 wellCorners(vec3 q)
 {
@@ -111,10 +114,10 @@ float boxTreeDistance(vec3 p)
     return min(sdSphere(p - COURT_BALL.xyz, COURT_BALL.w), sdSphere(p - COURT_SMALL_BALL.xyz, COURT_SMALL_BALL.w));
 }
 
-// All that stands in the court, its floor and side walls left out.
+// All objects in the court, without its floor and side walls.
 //   p        scene units
-//   returns  signed distance, scene units: a lower bound, 1-Lipschitz; exact outside but round the roof and near
-//            the ledges' ends
+//   returns  signed distance, scene units: a lower bound, 1-Lipschitz; exact outside, except around
+//            the roof and near the ends of the ledges
 float courtyardDistance(vec3 p)
 {
     vec2 built = min(min(arcadeCorners(p), galleryCorners(p)), roofCorners(p));
@@ -122,7 +125,7 @@ float courtyardDistance(vec3 p)
     return min(cornersDistance(min(built, placed)), boxTreeDistance(p));
 }
 
-// The floor and the side walls. Exact outside.
+// The distance to the floor and the side walls. Exact outside.
 float troughDistance(vec3 p)
 {
     return min(p.y, cornersDistance(corner(vec2(COURT_SIDE - abs(p.x), p.y - COURT_TOP))));
@@ -138,9 +141,9 @@ float troughReached(Ray ray)
     return over ? COURT_FAR : min(min(wall, ground), COURT_FAR);
 }
 
-// ---- What it is made of ----
+// ---- The materials ----
 
-// Flags of pale stone with thin joints, every other row moved by half a flag.
+// Flags of pale stone with thin joints; every other row is shifted by half a flag.
 //   width  of the pixel on the floor, along x and z, scene units
 vec3 pavingColour(vec3 p, vec2 width)
 {
@@ -152,8 +155,8 @@ vec3 pavingColour(vec3 p, vec2 width)
     return PAVING * (0.88 + 0.2 * tone) * (1.0 - 0.4 * max(alongZ, alongX));
 }
 
-// Walls, floors but the paving, and steps.
-//   grain  of the place, in [0, 1]
+// Walls, steps, and all floors except the paving.
+//   grain  at the point, in [0, 1]
 vec3 masonryColour(vec3 p, float grain)
 {
     bool side = abs(p.x) > COURT_SIDE - 0.02, rear = p.z < COURT_BACK + 0.02;
@@ -164,12 +167,13 @@ vec3 masonryColour(vec3 p, float grain)
     return door ? DOOR : (p.y < 0.62 && !side && !rear ? STONE * (0.92 + 0.12 * grain) : lower);
 }
 
-// The colour of what a point is on; on the paving pavingColour is to be asked. The place says what that is:
-// round the well and under the roof round the jars nothing else stands; what is nearer to the roof than to the
-// arcade's wall is roof. The distances themselves are not asked: that would compile the scene once more.
+// The colour of a surface at a point; for the paving use pavingColour. The position tells which
+// object it is: there is nothing else around the well, nor below the roof around the jars, and a
+// point that is nearer to the roof than to the arcade's wall is on the roof. The distances are not
+// evaluated, because that would compile the scene once more.
 //   p        on a surface, scene units
-//   radius   how near the surface is at least, scene units, > 0
-//   returns  share of the light that comes back, linear RGB
+//   radius   the point is at most this far from the surface, scene units, > 0
+//   returns  share of the light that is reflected, linear RGB
 vec3 courtyardColour(vec3 p, float radius)
 {
     bool leaf = boxTreeDistance(p) < radius;
@@ -189,19 +193,20 @@ vec3 courtyardColour(vec3 p, float radius)
 
 // ---- Where a ray ends ----
 
-// Where the ray of a pixel ends, and what is there.
+// Where the ray of a pixel ends, and the surface there.
 struct Place {
-    bool  open;   // nothing was met but the sky
+    bool  open;   // the ray met only the sky
     vec3  p;      // scene units
-    vec3  normal; // length 1; says nothing where it is open
-    vec3  colour; // share of the light that comes back, linear RGB
+    vec3  normal; // length 1; undefined if open
+    vec3  colour; // share of the light that is reflected, linear RGB
     float radius; // of the pixel's footprint there, scene units
 };
 
-// March among the things, then look at the trough. It needs courtyardDistance to be the chapter's sceneDistance.
+// March among the objects, then check the trough. The chapter's sceneDistance has to be
+// courtyardDistance here.
 //   ray                  from the eye, in the court
-//   tMin                 where the march may begin at the earliest: up to there nothing stands, scene units
-//   threshold, maxSteps  of marchCone, which takes pixelSpread() with them
+//   tMin                 where the march may begin: up to there the ray is free, scene units
+//   threshold, maxSteps  of marchCone, which also takes pixelSpread()
 Place courtyardPlaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
 {
     vec2 interval = boxInterval(ray, COURT_LOW, COURT_HIGH);
@@ -214,7 +219,7 @@ Place courtyardPlaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
     vec2 width = 2.0 * radius * (1.0 + abs(ray.direction.xz / ray.direction.y));
     vec3 straight = ground ? vec3(0.0, 1.0, 0.0) : vec3(-sign(p.x), 0.0, 0.0);
     vec3 normal = hit.found ? normalAt(p, radius) : straight;
-    if (onTrough) { // the views and the probe are told
+    if (onTrough) { // report the hit to the views and the probe
         traceMarch(trace.steps, t, END_HIT);
         traceNormal(normal);
     }
@@ -222,7 +227,7 @@ Place courtyardPlaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
     return Place(!hit.found && !onTrough, p, normal, colour, radius);
 }
 
-// The same from the eye on.
+// The same, starting at the eye.
 Place courtyardPlace(Ray ray, float threshold, int maxSteps)
 {
     return courtyardPlaceFrom(ray, 0.0, threshold, maxSteps);

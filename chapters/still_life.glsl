@@ -1,21 +1,21 @@
-// still_life.glsl - what stands on the table of chapter 11: distances alone, and where a ray meets them. What the
-// things are made of is the chapter's.
+// still_life.glsl - the objects on the table of chapter 11: their distances, and the interval in
+// which a ray can meet them. Their materials are in the chapter.
 //
-// x to the right, y upwards from the table, z towards the eye; scene units. Where a thing has a blend of two
-// materials, its function gives two distances, and the chapter joins them.
+// x points to the right, y upwards from the table, z towards the camera; scene units. If an object
+// is a blend of two materials, its function returns two distances, and the chapter joins them.
 #include "bounds.glsl"
 #include "combine.glsl"
 #include "primitives.glsl"
 #include "repetition.glsl"
 
-const vec3  LOW = vec3(-0.82, -0.02, -1.20);     // opposite corners of a box that holds what stands on the table
+const vec3  LOW = vec3(-0.82, -0.02, -1.20);     // opposite corners of a box around the objects on the table
 const vec3  HIGH = vec3(2.82, 1.43, 1.38);
-const vec3  JUG_LOW = vec3(-2.14, -0.02, -1.16); // but for the jug, which has its own
+const vec3  JUG_LOW = vec3(-2.14, -0.02, -1.16); // except the jug, which has its own box
 const vec3  JUG_HIGH = vec3(-0.64, 1.74, 0.16);
-const float HOLES = 0.24;                        // from hole to hole of the ivory cube, scene units
-const float SILVER_RADIUS = 0.34;                // of the ball, scene units
+const float HOLES = 0.24;                        // distance between holes of the ivory cube, scene units
+const float SILVER_RADIUS = 0.34;                // radius of the silver ball, scene units
 
-// A jug, turned about its axis: a belly and a neck blended, hollow from above; and a handle.
+// A jug, turned about its axis: a belly and a neck, blended and hollow from above, and a handle.
 float jugDistance(vec3 p)
 {
     p -= vec3(-1.3, 0.62, -0.5);
@@ -35,7 +35,8 @@ float bowlDistance(vec3 p)
     return opUnion(shell, foot);
 }
 
-// A lemon: a ball, and at both ends a small one; mirrored, so that one is asked. x the ball, y the ends.
+// A lemon: a ball with a smaller ball at each end, mirrored so that only one end is evaluated. x is
+// the ball, y the ends.
 vec2 lemonDistances(vec3 p)
 {
     p -= vec3(0.2, 0.93, -0.2);
@@ -43,7 +44,7 @@ vec2 lemonDistances(vec3 p)
     return vec2(sdSphere(p, 0.33), sdSphere(vec3(along, across, p.z), 0.07));
 }
 
-// A pear: x its lower ball, y its upper.
+// A pear: x is its lower ball, y its upper ball.
 vec2 pearDistances(vec3 p)
 {
     p -= vec3(1.3, 0.42, 0.55);
@@ -67,7 +68,7 @@ float cube(vec3 p, float halfSide)
     return max(a.x, max(a.y, a.z)) - halfSide;
 }
 
-// An ivory cube, less a ball that is repeated without end.
+// An ivory cube minus an endlessly repeated ball.
 float ivoryDistance(vec3 p)
 {
     p -= vec3(2.3, 0.36, -0.05);
@@ -84,7 +85,7 @@ vec2 waxDistances(vec3 p)
     return vec2(cube(p, 0.18), sdSphere(p, 0.2));
 }
 
-// Where a ray is in the boxes of what stands on the table.
+// The interval in which a ray is inside the boxes around the objects.
 vec2 thingsInterval(Ray ray)
 {
     return intervalUnion(boxInterval(ray, LOW, HIGH), boxInterval(ray, JUG_LOW, JUG_HIGH));

@@ -1,34 +1,35 @@
-// valley.glsl - the scene of chapter 21: a lake between mountains, and what stands on its shore.
+// valley.glsl - the scene of chapter 21: a lake between mountains, and the objects on its shore.
 //
-// One scene unit is 100 metres. x points north, y up, z east; the water is y = 0. The valley looks south-south-west;
-// most of this file counts in its own axes: x right, y up, z ahead, and on the plane x right, y ahead.
+// One scene unit is 100 metres. x points north, y up, z east; the water is y = 0. The valley faces
+// south-south-west. Most of this file uses the axes of the valley: x right, y up, z ahead, and in
+// the plane x right, y ahead.
 #include "inputs.glsl"     // iTime
 #include "land.glsl"
 #include "water.glsl"      // fourWaves; the planes of chapter 12 come with it
 #include "bounds.glsl"     // boxInterval, intervalUnion
 #include "repetition.glsl" // cellRandom
 
-const vec2  AHEAD = vec2(-0.9063, -0.4226); // north and east of the way ahead: 205 degrees
-const float CELLS = 0.08;                   // of the largest ridges, a scene unit,
-const vec2  SEED = vec2(31.2, 9.9);         //   counted from here: other numbers, other mountains
-const float GAIN = 0.42;                    // each octave so much lower
-const float LACUNARITY = 2.1;               //   and finer than the one before,
-const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8); // turned, so that no lattice is seen,
-const vec2  SHIFT = vec2(17.17, 29.73);     //   and elsewhere
-const float FOOT = 0.4;                     // height of the hills at which ridges begin, scene units,
-const float RIDGES = 3.6;                   //   and times the height over it they add at most
-const float HILL_SLOPE = 0.45;              // no hill is steeper,
-const float SHORE_SLOPE = 0.204;            //   nor the shore,
-const float HIGHEST = 18.8;                 //   and no land is higher: 4.4 + RIDGES (4.4 - FOOT), 4.4 the highest hill
+const vec2  AHEAD = vec2(-0.9063, -0.4226); // the direction ahead, as north and east: 205 degrees
+const float CELLS = 0.08;                   // of the largest ridges, per scene unit,
+const vec2  SEED = vec2(31.2, 9.9);         //   shifted by this: other numbers give other mountains
+const float GAIN = 0.42;                    // each octave is lower by this factor
+const float LACUNARITY = 2.1;               //   and finer by this one than the one before,
+const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8); // turned, so that no lattice is visible,
+const vec2  SHIFT = vec2(17.17, 29.73);     //   and shifted
+const float FOOT = 0.4;                     // height of the hills at which ridges begin, scene units;
+const float RIDGES = 3.6;                   //   they add at most this factor times the height above it
+const float HILL_SLOPE = 0.45;              // no hill is steeper than this,
+const float SHORE_SLOPE = 0.204;            //   and the shore no steeper than this;
+const float HIGHEST = 18.8;                 //   no land is higher: 4.4 + RIDGES (4.4 - FOOT), with hills up to 4.4
 
 uniform sampler2D turf;    // "turf.png" sRGB repeat: a meadow
 uniform sampler2D granite; // "granite.png" sRGB repeat: rock
 
-uniform int octaves; // 4 in [1, 8]: of ridges that are marched
+uniform int octaves; // 4 in [1, 8]: octaves of the ridges in the march
 
-// What a distance is divided by: of a ground with a slope s, way.x + way.y s; of the shore, way.z. For one ray of a
-// climb c, oneWay(c). For all directions (0.65, 1, 1.03): never less than sqrt(1 + s^2) for s >= HILL_SLOPE, and for the
-// shore.
+// The divisors of a gap: way.x + way.y s above ground of the slope s, and way.z above the shore.
+// For one ray that climbs by c per unit, oneWay(c). For all directions (0.65, 1, 1.03), which gives
+// at least sqrt(1 + s^2) for s >= HILL_SLOPE, and for the shore.
 const vec3 ALL_WAYS = vec3(0.65, 1.0, 1.03);
 vec3 way = ALL_WAYS;
 
@@ -37,10 +38,10 @@ vec3 oneWay(float climb)
     return vec3(climb, 1.0, climb + SHORE_SLOPE);
 }
 
-// How high the point that landDistance was asked for last stands over the land, scene units.
+// The gap between the land and the last point that landDistance was called for, scene units.
 float overLand = 0.0;
 
-// From north and east to the valley's right and ahead, and back.
+// From north and east to right and ahead in the valley, and back.
 vec2 inValley(vec2 xz)
 {
     return vec2(dot(xz, vec2(-AHEAD.y, AHEAD.x)), dot(xz, AHEAD));
@@ -51,7 +52,7 @@ vec2 fromValley(vec2 q)
     return q.x * vec2(-AHEAD.y, AHEAD.x) + q.y * AHEAD;
 }
 
-// The shore on which the eye stands: a cone, rounded.
+// The shore on which the eye is: a rounded cone.
 vec3 shore(vec2 q)
 {
     vec2 r = q - vec2(-1.45, 0.5);
@@ -71,24 +72,26 @@ vec3 hills(vec2 q)
     return h;
 }
 
-// How much of the ridges there is over the hills (x), and how fast it grows with their height (y).
+// The largest height of the ridges above the hills (x), and its growth with the hills' height (y).
 vec2 roughness(float height)
 {
     return height > FOOT ? vec2(RIDGES * (height - FOOT), RIDGES) : vec2(0.0);
 }
 
-// The height of the hills from which on the land can reach y: the inverse of height + roughness(height).x.
+// The height that the hills must have before the land can reach y: the inverse of
+// height + roughness(height).x.
 float hillsUnder(float y)
 {
     return min(y, FOOT + (y - FOOT) / (1.0 + RIDGES));
 }
 
-// How far it is to the land, at least: the largest of several bounds. The first asks the hills alone: the land reaches
-// p.y nowhere before the hills reach hillsUnder(p.y). Each octave of ridges makes the next: what is still to come adds at
-// most the rest of the weights. Octaves are asked while they can still say more.
-//   count    octaves of the land that is meant
-// The shore has no ridges: the nearer of it and of the hills counts.
-//   returns  with ALL_WAYS a distance, 1-Lipschitz; else the way along a ray
+// A lower bound of the distance to the land: the largest of several bounds. The first uses only the
+// hills: the land cannot reach p.y before the hills reach hillsUnder(p.y). Each octave of ridges
+// gives another bound, because the octaves that follow add at most the rest of the weights. Octaves
+// are evaluated while they can still enlarge the result. The shore has no ridges; the smaller of
+// its bound and that of the hills counts.
+//   count    octaves that the land has
+//   returns  with ALL_WAYS a distance, 1-Lipschitz; otherwise the free length along a ray
 float landDistance(vec3 p, int count)
 {
     vec2 q = inValley(p.xz), x = CELLS * q + SEED;
@@ -116,9 +119,9 @@ float landDistance(vec3 p, int count)
     return min(d, coast / way.z);
 }
 
-// The land under a place: height (x), gradient (yz), and for its colours a number in [0, 1] that varies from place to
-// place (w).
-//   count  octaves, any number >= 1: the last one counts by its fraction
+// The land at a point: height (x), gradient (yz), and, for its colours, a value in [0, 1] that
+// varies from point to point (w).
+//   count  octaves, any number >= 1; the last one is weighted by the fractional part
 vec4 landAt(vec2 q, float count)
 {
     vec3 base = higherGround(hills(q), shore(q)), sum = vec3(0.0), first = vec3(1.0, 0.0, 0.0);
@@ -144,8 +147,8 @@ vec4 landAt(vec2 q, float count)
     return vec4(base.x + high.x * rough.x, base.yz * (1.0 + high.y * rough.x) + high.x * rough.yz + 0.16 * grain, fine);
 }
 
-// Grass, rock and snow by slope and height.
-//   chance  of landAt: without it all borders would be contour lines
+// Grass, rock and snow, depending on slope and height.
+//   chance  from landAt; without it all borders would be contour lines
 //   width   of the pixel there
 vec3 landColour(vec3 p, vec3 direction, vec3 normal, float chance, float width)
 {
@@ -157,16 +160,16 @@ vec3 landColour(vec3 p, vec3 direction, vec3 normal, float chance, float width)
     vec3 rock = stone * mix(vec3(0.30, 0.28, 0.27), vec3(0.80, 0.74, 0.68), chance);
     float uneven = chance - 0.5, level = normal.y + 0.3 * uneven, height = p.y + 2.0 * uneven;
     vec3 green = mix(grass, wood, smoothstep(0.25, 0.5, p.y + 0.3 * uneven));
-    vec3 colour = mix(rock, green, smoothstep(0.55, 0.70, level) * smoothstep(3.9, 2.3, height));
+    vec3 colour = mix(rock, green, smoothstep(0.55, 0.70, level) * (1.0 - smoothstep(2.3, 3.9, height)));
     colour = mix(colour, snow, smoothstep(0.48, 0.64, level) * smoothstep(3.6, 5.0, height));
     return mix(stone * mix(0.3, 0.6, chance), colour, smoothstep(0.002, 0.014, p.y + 0.01 * uneven));
 }
 
 // ---- The lake ----
 
-const float BEAT = 0.2617994; // 2 pi / 24 s: waves whose frequencies are multiples of it come back after 24 s
+const float BEAT = 0.2617994; // 2 pi / 24 s: waves whose frequencies are multiples of it repeat after 24 s
 
-// Eight waves in all directions, higher where a gust blows.
+// Eight waves in all directions, steeper in gusts.
 //   wind  in [0, 1]
 Water wavesAt(vec2 p, Footprint f, float wind)
 {
@@ -178,7 +181,7 @@ Water wavesAt(vec2 p, Footprint f, float wind)
     return Water(swell.slope + ripples.slope, swell.variance + ripples.variance + 3e-5);
 }
 
-// ---- What stands on the shore ----
+// ---- The objects on the shore ----
 
 const vec3 CABIN = vec3(-0.50, 0.094, 0.74); // right, up, ahead
 const float CABIN_SIZE = 1.35;
@@ -193,7 +196,7 @@ vec3 atCabin(vec3 p)
     return vec3(0.94 * p.x + 0.34 * p.z, p.y, 0.94 * p.z - 0.34 * p.x) / CABIN_SIZE;
 }
 
-// A lower bound of the distance to a box: exact beside its faces.
+// A lower bound of the distance to a box, exact in front of its faces.
 float block(vec3 p, vec3 halfSize)
 {
     vec3 q = abs(p) - halfSize;
@@ -210,7 +213,7 @@ float cabinDistance(vec3 p)
     return CABIN_SIZE * min(min(walls, roof), chimney);
 }
 
-// A pine: a stem, and a crown whose width goes up and down.
+// A pine: a stem, and a crown whose width grows and shrinks in tiers.
 float pineDistance(vec3 p, float height)
 {
     float s = height - p.y, tier = abs(fract(0.9 + 42.0 * s) - 0.5), across = length(p.xz);
@@ -219,7 +222,8 @@ float pineDistance(vec3 p, float height)
     return min(crown, max(across - 0.025 * height, abs(p.y - 0.1 * height) - 0.12 * height));
 }
 
-// The pine of a cell: its place (x, y ahead), its foot (z) and its height (w), 0 where none grows.
+// The pine of a cell: its position (x, y ahead), the height of its foot (z) and its own height (w),
+// 0 where none grows.
 vec4 pineOf(vec2 cell)
 {
     float lot = cellRandom(ivec3(cell, 5)), other = fract(64.0 * lot);
@@ -228,7 +232,8 @@ vec4 pineOf(vec2 cell)
     return vec4(at, shore(at).x - 0.005, grows ? 0.13 + 0.13 * other : 0.0);
 }
 
-// A wood: one pine in every cell of a lattice, where there is one; so far from its cell's walls that no other is nearer.
+// A wood: at most one pine in each cell of a lattice, far enough from the walls of the cell that no
+// pine in another cell is nearer than the returned distance.
 float pinesDistance(vec3 p)
 {
     vec2 cell = floor(p.xz * (1.0 / CELL)), wall = 0.5 * CELL - abs(p.xz - CELL * (cell + 0.5));
@@ -265,7 +270,8 @@ float thingsDistance(vec3 p)
     return min(min(cabinDistance(local), pinesDistance(local)), boatDistance(local));
 }
 
-// The normal of a thing near its surface, length 1: of roof or wall, of a cone for a pine, of the sail.
+// The normal of an object near its surface, length 1: of roof or wall, of a cone for a pine, of the
+// sail.
 vec3 thingNormal(vec3 p)
 {
     vec3 local = localOf(p), q = atCabin(local);
@@ -277,7 +283,7 @@ vec3 thingNormal(vec3 p)
     return vec3(fromValley(n.xz), n.y).xzy;
 }
 
-// What a thing is painted with (xyz), and the share that is a lit window (w).
+// The colour of an object (xyz), and the share of lit window (w).
 vec4 thingColour(vec3 p, vec3 normal)
 {
     vec3 local = localOf(p), q = atCabin(local);
@@ -293,23 +299,23 @@ vec4 thingColour(vec3 p, vec3 normal)
 
 // ---- The mirrored world ----
 
-// Where a ray is mirrored by the water, and where it goes from there. Below the water stands the mirrored world: a
-// ray that goes on through it meets what the mirrored ray meets.
+// The point where the water mirrors a ray, and the direction from there. Below the water lies the
+// mirrored world: a ray that goes straight on meets there the image of what the mirrored ray meets.
 struct Bend {
-    bool  waves;     // false: by the level water, whatever the ray
+    bool  waves;     // false: level water, the same for every ray
     vec3  place;     // on the water
     vec3  direction; // length 1, upwards
 };
 Bend bend = Bend(false, vec3(0.0), vec3(0.0));
 
-// The point of the world in whose place p stands.
+// The point of the world that p represents.
 vec3 unmirrored(vec3 p)
 {
     vec3 bent = bend.place + length(p - bend.place) * bend.direction;
     return p.y >= 0.0 ? p : (bend.waves ? bent : vec3(p.x, -p.y, p.z));
 }
 
-// March the things alone, in their boxes: where, or -1.
+// Marches only the objects, in their bounding boxes; returns the t of the hit, or -1.
 //   water  where the ray meets the water
 float thingsAlong(Ray ray, float water, float tMax, float threshold, float spread)
 {

@@ -1,4 +1,4 @@
-// camera.h - where the eye is and where it looks: pure mathematics, no OpenGL.
+// camera.h - the position of the eye and the direction in which it looks.
 //
 // World: y up, right-handed. Pan 0 and tilt 0 look along -z; a positive pan turns to the right
 // (towards +x), a positive tilt turns up.
@@ -7,7 +7,7 @@
 
 #include <cglm/cglm.h>
 
-// Beyond this tilt the view direction nears the vertical, where "right" has no direction.
+// Beyond this tilt the view direction is almost vertical, where "right" is undefined.
 #define CAMERA_TILT_LIMIT 89.0f // degrees
 
 struct camera {
@@ -25,8 +25,7 @@ struct camera_basis {
 //   forward = (sin pan cos tilt, sin tilt, -cos pan cos tilt)
 //   right   = normalize(forward x (0, 1, 0)) = (cos pan, 0, sin pan)
 //   up      = right x forward
-//   camera   position is not used; tilt within its limit
-//   returns  the basis, by value
+//   camera  its position is not used; its tilt is within the limit
 struct camera_basis camera_basis_of(const struct camera *camera);
 
 // Turn by angles in degrees; the tilt stops at its limit, the pan wraps into [-180, 180).

@@ -11,15 +11,16 @@
 #include "report.h"
 #include "shader/export.h"
 
-static int print_shader(const struct run *run)
+static int print_shader(struct run *run)
 {
     const struct options *options = &run->options;
+    struct shader_source *source = &run->picture[0].source;
     char *text = NULL;
     if (options->shadertoy)
-        text = export_shadertoy(&run->source, &run->parameters, &options->camera,
+        text = export_shadertoy(source, &run->picture[0].parameters, &options->camera,
                                 RENDERER_FOCAL_LENGTH);
-    else if (shader_has_view(&run->source, options->view))
-        text = shader_text(&run->source, options->view);
+    else if (shader_has_view(source, options->view))
+        text = shader_text(source, options->view);
     if (text == NULL)
         return RUN_NOT_DONE;
     fputs(text, stdout);
@@ -39,17 +40,22 @@ static int print_version(const struct run *run)
     return RUN_DONE;
 }
 
-static int run_benchmark(struct run *run, const struct context *context, struct renderer *renderer)
+static bool run_benchmark(struct run *run)
 {
     const struct options *options = &run->options;
+    struct loader *picture = &run->picture[0];
+    struct renderer *renderer = &picture->renderer;
     struct benchmark benchmark = {.shader = options->shader != NULL ? options->shader : run->stem,
                                   .frames = options->benchmark,
                                   .inputs = run_still_inputs(options)};
-    if (!benchmark_load(&benchmark, renderer, &run->source, &run->parameters) ||
-        !benchmark_run(&benchmark, context, renderer))
-        return RUN_NOT_DONE;
+    if (!renderer_open(renderer, &run->context.gl, run->root))
+        return false;
+    renderer->view = options->view;
+    if (!benchmark_load(&benchmark, renderer, &picture->source, &picture->parameters) ||
+        !benchmark_run(&benchmark, &run->context, renderer))
+        return false;
     benchmark_print(&benchmark, options->json, stdout);
-    return RUN_DONE;
+    return true;
 }
 
 static bool open_loop(struct run *run)
@@ -57,60 +63,51 @@ static bool open_loop(struct run *run)
     const struct options *options = &run->options;
     run->start = (struct window_start){.title = run->title,
                                        .stem = run->stem,
-                                       .shader = run->shader,
-                                       .request = &run->request,
-                                       .second = run->second.shader,
+                                       .picture = run->picture,
+                                       .pictures = options->compares ? 2 : 1,
                                        .camera = options->camera,
                                        .time = options->time,
                                        .samples = options->samples,
                                        .overlay_scale = options->overlay,
                                        .overlay_kept = options->has_overlay};
     if (options->shader != NULL)
-        printf("%s: every save is shown at once\n", options->shader);
+        printf("%s: reloads on every save\n", options->shader);
     fflush(stdout);
-    run->window = window_open(&run->context, &run->renderer, &run->start);
+    run->window = window_open(&run->context, &run->start);
     return run->window != NULL;
 }
 
-// With a context and a renderer: load the shader, then carry out what was asked.
-static int work(struct run *run, struct context *context, struct renderer *renderer)
-{
-    renderer->view = run->options.view;
-    if (run->options.benchmark > 0)
-        return run_benchmark(run, context, renderer);
-    if (!renderer_load(renderer, &run->source, &run->parameters) ||
-        !second_load(&run->second, renderer))
-        return RUN_NOT_DONE;
-    bool done = context->window != NULL ? open_loop(run) : run_still(run, renderer);
-    return done ? RUN_DONE : RUN_NOT_DONE;
-}
-
-static int open_and_work(struct run *run)
+static int open_and_draw(struct run *run)
 {
     struct context *context = &run->context;
     const struct options *options = &run->options;
+    bool done;
     if (options->benchmark > 0)
         guard_forget_caches();
     if (!run_check_targets(run))
         return RUN_NOT_DONE;
-    bool opened = options->window ? context_open_window(context, options->backend, run->title,
-                                                        options->width, options->height)
-                                  : context_open_offscreen(context, options->backend);
-    int status = options->window && !opened ? RUN_NO_WINDOW : RUN_NOT_DONE;
-    if (opened && renderer_open(&run->renderer, &context->gl, run->root))
-        status = work(run, context, &run->renderer);
-    return status;
+    if (options->window && !context_open_window(context, options->backend, run->title,
+                                                options->width, options->height))
+        return RUN_NO_WINDOW;
+    if (!options->window && !context_open_offscreen(context, options->backend))
+        return RUN_NOT_DONE;
+    if (options->benchmark > 0)
+        done = run_benchmark(run);
+    else
+        done =
+            run_compile(run, &context->gl) && (options->window ? open_loop(run) : run_still(run));
+    return done ? RUN_DONE : RUN_NOT_DONE;
 }
 
 // The parameters and textures of --list.
 static int print_list(const struct run *run)
 {
-    parameters_print(&run->parameters, stdout);
-    samplers_print(&run->parameters.samplers, &run->source, stdout);
-    if (run->options.compares) {
-        printf("\n# beside it\n");
-        parameters_print(&run->second.parameters, stdout);
-        samplers_print(&run->second.parameters.samplers, &run->second.source, stdout);
+    for (int i = 0; i < (run->options.compares ? 2 : 1); i++) {
+        const struct loader *picture = &run->picture[i];
+        if (i > 0)
+            printf("\n# beside it\n");
+        parameters_print(&picture->parameters, stdout);
+        samplers_print(&picture->parameters.samplers, &picture->source, stdout);
     }
     return RUN_DONE;
 }
@@ -125,7 +122,7 @@ static int act(struct run *run, const struct chapter *chapter, const char *progr
         return print_version(run);
     if (!run_find_root(run) || !run_find_shader(run))
         return RUN_NOT_DONE;
-    int status = run_read_shader(run);
+    int status = run_read_shaders(run);
     if (status != RUN_DONE)
         return status;
     switch (run->options.action) {
@@ -134,25 +131,16 @@ static int act(struct run *run, const struct chapter *chapter, const char *progr
     case OPTIONS_LIST:
         return print_list(run);
     default:
-        return open_and_work(run);
+        return open_and_draw(run);
     }
-}
-
-// Read the command line. Returns the exit status.
-static int begin(struct run *run, const struct chapter *chapter, int argc, char **argv)
-{
-    if (!guard_stack())
-        return RUN_NOT_DONE;
-    return run_parse(run, chapter->stem, chapter->title, &chapter->camera, argc, argv)
-               ? RUN_DONE
-               : RUN_WRONG_COMMAND_LINE;
 }
 
 int chapter_open(struct run **run, const struct chapter *chapter, int argc, char **argv)
 {
     *run = memory_zeros(1, sizeof **run);
-    int status = begin(*run, chapter, argc, argv);
-    return status == RUN_DONE ? act(*run, chapter, argv[0]) : status;
+    return run_parse(*run, chapter->stem, chapter->title, &chapter->camera, argc, argv)
+               ? act(*run, chapter, argv[0])
+               : RUN_WRONG_COMMAND_LINE;
 }
 
 struct window *chapter_window(const struct run *run)
@@ -175,21 +163,23 @@ int chapter_run(const struct chapter *chapter, int argc, char **argv)
     chapter_close(run);
     if (fflush(stdout) == 0 && !ferror(stdout))
         return status;
-    if (!platform_reader_left()) // who needs no more of it need not hear so
+    if (!platform_reader_left()) // a reader that has closed the pipe needs no message
         report("standard output: cannot be written: is the disk full?");
     return RUN_NOT_DONE;
 }
 
-void chapter_see(const struct chapter *chapter, int argc, char **argv,
-                 void (*see)(void *to, const char *path), void *to)
+void chapter_visit_files(const struct chapter *chapter, int argc, char **argv,
+                         void (*visit)(void *to, const char *path), void *to)
 {
-    struct run run = {.request = {.see = see, .to = to}};
-    if (begin(&run, chapter, argc, argv) == RUN_DONE && run_find_root(&run) &&
-        run_find_shader(&run)) {
-        see(to, run.shader); // also where it is missing
+    struct run run = {0};
+    for (int i = 0; i < 2; i++)
+        run.picture[i].request = (struct shader_request){.see = visit, .to = to};
+    if (run_parse(&run, chapter->stem, chapter->title, &chapter->camera, argc, argv) &&
+        run_find_root(&run) && run_find_shader(&run)) {
+        visit(to, run.shader); // even if the file is missing
         if (run.options.compare != NULL)
-            see(to, run.options.compare);
-        run_read_shader(&run);
+            visit(to, run.options.compare);
+        run_read_shaders(&run);
     }
     run_close(&run);
 }

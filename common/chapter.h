@@ -1,4 +1,4 @@
-// chapter.h - all that a chapter's program needs.
+// chapter.h - everything that a chapter's program needs.
 //
 //   #include "../common/chapter.h"
 //
@@ -12,7 +12,7 @@
 
 #include "camera.h"
 
-// What a chapter is. Its shader is chapters/STEM.frag.
+// A chapter. Its shader is chapters/STEM.frag.
 struct chapter {
     const char *stem;     // "01_normal_colouring"
     const char *title;    // for the window's title bar and --help
@@ -20,31 +20,31 @@ struct chapter {
     struct camera camera; // where the eye starts
 };
 
-// Carry out the command line: options -> context -> shader -> renderer -> image or window.
-// Returns the exit status: 0 done; 1 it could not be done; 2 the command line is wrong; 3 no window
-// can be opened here. All but the first are reported.
+// Carry out the command line: options -> shader -> context -> renderer -> picture or window.
+// Returns the exit status: 0 success; 1 failure; 2 the command line is wrong; 3 no window can be
+// opened here. All but the first are reported.
 int chapter_run(const struct chapter *chapter, int argc, char **argv);
 
-// ---- For who has a loop of his own ----
+// ---- For callers with their own main loop ----
 
 struct run;
 struct window;
 
 // Carry out the command line up to the window's loop.
-//   run       receives what chapter_close frees, whatever the status is
-//   chapter, argv  must outlive it
-// Returns the exit status so far, as chapter_run.
+//   run            receives what chapter_close frees, whatever the status is
+//   chapter, argv  must outlive the run
+// Returns the exit status so far, as chapter_run does.
 int chapter_open(struct run **run, const struct chapter *chapter, int argc, char **argv);
 
-// The window that waits for its turns; NULL where none was asked for, or none could be opened.
+// The window that waits for its turns; NULL if none was requested or none could be opened.
 struct window *chapter_window(const struct run *run);
 
 void chapter_close(struct run *run);
 
-// Tell which files a command line asks for: every path that is looked at while its shader is read.
-// No picture is drawn.
-//   see  is called with each path, and with to
-void chapter_see(const struct chapter *chapter, int argc, char **argv,
-                 void (*see)(void *to, const char *path), void *to);
+// Visit every path that is looked at while the shaders of a command line are read. No picture is
+// drawn.
+//   visit  is called with each path, and with to
+void chapter_visit_files(const struct chapter *chapter, int argc, char **argv,
+                         void (*visit)(void *to, const char *path), void *to);
 
 #endif

@@ -3,6 +3,7 @@
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "platform.h"
 #include "report.h"
@@ -43,6 +44,15 @@ char *memory_text(const char *format, ...)
     return text;
 }
 
+void memory_append(char *text, size_t size, const char *format, ...)
+{
+    size_t used = strlen(text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text + used, size - used, format, arguments);
+    va_end(arguments);
+}
+
 char *memory_list(int count, const char *(*name)(const void *of, int i), const void *of)
 {
     char *text;
@@ -55,7 +65,7 @@ char *memory_list(int count, const char *(*name)(const void *of, int i), const v
 
 FILE *memory_open(char **text)
 {
-    static size_t size; // which nobody asks for
+    static size_t size; // unused
     FILE *stream = platform_open_text(text, &size);
     need(stream != NULL);
     return stream;

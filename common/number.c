@@ -10,7 +10,7 @@
 #define DIGITS  "0123456789"
 #define LONGEST 128 // characters of a number
 
-// How many characters at the beginning have the form of a number; point receives the place of the
+// The number of characters at the beginning that form a number; point receives the index of the
 // decimal point, if there is one.
 static size_t measure(const char *text, size_t *point)
 {
@@ -84,7 +84,7 @@ const char *number_hint(const char *text)
     return number_read(hint + 8, &value) ? hint : "";
 }
 
-// "1e-06" is how C writes what people write as 1e-6.
+// C writes 1e-6 as "1e-06".
 static void shorten_exponent(char *text)
 {
     char *exponent = strchr(text, 'e');
@@ -99,7 +99,7 @@ static void shorten_exponent(char *text)
 void number_text(double value, char *text, size_t size)
 {
     if (value == floor(value) && fabs(value) < 1e10) {
-        snprintf(text, size, "%.0f", value + 0.0); // + 0.0 makes -0 a 0
+        snprintf(text, size, "%.0f", value + 0.0); // + 0.0 turns -0 into 0
         return;
     }
     for (int digits = 1; digits <= 9; digits++) {

@@ -7,8 +7,8 @@
 
 // Read a number at the beginning of a text: "3", "-3", "1.", ".5", "1e-6"; no blanks, no
 // hexadecimal, no "inf", no "nan".
-//   value  receives the number; infinite when it is too large for a double
-// Returns the number of characters that it takes, 0 when the text does not begin with a number.
+//   value  receives the number; infinite if it is too large for a double
+// Returns its number of characters, 0 if the text does not begin with a number.
 size_t number_begin(const char *text, double *value);
 
 // Read a text that is one finite number and nothing else. Returns false, not reported, otherwise.
@@ -19,12 +19,12 @@ bool number_read_int(const char *text, int minimum, int maximum, int *value);
 
 #define NUMBER_SIZE 32
 
-// What to add to a refusal: ": write 0.5" for "0,5", which has a comma in place of the point; ""
+// A hint to add to an error: ": write 0.5" for "0,5", which has a comma instead of the point; ""
 // for any other text. Valid until the next call.
 const char *number_hint(const char *text);
 
-// The shortest text that a shader reads as the same float; a whole number below 1e10 stands in
-// full.
+// The shortest text that a shader reads as the same float; a whole number below 1e10 has all its
+// digits.
 //   size  at least NUMBER_SIZE
 void number_text(double value, char *text, size_t size);
 

@@ -1,7 +1,6 @@
-// platform.h - what each system does in its own way and C11 does not say: files, links, clocks, the
-// environment, the console, crashes. platform/posix*.c or platform/windows*.c carries it out; no
-// other file of common/ asks for a system's own header, and none asks which system it is on. A path
-// is UTF-8, with '/' between its parts.
+// platform.h - what systems do differently and C11 leaves out: files, links, clocks, environment,
+// console, crashes. Only platform/posix*.c and platform/windows*.c include a system's headers or
+// ask which system they are on. A path is UTF-8, with '/' between its parts.
 #ifndef PLATFORM_H
 #define PLATFORM_H
 
@@ -10,128 +9,114 @@
 #include <stdio.h>
 #include <time.h>
 
-#define PLATFORM_PATH 4096                  // bytes of the longest path, its end included
-#define PLATFORM_WHY  (PLATFORM_PATH + 256) // of a phrase that may name a path
+#define PLATFORM_PATH 4096                  // bytes of the longest path, including its end
+#define PLATFORM_WHY  (PLATFORM_PATH + 256) // of a phrase that may contain a path
 
 // ---- Files ----
 
-// What is known of a file; all zeros when it is not there.
+// What is known about a file; all zeros if it does not exist.
 struct platform_file {
-    bool regular;                // no folder, pipe or device
+    bool regular;                // not a folder, pipe or device
     long long size;              // bytes
     long long changed;           // when, in nanoseconds of the file system's clock
-    unsigned long long place[2]; // which disk, which file of it: one put in its place has another
+    unsigned long long place[2]; // its disk, and its number there: a file that replaces it differs
 };
 
-// Look at what a path leads to, links followed.
-//   file  receives what is known
-// Returns false, errno set, when there is nothing to be looked at.
+// Describe the file at a path, following links.
+// Returns false, errno set, if there is none.
 bool platform_look(const char *path, struct platform_file *file);
 
-// True when two paths led to one file, by whatever names.
+// True if both are the same file, whatever their names.
 bool platform_is_same(const struct platform_file *one, const struct platform_file *other);
 
-// The absolute path of something that exists, without links, "." and "..", its letters capital or
-// small as the disk has them, with / between folders.
+// The absolute path of an existing file or folder, without links, "." and "..", in the case that
+// the disk has.
 // Returns memory that the caller frees, or NULL with errno set.
 char *platform_resolve(const char *path);
 
-// Open a file for reading its bytes. What is no regular file is never opened: a pipe would wait,
-// and a device may act.
-// Returns NULL, with errno set; errno is 0 for what is no regular file.
+// Open a file for reading bytes. Only a regular file is opened: a pipe would wait, and a device may
+// act.
+// Returns NULL with errno set, to 0 if the file is not regular.
 FILE *platform_open(const char *path);
 
-// The file that a path means for writing.
-//   target  receives it: links are followed, also one that leads nowhere yet
-//   why     receives one phrase when no file could be written there: a folder, a device, a file or
-//           a folder that is write-protected, too many links, ...
+// The file that is written for a path.
+//   target  receives it: links are followed, including those to missing files
+//   why     receives one phrase if no file could be written there: a folder, a device, a
+//           write-protected file or folder, too many links, ...
 // Returns false then, not reported.
 bool platform_target(const char *path, char target[PLATFORM_PATH], char why[PLATFORM_WHY]);
 
-// Write data beside a target and put it in its place, so that a reader never sees half a file. A
-// signal that ends the program waits until that is done.
+// Write data into a new file beside a target and rename it to the target, so that no reader sees
+// half a file. A signal that ends the program waits until that is done.
 //   target  from platform_target
 //   size    bytes
-// Returns 0 or an errno; then nothing is left behind, and what was there stands.
+// Returns 0, or an errno; then no new file is left, and the old one is unchanged.
 int platform_replace(const char *target, const char *data, size_t size);
 
-// A stream into memory: what is written to it is in text, '\0' terminated, once it is closed.
+// Open a stream into memory. Once it is closed, text has what was written to it, with '\0' at the
+// end.
 //   text  receives memory that the caller frees
 //   size  receives its bytes without the last one; both must live until the stream is closed
-// Returns NULL when memory is short.
+// Returns NULL if memory is short.
 FILE *platform_open_text(char **text, size_t *size);
 
-// Returns false when memory was short before all was written.
+// Returns false if memory was short before all was written.
 bool platform_close_text(FILE *stream);
 
-// True when who read standard output as a pipe has gone: tries to write one byte more, for the
-// reason why an earlier write failed may be forgotten. A signal may end the program before it can
-// ask.
+// True if the process that reads standard output as a pipe has ended. It tries to write one byte
+// more, because the reason of an earlier failure may be lost. A signal may end the program first.
 bool platform_reader_left(void);
 
-// What an errno means, for the reader of a message: as strerror, in the words of this system.
+// What an errno means, for a message: as strerror, in the words of this system.
 const char *platform_why(int error);
 
-// ---- The program and its surroundings ----
+// ---- The program and its environment ----
 
-// The absolute path of this program's own file, without links. Returns false when nobody tells.
+// The absolute path of this program's own file, without links. Returns false if it is unknown.
 bool platform_program(char path[PLATFORM_PATH]);
 
-// Set a variable of the environment for the libraries that read it later.
-//   over  also where it is set already
+// Set a variable of the environment for libraries that read it later.
+//   over  replaces an existing value
 void platform_set(const char *name, const char *value, bool over);
 
-// Seconds of processor time that this program has taken, in all its threads.
+// Seconds of processor time that this program has used, in all its threads.
 double platform_processor_seconds(void);
 
-// Seconds of a clock on the wall that is never put back; where it begins means nothing.
+// Seconds of a clock that is never set back; its zero is arbitrary.
 double platform_seconds(void);
 
-// The date and time of day at this place.
+// The local date and time of day.
 // Returns the fraction of the second, from 0 to below 1.
 double platform_date(struct tm *date);
 
-// True when somebody reads the stream as it is written.
+// True if the stream is a terminal.
 bool platform_is_terminal(FILE *stream);
 
 // Where a window could be opened.
 enum platform_display {
     PLATFORM_NO_DISPLAY,
-    PLATFORM_OWN_DISPLAY, // the system has one kind, which is always there
+    PLATFORM_OWN_DISPLAY, // the system's only kind, which always exists
     PLATFORM_X11,
-    PLATFORM_WAYLAND // with or without X11 beside it
+    PLATFORM_WAYLAND // with or without X11
 };
 
 enum platform_display platform_display(void);
 
-// ---- What may happen to the process ----
+// ---- Crashes and memory ----
 
-// From now on the program that crashes says these words and ends with status 1.
-//   words  kept, with their line end; NULL: what was before holds again
+// From now on, if the program crashes, it prints these words and ends with status 1.
+//   words  kept, with their line end; NULL restores the earlier behaviour
 // To be called with words and with NULL in turn.
 void platform_watch_crash(const char *words);
 
-// The same, for good, where a file in memory has lost its place on the disk.
+// The same, for good, if a file that is mapped into memory loses its disk.
 void platform_watch_lost_page(const char *words);
 
-// Bytes that the stack may take; SIZE_MAX where there is no limit.
-size_t platform_stack(void);
-
-// True when so many threads can work at the same time.
-//   count  at most 64
-bool platform_has_threads(int count);
-
-// How many processors there are.
-int platform_processors(void);
-
-// Bytes that this program may still write to the disk of a folder; negative where nobody tells.
-double platform_room(const char *folder);
-
-// Let the process take so many bytes more than it has and no others; where the system does not say
-// what it has, nothing is limited.
+// Limit the process to this many bytes more than it has; no limit if the system does not say how
+// much it has.
 void platform_limit_memory(double more);
 
-// What was before platform_limit_memory holds again; allowed without one.
+// Lift the limit of platform_limit_memory; allowed without one.
 void platform_free_memory(void);
 
 #endif

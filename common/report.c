@@ -7,18 +7,16 @@
 
 #define LINE_SIZE 8192 // two of the longest paths fit
 
-// The text said last.
-static struct {
-    char text[LINE_SIZE + 2];
-} last;
+// The last message.
+static char last[LINE_SIZE + 2];
 
-// True for a character that a terminal could obey instead of showing.
+// True for a character that a terminal could interpret instead of showing it.
 static bool is_control(unsigned char character)
 {
     return character < 0x20 || character == 0x7f;
 }
 
-// True at the two bytes of U+0080 to U+009F in UTF-8: terminals obey these as well.
+// True for the two bytes of U+0080 to U+009F in UTF-8, which terminals interpret as well.
 static bool is_wide_control(const unsigned char *text)
 {
     return text[0] == 0xc2 && text[1] >= 0x80 && text[1] <= 0x9f;
@@ -26,12 +24,12 @@ static bool is_wide_control(const unsigned char *text)
 
 static void keep(const char *text, size_t length)
 {
-    memcpy(last.text, text, length);
-    last.text[length] = '\0';
+    memcpy(last, text, length);
+    last[length] = '\0';
 }
 
 // Print a text with '?' for its control characters, except those in allowed, and end its last line.
-// A text that fits the buffer leaves in one write, so that programs side by side don't mix lines.
+// A text that fits the buffer is written in one call, so that programs do not mix their lines.
 static void print_clean(const char *text, const char *allowed)
 {
     char clean[LINE_SIZE + 1];
@@ -78,5 +76,5 @@ void report_lines(const char *text)
 
 const char *report_last(void)
 {
-    return last.text;
+    return last;
 }

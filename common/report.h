@@ -1,4 +1,4 @@
-// report.h - the one way in which this program says that something could not be done.
+// report.h - the one way in which this program reports a failure.
 #ifndef REPORT_H
 #define REPORT_H
 
@@ -7,14 +7,13 @@
 // Print one line on standard error: what could not be done, where, why, and what to do.
 //   format   printf format without a final newline, e.g. "%s: cannot be read: %s"
 // Control characters in the text are printed as '?', so that a hostile file name cannot break the
-// line. A function that returns false has called this before it returns, so this is always false:
-// "return report(...);".
+// line. Always returns false, for "return report(...);".
 bool report(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
-// As report(), for a text that may hold several lines: a shader's errors with their source.
+// As report(), for a text of several lines: a shader's errors with their source.
 void report_lines(const char *text);
 
-// What report() or report_lines() said last, for showing it elsewhere too: control characters are
+// The last message of report() or report_lines(), to show it elsewhere too: control characters are
 // '?', lines end in '\n', a very long text is cut. "" before the first. Valid until the next
 // report.
 const char *report_last(void);

@@ -1,13 +1,14 @@
-// bounds.glsl - the part of a ray that lies in a box, or in several: what is outside needs no march.
+// bounds.glsl - the interval of a ray that lies inside a box, or several boxes: nothing else needs a march.
 #include "scene.glsl"
 
-// Where a ray is inside a box with faces across the axes.
+// The interval in which a ray is inside a box with axis-aligned faces.
 //   low, high  opposite corners, scene units, low < high in each component
-//   returns    (entry, exit) along the ray, entry >= 0; entry > exit when the ray misses the box
+//   returns    (entry, exit) along the ray, entry >= 0; entry > exit if the ray misses the box
 //   formula    per axis the ray is between the two faces while t is between (low - o) / d and
 //              (high - o) / d; the intersection of the three intervals and of t >= 0
-// A direction with a zero component divides by zero: the infinities order correctly. Only an origin
-// on the face itself gives a NaN; so keep the box a little larger than what it holds.
+// A zero component of the direction divides by zero. GLSL 3.30 leaves the result unspecified; where it is
+// an infinity, as IEEE 754 and later versions of GLSL require, the infinities order correctly. Only an
+// origin on the face itself then gives a NaN, so make the box a little larger than its contents.
 // Source: T. L. Kay and J. T. Kajiya, 'Ray tracing complex scenes', SIGGRAPH 1986.
 vec2 boxInterval(Ray ray, vec3 low, vec3 high)
 {
@@ -18,11 +19,11 @@ vec2 boxInterval(Ray ray, vec3 low, vec3 high)
     return vec2(max(0.0, max(entry.x, max(entry.y, entry.z))), min(leave.x, min(leave.y, leave.z)));
 }
 
-// The smallest interval that holds two, which may be empty: that of a scene of two parts, each in bounds
-// of its own.
+// The smallest interval that contains two intervals, either of which may be empty: for a scene of two parts,
+// each with its own bounds.
 //   a, b     (entry, exit); empty where entry >= exit
-//   returns  from the first entry to the last exit, what lies between the two included; where one is
-//            empty the other as it is, where both are an empty one
+//   returns  from the first entry to the last exit, including any gap between the two; if one interval is
+//            empty, the other unchanged; if both are, an empty one
 vec2 intervalUnion(vec2 a, vec2 b)
 {
     vec2 both = vec2(min(a.x, b.x), max(a.y, b.y));

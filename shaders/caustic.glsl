@@ -1,41 +1,42 @@
-// caustic.glsl - the light that a clear ball gathers.
+// caustic.glsl - the light that a clear ball focuses.
 #include "coverage.glsl"
 #include "fresnel.glsl"
 
 const int CAUSTIC_RINGS = 16;
 
-// The area over pi of a disc whose rim is as wide as coverage makes it: the integral of 2 r coverage(radius - r, width).
+// The area, divided by pi, of a disc with a soft rim: the integral of 2 r coverage(radius - r, width).
 //   radius  >= 0
 //   width   > 0, of the rim
-//   formula radius^2 + width^2 / 12; with a middle that is not full, radius < width / 2, (radius + width / 2)^3 / (3 width)
+//   formula radius^2 + width^2 / 12; if the rim reaches the centre, radius < width / 2, this is
+//           (radius + width / 2)^3 / (3 width)
 float softDiscArea(float radius, float width)
 {
     float reach = radius + 0.5 * width;
     return radius < 0.5 * width ? reach * reach * reach / (3.0 * width) : radius * radius + width * width / 12.0;
 }
 
-// How much light of a far lamp comes to a point through a clear ball, over what would come without the ball to a
-// surface that faces the lamp: 1 is as bright as without.
+// How much light of a distant lamp reaches a point through a clear ball, divided by what would arrive without the ball
+// on a surface that faces the lamp: 1 is as bright as without.
 //   p        from the ball's centre, scene units, outside the ball
 //   toLight  direction of the lamp, length 1
 //   radius   of the ball, > 0
-//   index    of refraction of the ball, in (1, 1.53]; with a larger one, or more than 13 radii behind the ball, light
-//            falls farther out than is looked for
-//   spread   radius of the lamp, seen from one unit: blurs the light by spread z
-//   formula  a ray that passes the axis at b = radius sin(i) is turned by D = 2 (i - j), sin(j) = sin(i) / index, and
-//            leaves on a line that passes the centre at b as well: at z behind it, r = (b - z sin(D)) / cos(D) off the
-//            axis, from where it leaves the ball on, z = radius cos(D - i). The beam is cut into rings of b. A ring's
-//            light, less what both surfaces mirror, falls evenly on the ring between the two r: b^2 - b'^2 over
-//            r^2 - r'^2, both rims as wide as the blur
-// Neither a bound nor exact. Left out are light that is mirrored inside, absorption, and the rays beyond 0.96 radius,
-// which graze: 0.037 of the light that passes. Of the rest all is there, within 0.005, on a plane that faces the lamp,
-// but where in a ring it falls is not known.
+//   index    of refraction of the ball, in (1, 1.53]; with a larger index, or more than 13 radii behind the ball, light
+//            falls outside the area that is searched
+//   spread   radius of the lamp, seen from a distance of 1: blurs the light by spread z
+//   formula  a ray at b = radius sin(i) from the axis is turned by D = 2 (i - j), sin(j) = sin(i) / index, and
+//            leaves on a line that passes the centre at the distance b as well: at z behind the centre it is
+//            r = (b - z sin(D)) / cos(D) off the axis, from its exit at z = radius cos(D - i) on. The beam is cut into
+//            rings of b. A ring's light, minus what both surfaces mirror, falls evenly on the ring between the two r:
+//            b^2 - b'^2 over r^2 - r'^2, with both rims as wide as the blur
+// Neither a bound nor exact. It leaves out light that is mirrored inside, absorption, and the grazing rays beyond
+// 0.96 radius: 0.037 of the light that passes. The rest is complete within 0.005 on a plane that faces the lamp, but
+// its distribution within a ring is an assumption.
 float ballCaustic(vec3 p, vec3 toLight, float radius, float index, float spread)
 {
     float z = -dot(p, toLight), r = length(p + z * toLight), width = max(spread * z, 0.002 * radius);
     float light = 0.0, before = 0.0, within = 0.0; // the ring's inner r and b^2,
     float passed = 1.0 - fresnelShare(1.0, 1.0 / index); // and the share that passes there
-    int rings = z > 0.0 && r < max(radius, 2.5 * z) + width ? CAUSTIC_RINGS : 0; // the outermost is turned by 69 degrees
+    int rings = z > 0.0 && r < max(radius, 2.5 * z) + width ? CAUSTIC_RINGS : 0; // the last is turned by 69 degrees
     for (int k = 1; k <= rings; k++) {
         float sine = 0.96 * float(k) / float(CAUSTIC_RINGS), inner = sine / index;
         float cosine = sqrt(1.0 - sine * sine), innerCosine = sqrt(1.0 - inner * inner);

@@ -1,25 +1,25 @@
-// checkers.glsl - squares in two colours, averaged over what a pixel sees of them.
+// checkers.glsl - squares in two colours, averaged over the footprint of a pixel.
 #include "inputs.glsl"
 
-// What a pixel sees of a plane: the smallest rectangle along the pattern's axes that holds it.
+// The footprint of a pixel on a plane: the smallest rectangle along the pattern's axes that contains it.
 struct Footprint {
     vec2 middle; // of the rectangle, in units of the pattern
     vec2 width;  // its sides, > 0
 };
 
-// The footprint of a pixel on the plane through a point, exact for a plane: the rays through the four
-// corners of the pixel are cut with it.
-//   p          point of the plane that the middle of the pixel sees, scene units
+// The footprint of a pixel on the plane through a point, exact for a plane: it is found from the intersections of
+// the plane with the rays through the four corners of the pixel.
+//   p          point of the plane seen in the middle of the pixel, scene units
 //   direction  of its ray, length 1
 //   normal     of the plane, length 1
-//   halfPixel  half the side of the pixel at p, across the view, scene units, > 0
+//   halfPixel  half the side of the pixel at p, perpendicular to the view direction, scene units, > 0
 //   bend       how much the direction changes from p to a point beside it, per scene unit: 1 / distance
-//              from the eye for rays that meet there, 0 for parallel ones
-//   axes       the pattern's two axes in the plane, each of length 1 / size of its unit; a point's place
-//              in the pattern is p * axes
+//              from the eye for rays that meet there, 0 for parallel rays
+//   axes       the pattern's two axes in the plane, each of length 1 / size of its unit; a point has the
+//              pattern coordinates p * axes
 //   formula    corner = p + e - d dot(normal, e) / dot(normal, d), where e leads to a corner of the pixel,
 //              halfPixel (+-right +-up), and d = direction + bend e
-// Where a corner sees past the horizon there is no rectangle: the width is 1e6, the pattern its mean.
+// If a corner sees beyond the horizon, there is no rectangle: the width is 1e6, and the pattern becomes its mean.
 Footprint planeFootprint(vec3 p, vec3 direction, vec3 normal, float halfPixel, float bend, mat2x3 axes)
 {
     vec2 right = halfPixel * (iCameraRight * axes), up = halfPixel * (iCameraUp * axes), along = direction * axes;
@@ -35,16 +35,17 @@ Footprint planeFootprint(vec3 p, vec3 direction, vec3 normal, float halfPixel, f
         low = min(low, corner);
         high = max(high, corner);
     }
-    return Footprint(p * axes + 0.5 * (low + high), least > 0.0 ? max(high - low, 1e-4) : vec2(1e6));
+    bool whole = least > 0.0;
+    return Footprint(p * axes + (whole ? 0.5 * (low + high) : vec2(0.0)), whole ? max(high - low, 1e-4) : vec2(1e6));
 }
 
-// The share of squares of the first colour, those of even floor(x) + floor(y), in a rectangle: the mean
+// The share of squares of the first colour, those with even floor(x) + floor(y), in a rectangle: the mean
 // of 1 and 0 over it.
-//   middle, width  the rectangle, in sides of a square; widths > 0, not much less than 1e-4 of |middle|:
-//                  a float keeps no more of the place
+//   middle, width  the rectangle, in sides of a square; widths > 0, not much less than 1e-4 of |middle|,
+//                  because a float cannot represent the position more precisely
 //   formula  1/2 + 1/2 X Y, with X the mean of s(x) = 1 where floor(x) is even, else -1:
 //            X = (S(x + w/2) - S(x - w/2)) / w, S(x) = 1 - |mod(x, 2) - 1| the integral of s; Y likewise
-//   exact: the mean of a product is the product of the means where x and y run freely, as in a rectangle
+//   exact: over a rectangle, the mean of a product of functions of x and of y is the product of their means
 // Source: I. Quilez, 'Box-filtering of procedural patterns', in the form of the workshop's checkers.
 float checkers(vec2 middle, vec2 width)
 {

@@ -1,32 +1,32 @@
-// city.glsl - a city without end: towers that differ from block to block, lamps and trees along streets.
+// city.glsl - an endless city: towers that differ from block to block, with lamps and trees along the streets.
 //
-// Blocks are the cells of repetition.glsl along x and z, scene units of about 8 metres; y = 0 is the
-// ground, which is no part of the distance. docs/09_sky_and_sunset.md proves the bounds.
+// Blocks are the cells of repetition.glsl along x and z, in scene units of about 8 metres. The ground is y = 0
+// and is not part of the distance. docs/09_sky_and_sunset.md proves the bounds.
 #include "primitives.glsl"
 #include "repetition.glsl"
 
 const float PERIOD = 6.0;     // from the middle of a block to the next
-const float GAP = 1.35;       // half a street: no tower comes nearer to its block's wall
+const float GAP = 1.35;       // half a street: no tower comes closer to the border of its block
 const float TALLEST = 9.3;    // no tower is higher
 const vec3  BAY = vec3(0.36, 0.4, 0.36); // a window and its share of the wall; a floor is 0.4 high
-const vec3  LAMP = vec3(0.26, 1.08, 0.0); // of a lamp's bulb, from the foot of its post
+const vec3  LAMP = vec3(0.26, 1.08, 0.0); // position of a lamp's bulb, from the foot of its post
 
-// A point in its block, and the block's own random number.
+// A point in its block, and the block's random number.
 struct Block {
     vec3  local;  // from the middle of the block, on the ground
     float random; // in [0, 1)
 };
 
-// The block that holds p.
+// The block that contains p.
 Block blockAt(vec3 p)
 {
     vec2 cell = vec2(cellOf(p.x, PERIOD), cellOf(p.z, PERIOD));
     return Block(p - PERIOD * vec3(cell.x, 0.0, cell.y), cellRandom(ivec3(cell, 9)));
 }
 
-// A tower is a shaft on a base, boxes without bottoms, whole numbers of windows wide and high. How far a
-// point lies outside their faces, per axis; negative inside.
-//   the largest of the three  exact before a face, a lower bound before an edge; of the depth, exact
+// A tower is a shaft on a base, two boxes without bottoms, whose width and height are whole numbers of windows.
+// The result is how far a point lies outside their faces, per axis; negative inside.
+//   the largest component  exact in front of a face, a lower bound in front of an edge; exact depth inside
 vec3 outsideShaft(Block block)
 {
     vec3 r = fract(block.random * vec3(1.0, 256.0, 65536.0));
@@ -40,8 +40,8 @@ vec3 outsideBase(Block block)
     return vec3(abs(block.local.x), block.local.y - 0.08, abs(block.local.z)) - vec3(4.5, floors, 4.5) * BAY;
 }
 
-// From the foot of the lamp on the pavement: the two pavements of a street that runs along z, folded
-// into one.
+// The position relative to the foot of the lamp on the pavement. The two pavements of a street along z are
+// folded into one.
 //   local  of a Block
 vec3 pavement(vec3 local)
 {
@@ -57,7 +57,7 @@ float lampDistance(vec3 q)
     return min(min(post, arm), sdSphere(q - LAMP, 0.045));
 }
 
-// From the nearest point of a crown's axis: two trees stand to either side of a lamp, folded into one.
+// The position relative to the nearest point of a crown's axis. The trees on either side of a lamp are folded into one.
 //   q  from pavement
 vec3 treeAxis(vec3 q)
 {
@@ -73,9 +73,9 @@ float treeDistance(vec3 q)
     return min(crown, max(length(c.xz) - 0.03, q.y - 0.6));
 }
 
-// How far the city is from p. A lower bound, and 1-Lipschitz: of towers that block's own is asked, and no
-// step is longer than the way to the block's wall and half a street more.
-//   formula  min(own tower, wall + GAP, lamps, trees)
+// A lower bound of the distance to the city, 1-Lipschitz. Only the tower of the point's own block is evaluated, and no
+// step is longer than the distance to the border of the block plus half a street.
+//   formula  min(own tower, border + GAP, lamps, trees)
 float cityDistance(vec3 p)
 {
     Block block = blockAt(p);
@@ -86,11 +86,11 @@ float cityDistance(vec3 p)
     return min(min(tower, wall + GAP), min(lampDistance(q), treeDistance(q)));
 }
 
-// Where a surface of the city faces, length 1, by its shape: a face of a box, or away from the axis of a
+// The normal of the city, length 1, from the shapes: that of a face of a box, or away from the axis of a
 // crown or a post.
 //   block        of a point on the surface
-//   tower, lamp  to which it belongs; neither: to a tree
-// Of a post the part along z is never negative: on the half that faces -z it is the mirror image.
+//   tower, lamp  whether the surface belongs to a tower or a lamp; otherwise it belongs to a tree
+// On a post, the component along z is never negative: the half that faces -z is the mirror image.
 vec3 cityNormal(Block block, bool tower, bool lamp)
 {
     vec3 base = outsideBase(block), shaft = outsideShaft(block), q = pavement(block.local);

@@ -46,8 +46,9 @@ vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
 vec2 panoramaPlace(vec3 direction)
 {
     float level = length(direction.xz);
-    return vec2(atan(direction.z, direction.x) / (4.0 * QUARTER_TURN),
-                sqrt(atan(max(direction.y, 0.0), level) / QUARTER_TURN));
+    float east = level > 0.0 ? direction.x : 1.0; // atan(0, 0) is undefined
+    return vec2(atan(direction.z, east) / (4.0 * QUARTER_TURN),
+                sqrt(atan(max(direction.y, 0.0), max(level, 1e-20)) / QUARTER_TURN));
 }
 
 // How far a pixel reaches in a panorama, in u and in v: the slopes of panoramaPlace. They know nothing of the
@@ -73,10 +74,14 @@ struct Cloud {
 //   panorama  cover, above, 1/2 + side / 2; repeats in u
 //   turned    turns by which the clouds have drifted, from east to north
 //   others    as of panoramaFootprint
+// High up a texel is half a degree high and narrow, so the footprint is at least a large part of that. At the
+// zenith a pixel reaches all around, and a mip level that coarse would average the whole panorama, clouds at the horizon
+// included: in u a pixel counts for at most twice its texels in v, for a panorama 6.4 times as wide as high.
 Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float width)
 {
-    vec2 reach = panoramaFootprint(direction, width);
-    vec4 texel = textureGrad(panorama, panoramaPlace(direction) + vec2(turned, 0.0), vec2(reach.x, 0.0), vec2(0.0, reach.y));
+    vec2 place = panoramaPlace(direction), reach = panoramaFootprint(direction, max(width, 0.006 * place.y * place.y));
+    reach.x = min(reach.x, 0.31 * reach.y);
+    vec4 texel = textureGrad(panorama, place + vec2(turned, 0.0), vec2(reach.x, 0.0), vec2(0.0, reach.y));
     return Cloud(texel.x, texel.y, 2.0 * texel.z - 1.0);
 }
 
@@ -234,7 +239,7 @@ float rainStreaks(vec2 screen, float time, float pixel)
         float fall = 0.35 * p.y + 5.0 * (1.0 + 0.3 * lot) * time + 31.0 * lot, drop = floor(fall), there = fract(fall);
         float place = column + mix(wide, 1.0 - wide, fract(7.31 * lot + 0.618 * drop));
         float streak = max(1.0 - abs(p.x - place) / wide, 0.0);
-        sum += streak * 0.02 / wide * smoothstep(0.3, 0.6, there) * smoothstep(1.0, 0.9, there);
+        sum += streak * 0.02 / wide * smoothstep(0.3, 0.6, there) * (1.0 - smoothstep(0.9, 1.0, there));
     }
     return min(sum, 1.0);
 }

@@ -1,52 +1,53 @@
-// coarse.glsl - the coarse pass: one march for a block of 8 x 8 pixels finds how far none of their rays
-// meets anything.
+// coarse.glsl - the coarse pass: one march per block of 8 x 8 pixels finds a distance up to which none of
+// their rays meets anything.
 //
 // Before each picture the harness marches a cone for each block (VIEW 8), and the pixels begin where it
-// ended. It runs where the program calls coarseStart, and only there.
+// ended. It runs only in programs that call coarseStart.
 //
-// Why nothing is lost. The ball of radius r(t) = radius + t spread around the axis at t holds the points at
-// t of all rays of the block. The cone stands at t, where the scene is d away. Take m not less than
+// Why nothing is lost. The ball of radius r(t) = radius + t spread around the axis at t contains the points
+// at t of all rays of the block. Let the cone be at t, where the scene is at distance d. Let m be at least
 // coarseMargin up to t + d. Later, at t + h, a point of a ray is at most sqrt(r(t + h)^2 + 2 h ahead + h^2)
-// from where the cone stands; while that is at most d - m, the point lies in the ball of radius d in
-// which nothing is, by m from its rim: the scene is at least m away. It grows with h, so all the points
-// on the way are as far: the largest h is the step, the root of a square. Where none is, the pass ends.
-// So at every t below the start, on every ray of the block, a march would have gone on; none that
-// starts there misses a surface, nor a place that it would have counted as a hit.
+// from the axis point at t. While that is at most d - m, the point lies in the empty ball of radius d, at
+// least m from its rim, so the scene is at least m away. The root grows with h, so the same holds for all
+// points in between. The step is the largest such h, the root of a quadratic; if there is none, the pass ends.
+// So at every t below the start, on every ray of the block, a march would have gone on. A march that
+// begins there misses no surface, and no point that it would have counted as a hit.
 //
-// What it asks of a chapter:
-// - sceneDistance is a lower bound, for the surfaces; and 1-Lipschitz, for the rest of the margin. A factor
-//   that makes it one is part of it. What sceneDistance does not know, a ground of its own, the pass does not.
-// - pixelRay: the rays of a block start in the convex hull of the corners' origins and go in the cone of
-//   their directions (a direction is a sum of theirs, weights >= 0). perspectiveRay, orthographicRay and
-//   projectionRay are so: origin and direction before it is normalised change linearly with the screen.
-//   Where a sample moves its ray by more, a lens, coarseMargin takes in by how much.
-// - coarseMargin is more than a float's rounding: about 1e-6 of what p and t are.
-// docs/16_fewer_steps.md has the proof in full. Source: J. C. Hart's sphere tracing along the cones of
-// J. Amanatides, SIGGRAPH 1984; among writers of demos such a first pass is called cone marching.
+// What it requires of a chapter:
+// - sceneDistance is a lower bound, so that no surface is missed, and 1-Lipschitz, so that the margin is
+//   kept; a step factor that it needs for this is part of it. The pass ignores anything that sceneDistance
+//   leaves out, such as a ground with a distance of its own.
+// - pixelRay: the rays of a block start in the convex hull of the corners' origins and point into the cone
+//   of their directions (each direction is a combination of theirs with weights >= 0). This is true of
+//   perspectiveRay, orthographicRay and projectionRay, because origin and unnormalised direction are affine
+//   functions of the screen. If a sample moves its ray farther, as for a lens, add that amount to coarseMargin.
+// - coarseMargin exceeds the rounding error of a float: about 1e-6 of p and t.
+// docs/16_fewer_steps.md has the full proof. Source: J. C. Hart's sphere tracing along the cones of
+// J. Amanatides, SIGGRAPH 1984; writers of demos call such a first pass cone marching.
 #include "inputs.glsl"
 #include "scene.glsl"
 
 const int COARSE_BLOCK = 8; // side of a block, pixels
 
-// The chapter's: how far from the scene a point at t of a ray must be for its march to go on: the largest
-// threshold that counts as a hit there; and where samples move the ray, by how much they move it.
+// Defined by the chapter: how far from the scene a point at t of a ray must be for its march to go on. This
+// is the largest threshold that counts as a hit there, plus the distance by which samples move the ray.
 //   t        scene units along the ray, >= 0
-//   returns  scene units, > 0; must not become less as t grows
+//   returns  scene units, > 0; must not decrease as t grows
 float coarseMargin(float t);
 
 #ifndef EXPORTED
 
 uniform bool coarsePass; // true: rays begin where the march of their block of 8 x 8 pixels has ended
 
-uniform sampler2D iCoarse; // one texel a block of the picture, as coarseBlock wrote it
+uniform sampler2D iCoarse; // one texel per block of the picture, as coarseBlock wrote it
 
 #endif
 
-// Where the march of a pixel's ray may begin: no point before it is as near to the scene as
-// coarseMargin. A chapter whose march begins later for a reason of its own, a box, takes the larger.
-//   ray      of pixelRay, for the pixel iPixel: the one whose block is looked up
-//   returns  scene units along the ray, >= 0; 0 where the pass is switched off, and in a file of the
-//            export, which has none
+// Where the march of a pixel's ray may begin: every point before it is farther from the scene than
+// coarseMargin. A chapter whose march begins later for its own reason, such as a box, takes the larger value.
+//   ray      from pixelRay, for the pixel iPixel, whose block is looked up
+//   returns  scene units along the ray, >= 0; 0 if the pass is switched off, and in an exported file,
+//            which has no pass
 float coarseStart(Ray ray)
 {
 #ifdef EXPORTED
@@ -59,23 +60,23 @@ float coarseStart(Ray ray)
 // Compiled only for the pass.
 #if VIEW == 8
 
-const int   COARSE_STEPS = 64;    // of a block's march, at most
-const float COARSE_FAR = 100.0;   // where it ends at the latest, scene units
+const int   COARSE_STEPS = 64;    // most steps of a block's march
+const float COARSE_FAR = 100.0;   // the march ends here at the latest, scene units
 
-// What holds the rays of a block: around each point of the axis a ball.
+// A cone that contains the rays of a block: a ball around each point of the axis.
 struct Cone {
     Ray axis;
-    float radius; // of the ball at t = 0: no ray starts farther from the axis' origin
-    float spread; // how fast it grows, per scene unit: no direction differs by more from the axis'
-    float ahead;  // how far along the axis a ray may start before its origin
+    float radius; // of the ball at t = 0: no ray starts farther from the origin of the axis
+    float spread; // how fast it grows, per scene unit: no direction differs from that of the axis by more
+    float ahead;  // how far in front of its origin, along the axis, a ray may start
 };
 
-// The cone around all rays through a rectangle of the picture, from those through its corners.
+// The cone around all rays through a rectangle of the picture, from the rays through its corners.
 //   low, high  opposite corners, pixels
-//   formula    origin and direction of the axis are the corners' means; radius, spread and ahead their
-//              largest |o - origin|, |d - direction| and (o - origin) . direction. A ball that holds four
-//              points holds their hull; and of unit vectors the one with a sum of others is never less
-//              along the axis than the least of them, so none is farther from it.
+//   formula    origin and direction of the axis are the corners' means; radius, spread and ahead are their
+//              largest |o - origin|, |d - direction| and (o - origin) . direction. A ball that contains four
+//              points contains their convex hull; and the component along the axis of a unit vector between
+//              others is at least the smallest of theirs, so no direction is farther from the axis.
 Cone coneOfPixels(vec2 low, vec2 high)
 {
     Ray corner[4];
@@ -98,9 +99,9 @@ Cone coneOfPixels(vec2 low, vec2 high)
 }
 
 // How far the cone may go on from t.
-//   distance  of the scene from its axis there, scene units
-//   returns   the largest h >= 0 with r(t + h)^2 + 2 h ahead + h^2 <= (distance - margin)^2, margin that
-//             of t + distance; 0 where there is none
+//   distance  of the scene from the axis point at t, scene units
+//   returns   the largest h >= 0 with r(t + h)^2 + 2 h ahead + h^2 <= (distance - margin)^2, with the margin
+//             at t + distance; 0 if there is none
 float coneStep(Cone cone, float t, float distance)
 {
     float empty = distance - coarseMargin(t + max(distance, 0.0));
@@ -111,8 +112,8 @@ float coneStep(Cone cone, float t, float distance)
 }
 
 // March the cone of a block of pixels.
-//   block    which one, (0, 0) the bottom left one
-//   returns  where its rays may start, scene units along them, and the evaluations of the scene
+//   block    its index, (0, 0) for the bottom left block
+//   returns  where its rays may start, scene units along them, and the number of evaluations of the scene
 vec2 coarseBlock(ivec2 block)
 {
     iPixel = COARSE_BLOCK * block;

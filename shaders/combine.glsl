@@ -1,22 +1,22 @@
-// combine.glsl - volumes made of volumes: from two distances to one.
+// combine.glsl - combinations of volumes: from two distances to one.
 //
-// a and b are the signed distances of two volumes at one point, or functions that bound them, scene
-// units. Where both are 1-Lipschitz so is each result: then it never exceeds the distance to the
-// surface that it draws, inside or outside, and a march needs no step factor anywhere.
+// a and b are the signed distances of two volumes at one point, or lower bounds of them, scene units. If
+// both are 1-Lipschitz, so is each result. The result then never exceeds the distance to the surface that
+// it draws, inside or outside, and a march needs no step factor anywhere.
 
-// What belongs to a or to b.
+// The points of a or b.
 //   formula  min(a, b)
-//   exact outside where a and b are; inside a lower bound of the depth: between two overlapping balls
-//   the surface of each is hidden in the other, and min still counts it
+//   exact outside if a and b are; inside it is a lower bound of the depth: where two balls overlap, part of
+//   each surface is hidden inside the other ball, and min still counts it
 // Source: report, section 2.
 float opUnion(float a, float b)
 {
     return min(a, b);
 }
 
-// What belongs to a and to b.
+// The points of both a and b.
 //   formula  max(a, b)
-//   exact inside where a and b are; outside a lower bound: over the rim of a lens the nearest point of
+//   exact inside if a and b are; outside it is a lower bound: above the rim of a lens, the nearest point of
 //   each ball does not belong to the other
 // Source: report, section 2.
 float opIntersection(float a, float b)
@@ -24,9 +24,9 @@ float opIntersection(float a, float b)
     return max(a, b);
 }
 
-// What belongs to a and not to b: the intersection of a with the outside of b.
+// The points of a that are not in b: the intersection of a with the outside of b.
 //   formula  max(a, -b)
-//   exact inside where a and b are; outside a lower bound
+//   exact inside if a and b are; outside it is a lower bound
 // Source: report, section 2.
 float opSubtraction(float a, float b)
 {
@@ -34,10 +34,10 @@ float opSubtraction(float a, float b)
 }
 
 // The union with its crease filled in.
-//   k        width of the blend, scene units, > 0: where |a - b| >= k it is min(a, b)
+//   k        width of the blend, scene units, > 0: where |a - b| >= k the result is min(a, b)
 //   formula  min(a, b) - h^3 / (6 k^2), h = max(k - |a - b|, 0)
-//   a lower bound of the distance to the surface that it draws, outside and inside. Never more than
-//   min(a, b), never less than min(a, b) - k / 6, which it is where a = b. Twice continuously
+//   a lower bound of the distance to the surface that it draws, outside and inside. Its value is at most
+//   min(a, b) and at least min(a, b) - k / 6, which it reaches where a = b. Twice continuously
 //   differentiable in a and b
 // Source: I. Quilez, 'Smooth minimum', the cubic one.
 float opSmoothUnion(float a, float b, float k)
@@ -46,11 +46,11 @@ float opSmoothUnion(float a, float b, float k)
     return min(a, b) - h * h * h / (6.0 * k * k);
 }
 
-// The share of b in a smooth union, with which to mix its colour in: 0 where a alone counts, 1/2
-// where a = b, 1 where b alone counts.
-//   k        as in opSmoothUnion
+// The weight of b in a smooth union, for mixing in its colour: 0 where only a counts, 1/2 where a = b,
+// 1 where only b counts.
+//   k        as for opSmoothUnion
 //   formula  the slope of opSmoothUnion in b: h^2 / (2 k^2) where a < b, else 1 - h^2 / (2 k^2)
-//   in [0, 1]; the share of a, 1 minus it, is the slope in a
+//   in [0, 1]; the weight of a, 1 minus it, is the slope in a
 float smoothUnionShare(float a, float b, float k)
 {
     float h = max(k - abs(a - b), 0.0);
@@ -59,11 +59,11 @@ float smoothUnionShare(float a, float b, float k)
 }
 
 // The union with its crease filled in by a parabola: cheaper by one product, and deeper.
-//   k        width of the blend, scene units, > 0: where |a - b| >= k it is min(a, b)
+//   k        width of the blend, scene units, > 0: where |a - b| >= k the result is min(a, b)
 //   formula  min(a, b) - h^2 / (4 k), h = max(k - |a - b|, 0)
-//   a lower bound as opSmoothUnion is. Never more than min(a, b), never less than min(a, b) - k / 4,
-//   which it is where a = b. Once continuously differentiable in a and b: a highlight shows where the
-//   blend begins
+//   a lower bound as opSmoothUnion is. Its value is at most min(a, b) and at least min(a, b) - k / 4, which
+//   it reaches where a = b. Once continuously differentiable in a and b: a highlight shows where the blend
+//   begins
 // Source: I. Quilez, 'Smooth minimum', the quadratic one.
 float opSmoothUnionQuadratic(float a, float b, float k)
 {
@@ -71,12 +71,12 @@ float opSmoothUnionQuadratic(float a, float b, float k)
     return min(a, b) - h * h / (4.0 * k);
 }
 
-// The share of b in the quadratic union: 0 where a alone counts, 1/2 where a = b, 1 where b alone
-// counts, and a straight line between.
-//   k        as in opSmoothUnionQuadratic
+// The weight of b in the quadratic union: 0 where only a counts, 1/2 where a = b, 1 where only b counts,
+// and linear between.
+//   k        as for opSmoothUnionQuadratic
 //   formula  the slope of opSmoothUnionQuadratic in b: h / (2 k) where a < b, else 1 - h / (2 k); that is
 //            clamp(1/2 + (a - b) / (2 k), 0, 1)
-//   in [0, 1]; the share of a, 1 minus it, is the slope in a
+//   in [0, 1]; the weight of a, 1 minus it, is the slope in a
 float smoothUnionQuadraticShare(float a, float b, float k)
 {
     return clamp(0.5 + (a - b) / (2.0 * k), 0.0, 1.0);

@@ -1,7 +1,7 @@
-// cone.glsl - sphere tracing with a cone in place of a line: what is smaller than a pixel counts as
-// reached.
+// cone.glsl - sphere tracing with a cone instead of a line: a surface closer to the ray than half a pixel
+// counts as reached.
 //
-// Two loops beside that of march: one for all takes the chapters that use it up to 5 % longer.
+// Its two loops are separate from that of march: one loop for all makes the chapters that use it up to 5 % slower.
 #include "camera.glsl"
 #include "march.glsl"
 
@@ -15,11 +15,11 @@ float pixelSpread()
 
 // march of march.glsl with a threshold that grows along the ray: a surface counts as reached where
 // the scene is nearer than threshold + spread t.
-//   spread   how fast the threshold grows, per scene unit, >= 0; pixelSpread() for the footprint of
-//            a pixel; with 0 it is march
-//   others, and what it returns  those of march
-// Source: J. Amanatides, 'Ray tracing with cones', SIGGRAPH 1984; report, section 3.3, where its
-// lack is seen as sparkle.
+//   spread   how fast the threshold grows, per scene unit, >= 0; pixelSpread() gives the footprint of
+//            a pixel, and 0 gives march
+//   the other parameters and the result are those of march
+// Source: J. Amanatides, 'Ray tracing with cones', SIGGRAPH 1984; report, section 3.3, where pictures
+// without it sparkle.
 Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
     traceBegin(tMin, tMax);
@@ -41,17 +41,15 @@ Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, in
     return Hit(found, t);
 }
 
-// The share of the light that arrives from a lamp with a width, by the same idea: a cone from the
-// surface to the lamp. 1 where no step found anything in its cone, 0 where a surface stands on the
-// axis, grey where something stands beside it.
+// The visible part of a lamp with a width, found with a cone from the surface to the lamp: 1 if no step
+// found anything in the cone, 0 if a surface crosses the axis, grey if a surface is beside it.
 //   ray         from shadowRay
-//   tMin, tMax  where to look, scene units; an empty interval is free and returns 1
+//   tMin, tMax  the interval to search, scene units; an empty interval costs nothing and returns 1
 //   threshold   radius of the cone where it starts, scene units, > 0
-//   spread      how fast it widens, per scene unit: the tangent of half the angle under which the
-//               lamp is seen
-//   formula     (s - 0.2) / 0.8, at least 0, s the smallest of distance / (threshold + spread t) over
-//               the steps, at most 1; what is dark at a fifth need not be marched to its end
-// Needs a lower bound of the distance. The greys are a model, no measured area.
+//   spread      how fast it widens, per scene unit: the tangent of the lamp's angular radius
+//   formula     max((s - 0.2) / 0.8, 0), where s is the smallest of 1 and distance / (threshold + spread t)
+//               over the steps; a march that has reached s = 1/5 is dark and can end
+// Needs a lower bound of the distance. The greys are a model and measure no area.
 float coneReaching(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
     traceBegin(tMin, tMax);

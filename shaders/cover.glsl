@@ -1,17 +1,17 @@
-// cover.glsl - how few evaluations on its ray could have shown what the first march has shown.
+// cover.glsl - the least number of evaluations that could have shown what the first march of a ray has shown.
 //
-// One evaluation at t says that nothing stands between t - d and t + d, d the distance there, and no
-// more. docs/benchmark.md proves what is computed here.
+// One evaluation at t shows only that nothing lies between t - d and t + d, where d is the distance there.
+// docs/benchmark.md proves what is computed here.
 #include "inputs.glsl"
 #include "scene.glsl"
 
 // Compiled only where evaluations are counted.
 #if VIEW == 7
 
-// The rays that are looked at: one from the middle of each cell of this grid over the picture.
+// The rays that are examined: one from the middle of each cell of this grid over the picture.
 const vec2 COVER_GRID = vec2(32.0, 18.0);
 
-// Does the pixel hold the middle of a cell?
+// Does the pixel contain the middle of a cell?
 //   pixel  in pixels of the picture, at a pixel's centre
 bool onCoverGrid(vec2 pixel)
 {
@@ -19,15 +19,15 @@ bool onCoverGrid(vec2 pixel)
     return floor(pixel) == floor((cell + 0.5) * iResolution.xy / COVER_GRID);
 }
 
-// The least number of evaluations on a ray whose intervals cover what the first march was asked about,
-// as far as it came; for a hit one of them at the hit itself. What is covered grows from the start:
-// among all t whose interval begins in it, the one that reaches farthest is next.
+// The least number of evaluations on a ray whose intervals cover the part of the ray that the first march
+// covered; for a hit, one of them is at the hit itself. The covered part grows from the start: of all t whose
+// interval begins in it, the one whose interval reaches farthest comes next.
 //   ray      of the first march
-//   steps    of that march; 0, no march: the result is 0
+//   steps    of that march; 0 means no march, and the result is 0
 //   formula  with a distance that is 1-Lipschitz, t - d and t + d grow along the ray: the next t is
-//            the last one with t - d <= covered, found by halving. What is taken for t + d there is
-//            its value behind that place, so that the result is never more than the least number
-//   returns  at most steps + 1; that, more than the march took, shows a distance that is not 1-Lipschitz
+//            the last one with t - d <= covered, found by halving. The value used for t + d is that at a
+//            point just behind it, so the result never exceeds the least number
+//   returns  at most steps + 1; steps + 1, more than the march took, shows a distance that is not 1-Lipschitz
 int fewestEvaluations(Ray ray, int steps)
 {
     float covered = trace.interval.x, far = min(trace.t, trace.interval.y);

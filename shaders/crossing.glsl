@@ -1,23 +1,23 @@
-// crossing.glsl - sphere tracing with a cone that ends in one place, wherever it began.
+// crossing.glsl - sphere tracing with a cone that ends at the same point wherever it began.
 #include "march.glsl"
 
-const float CROSSING_SHORT = 0.7; // thresholds by which a step falls short of the distance
+const float CROSSING_SHORT = 0.7; // how far short of the distance a step ends, in thresholds
 
-// Walk along a ray as marchCone of cone.glsl does, and find where the scene's distance first falls to the
-// threshold r(t) = threshold + spread t. marchCone ends anywhere within it, and begun elsewhere it ends
-// elsewhere.
+// March along a ray as marchCone of cone.glsl does, and find where the scene's distance first falls to the
+// threshold r(t) = threshold + spread t. marchCone ends somewhere within the threshold, at a point that depends
+// on where it began.
 //   ray, tMin, tMax, threshold, spread, maxSteps  those of marchCone
-//   formula  a step is h = d - 0.7 r, so no place on the way is nearer to the scene than 0.7 r. The first
-//            place with d < r ends it. There the gap is g = d - r, and at the place before it was
-//            g' = h - 0.3 r', r' the threshold there. The straight line between them is 0 at
+//   formula  a step is h = d - 0.7 r, so no point on the way is nearer to the scene than 0.7 r. The first
+//            step with d < r is the last. There the gap is g = d - r, and one step earlier it was
+//            g' = h - 0.3 r', where r' is the threshold there. The straight line between the two is 0 at
 //            t + h g / (g' - g)
-//   returns  found, and t: that place, on the near side of the surface. Exact where distance and threshold
-//            change at one rate, as before a wall; where the second derivative of d is at most K and g
-//            falls by s or more for each unit, off by at most K h^2 / (8 s). Where the first place is a
-//            hit, t is tMin
-// Needs a lower bound of the distance: then no surface is stepped over, nor anything that comes nearer to the
-// ray than 0.988 r. march and marchCone promise 0.86 r. What comes as near as r, and no nearer than that, may
-// be met or not. Takes some more steps than marchCone: one to three before a wall.
+//   returns  found, and t: that point, on the near side of the surface. Exact where distance and threshold
+//            change at a constant rate, as in front of a wall. If the second derivative of d is at most K and g
+//            falls by at least s per unit, the error is at most K h^2 / (8 s). If the first step is
+//            a hit, t is tMin
+// Needs a lower bound of the distance: then it steps over no surface, and over nothing that comes nearer to the
+// ray than 0.988 r. march and marchCone promise 0.86 r. It may or may not meet a surface that comes within r but
+// no nearer than 0.988 r. It takes a few more steps than marchCone: one to three in front of a wall.
 // docs/16_fewer_steps.md has the proofs.
 Hit marchCrossing(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {

@@ -1,8 +1,8 @@
-// film.glsl - from the light of a picture to the numbers that are written: exposure, vignette, the curve of
-// the film, contrast, dither. Light is linear but where contrast and dither say otherwise.
-// docs/15_the_picture.md proves what is claimed here.
+// film.glsl - from the light of a picture to the values that are written: exposure, vignette, the film's
+// curve, contrast, dither. Light is linear except where contrast and dither say otherwise.
+// docs/15_the_picture.md proves the claims made here.
 
-// A picture exposed for longer, or less long.
+// A picture with a longer or shorter exposure.
 //   light    linear, >= 0
 //   stops    any number; each doubles the light
 //   formula  2^stops light
@@ -11,12 +11,12 @@ vec3 exposed(vec3 light, float stops)
     return exp2(stops) * light;
 }
 
-// The share of the light that a simple lens sends to a place off its axis.
+// The share of the light that a simple lens sends to a point off its axis.
 //   screen       y from -1 to 1, x from -aspect to aspect
 //   focalLength  half screen heights, > 0
 //   returns      1 in the middle
-//   formula      cos^4 a = (f^2 / (f^2 + |screen|^2))^2, a the angle of the ray to the axis. Exact for a
-//                flat film behind a small opening, without a lens that mends it
+//   formula      cos^4 a = (f^2 / (f^2 + |screen|^2))^2, where a is the angle between ray and axis. Exact for
+//                a flat film behind a small opening, without a lens that corrects it
 float cosineFourth(vec2 screen, float focalLength)
 {
     float square = focalLength * focalLength;
@@ -25,24 +25,24 @@ float cosineFourth(vec2 screen, float focalLength)
 }
 
 // More contrast in the middle, less at both ends.
-//   v        in [0, 1] per channel: the numbers of the screen, of which 1/2 is nearly middle grey (of light 1/2
-//            is bright, and the picture would become dark); clamped first
-//   amount   in [0, 1]: 0 leaves v as it is, 1 is smoothstep(0, 1, v)
-//   formula  v + amount (3 v^2 - 2 v^3 - v): 0, 1/2 and 1 stay, the slope in the middle is 1 + amount / 2,
-//            at both ends 1 - amount. Grows with v
+//   v        in [0, 1] per channel, encoded for the screen, where 1/2 is close to middle grey (in linear light,
+//            1/2 is bright, and the picture would become dark); clamped first
+//   amount   in [0, 1]: 0 leaves v unchanged, 1 is smoothstep(0, 1, v)
+//   formula  v + amount (3 v^2 - 2 v^3 - v): 0, 1/2 and 1 are fixed, the slope in the middle is
+//            1 + amount / 2 and at both ends 1 - amount. Increasing in v
 vec3 contrast(vec3 v, float amount)
 {
     return mix(clamp(v, 0.0, 1.0), smoothstep(0.0, 1.0, v), amount);
 }
 
-// What a film makes of a light: a straight line in the middle of a scale of stops, with a toe where dark
-// and a shoulder where bright things draw together.
-//   x        linear light, >= 0, per channel; negative as 0
-//   gamma    >= 1: how steep the line is. On a scale of logarithms its slope at middle grey is
-//            gamma 0.82 / (1 - (0.18 / white)^gamma)
-//   white    > 1: the light that becomes 1; more becomes 1 too
+// The response of a film to light: a straight line in the middle of a logarithmic scale, with a toe in the
+// dark and a shoulder in the bright range, where contrast shrinks.
+//   x        linear light, >= 0, per channel; negative values count as 0
+//   gamma    >= 1: how steep the line is. On a logarithmic scale, its slope at middle grey is
+//            0.82 gamma / (1 - (0.18 / white)^gamma)
+//   white    > 1: the light that becomes 1, as does all brighter light
 //   formula  (1 + kappa / w) / (1 + kappa / h), h = x^gamma, w = white^gamma, with kappa = 0.82 g w /
-//            (0.18 w - g), g = 0.18^gamma, so that middle grey, 0.18, stays. Grows with x from 0 to 1
+//            (0.18 w - g), g = 0.18^gamma, so that middle grey, 0.18, is unchanged. Increases with x from 0 to 1
 // Source: the shape of F. Hurter and V. C. Driffield's curves (1890), as a logistic function.
 vec3 filmCurve(vec3 x, float gamma, float white)
 {
@@ -52,9 +52,9 @@ vec3 filmCurve(vec3 x, float gamma, float white)
     return (1.0 + kappa / w) / (1.0 + kappa / h);
 }
 
-// The same curve on the largest channel: the others keep their shares of it, and so the colour its hue.
+// The same curve applied to the largest channel: the ratios of the channels stay, and with them the hue.
 //   light    linear, >= 0
-//   others   as of filmCurve
+//   gamma, white  as for filmCurve
 //   formula  light filmCurve(m) / m, m the largest channel
 vec3 filmOfLargest(vec3 light, float gamma, float white)
 {
@@ -62,11 +62,11 @@ vec3 filmOfLargest(vec3 light, float gamma, float white)
     return light * (filmCurve(vec3(largest), gamma, white).r / largest);
 }
 
-// Which of 64 steps a pixel adds before its colour is rounded, in a pattern of 8 x 8 pixels that repeats.
-//   pixel    of the picture, as iPixel; any whole numbers
-//   returns  one of (j + 1/2) / 64 - 1/2, j = 0 to 63: each once in every 8 x 8 pixels, mean 0. Times one
-//            step of the file, 1 / 255, it is what to add to an encoded colour
-//   formula  the bits of j, from the highest: the lowest of x ^ y, the lowest of y, the next of x ^ y, and so on
+// The dither value that a pixel adds before its colour is rounded, from a pattern of 8 x 8 pixels that repeats.
+//   pixel    of the picture, as iPixel; any integers
+//   returns  one of (j + 1/2) / 64 - 1/2, j = 0 to 63: each once in every 8 x 8 pixels, with mean 0. Multiply
+//            by one step of the file, 1 / 255, and add to an encoded colour
+//   formula  the bits of j, from the highest: bit 0 of x ^ y, bit 0 of y, bit 1 of x ^ y, and so on
 // Source: B. E. Bayer, 'An optimum method for two-level rendition of continuous-tone pictures', ICC 1973.
 float ditherStep(ivec2 pixel)
 {

@@ -1,19 +1,19 @@
-// filter.glsl - how the samples of a pixel lie: the filter that their mean is taken with.
+// filter.glsl - how the samples of a pixel are distributed: the filter with which they are averaged.
 //
-// The renderer takes the plain mean of a pixel's samples. So a filter is in their places: where it weighs
-// twice as much, they lie twice as dense. A place of the unit square is mapped to an offset from the
-// pixel's middle, in pixels, through the filter's cumulative share; (1/2, 1/2) always to (0, 0).
+// The renderer takes the plain mean of a pixel's samples, so the filter determines their positions: where its
+// weight is twice as large, they are twice as dense. A point of the unit square is mapped to an offset from the
+// pixel's middle, in pixels, with the inverse of the filter's cumulative distribution; (1/2, 1/2) goes to (0, 0).
 #include "samples.glsl"
 
-// The place of this sample within its pixel, (0, 0) the pixel's lower left corner, (1, 1) the upper right.
-//   screen  as pixelRay gets it
+// The position of this sample in its pixel, (0, 0) the pixel's lower left corner, (1, 1) the upper right.
+//   screen  as passed to pixelRay
 vec2 placeInPixel(vec2 screen)
 {
     return 0.5 * (screen * iResolution.y + iResolution.xy) - vec2(iPixel);
 }
 
 // An offset with the density of a tent, 1 - |x| between -1 and 1, in each coordinate.
-//   place    in [0, 1]
+//   place    u in [0, 1], per coordinate
 //   formula  sqrt(2 u) - 1 up to u = 1/2, else 1 - sqrt(2 - 2 u). Variance 1/6
 vec2 tentOffset(vec2 place)
 {
@@ -21,11 +21,11 @@ vec2 tentOffset(vec2 place)
     return mix(side - 1.0, 1.0 - side, step(0.5, place));
 }
 
-// The number below which a share of a Gaussian of standard deviation 1 lies.
-//   share    in (0, 1); moved to [1e-6, 1 - 1e-6]
-//   formula  sqrt(2) inverseErf(x), x = 2 share - 1, with inverseErf(x)^2 nearly sqrt(c^2 - l / 0.147) - c,
-//            l = log(1 - x^2), c = 2 / (0.147 pi) + l / 2: off by less than 0.003 within two standard
-//            deviations, by 0.02 at the ends. Exactly 0 at 1/2
+// The quantile of a share: the value below which this share of a Gaussian of standard deviation 1 lies.
+//   share    in (0, 1); clamped to [1e-6, 1 - 1e-6]
+//   formula  sqrt(2) inverseErf(x), x = 2 share - 1, where inverseErf(x)^2 is about sqrt(c^2 - l / 0.147) - c,
+//            l = log(1 - x^2), c = 2 / (0.147 pi) + l / 2. The error is less than 0.003 within two standard
+//            deviations and 0.02 at the ends. Exactly 0 at 1/2
 // Source: S. Winitzki, 'A handy approximation for the error function and its inverse' (2008).
 float gaussianQuantile(float share)
 {
@@ -35,7 +35,7 @@ float gaussianQuantile(float share)
     return 1.4142136 * sign(x) * sqrt(max(square, 0.0));
 }
 
-// The offset of a place by one of three filters.
+// The offset of a sample for one of three filters.
 //   place    in the unit square
 //   kernel   0 box: the pixel itself. 1 tent, over 2 x 2 pixels. 2 Gaussian of standard deviation 0.5
 //   returns  from the pixel's middle, pixels
@@ -45,13 +45,13 @@ vec2 filterOffset(vec2 place, int kernel)
     return kernel == 0 ? place - 0.5 : (kernel == 1 ? tentOffset(place) : gaussian);
 }
 
-// Where the ray of this sample goes, in place of the middle of its cell.
-//   screen   as pixelRay gets it
-//   kernel   of filterOffset
-//   jitter   whether the sample goes anywhere in its cell, in place of the cell's middle; with one sample it
+// The point of the screen that the ray of this sample passes through, instead of the middle of its cell.
+//   screen   as passed to pixelRay
+//   kernel   as for filterOffset
+//   jitter   true: the sample lies anywhere in its cell; false: in the middle of the cell. A single sample
 //            stays in the pixel's middle
-//   dimension  of pixelRandom; takes this one and the next
-//   returns  a place of the screen, for perspectiveRay
+//   dimension  of pixelRandom; uses this one and the next
+//   returns  a point of the screen, for perspectiveRay
 vec2 filteredScreen(vec2 screen, int kernel, bool jitter, int dimension)
 {
     vec2 lot = vec2(pixelRandom(dimension), pixelRandom(dimension + 1)) - 0.5;

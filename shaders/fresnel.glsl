@@ -1,13 +1,12 @@
 // fresnel.glsl - how much light a smooth surface mirrors.
 
-// The share of the light that the surface of water or glass sends back as a mirror does, whatever its
-// polarisation.
-//   facing    cosine of the angle between the normal and the way to the eye, in [0, 1]
-//   straight  the share mirrored when one looks straight at it, ((n - 1) / (n + 1))^2 with the index of
+// The share of the light that a surface of water or glass mirrors, averaged over polarisations.
+//   facing    cosine of the angle between the normal and the direction to the eye, in [0, 1]
+//   straight  the share mirrored at normal incidence, ((n - 1) / (n + 1))^2 with the index of
 //             refraction n: 0.02 for water (1.333), 0.04 for glass (1.5)
 //   returns   in [straight, 1]: straight at facing = 1, 1 at facing = 0
-//   formula   straight + (1 - straight) (1 - facing)^5, which stands for Fresnel's; for water it is
-//             off by at most 0.060, for glass by 0.036, where one looks along the surface (facing 0.1)
+//   formula   straight + (1 - straight) (1 - facing)^5, which approximates Fresnel's formula with an error
+//             of at most 0.060 for water and 0.036 for glass, at a grazing angle (facing 0.1)
 // Source: C. Schlick, 'An inexpensive BRDF model for physically-based rendering', Computer Graphics
 // Forum 13 (1994).
 float schlickShare(float facing, float straight)
@@ -16,11 +15,11 @@ float schlickShare(float facing, float straight)
     return straight + (1.0 - straight) * square * square * grazing;
 }
 
-// The share of the light that a smooth boundary between two clear media mirrors, exactly, for light of mixed
-// polarisation: the mean of the two.
+// The exact share of light that a smooth boundary between two clear media mirrors, for unpolarised light:
+// the mean over the two polarisations.
 //   facing   cosine of the angle between the normal and the ray, on the side from which it comes, in [0, 1]
-//   eta      index of refraction on that side over the index on the other, > 0: what refract of GLSL wants
-//   returns  in [0, 1]; 1 where nothing is let through: total reflection, eta^2 (1 - facing^2) >= 1
+//   eta      index of refraction on that side divided by the index on the other, > 0, as for GLSL's refract
+//   returns  in [0, 1]; 1 where no light is transmitted: total reflection, eta^2 (1 - facing^2) >= 1
 //   formula  with c = facing, g = sqrt(1 - eta^2 (1 - c^2)), the cosine behind the boundary:
 //            1/2 ((eta c - g) / (eta c + g))^2 + 1/2 ((c - eta g) / (c + eta g))^2
 // The same from both sides: fresnelShare(c, eta) = fresnelShare(g, 1 / eta). At c = 1: ((1 - eta) / (1 + eta))^2.

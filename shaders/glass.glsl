@@ -1,15 +1,15 @@
-// glass.glsl - rays through clear solids: the march with a sign, where the next ray starts, what is left of
-// the light.
+// glass.glsl - rays through clear solids: the march with a sign, the start of the next ray, and the light
+// that remains.
 //
-// Needs a scene distance that is negative inside a solid and bounds the depth there: |distance| is at most the
-// distance to the surface, on both sides. docs/17_glass.md proves what is claimed, and says which shapes have it.
+// Needs a scene distance that is negative inside a solid and bounds the depth there: on both sides, |distance| is
+// at most the distance to the surface. docs/17_glass.md proves the claims and says which shapes satisfy this.
 #include "fresnel.glsl"
 #include "march.glsl"
 
-// march of march.glsl on either side of a surface: it walks by side * distanceAt.
-//   side     1: the ray starts outside, and this is march; -1: it starts inside a solid, whose distance is
-//            negative there
-//   others, and what it returns  those of march; found means the surface from this side
+// march of march.glsl on either side of a surface: it marches through side * distanceAt.
+//   side     1: the ray starts outside, and this is march; -1: it starts inside a solid, where the distance is
+//            negative
+//   the other parameters and the result are those of march; found means that it reached the surface from this side
 Hit marchSide(Ray ray, float side, float tMin, float tMax, float threshold, int maxSteps)
 {
     traceBegin(tMin, tMax);
@@ -31,43 +31,43 @@ Hit marchSide(Ray ray, float side, float tMin, float tMax, float threshold, int 
     return Hit(found, t);
 }
 
-// What a surface makes of a ray: two, and how much of the light each has.
+// How a surface splits a ray: the two new rays, and the share of the light of each.
 struct Parting {
-    float mirrored; // share of the light that is mirrored, in [0, 1]; the rest is let through
-    vec3  away;     // direction of what is mirrored, length 1
-    vec3  bent;     // direction of what is let through, length 1; the vector 0 where nothing is
+    float mirrored; // share of the light that is mirrored, in [0, 1]; the rest is transmitted
+    vec3  away;     // direction of the mirrored ray, length 1
+    vec3  bent;     // direction of the refracted ray, length 1; the vector 0 if there is none
 };
 
-// The two rays that a smooth surface makes of one.
+// The two rays into which a smooth surface splits one ray.
 //   direction  of the ray, length 1
 //   normal     of the surface, outwards, length 1
-//   side       as of marchSide: from which the ray comes
-//   index      of the solid over that of what is around it, > 0
-//   formula    Snell's law, by refract of GLSL with the normal on the side of the ray, and with the index before the
-//              surface over that behind it; fresnelShare. A ray that comes from the other side than side says is
-//              taken to come along the surface: from inside it is mirrored as a whole
+//   side       from which the ray comes, as for marchSide
+//   index      of the solid divided by that of its surroundings, > 0
+//   formula    Snell's law, with GLSL's refract, the normal on the side of the ray and the ratio of the index before
+//              the surface to that behind it; fresnelShare. A ray that comes from the other side than side says is
+//              treated as grazing: from inside it is mirrored completely
 Parting partingAt(vec3 direction, vec3 normal, float side, float index)
 {
     float eta = side > 0.0 ? 1.0 / index : index, facing = clamp(-side * dot(normal, direction), 0.0, 1.0);
     return Parting(fresnelShare(facing, eta), reflect(direction, normal), refract(direction, side * normal, eta));
 }
 
-// The ray that goes on from a surface, bent or mirrored: it starts off the surface, on the side to which it goes.
+// The ray that continues from a surface, refracted or mirrored. It starts off the surface, on the side where it goes.
 //   p          where a march ended, scene units
 //   normal     of the surface there, outwards, length 1
 //   direction  of the new ray, length 1
-//   offset     scene units, > 0: how far from p along the normal. At least twice the march's threshold: on the
-//              way through, p lies up to one threshold before the surface, and as much again must be left
+//   offset     scene units, > 0: how far from p along the normal. At least twice the march's threshold: a transmitted
+//              ray starts from p up to one threshold in front of the surface, and must start at least as much
 //              behind it, or the next march ends where it starts
 Ray leavingRay(vec3 p, vec3 normal, vec3 direction, float offset)
 {
     return Ray(p + (dot(normal, direction) > 0.0 ? offset : -offset) * normal, direction);
 }
 
-// What an even, clear, coloured medium leaves of the light.
+// The share of the light that a homogeneous, clear, coloured medium transmits.
 //   absorption  per channel and scene unit, >= 0: 0 is clear
-//   way         through the medium, scene units, >= 0
-//   formula     exp(-absorption way): two ways one after the other multiply, as they must
+//   way         length of the path through the medium, scene units, >= 0
+//   formula     exp(-absorption way): the shares of two paths in succession multiply, as they must
 // Source: P. Bouguer, 'Essai d'optique' (1729); J. H. Lambert, 'Photometria' (1760); A. Beer (1852).
 vec3 absorbed(vec3 absorption, float way)
 {
@@ -76,21 +76,21 @@ vec3 absorbed(vec3 absorption, float way)
 
 // What a straight line through glass meets.
 struct Passage {
-    float share;   // of the light that the boundaries let through, in [0, 1]
-    float inside;  // the way inside solids, scene units
+    float share;   // of the light that the boundaries transmit, in [0, 1]
+    float inside;  // length of the path inside solids, scene units
     float deepest; // t where the line is farthest inside
 };
 
-// A straight ray through whatever stands in its way: a quick model of a shadow that is not black. Light that
-// glass bends goes elsewhere; here it is taken to go straight on, less what each boundary mirrors.
+// A straight ray through all solids in its path: a simple model of a shadow that is not black. In truth, glass
+// bends the light elsewhere; here the light goes straight on, minus what each boundary mirrors.
 //   ray       from shadowRay, outside
-//   far       how far to look, scene units; 0 or less is free
+//   far       how far to search, scene units; 0 or less costs nothing
 //   index     of refraction of the glass
-//   least     the shortest step, scene units, > 0: what is thinner along the ray may be missed
+//   least     the shortest step, scene units, > 0: a solid that is thinner along the ray may be missed
 //   maxSteps  evaluations
-//   formula   steps of max(|distance|, least). Where two distances d, e that follow each other differ in sign there
-//             is a boundary, found by a straight line between them; the cosine to its normal is |d - e| over the
-//             step, exact for a flat face and an exact distance. So no normal is computed
+//   formula   steps of max(|distance|, least). If two successive distances d, e differ in sign, there is a boundary
+//             between them, found by linear interpolation; the cosine to its normal is |d - e| divided by the step,
+//             exact for a flat face and an exact distance. So no normal is computed
 Passage straightThrough(Ray ray, float far, float index, float least, int maxSteps)
 {
     traceBegin(0.0, far);

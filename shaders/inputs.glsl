@@ -1,4 +1,4 @@
-// inputs.glsl - what the harness tells a shader for each picture, and where a pixel is.
+// inputs.glsl - what the harness passes to a shader for each picture, and the position of a pixel.
 //
 // The names are Shadertoy's where Shadertoy has one.
 
@@ -6,21 +6,21 @@ uniform vec3  iResolution;     // size of the picture in pixels (x, y), and 1
 uniform float iTime;           // time of the picture, seconds
 uniform float iTimeDelta;      // time since the picture before, seconds
 uniform int   iFrame;          // number of the picture, from zero
-uniform vec4  iMouse;          // the mouse, in pixels: where it was held last, and pressed
+uniform vec4  iMouse;          // the mouse, in pixels: last position while a button was held, and of the press
 uniform vec4  iDate;           // year, month from zero, day, seconds of the day
 uniform vec3  iCameraPosition; // the eye, scene units
 uniform vec3  iCameraRight;    // the camera's orthonormal basis:
 uniform vec3  iCameraUp;       //   right x up = -forward
 uniform vec3  iCameraForward;  //
 uniform vec2  iPixelOffset;    // from this draw's pixels to the picture's: tile and sample
-uniform int   iSample;         // which of the samples of its pixel this is, from zero
-uniform int   iSamples;        // how many there are: the square of --samples
+uniform int   iSample;         // index of this sample in its pixel, from zero
+uniform int   iSamples;        // samples per pixel: the square of --samples
 
-// The pixel of the picture that this ray belongs to, (0, 0) the bottom left one: the same for all its
-// samples, in every tile. main sets it.
+// The pixel of the picture that this ray belongs to, (0, 0) at the bottom left. It is the same for all samples
+// of the pixel, in every tile. main sets it.
 ivec2 iPixel = ivec2(0);
 
-// Where a point of the picture lies on the screen: y from -1 (bottom) to 1 (top), x from -aspect
+// The position of a point of the picture on the screen: y from -1 (bottom) to 1 (top), x from -aspect
 // to aspect, the same unit along both.
 //   pixel    in pixels, (0, 0) the bottom left corner of the picture; pixel centres are at .5
 //   formula  (2 pixel - resolution) / resolution.y

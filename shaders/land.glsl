@@ -6,7 +6,7 @@
 
 // Value noise on the plane: the slice y = 0 of valueNoise, at half its price.
 //   p        scene units
-//   returns  value in [0, 1), gradient, which is never longer than VALUE_STRETCH
+//   returns  value in [0, 1) up to rounding, about 1e-6; gradient, which is never longer than VALUE_STRETCH
 vec3 groundNoise(vec2 p)
 {
     vec2 corner = floor(p), x = p - corner;
@@ -21,7 +21,7 @@ vec3 groundNoise(vec2 p)
 
 // Ridges: the lines on which noise is 1/2 become crests.
 //   noise    of groundNoise
-//   returns  value in [0, 1], gradient, which is never longer than 2 VALUE_STRETCH
+//   returns  value in [0, 1], which rounding may leave by 2e-6, and gradient, which is never longer than 2 VALUE_STRETCH
 //   formula  1 - |2 n - 1|
 // Source: F. K. Musgrave, in D. S. Ebert and others, 'Texturing and modeling' (1994), ridged multifractals.
 vec3 ridged(vec3 noise)

@@ -1,22 +1,22 @@
-// lens.glsl - a thin lens in place of a pinhole: one distance is sharp.
+// lens.glsl - a thin lens instead of a pinhole: only one distance is sharp.
 #include "samples.glsl"
 #include "soft_shadow.glsl"
 
-// The place of this sample on a disc, in its radii, so that all samples of a pixel cover it evenly; its middle
-// with one sample.
-//   dimension  of sampleSquare
+// The point of this sample on a disc of radius 1. The samples of a pixel cover the disc evenly; a single sample
+// lies at its centre.
+//   dimension  as for sampleSquare
 vec2 sampleDisc(int dimension)
 {
     return iSamples > 1 ? discPoint(sampleSquare(dimension)) : vec2(0.0);
 }
 
-// The ray through a point of the lens that meets the ray through its middle where that is in focus.
-//   ray      through the middle of the lens, from perspectiveRay
-//   place    on the lens, in its radii: in the unit disc, from discPoint; (0, 0) returns ray
+// The ray through a point of the lens that meets the ray through its centre where that is in focus.
+//   ray      through the centre of the lens, from perspectiveRay
+//   place    point of the lens, in radii of the aperture: in the unit disc, from discPoint; (0, 0) returns ray
 //   radius   of the aperture, scene units, >= 0
 //   focus    distance of the plane in focus, along the view direction, scene units, > 0
-//   formula  with P the ray's point on that plane and A the place on the lens: from A towards P. A thin lens
-//            sends all light of P that it catches to one point of the film
+//   formula  with P the ray's point on that plane and A the point of the lens: from A towards P. A thin lens
+//            sends all light that it receives from P to one point of the film
 Ray lensRay(Ray ray, vec2 place, float radius, float focus)
 {
     vec3 inFocus = ray.direction * (focus / dot(ray.direction, iCameraForward));
@@ -26,7 +26,7 @@ Ray lensRay(Ray ray, vec2 place, float radius, float focus)
 
 // How large a point becomes: the diameter of its circle of confusion on the screen, half screen heights.
 //   depth    of the point along the view direction, scene units, > 0
-//   radius, focus  as of lensRay
+//   radius, focus  as for lensRay
 //   focalLength    half screen heights, > 0
 //   formula  2 radius focalLength |1 / focus - 1 / depth|. Exact
 float circleOfConfusion(float depth, float radius, float focus, float focalLength)
@@ -34,12 +34,12 @@ float circleOfConfusion(float depth, float radius, float focus, float focalLengt
     return 2.0 * radius * focalLength * abs(1.0 / focus - 1.0 / depth);
 }
 
-// The radius of an aperture that is given as photographers do.
+// The radius of an aperture given as an f-number.
 //   stop         the number after f/, > 0
 //   focalLength  half screen heights
 //   halfFilm     half the height of the film, scene units: 0.012 for 24 x 36 mm if a unit is a metre
-//   formula      focalLength halfFilm / (2 stop): an aperture f/N is as wide as the N-th part of the focal
-//                length
+//   formula      focalLength halfFilm / (2 stop): the diameter of an aperture f/N is the focal length divided
+//                by N
 float apertureRadius(float stop, float focalLength, float halfFilm)
 {
     return 0.5 * focalLength * halfFilm / stop;

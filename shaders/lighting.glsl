@@ -1,17 +1,17 @@
 // lighting.glsl - how much light a matt surface receives and sends to the eye.
 
-// The share of a lamp's light that a matt surface catches: the projected area of the surface as the
-// lamp sees it.
+// The share of a lamp's light that a matt surface receives: the projected area of the surface as seen from
+// the lamp.
 //   normal, toLight  length 1 each
-//   formula          max(dot(normal, toLight), 0); 0 when the surface turns its back
+//   formula          max(dot(normal, toLight), 0); 0 if the surface faces away
 // Source: J. H. Lambert, 'Photometria' (1760); report, section 1.5.3.
 float lambert(vec3 normal, vec3 toLight)
 {
     return max(dot(normal, toLight), 0.0);
 }
 
-// How a point light weakens with distance, as a factor that is 1 at a reference distance: the light
-// of a point spreads over a sphere, whose area grows as the square of the distance.
+// How the light of a point lamp weakens with distance, relative to a reference distance: it spreads over a
+// sphere, whose area grows as the square of the distance.
 //   distance, reference  > 0, scene units
 //   formula              (reference / distance)^2
 float fallOff(float distance, float reference)
@@ -20,8 +20,8 @@ float fallOff(float distance, float reference)
     return ratio * ratio;
 }
 
-// From linear light to the numbers that a screen expects, so that the screen, which decodes them,
-// sends out the light that was computed.
+// From linear light to the values that a screen expects: the screen decodes them and then sends out the light
+// that was computed.
 //   light    linear red, green, blue; clamped to [0, 1] first, per channel
 //   formula  12.92 v up to 0.0031308, 1.055 v^(1/2.4) - 0.055 above
 // Source: IEC 61966-2-1 (sRGB).

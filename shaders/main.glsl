@@ -1,9 +1,9 @@
-// main.glsl - main(): runs the chapter's pixelRay and rayColour, then shows the colour, or what the
-// trace holds.
+// main.glsl - main(): runs the chapter's pixelRay and rayColour, then shows the colour or the contents of
+// the trace.
 //
 // The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice, 5 a plot below it,
-// 6 the numbers of a probe, 7 evaluations of the scene, and how few of the march would do, 8 the
-// coarse pass of coarse.glsl, one pixel a block of the picture, 9 where a march is in the picture.
+// 6 the numbers of a probe, 7 evaluations of the scene and how few of the march would be enough, 8 the
+// coarse pass of coarse.glsl, one pixel per block of the picture, 9 the positions of points in the picture.
 
 #include "cover.glsl"
 #include "inputs.glsl"
@@ -33,9 +33,9 @@ void main()
 
 uniform vec2 iProbe; // centre of the pixel whose ray is marched, in pixels
 
-// Column k, row 0: t, distance, steps of the first march, why it ended. Row 1: position, and the
-// distance below which the surface would have counted as found there.
-// Row 2: steps of all marches, evaluations, where the first march was asked to look.
+// Row 0, column k: t and distance at step k, steps of the first march, why it ended. Row 1: position, and
+// the distance below which the surface would have counted as found there.
+// Row 2: steps of all marches, evaluations, the interval of the first march.
 void main()
 {
     traceReset(int(gl_FragCoord.x));
@@ -66,7 +66,7 @@ void main()
 
 void main()
 {
-    fragColour = placeOf(texelFetch(iMarch, ivec2(int(gl_FragCoord.x), 1), 0).xyz);
+    fragColour = placeOf(placeWanted(int(gl_FragCoord.x)));
 }
 
 #else
@@ -86,7 +86,7 @@ void main()
     colour = stepView(pixel);
 #endif
 #if VIEW == 7
-    // What the march took and what would do, for the pixels of the grid: else 0, 0 and 0.
+    // For the pixels of the grid, what the march took and what would have been enough: otherwise 0, 0 and 0.
     bool looked = onCoverGrid(pixel);
     int steps = looked ? trace.steps : 0;
     fragColour = vec4(float(trace.evaluations), float(steps), float(fewestEvaluations(ray, steps)), float(looked));

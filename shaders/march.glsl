@@ -1,4 +1,4 @@
-// march.glsl - sphere tracing: walk along a ray by the scene's distance until the scene is near.
+// march.glsl - sphere tracing: advance along a ray by the scene's distance until the scene is near.
 #include "scene.glsl"
 
 // What a march found.
@@ -7,16 +7,16 @@ struct Hit {
     float t;     // where the march ended, in scene units along the ray
 };
 
-// Walk along a ray: t_0 = tMin, t_(n+1) = t_n + distanceAt(point at t_n).
+// March along a ray: t_0 = tMin, t_(n+1) = t_n + distanceAt(point at t_n).
 //   ray        direction of length 1
 //   tMin, tMax where to start and the distance travelled that ends the search, scene units;
 //              an empty interval (tMin >= tMax) is a miss that costs nothing
 //   threshold  a distance below which the surface counts as reached, scene units, > 0
-//   maxSteps   evaluations before the ray is given up, at least 1
-//   returns    found: the first point of the walk at which the scene is nearer than threshold. It
-//              lies at most threshold / |cos| of the angle to the normal before a flat surface, never
-//              behind it
-// Needs a scene distance that is a lower bound of the true one; then no surface is stepped over.
+//   maxSteps   evaluations before the march gives up, at least 1
+//   returns    found: the first point of the march at which the scene is nearer than threshold. For a flat
+//              surface, it lies at most threshold / |cos| of the angle to the normal in front of the surface,
+//              never behind it
+// Needs a scene distance that is a lower bound of the true one; then it steps over no surface.
 // Source: J. C. Hart, 'Sphere tracing', The Visual Computer 12 (1996); report, section 1.4.
 Hit march(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 {

@@ -1,21 +1,21 @@
-// marched.glsl - the march of the ray that is looked at, step by step: a table that is there before the
-// picture.
+// marched.glsl - the march of the selected ray, step by step: a table that is complete before the
+// picture is drawn.
 //
-// Where a shader reads it, the harness marches the chosen pixel's ray first, once for the whole picture, as it
-// does for the slice and for --probe: all three show one march. Were it marched in every pixel, the picture would
-// cost as many evaluations more as the march has steps.
+// For a shader that reads it, the harness marches the selected pixel's ray first, once for the whole picture, as it
+// does for the slice and for --probe: all three show one march. If every pixel marched this ray, each pixel would
+// cost as many additional evaluations as the march has steps.
 #include "scene.glsl"
 
-const int MARCHED_STEPS = 64; // that the table holds at most
+const int MARCHED_STEPS = 64; // the table has at most this many
 
 #ifndef EXPORTED
 
 uniform vec2 iMarched[MARCHED_STEPS]; // t and distance of step k, scene units
-uniform int  iMarchedSteps;           // how many steps there are
+uniform int  iMarchedSteps;           // number of steps
 uniform bool iMarchedHit;             // the last step of the march found the surface
 
-// The number of steps that the table holds. Shadertoy has no table, and there alone the arguments count.
-//   ray, far, threshold, maxSteps  of the march that the chapter gives to the ray that is looked at
+// The number of steps in the table. Shadertoy has no table: only there are the arguments used.
+//   ray, far, threshold, maxSteps  of the chapter's march of the selected ray
 int marchedSteps(Ray ray, float far, float threshold, int maxSteps)
 {
     return iMarchedSteps;

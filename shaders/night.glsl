@@ -1,14 +1,14 @@
-// night.glsl - the sky of the night: where the stars and the moon stand, how bright they are, what a dark sky
-// and a dusk send of their own.
+// night.glsl - the sky of the night: the positions of the stars and the moon, their brightness, and the light of
+// a dark sky and of dusk.
 //
 // Light is linear; 1 is 4,000 cd/m2, about the blue sky of a clear noon. Directions have length 1; x points
-// north, y up, z east. The stars' own frame has z towards the celestial pole and x towards the place where the
-// sun stands at the equinox of March. docs/19_moon_and_stars.md proves what is claimed here.
+// north, y up, z east. In the stars' own frame, z points towards the celestial pole and x towards the position of
+// the sun at the March equinox. docs/19_moon_and_stars.md proves the claims made here.
 #include "noise.glsl"
 
 const float NIGHT_PI = 3.14159265;
 
-// ---- Where the sky stands ----
+// ---- Where the sky is ----
 
 // The time in which the stars turn once, hours: 23 h 56 min 4 s.
 const float SIDEREAL_DAY = 23.9344696;
@@ -16,11 +16,11 @@ const float SIDEREAL_DAY = 23.9344696;
 // From new moon to new moon, days.
 const float MONTH = 29.530589;
 
-// The angle between the equator and the sun's way among the stars, degrees.
+// The angle between the equator and the sun's path among the stars, degrees.
 const float OBLIQUITY = 23.4393;
 
 // From a direction to the stars' frame: starDirection = skyTurn(hour, latitude) * direction.
-//   hour      solar time on the day of the equinox of March; any number, and 24 more is a day later
+//   hour      solar time on the day of the March equinox; any number, and 24 more is a day later
 //   latitude  degrees, north positive
 //   returns   a rotation
 //   formula   rows cos L M + sin L W, sin L M - cos L W, P, with L = 360 (hour - 12) / SIDEREAL_DAY degrees,
@@ -34,19 +34,19 @@ mat3 skyTurn(float hour, float latitude)
     return transpose(mat3(c * meridian + s * west, s * meridian - c * west, pole));
 }
 
-// The direction to the moon, which runs along the sun's way among the stars: its own way leans against it by
+// The direction to the moon, which moves along the sun's path among the stars. Its own path is inclined to that by
 // 5 degrees, which is left out.
-//   hour, latitude  as of sunDirection in sky.glsl
+//   hour, latitude  as for sunDirection in sky.glsl
 //   declination     of the sun, degrees, in [-23.43, 23.43], in the half of the year in which it rises
 //   age             days since new moon; any number
 //   formula         the sun's longitude l has sin l = sin declination / sin OBLIQUITY; the moon's is
-//                   l + 360 age / MONTH. Both are turned to the hour at which the sun stands at its own
+//                   l + 360 age / MONTH. Both are turned to the hour for which the sun is where it should be
 vec3 moonDirection(float hour, float latitude, float declination, float age)
 {
-    float lean = radians(OBLIQUITY), sun = asin(clamp(sin(radians(declination)) / sin(lean), -1.0, 1.0));
-    float moon = sun + 2.0 * NIGHT_PI / MONTH * age;
+    float lean = radians(OBLIQUITY), sine = clamp(sin(radians(declination)) / sin(lean), -1.0, 1.0);
+    float cosine = sqrt(1.0 - sine * sine), moon = atan(sine, cosine) + 2.0 * NIGHT_PI / MONTH * age;
     vec3 there = vec3(cos(moon), cos(lean) * sin(moon), sin(lean) * sin(moon)); // in the stars' frame
-    float turn = atan(cos(lean) * sin(sun), cos(sun)) + radians(15.0 * (hour - 12.0));
+    float turn = atan(cos(lean) * sine, cosine) + radians(15.0 * (hour - 12.0));
     float meridian = there.x * cos(turn) + there.y * sin(turn), west = there.x * sin(turn) - there.y * cos(turn);
     float place = radians(latitude);
     return vec3(there.z * cos(place) - meridian * sin(place), there.z * sin(place) + meridian * cos(place), -west);
@@ -54,25 +54,25 @@ vec3 moonDirection(float hour, float latitude, float declination, float age)
 
 // ---- Stars ----
 
-// The sphere is cut into 8 STAR_RINGS^2 cells of equal solid angle, and each has one star. Seen from above its
-// pole, each hemisphere is a disc of STAR_RINGS rings of one width; the ring i has 4 (2 i + 1) cells.
+// The sphere is divided into 8 STAR_RINGS^2 cells of equal solid angle, and each has one star. Seen from above its
+// pole, each hemisphere is a disc of STAR_RINGS rings of equal width; ring i has 4 (2 i + 1) cells.
 const int STAR_RINGS = 64;
 
 // The light of the faintest star, in units times steradians: of magnitude 7.61, 2.54e-6 10^(-0.4 7.61) lx.
 const float STAR_FAINTEST = 5.75e-13;
 
-// The light of the stars, averaged over what a pixel covers.
-//   direction  in the stars' frame: of skyTurn
-//   width      of the pixel, radians, > 0; 0.0031 at most: from there on the spot stays as wide as it is
-//   returns    linear light, above the air. The sum over the pixels of light times solid angle is the same wherever
-//              the stars stand between the pixels, within 0.7 %
+// The light of the stars, averaged over the footprint of a pixel.
+//   direction  in the stars' frame: from skyTurn
+//   width      of the pixel, radians, > 0; from 0.0031 on, the spot does not grow any more
+//   returns    linear light, above the air. The sum over the pixels of light times solid angle is the same for all
+//              positions of the stars between the pixels, within 0.7 %
 //   formula    the sum over the stars of flux colour (1 - d^2 / r^2)^3 4 / (pi r^2), d the distance to the star, r
 //              = 1.761 width. A share u of all stars is brighter than STAR_FAINTEST u^(-0.4 / 0.51): the number
 //              of stars grows as 10^(0.51 m) with the magnitude m. The colour is that of a black body,
 //              exp(14388 (1/0.55 - 1/wavelength) (1/T - 1/6500)) by Wien, T from 3,300 to 14,000 K
-// Only the four cells nearest to the direction are asked, all at once, one in each component: no spot reaches
-// further than a quarter of a cell's side in length. Beyond the pole lies the same ring half a turn on, beyond
-// the equator the same ring of the other hemisphere.
+// Only the four cells nearest to the direction are evaluated, all at once, one in each component: no spot reaches
+// farther than a quarter of the length of a cell's side. Beyond the pole is the same ring, half a turn further, and
+// beyond the equator the same ring of the other hemisphere.
 // Source: counts of the Hipparcos catalogue (ESA 1997); 2.54e-6 lx: C. W. Allen, 'Astrophysical quantities' (1973).
 vec3 starLight(vec3 direction, float width)
 {
@@ -82,7 +82,8 @@ vec3 starLight(vec3 direction, float width)
     vec4 past = step(rings, ring), before = step(ring, vec4(-0.5)); // the equator, the pole
     ring = clamp(ring, 0.0, rings - 1.0);
     vec4 count = 8.0 * ring + 4.0;
-    float turn = atan(direction.y, direction.x) / (2.0 * NIGHT_PI);
+    bool pole = direction.x == 0.0 && direction.y == 0.0; // atan(0, 0) is undefined
+    float turn = atan(direction.y, pole ? 1.0 : direction.x) / (2.0 * NIGHT_PI);
     vec4 column = floor(turn * count - 0.5) + vec4(0.0, 1.0, 0.0, 1.0) + 2.0 * before;
     column -= count * floor(column / count);
 
@@ -104,7 +105,7 @@ vec3 starLight(vec3 direction, float width)
     return 4.0 / (NIGHT_PI * radius * radius) * STAR_FAINTEST * sum;
 }
 
-// The light of the band of stars that are too faint to be told apart, with the dark clouds of dust in it.
+// The light of the band of stars that are too faint to be seen singly, with the dark clouds of dust in it.
 //   direction  in the stars' frame
 //   returns    linear light, above the air: up to about 3e-7
 //   formula    a bell of the latitude to the band's plane, brighter towards the constellation Sagittarius, times noise
@@ -123,24 +124,25 @@ vec3 milkyWay(vec3 direction)
 
 // ---- Dusk and dark ----
 
-// The light of the sky overhead by the sun's height, without moon.
+// The light of the sky overhead as a function of the sun's height, without the moon.
 //   sinHeight  of the sun
-//   returns    0.74 at noon, 0.051 at sunset, 4.5e-8 when the sun is 18.3 degrees down and more
-//   formula    27 10^(-0.4 m), m in magnitudes per square second of arc; with d the sun's depth in degrees less 5:
+//   returns    0.74 at noon, 0.051 at sunset, 4.5e-8 when the sun is at least 18.3 degrees below the horizon
+//   formula    27 10^(-0.4 m), m in magnitudes per square second of arc; with d the sun's depth in degrees minus 5:
 //              m = 11.84 + 1.518 d - 0.057 d^2 for 0 <= d <= 13.32, the top of this parabola; for d < 0 the last
 //              factor is 0.102, so that the sun sets at 6.8; by day 3.9 + 2.9 exp(-height / 5.7)
 // Source: F. Patat, O. S. Ugolnikov, O. V. Postylyakov, 'UBVRI twilight sky brightness at ESO-Paranal', Astronomy
 // and Astrophysics 455 (2006), table 1, for depths from 5 to 15 degrees; the rest is by eye.
 float zenithLight(float sinHeight)
 {
-    float depth = -degrees(asin(clamp(sinHeight, -1.0, 1.0))), d = min(max(depth, 0.0) - 5.0, 13.3158);
+    float cosine = sqrt(max(1.0 - sinHeight * sinHeight, 0.0));
+    float depth = -degrees(atan(sinHeight, cosine)), d = min(max(depth, 0.0) - 5.0, 13.3158);
     float magnitude = 11.84 + d * (1.518 + (d < 0.0 ? 0.102 : -0.057) * d);
     magnitude -= 2.9 * (1.0 - exp(min(depth, 0.0) / 5.7));
     return 27.0 * exp2(-1.3287712 * magnitude);
 }
 
 // The magnitude of the faintest star that an eye sees against a sky.
-//   light    of the sky, as of zenithLight, > 0
+//   light    of the sky, as from zenithLight, > 0
 //   formula  7.93 - 5 log10(1 + 10^(4.316 - m / 5)), m = -2.5 log10(light / 27) the sky's magnitudes per square
 //            second of arc: 6.6 in the dark, -0.3 when the sun is 6 degrees down
 // Source: B. E. Schaefer, 'Telescopic limiting magnitudes', Publications of the Astronomical Society of the
@@ -151,11 +153,12 @@ float faintestSeen(float light)
     return 7.93 - 5.0 * 0.30103 * log2(1.0 + exp2(3.3219281 * (4.316 - magnitude / 5.0)));
 }
 
-// What the dark sky sends by itself: a layer of air 90 km up glows, and one that looks flat along it sees more of it.
+// The light of the dark sky itself: a layer of air at a height of 95.5 km glows, and a ray near the horizon passes
+// through more of it.
 //   sinHeight  of the direction
-//   returns    4.5e-8 overhead, 4 times as much at the horizon
-//   formula    4.5e-8 / sqrt(1 - (1 - sinHeight^2) / 1.0302^2) times a faintly green white: 6471 / 6371 km has
-//              the square 1.03, and the layer is met at the sine's inverse
+//   returns    4.5e-8 overhead, 5.84 times as much at the horizon
+//   formula    4.5e-8 / sqrt(1 - (1 - sinHeight^2) / 1.0302) times a slightly green white, where 1.0302 is
+//              (6466.5 / 6371)^2, the square of the layer's radius in radii of the Earth
 // Source: P. J. van Rhijn (1921).
 vec3 airglow(float sinHeight)
 {
@@ -163,8 +166,8 @@ vec3 airglow(float sinHeight)
     return 4.5e-8 / sqrt(1.0 - (1.0 - s * s) / 1.0302) * vec3(0.72, 1.0, 1.25);
 }
 
-// By how many stops to expose by the hour: of two stops of darkness an eye makes good one and a bit.
-//   light    of the sky overhead, of zenithLight with what the moon adds
+// How many stops to expose, by the hour: of two stops of darkness, an eye makes up for a little more than one.
+//   light    of the sky overhead, from zenithLight, plus that of the moon
 //   returns  0.25 at noon, 14.2 on a dark night
 //   formula  -0.58 log2(light)
 float nightStops(float light)
@@ -176,7 +179,7 @@ float nightStops(float light)
 
 // The share of the disc that is lit.
 //   cosPhase  cosine of the angle at the moon between the eye and the sun: minus the cosine of the angle between moon
-//             and sun in the sky, for the sun is 390 times as far
+//             and sun in the sky, because the sun is 390 times as far away
 //   formula   (1 + cosPhase) / 2
 float moonShare(float cosPhase)
 {
@@ -184,7 +187,7 @@ float moonShare(float cosPhase)
 }
 
 // The moon's own frame, as rows: right, up (towards the celestial pole), and from the moon to the eye.
-//   moon      of moonDirection; not the pole itself
+//   moon      from moonDirection; not the pole itself
 //   returns   vector in the frame = moonFrame(moon, latitude) * vector
 mat3 moonFrame(vec3 moon, float latitude)
 {
@@ -192,28 +195,28 @@ mat3 moonFrame(vec3 moon, float latitude)
     return transpose(mat3(right, cross(right, moon), -moon));
 }
 
-// Where on the disc a ray looks.
+// The point of the disc that a ray meets.
 //   seen     the ray's direction in the moon's frame
-//   radius   radians, under which the moon is seen; the true one is 0.00452
-//   returns  x right, y up, in radii of the disc; far outside where the ray looks the other way
+//   radius   angular radius of the moon, radians; the true one is 0.00452
+//   returns  x right, y up, in radii of the disc; far outside if the ray points away from the moon
 //   formula  seen.xy / sin(radius)
 vec2 moonPlace(vec3 seen, float radius)
 {
     return seen.z < 0.0 ? seen.xy / sin(radius) : vec2(1e3);
 }
 
-// The light of the moon's face above the air, of the sun and of the earth.
-//   face     textures/moon.png, linear: the albedo / 0.40, and the slopes to the right and upwards, of which 0 stands
-//            for -0.30 and 1 for 0.30
-//   place    of moonPlace; outside of the disc as at its rim
+// The light of the moon's face above the air, lit by the sun and the Earth.
+//   face     textures/moon.png, linear: the albedo / 0.40, and the slopes to the right and upwards, with 0 for
+//            -0.30 and 1 for 0.30
+//   place    from moonPlace; outside the disc as at its rim
 //   width    of the pixel, in radii
 //   toSun    in the moon's frame, length 1
-//   relief   how many times as steep as they are the slopes stand
+//   relief   factor by which the slopes are exaggerated
 //   returns  linear light: about 1.3 at full moon
 //   formula  10.2 a (2 m / (m + n) exp(-0.94 g) + 1.2e-4 e), a the albedo, m and n the cosines of the ground to the
-//            sun and to the eye (Lommel and Seeliger), g the angle between the two, e the light of the earth's own
-//            phase: (sin b + (pi - b) cos b) / pi, b = pi - g. The slopes take from m the rise of the ground
-//            towards the sun
+//            sun and to the eye (Lommel and Seeliger), g the angle between the two, e the light of the Earth's own
+//            phase: (sin b + (pi - b) cos b) / pi, b = pi - g. Because of the slopes, m decreases by the rise of the
+//            ground towards the sun
 // Source: H. Seeliger, 'Zur Photometrie zerstreut reflectirender Substanzen', Munich 1888; exp(-0.94 g) by eye after
 // the light of the whole moon in C. W. Allen, 'Astrophysical quantities' (1973), within 10 % from 0 to 150 degrees.
 vec3 moonFace(sampler2D face, vec2 place, float width, vec3 toSun, float relief)
@@ -225,19 +228,19 @@ vec3 moonFace(sampler2D face, vec2 place, float width, vec3 toSun, float relief)
     float albedo = 0.40 * ground.x, m = dot(normal, toSun);
     float rise = 0.30 * dot(2.0 * ground.yz - 1.00392, toSun.xy - m * normal.xy);
     m = clamp(m - relief * rise * smoothstep(-0.05, 0.02, m), 0.0, 1.0);
-    float phase = acos(clamp(toSun.z, -1.0, 1.0)), earth = sin(phase) - phase * toSun.z;
+    float phase = atan(length(toSun.xy), toSun.z), earth = sin(phase) - phase * toSun.z;
     float sunlit = 2.0 * m / (m + normal.z + 0.001) * exp(-0.94 * phase);
     return 10.2 * albedo * (sunlit * vec3(1.06, 1.0, 0.88) + 1.2e-4 / NIGHT_PI * earth * vec3(0.85, 1.0, 1.25));
 }
 
-// The light of the moon on a surface across its rays, above the air.
-//   cosPhase  as of moonShare
+// The light of the moon on a surface perpendicular to its rays, above the air.
+//   cosPhase  as for moonShare
 //   returns   2.5e-5 at full moon (0.31 lx), 8.6 % of it at half moon
-//   formula   2.5e-5 exp(-0.94 g) (1 - sin(g/2) tan(g/2) ln cot(g/4)), what moonFace sends of an even ball
-// Source: as of moonFace.
+//   formula   2.5e-5 exp(-0.94 g) (1 - sin(g/2) tan(g/2) ln cot(g/4)), the light that moonFace gives for a uniform ball
+// Source: as for moonFace.
 vec3 moonlight(float cosPhase)
 {
-    float g = clamp(acos(clamp(cosPhase, -1.0, 1.0)), 0.001, 3.1), h = 0.5 * g;
-    float ball = 1.0 - sin(h) * tan(h) * log(1.0 / tan(0.5 * h));
-    return 2.5e-5 * exp(-0.94 * g) * ball * vec3(1.06, 1.0, 0.88);
+    float c = clamp(cosPhase, -0.9991, 0.9999995), sine = sqrt(0.5 - 0.5 * c), cosine = sqrt(0.5 + 0.5 * c); // of g / 2
+    float ball = 1.0 - sine * sine / cosine * log((1.0 + cosine) / sine);
+    return 2.5e-5 * exp(-1.88 * atan(sine, cosine)) * ball * vec3(1.06, 1.0, 0.88);
 }

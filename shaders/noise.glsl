@@ -1,16 +1,16 @@
-// noise.glsl - random numbers on the points of a lattice, and smooth functions between them: what a
-// rough stone, a vein of marble or a gust of wind is made from.
+// noise.glsl - random numbers at the points of a lattice, and smooth functions between them: the basis of
+// rough stone, veined marble or gusts of wind.
 //
-// The lattice is that of the whole numbers: one cell is 1 scene unit wide; noise(k p) has k cells a
-// unit, and its gradient is k times as long. Every function returns its value in x and its gradient
-// in yzw, computed and not by differences; whoever takes x alone pays for x alone.
+// The lattice consists of the points with integer coordinates. One cell is 1 scene unit wide; noise(k p) has k
+// cells per unit, and its gradient is k times as long. Every function returns its value in x and its exact
+// gradient in yzw. The compiler removes the gradient where only x is used.
 
-// What the random numbers of neighbouring lattice points differ by, before they are stirred.
+// The differences between the hash inputs of neighbouring lattice points.
 const uvec3 LATTICE_STEP = uvec3(2376512323u, 3625334849u, 3407524639u);
 
-// Bits that look random, four at once.
-//   formula  v ^= v >> 16, v *= 0x7feb352d, v ^= v >> 15, v *= 0x846ca68b, v ^= v >> 16: every step
-//            can be undone, so different v give different bits
+// Bits that look random, for four inputs at once.
+//   formula  v ^= v >> 16, v *= 0x7feb352d, v ^= v >> 15, v *= 0x846ca68b, v ^= v >> 16: every step is
+//            invertible, so different v give different bits
 // Source: C. Wellons, 'Prospecting for hash functions' (2018), lowbias32.
 uvec4 stirredBits(uvec4 v)
 {
@@ -25,11 +25,11 @@ struct CellBits {
     uvec4 far;  // z = 1: the same
 };
 
-// The bits of the cell whose lowest corner is given.
-//   corner   whole numbers, |corner| < 2^31
-//   formula  stirredBits(dot(corner, LATTICE_STEP)), whole numbers modulo 2^32
-// Two lattice points have the same bits where their difference times LATTICE_STEP is 0 modulo 2^32; the
-// nearest two such points are 1,565 cells apart: within a ball of 780 cells no two points agree by this.
+// The bits of the cell with the given lowest corner.
+//   corner   integers, |corner| < 2^31
+//   formula  stirredBits(dot(corner, LATTICE_STEP)), integers modulo 2^32
+// Two lattice points have the same bits if the product of their difference and LATTICE_STEP is 0 modulo 2^32. The
+// nearest two such points are 1,565 cells apart, so within a ball of radius 780 cells all points have different bits.
 CellBits cellBits(ivec3 corner)
 {
     uvec3 steps = uvec3(corner) * LATTICE_STEP;
@@ -38,7 +38,7 @@ CellBits cellBits(ivec3 corner)
     return CellBits(stirredBits(near), stirredBits(near + LATTICE_STEP.z));
 }
 
-// The way from 0 to 1 that begins and ends with slope and curvature 0.
+// A smooth step from 0 to 1 whose slope and curvature are 0 at both ends.
 //   x        in [0, 1], per component
 //   formula  6 x^5 - 15 x^4 + 10 x^3
 // Source: K. Perlin, 'Improving noise', SIGGRAPH 2002.
@@ -47,7 +47,7 @@ vec3 quinticFade(vec3 x)
     return x * x * x * (x * (6.0 * x - 15.0) + 10.0);
 }
 
-// Its slope: at most 15/8, at x = 1/2.
+// The slope of quinticFade: at most 15/8, at x = 1/2.
 //   formula  30 x^2 (1 - x)^2
 vec3 quinticSlope(vec3 x)
 {
@@ -55,12 +55,12 @@ vec3 quinticSlope(vec3 x)
     return 30.0 * q * q;
 }
 
-// Between eight numbers at the corners of a cell.
-//   x          place in the cell, in [0, 1] per component
+// A smooth interpolation of eight numbers at the corners of a cell.
+//   x          position in the cell, in [0, 1] per component
 //   near, far  the numbers, in the order of CellBits
-//   returns    value (x), gradient (yzw); the gradient is never longer than 15/8 times the range of
-//              the eight numbers, and is so long in the middle of a cell with one number on a face
-//              and the other on the face across
+//   returns    value (x), gradient (yzw). The gradient is never longer than 15/8 times the range of the eight
+//              numbers. It reaches this length in the middle of a cell with one number at the corners of a face
+//              and another at those of the opposite face
 //   formula    sum of weight times number; the weight of a corner is the product over the axes of
 //              fade(x) or 1 - fade(x)
 vec4 blendedValues(vec3 x, vec4 near, vec4 far)
@@ -73,34 +73,34 @@ vec4 blendedValues(vec3 x, vec4 near, vec4 far)
     return vec4(row.x + u.x * growth.x, slope * growth);
 }
 
-// Value noise: a random number at every lattice point, blended between.
+// Value noise: a random number at every lattice point, interpolated between them.
 //   p        scene units
-//   returns  value in [0, 1), gradient; twice continuously differentiable; the gradient is never
-//            longer than VALUE_STRETCH
+//   returns  value in [0, 1), gradient; twice continuously differentiable; the gradient is never longer than
+//            VALUE_STRETCH. Floats may leave the range of the value by their rounding, about 1e-6
 vec4 valueNoise(vec3 p)
 {
     vec3 corner = floor(p);
     CellBits bits = cellBits(ivec3(corner));
-    ivec4 near = ivec4(bits.near >> 8u), far = ivec4(bits.far >> 8u); // from int a float is made faster
+    ivec4 near = ivec4(bits.near >> 8u), far = ivec4(bits.far >> 8u); // int to float is faster than uint to float
     return blendedValues(p - corner, vec4(near) / 16777216.0, vec4(far) / 16777216.0);
 }
 
-// Lipschitz constants, both the least that hold for all numbers and directions at the corners. The first
-// is proved in docs/12_textures.md; that the second is nowhere exceeded is computed there, on a grid.
+// Lipschitz constants, both the smallest that are true for all numbers and directions at the corners. The first
+// is proved in docs/12_textures.md. That the second is never exceeded is computed there, on a grid.
 const float VALUE_STRETCH = 1.875;        // 15/8: of the fade on one axis, and of valueNoise in space
 const float GRADIENT_STRETCH = 2.7922885; // sqrt(499) / 8: of gradientNoise
 
-// A direction for the bits of a lattice point, length 1.
-//   formula  three odd numbers from -1023 to 1023, ten bits each, made of length 1: never (0, 0, 0)
+// The direction of a lattice point, from its bits, length 1.
+//   formula  three odd numbers from -1023 to 1023, ten bits each, normalised: never (0, 0, 0)
 vec3 latticeDirection(uint bits)
 {
     ivec3 k = ivec3(uvec3(bits, bits >> 10u, bits >> 20u) & 1023u);
     return normalize(vec3(2 * k - 1023));
 }
 
-// What one corner adds to gradient noise: a slope through the corner, as far as the corner's weight
-// reaches.
-//   x          place in the cell
+// The contribution of one corner to gradient noise: a linear function that is 0 at the corner, multiplied by
+// the corner's weight.
+//   x          position in the cell
 //   corner     0 or 1 per component
 //   direction  of that corner, length 1
 //   formula    weight(x) dot(direction, x - corner), and its gradient
@@ -112,7 +112,7 @@ vec4 cornerSlope(vec3 x, vec3 corner, vec3 direction)
     return vec4(weight * height, weight * direction + height * slope * share.yzx * share.zxy);
 }
 
-// Gradient noise: 0 at every lattice point, with a random slope of length 1 there.
+// Gradient noise: 0 at every lattice point, with a gradient of length 1 in a random direction there.
 //   p        scene units
 //   returns  value in [-sqrt(3) / 2, sqrt(3) / 2], gradient; twice continuously differentiable; the
 //            gradient is never longer than GRADIENT_STRETCH
@@ -130,13 +130,13 @@ vec4 gradientNoise(vec3 p)
     return sum;
 }
 
-// Where the lattice of the next octave stands, so that the lattices of two octaves do not meet: where
-// they do, all octaves of gradient noise are 0, and all gradients of value noise.
+// The offset of the next octave's lattice, so that the lattices of two octaves have no common points: at such
+// points all octaves of gradient noise would be 0, and so would all gradients of value noise.
 const vec3 OCTAVE_SHIFT = vec3(17.17, 5.31, 29.73);
 
 // The sum of 1, ratio, ratio^2 and so on, count terms.
 //   count    >= 1
-//   formula  added up; 1 / (1 - ratio) without end, where |ratio| < 1
+//   formula  added term by term; its limit is 1 / (1 - ratio) if |ratio| < 1
 float geometricSum(float ratio, int count)
 {
     float sum = 0.0, term = 1.0;
@@ -147,11 +147,11 @@ float geometricSum(float ratio, int count)
     return sum;
 }
 
-// Octaves of value noise, one finer and weaker than the other, divided by the sum of their weights.
+// A sum of octaves of value noise, each finer and weaker than the one before, divided by the sum of their weights.
 //   count       of octaves, >= 1
-//   gain        weight of an octave over that of the one before, in (0, 1]
-//   lacunarity  the same for the number of cells a unit, >= 1
-//   returns     value in [0, 1), gradient, never longer than octaveStretch
+//   gain        weight of an octave divided by that of the one before, in (0, 1]
+//   lacunarity  the same for the number of cells per unit, >= 1
+//   returns     value in [0, 1) up to rounding, about 1e-6; gradient, never longer than octaveStretch
 //   formula     sum of gain^i valueNoise(p_i) / sum of gain^i, p_0 = p, p_(i+1) = lacunarity p_i + shift
 vec4 octaveNoise(vec3 p, int count, float gain, float lacunarity)
 {
@@ -167,10 +167,10 @@ vec4 octaveNoise(vec3 p, int count, float gain, float lacunarity)
     return sum / weights;
 }
 
-// The Lipschitz constant of octaveNoise: a bound; it is reached where the steepest places of all octaves
-// meet, which chance does not arrange.
-//   formula  VALUE_STRETCH sum of (gain lacunarity)^i / sum of gain^i; for gain < 1 bounded for every
-//            count if, and only if, gain lacunarity < 1
+// A Lipschitz constant of octaveNoise: an upper bound. It would be reached only where the steepest points of
+// all octaves coincide, which is very unlikely.
+//   formula  VALUE_STRETCH sum of (gain lacunarity)^i / sum of gain^i; for gain < 1, it is bounded for all
+//            counts if and only if gain lacunarity < 1
 float octaveStretch(int count, float gain, float lacunarity)
 {
     return VALUE_STRETCH * geometricSum(gain * lacunarity, count) / geometricSum(gain, count);

@@ -1,14 +1,14 @@
 // normal.glsl - the direction in which the distance grows fastest.
 #include "scene.glsl"
 
-// The unit normal of the surface at p: the gradient of the scene's distance by central differences,
-// made of length 1.
+// The unit normal of the surface at p: the normalised gradient of the scene's distance, by central
+// differences.
 //   p        near the surface, scene units
 //   h        step of the differences, scene units, > 0
-//   formula  normalize(f(p + h e_i) - f(p - h e_i)), i = x, y, z; error O(h^2) from the formula,
-//            O(1 / h) from rounding
+//   formula  normalize(f(p + h e_i) - f(p - h e_i)), i = x, y, z; the truncation error is O(h^2), the
+//            rounding error O(1 / h)
 //   returns  length 1; (0, 0, 0) where the differences cancel, as in a sheet without thickness
-// A loop around one call of the scene, not six calls: it compiles faster.
+// A loop around one call of the scene compiles faster than six calls.
 // Source: report, section 1.5.1.
 vec3 normalAt(vec3 p, float h)
 {

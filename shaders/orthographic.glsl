@@ -1,11 +1,11 @@
-// orthographic.glsl - the parallel view, and the passage from the perspective view to it.
+// orthographic.glsl - the parallel view, and the transition to it from the perspective view.
 #include "camera.glsl"
 
 uniform float orthographic; // 1 in [0, 1] step 0.05: 0 the perspective view, 1 the orthographic one
 
-// The ray of a parallel view: all go the camera's way, each from its own point of the camera's plane.
+// The ray of a parallel view: all have the camera's direction, and each starts at its own point of the camera's plane.
 //   screen      y from -1 to 1, x from -aspect to aspect
-//   halfHeight  half the height of what the picture shows, scene units, > 0
+//   halfHeight  half the height of the area that the picture shows, scene units, > 0
 //   formula     origin = position + halfHeight (x right + y up), direction = forward
 // The report (section 2.3) leaves halfHeight out: then the picture shows 2 scene units, whatever the
 // scene.
@@ -15,14 +15,14 @@ Ray orthographicRay(vec2 screen, float halfHeight)
     return Ray(iCameraPosition + halfHeight * across, iCameraForward);
 }
 
-// The ray of a view between the two: the perspective of an eye that has gone back to
-// framingDistance / (1 - u) while its focal length grew in proportion, u = orthographic. What lies
-// on the framing plane, across the view at framingDistance from the camera, stays where it is.
+// The ray of a view between the two: the perspective view of an eye that has moved back to
+// framingDistance / (1 - u) while its focal length grew in proportion, u = orthographic. Points of the framing
+// plane, perpendicular to the view at framingDistance from the camera, keep their positions in the picture.
 //   screen           y from -1 to 1, x from -aspect to aspect
 //   framingDistance  from the camera's plane to the framing plane along the view, scene units, > 0
 //   formula          with v = x right + y up and s = framingDistance / focalLength
 //                    origin = position + u s v, direction = normalize((1 - u) v + focalLength forward)
-// All rays start on the camera's plane, so what lies behind it is in no picture. With u = 0 it is
+// All rays start on the camera's plane, so nothing behind it is in the picture. With u = 0 this is
 // perspectiveRay, with u = 1 orthographicRay with half height s.
 Ray projectionRay(vec2 screen, float framingDistance)
 {

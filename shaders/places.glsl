@@ -1,26 +1,36 @@
-// places.glsl - where a point of space is in the picture, whatever the chapter's pixelRay.
+// places.glsl - the position in the picture of a point in space, for any pixelRay of a chapter.
 #include "inputs.glsl"
 #include "scene.glsl"
 
-// Compiled only for the program that looks for the steps of a march.
+// Compiled only for the program that finds the positions of points.
 #if VIEW == 9
 
-uniform sampler2D iMarch; // column k, row 1: the position of step k, as a probe wrote it
+const int HANDLE_POINTS = 24;
 
-// How far the ray of a pixel passes from a point, square to the ray, scene units.
-//   along  where it passes, scene units along that ray
+uniform sampler2D iMarch;                   // column k, row 1: the position of step k, as a probe wrote it
+uniform int iHandlePoints;                  // how many points to find instead; 0: the steps of the march
+uniform vec3 iHandlePoint[HANDLE_POINTS];   // scene units
+
+// The point that column k looks for.
+vec3 placeWanted(int k)
+{
+    return iHandlePoints > 0 ? iHandlePoint[min(k, HANDLE_POINTS - 1)] : texelFetch(iMarch, ivec2(k, 1), 0).xyz;
+}
+
+// The offset from a pixel's ray to a point, perpendicular to the ray, scene units.
+//   along  where it passes the point, scene units along that ray
 vec3 placeMissed(vec3 p, vec2 pixel, float along)
 {
     Ray ray = pixelRay(screenPosition(pixel));
     return p - ray.origin - along * ray.direction;
 }
 
-// The place of the picture whose ray goes through a point.
-//   returns  x and y in pixels, 1 where there is such a ray in front of the camera, else 0
-//   formula  Gauss-Newton steps from the middle: with the way q from the ray to the point, and a, b what one
-//            pixel to the right and one up add to the ray as far away as the point, all square to the ray, the
-//            least |q - x a - y b|. A parallel view is there at once; in others a step is as long as the sine of
-//            the angle that is left, which never leads beyond
+// The position in the picture whose ray passes through a point.
+//   returns  x and y in pixels, 1 if there is such a ray in front of the camera, else 0
+//   formula  Gauss-Newton steps from the middle. Let q be the offset from the ray to the point, and a, b the changes
+//            of the ray at the point's distance for one pixel to the right and one up, all perpendicular to the ray;
+//            a step minimises |q - x a - y b|. A parallel view converges at once; in other views a step is as long
+//            as the sine of the remaining angle and never overshoots
 vec4 placeOf(vec3 p)
 {
     vec2 pixel = 0.5 * iResolution.xy;

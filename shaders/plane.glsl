@@ -1,8 +1,8 @@
 // plane.glsl - signed distances of the elementary figures of the plane.
 //
 // Positive outside, negative inside, in scene units. Each is exact everywhere: the distance to the
-// nearest point of the boundary. A figure without inside, a segment or an arc, has a distance that is
-// never negative; opRound gives it a width. The operations of combine.glsl serve in the plane too.
+// nearest point of the boundary. A figure without an interior, such as a segment or an arc, has a distance
+// that is never negative; opRound gives it a width. The operations of combine.glsl work in the plane too.
 
 // A disc around the origin. Exact everywhere.
 //   p        point, scene units
@@ -14,8 +14,8 @@ float sdCircle(vec2 p, float radius)
     return length(p) - radius;
 }
 
-// A segment, which has no inside. Exact everywhere.
-//   p, a, b  point and both ends, scene units, a not b
+// A segment, which has no interior. Exact everywhere.
+//   p, a, b  the point and both ends, scene units, a != b
 //   formula  |p - a - s (b - a)|, s = clamp((p - a) . (b - a) / |b - a|^2, 0, 1)
 float sdSegment(vec2 p, vec2 a, vec2 b)
 {
@@ -37,7 +37,7 @@ float sdRectangle(vec2 p, vec2 halfSize)
 
 // A triangle. Exact everywhere.
 //   p        point, scene units
-//   a, b, c  corners, scene units, in either order, not on one line
+//   a, b, c  corners, scene units, in either order, not collinear
 //   formula  the smallest of the three distances to a side, negative where p is on the inner side of
 //            all three lines
 float sdTriangle(vec2 p, vec2 a, vec2 b, vec2 c)
@@ -47,22 +47,22 @@ float sdTriangle(vec2 p, vec2 a, vec2 b, vec2 c)
     vec2 fromBC = pb - clamp(dot(pb, bc) / dot(bc, bc), 0.0, 1.0) * bc;
     vec2 fromCA = pc - clamp(dot(pc, ca) / dot(ca, ca), 0.0, 1.0) * ca;
     float nearest = sqrt(min(dot(fromAB, fromAB), min(dot(fromBC, fromBC), dot(fromCA, fromCA))));
-    float turn = sign(ab.x * bc.y - ab.y * bc.x); // 1 where the corners go round to the left
+    float turn = sign(ab.x * bc.y - ab.y * bc.x); // 1 if the corners are in counter-clockwise order
     vec3 inside = turn * vec3(ab.x * pa.y - ab.y * pa.x, bc.x * pb.y - bc.y * pb.x, ca.x * pc.y - ca.y * pc.x);
     return min(inside.x, min(inside.y, inside.z)) > 0.0 ? -nearest : nearest;
 }
 
-// The most corners that a polygon may have.
+// The largest number of corners of a polygon.
 const int POLYGON_CORNERS = 16;
 
-// A polygon of 3 to 16 corners, convex or not. Exact everywhere. One that crosses itself has its inside
-// where a half-line meets its sides an odd number of times.
+// A polygon of 3 to 16 corners, convex or not. Exact everywhere. If its sides cross, the interior is where a
+// half-line meets them an odd number of times.
 //   p        point, scene units
-//   corner   the corners in their order, either way round, scene units, no two neighbours equal; those
+//   corner   the corners in order, clockwise or counter-clockwise, scene units, no two neighbours equal; those
 //            from count on are not read
 //   count    how many there are, at most POLYGON_CORNERS
-//   formula  the smallest distance to a side; its sign by the crossings of the half-line from p to the
-//            right. A side holds its lower end and not its upper, so that a corner counts once
+//   formula  the smallest distance to a side; its sign from the crossings of the half-line from p to the
+//            right. A side contains its lower end but not its upper end, so that a corner counts once
 // Source: M. Shimrat, 'Algorithm 112: position of point relative to polygon', Communications of the ACM
 // 5 (1962), for the crossings.
 float sdPolygon(vec2 p, vec2 corner[POLYGON_CORNERS], int count)
@@ -82,13 +82,12 @@ float sdPolygon(vec2 p, vec2 corner[POLYGON_CORNERS], int count)
     return inside ? -sqrt(nearest) : sqrt(nearest);
 }
 
-// An arc of the circle around the origin, to both sides of the upper half of the y axis; it has no
-// inside. Exact everywhere.
+// An arc of the circle around the origin, centred on the positive y axis; it has no interior. Exact everywhere.
 //   p          point, scene units
 //   radius     of the circle, > 0, scene units
-//   halfAngle  from the arc's middle to either end, radians, in (0, pi); of a whole circle take opOnion
+//   halfAngle  from the arc's middle to either end, radians, in (0, pi); for a whole circle use opOnion
 //   formula    with q = (|x|, y) and e = (sin halfAngle, cos halfAngle): | |q| - radius | where q.x e.y <=
-//              q.y e.x, which is where q lies in the arc's sector; else |q - radius e|
+//              q.y e.x, that is, where q lies in the arc's sector; else |q - radius e|
 float sdArc(vec2 p, float radius, float halfAngle)
 {
     vec2 q = vec2(abs(p.x), p.y);
@@ -97,23 +96,23 @@ float sdArc(vec2 p, float radius, float halfAngle)
     return abs(length(within ? q : q - radius * end) - (within ? radius : 0.0)); // one root for both
 }
 
-// A figure grown by a width: all points that are at most so far from it. Of a segment or an arc it makes
+// A figure enlarged by a width: all points within this distance of it. From a segment or an arc it makes
 // a stroke with round ends.
 //   d        distance of the figure, scene units
 //   radius   >= 0, scene units
 //   formula  d - radius
-//   exact outside where d is exact outside; inside too where the figure is convex and d exact, else a
-//   lower bound of the depth. To round a rectangle and keep its size, make it smaller by radius first
+//   exact outside if d is exact outside; inside too if the figure is convex and d exact, else a
+//   lower bound of the depth. To round a rectangle but keep its size, first make it smaller by radius
 float opRound(float d, float radius)
 {
     return d - radius;
 }
 
-// A shell along the boundary of a figure, to both sides of it.
+// A shell along the boundary of a figure, on both sides of it.
 //   d        distance of the figure, scene units
 //   radius   half the shell's width, >= 0, scene units
 //   formula  |d| - radius
-//   exact outside the shell, on both sides of it, where d is exact on both; within the shell a lower
+//   exact outside the shell, on both sides of it, if d is exact on both; within the shell a lower
 //   bound of the depth
 float opOnion(float d, float radius)
 {

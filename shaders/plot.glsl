@@ -1,8 +1,8 @@
 // plot.glsl - the distance along one ray as a graph, below the slice, with the steps on it.
 //
-// Slice and graph share the axis along the ray. A step stands at (t, distance) and goes to the right by as much
-// as it stands high: so a march is a staircase. The slope behind a step falls by 1 for each unit of the ray, as
-// fast as a distance can: where the graph dips below it, the scene's function is no lower bound of a distance.
+// Slice and graph share the axis along the ray. A step is drawn at (t, distance) and extends to the right by its
+// height, so a march is a staircase. The line behind a step falls by 1 per unit of the ray, as fast as a
+// distance can: where the graph dips below it, the scene's function is not a lower bound of the distance.
 #include "signs.glsl"
 #include "inputs.glsl"
 #include "scene.glsl"
@@ -11,8 +11,8 @@
 // Compiled only for this view.
 #if VIEW == 5
 
-uniform vec3 iPlotFrame;      // the picture's row of distance 0; distances a pixel; the slice's lowest row
-uniform float iPlotTick;      // distances from tick to tick, 1, 2 or 5 times a power of ten
+uniform vec3 iPlotFrame;      // the picture's row of distance 0; distance per pixel; the slice's lowest row
+uniform float iPlotTick;      // distance from tick to tick, 1, 2 or 5 times a power of ten
 uniform int  iPlotTickScaled; // the tick as iPlotTickScaled / 10^iPlotDecimals
 uniform int  iPlotDecimals;
 uniform int  iPlotEnd; // why the march ended: END_HIT, ...
@@ -21,7 +21,7 @@ const vec3 PLOT_CURVE     = vec3(0.10, 0.33, 0.70);
 const vec3 PLOT_EMPTY     = vec3(0.99, 0.88, 0.72);
 const vec3 PLOT_THRESHOLD = vec3(0.42, 0.12, 0.55);
 
-// How far a place is from a straight line between two others, in pixels.
+// The distance of a point from the segment between two others, in pixels.
 float plotLine(vec2 place, vec2 from, vec2 to)
 {
     vec2 way = to - from;
@@ -29,15 +29,15 @@ float plotLine(vec2 place, vec2 from, vec2 to)
     return length(place - from - along * way);
 }
 
-// Where a distance at t stands, in pixels of the picture. What is far off the picture stays near it, so
-// that lines to it keep their precision.
+// The position of a distance at t, in pixels of the picture. A point far outside the picture is moved closer to
+// it, so that lines to the point keep their precision.
 vec2 plotPlace(float t, float distance)
 {
     float up = clamp(distance / iPlotFrame.y, -4.0 * iResolution.y, 4.0 * iResolution.y);
     return vec2((t - iSliceFrame.x) / iSliceFrame.z, iPlotFrame.x + up);
 }
 
-// The height of the threshold at t: what the march told at its first and last step, and a straight line.
+// The height of the threshold at t: a straight line through its values at the march's first and last step.
 float plotThreshold(float t)
 {
     int last = max(iMarchSteps - 1, 0);
@@ -46,12 +46,12 @@ float plotThreshold(float t)
     return mix(first.y, end.y, end.x > first.x ? (t - first.x) / (end.x - first.x) : 0.0);
 }
 
-// The graph of the scene's distance along the ray: how much of a pixel its line covers.
+// The graph of the scene's distance along the ray: the share of a pixel that its line covers.
 float plotCurve(Ray ray, vec2 pixel)
 {
     float pen = slicePen(), nearest = 1e9;
     vec2 before = vec2(0.0);
-    for (int i = -2; i <= 2; i++) { // beside the pixel, as far as the line is wide
+    for (int i = -2; i <= 2; i++) { // to both sides of the pixel, as far as the line is wide
         float t = iSliceFrame.x + (pixel.x + 0.7 * pen * float(i)) * iSliceFrame.z;
         vec2 place = plotPlace(t, sceneDistance(ray.origin + t * ray.direction));
         nearest = i == -2 ? nearest : min(nearest, plotLine(pixel, before, place));
@@ -60,7 +60,7 @@ float plotCurve(Ray ray, vec2 pixel)
     return lineCover(nearest, 2.2 * pen);
 }
 
-// What the steps promise to be empty, their stairs and their places.
+// The intervals that the steps show to be empty, the stairs, and the positions of the steps.
 vec3 plotSteps(vec3 colour, vec2 pixel)
 {
     float pen = slicePen(), promised = 0.0, slopes = 0.0, stairs = 0.0, here = 0.0, dots = 0.0;
@@ -92,7 +92,7 @@ vec3 plotSteps(vec3 colour, vec2 pixel)
     return mix(colour, SLICE_HERE, here);
 }
 
-// Where the march ended, in a ring for a hit and a cross for none, and the word for it.
+// The end of the march, marked with a ring for a hit or a cross for a miss, and its name.
 vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
 {
     float pen = slicePen();
@@ -102,7 +102,7 @@ vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
     float cross = max(abs(from.x), abs(from.y)) < 5.0 * pen ? lineCover((abs(from.x) - abs(from.y)) * 0.7, 1.8 * pen) : 0.0;
     float mark = iPlotEnd == END_HIT ? lineCover(length(from) - 5.5 * pen, 1.8 * pen) : cross;
     vec2 corner = floor(place / cell) + vec2(iPlotEnd == END_HIT ? -5.0 : -7.0, 7.0);
-    // An end that is off the picture is told in the corner, where any word has room.
+        // An end outside the picture is named in the corner, where any word fits.
     vec2 most = floor(vec2(iResolution.x / cell, iPlotFrame.z / cell)) - vec2(32.0, 8.0);
     float shorter = iPlotEnd == END_HIT ? 20.0 : iPlotEnd == END_STEPS ? 0.0 : 15.0;
     corner = place.x > iResolution.x ? most : min(corner, most + vec2(shorter, 0.0));
@@ -114,7 +114,7 @@ vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
     return mix(colour, SLICE_INK, max(mark, wordCover(word, pixel - cell * corner)));
 }
 
-// The axis of the distance, at the eye or at the left edge: ticks, their numbers, its name; and lines across.
+// The axis of the distance, at the eye or at the left edge: ticks, their numbers and its name, with grid lines.
 vec3 plotAxis(vec3 colour, vec2 pixel, float cell)
 {
     float pen = slicePen(), left = max(plotPlace(0.0, 0.0).x, 26.0 * cell);
@@ -139,7 +139,7 @@ vec3 plotAxis(vec3 colour, vec2 pixel, float cell)
     return mix(colour, SLICE_INK, max(mark, wordCover(SIGN_DISTANCE, pixel - cell * name)));
 }
 
-// The line below which a distance is a hit, dashed, and its name where that stands clear of the axis.
+// The line below which a distance counts as a hit, dashed, and its name where that does not touch the axis.
 vec3 plotLimit(vec3 colour, vec2 pixel, float cell)
 {
     float pen = slicePen();

@@ -1,7 +1,7 @@
 // primitives.glsl - signed distances of the elementary volumes, each centred at the origin.
 //
-// Positive outside, negative inside, in scene units. Each is 1-Lipschitz: between two points it
-// never changes by more than their distance.
+// Positive outside, negative inside, in scene units. Each is 1-Lipschitz: between two points its value changes
+// by at most their distance.
 
 // A ball. Exact everywhere.
 //   p        point, scene units
@@ -24,8 +24,8 @@ float sdPlane(vec3 p, vec3 normal, float height)
     return dot(p, normal) - height;
 }
 
-// From the distances to three pairs of faces, each negative inside, to the distance of the box that
-// they bound: how far outside, or how far inside.
+// From the distances to three pairs of faces, each negative inside, to the signed distance of the box that
+// they bound.
 //   q        (|x| - a, |y| - b, |z| - c)
 //   formula  |max(q, 0)| + min(max(q.x, q.y, q.z), 0)
 float boxDistance(vec3 q)
@@ -33,7 +33,7 @@ float boxDistance(vec3 q)
     return length(max(q, 0.0)) + min(max(q.x, max(q.y, q.z)), 0.0);
 }
 
-// A box with faces across the axes. Exact everywhere.
+// A box with axis-aligned faces. Exact everywhere.
 //   p         point, scene units
 //   halfSize  half of width, height and depth, scene units, each >= 0
 // Source: report, section 2.1.3, whose 'taille' is this half size.
@@ -42,13 +42,13 @@ float sdBox(vec3 p, vec3 halfSize)
     return boxDistance(abs(p) - halfSize);
 }
 
-// The twelve edges of a box, as square beams. Exact outside; inside a lower bound of the depth, at
+// The twelve edges of a box, as square beams. Exact outside; inside a lower bound of the depth, in
 // the corners where three beams meet.
 //   p         point, scene units
 //   halfSize  half of the outer width, height and depth, scene units
 //   beam      half the thickness of a beam, scene units, in [0, smallest half size]
-// Folded by |p|, the beams along x are one box: x within the outer size, y and z within a beam's
-// half thickness of its centre line. Likewise y and z; then the union of the three.
+// Folded by |p|, the beams along x are one box: x within the outer size, y and z within half a beam's
+// thickness of its centre line. The same holds for y and z; then the union of the three.
 // Source: report, annex A1.
 float sdBoxFrame(vec3 p, vec3 halfSize, float beam)
 {

@@ -1,22 +1,22 @@
-// prism.glsl - light through a prism, in the plane across its edge.
+// prism.glsl - light through a prism, in the plane perpendicular to its edge.
 //
-// Light enters one of two flat faces and leaves by the other. Angles are counted from the faces' normals, on the
-// side of the edge where they meet away from it: so light that goes straight through symmetrically has two
-// positive ones. apex is the angle between the faces, radians, in (0, pi).
+// Light enters through one of two flat faces and leaves through the other. Angles are measured from the faces'
+// normals, on the side away from the edge where the faces meet, so both angles of a ray that passes symmetrically are
+// positive. apex is the angle between the faces, radians, in (0, pi).
 #include "coverage.glsl"
 #include "spectrum.glsl"
 
 // The sine of the angle at which light leaves.
-//   entering  sine of the angle at which it comes, in [-1, 1]
-//   index     of the prism, over that of what is around it, >= 1
-//   returns   above 1: total reflection, nothing leaves by the other face
+//   entering  sine of the angle at which it enters, in [-1, 1]
+//   index     of the prism, divided by that of its surroundings, >= 1
+//   returns   above 1: total reflection, no light leaves through the second face
 //   formula   sin(apex) sqrt(index^2 - entering^2) - cos(apex) entering
 float prismLeaving(float entering, float apex, float index)
 {
     return sin(apex) * sqrt(index * index - entering * entering) - cos(apex) * entering;
 }
 
-// prismLeaving read backwards: the index for which light that enters so leaves so.
+// The inverse of prismLeaving: the index for which light that enters at one angle leaves at another.
 //   entering, leaving  sines, in [-1, 1]; leaving + cos(apex) entering >= 0
 //   formula  sqrt(entering^2 + ((leaving + cos(apex) entering) / sin(apex))^2)
 float prismIndex(float entering, float leaving, float apex)
@@ -25,18 +25,19 @@ float prismIndex(float entering, float leaving, float apex)
     return sqrt(entering * entering + along * along);
 }
 
-// The least angle by which a prism turns light: where it goes through symmetrically.
-//   index    at most 1 / sin(apex / 2), or no light goes through so
+// The smallest angle by which a prism turns light, reached by light that passes symmetrically.
+//   index    at most 1 / sin(apex / 2), or no light passes symmetrically
 //   returns  radians
 //   formula  2 asin(index sin(apex / 2)) - apex
 float leastDeviation(float apex, float index)
 {
-    return 2.0 * asin(index * sin(0.5 * apex)) - apex;
+    float sine = min(index * sin(0.5 * apex), 1.0);
+    return 2.0 * atan(sine, sqrt(1.0 - sine * sine)) - apex;
 }
 
-// The index that a prism has for the plan of a ray that also goes along its edge: the plan obeys Snell's law with
-// this one.
-//   rise     sine of the angle between the ray and the plane across the edge, in (-1, 1); it is the same before
+// The effective index for the projection of an oblique ray onto the plane perpendicular to the edge: with this
+// index, the projection obeys Snell's law.
+//   rise     sine of the angle between the ray and that plane, in (-1, 1); it is the same in front of
 //            and behind the prism
 //   formula  sqrt((index^2 - rise^2) / (1 - rise^2))
 // Source: A. Bravais, 'Notice sur les parhélies qui sont situés à la même hauteur que le soleil' (1845).
@@ -45,24 +46,24 @@ float planIndex(float index, float rise)
     return sqrt((index * index - rise * rise) / (1.0 - rise * rise));
 }
 
-// A narrow beam of white light and an equal-sided prism, seen from above at one point.
+// A narrow beam of white light and an equilateral prism, seen from above at one point.
 struct Beam {
-    float white; // how much of the beam comes here before the prism, in [0, 1]
-    vec2  waves; // behind it: the wavelengths that come here lie between these two, micrometres; equal: none
+    float white; // share of the beam that passes this point in front of the prism, in [0, 1]
+    vec2  waves; // behind it: the wavelengths that arrive lie between these two, micrometres; equal: none
 };
 
-// A beam enters the middle of one side of an upright prism whose plan is a triangle with equal sides, so that green,
-// 0.55, goes through symmetrically; and what comes of it to a point.
-//   q          point of the plan, from the triangle's middle: x along its base, in the direction of the green
+// The light at a point, from a beam that enters the middle of one side of an upright prism whose plan is an
+// equilateral triangle, at the angle at which green, 0.55, passes symmetrically.
+//   q          point of the plan, from the triangle's centre: x along its base, in the direction of the green
 //              light inside, y towards the edge that the light passes
-//   radius     from the middle to a side, scene units
-//   glass      Cauchy's two numbers; the plan's index of green must be below 2, or no light goes through so
-//   rise       as of planIndex
+//   radius     from the centre to a side, scene units
+//   glass      Cauchy's two numbers; the plan's index of green must be below 2, or no light passes symmetrically
+//   rise       as for planIndex
 //   halfWidth  of the beam, scene units, small against radius
-//   formula    at q light has left the second side at the place where its wavelength does: prismIndex for the direction
-//              from there, three times over, for the place depends on the index; once from either edge of the beam.
-//              In its middle the wavelength is right to 0.0005. The beam is taken to be as wide behind as before,
-//              which holds for green
+//   formula    the light at q has left the second side at a point that depends on its wavelength. prismIndex for
+//              the direction from there gives the index, and the index the point: three iterations, for each edge
+//              of the beam. In the middle of the beam the wavelength is right to 0.0005. The beam is assumed to be as
+//              wide behind the prism as in front of it, which is true for green
 Beam prismBeam(vec2 q, float radius, vec2 glass, float rise, float halfWidth)
 {
     const vec2 first = vec2(-0.8660254, 0.5), second = vec2(0.8660254, 0.5); // normals of the two sides
@@ -84,7 +85,7 @@ Beam prismBeam(vec2 q, float radius, vec2 glass, float rise, float halfWidth)
             to += (edge == 0 ? halfWidth : -halfWidth) * vec2(-to.y, to.x) / length(to);
             index = prismIndex(entering, clamp(dot(normalize(to), falling), 0.0, 1.0), radians(60.0));
         }
-        index = sqrt(index * index + rise * rise * (1.0 - index * index)); // planIndex read backwards
+        index = sqrt(index * index + rise * rise * (1.0 - index * index)); // the inverse of planIndex
         waves[edge] = cauchyWave(glass, index);
     }
     return Beam(white, clamp(waves, SHORTEST_WAVE, LONGEST_WAVE));

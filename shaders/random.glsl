@@ -1,13 +1,13 @@
-// random.glsl - numbers without a pattern for the samples of a pixel.
+// random.glsl - random numbers for the samples of a pixel.
 #include "inputs.glsl"
 
-// A number that looks drawn by lot: evenly spread over [0, 1), without relation to that of another pixel,
-// sample or dimension. It is the same for the same three on every machine, and never depends on the time:
-// a picture stays a function of its options, and a film does not flicker.
-//   dimension  which number of this sample, >= 0: a point in a disc takes two, 0 and 1, what comes after it
-//              2 and so on; who asks for one dimension twice gets one number twice
+// A number that looks random: uniformly distributed over [0, 1), independent of those of other pixels, samples
+// and dimensions. For a given pixel, sample and dimension it is the same on every machine and never depends on
+// the time: a picture stays a function of its options, and a film does not flicker.
+//   dimension  index of this number within the sample, >= 0: a point in a disc uses two, 0 and 1, whatever
+//              comes after it uses 2 and so on; the same dimension always gives the same number
 //   formula    pcg4d of (x and y of iPixel, iSample, dimension), all modulo 2^32; the upper 24 bits of the
-//              first component over 2^24, which a float holds exactly
+//              first component divided by 2^24, which a float represents exactly
 // Source: M. Jarzynski, M. Olano, 'Hash functions for GPU rendering', Journal of Computer Graphics
 // Techniques 9 (2020).
 float pixelRandom(int dimension)

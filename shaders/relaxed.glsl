@@ -1,27 +1,27 @@
-// relaxed.glsl - sphere tracing that asks ahead: longer steps, and a way back where one was too long.
+// relaxed.glsl - over-relaxed sphere tracing: longer steps, and a way back if one was too long.
 #include "march.glsl"
 
-// Walk along a ray by omega times the distance. A step is right where the balls of empty space round its
-// two ends overlap far enough; where they do not, something may stand between them. Then the walk goes
-// back to where the first ball ends, and on as march does.
+// March along a ray with steps of omega times the distance. A step is right if the balls of empty space around
+// its two ends overlap far enough; if they do not, a surface may lie between them. Then the march goes
+// back to where the first ball ends, and continues as march does.
 //   ray        direction of length 1
 //   tMin, tMax where to start and the distance travelled that ends the search, scene units; an empty
 //              interval is a miss that costs nothing
 //   threshold, spread  a surface counts as reached where the scene is nearer than r = threshold + spread t,
 //              scene units and scene units per scene unit, > 0 and >= 0; with spread pixelSpread() that is
 //              the footprint of a pixel
-//   omega      length of a step in distances, 1 <= omega < 2; with 1 it is march, and marchCone
-//   maxSteps   evaluations before the ray is given up, at least 1
-//   formula    nothing stands from tMin to covered. At t, with the distance d there and D at the step
-//              before, the gap between the balls is t - d - covered. The step was right where
-//              gap <= -(r^2 / 2) (1 / D + 1 / d), or where d < r and gap <= 0: a hit. Then covered is
-//              t + d, and t + omega d the next place, tMax at most
-//   returns    found: a place where the scene is nearer than r; no surface stands in front of it.
-//              t: that place, or covered, where the march was given up or has passed tMax
-// Needs a lower bound of the distance: then no surface is stepped over, nor anything that comes nearer to
-// the ray than 0.86 r, and march promises no more. Where the distance is also 1-Lipschitz along the ray, at
-// most n + 1 evaluations where march takes n; but a ray that only grazes, nearer than r and away again, may be
-// a hit for one of them and none for the other.
+//   omega      length of a step in distances, 1 <= omega < 2; with 1 this is march, or marchCone
+//   maxSteps   evaluations before the march gives up, at least 1
+//   formula    the ray is known to be empty from tMin to covered. At t, with the distance d there and D at the
+//              step before, the gap between the balls is t - d - covered. The step was right if
+//              gap <= -(r^2 / 2) (1 / D + 1 / d), or if d < r and gap <= 0: a hit. Then covered becomes
+//              t + d, and the next point is t + omega d, tMax at most
+//   returns    found: a point where the scene is nearer than r; no surface lies in front of it.
+//              t: that point, or covered if the march gave up or passed tMax
+// Needs a lower bound of the distance: then it steps over no surface, and over nothing that comes nearer to
+// the ray than 0.86 r, which is all that march promises. If the distance is also 1-Lipschitz along the ray, it
+// needs at most n + 1 evaluations where march needs n. A ray that only grazes, nearer than r and away again, may be
+// a hit for one of them and a miss for the other.
 // Source: B. Keinert and others, 'Enhanced sphere tracing', STAG 2014; docs/16_fewer_steps.md has the proofs
 // and what is different here.
 Hit marchRelaxed(Ray ray, float tMin, float tMax, float threshold, float spread, float omega,

@@ -1,41 +1,41 @@
-// samples.glsl - one cell for each sample of a pixel: places that are spread, and not by lot alone.
+// samples.glsl - one cell for each sample of a pixel: sample positions that are spread evenly, and not just random.
 #include "random.glsl"
 #include "repetition.glsl"
 
-// How often one whole number is in another: a / b, rounded down.
-//   a, b     whole numbers, 0 <= a < 2^20, b >= 1
-//   formula  floor((a + 1/2) / b): the half keeps the quotient off whole numbers by 1 / (2 b), which is more
-//            than its rounding. Exact
-// A processor that draws divides whole numbers one by one, and floats eight at once.
+// The integer quotient a / b, rounded down.
+//   a, b     integers, 0 <= a < 2^20, b >= 1
+//   formula  floor((a + 1/2) / b): the half keeps the quotient away from integers by 1 / (2 b), which is more
+//            than its rounding error. Exact
+// A graphics processor divides integers one by one, but floats eight at once.
 int wholeQuotient(int a, int b)
 {
     return int((float(a) + 0.5) / float(b));
 }
 
-// Which of iSamples cells this sample takes, so that the samples of a pixel take all, each one.
-//   dimension  one for each thing that is sampled, >= 0: between two of them, and between pixels, the order
-//              begins at another place, drawn by lot, so that the mean over pixels is right for pairs too
+// Which of iSamples cells this sample takes. The samples of a pixel take each cell once.
+//   dimension  one for each quantity that is sampled, >= 0: for each dimension and pixel, the order begins
+//              at a different random cell, so that the mean over pixels is also right for pairs of quantities
 //   returns    from 0 to iSamples - 1
-//   formula    (23 iSample + r) mod iSamples, r the pixel's and the dimension's own: a permutation, since no
-//              square number below 23^2 has a factor in common with 23. So neighbours within the pixel do not
-//              get neighbouring cells
+//   formula    (23 iSample + r) mod iSamples, where r depends on the pixel and the dimension: a permutation, since
+//              no square number below 23^2 has a factor in common with 23. So samples that are neighbours in the
+//              pixel do not get neighbouring cells
 int sampleCell(int dimension)
 {
-    float turn = cellRandom(ivec3(iPixel, -1 - dimension)); // negative, for it must not be taken for a pixel's y
+    float turn = cellRandom(ivec3(iPixel, -1 - dimension)); // negative, so that it is never mistaken for a pixel's y
     int cell = 23 * iSample + int(turn * float(iSamples));
     return cell - iSamples * wholeQuotient(cell, iSamples);
 }
 
-// A number of this sample between 0 and 1, one in each of iSamples equal parts: anywhere with one sample.
-//   dimension  of sampleCell; takes the number of the same dimension of pixelRandom too
+// A number of this sample between 0 and 1, one in each of iSamples equal parts; a single sample lies anywhere.
+//   dimension  of sampleCell; uses the number of the same dimension of pixelRandom too
 float sampleLine(int dimension)
 {
     return (float(sampleCell(dimension)) + pixelRandom(dimension)) / float(iSamples);
 }
 
-// A place of this sample in the unit square, one in each of its k x k cells, iSamples = k^2; the middle with
-// one sample.
-//   dimension  of sampleCell; takes this one and the next of pixelRandom
+// A point of this sample in the unit square, one in each of its k x k cells, iSamples = k^2; a single sample
+// lies in the middle.
+//   dimension  of sampleCell; uses this one and the next of pixelRandom
 vec2 sampleSquare(int dimension)
 {
     int side = int(sqrt(float(iSamples)) + 0.5), cell = sampleCell(dimension);

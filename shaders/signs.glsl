@@ -1,11 +1,11 @@
 // signs.glsl - numbers and words in a picture, on a grid of square cells: a digit is 5 cells high.
 
-// Compiled only with the files that write.
-#if VIEW >= 1 && VIEW <= 5
+// Compiled only with the files that write text.
+#if (VIEW >= 1 && VIEW <= 5) || defined(FIGURE)
 
-// Which share of its pixels each sign covers, from a font (common/picture/signs.h). A row is 8 cells high, with the
-// line on which its signs stand 2 cells above its lower end; row 0 holds the digits, the point and
-// the minus, each in the middle of 4 cells, the point of 2; each further row holds a word.
+// The coverage of each sign's pixels, from a font (common/picture/axis_labels.c). A row is 8 cells high, and the baseline
+// of its signs is 2 cells above its lower end. Row 0 contains the digits, the point and the minus, each in the
+// middle of 4 cells, the point of 2; each further row contains a word.
 uniform sampler2D iSigns;
 
 const int SIGN_POINT = 10, SIGN_MINUS = 11;
@@ -18,7 +18,7 @@ int signCell()
 }
 
 // The share of a pixel that the signs of a row cover, in [0, 1].
-//   at  pixels from the row's left end and its line
+//   at  pixels from the row's left end and its baseline
 float signCover(int row, ivec2 at)
 {
     int cell = signCell();
@@ -27,7 +27,7 @@ float signCover(int row, ivec2 at)
     return texelFetch(iSigns, at + ivec2(0, (8 * row + 2) * cell), 0).r;
 }
 
-// The same of a word.
+// The same for a word.
 //   word   SIGN_T, ...
 //   place  in pixels, from the word's bottom left corner
 float wordCover(int word, vec2 place)
@@ -37,7 +37,7 @@ float wordCover(int word, vec2 place)
 
 // How many digits a number has, at least one before the point.
 //   number    >= 0
-//   decimals  of the digits stand behind the point
+//   decimals  how many of the digits are behind the point
 int digitsOf(int number, int decimals)
 {
     int digits = 1;
@@ -46,7 +46,7 @@ int digitsOf(int number, int decimals)
     return digits;
 }
 
-// The width in cells of number / 10^decimals: 4 a digit, 2 the point, 4 the sign, without the last
+// The width in cells of number / 10^decimals: 4 per digit, 2 for the point, 4 for the sign, without the last
 // gap.
 int numberWidth(int number, int decimals)
 {

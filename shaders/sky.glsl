@@ -1,9 +1,9 @@
-// sky.glsl - where the sun stands, how much of its light comes through the air, what the sky sends.
+// sky.glsl - the position of the sun, the share of its light that passes the air, and the light of the sky.
 //
-// The air is a shell of even density round the Earth. Heights are given by their sine, for that is
+// The air is a shell of uniform density around the Earth. Heights are given by their sine, which is
 // the y of a direction of length 1.
 
-// Optical depth of the air overhead for red, green and blue: what it scatters of 680, 550 and 440 nm.
+// Optical depth of the air overhead for red, green and blue: for light of 680, 550 and 440 nm.
 // Source: J. E. Hansen, L. D. Travis, 'Light scattering in planetary atmospheres', Space Science
 // Reviews 16 (1974), section 2.1, at sea level: 0.041, 0.097, 0.243, rounded. The wavelength to the power
 // -4 alone, from 0.1 for green, would give 0.043, 0.1, 0.244.
@@ -59,7 +59,7 @@ vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
 //   declination  of the sun, degrees, in [-23.44, 23.44]: 0 at the equinoxes
 //   formula      with H = 15 (hour - 12) degrees, p the latitude, d the declination:
 //                (cos p sin d - sin p cos d cos H, sin p sin d + cos p cos d cos H, -cos d sin H);
-//                cos H and sin H by the sine k of H / 2: 1 - 2 k^2 and 2 k sqrt(1 - k^2), exact but
+//                cos H and sin H from the sine k of H / 2: 1 - 2 k^2 and 2 k sqrt(1 - k^2), exact except
 //                within a minute of midnight, where rounding moves the sun by up to 0.0005
 vec3 sunDirection(float hour, float latitude, float declination)
 {
@@ -71,7 +71,7 @@ vec3 sunDirection(float hour, float latitude, float declination)
                 place.y * season.y + place.x * season.x * turn.x, -season.x * turn.y);
 }
 
-// What the disc of the sun, or of the moon, covers of a ray: 1 inside, 0 outside, soft at the rim.
+// The share of a ray that the disc of the sun or the moon covers: 1 inside, 0 outside, soft at the rim.
 //   direction, centre  length 1
 //   radius             radians, small
 float disc(vec3 direction, vec3 centre, float radius)
@@ -79,7 +79,7 @@ float disc(vec3 direction, vec3 centre, float radius)
     return 1.0 - smoothstep(0.9 * radius, 1.1 * radius, length(direction - centre));
 }
 
-// The glow round the sun: light that dust scatters forward, 1 towards the sun.
+// The glow around the sun: light that dust scatters forward, 1 towards the sun.
 //   direction, sun  length 1
 //   g        mean cosine of the angle of scattering, in [0, 1): the nearer to 1, the narrower
 //   formula  ((1 - g)^2 / (1 + g^2 - 2 g c))^(3/2), c the cosine of the angle to the sun
@@ -92,14 +92,14 @@ float glow(vec3 direction, vec3 sun, float g)
 }
 
 // How much of the day is left: 1 while the sun is more than 3.4 degrees high, 0 once it is 14.5 degrees
-// below the horizon. By eye: it stands for the shadow of the Earth that rises.
+// below the horizon. By eye: it replaces the rising shadow of the Earth.
 //   sinHeight  of the sun
 float daylight(float sinHeight)
 {
     return smoothstep(-0.25, 0.06, sinHeight);
 }
 
-// The light of the sky in a direction, from the sun alone: what the air scatters, and the halo of the
+// The light of the sky in a direction, from the sun alone: light that the air scatters, and the halo of the
 // dust. 1 is about the brightness of a sky at noon.
 //   direction  length 1; below the horizon as at it
 //   sun        direction of the sun, length 1
@@ -116,17 +116,17 @@ vec3 sunlitSky(vec3 direction, vec3 sun, vec3 depth)
     return gain * scatteredLight(depth, view, sunMass) + halo;
 }
 
-// What the sky has of its own by night, by eye: brighter over the horizon.
-//   direction, sun  as of sunlitSky
+// The sky's own light at night, by eye: brighter above the horizon.
+//   direction, sun  as for sunlitSky
 vec3 nightSky(vec3 direction, vec3 sun)
 {
     float low = airMass(direction.y) / 38.0;
     return (1.0 - daylight(sun.y)) * mix(vec3(0.002, 0.004, 0.011), vec3(0.016, 0.014, 0.016), low);
 }
 
-// The light of all the sky together, on a matt surface: that of sunlitSky at an air mass of 4, toned by
-// eye, and a little that stays by night.
-//   sun, depth  as of sunlitSky
+// The light of the whole sky on a matt surface: that of sunlitSky at an air mass of 4, adjusted by
+// eye, and a little that remains at night.
+//   sun, depth  as for sunlitSky
 vec3 skyAmbient(vec3 sun, vec3 depth)
 {
     float day = daylight(sun.y);
@@ -134,9 +134,9 @@ vec3 skyAmbient(vec3 sun, vec3 depth)
     return vec3(0.45, 0.52, 0.72) * day * day * light + vec3(0.003, 0.004, 0.008);
 }
 
-// The light of the sun on a surface across its rays, or by night that of the moon, which is always full
-// and stands opposite.
-//   sun, depth  as of sunlitSky
+// The light of the sun on a surface perpendicular to its rays, or at night that of the moon, which is always
+// full and opposite the sun.
+//   sun, depth  as for sunlitSky
 vec3 sunOrMoonLight(vec3 sun, vec3 depth)
 {
     vec3 moonlight = vec3(0.02, 0.03, 0.05) * smoothstep(0.0, 0.15, -sun.y);

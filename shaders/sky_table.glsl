@@ -8,8 +8,8 @@
 // Each texture is to be declared in the chapter as sRGB and clamp, for it holds light.
 #include "sky.glsl"
 
-// Columns and rows of a table of the sky, in each of its two storeys: below the light that the air scatters, above
-// that of the dust. The lowest sun that has a column, -16.3 degrees.
+// Columns and rows of a table of the sky, in each of its three storeys, from the bottom: light that the air has scattered
+// once, that the dust has, and light that was scattered more often. The lowest sun that has a column, -16.3 degrees.
 const vec2  SKY_TABLE = vec2(288.0, 160.0);
 const float LOWEST_SUN = -0.28;
 
@@ -54,9 +54,9 @@ float beyond(float x)
     return 0.5 * (x + sqrt(x * x + 0.0004));
 }
 
-// How much light the number 1 of a table is, of the air and of the dust.
+// How much light the number 1 of a table is, in each storey.
 struct SkyScale {
-    vec3 air, dust;
+    vec3 air, dust, more;
 };
 
 // The scale of a place: by day as thick air takes the light from the sun, blue the most, and the more the lower one
@@ -67,13 +67,16 @@ struct SkyScale {
 SkyScale skyScale(float sun, float row)
 {
     float low = 1.0 / (max(sun, 0.0) + 0.068), foot = 1.0 / (1.0 + 114.0 * row * row);
-    float deep = beyond(-sun - 0.038), shaded = beyond(-sun - 0.008);
-    vec3 air = vec3(5.5, 5.34, 7.11) - low * vec3(0.152, 0.164, 0.244) - deep * vec3(52.6, 52.6, 60.9);
-    air -= row * (vec3(4.23, 3.5, 3.66) + deep * vec3(62.8, 54.9, 43.0));
-    air -= foot * (vec3(1.68, 0.8, 2.76) + low * vec3(0.118, 0.302, 0.339));
-    vec3 dust = vec3(4.95, 4.89, 4.95) - low * vec3(0.192, 0.294, 0.468) - shaded * vec3(186.0, 226.0, 167.0);
-    dust -= row * vec3(4.99, 4.7, 4.54) + foot * (vec3(-0.2, -0.06, 0.27) + low * vec3(0.048, 0.079, 0.168));
-    return SkyScale(exp2(air), exp2(dust));
+    float deep = beyond(-sun - 0.05), shaded = beyond(-sun - 0.008);
+    vec3 air = vec3(6.72, 6.92, 7.07) - low * vec3(0.159, 0.206, 0.243) - deep * vec3(67.83, 69.22, 67.35);
+    air -= row * (vec3(4.369, 3.697, 1.829) + deep * vec3(109.6, 95.2, 82.36));
+    air -= foot * (vec3(1.222, 1.282, -1.065) + low * vec3(0.2395, 0.3577, 0.9554));
+    vec3 dust = vec3(5.6, 5.6, 4.62) - low * vec3(0.224, 0.317, 0.3) - shaded * vec3(195.4, 246.6, 290.0);
+    dust -= row * vec3(4.805, 4.725, 4.6) + foot * (vec3(-0.722, -0.596, -0.6) + low * vec3(0.0566, 0.1568, 0.33));
+    vec3 more = vec3(1.05, 1.68, 2.17) - low * vec3(0.193, 0.201, 0.215) - shaded * vec3(73.83, 77.35, 78.63);
+    more -= row * (vec3(4.599, 4.292, 2.956) + shaded * vec3(8.42, -0.27, -3.81));
+    more -= foot * (vec3(0.0706, 0.789, 0.924) + low * vec3(0.045, 0.0744, 0.0687));
+    return SkyScale(exp2(air), exp2(dust), exp2(more));
 }
 
 // ---- How much goes which way ----
@@ -98,52 +101,82 @@ float phaseDust(float c)
 
 // ---- The sky ----
 
-// The share of the table of the sun's half in a direction.
-//   row      of skyPlace
-//   formula  ((1 + a) / 2)^p, a the cosine of the angle to the sun in the level plane, p = 1 + (q - 1) (1 - 0.4 a),
-//            log2 q = 0.43 + 0.39 d - 2.9 row, at least 0, d the degrees by which the sun is below the horizon. By day p
-//            is 1, for the light that is left when the phases are taken out is linear in a; in twilight the glow
-//            draws together, low down the most. At the zenith, where there is no such angle, any share will do: both
-//            tables agree there
-// Fitted; by how much it errs is measured in docs/18_sky_from_tables.md.
-float sunwardShare(vec3 direction, vec3 sun, float row)
+// The cosine of the angle between a direction and the sun in the level plane, in [-1, 1]; 0 at the zenith, where there is
+// no such angle.
+float levelCosine(vec3 direction, vec3 sun)
 {
-    float level = dot(direction.xz, sun.xz), size = length(direction.xz) * length(sun.xz);
-    float a = clamp(level / max(size, 1e-6), -1.0, 1.0);
-    float narrow = exp2(clamp(0.43 - 22.2 * sun.y - 2.9 * row, 0.0, 6.0)) - 1.0;
-    return pow(0.5 + 0.5 * a, 1.0 + narrow * (1.0 - 0.4 * a));
+    float size = length(direction.xz) * length(sun.xz);
+    return clamp(dot(direction.xz, sun.xz) / max(size, 1e-6), -1.0, 1.0);
 }
 
-// The light of a table in a direction: air and dust, each with the share that goes this way. A low sun's light is redder
-// than the screen's red, its blue a little below 0, which no colour of a picture holds; and near 0 a screen tells more
-// blues apart than a byte. The fourth number has what is missing.
-//   place  of skyPlace
-//   c      cosine of the angle to the sun
+// The share of the table of the sun's half in the light that was scattered once.
+//   a        of levelCosine
+//   sun      sine of its height
+//   row      of skyPlace
+//   formula  ((1 + a) / 2)^p, p = 1 + (q - 1) (1 - 0.28 a), log2 q = 0.6 + 0.37 d - 2.75 row, at least 0, d the degrees
+//            by which the sun is below the horizon. By day p is 1, because the light without its phases is linear in a;
+//            in twilight the glow draws together, low down the most. At the zenith any share will do: both tables agree
+//            there
+// Fitted; by how much it errs is measured in docs/18_sky_from_tables.md.
+float sunwardShare(float a, float sun, float row)
+{
+    float narrow = exp2(clamp(0.6 - 21.3 * sun - 2.75 * row, 0.0, 6.0)) - 1.0;
+    return pow(0.5 + 0.5 * a, 1.0 + narrow * (1.0 - 0.28 * a));
+}
+
+// The same share of light that was scattered more than once, which comes from all sides and so depends less on where
+// the sun is.
+//   a        cosine of the angle to the sun in the level plane
+//   sun      sine of its height
+//   formula  ((1 + a) / 2)^p, p = 1 + 3.7 (1 - row)^2 d / (d + 0.15), d = max(-sun, 0)
+float moreShare(float a, float sun, float row)
+{
+    float deep = max(-sun, 0.0), high = 1.0 - row;
+    return pow(0.5 + 0.5 * a, 1.0 + 3.7 * high * high * deep / (deep + 0.15));
+}
+
+// The light of one storey of a table. A low sun's light is redder than the screen's red, its blue a little below 0, which
+// no colour of a picture holds; and near 0 a screen tells more blues apart than a byte. The fourth number has what is
+// missing.
+//   place   of skyPlace
+//   storey  0 air, 1 dust, 2 more
+//   scale   of the storey
+vec3 storeyLight(sampler2D table, vec2 place, float storey, vec3 scale)
+{
+    vec2 texel = 0.5 + place * (SKY_TABLE - 1.0) + vec2(0.0, storey * SKY_TABLE.y);
+    vec4 light = textureLod(table, texel / vec2(SKY_TABLE.x, 3.0 * SKY_TABLE.y), 0.0);
+    return scale * light.rgb + vec3(0.0, 0.0, BLUE_FINE * scale.r * (light.a - NO_BLUE));
+}
+
+// The light of a table in a direction that was scattered once: that of air and dust, each with the share that goes
+// this way.
+//   c  cosine of the angle to the sun
+vec3 onceLight(sampler2D table, vec2 place, float c, SkyScale scale)
+{
+    return phaseAir(c) * storeyLight(table, place, 0.0, scale.air) + phaseDust(c) * storeyLight(table, place, 1.0, scale.dust);
+}
+
+// All the light of a table in a direction: exact in the middle of the table's half of the sky.
 vec3 tableLight(sampler2D table, vec2 place, float c, SkyScale scale)
 {
-    vec2 texel = 0.5 + place * (SKY_TABLE - 1.0);
-    vec4 air = textureLod(table, texel / vec2(SKY_TABLE.x, 2.0 * SKY_TABLE.y), 0.0);
-    texel.y += SKY_TABLE.y;
-    vec4 dust = textureLod(table, texel / vec2(SKY_TABLE.x, 2.0 * SKY_TABLE.y), 0.0);
-    air.rgb *= phaseAir(c) * scale.air;
-    dust.rgb *= phaseDust(c) * scale.dust;
-    float fine = phaseAir(c) * scale.air.r * (air.a - NO_BLUE) + phaseDust(c) * scale.dust.r * (dust.a - NO_BLUE);
-    return air.rgb + dust.rgb + vec3(0.0, 0.0, BLUE_FINE * fine);
+    return onceLight(table, place, c, scale) + storeyLight(table, place, 2.0, scale.more);
 }
 
-// The light of the clear sky, without the sun's disc: what the air of a round Earth scatters once.
+// The light of the clear sky, without the sun's disc: what the air of a round Earth scatters.
 //   sunward, away  the tables sky_sunward.png and sky_away.png, sRGB clamp
 //   direction      of the ray, length 1
 //   sun            direction of the sun, length 1
 //   returns        linear light, >= 0; 1 is 4,000 cd/m^2
-//   formula        the mix of both tables by sunwardShare
+//   formula        the mix of both tables by sunwardShare, and by moreShare
 vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 {
     vec2 place = skyPlace(sun.y, direction.y);
     SkyScale scale = skyScale(sun.y, place.y);
-    float c = dot(direction, sun);
-    vec3 far = tableLight(away, place, c, scale), near = tableLight(sunward, place, c, scale);
-    return max(mix(far, near, sunwardShare(direction, sun, place.y)), 0.0);
+    float c = dot(direction, sun), a = levelCosine(direction, sun);
+    vec3 farOnce = onceLight(away, place, c, scale), nearOnce = onceLight(sunward, place, c, scale);
+    vec3 farMore = storeyLight(away, place, 2.0, scale.more), nearMore = storeyLight(sunward, place, 2.0, scale.more);
+    vec3 light = mix(farOnce, nearOnce, sunwardShare(a, sun.y, place.y));
+    return max(light + mix(farMore, nearMore, moreShare(a, sun.y, place.y)), 0.0);
 }
 
 // ---- The sun ----
@@ -180,12 +213,12 @@ vec3 tableSun(sampler2D table, vec3 direction, vec3 sun, float radius)
 // ---- All the sky together, and how to expose ----
 
 // The logarithm to base 2 of the light of all the sky on a level white surface.
-//   sun      sine of the sun's height, >= -0.2
-//   formula  fitted to the integral: within 0.25 above -8 degrees
+//   sun      sine of the sun's height
+//   formula  fitted to the integral: within 0.25 down to -18 degrees
 float skyBrightness(float sun)
 {
     float high = max(sun, 0.0), deep = max(-sun, 0.0);
-    return -0.41 - 0.352 / (high + 0.1) - 36.0 * deep - 305.0 * deep * deep;
+    return 0.03 - 0.37 / (high + 0.1) - deep * (83.5 - 42.0 * exp(-204.0 * deep * deep));
 }
 
 // The light of all the sky on a level white surface, without the sun's own.
@@ -194,19 +227,19 @@ float skyBrightness(float sun)
 vec3 tableAmbient(vec3 sun)
 {
     float high = max(sun.y, 0.0);
-    vec3 colour = vec3(0.92, 1.02, 1.08) + high / (high + 0.1) * vec3(-0.19, 0.0, 0.5) +
-                  smoothstep(0.0, 0.1, -sun.y) * vec3(-0.19, 0.0, 0.42);
+    vec3 colour = vec3(0.86, 1.01, 1.31) + high / (high + 0.1) * vec3(-0.17, 0.0, 0.52) +
+                  smoothstep(0.0, 0.17, -sun.y) * vec3(-0.4, 0.0, 1.08);
     return exp2(skyBrightness(sun.y)) * colour;
 }
 
 // By how many stops to expose at an hour, for exposed() of film.glsl. An eye and a camera follow the light, but not all
 // the way: what is darker by 1 stop is shown darker by 0.15.
 //   sinSunHeight  any sine
-//   returns       -1.6 at noon, 1.0 at sunset, 7.1 with the sun at -6 degrees, 18.1 by night
-//   formula       -2.3 - 0.85 log2(2^skyBrightness + 6e-8), the last the light of a night without a moon
+//   returns       -1.7 at noon, 1.1 at sunset, 8.1 with the sun at -6 degrees, 18.4 by night
+//   formula       -2 - 0.85 log2(2^skyBrightness + 6e-8), the last the light of a night without a moon
 float hourStops(float sinSunHeight)
 {
-    return -2.3 - 0.85 * log2(exp2(skyBrightness(max(sinSunHeight, -0.3))) + 6e-8);
+    return -2.0 - 0.85 * log2(exp2(skyBrightness(max(sinSunHeight, -0.4))) + 6e-8);
 }
 
 // Light as a film for daylight takes it: white is what white paper is at noon, in the light of the sun alone, where

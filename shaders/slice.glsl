@@ -1,21 +1,21 @@
 // slice.glsl - the march of one ray, seen from the side: the distance around it, every position and
 // every circle of radius sceneDistance.
 //
-// The plane holds the ray and the camera's up vector. The ray runs to the right; a point of the
+// The plane contains the ray and the camera's up vector. The ray points to the right. A point of the
 // plane is (along, across): scene units along the ray from its origin, and up from the ray.
 #include "signs.glsl"
 #include "inputs.glsl"
 #include "scene.glsl"
 
-// Compiled only for this view, and for the plot, which has it above.
+// Compiled only for this view, and for the plot, which shows it above the graph.
 #if VIEW == 4 || VIEW == 5
 
 uniform sampler2D iMarch;      // column k: t and distance of step k, as a probe wrote them
-uniform int   iMarchSteps;     // columns that hold a step
+uniform int   iMarchSteps;     // columns that contain a step
 uniform bool  iMarchHit;       // the last step found the surface
-uniform float iMarchStep;      // the step that is looked at, between two steps a part of the way; -1: all are shown
+uniform float iMarchStep;      // the selected step, with a fraction on the way to the next; -1: all are shown
 uniform vec2  iMarchPixel;     // centre of the pixel whose ray it is, in pixels
-uniform vec3  iSliceFrame;     // (along, across) of the picture's bottom left corner; units a pixel
+uniform vec3  iSliceFrame;     // (along, across) of the picture's bottom left corner; units per pixel
 uniform float iSliceTick;      // scene units from tick to tick, 1, 2 or 5 times a power of ten
 uniform float iSliceLine;      // scene units from one line of equal distance to the next
 uniform int   iSliceTickScaled; // the tick as iSliceTickScaled / 10^iSliceDecimals
@@ -23,15 +23,15 @@ uniform int   iSliceDecimals;
 
 const vec3 SLICE_INK   = vec3(0.05, 0.08, 0.20);
 const vec3 SLICE_PAPER = vec3(1.00, 0.985, 0.95);
-const vec3 SLICE_HERE  = vec3(0.80, 0.00, 0.28); // the step that is looked at
+const vec3 SLICE_HERE  = vec3(0.80, 0.00, 0.28); // the selected step
 
-// Outside the colours stay lighter than all those inside, so that nobody needs to see a hue.
+// All colours outside are lighter than those inside, so the picture does not depend on hue.
 const vec3 SLICE_OUT_NEAR = vec3(0.97, 0.66, 0.32);
 const vec3 SLICE_OUT_FAR  = vec3(0.99, 0.88, 0.72);
 const vec3 SLICE_IN_NEAR  = vec3(0.27, 0.50, 0.80);
 const vec3 SLICE_IN_DEEP  = vec3(0.10, 0.24, 0.50);
 
-// How much of a pixel a line covers, from 0 to 1.
+// The share of a pixel that a line covers, from 0 to 1.
 //   distance  from the line's middle to the pixel's centre, in pixels
 //   width     in pixels
 float lineCover(float distance, float width)
@@ -39,21 +39,21 @@ float lineCover(float distance, float width)
     return clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);
 }
 
-// How much of a pixel a disc covers.
+// The share of a pixel that a disc covers.
 //   distance  from its centre, radius  both in pixels
 float discCover(float distance, float radius)
 {
     return clamp(radius - distance + 0.5, 0.0, 1.0);
 }
 
-// One thickness of pen for every size of picture, in pixels.
+// The thickness of the pen, the same for every size of picture, in pixels.
 float slicePen()
 {
     return max(iResolution.y / 360.0, 0.75);
 }
 
 // The slope of the distance in the plane, per scene unit: at most 1, less where the plane only
-// grazes a surface. Lines that are drawn by distance / slope keep their width.
+// grazes a surface. Lines that are drawn with distance / slope keep their width.
 float sliceSlope(vec3 p, vec3 along, vec3 across)
 {
     float h = 0.5 * iSliceFrame.z;
@@ -62,8 +62,8 @@ float sliceSlope(vec3 p, vec3 along, vec3 across)
     return clamp(length(slope), 0.25, 1.0);
 }
 
-// The distance as colour, its lines, the surface.
-//   slope  as of sliceSlope
+// The distance as a colour, its lines, the surface.
+//   slope  from sliceSlope
 vec3 sliceField(float distance, float slope)
 {
     float pen = slicePen();
@@ -80,7 +80,7 @@ vec3 sliceField(float distance, float slope)
     return mix(colour, SLICE_PAPER, surface);
 }
 
-// The steps whose circles are there: all, or those up to the one that is looked at.
+// The steps whose circles are shown: all, or those up to the selected one.
 int sliceSteps()
 {
     return iMarchStep < 0.0 ? iMarchSteps : min(iMarchSteps, int(iMarchStep) + 1);
@@ -92,7 +92,7 @@ vec2 sliceStep(int k)
     return texelFetch(iMarch, ivec2(k, 0), 0).xy;
 }
 
-// How far along the ray one is who looks at a step: at its place, or on the way to the next one.
+// The selected position on the ray: that of the selected step, or a point on the way to the next one.
 float sliceHere()
 {
     int k = sliceSteps() - 1;
@@ -100,8 +100,8 @@ float sliceHere()
     return mix(sliceStep(k).x, sliceStep(min(k + 1, iMarchSteps - 1)).x, way);
 }
 
-// The number of a step over its position, where there is room for it: 0 nothing, 1 the label's
-// ground, with the number's cover more.
+// The number of a step above its position, if there is room for it: 0 nothing, 1 the label's
+// background, more with the coverage of the number.
 //   pixel     of the picture
 //   position  of the step in the picture, in pixels
 //   room      to the neighbours, in pixels
@@ -118,9 +118,9 @@ float stepNumber(int step, vec2 pixel, vec2 position, float room)
     return 1.0 + numberCover(step, 0, pixel - cell * corner);
 }
 
-// Every step over a colour: what the circles prove empty, the circles, the positions, the numbers.
-// A circle whose middle lies off the picture is pale: such circles are large and crowd together.
-// The circle of the step that the way leads to grows as one arrives.
+// Every step over a colour: the area that the circles prove empty, the circles, the positions, the numbers.
+// A circle whose centre lies outside the picture is pale: such circles are large and crowd together.
+// The circle of the next step grows as the selected position approaches it.
 //   point  (along, across)
 vec3 sliceMarch(vec3 colour, vec2 point, vec2 pixel)
 {
@@ -147,8 +147,8 @@ vec3 sliceMarch(vec3 colour, vec2 point, vec2 pixel)
     return mix(colour, SLICE_INK, max(number - 1.0, dots));
 }
 
-// The ray: a line as far as it was marched, or one has walked along it, beyond it dashes; the eye at
-// its start, a ring where it found the surface.
+// The ray: a solid line up to where it was marched, or up to the selected position, and dashes beyond; the eye
+// at its start, a ring where it found the surface.
 vec3 sliceRay(vec3 colour, vec2 point)
 {
     float pen = slicePen();
@@ -167,7 +167,7 @@ vec3 sliceRay(vec3 colour, vec2 point)
     return mix(colour, SLICE_INK, found ? lineCover(hit - 5.5 * pen, 1.6 * pen) : 0.0);
 }
 
-// Where one is on the ray, a dot, and from there an arrow to the next step.
+// The selected position on the ray, a dot, and an arrow from there to the next step.
 vec3 sliceWalk(vec3 colour, vec2 point)
 {
     float pen = slicePen();
@@ -210,12 +210,12 @@ vec3 sliceAxis(vec3 colour, vec2 point, vec2 pixel)
     return mix(colour, SLICE_INK, mark);
 }
 
-// The plane of the ray, and what is drawn in it.
+// The plane of the ray, and everything drawn in it.
 //   pixel  in pixels of the picture
 vec3 slicePlane(Ray ray, vec2 pixel)
 {
     vec3 across = iCameraUp - dot(iCameraUp, ray.direction) * ray.direction;
-    if (length(across) < 0.001) // a ray straight up: any plane that holds it
+    if (length(across) < 0.001) // a ray straight up: any plane that contains it
         across = iCameraForward - dot(iCameraForward, ray.direction) * ray.direction;
     across = normalize(across);
     vec2 point = iSliceFrame.xy + pixel * iSliceFrame.z;

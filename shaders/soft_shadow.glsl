@@ -1,20 +1,20 @@
-// soft_shadow.glsl - how much of a lamp with a size a point sees.
+// soft_shadow.glsl - which share of a lamp with a size is visible from a point.
 //
-// The lamp is a disc of radius spread, one unit in front of the point and across the way to it: the sun, or
-// a round lamp of radius spread times its distance that faces the point. A place on the disc is given in its
-// radii, (0, 0) its middle. docs/13_soft_shadows.md proves what is claimed here.
+// The lamp is a disc of radius spread, at a distance of 1 from the point and perpendicular to that direction: the
+// sun, or a round lamp that faces the point with a radius of spread times its distance. A point of the disc is given
+// in its radii, (0, 0) is its centre. docs/13_soft_shadows.md proves the claims made here.
 #include "random.glsl"
 #include "shadow.glsl"
 
 const float PI = 3.14159265;
 
-// ---- What is seen, in closed form ----
+// ---- Closed forms ----
 
-// The share of the disc that a straight edge leaves to be seen.
-//   clear    how far the middle of the disc stands clear of the edge, in radii; negative behind it
+// The visible share of the disc beside a straight edge.
+//   clear    how far the centre of the disc is clear of the edge, in radii; negative behind it
 //   returns  0 up to clear = -1, 1/2 at 0, 1 from 1 on
-//   formula  1/2 + (asin(c) + c sqrt(1 - c^2)) / pi, c = clear in [-1, 1]: what is left of the disc's area
-//            beside a circular segment. Exact
+//   formula  1/2 + (asin(c) + c sqrt(1 - c^2)) / pi, c = clear in [-1, 1]: the disc's area without a
+//            circular segment. Exact
 float discBesideEdge(float clear)
 {
     float c = clamp(clear, -1.0, 1.0);
@@ -22,8 +22,8 @@ float discBesideEdge(float clear)
     return 0.5 + (atan(c, root) + c * root) / PI;
 }
 
-// The area of a circular segment, in a circle of radius 1: what a chord cuts off.
-//   angle    half the angle under which the middle sees its chord, in [0, pi]
+// The area of a circular segment, in a circle of radius 1: the part that a chord cuts off.
+//   angle    half the angle that the chord subtends at the centre, in [0, pi]
 //   formula  a - sin(a) cos(a); for small angles the first terms of its series, 2 a^3 / 3 - 2 a^5 / 15
 float segmentArea(float angle)
 {
@@ -32,13 +32,13 @@ float segmentArea(float angle)
     return angle < 0.1 ? series : angle - sin(angle) * cos(angle);
 }
 
-// The share of the disc that another disc leaves to be seen.
-//   clear    how far the middle of the first stands clear of the other's rim, in radii of the first;
+// The visible share of the disc beside another disc.
+//   clear    how far the centre of the first is clear of the other's rim, in radii of the first;
 //            negative behind it, at least -radius
-//   radius   of the other, in the same unit, > 0; for a large one it is discBesideEdge
+//   radius   of the other, in the same unit, > 0; for a large one it tends to discBesideEdge
 //   formula  1 - (S(a) + radius^2 S(b)) / pi, S = segmentArea: two segments on one chord. With d = clear +
-//            radius from middle to middle, the chord stands at x = cos a = (d^2 + 1 - radius^2) / (2 d) from
-//            the one and at d - x = radius cos b from the other. Exact for discs in one plane
+//            radius from centre to centre, the chord is at x = cos a = (d^2 + 1 - radius^2) / (2 d) from
+//            the first centre and at d - x = radius cos b from the other. Exact for discs in one plane
 float discBesideDisc(float clear, float radius)
 {
     float between = max(clear + radius, 1e-6);
@@ -48,13 +48,13 @@ float discBesideDisc(float clear, float radius)
     return 1.0 - (segmentArea(a) + radius * radius * segmentArea(b)) / PI;
 }
 
-// The share of the lamp that is seen past a straight edge in space.
+// The visible share of the lamp beside a straight edge in space.
 //   p        point, scene units
 //   toLight  direction of the lamp's middle, length 1
 //   spread   radius of the lamp's disc, > 0
 //   onEdge   a point of the edge
 //   along    its direction, of any length, so that cross(onEdge - p, along) points to the free side
-//   exact: plane through p and the edge meets the disc's plane in a line
+//   exact: the plane through p and the edge meets the disc's plane in a line
 float lampBesideEdge(vec3 p, vec3 toLight, float spread, vec3 onEdge, vec3 along)
 {
     vec3 free = normalize(cross(onEdge - p, along));
@@ -62,43 +62,43 @@ float lampBesideEdge(vec3 p, vec3 toLight, float spread, vec3 onEdge, vec3 along
     return discBesideEdge(up / (spread * sqrt(max(1.0 - up * up, 1e-12))));
 }
 
-// The share of the lamp that is seen past a ball.
+// The visible share of the lamp beside a ball.
 //   p, toLight, spread  as above
-//   centre, radius      of the ball, which does not hold p and lies, with all its outline, before p's
-//                       horizon across toLight
-//   formula  the ball hides directions up to b = asin(radius / distance) from its middle's, which stands
-//            s from toLight. On the disc's plane that is an ellipse (or more); taken for it is the circle
-//            of radius tan b that touches it at its point nearest to toLight, at tan(s - b)
-//   exact where the ball's middle is straight before the lamp's; else off by at most 0.1 spread^2, which
-//   is 1e-4 at the spread 0.03; the sun's is 0.0047
+//   centre, radius      of the ball, which does not contain p. The whole outline of the ball must be in front of the
+//                       plane through p perpendicular to toLight
+//   formula  the ball hides directions up to beta = asin(radius / distance) from that of its centre, which
+//            is at an angle of psi to toLight. On the disc's plane that is an ellipse (or more). The formula replaces
+//            it with the circle of radius tan beta that touches it at its point nearest to toLight, at tan(psi - beta)
+//   exact if the ball's centre is straight in front of the lamp's; else the error is at most 0.1 spread^2, which
+//   is 1e-4 for a spread of 0.03; the sun's is 0.0047
 float lampBesideBall(vec3 p, vec3 toLight, float spread, vec3 centre, float radius)
 {
     vec3 toBall = centre - p;
     float along = dot(toBall, toLight), aside = length(toBall - along * toLight);
     float touching = sqrt(max(dot(toBall, toBall) - radius * radius, 1e-12));
-    float ball = radius / touching;                                       // tan b
-    float edge = (aside - along * ball) / max(along + aside * ball, 1e-6); // tan(s - b)
+    float ball = radius / touching;                                       // tan beta
+    float edge = (aside - along * ball) / max(along + aside * ball, 1e-6); // tan(psi - beta)
     return discBesideDisc(edge / spread, ball / spread);
 }
 
-// ---- What one march knows ----
+// ---- One march ----
 
-// The angle round a ray in which nothing stands, as its tangent or sine, between two bounds. Both are 0
-// where the ray itself is stopped.
+// The angle around a ray that is free, as its tangent or sine, between two bounds. Both are 0
+// if the ray itself is blocked.
 struct Clearance {
     float most;  // no larger angle is free: the smallest distance / t of the march
-    float least; // all within this angle is free, as far as the march went
+    float least; // everything within this angle is free, as far as the march went
 };
 
-// March once towards the light and note how wide the way was.
+// March once towards the light and record how wide the free path was.
 //   ray         from shadowRay
-//   tMin, tMax  where to look, scene units; an empty interval is free
+//   tMin, tMax  where to search, scene units; an empty interval is free
 //   threshold, maxSteps  of the march
-//   most        the sine of the angle would be the smallest of distance / t over all t, by an exact distance;
-//               over the steps it is that or more
-//   least       two balls of empty space, of radius a round the last step and h round this, meet in a circle
+//   most        with an exact distance, the sine of the angle is the smallest of distance / t over all t;
+//               over the steps alone it is that or more
+//   least       two balls of empty space, of radius a around the last step and h around this one, meet in a circle
 //               of radius sqrt(h^2 - y^2), y = h^2 / (2 a) before this step: the tangent of the angle of
-//               the smallest such circle, where it is not beyond a right angle. Needs a lower bound of the
+//               the smallest such circle, if that is not beyond a right angle. Needs a lower bound of the
 //               distance
 // Sources: I. Quilez, 'Soft shadows in raymarched SDFs' (2010), for the first; S. Aaltonen, 'GPU-based clay
 // simulation and ray-tracing tech in Claybook', Game Developers Conference 2018, for the second.
@@ -129,7 +129,7 @@ Clearance clearanceAlong(Ray ray, float tMin, float tMax, float threshold, int m
     return clearance;
 }
 
-// ---- What many rays find ----
+// ---- Many rays ----
 
 // From a point of the unit square to one of the disc: equal areas to equal areas.
 //   square   each in [0, 1]
@@ -141,8 +141,8 @@ vec2 discPoint(vec2 square)
     return sqrt(square.x) * vec2(cos(turn), sin(turn));
 }
 
-// The direction of a point of the lamp.
-//   toLight  of its middle, length 1
+// The direction to a point of the lamp.
+//   toLight  to its centre, length 1
 //   point    in the disc of radius 1
 //   returns  length 1
 vec3 lampDirection(vec3 toLight, float spread, vec2 point)
@@ -152,14 +152,14 @@ vec3 lampDirection(vec3 toLight, float spread, vec2 point)
     return normalize(toLight + spread * (point.x * right + point.y * up));
 }
 
-// The share of side x side rays to the lamp that arrive: the square of discPoint is cut into so many cells,
-// and each ray goes to a place in one of them, drawn by lot.
-//   ray        from shadowRay, towards the lamp's middle
+// The share of side x side rays to the lamp that arrive: the square of discPoint is divided into this many cells,
+// and each ray goes to a random point of one of them.
+//   ray        from shadowRay, towards the lamp's centre
 //   spread     radius of the lamp's disc, > 0
-//   side       >= 0; with 0 nothing is looked for, and 1 returned
-//   distance, threshold, maxSteps  as of lightReaching
+//   side       >= 0; with 0, no ray is marched and the result is 1
+//   distance, threshold, maxSteps  as for lightReaching
 //   dimension  the first of 2 side^2 dimensions of pixelRandom that it uses
-// Its mean over the samples of a pixel tends to the share that is seen.
+// Its mean over the samples of a pixel tends to the visible share.
 float lampReaching(Ray ray, float distance, float spread, int side, float threshold, int maxSteps,
                    int dimension)
 {

@@ -1,20 +1,20 @@
-// solids.glsl - from the plane to space: a figure drawn along a line, or turned about an axis; and the
-// solids that are made so.
+// solids.glsl - from the plane to space: a figure extruded along a line or revolved about an axis, and the
+// solids made in this way.
 //
 // A figure is a signed distance in the plane, negative inside, scene units: plane.glsl has several. The
-// solids stand along the y axis, their middle at the origin. docs/10_distance_in_the_plane.md proves
-// what is exact.
+// solids are upright along the y axis, centred at the origin. docs/10_distance_in_the_plane.md proves
+// which of them are exact.
 #include "plane.glsl"
 
 // ---- Two ways out of the plane ----
 
-// Extrusion: a figure, drawn along a straight line across its plane.
-//   figure      signed distance of the figure at the two coordinates across the line, scene units
+// Extrusion: a figure drawn along a straight line perpendicular to its plane.
+//   figure      signed distance of the figure at the two coordinates perpendicular to the line, scene units
 //   along       the third coordinate, from the middle of the solid, scene units
 //   halfLength  half the length of the solid, scene units, >= 0
 //   formula     |max(q, 0)| + min(max(q.x, q.y), 0), q = (figure, |along| - halfLength)
-//   exact outside where figure is, exact inside where figure is; where figure is a lower bound, outside
-//   or inside, so is the result, and 1-Lipschitz where figure is
+//   exact outside if figure is, exact inside if figure is; if figure is a lower bound, outside
+//   or inside, so is the result; 1-Lipschitz if figure is
 // For a solid along y: opExtrude(sdFigure(p.xz), p.y, halfHeight).
 // Source: I. Quilez, 'Distance functions'.
 float opExtrude(float figure, float along, float halfLength)
@@ -23,16 +23,16 @@ float opExtrude(float figure, float along, float halfLength)
     return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0);
 }
 
-// Revolution: the way back from a figure turned about the y axis. The half-plane through the axis that
-// holds the point is laid on the plane of the figure: x away from the axis, y upwards.
+// Revolution: from a point of a figure revolved about the y axis back to the figure's plane. The half-plane
+// through the axis and the point becomes the plane of the figure: x away from the axis, y upwards.
 //   p        point, scene units
-//   offset   scene units: the figure's origin is turned on a circle of this radius; 0: it is on the axis
+//   offset   scene units: the figure's origin moves on a circle of this radius; 0: it is on the axis
 //   formula  (|(x, z)| - offset, y); 1-Lipschitz
-//   sd(opRevolve(p, offset))  a lower bound where sd is one: no figure makes it unsafe. What the figure,
-//            moved by offset, has at x < 0 is not drawn, and still counts: so
-//            exact outside where sd is and each point of the figure at x < 0 has its mirror image in it
+//   sd(opRevolve(p, offset))  a lower bound if sd is one: no figure makes it unsafe. The part of the figure,
+//            moved by offset, at x < 0 is not drawn but still counts. So it is
+//            exact outside if sd is and each point of the figure at x < 0 has its mirror image in it
 //            (there is none, or the figure is symmetric, or the larger part is drawn);
-//            exact inside where sd is and each point outside the figure at x < 0 has its mirror image outside
+//            exact inside if sd is and each point outside the figure at x < 0 has its mirror image outside
 //            it, too, or the figure stays away from the axis
 // Source: I. Quilez, 'Distance functions'.
 vec2 opRevolve(vec3 p, float offset)
@@ -46,18 +46,18 @@ vec2 opRevolve(vec3 p, float offset)
 //   p           point, scene units
 //   radius      >= 0, scene units
 //   halfHeight  >= 0, scene units
-//   formula     opExtrude of a disc, and opRevolve of a rectangle: the same
+//   formula     opExtrude of a disc, which equals opRevolve of a rectangle
 float sdCylinder(vec3 p, float radius, float halfHeight)
 {
     return opExtrude(sdCircle(p.xz, radius), p.y, halfHeight);
 }
 
-// A prism with six equal sides, two of them across the x axis. Exact everywhere.
+// A prism with six equal sides, two of them perpendicular to the x axis. Exact everywhere.
 //   p           point, scene units
-//   apothem     from the axis to the middle of a side, > 0, scene units; an edge is 2 / sqrt(3) as far
+//   apothem     from the axis to the middle of a side, > 0, scene units; an edge is 2 / sqrt(3) times as far
 //   halfHeight  >= 0, scene units
-// The hexagon is its own image in the mirrors x = 0, z = 0 and z = x / sqrt(3). Folded in them the point
-// sees one side: at x = apothem, as far as apothem / sqrt(3) to both sides.
+// The hexagon is symmetric in the mirrors x = 0, z = 0 and z = x / sqrt(3). Folded along them, the point
+// sees one side: at x = apothem, extending apothem / sqrt(3) to both sides.
 float sdHexPrism(vec3 p, float apothem, float halfHeight)
 {
     vec2 q = abs(p.xz);
@@ -66,13 +66,13 @@ float sdHexPrism(vec3 p, float apothem, float halfHeight)
     return opExtrude(q.x < 0.0 ? q.x : length(q), p.y, halfHeight);
 }
 
-// A cone with its tip cut off, or whole. Exact everywhere.
+// A cone with its tip cut off, or a whole one. Exact everywhere.
 //   p           point, scene units
 //   below       radius at y = -halfHeight, >= 0, scene units
 //   above       radius at y = halfHeight, >= 0, scene units; one of the two may be 0: a tip
 //   halfHeight  > 0, scene units
-// The figure that is turned is a trapezoid, symmetric about the axis. In the half with x >= 0 its rim has
-// three parts, two caps and the wall: the nearer counts, the cap on the point's own side or the wall.
+// The revolved figure is a trapezoid, symmetric about the axis. In the half with x >= 0 its boundary has
+// three parts, two caps and the wall: the nearer of the wall and the cap on the point's side counts.
 float sdCappedCone(vec3 p, float below, float above, float halfHeight)
 {
     vec2 q = opRevolve(p, 0.0);

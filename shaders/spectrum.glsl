@@ -1,18 +1,18 @@
-// spectrum.glsl - light of one wavelength: how glass bends it, and what colour it has on a screen.
+// spectrum.glsl - light of one wavelength: how glass bends it, and its colour on a screen.
 //
-// Wavelengths are in micrometres (thousandths of a millimetre), of light in empty space: from SHORTEST_WAVE, violet, to
-// LONGEST_WAVE, red. White is light with equal parts of all of them.
+// Wavelengths are in micrometres (thousandths of a millimetre), of light in a vacuum: from SHORTEST_WAVE, violet, to
+// LONGEST_WAVE, red. White light contains equal parts of all of them.
 
 const float SHORTEST_WAVE = 0.40;
 const float LONGEST_WAVE = 0.70;
 
 // The index of refraction of a glass.
-//   glass       Cauchy's two numbers of it: (a, b), b in square micrometres; crown glass BK7 (1.5046, 0.00420), dense
-//               flint SF10 (1.6894, 0.01341), water (1.3240, 0.00310)
+//   glass       its two numbers for Cauchy's formula: (a, b), b in square micrometres; crown glass BK7
+//               (1.5046, 0.00420), dense flint SF10 (1.6894, 0.01341), water (1.3240, 0.00310)
 //   wavelength  > 0
 //   formula     a + b / wavelength^2
-// Off from Sellmeier's formula with the maker's six numbers by at most 0.0001 for BK7; for SF10 by 0.0004 from 0.486 to
-// 0.656, and by up to 0.005, too little, in the violet.
+// It differs from Sellmeier's formula with the maker's six numbers by at most 0.00011 for BK7; for SF10 by 0.0004 from
+// 0.486 to 0.656, and in the violet it is too small by up to 0.005.
 // Sources: A.-L. Cauchy, 'Mémoire sur la dispersion de la lumière' (1836); the two numbers of SF10 are fitted to the
 // indices of the maker's catalogue (Schott, 'Optical Glass').
 float cauchyIndex(vec2 glass, float wavelength)
@@ -20,7 +20,7 @@ float cauchyIndex(vec2 glass, float wavelength)
     return glass.x + glass.y / (wavelength * wavelength);
 }
 
-// cauchyIndex read backwards: the wavelength that has an index.
+// The inverse of cauchyIndex: the wavelength that has a given index.
 //   index    > glass.x
 //   formula  sqrt(b / (index - a))
 float cauchyWave(vec2 glass, float index)
@@ -28,7 +28,7 @@ float cauchyWave(vec2 glass, float index)
     return sqrt(glass.y / max(index - glass.x, 1e-9));
 }
 
-// A bell with two halves: 1 at middle, 1 / e at below under it and at above over it.
+// A bell with two different halves: 1 at middle, 1 / e at a distance of below under it and of above over it.
 float bell(float x, float middle, float below, float above)
 {
     float part = (x - middle) / (x < middle ? below : above);
@@ -38,9 +38,9 @@ float bell(float x, float middle, float below, float above)
 // The colour of one wavelength, as a weight: the mean over all wavelengths from SHORTEST_WAVE to LONGEST_WAVE is
 // white, (1, 1, 1).
 //   returns  linear red, green, blue, >= 0, up to 5.5
-//   formula  a bell a channel, and a second one for the red in violet: fitted to the eye's curves of 1931 in the
-//            screen's primaries. A pure colour has a negative channel there, which no screen can send: taken
-//            as 0, and each channel divided by its mean. Off from that by at most 0.4
+//   formula  a bell per channel, and a second one for the red in violet: fitted to the eye's curves of 1931 in the
+//            screen's primaries. There a pure colour has a negative channel, which no screen can display: it is
+//            replaced with 0, and each channel is divided by its mean. The fit is off by at most 0.4
 // Sources: CIE 1931 colour matching functions, by the fit of C. Wyman, P.-P. Sloan, P. Shirley, 'Simple analytic
 // approximations to the CIE XYZ color matching functions', Journal of Computer Graphics Techniques 2 (2013);
 // IEC 61966-2-1 for the primaries.
@@ -52,17 +52,18 @@ vec3 waveColour(float wavelength)
                 5.4559 * bell(wavelength, 0.4450, 0.0248, 0.0375));
 }
 
-// The wavelengths of a sample: wave k of count, one in each of as many equal parts of the spectrum.
+// The wavelengths of a sample: wave k of count, one in each of count equal parts of the spectrum.
 //   k, count  0 <= k < count
-//   shift     where in its part, in [0, 1]; 1/2 the middle: of count 1 that is 0.55, green
+//   shift     position within its part, in [0, 1]; 1/2 is the middle: for count 1 that is 0.55, green
 float sampleWave(int k, int count, float shift)
 {
     return mix(SHORTEST_WAVE, LONGEST_WAVE, (float(k) + shift) / float(count));
 }
 
-// The colour of light that holds the wavelengths between two and no others, as a share of white light that holds all.
-//   a, b     wavelengths, in either order; what lies outside the visible ones is left out
-//   returns  white, (1, 1, 1), for all: by ten wavelengths, off by at most 0.02
+// The colour of light that contains only the wavelengths between two, relative to white light, which contains all.
+//   a, b     wavelengths, in either order; any part outside the visible range is left out
+//   returns  white, (1, 1, 1), for the whole range: computed from ten wavelengths, off by at most 0.02 there and by at
+//            most 0.03 for parts of it
 vec3 meanColour(float a, float b)
 {
     a = clamp(a, SHORTEST_WAVE, LONGEST_WAVE);

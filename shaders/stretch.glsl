@@ -1,10 +1,10 @@
-// stretch.glsl - how fast a distance can change along one ray: a Lipschitz constant of its own for each.
+// stretch.glsl - how fast a distance can change along one ray: a Lipschitz constant for each ray.
 //
-// A stretch of transform.glsl holds for all directions, so it is that of the worst. A ray has one direction,
-// and the steepest way may not be its own. Divided by the stretch along a ray, a distance is safe for
-// marching that ray, forwards and backwards, and for nothing else: not for another ray, nor for a normal.
+// A stretch of transform.glsl is true for all directions, so it is that of the steepest. A ray has one direction,
+// which may be less steep. Divided by the stretch along a ray, a distance is safe for marching that ray,
+// forwards and backwards, but not for any other ray, nor for a normal.
 
-// Along a ray over y - h(x, z), a ground or a sea of height h.
+// The stretch along a ray over y - h(x, z), a ground or a sea of height h.
 //   slope      the largest |grad h| in the region, >= 0
 //   direction  of the ray, length 1
 //   formula    |v_y| + slope |(v_x, v_z)|
@@ -15,7 +15,7 @@ float heightStretchAlong(float slope, vec3 direction)
     return abs(direction.y) + slope * length(direction.xz);
 }
 
-// Along a ray through what opTwist has turned, in the cylinder x^2 + z^2 <= radius^2.
+// The stretch along a ray through a volume turned by opTwist, in the cylinder x^2 + z^2 <= radius^2.
 //   rate       of the twist, radians per scene unit of height
 //   direction  of the ray, length 1, the twist's axis upright
 //   formula    sqrt((|(v_x, v_z)| + |rate| radius |v_y|)^2 + v_y^2)

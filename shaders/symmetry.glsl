@@ -2,15 +2,15 @@
 #include "scene.glsl"
 
 // Fold space along a plane: a point behind it is replaced by its mirror image, a point in front stays.
-// One-sided: what a scene holds behind the plane is lost, what it holds in front appears twice.
+// One-sided: the part of a scene behind the plane is lost, the part in front appears twice.
 //   p        point, scene units
 //   normal   of the plane, length 1, pointing to the side that is kept
 //   offset   scene units; the plane is dot(p, normal) = -offset
-//   formula  p - 2 min(dot(p, normal) + offset, 0) normal; with (-normal, -offset) the same plane, the
-//            other side kept
-// 1-Lipschitz: a distance taken at the folded point is a lower bound of that to the scene one sees,
-// and outside exact if nothing of the scene lies behind the plane. With another length of the normal
-// than 1 it is no mirror, and beyond 1 not a bound.
+//   formula  p - 2 min(dot(p, normal) + offset, 0) normal; with (-normal, -offset) the plane is the same, and
+//            the other side is kept
+// 1-Lipschitz: a distance evaluated at the folded point is a lower bound of that to the visible scene,
+// and outside exact if no part of the scene lies behind the plane. If the length of the normal is not 1, it is
+// not a mirror, and if it is more than 1, not a bound.
 // Source: report, section 2.2.4.
 vec3 opReflect(vec3 p, vec3 normal, float offset)
 {
@@ -18,8 +18,8 @@ vec3 opReflect(vec3 p, vec3 normal, float offset)
 }
 
 // A regular tetrahedron with the corners (1, 1, 1), (1, -1, -1), (-1, 1, -1) and (-1, -1, 1) times
-// size: alternate corners of a cube. Inside exact; outside a lower bound: with d the distance it is
-// d in front of a face, at least d / sqrt(3) in front of an edge, at least d / 3 of a corner.
+// size: alternate corners of a cube. Inside exact; outside a lower bound: if d is the true distance, the result is
+// d in front of a face, at least d / sqrt(3) in front of an edge, and at least d / 3 in front of a corner.
 //   p        point, scene units
 //   size     half the side of that cube, scene units, > 0; an edge is sqrt(8) size long
 //   formula  the largest of the signed distances to the planes of the four faces, each
@@ -32,11 +32,11 @@ float sdTetrahedronPlanes(vec3 p, float size)
 }
 
 // The same tetrahedron. Exact everywhere.
-//   p, size  as of sdTetrahedronPlanes
-// Three folds bring p in front of the face x + y + z = -size. Of that face's edges the nearest is the one
-// on which the smallest coordinate is -size. Beyond the edge the distance is that to the edge, else
-// that to the face's plane. In the edge's own frame, p less the edge's middle is: middle, twice, away
-// from the axis of the two other coordinates; low + size; and along the edge, past its end, past.
+//   p, size  as for sdTetrahedronPlanes
+// Three folds bring p in front of the face x + y + z = -size. The nearest of that face's edges is the one
+// on which the smallest coordinate is -size. Beyond that edge, the distance is that to the edge; else it is
+// that to the face's plane. In the edge's own frame, p minus the edge's middle has the components middle (twice),
+// perpendicular to the axis of the two other coordinates; low + size; and past, along the edge beyond its end.
 float sdTetrahedron(vec3 p, float size)
 {
     p.xy -= max(p.x + p.y, 0.0);
@@ -54,8 +54,8 @@ float sdTetrahedron(vec3 p, float size)
 // One level of the pyramid: three folds, after which the corner (1, 1, 1) is the nearest of the four.
 // One round is enough: each fold moves a point towards the kept sides of the other two.
 //   q        point, scene units, measured from that corner
-//   size     of the tetrahedron that is cut in four, scene units
-//   formula  opReflect with the normals (1, 1, 0), (1, 0, 1), (0, 1, 1) over sqrt(2) and the offset
+//   size     of the tetrahedron that is divided into four, scene units
+//   formula  opReflect with the normals (1, 1, 0), (1, 0, 1), (0, 1, 1) divided by sqrt(2) and the offset
 //            sqrt(2) size, written out: the roots cancel
 vec3 foldToCorner(vec3 q, float size)
 {
@@ -65,11 +65,11 @@ vec3 foldToCorner(vec3 q, float size)
     return q;
 }
 
-// The Sierpinski pyramid: 4^levels tetrahedra out of 3 levels folds with halving offsets. Inside exact;
-// outside between d / 3 and d, as sdTetrahedronPlanes, on which it stands.
+// The Sierpinski pyramid: 4^levels tetrahedra from 3 levels folds with halving offsets. Inside exact;
+// outside between d / 3 and d, as for sdTetrahedronPlanes, on which it is built.
 //   p        point, scene units
-//   size     of the whole, as of sdTetrahedronPlanes
-//   levels   >= 0; 0 is the tetrahedron itself. The smallest are size / 2^levels: up to 15, for the
+//   size     of the whole, as for sdTetrahedronPlanes
+//   levels   >= 0; 0 is the tetrahedron itself. The smallest are size / 2^levels: at most 15, because of the
 //            rounding of floats
 // Source: W. Sierpinski (1915), in the plane; report, section 3.3 and its engine.
 float sdSierpinskiPlanes(vec3 p, float size, int levels)
@@ -83,7 +83,7 @@ float sdSierpinskiPlanes(vec3 p, float size, int levels)
 }
 
 // The same pyramid. Exact everywhere.
-//   p, size, levels  as of sdSierpinskiPlanes
+//   p, size, levels  as for sdSierpinskiPlanes
 float sdSierpinski(vec3 p, float size, int levels)
 {
     vec3 q = p - size;
@@ -94,12 +94,12 @@ float sdSierpinski(vec3 p, float size, int levels)
     return sdTetrahedron(q + size, size);
 }
 
-// Where a ray is inside the tetrahedron: what boxInterval of bounds.glsl does, with four planes.
-//   size     as of sdTetrahedronPlanes; to hold a pyramid, a little more than its own
-//   returns  (entry, exit) along the ray, entry >= 0; entry >= exit when the ray misses it
+// The interval in which a ray is inside the tetrahedron: boxInterval of bounds.glsl with four planes.
+//   size     as for sdTetrahedronPlanes; to enclose a pyramid, a little more than its size
+//   returns  (entry, exit) along the ray, entry >= 0; entry >= exit if the ray misses it
 //   formula  a plane is crossed at (size - dot(origin, n)) / dot(direction, n), inwards where
 //            dot(direction, n) < 0, outwards where it is > 0; where it is 0 the plane is left out, so
-//            that the interval may be too long, never too short. The n add up to 0: a ray enters
+//            the interval may be too long, never too short. The n sum to 0: a ray enters
 //            through three planes at most, and the entry of the fourth stays 0
 vec2 tetrahedronInterval(Ray ray, float size)
 {

@@ -1,23 +1,23 @@
 // texture.glsl - pictures on surfaces that have no coordinates of their own: where to look them up, how
 // wide the pixel is there, and how a height becomes a bump.
 //
-// Every lookup is given its footprint. The derivatives that a driver takes by itself compare neighbouring
-// pixels, and where one of them hits and the other misses, they are undefined.
+// Every lookup gets its footprint. The derivatives that a driver computes itself compare neighbouring
+// pixels; if one of them hits and another misses, they are undefined.
 #include "scene.glsl"
 
-// What one pixel covers of a surface: an ellipse, given by its two axes, from one pixel to the next.
+// The area of a surface that one pixel covers: an ellipse, given by its two axes, from one pixel to the next.
 struct Footprint {
     vec3 across; // scene units: perpendicular to the ray and to the normal, the short axis
-    vec3 along;  // scene units: drawn out the more, the flatter the ray meets the surface
+    vec3 along;  // scene units: the longer, the closer the ray is to grazing
 };
 
-// The ellipse that a ray of circular section cuts out of a surface.
+// The ellipse in which a ray of circular cross-section cuts a surface.
 //   direction  of the ray, length 1
 //   normal     of the surface, length 1
 //   width      of the ray where it meets the surface, scene units: 2 pixelSpread() t for one pixel
 //   formula    across = width a, along = width b / max(|dot(direction, normal)|, 1/16), a the unit vector along
-//              cross(direction, normal) and b = cross(a, normal); looked at straight on, any a will do
-// Hardware without anisotropic filtering takes the longer axis for both: along the ray the level is
+//              cross(direction, normal) and b = cross(a, normal); at normal incidence any a will do
+// Hardware without anisotropic filtering uses the longer axis for both: along the ray the level is
 // right, across it the picture is blurred by the ratio of the axes.
 // Source: P. Heckbert, 'Survey of texture mapping', IEEE Computer Graphics and Applications 6 (1986).
 Footprint footprintOn(vec3 direction, vec3 normal, float width)
@@ -27,9 +27,9 @@ Footprint footprintOn(vec3 direction, vec3 normal, float width)
     return Footprint(width * a, width / max(abs(dot(direction, normal)), 0.0625) * cross(a, normal));
 }
 
-// A footprint seen by a thing that is turned and k times as large: in its own coordinates.
-//   turn     a rotation, as of Pose in transform.glsl
-//   scale    repeats of the texture a scene unit, > 0
+// A footprint in the coordinates of an object that is rotated and whose texture is scaled.
+//   turn     a rotation, as in Pose in transform.glsl
+//   scale    repeats of the texture per scene unit, > 0
 Footprint footprintSeen(Footprint f, mat3 turn, float scale)
 {
     return Footprint(scale * f.across * turn, scale * f.along * turn);
@@ -37,23 +37,23 @@ Footprint footprintSeen(Footprint f, mat3 turn, float scale)
 
 // ---- In space ----
 
-// A volume at p, as if the thing were cut from a block of it.
+// A volume at p, as if the object were cut from a block of it.
 //   p        in repeats of the volume
 vec4 textureInSpace(sampler3D volume, vec3 p, Footprint f)
 {
     return textureGrad(volume, p, f.across, f.along);
 }
 
-// ---- Thrown along an axis ----
+// ---- Projected along an axis ----
 
-// A place in a picture that is thrown on the scene along an axis.
+// A point of a picture that is projected onto the scene along an axis.
 struct Slide {
     vec2 at;     // in repeats of the picture
     vec2 across; // the footprint, in repeats
     vec2 along;
 };
 
-// Where a point lies in a picture thrown along an axis, at every depth the same.
+// The position of a point in a picture projected along an axis, the same at every depth.
 //   p, f     in repeats of the picture
 //   axis     0: along x, at (z, y); 1: along y, at (x, z); 2: along z, at (x, y): on walls y is up
 Slide slideAlong(vec3 p, Footprint f, int axis)
@@ -65,23 +65,23 @@ Slide slideAlong(vec3 p, Footprint f, int axis)
     return Slide(p.xy, f.across.xy, f.along.xy);
 }
 
-// The picture there, averaged over the footprint by its mipmaps.
+// The picture there, averaged over the footprint using its mipmaps.
 vec4 textureOnSlide(sampler2D picture, Slide slide)
 {
     return textureGrad(picture, slide.at, slide.across, slide.along);
 }
 
-// A picture thrown from above. On a slope it is drawn out by 1 / |normal.y|, on a wall without end.
+// A picture projected from above. On a slope it is stretched by 1 / |normal.y|, on a wall without limit.
 //   p, f     in repeats of the picture
 vec4 textureFromAbove(sampler2D picture, vec3 p, Footprint f)
 {
     return textureOnSlide(picture, slideAlong(p, f, 1));
 }
 
-// How much each of three pictures counts: those thrown along x, along y, along z.
+// The weights of three pictures: those projected along x, along y and along z.
 //   normal     length 1
-//   sharpness  >= 1: how fast the one that the surface faces wins; without end, it alone is left
-//   formula    |normal|^sharpness, per component, over the sum of the three: they add up to 1
+//   sharpness  >= 1: how fast the picture that the surface faces dominates; in the limit only that one remains
+//   formula    |normal|^sharpness, per component, divided by the sum of the three, so the weights sum to 1
 // Source: R. Geiss, 'Generating complex procedural terrains using the GPU', GPU Gems 3 (2007), chapter 1.
 vec3 planeWeights(vec3 normal, float sharpness)
 {
@@ -89,9 +89,9 @@ vec3 planeWeights(vec3 normal, float sharpness)
     return w / (w.x + w.y + w.z);
 }
 
-// A picture thrown along three axes, each as much as its weight says.
+// A picture projected along three axes, with a weight for each.
 //   p, f     in repeats of the picture
-//   weights  of planeWeights or twoPlaneWeights, or 1 for one of them and 0 for the others
+//   weights  from planeWeights or twoPlaneWeights, or 1 for one of them and 0 for the others
 //   formula  weights.x picture(z, y) + weights.y picture(x, z) + weights.z picture(x, y)
 // A weight of 0 costs no lookup.
 vec4 textureOnPlanes(sampler2D picture, vec3 p, Footprint f, vec3 weights)
@@ -103,11 +103,12 @@ vec4 textureOnPlanes(sampler2D picture, vec3 p, Footprint f, vec3 weights)
     return sum;
 }
 
-// The weights of the two that count most; the third is 0, and gets there without a jump: the cheaper way,
-// by a third.
-//   weights  of planeWeights
-//   formula  weights less the least of them, over what is then their sum; (1, 0, 0) where all are equal
-// Continuous but there, in the eight diagonal directions: nothing that leaves out the least is.
+// The weights of the two most important projections; the third is 0 and gets there continuously. A third
+// cheaper.
+//   weights  from planeWeights
+//   formula  weights minus the smallest of them, divided by their new sum; (1, 0, 0) if all are equal
+// Continuous except there, in the eight diagonal directions: no method that drops the smallest weight is
+// continuous in them.
 vec3 twoPlaneWeights(vec3 weights)
 {
     vec3 w = weights - min(weights.x, min(weights.y, weights.z));
@@ -117,11 +118,11 @@ vec3 twoPlaneWeights(vec3 weights)
 
 // ---- Bumps ----
 
-// A picture of heights that is thrown along an axis: the height (x) and its gradient in space (yzw), per
+// A picture of heights that is projected along an axis: the height (x) and its gradient in space (yzw), per
 // repeat, 0 along the axis.
-//   slide, axis  of slideAlong, with that axis
-//   reach        how far apart the heights are taken, in repeats: about a texel, and not less than a pixel
-//   wanted       false: the height is enough, one lookup in place of three
+//   slide, axis  from slideAlong, with that axis
+//   reach        step of the differences, in repeats: about a texel, and at least a pixel
+//   wanted       false: only the height is needed, one lookup instead of three
 //   formula      forward differences over reach of the first channel; error O(reach)
 vec4 heightOnSlide(sampler2D heights, Slide slide, int axis, float reach, bool wanted)
 {
@@ -136,11 +137,11 @@ vec4 heightOnSlide(sampler2D heights, Slide slide, int axis, float reach, bool w
     return vec4(h.x, gradient);
 }
 
-// The normal of a surface that is raised by a height, without raising it.
+// The normal that a surface would have if it were raised by a height.
 //   normal    of the smooth surface, length 1
-//   gradient  of the height in space, per scene unit: of what the noise says, or of a picture of heights
+//   gradient  of the height in space, per scene unit: from noise or from a picture of heights
 //   returns   length 1
-//   formula   normalize(normal - g), g the part of the gradient that lies in the surface: exact on a plane,
+//   formula   normalize(normal - g), g the component of the gradient tangent to the surface: exact on a plane,
 //             else up to height times curvature
 // Source: J. F. Blinn, 'Simulation of wrinkled surfaces', SIGGRAPH 1978.
 vec3 bumpedNormal(vec3 normal, vec3 gradient)

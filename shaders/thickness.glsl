@@ -1,16 +1,16 @@
 // thickness.glsl - how much of a solid lies between a point of its surface and the light, and how much light
-// gets through.
+// passes through.
 #include "march.glsl"
 
-// How far a ray goes inside a solid before it comes out.
+// How far a ray goes inside a solid before it leaves.
 //   ray        starts inside: from a little below the surface, towards the lamp
-//   far        how far to look, scene units: to the lamp
+//   far        how far to search, scene units: to the lamp
 //   threshold  depth below which the surface counts as reached, scene units, > 0
 //   maxSteps   of this march
-//   returns    length of the way inside, scene units, at most far; 0 where it starts outside
+//   returns    length of the path inside, scene units, at most far; 0 if it starts outside
 //   formula    t_0 = 0, t_(n+1) = t_n - distance at t_n, until that is more than -threshold
-// Inside, the distance must be negative and no deeper than the true depth, a lower bound of it: then no way out is
-// stepped over. So are a union by min and a smooth union, though their steps are short.
+// Inside, the distance must be negative and no deeper than the true depth, a lower bound of it: then the march steps
+// over no exit. A union by min and a smooth union satisfy this, although their steps are short.
 float thicknessAlong(Ray ray, float far, float threshold, int maxSteps)
 {
     traceBegin(0.0, far);
@@ -27,9 +27,9 @@ float thicknessAlong(Ray ray, float far, float threshold, int maxSteps)
     return min(t, far);
 }
 
-// The share of the light that is left after a straight way through a solid.
-//   way      length of the way, >= 0, scene units
-//   depth    the way after which 1 / e = 0.37 is left, > 0 per channel, scene units
+// The share of the light that remains after a straight path through a solid.
+//   way      length of the path, >= 0, scene units
+//   depth    the length after which 1 / e = 0.37 remains, > 0 per channel, scene units
 //   formula  exp(-way / depth)
 // Source: P. Bouguer (1729), J. H. Lambert (1760), A. Beer (1852).
 vec3 lightThrough(float way, vec3 depth)

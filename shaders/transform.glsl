@@ -1,7 +1,7 @@
-// transform.glsl - a volume moved, turned, scaled and deformed: the point goes the way back.
+// transform.glsl - a volume moved, turned, scaled and deformed: the inverse map is applied to the point.
 //
-// A volume A, changed by a map T, is { T(a) : a in A }. So p belongs to it where the inverse of T
-// takes p into A, and a scene asks for A at that point:
+// A volume A, changed by a map T, is { T(a) : a in A }. So p belongs to it if the inverse of T
+// takes p into A, and a scene evaluates A at that point:
 //
 //   translation by v          sd(p - v)                          exact where sd is
 //   rotation by a matrix R    sd(transpose(R) p), or sd(p * R)   exact where sd is
@@ -10,17 +10,17 @@
 //   twist, bend               sd(opTwist(p, k)) / twistStretch(k, rho)    a lower bound near the axis
 //   displacement by g         (sd(p) + g(p)) / displacementStretch(|grad g|)   a lower bound
 //
-// A function named ...Stretch is a Lipschitz constant: the most by which distances can grow on the way
-// back. Dividing by it makes a distance that is safe to march by: the step factor is its inverse.
+// A function named ...Stretch is a Lipschitz constant: the most by which the inverse map can stretch
+// distances. Divided by it, a distance is safe to march with: the step factor is its inverse.
 
-// ---- Isometries: what they move keeps its size, and distances stay exact ----
+// ---- Isometries: a moved volume keeps its size, and distances stay exact ----
 
 // The rotation about an axis by an angle, counter-clockwise as seen from the axis' tip.
 //   angle    radians
 //   returns  an orthonormal matrix of determinant 1; its inverse is its transpose, and the rotation by
 //            -angle. GLSL writes matrices column by column
-//   formula  of rotationX: (x, y cos a - z sin a, y sin a + z cos a)
-// Source: report, section 2.2.2, whose three factors are these but named after other axes.
+//   formula  for rotationX: (x, y cos a - z sin a, y sin a + z cos a)
+// Source: report, section 2.2.2, whose three factors are the same but named after other axes.
 mat3 rotationX(float angle)
 {
     float c = cos(angle), s = sin(angle);
@@ -39,14 +39,14 @@ mat3 rotationZ(float angle)
     return mat3(c, s, 0.0, -s, c, 0.0, 0.0, 0.0, 1.0);
 }
 
-// Where a thing is: turned first, then moved.
+// The pose of an object: turned first, then moved.
 struct Pose {
-    vec3 place; // of its origin, scene units
+    vec3 place; // position of its origin, scene units
     mat3 turn;  // a rotation
 };
 
-// A point as a thing in a pose sees it: moved back, then turned back. GLSL's row times matrix is the
-// transposed matrix times the column, and the transposed matrix is the inverse rotation.
+// A point in the coordinates of an object with a pose: moved back, then turned back. In GLSL, row times matrix is
+// the transposed matrix times the column, and the transposed matrix is the inverse rotation.
 //   p        point, scene units
 //   formula  transpose(turn) (p - place)
 //   sd(seenFrom(pose, p))  exact where sd is
@@ -61,7 +61,8 @@ vec3 seenFrom(Pose pose, vec3 p)
 //   m        any matrix; the one that is applied to the point, p -> m p
 //   formula  square root of the largest eigenvalue of S = transpose(m) m, which is symmetric: with
 //            mean = tr S / 3, D = S - mean I, spread^2 = tr(D D) / 6 and
-//            angle = acos(det(D) / (2 spread^3)) / 3 it is mean + 2 spread cos(angle)
+//            angle = acos(det(D) / (2 spread^3)) / 3 it is mean + 2 spread cos(angle); the arc cosine by
+//            atan, because a driver's acos may be inexact
 //   returns  >= 0; 1 for a rotation, |k| for k times a rotation
 // Source: O. K. Smith, 'Eigenvalues of a symmetric 3 x 3 matrix', CACM 4 (1961).
 float largestStretch(mat3 m)
@@ -70,17 +71,17 @@ float largestStretch(mat3 m)
     float mean = (s[0][0] + s[1][1] + s[2][2]) / 3.0;
     mat3 d = s - mat3(mean);
     float spread = sqrt((dot(d[0], d[0]) + dot(d[1], d[1]) + dot(d[2], d[2])) / 6.0);
-    float cosine = spread > 0.0 ? determinant(d) / (2.0 * spread * spread * spread) : 1.0;
-    return sqrt(mean + 2.0 * spread * cos(acos(clamp(cosine, -1.0, 1.0)) / 3.0));
+    float cosine = spread > 0.0 ? clamp(determinant(d) / (2.0 * spread * spread * spread), -1.0, 1.0) : 1.0;
+    return sqrt(mean + 2.0 * spread * cos(atan(sqrt(1.0 - cosine * cosine), cosine) / 3.0));
 }
 
 // ---- Deformations: not isometries ----
 
-// The way back from a twist about the y axis: every height turns by its own angle.
+// The inverse of a twist about the y axis: each height turns by a different angle.
 //   p        point, scene units
 //   rate     radians per scene unit of height, any sign
 //   formula  rotationY(rate y) p; the volume itself is turned by -rate y
-// Not a distance: divide by twistStretch, in the region that it names.
+// The result is not a distance: divide by twistStretch, in the region that it names.
 vec3 opTwist(vec3 p, float rate)
 {
     float c = cos(rate * p.y), s = sin(rate * p.y);
@@ -88,7 +89,7 @@ vec3 opTwist(vec3 p, float rate)
 }
 
 // The Lipschitz constant of opTwist in the cylinder x^2 + z^2 <= radius^2, a convex region. Tight: it
-// is reached at the cylinder's wall. Without a bound on the radius there is none.
+// is reached on the cylinder's wall. Without a bound on the radius there is none.
 //   formula  (u + sqrt(u^2 + 4)) / 2, u = |rate| radius
 float twistStretch(float rate, float radius)
 {
@@ -96,12 +97,12 @@ float twistStretch(float rate, float radius)
     return 0.5 * (u + sqrt(u * u + 4.0));
 }
 
-// The way back from a bend in the x, y plane: every x turns by its own angle about the z axis. A bar
-// along x becomes an arch for rate > 0, its ends down; a bowl for rate < 0.
+// The inverse of a bend in the x, y plane: each x turns by a different angle about the z axis. A bar
+// along x becomes an arch for rate > 0, with its ends down, and a bowl for rate < 0.
 //   p        point, scene units
 //   rate     radians per scene unit along x, any sign
 //   formula  rotationZ(rate x) p
-// Not a distance: divide by bendStretch, in the region that it names.
+// The result is not a distance: divide by bendStretch, in the region that it names.
 vec3 opBend(vec3 p, float rate)
 {
     float c = cos(rate * p.x), s = sin(rate * p.x);
@@ -116,8 +117,7 @@ float bendStretch(float rate, float radius)
     return 1.0 + abs(rate) * radius;
 }
 
-// The Lipschitz constant of sd(p) + g(p), a surface that is moved inwards by g where sd is
-// 1-Lipschitz.
+// The Lipschitz constant of sd(p) + g(p), a surface that is moved inwards by g, if sd is 1-Lipschitz.
 //   slope    the largest |grad g| in the region, >= 0
 //   formula  1 + slope; reached where grad g points along grad sd
 float displacementStretch(float slope)
@@ -126,7 +126,7 @@ float displacementStretch(float slope)
 }
 
 // The Lipschitz constant of y - h(x, z), a ground or a sea of height h: here the two gradients are
-// always perpendicular, so less is needed than for a displacement in general. Tight.
+// always perpendicular, so it is smaller than for a displacement in general. Tight.
 //   slope    the largest |grad h| in the region, >= 0
 //   formula  sqrt(1 + slope^2)
 float heightStretch(float slope)

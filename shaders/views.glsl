@@ -4,7 +4,7 @@
 #include "inputs.glsl"
 #include "scene.glsl"
 
-// Compiled only when one of these views is asked for.
+// Compiled only for one of these views.
 #if VIEW >= 1 && VIEW <= 3
 
 // Nothing was found along the ray.
@@ -17,17 +17,17 @@ vec3 normalView()
 }
 
 // Where the first march ended: white at the eye, darker with the distance, 1 / (1 + (t / 6)^4): the
-// greys change most around 6 units, where the scenes stand. A miss is a blue that no depth has.
+// greys change most around 6 units, where most scenes are. A miss is a blue that no depth has.
 vec3 depthView()
 {
     float square = trace.t * trace.t / 36.0;
     return trace.end == END_HIT ? vec3(1.0 / (1.0 + square * square)) : VIEW_NOTHING;
 }
 
-// The number of steps at the light end of the ramp; more is shown as so many.
+// The number of steps at the bright end of the ramp, which also stands for any larger number.
 const float STEPS_SHOWN = 64.0;
 
-// The legend over a colour: the ramp along the bottom, with 0, 16, 32, 48, 64 over it. Left out where
+// The legend over the picture: the ramp along the bottom, with 0, 16, 32, 48, 64 above it. Left out if
 // the picture is too small for it.
 //   pixel  in pixels of the picture
 vec3 stepLegend(vec3 colour, vec2 pixel)
@@ -47,7 +47,7 @@ vec3 stepLegend(vec3 colour, vec2 pixel)
     return colour;
 }
 
-// The steps of all marches of the pixel, shadow rays and all others included, with a legend.
+// The steps of all marches of the pixel, including shadow rays, with a legend.
 //   pixel  in pixels of the picture
 vec3 stepView(vec2 pixel)
 {

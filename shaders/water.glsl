@@ -1,15 +1,15 @@
-// water.glsl - a lake: waves, what of them a pixel sees, and the sun in them.
+// water.glsl - a lake: waves, the part of them that a pixel sees, and the sun's reflection in them.
 //
-// The water is level, y = 0, and its waves tilt its normal alone. docs/21_a_landscape.md proves what is claimed here.
+// The water is level, y = 0; its waves tilt only its normal. docs/21_a_landscape.md proves the claims made here.
 #include "texture.glsl"
 
-// What a pixel sees of the slope of the water.
+// The slope of the water as a pixel sees it.
 struct Water {
     vec2  slope;    // its mean, along x and z
     float variance; // about that mean, along any one direction
 };
 
-// What a pixel covers of level water: footprintOn, without its limit.
+// The footprint of a pixel on level water: footprintOn, without its limit.
 //   direction  of the ray, length 1, downwards
 //   width      of the ray there, scene units
 Footprint footprintOnWater(vec3 direction, float width)
@@ -19,16 +19,16 @@ Footprint footprintOnWater(vec3 direction, float width)
 }
 
 // Four waves, as a pixel sees them.
-//   p        place on the water, scene units
-//   f        of footprintOnWater; of size 0 for a point
+//   p        position on the water, scene units
+//   f        from footprintOnWater; of size 0 for a point
 //   kx, kz   wave vectors, radians per scene unit
 //   steep    the largest slope of each
 //   phase    of each, radians
-//   returns  slope: sum of steep kept cos(k . p + phase) along each k; variance: half of what is lost
+//   returns  slope: sum of steep kept cos(k . p + phase) along each k; variance: half of the variance lost
 //   formula  kept = exp(-((k . across)^2 + (k . along)^2) / 24), the mean of cos(k . x) over a Gaussian with the
-//            variance of the pixel, a twelfth of each axis squared; a wave's slope has the variance steep^2 / 2 over
-//            all places, and what the mean loses, steep^2 (1 - kept^2) / 2, is about the mean; half of it along x
-//            where the waves run in all directions
+//            variance of the pixel, a twelfth of each axis squared. A wave's slope has the variance steep^2 / 2 over
+//            all positions; the part that the mean loses, steep^2 (1 - kept^2) / 2, is the variance about the mean.
+//            Half of it is along x if the waves run in all directions
 Water fourWaves(vec2 p, Footprint f, vec4 kx, vec4 kz, vec4 steep, vec4 phase)
 {
     vec4 across = kx * f.across.x + kz * f.across.z, along = kx * f.along.x + kz * f.along.z;
@@ -37,11 +37,11 @@ Water fourWaves(vec2 p, Footprint f, vec4 kx, vec4 kz, vec4 steep, vec4 phase)
     return Water(vec2(dot(kx, tilt), dot(kz, tilt)), 0.25 * dot(steep * steep, 1.0 - kept * kept));
 }
 
-// The lamp in rough water: its light that facets of every slope send to the eye, before Fresnel's share.
+// The lamp in rough water: its light that facets of all slopes send to the eye, before Fresnel's share.
 //   direction  of the ray, to the water, length 1
 //   toLight    length 1, upwards
 //   water      slope and variance, > 0
-//   light      of the lamp on a white surface across its rays, linear
+//   light      of the lamp on a white surface perpendicular to its rays, linear
 //   formula    light pi P / (4 cos h_y^4), P the Gaussian density of the slope that mirrors the lamp to the
 //              eye, h the normal of that facet, cos = -direction.y. Exact where no facet hides another
 // Source: C. Cox, W. Munk, 'Measurement of the roughness of the sea surface from photographs of the sun's

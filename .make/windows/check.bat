@@ -1,7 +1,7 @@
 @echo off
-rem check.bat EXERCISE FILE - is a solution right? For example: check.bat 03_2 my.frag
-rem A file may be dropped on it; then it asks for the exercise. As make check does: pictures of the file and nine of its
-rem rays are compared with those of the solution. Exit status: 0 right, 1 wrong, 2 where nothing could be compared.
+rem check.bat EXERCISE FILE - check a solution, for example: check.bat 03_2 my.frag
+rem You may drop a file on check.bat; it then asks for the exercise. Like make check, it compares pictures of the file and
+rem nine of its rays with those of the solution. Exit status: 0 right, 1 wrong, 2 if nothing could be compared.
 setlocal
 set "exercise=%~1"
 set "given=%~2"
@@ -33,7 +33,7 @@ judge.exe right %shares% >"%folder%\said.txt"
 for /f "usebackq delims=" %%w in ("%folder%\said.txt") do echo "%given%": right: %%w
 goto end
 
-rem A line of the exercise: the first names all that its pictures have in common, each other one is a picture's.
+rem A line of the exercise. The first has what all pictures have in common, each other line describes one picture.
 :line
 if not %status%==0 goto :eof
 if defined program goto picture
@@ -45,7 +45,7 @@ goto :eof
 :picture
 set "options=%~2"
 set "shown=%~3"
-rem What an earlier picture left must not be taken for this one's, however a program ends.
+rem Pictures left over from an earlier comparison must not be mistaken for new ones if a program fails.
 del /q "%folder%\*.png" 2>nul
 "%program%" %~1 --shader "%solution%" --output "%folder%\solution.png"
 if errorlevel 1 goto broken

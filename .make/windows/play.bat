@@ -1,6 +1,6 @@
 @echo off
-rem play.bat [FILE.frag] - your own shader in a window, shown anew at each save. A file may be dropped on it.
-rem Without one: chapters\play.frag, made for you and opened in Notepad.
+rem play.bat [FILE.frag] - open your own shader in a window, reloaded on every save. You may drop a file on play.bat.
+rem Without a file: chapters\play.frag, which is created and opened in Notepad.
 setlocal
 set "file=%~f1"
 pushd "%~dp0"

@@ -1,9 +1,11 @@
-// Experiment of chapter 01: the error of the normal against the step of the differences, measured by
-// the GPU on itself. Each column of pixels takes one step, and 512 points of a unit ball 10 units from
-// the origin: the root of the mean square of their errors. Yellow: central differences; blue: forward.
+// Experiment of chapter 01: the error of the normal against the step of the differences, measured
+// by the GPU itself. Each column of pixels takes one step and 512 points of a unit ball, 10 units
+// from the origin, and shows the root mean square of their errors. Yellow: central differences;
+// blue: forward differences.
 //
-// Across: the step, from 1e-5 to 1. Up: the angle between the computed and the true normal, from 1e-4
-// to 100 degrees. A line for each power of ten; the brighter ones are 0.001 and 0.01 degree.
+// Horizontal axis: the step, from 1e-5 to 1. Vertical axis: the angle between the computed and the
+// true normal, from 1e-4 to 100 degrees. There is a line at each power of ten; the brighter ones
+// are at 0.001 and at 0.01 degrees.
 #include "main.glsl"
 #include "normal.glsl"     // normalAt
 #include "primitives.glsl" // sdSphere
@@ -11,8 +13,8 @@
 const vec3 CENTRE = vec3(0.0, 0.0, 10.0);
 const int  POINTS = 512;
 
-// The place on the screen travels in the ray's origin: x from 0 to 5, y from 0 to 6, one unit a
-// power of ten.
+// The position in the plot is passed on in the ray's origin: x from 0 to 5, y from 0 to 6, one unit
+// per power of ten.
 Ray pixelRay(vec2 screen)
 {
     vec2 place = vec2(2.5, 3.0) + vec2(2.5, 3.0) * screen * vec2(iResolution.y / iResolution.x, 1.0);
@@ -36,13 +38,13 @@ vec3 forwardNormal(vec3 p, float h)
     return size > 0.0 ? gradient / size : vec3(0.0);
 }
 
-// The typical angles over the ball, in degrees: central, forward. Each point takes another step, up to
-// a tenth larger, so that no single step meets a lucky rounding everywhere.
+// The typical angles over the ball, in degrees: central, forward. Each point takes a different
+// step, up to a tenth larger, so that rounding is not favourable at all points at once.
 vec2 typicalAngles(float h)
 {
     vec2 squares = vec2(0.0);
     for (int i = 0; i < POINTS; i++) {
-        // A spiral: equal steps in z, the golden angle around it.
+        // A spiral: equal steps in z, the golden angle around the axis.
         float z = 1.0 - (2.0 * float(i) + 1.0) / float(POINTS);
         float turn = 2.39996323 * float(i);
         vec3 p = CENTRE + vec3(sqrt(1.0 - z * z) * vec2(cos(turn), sin(turn)), z);
@@ -52,7 +54,7 @@ vec2 typicalAngles(float h)
         vec3 forward = forwardNormal(p, step) - normal;
         squares += vec2(dot(central, central), dot(forward, forward));
     }
-    return degrees(sqrt(squares / float(POINTS))); // a short chord is as long as its arc
+    return degrees(sqrt(squares / float(POINTS))); // a short chord is about as long as its arc
 }
 
 vec3 rayColour(Ray ray)

@@ -1,7 +1,7 @@
 // Experiment of chapter 01: a distance without its sign. Every solid becomes a sheet without
-// thickness, and central differences that reach across the sheet cancel.
+// thickness, and central differences across the sheet cancel.
 //
-// The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
+// The chapter's own sceneDistance gets another name; everything else is the chapter's.
 #include "main.glsl"
 #define sceneDistance signedDistance
 #include "01_normal_colouring.frag"

@@ -1,12 +1,12 @@
-// Experiment of chapter 02: the highlight warning of a camera. Where the light exceeds what a screen can
-// show, in so many channels or more, the picture is painted over in one flat colour; compared with the
-// picture as it was, it says how large a share is cut off.
+// Experiment of chapter 02: the highlight warning of a camera. Where at least a given number of
+// channels exceed the range of a screen, the picture is painted over in one flat colour. Compared
+// with the original picture, it shows how large a share is cut off.
 //
-// The chapter's call of encodeSRGB is turned into a call of warn; everything else is the chapter's.
+// The macro turns the chapter's call to encodeSRGB into a call to warn; all else is the chapter's.
 #include "main.glsl"
 #include "lighting.glsl"
 
-uniform int channels; // 1 in [1, 3]: paint over where at least so many channels are cut off
+uniform int channels; // 1 in [1, 3]: paint over where at least this many channels are cut off
 
 const vec3 WARNING = vec3(0.85, 0.0, 0.75); // as the screen shows it
 

@@ -1,8 +1,9 @@
-// Experiment of chapter 03: a lamp that hangs among the things of the stage, and a shadow ray that
-// does not stop at it, as where the report mixes a direction (section 1.5.2) with a position (1.5.3).
-// What hangs behind the lamp casts a shadow, upside down. Set stopping to see it mended.
+// Experiment of chapter 03: a lamp that hangs between the objects on the stage, and a shadow ray
+// that does not stop at it. The report invites this by mixing a direction (section 1.5.2) with a
+// position (1.5.3). Objects behind the lamp cast a shadow, upside down. Set stopping to see it
+// corrected.
 //
-// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
+// The chapter's own rayColour gets another name and is not used; everything else is the chapter's.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "03_shadows.frag"
@@ -11,9 +12,9 @@
 uniform bool stopping; // false: end the shadow ray at the lamp, as it should
 
 const vec3  HUNG_LAMP = vec3(-0.3, 0.9, 0.6);
-const float HUNG_REFERENCE = 1.2; // where its light is LAMP_COLOUR, scene units
+const float HUNG_REFERENCE = 1.2; // distance at which its light is LAMP_COLOUR, scene units
 
-// The lamp itself, a small disc, so that one sees where it hangs.
+// The lamp itself, drawn as a small disc that shows its position.
 //   far  where the ray ends
 vec3 glow(Ray ray, float far)
 {
@@ -22,7 +23,7 @@ vec3 glow(Ray ray, float far)
     return along < far ? LAMP_COLOUR * (1.0 - smoothstep(0.04, 0.06, aside)) : vec3(0.0);
 }
 
-// What the hung lamp adds. As visibility() does, it asks nothing where the surface turns its back.
+// The light that the hung lamp adds. visibility() takes no step where the surface faces away.
 vec3 hungLight(vec3 p, vec3 normal)
 {
     vec3 toLamp = HUNG_LAMP - p;

@@ -1,10 +1,10 @@
 // Experiment of chapter 04: the blend of the workshop's opBlend, which mixes the numbers of two
 // materials, here their hues, with the weight clamp(a - d, 0, 1).
 //
-//   numbers=true           the numbers are mixed: between orange and blue lie all hues between
-//   workshopWeight=true    its weight, which is k / 6 where it should be 1 / 2
+//   numbers=true           mix the numbers: all hues between those of block and ball appear
+//   workshopWeight=true    use the workshop's weight, which is k / 6 where it should be 1 / 2
 //
-// The chapter's own ballShare is kept aside under another name, and so is its colourAt.
+// Macros rename the chapter's own colourAt, which is used here for the other solids, and rayColour.
 #include "main.glsl"
 #define colourAt rightColourAt
 #define rayColour rightRayColour
@@ -13,7 +13,7 @@
 #undef colourAt
 
 uniform bool numbers;        // true: mix the hues' numbers instead of their colours
-uniform bool workshopWeight; // false: take the workshop's weight instead of the slope of the function
+uniform bool workshopWeight; // false: use the workshop's weight instead of the slope of the function
 
 vec3 colourAt(vec3 p)
 {

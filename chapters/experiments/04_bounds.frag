@@ -1,17 +1,17 @@
-// Experiment of chapter 04: what min and max make of the distances of two discs, a flat diagram.
-// The dark lines are those of equal distance as the operator has it, the white ones the true ones, and
-// red is the difference, full at 0.25. Where no white line is seen both coincide, and the operator is
-// exact there. Of the smooth union only its own lines are drawn.
+// Experiment of chapter 04: a flat diagram of what min and max do to the distances of two discs.
+// Dark lines connect points where the operator gives the same value, white lines points at the same
+// true distance. Red is the difference, full at 0.25. Where no white line is visible, the two
+// coincide, and the operator is exact. For the smooth union only its own lines are drawn.
 //
-// The true distance is that to the boundary, piece by piece: what is left of each circle, and the two
-// points where the circles cross.
+// The true distance is that to the boundary, piece by piece: to the part of each circle that is
+// left, and to the two points where the circles cross.
 #include "main.glsl"
 #include "camera.glsl"
 #include "primitives.glsl"
 #include "combine.glsl"
 
-uniform int   operation; // 1 in [0, 3]: 0 union, 1 intersection, 2 left less right, 3 smooth union
-uniform float apart;     // 0.7 in [0.1, 0.95] step 0.05, scene units: from the middle to either centre
+uniform int   operation; // 1 in [0, 3]: 0 union, 1 intersection, 2 left minus right, 3 smooth union
+uniform float apart;     // 0.7 in [0.1, 0.95] step 0.05, scene units: from the middle to each centre
 uniform float blend;     // 0.6 in [0.01, 1.5] step 0.05, scene units: width of the smooth union's blend
 
 Ray pixelRay(vec2 screen)
@@ -34,10 +34,10 @@ float sceneDistance(vec3 p)
     return combined(p);
 }
 
-// The distance from q to what is left of the circle around its origin: all of it where the point of
-// the circle that is nearest to q is left, else very far.
+// The distance from q to the part that is left of the circle around the origin: the distance to the
+// circle if its point nearest to q is left, otherwise a very large number.
 //   other   the centre of the other circle
-//   inside  the part inside the other disc is left, else the part outside
+//   inside  true if the part inside the other disc is left, false if the part outside is left
 float arcDistance(vec2 q, vec2 other, bool inside)
 {
     bool left = (length(normalize(q) - other) < 1.0) == inside;

@@ -1,5 +1,6 @@
-// Experiment of chapter 04: figure 5 of the report, drawn by the formula itself. Above, the hues;
-// below, how much red, green and blue each holds, from 0 to 360 degrees, with a line every 60.
+// Experiment of chapter 04: figure 5 of the report, drawn with the formula itself. The top strip
+// shows the hues from 0 to 360 degrees. Below it are the curves of red, green and blue, with a line
+// every 60 degrees.
 //
 // There is nothing to march: the picture is a diagram.
 #include "main.glsl"
@@ -8,7 +9,7 @@
 
 uniform float saturation; // 1 in [0, 1] step 0.05: 0 grey, 1 the pure hue
 uniform float value;      // 1 in [0, 1] step 0.05: the largest channel
-uniform bool  rounded;    // false: three cosines in place of the straight pieces
+uniform bool  rounded;    // false: three cosines instead of the trapezoids
 
 Ray pixelRay(vec2 screen)
 {
@@ -20,22 +21,22 @@ float sceneDistance(vec3 p)
     return length(p) + 1.0;
 }
 
-// The colour of a hue, for the strip and for the curves alike.
+// The colour of a hue, used for the strip and for the curves.
 vec3 drawnColour(float hue)
 {
     vec3 smoothed = 0.5 + 0.5 * cos(radians(hue - vec3(0.0, 120.0, 240.0)));
     return rounded ? value * mix(vec3(1.0), smoothed, saturation) : hsvToRGB(hue, saturation, value);
 }
 
-// How much of a line of so many pixels covers a point at a distance, in pixels.
+// How much of a point is covered by a line of this width at this distance, both in pixels.
 float line(float distance, float width)
 {
     return clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);
 }
 
-// One channel's band: the area under the curve in the channel's colour, the curve in white.
+// The band of one channel: the area under the curve in the channel's colour, the curve in white.
 //   place    hue in degrees, height in the band from 0 to 1
-//   pixels   of the band: width of 360 degrees, height of 1
+//   pixels   size of the band in pixels: the width of 360 degrees, the height of 1
 vec3 band(vec2 place, vec2 pixels, int channel)
 {
     vec3 ink = vec3(0.10, 0.11, 0.13);

@@ -1,7 +1,8 @@
-// Experiment of chapter 04: how a march comes to an edge. In the middle of the wheel stands a lens, the
-// intersection of two balls of radius 1.1, with the bound max(a, b). apart sets how sharp its rim is.
+// Experiment of chapter 04: how a march approaches an edge. In the middle of the wheel is a lens,
+// the intersection of two balls of radius 1.1, with the bound max(a, b). apart sets how sharp its
+// rim is.
 //
-// The chapter's colourAt and rayColour are written anew, for the middle is another.
+// The file defines its own colourAt and rayColour, because the middle is different.
 #include "main.glsl"
 #define sceneDistance wheelScene
 #define colourAt wheelColourAt
@@ -11,7 +12,7 @@
 #undef colourAt
 #undef sceneDistance
 
-uniform float apart; // 0.8 in [0.1, 1] step 0.05, scene units: from the lens's middle to the centre of either ball
+uniform float apart; // 0.8 in [0.1, 1] step 0.05, scene units: from the lens's centre to the centre of each ball
 
 float lensDistance(vec3 p)
 {

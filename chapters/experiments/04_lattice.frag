@@ -1,7 +1,8 @@
-// Experiment of chapter 04: all colours at once, a lattice of cubes. Around the axis the hue changes,
-// away from it the saturation, upwards the value. A slice is cut out to look inside.
+// Experiment of chapter 04: all colours at once, as a lattice of cubes. The hue changes around the
+// axis, the saturation outwards, and the value upwards. A slice is cut out to show the inside.
 //
-// Stage, light and camera are the chapter's; sceneDistance and what depends on it are written anew.
+// Stage, light and camera are the chapter's; the file defines its own sceneDistance and everything
+// that depends on it.
 #include "main.glsl"
 #define sceneDistance wheelScene
 #define colourAt wheelColourAt
@@ -11,13 +12,13 @@
 #undef colourAt
 #undef sceneDistance
 
-uniform bool whole; // false: leave nothing out
+uniform bool whole; // false: keep the slice
 
 const float RINGS = 5.0;  // steps of the saturation
 const float LEVELS = 5.0; // steps of the value
 
-// One ring of 24 columns of cubes, folded as in the chapter, here to 7.5 degrees. Along a column
-// the nearest of the equal cubes is that whose height is nearest.
+// One ring of 24 columns of cubes, folded as in the chapter, here to 7.5 degrees. The cubes of a
+// column are equal, so the nearest cube is the one whose height is nearest.
 //   q  the folded point
 float ringDistance(vec3 q, float ring)
 {
@@ -47,7 +48,7 @@ float sceneDistance(vec3 p)
 
 vec3 colourAt(vec3 p)
 {
-    float hue = 15.0 * floor(degrees(atan(p.z, p.x)) / 15.0 + 0.5);
+    float hue = 15.0 * floor(degrees(atan(p.z, p.x + float(p.xz == vec2(0.0)))) / 15.0 + 0.5);
     float ring = clamp(floor(length(p.xz) / 0.58 + 0.5), 1.0, RINGS);
     float level = clamp(floor((p.y - 0.14) / 0.32 + 0.5), 0.0, LEVELS - 1.0);
     vec3 colour = hsvToRGB(hue + hueShift, ring / RINGS, (level + 1.0) / LEVELS);

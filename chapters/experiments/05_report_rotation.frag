@@ -1,9 +1,9 @@
-// Experiment of chapter 05: the report's rotation (section 2.2.2). A block is turned, and three rods
-// are laid along its turned axes, from one tip to the other: with the right inverse they leave the
-// block in the middle of its faces, square to them.
+// Experiment of chapter 05: the report's rotation (section 2.2.2). A block is turned, and three
+// rods are laid along its turned axes. With the right inverse, the rods leave the block at the
+// centres of its faces and perpendicular to them.
 //
-// formula 0: the transposed matrix. 1: the report's inverse, the same rotation by the negated angles.
-// 2: the matrix as the report prints it, in which a term is missing, transposed.
+// formula 0: the transposed matrix. 1: the report's inverse, the same rotation by the negated
+// angles. 2: the matrix as the report prints it, with a missing term, transposed.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
@@ -18,7 +18,7 @@ uniform int  formula; // 0 in [0, 2]: 0 transposed, 1 negated angles, 2 the prin
 const vec3 BLOCK = vec3(0.62, 0.34, 0.48); // half sizes
 const vec3 MIDDLE = vec3(0.0, 0.0, -0.6);
 
-// The report's R(alpha, beta, gamma), as its expanded matrix means it: x, then y, then z.
+// The report's R(alpha, beta, gamma), in the order of its expanded matrix: x, then y, then z.
 mat3 rotation(vec3 a)
 {
     return rotationZ(a.z) * rotationY(a.y) * rotationX(a.x);
@@ -29,7 +29,7 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// The point as the block sees it.
+// The point in the coordinates of the block.
 vec3 blockPoint(vec3 p)
 {
     vec3 a = radians(angles), s = sin(a), c = cos(a);
@@ -46,7 +46,7 @@ float blockDistance(vec3 p)
     return sdBox(blockPoint(p), BLOCK - 0.03) - 0.03;
 }
 
-// A rod from the middle along both senses of a turned axis.
+// A rod that extends from the centre in both directions of a turned axis.
 float rodDistance(vec3 p, int axis)
 {
     vec3 along = rotation(radians(angles))[axis];
@@ -57,7 +57,7 @@ float rodDistance(vec3 p, int axis)
 float sceneDistance(vec3 p)
 {
     float rods = min(rodDistance(p, 0), min(rodDistance(p, 1), rodDistance(p, 2)));
-    return 0.8 * min(blockDistance(p), rods); // the printed matrix is no isometry
+    return 0.8 * min(blockDistance(p), rods); // the printed matrix is not an isometry
 }
 
 vec3 colourAt(vec3 p)

@@ -1,9 +1,9 @@
-// Experiment of chapter 05: four things whose inverse maps stretch distances. From the left: a ring
-// made half as large, a ball squeezed to half its width by diag(2, 1, 1), a bent plank, a ball with
-// bumps.
+// Experiment of chapter 05: four objects whose inverse maps stretch distances. From left to right:
+// a ring made half as large, a ball squeezed to half its width by diag(2, 1, 1), a bent plank, and
+// a ball with bumps.
 //
-// With divided=true each distance is divided by its Lipschitz constant. With false it is not, as the
-// formula of the report's section 2.2 has it for every transformation.
+// With divided=true each distance is divided by its Lipschitz constant. With false it is not, as in
+// the formula that the report's section 2.2 states for every transformation.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
@@ -16,13 +16,13 @@
 
 uniform bool divided; // true: divide by the Lipschitz constant
 
-const vec3  LOW = vec3(-3.2, 0.0, -0.8); // opposite corners of a box that holds the things
+const vec3  LOW = vec3(-3.2, 0.0, -0.8); // opposite corners of a box around the objects
 const vec3  HIGH = vec3(3.2, 1.7, 0.8);
 const vec3  TO_SUN = vec3(0.50, 0.66, 0.56); // length 1 to three digits
 const float BEND = 1.3;   // radians per scene unit
 const float BUMP = 0.045; // height of a bump, scene units
-const float FINE = 14.0;  // radians per scene unit: how close the bumps stand
-const float NEAR = 1.0;   // of a bend's axis: the region in which its bound is used, scene units
+const float FINE = 14.0;  // radians per scene unit: how close together the bumps are
+const float NEAR = 1.0;   // radius around a bend's axis in which its bound is used, scene units
 
 Ray pixelRay(vec2 screen)
 {
@@ -65,7 +65,7 @@ float sceneDistance(vec3 p)
     return min(left, min(plank(p - vec3(0.7, 0.0, 0.0)), bumpy(p - vec3(2.4, 0.0, 0.0))));
 }
 
-// The floor is a plane, found without a march; the things alone are marched, in their box.
+// The floor is a plane and needs no march. Only the objects are marched, in their box.
 vec3 rayColour(Ray ray)
 {
     vec2 interval = boxInterval(ray, LOW, HIGH);

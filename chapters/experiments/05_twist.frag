@@ -1,8 +1,8 @@
-// Experiment of chapter 05: a twisted torus, the report's figure 10b. An upright torus, whose twist
-// turns every height by its own angle.
+// Experiment of chapter 05: a twisted torus, the report's figure 10b. The torus is upright, and the
+// angle of the twist is proportional to the height.
 //
-// With divided=false the point is twisted and nothing else is done: steps are too long, and rays jump
-// through the surface. With true the distance is divided by its Lipschitz constant.
+// With divided=false the point is twisted and nothing else is done, so steps are too long, and rays
+// jump through the surface. With true the distance is divided by its Lipschitz constant.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
@@ -15,10 +15,10 @@
 
 uniform float twistRate;  // 2.4 in [-4, 4] step 0.1, radians per scene unit of height: twist of the torus
 uniform bool  divided;    // true: divide by the Lipschitz constant
-uniform float stepFactor; // 1 in [0.1, 4] step 0.05: a factor of our own on every step
+uniform float stepFactor; // 1 in [0.1, 4] step 0.05: an additional factor on every step
 
 const float REACH = 1.84; // radius of a cylinder around the box, and so around the torus
-const vec3  LOW = vec3(-1.3, 0.0, -1.3); // opposite corners of a box that holds the torus
+const vec3  LOW = vec3(-1.3, 0.0, -1.3); // opposite corners of a box around the torus
 const vec3  HIGH = vec3(1.3, 2.6, 1.3);
 const vec3  TO_SUN = vec3(0.50, 0.66, 0.56); // length 1 to three digits
 
@@ -34,7 +34,7 @@ float sceneDistance(vec3 p)
     return stepFactor * (divided ? torus / twistStretch(twistRate, REACH) : torus);
 }
 
-// The floor is a plane, found without a march; the torus alone is marched, in its box.
+// The floor is a plane and needs no march. Only the torus is marched, in its box.
 vec3 rayColour(Ray ray)
 {
     vec2 interval = boxInterval(ray, LOW, HIGH);

@@ -1,17 +1,17 @@
-// Experiment of chapter 06: what a fold does to a plane. The letter is drawn by its distance; the
-// distance is taken at the folded point. The line is the mirror, the arrow its normal, foot on the
-// line: the side to which it points stays.
+// Experiment of chapter 06: what a fold does to a plane. The letter is drawn with its distance,
+// which is taken at the folded point. The line is the mirror, and the arrow that starts on it is
+// its normal. The side to which the arrow points is kept.
 #include "main.glsl"
 #include "symmetry.glsl" // opReflect
 #include "hue.glsl"      // hsvToRGB
 
-uniform int   folds;        // 1 in [0, 3]: how many mirrors, each turned by 60 degrees against the one before
+uniform int   folds;        // 1 in [0, 3]: number of mirrors, each turned by 60 degrees from the one before
 uniform float turn;         // 25 in [-180, 180] step 5, degrees: direction of the first normal
 uniform float mirrorOffset; // 0.3 in [-2, 2] step 0.1, units: the plane is dot(p, normal) = -mirrorOffset
-uniform float normalLength; // 1 in [0.5, 1.5] step 0.05: of the normal, which should be 1
+uniform float normalLength; // 1 in [0.5, 1.5] step 0.05: length of the normal, which should be 1
 uniform bool  otherSide;    // false: change the signs of normal and offset: the same line, the other side
 
-// The place in the plane travels in the ray's origin: the picture is 4 units high.
+// The origin of the ray is the point in the plane. The picture is 4 units high.
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(2.0 * screen, 0.0), vec3(0.0, 0.0, -1.0));
@@ -23,7 +23,7 @@ float bar(vec2 p, vec2 low, vec2 high)
     return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0);
 }
 
-// The letter F, which no mirror leaves as it is.
+// The letter F, which no mirror leaves unchanged.
 float letter(vec2 p)
 {
     float stem = bar(p, vec2(1.05, -0.7), vec2(1.3, 0.9));
@@ -50,7 +50,7 @@ float sceneDistance(vec3 p)
     return letter(folded(p).xy);
 }
 
-// How much of a pixel a line covers; x is the distance from its middle in units.
+// The share of a pixel that a line covers; x is the distance from the centre of the line, in units.
 float line(float x, float pixels)
 {
     return clamp(0.5 * pixels + 0.5 - abs(x) * 0.25 * iResolution.y, 0.0, 1.0);
@@ -67,7 +67,7 @@ vec3 rayColour(Ray ray)
     vec3 p = ray.origin;
     float away = distanceAt(p);
     vec2 place = folded(p).xy;
-    // The folded plane's own colours: hue by the place, squares of a unit.
+    // The colours of the folded plane: the hue depends on the position, with squares of one unit.
     float square = mod(floor(place.x) + floor(place.y), 2.0);
     vec3 colour = hsvToRGB(198.0 + 26.0 * place.x - 10.0 * place.y, 0.5, 0.50 + 0.1 * square);
     float nearest = 0.25 * floor(away / 0.25 + 0.5);

@@ -1,7 +1,8 @@
-// Experiment of chapter 06: the pyramid with a fold that is written wrongly.
+// Experiment of chapter 06: the pyramid with a wrong fold.
 //
-// The chapter's own sceneDistance is kept aside under another name, and its rays are not clipped to the
-// pyramid's hull, for what is wrong need not stay in it; everything else is the chapter's.
+// A macro renames the chapter's own sceneDistance, which is not used. Rays are not clipped to the
+// pyramid's hull, because a wrong pyramid need not stay inside it. Everything else is the
+// chapter's.
 #include "main.glsl"
 #include "symmetry.glsl"
 

@@ -1,5 +1,5 @@
-// Experiment of chapter 07: the report's figures 6 and 8. One ball, or one frame with its ball,
-// repeated along one, two or three axes, without end or as often as one likes; the colour is the
+// Experiment of chapter 07: the report's figures 6 and 8. One ball, or one frame with its ball, is
+// repeated along one, two or three axes, endlessly or a given number of times; the colour shows the
 // normal.
 #include "main.glsl"
 #include "cone.glsl"
@@ -8,11 +8,11 @@
 #include "lighting.glsl"
 #include "repetition.glsl"
 
-uniform int   axes;        // 3 in [1, 3]: 1 along z, 2 along z and x, 3 along y too
-uniform int   last;        // 1000 in [0, 1000]: cells from -last to last alone hold a copy
+uniform int   axes;        // 3 in [1, 3]: 1 along z, 2 along z and x, 3 along z, x and y
+uniform int   last;        // 1000 in [0, 1000]: only the cells from -last to last contain a copy
 uniform bool  framed;      // false: a frame around every ball
 uniform float period;      // 2.5 in [2, 10] step 0.25, scene units: width of a cell
-uniform float fogDistance; // 14 in [4, 80] step 1, scene units: over which the mist leaves 1/e of the light
+uniform float fogDistance; // 14 in [4, 80] step 1, scene units: where 1/e of the light is left in the mist
 
 const float FAR = 60.0;
 const vec3  SKY = vec3(0.006, 0.016, 0.045);

@@ -1,8 +1,8 @@
-// Experiment of chapter 07: the test of the report's annex, where a ray ends when the distance to the
-// scene is 20 or more. In an endless field no distance is: every ray that hits nothing walks on until
-// its steps run out.
+// Experiment of chapter 07: the test of the report's annex, where a ray ends when the distance to
+// the scene is 20 or more. In an endless field no distance is that large, so every ray that hits
+// nothing goes on until it runs out of steps.
 //
-// The chapter's call of marchCone is turned into a call of marchLocal.
+// A macro replaces the chapter's call of marchCone with a call of marchLocal.
 #include "main.glsl"
 #include "cone.glsl"
 

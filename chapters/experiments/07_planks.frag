@@ -1,6 +1,6 @@
-// Experiment of chapter 07: planks that stand askew in their cells. The own plank alone is not the
-// nearest one, and rays step through its neighbour; asking the nearer neighbour too mends it; so does
-// mirroring every other cell, which makes another fence.
+// Experiment of chapter 07: planks that are turned in their cells. The plank of a point's own cell
+// need not be the nearest, so rays step through its neighbour. To prevent this, evaluate the nearer
+// neighbour too, or mirror every other cell, which makes a different fence.
 #include "main.glsl"
 #include "camera.glsl"
 #include "march.glsl"
@@ -9,8 +9,8 @@
 #include "lighting.glsl"
 #include "repetition.glsl"
 
-uniform int   asked;  // 0 in [0, 2]: 0 the own plank, 1 the nearer neighbour's too, 2 mirrored cells
-uniform float turn;   // 30 in [0, 30] step 2.5, degrees: how far a plank is turned
+uniform int   asked;  // 0 in [0, 2]: 0 only the own plank, 1 also the nearer neighbour's, 2 mirrored cells
+uniform float turn;   // 30 in [0, 30] step 2.5, degrees: how far each plank is turned
 uniform float period; // 2.5 in [2.5, 6] step 0.25, scene units: width of a cell
 
 const float FAR = 60.0;
@@ -21,8 +21,8 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// A plank 2.4 wide and 0.4 thick, turned in the ground plan.
-//   x  along the fence, from the plank's middle
+// A plank 2.4 wide and 0.4 thick, turned about the vertical.
+//   x  along the fence, from the plank's centre
 float plankDistance(float x, vec3 p)
 {
     float c = cos(radians(turn));
@@ -42,7 +42,7 @@ vec3 skyLight(vec3 direction)
     return mix(vec3(0.20, 0.24, 0.24), vec3(0.010, 0.035, 0.07), smoothstep(-0.05, 0.5, direction.y));
 }
 
-// The ground is met by its formula, the planks by the march.
+// The ground is found with its formula, the planks with the march.
 vec3 rayColour(Ray ray)
 {
     float ground = ray.direction.y < 0.0 ? min(-ray.origin.y / ray.direction.y, FAR) : FAR;

@@ -1,12 +1,13 @@
-// Experiment of chapter 07: the report's formula (section 2.2.3), mod(x - N / 2, N) + N / 2, for the
-// place in the cell. It runs from N / 2 to 3 N / 2 and never reaches 0: a lantern in the middle of
-// its cell is never met, and its light neither.
+// Experiment of chapter 07: the report's formula (section 2.2.3), mod(x - N / 2, N) + N / 2, for
+// the position in the cell. Its values lie between N / 2 and 3 N / 2 and are never 0, so rays never
+// hit a lantern at the centre of its cell, and its light is missing too.
 //
-// The chapter's calls of cellOf are turned into calls of reportCellOf.
+// A macro replaces the chapter's calls of cellOf with calls of reportCellOf.
 #include "main.glsl"
 #include "repetition.glsl"
 
-// The number that the formula subtracts: x - N floor((x - N / 2) / N) is the report's place.
+// The number of periods that the formula subtracts: the report's position is
+// x - N floor((x - N / 2) / N).
 float reportCellOf(float x, float period)
 {
     return floor((x - 0.5 * period) / period);

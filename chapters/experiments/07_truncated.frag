@@ -1,8 +1,8 @@
-// Experiment of chapter 07: the number of the cell by a rounding towards zero, as C's % and fmod divide.
-// It agrees with floor from -N / 2 on. Below that every cell is called by the number of its neighbour:
-// the place in it is a whole period away, and its lantern is not there.
+// Experiment of chapter 07: the number of the cell is rounded towards zero, as C's % and fmod round
+// a quotient. From -N / 2 on, this agrees with floor. Below that, every cell has the number of its
+// neighbour, so the position in the cell is off by a whole period, and its lantern is missing.
 //
-// The chapter's calls of cellOf are turned into calls of truncatedCellOf.
+// A macro replaces the chapter's calls of cellOf with calls of truncatedCellOf.
 #include "main.glsl"
 #include "repetition.glsl"
 

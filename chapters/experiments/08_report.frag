@@ -1,13 +1,13 @@
-// Experiment of chapter 08: the report's orthographic view (section 2.3). A ray starts at its pixel's
-// place on the screen, camera + x e_x + y e_y, and follows e_z: no scale.
+// Experiment of chapter 08: the report's orthographic view (section 2.3). A ray starts at the
+// position of its pixel on the screen, camera + x e_x + y e_y, and follows e_z. There is no scale.
 //
-// The chapter's own pixelRay is kept aside under another name; everything else is the chapter's.
+// A macro renames the chapter's own pixelRay, which is not used; everything else is the chapter's.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
 #include "08_orthographic_view.frag"
 #undef pixelRay
 
-uniform bool opposite; // false: e_z as section 1.3.1 says, opposite to the view, instead of along it
+uniform bool opposite; // false: e_z opposite to the view, as in section 1.3.1, instead of along it
 
 Ray pixelRay(vec2 screen)
 {

@@ -1,8 +1,8 @@
-// Experiment of chapter 09: each cell knows its own tower alone, with nothing said of the neighbours.
-// Over a low block a ray takes steps as long as the way to the low roof, and flies through the high
-// tower beside it.
+// Experiment of chapter 09: only the tower of the cell is evaluated, without a cap for the
+// neighbours. Over a low block a ray takes steps as long as the distance to its roof, and passes
+// through the high tower beside it.
 //
-// The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
+// The chapter's own sceneDistance is renamed; everything else is the chapter's.
 #include "main.glsl"
 #define sceneDistance chapterSceneDistance
 #include "09_sky_and_sunset.frag"

@@ -1,5 +1,6 @@
-// Experiment of chapter 10: a polygon whose sides hold both their ends. At the height of a corner the half-line
-// to the right meets two sides where it passes one outline, and outside and inside are exchanged.
+// Experiment of chapter 10: a polygon whose sides include both their ends. At the height of a
+// corner, the half-line to the right meets two sides where it crosses the outline once, and inside
+// and outside are exchanged.
 #include "main.glsl"
 #include "plane.glsl"
 

@@ -1,16 +1,17 @@
-// Experiment of chapter 10: the sheet in the workshop's colours or in the chapter's, as an eye without one kind of
-// cone sees it.
+// Experiment of chapter 10: the sheet in the workshop's colours or in the chapter's, as an eye
+// without one kind of cone sees it.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "10_distance_in_the_plane.frag"
 #undef rayColour
 
-uniform bool workshop; // false: the colours of the chapter, or the workshop's: green outside, red inside
-uniform int  eye;      // 2 in [0, 2]: 0 all cones, 1 none for long waves, 2 none for middle ones
+uniform bool workshop; // false: the workshop's colours, green outside and red inside, instead of the chapter's
+uniform int  eye;      // 2 in [0, 2]: 0 all cones, 1 no long-wave cones, 2 no medium-wave cones
 
-// What such an eye makes of linear light, a row for red, green and blue each.
-// Source: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, 'A physiologically-based model for simulation of
-// color vision deficiency', IEEE Transactions on Visualization and Computer Graphics 15 (2009).
+// Linear light as such an eye sees it: one row each for red, green and blue.
+// Source: G. M. Machado, M. M. Oliveira, L. A. F. Fernandes, 'A physiologically-based model for
+// simulation of color vision deficiency', IEEE Transactions on Visualization and Computer Graphics
+// 15 (2009).
 const mat3 NO_LONG = mat3(0.152286, 1.052583, -0.204868, 0.114503, 0.786281, 0.099216, -0.003882, -0.048116, 1.051998);
 const mat3 NO_MIDDLE = mat3(0.367322, 0.860646, -0.227968, 0.280085, 0.672501, 0.047413, -0.011820, 0.042940, 0.968881);
 
@@ -19,7 +20,8 @@ vec3 decodeSRGB(vec3 v)
     return mix(pow((v + 0.055) / 1.055, vec3(2.4)), v / 12.92, vec3(lessThanEqual(v, vec3(0.04045))));
 }
 
-// Green outside, red inside, black near the outline, lines by a cosine, the outline a band of the distance.
+// Green outside, red inside, black near the outline, lines from a cosine, the outline a band of the
+// distance.
 vec3 workshopColour(float d)
 {
     float bright = (1.0 - exp(-3.0 * abs(d))) * (0.8 + 0.2 * cos(150.0 * d));

@@ -1,5 +1,5 @@
-// Experiment of chapter 10: a line is where the distance lies within a band of fixed width. From near it is thick,
-// from far it breaks into dots, and where the gradient is short it swells.
+// Experiment of chapter 10: lines that are bands of the distance, of fixed width. From nearby they
+// are thick, from far away they break up into dots, and where the gradient is small they swell.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "10_distance_in_the_plane.frag"

@@ -1,11 +1,11 @@
-// Experiment of chapter 10: the chapter's ray once more, by steps of one length. The numbers of the probe hold
-// what both marches asked.
+// Experiment of chapter 10: the chapter's ray once more, with steps of fixed length. The probe
+// counts the evaluations of both methods together.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "10_distance_in_the_plane.frag"
 #undef rayColour
 
-// Up to the first place that is inside.
+// Stops at the first point that is inside.
 vec3 rayColour(Ray ray)
 {
     vec3 colour = chapterRayColour(ray);

@@ -1,5 +1,6 @@
-// Experiment of chapter 10: a rectangle by the larger coordinate, max(|x| - a, |y| - b). It has the same outline and the
-// same inside, and is a lower bound outside: in front of a corner it is too small by up to the factor sqrt(1/2).
+// Experiment of chapter 10: a rectangle from the larger coordinate, max(|x| - hx, |y| - hy). It has
+// the same outline and the same values inside, and is a lower bound outside: in front of a corner
+// it is too small, at worst by a factor of sqrt(1/2).
 #include "main.glsl"
 #include "plane.glsl"
 

@@ -1,12 +1,13 @@
-// Experiment of chapter 10: the distances of two discs, mixed half and half. The outline is an ellipse with the
-// centres as its foci. Dark lines are those of the mixture, white ones those of the true distance, and red is what
-// the mixture lacks, full at 0.25. The true distance is searched for among 256 chords of the ellipse.
+// Experiment of chapter 10: the distances of two discs, mixed half and half. The outline is an
+// ellipse with the centres as its foci. Dark lines belong to the mixture, white lines to the true
+// distance. Red shows by how much the mixture is too small, and is full at 0.25. The true distance
+// is computed as the smallest distance to 256 chords of a quarter of the ellipse.
 #include "main.glsl"
 #include "plane.glsl"    // sdCircle, sdSegment
 #include "coverage.glsl" // coverage
 #include "camera.glsl"   // focalLength
 
-uniform float apart;  // 0.5 in [0, 0.6] step 0.05, units: from the middle to either centre
+uniform float apart;  // 0.5 in [0, 0.6] step 0.05, units: from the origin to each centre
 uniform float radius; // 0.625 in [0.61, 1] step 0.015, units: of both discs
 
 Ray pixelRay(vec2 screen)
@@ -20,7 +21,7 @@ float sceneDistance(vec3 p)
     return mix(sdCircle(p.xy + centre, radius), sdCircle(p.xy - centre, radius), 0.5);
 }
 
-// In the quarter that holds p.
+// In the quadrant that contains p.
 float ellipseDistance(vec2 p)
 {
     vec2 axes = vec2(radius, sqrt(radius * radius - apart * apart)), before = vec2(axes.x, 0.0);
@@ -34,7 +35,7 @@ float ellipseDistance(vec2 p)
     return dot(p / axes, p / axes) < 1.0 ? -nearest : nearest;
 }
 
-// A line at every 0.1 of a distance; thicker at 0.
+// A line at every multiple of 0.1 of a distance; thicker at 0.
 float levels(float d, float pixel)
 {
     float nearest = 0.1 * floor(10.0 * d + 0.5);

@@ -1,4 +1,5 @@
-// Experiment of chapter 10: one figure, repeated along x, by the workshop's formula and by that of chapter 07.
+// Experiment of chapter 10: one figure, repeated along x with the workshop's formula or with that
+// of chapter 07.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "10_distance_in_the_plane.frag"
@@ -6,7 +7,7 @@
 #include "repetition.glsl" // opRepeat
 
 uniform bool  workshop; // true: mod(x, N) - N / 2; false: opRepeat
-uniform float period;   // 2.2 in [1, 4] step 0.1, units: N, from copy to copy
+uniform float period;   // 2.2 in [1, 4] step 0.1, units: N, the distance between copies
 
 float sceneDistance(vec3 p)
 {

@@ -1,15 +1,16 @@
-// Experiment of chapter 10: a disc of radius 1 is turned about the axis, and the half-plane of a point is
-// laid on this plane. Left of the axis nothing is asked and nothing is drawn; but the part of the disc there
-// still counts.
+// Experiment of chapter 10: a disc of radius 1 is turned about the axis, and the half-plane of a
+// point is laid on this plane. Left of the axis nothing is evaluated and nothing is drawn, but the
+// part of the disc there still affects the distance.
 //
-// The dark lines are those of equal distance as it is asked, the white ones those to what is drawn; red is the
-// difference, full at 0.25. Where no white line is seen both coincide.
+// Dark lines show the distance as the formula gives it, white lines the distance to the surface
+// that is drawn. Red is the difference, full at 0.25. Where no white line is visible, both
+// coincide.
 #include "main.glsl"
 #include "camera.glsl"
 #include "plane.glsl"  // sdCircle, sdArc
 #include "solids.glsl" // opRevolve
 
-uniform float centre; // 0.8 in [-0.95, 1.5] step 0.05, scene units: from the axis to the disc's centre
+uniform float centre; // 0.8 in [-0.95, 1.5] step 0.05, scene units: from the axis to the centre of the disc
 
 const vec3 INK = vec3(0.07, 0.10, 0.20);
 
@@ -23,21 +24,21 @@ float sceneDistance(vec3 p)
     return sdCircle(opRevolve(p, 0.0) - vec2(centre, 0.0), 1.0);
 }
 
-// To the part of the rim that is turned, an arc around the x axis; negative inside.
+// The distance to the part of the rim that is turned, an arc around the x axis; negative inside.
 float drawnDistance(vec2 q)
 {
     float rim = sdArc(vec2(q.y, q.x - centre), 1.0, acos(clamp(-centre, -1.0, 1.0)));
     return sdCircle(q - vec2(centre, 0.0), 1.0) < 0.0 ? -rim : rim;
 }
 
-// How much of a pixel a line covers.
-//   distance  from the line's middle, width  both in pixels
+// The share of a pixel that a line covers.
+//   distance  from the middle of the line, and width: both in pixels
 float line(float distance, float width)
 {
     return clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);
 }
 
-// A line at every 0.1 of a distance; thicker at 0.
+// A line at every multiple of 0.1 of a distance; thicker at 0.
 float levels(float distance, float pixel)
 {
     float nearest = 0.1 * floor(10.0 * distance + 0.5);
@@ -53,7 +54,7 @@ vec3 rayColour(Ray ray)
     colour = mix(colour, vec3(0.80, 0.10, 0.12), 0.85 * clamp(4.0 * abs(drawn - asked), 0.0, 1.0));
     colour = mix(colour, vec3(1.0), 0.9 * levels(drawn, pixel));
     colour = mix(colour, INK, 0.85 * levels(asked, pixel));
-    // Left of the axis: the plane of the figure, with what is not drawn as a dashed line.
+    // Left of the axis: the plane of the figure, with a dashed line for the part that is not drawn.
     float whole = sdCircle(p - vec2(centre, 0.0), 1.0);
     float angle = atan(p.y, p.x - centre + float(p == vec2(centre, 0.0)));
     float dash = fract(16.0 * angle / 3.14159265) < 0.6 ? line(whole / pixel, 2.0) : 0.0;

@@ -1,5 +1,5 @@
-// Experiment of chapter 10: figures of the plane, drawn along a line and turned about an axis: cut stone and
-// turned clay in the light of a low lamp.
+// Experiment of chapter 10: figures of the plane, extruded along a line or turned about an axis.
+// Cut stone and turned clay in the light of a low lamp.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay, focalLength
 #include "cone.glsl"       // marchCone, coneReaching, pixelSpread
@@ -12,19 +12,19 @@
 #include "lighting.glsl"   // lambert, fallOff, encodeSRGB
 #include "shadow.glsl"     // shadowRay, shadowReach
 
-uniform int   maxSteps;     // 160 in [1, 512]: steps before a ray is given up
+uniform int   maxSteps;     // 160 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.001 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
 const float FAR = 24.0;
-const vec3  LAMP = vec3(-9.2, 4.9, 6.9);              // where the lamp hangs, and its light, linear RGB,
+const vec3  LAMP = vec3(-9.2, 4.9, 6.9);              // position of the lamp, and its light, linear RGB,
 const vec3  LAMP_COLOUR = vec3(1.30, 1.15, 0.93);     //   at the distance
 const float REFERENCE = 11.2;                         //   REFERENCE
-const vec3  FILL_COLOUR = vec3(0.10, 0.13, 0.20);     // from the paper's other side: bluish
+const vec3  FILL_COLOUR = vec3(0.10, 0.13, 0.20);     // from the other side, bluish
 const vec3  PAPER = vec3(0.84, 0.79, 0.70);
 const vec3  STONE = vec3(0.74, 0.72, 0.68);
 const vec3  CLAY = vec3(0.60, 0.14, 0.035);
 const vec3  INK = vec3(0.012, 0.018, 0.045);
-const vec3  VASE = vec3(-1.2, 0.0, -0.25);            // where it stands
+const vec3  VASE = vec3(-1.2, 0.0, -0.25);            // its position
 const Pose  ROSE = Pose(vec3(1.32, 0.95, -0.50),      // turned by -36 degrees about y, towards the lamp
                         mat3(0.8090170, 0.0, 0.5877853, 0.0, 1.0, 0.0, -0.5877853, 0.0, 0.8090170));
 
@@ -35,8 +35,8 @@ Ray pixelRay(vec2 screen)
 
 // ---- Figures of the plane ----
 
-// A rose window: a disc with eight lights and eight eyes cut out. It is symmetric in eight mirrors: folded in
-// them, a point sees one light and one eye.
+// A rose window: a disc with eight lights and eight eyes cut out. It is symmetric in eight mirrors.
+// After folding in them, only one light and one eye remain.
 float roseFigure(vec2 q)
 {
     q = abs(q);
@@ -48,7 +48,7 @@ float roseFigure(vec2 q)
     return opSubtraction(sdCircle(q, 0.84), min(light, min(eye, sdCircle(q, 0.11))));
 }
 
-// An arc whose middle lies in a direction from its centre.
+// An arc whose middle lies in a given direction from its centre.
 float arcTowards(vec2 q, vec2 centre, float degrees, float radius, float halfDegrees)
 {
     vec2 m = vec2(cos(radians(degrees)), sin(radians(degrees)));
@@ -56,8 +56,8 @@ float arcTowards(vec2 q, vec2 centre, float degrees, float radius, float halfDeg
     return sdArc(vec2(m.y * d.x - m.x * d.y, dot(m, d)), radius, radians(halfDegrees));
 }
 
-// Half a vase: foot, belly, shoulder and neck are arcs that pass into one another, the base is a segment. A
-// stroke along them is the wall.
+// Half a vase: foot, belly, shoulder and neck are arcs that join smoothly, and the base is a
+// segment. A stroke along them is the wall.
 float vaseFigure(vec2 q)
 {
     float foot = arcTowards(q, vec2(0.3543, 0.17), 186.885, 0.16, 50.655);
@@ -68,7 +68,7 @@ float vaseFigure(vec2 q)
     return opRound(min(min(min(foot, belly), min(shoulder, neck)), base), 0.032);
 }
 
-// ---- What becomes of them in space ----
+// ---- Solids made from them ----
 
 // The rose window, extruded; its rim and its hub are thicker.
 float roseDistance(vec3 p)
@@ -97,7 +97,7 @@ float stoneDistance(vec3 p)
     return min(roseDistance(p), min(min(cone, prism), min(ball, rod)));
 }
 
-// A sheet of paper, hung up and rolled out: table and wall in one.
+// A sheet of paper, hung up and rolled out, serves as both table and wall.
 float paperDistance(vec3 p)
 {
     return opSmoothUnion(p.y, p.z + 1.9, 1.2);
@@ -116,7 +116,8 @@ vec3 colourAt(vec3 p)
     return paper < min(clay, stone) ? PAPER : (clay < stone ? painted : STONE);
 }
 
-// The lamp, which a cone as wide as itself looks for; and the light from around, less where things crowd.
+// The lamp, tested with a cone as wide as the lamp, and the ambient light, which is weaker where
+// objects are close together.
 vec3 lightAt(vec3 p, vec3 normal)
 {
     vec3 toLamp = LAMP - p;

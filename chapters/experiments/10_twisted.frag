@@ -1,5 +1,5 @@
-// Experiment of chapter 10: a figure is extruded, and on its way up it turns and shrinks. What looks like an
-// extrusion is no distance any more: it grows faster than the way that one goes.
+// Experiment of chapter 10: a figure is extruded, and on its way up it turns and shrinks. The
+// function looks like an extrusion but is not a distance: it grows faster than you move.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
@@ -9,14 +9,14 @@
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "shadow.glsl"     // shadowRay, shadowReach, lightReaching
 
-uniform float twist;        // 3 in [0, 6] step 0.2, radians per scene unit of height: how fast the figure turns
-uniform float taper;        // 0.3 in [0, 0.45] step 0.05, per scene unit of height: how fast it shrinks
-uniform float factor;       // 1 in [0.1, 1] step 0.05: by which the distance to the wall is multiplied
-uniform int   maxSteps;     // 400 in [1, 1024]: steps before a ray is given up
+uniform float twist;        // 3 in [0, 6] step 0.2, radians per scene unit of height: rate at which the figure turns
+uniform float taper;        // 0.3 in [0, 0.45] step 0.05, per scene unit of height: rate at which it shrinks
+uniform float factor;       // 1 in [0.1, 1] step 0.05: factor for the distance to the wall
+uniform int   maxSteps;     // 400 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
 const float HEIGHT = 2.0;
-const float REACH = 0.62; // no point of the figure is farther from its middle
+const float REACH = 0.62; // no point of the figure is further from its centre
 const vec3  TO_LAMP = vec3(-0.66, 0.50, 0.56);
 
 Ray pixelRay(vec2 screen)
@@ -24,15 +24,15 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// A cross of two bars with round ends. Exact outside.
+// A cross of two bars with round ends. The distance is exact outside.
 float figure(vec2 q)
 {
     float bars = min(sdRectangle(q, vec2(0.50, 0.05)), sdRectangle(q, vec2(0.05, 0.50)));
     return opRound(bars, 0.11);
 }
 
-// The figure at the height of p, as large and as far turned as it is there: it is zero on the wall, and no
-// distance.
+// The figure at the height of p, scaled and turned as it is there. The function is zero on the
+// wall, but it is not a distance.
 float wallFunction(vec3 p)
 {
     float y = clamp(p.y, 0.0, HEIGHT), size = 1.0 - taper * y, c = cos(twist * y), s = sin(twist * y);

@@ -1,14 +1,14 @@
-// Experiment of chapter 11: the number of the material is carried through the march beside the distance, as the
-// workshop does, in a vec2. Where two materials flow into each other the share is carried too, as the fraction
-// of the number. The picture is the chapter's; compare what it costs.
+// Experiment of chapter 11: the number of the material is carried through the march beside the
+// distance, in a vec2, as in the workshop. Where two materials blend, the share is carried too, as
+// the fractional part of the number. The picture is the same as the chapter's; compare the cost.
 //
-// The chapter's own rayColour is kept aside under another name.
+// The chapter's own rayColour is renamed.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "11_materials.frag"
 #undef rayColour
 
-// A distance and a number, of the nearer of two.
+// The distance and the number of the nearer of two parts.
 vec2 opU(vec2 a, vec2 b)
 {
     return a.x < b.x ? a : b;
@@ -28,7 +28,7 @@ vec2 sceneCarried(vec3 p)
     return opU(found, vec2(mix(wax.x, wax.y, waxShare()), 9.0));
 }
 
-float carried; // the number where the last march ended
+float carried; // the number at the point where the last march ended
 
 Hit marchCarried(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {

@@ -1,11 +1,13 @@
-// Experiment of chapter 11: squares without end under two balls, averaged over what a pixel sees.
+// Experiment of chapter 11: an endless plane of squares under two balls, averaged over the area
+// that a pixel covers.
 //
-//   way=0  asked at the pixel's middle alone
-//   way=1  the chapter's: the footprint from the ray, the normal and t
-//   way=2  the workshop's: the footprint from fwidth, the difference of neighbouring pixels. Where one of the
-//          two sees a ball and the other the plane it is undefined, and wrong: look at the outlines
+//   way=0  evaluated only at the centre of the pixel
+//   way=1  the chapter's method: the footprint from the ray, the normal and t
+//   way=2  the workshop's method: the footprint from fwidth, the difference of neighbouring pixels.
+//          Where one of them shows a ball and the other the plane, it is undefined, and wrong: look
+//          at the outlines
 //
-// The one shader of the course that asks for a derivative across pixels.
+// This is the only shader of the course that uses derivatives across pixels.
 #include "main.glsl"
 #include "orthographic.glsl"
 #include "cone.glsl"
@@ -14,10 +16,10 @@
 #include "lighting.glsl"
 #include "normal.glsl"
 
-uniform int   way;             // 1 in [0, 2]: 0 the pixel's middle, 1 the footprint of the ray, 2 fwidth
+uniform int   way;             // 1 in [0, 2]: 0 centre of the pixel, 1 footprint of the ray, 2 fwidth
 uniform float tile;            // 0.5 in [0.1, 2] step 0.1, scene units: side of a square
-uniform float turn;            // 20 in [0, 90] step 5, degrees: of the pattern about the vertical
-uniform float framingDistance; // 4 in [1, 40] step 0.5, scene units: from the camera's plane to the one that keeps its size
+uniform float turn;            // 20 in [0, 90] step 5, degrees: rotation of the pattern about the vertical
+uniform float framingDistance; // 4 in [1, 40] step 0.5, scene units: distance from the camera to the plane whose size does not change
 
 const float FAR = 1e4;
 
@@ -31,7 +33,7 @@ float sceneDistance(vec3 p)
     return min(sdSphere(p - vec3(-0.8, 0.6, 0.0), 0.6), sdSphere(p - vec3(0.7, 0.35, 0.9), 0.35));
 }
 
-// The footprint of the chapter, for any view between perspective and orthographic.
+// The chapter's footprint, for any view between perspective and orthographic.
 Footprint footprintOf(vec3 p, Ray ray, float t, mat2x3 axes)
 {
     float cosine = dot(ray.direction, iCameraForward);

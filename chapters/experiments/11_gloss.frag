@@ -1,6 +1,7 @@
-// Experiment of chapter 11: seven balls from smooth to rough, the upper row by GGX, the lower by Blinn and
-// Phong with the exponent that belongs to the same roughness. All mirror all that their little mirrors get,
-// and nothing goes in: what is missing of the light is lost between the little mirrors.
+// Experiment of chapter 11: seven balls from smooth to rough, the upper row with GGX, the lower
+// with Blinn and Phong, with the exponent that belongs to the same roughness. The tiny mirrors
+// reflect all light that they receive, and nothing enters the balls: light that is missing was lost
+// between the tiny mirrors.
 #include "main.glsl"
 #include "cone.glsl"
 #include "normal.glsl"
@@ -9,14 +10,14 @@
 #include "lighting.glsl"
 
 const vec3 TO_LIGHT = vec3(-0.48, 0.64, 0.6);
-const float APART = 1.0; // from ball to ball, scene units
+const float APART = 1.0; // distance between balls, scene units
 
 Ray pixelRay(vec2 screen)
 {
     return perspectiveRay(screen);
 }
 
-// The middle of the ball of the row and column in which p lies.
+// The centre of the ball in the row and column of p.
 vec3 ballOf(vec3 p)
 {
     return vec3(clamp(floor(p.x / APART + 0.5), -3.0, 3.0) * APART, p.y > 0.0 ? 0.55 : -0.55, 0.0);

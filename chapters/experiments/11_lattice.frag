@@ -1,10 +1,10 @@
-// Experiment of chapter 11: a ball repeated without end, and a box: the workshop's scene of its section on
-// repetition, with its two traps.
+// Experiment of chapter 11: an endlessly repeated ball, and a box. This is the scene of the
+// workshop's section on repetition, with its two mistakes.
 //
-//   shifted=true  its repeat(), mod(x, period) - period / 2: the balls stand half a period beside the box's
-//                 middle, and its faces cut them
-//   cut=0         max(box, balls), which it calls a subtraction: the intersection
-//   cut=1         max(box, -balls): the box less the balls
+//   shifted=true  its repeat(), mod(x, period) - period / 2: the balls are shifted by half a period
+//                 from the centre of the box, and its faces cut them
+//   cut=0         max(box, balls), which it calls a subtraction, is the intersection
+//   cut=1         max(box, -balls): the box minus the balls
 #include "main.glsl"
 #include "cone.glsl"
 #include "normal.glsl"
@@ -15,12 +15,12 @@
 #include "shadow.glsl"
 #include "bounds.glsl"
 
-uniform bool  shifted; // false: the workshop's repeat, half a period off
-uniform int   cut;     // 0 in [0, 1]: 0 what belongs to box and balls, 1 the box less the balls
-uniform float radius;  // 0.42 in [0.1, 0.7] step 0.02, scene units: of the balls, which are 1 apart
+uniform bool  shifted; // false: whether to use the workshop's repeat, half a period off
+uniform int   cut;     // 0 in [0, 1]: 0 intersection of box and balls, 1 box minus balls
+uniform float radius;  // 0.42 in [0.1, 0.7] step 0.02, scene units: radius of the balls, which are 1 apart
 
 const vec3 HALF_SIZE = vec3(2.5); // of the box, scene units
-const vec3 REACH = vec3(2.75);    // half size of a box that holds all
+const vec3 REACH = vec3(2.75);    // half size of a box around everything
 const vec3 TO_LIGHT = vec3(-0.48, 0.64, 0.6);
 
 Ray pixelRay(vec2 screen)
@@ -28,7 +28,7 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// The workshop's repeat: at 0 it is -period / 2.
+// The workshop's repeat, which is -period / 2 at 0.
 float workshopRepeat(float x, float period)
 {
     return mod(x, period) - 0.5 * period;

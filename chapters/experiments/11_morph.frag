@@ -1,13 +1,13 @@
-// Experiment of chapter 11: a square on its way to a disc, a flat diagram of (1 - share) square + share disc.
-// The dark lines are those of equal value, at every 0.25; red is what is missing of a slope of 1, full at half:
-// where it is red the value is no distance, for a distance has slope 1 wherever it has one. Nowhere is the slope
-// more than 1.
+// Experiment of chapter 11: a square that changes into a disc, a flat diagram of (1 - share) square
+// + share disc. Dark lines are lines of equal value, 0.25 apart. Red shows by how much the slope is
+// less than 1, and is full at one half. Where it is red the value is not a distance, because a
+// distance has slope 1 wherever it has a slope. The slope is never more than 1.
 #include "main.glsl"
 #include "camera.glsl"
 #include "primitives.glsl"
 
-uniform float share; // 0.5 in [0, 1] step 0.05: of the disc
-uniform float apart; // 0 in [0, 2] step 0.1, scene units: from the middle of the square to that of the disc
+uniform float share; // 0.5 in [0, 1] step 0.05: share of the disc
+uniform float apart; // 0 in [0, 2] step 0.1, scene units: distance between the centres of square and disc
 
 Ray pixelRay(vec2 screen)
 {
@@ -27,7 +27,7 @@ float slopeAt(vec3 p, float h)
     return length(slope) / (2.0 * h);
 }
 
-// A line at every 0.25 of a value; thicker at 0.
+// A line at every multiple of 0.25 of a value; thicker at 0.
 float levels(float value, float pixel)
 {
     float nearest = 0.25 * floor(4.0 * value + 0.5);

@@ -1,11 +1,11 @@
-// Experiment of chapter 11: the workshop's three balls, melted into each other: three ways to mix what they
-// are made of. Their numbers are the workshop's: 2 on the left, 5 on the right, 0.1 above.
+// Experiment of chapter 11: the workshop's three balls, melted into each other, with three ways to
+// mix their materials. Their numbers are the workshop's: 2 on the left, 5 on the right, 0.1 above.
 //
 //   way=0  records, mixed in the shares of the smooth union
-//   way=1  the workshop's: numbers, mixed with the weight clamp(a - d, 0, 1), that is k / 6 where it should be
-//          1 / 2, and multiplied into a colour
-//   way=2  numbers, mixed in the right shares, then looked up in a table: between 2 and 5 lie 3 and 4, which
-//          are made of something else
+//   way=1  the workshop's numbers, mixed with the weight clamp(a - d, 0, 1), which is k / 6 where
+//          it should be 1 / 2, and multiplied into a colour
+//   way=2  numbers, mixed in the right shares, then looked up in a table: between 2 and 5 are 3 and
+//          4, which are other materials
 #include "main.glsl"
 #include "cone.glsl"
 #include "normal.glsl"
@@ -35,7 +35,7 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// The distances of the balls: left, right, above.
+// The distances to the balls: left, right, above.
 vec3 ballDistances(vec3 p)
 {
     p -= vec3(0.0, 1.05, 0.0);
@@ -49,7 +49,7 @@ float sceneDistance(vec3 p)
     return opUnion(p.y, opSmoothUnion(opSmoothUnion(ball.x, ball.y, blend), ball.z, blend));
 }
 
-// The workshop's opBlend: a distance and a number from two of each.
+// The workshop's opBlend: one distance and one number from two of each.
 vec2 opBlend(vec2 a, vec2 b, float weight)
 {
     return vec2(opSmoothUnion(a.x, b.x, blend), mix(a.y, b.y, weight));
@@ -66,7 +66,7 @@ float numberAt(vec3 ball)
     return opBlend(lower, vec2(ball.z, 0.1), weightOf(lower.x, ball.z)).y;
 }
 
-// Six materials in a row; those of the balls are 2, 5 and 0.
+// Six materials in a row; the balls have 2, 5 and 0.
 Material tableAt(float number)
 {
     int n = int(floor(number + 0.5));

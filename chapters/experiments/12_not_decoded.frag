@@ -1,7 +1,8 @@
-// Experiment of chapter 12: the stone's picture read as numbers. Its bytes are what a screen takes, not
-// light: taken for light they are too bright and too pale, and are encoded a second time in the end.
+// Experiment of chapter 12: the granite's picture read as numbers. Its bytes are made for a screen
+// and are not light. Used as light they are too bright and too pale, and at the end they are
+// encoded a second time.
 //
-// A second sampler reads the same file; the chapter's call is led to it.
+// A second sampler reads the same file; the chapter's call is redirected to it.
 #include "main.glsl"
 #include "texture.glsl"
 

@@ -1,11 +1,11 @@
-// Experiment of chapter 12: a stone cut from a block. Its colour is four octaves of a volume, in the weights
-// of the workshop: 0.5, 0.25, 0.125 and 0.0625 add up to 0.9375, and what is made of them is darker by a
-// sixteenth. Set divided to mend it.
+// Experiment of chapter 12: a stone cut from a block. Its colour is four octaves of a volume, with
+// the weights of the workshop: 0.5, 0.25, 0.125 and 0.0625 add up to 0.9375, so the stone is too
+// dark by a sixteenth. Set divided to correct it.
 #include "main.glsl"
 #include "texture.glsl"
 
-uniform sampler3D volume; // "noise.png" linear repeat 64: value noise, 16 cells a repeat
-uniform bool divided;     // false: divide by the sum of the weights
+uniform sampler3D volume; // "noise.png" linear repeat 64: value noise, 16 cells per repeat
+uniform bool divided;     // false: whether to divide by the sum of the weights
 
 vec4 fourOctaves(vec3 p, Footprint f)
 {

@@ -1,12 +1,12 @@
-// Experiment of chapter 12: the workshop's three planes. It weights the three pictures with |normal|, whose
-// parts add up to 1 on a face and to 1.73 where a surface looks at a corner of the world. Set divided to
-// mend it.
+// Experiment of chapter 12: the workshop's three planes. It weights the three pictures with
+// |normal|, whose components add up to 1 where a surface faces along an axis and to 1.73 where it
+// faces along a diagonal. Set divided to correct it.
 //
-// The library is included first, so that the macro meets the chapter's call and nothing else.
+// The library is included first, so that the macro replaces only the chapter's call.
 #include "main.glsl"
 #include "texture.glsl"
 
-uniform bool divided; // false: divide the weights by their sum
+uniform bool divided; // false: whether to divide the weights by their sum
 
 vec3 workshopWeights(vec3 normal)
 {

@@ -1,13 +1,13 @@
-// Experiment of chapter 13: where one march is wrong. Blue: its shadow is darker than what 64 rays find;
-// orange: lighter. White where they agree; the scene is behind it in grey.
+// Experiment of chapter 13: where one march is wrong. Blue: its shadow is darker than the estimate
+// from 64 rays; orange: it is lighter. Where they agree, the picture shows the scene in grey.
 //
-// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
+// The chapter's own rayColour is renamed; everything else is the chapter's.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
 #undef rayColour
 
-const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // where all is wrong
+const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // for large errors
 
 vec3 rayColour(Ray ray)
 {

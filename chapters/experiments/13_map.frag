@@ -1,14 +1,15 @@
-// Experiment of chapter 13: the shadows of three things on a floor that looks straight at the lamp. From left
-// to right a half-plane, a ball, a thin bar; in each field the floor's point moves across the shadow, and
-// from bottom to top the thing is lifted from the floor. The rows: what is seen of the lamp, in closed form;
-// then one march by the smallest distance / t, and by pairs of steps.
+// Experiment of chapter 13: the shadows of three objects on a floor that is perpendicular to the
+// light. The columns are a half-plane, a ball and a thin bar. In each field, the horizontal position
+// is that of the point on the floor, and the vertical position is the height of the object. The rows
+// are the visible share of the lamp in closed form, then one march with the smallest distance / t,
+// and one with pairs of steps.
 #include "main.glsl"
 #include "lighting.glsl"
 #include "primitives.glsl"
 #include "soft_shadow.glsl"
 
-uniform float spread;       // 0.1 in [0.01, 0.3] step *1.1: radius of the lamp's disc, seen from one unit
-uniform bool  errors;       // false: paint what is wrong: blue too dark, orange too light
+uniform float spread;       // 0.1 in [0.01, 0.3] step *1.1: radius of the lamp's disc at a distance of one unit
+uniform bool  errors;       // false: paint the error: blue is too dark, orange too light
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit
 
 const float BALL = 0.22, BAR = 0.04;         // radii, scene units
@@ -16,14 +17,14 @@ const vec3  UP = vec3(0.0, 1.0, 0.0);        // the lamp's direction
 const vec3  DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02);
 
 int   thing;  // 0 half-plane, 1 ball, 2 bar
-float height; // of the thing over the floor, scene units
+float height; // of the object above the floor, scene units
 
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0));
 }
 
-// The thing, and the floor a little under the point that asks.
+// The object, and the floor a little below the shaded point.
 float sceneDistance(vec3 p)
 {
     vec3 q = p - height * UP;
@@ -33,8 +34,9 @@ float sceneDistance(vec3 p)
     return min(distance, p.y + 0.002);
 }
 
-// What is seen of the lamp from a point of the floor: one edge, a ball, or all but what is between two edges.
-//   x  from the edge, or from the middle, scene units
+// The visible share of the lamp at a point of the floor: beside one edge, beside a ball, or on both
+// sides of a bar with two edges.
+//   x  from the edge, or from the centre, scene units
 float truth(float x)
 {
     vec3 p = vec3(x, 0.0, 0.0), along = vec3(0.0, 0.0, 1.0);

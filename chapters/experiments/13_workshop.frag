@@ -1,17 +1,19 @@
-// Experiment of chapter 13: soft shadows as the workshop's listing has them. It draws one number a pixel, not
-// one a ray, so that all its rays are one; it moves the ray along the diagonal (1, 1, 1) alone; it leaves the
-// direction at whatever length comes out; and it darkens all the light. Each can be mended.
+// Experiment of chapter 13: soft shadows as in the workshop's listing. It draws one number per
+// pixel, not one per ray, so that all its rays are the same; it shifts the ray only along the
+// diagonal (1, 1, 1); it does not normalise the direction; and it darkens all the light. Each of
+// these can be mended.
 //
-// The workshop's number comes from a sine, which differs from driver to driver. Here it is pixelRandom's.
+// The workshop's number comes from a sine, which differs from driver to driver. Here it comes from
+// pixelRandom.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
 #undef rayColour
 
-uniform float falloff;  // 0.04 in [0, 0.5] step 0.02: how far the ray is moved, the workshop's SHADOW_FALLOFF
-uniform bool  eachRay;  // false: a number of its own for each ray
+uniform float falloff;  // 0.04 in [0, 0.5] step 0.02: how far the ray is shifted, the workshop's SHADOW_FALLOFF
+uniform bool  eachRay;  // false: each ray has its own random number
 uniform bool  unit;     // false: directions of length 1
-uniform bool  sunAlone; // false: the shadow takes of the sun's light alone, not of the ambient light
+uniform bool  sunAlone; // false: the shadow darkens only the sun's light, not the ambient light
 
 // The share of the rays that arrive.
 float workshopReaching(Ray ray, float far)

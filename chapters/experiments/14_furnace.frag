@@ -1,12 +1,12 @@
-// Experiment of chapter 14: the white furnace. Everything is white and sends back all the light that it gets, under a sky of
-// light 1. Then everything must look as bright as the sky, and nothing can be seen. Blue: too dark; orange, three times as
-// strong: too light.
+// Experiment of chapter 14: the white furnace. Everything is white and reflects all the light that
+// it receives, under a sky of light 1. Then everything must look as bright as the sky, so that
+// nothing is visible. Blue: too dark; orange: too light, drawn three times as strong.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"
 #undef rayColour
 
-uniform int sum; // 2 in [0, 3]: 0 the sky, 1 and light sent back once, 2 however often, 3 as 1, and the ground's light again
+uniform int sum; // 2 in [0, 3]: 0 only the sky, 1 with one bounce, 2 with all bounces, 3 like 1, with the light of the ground added again
 
 vec3 rayColour(Ray ray)
 {

@@ -1,7 +1,9 @@
-// Experiment of chapter 14: a level floor beside four things: a wall, a groove between two walls, a thin bar, a ball that
-// lies on it. In each field the floor's point moves from left to right, and from bottom to top the thing grows: the wall and
-// the groove's walls in height, the bar upwards, the ball in radius. The rows: A, the share of the sky that is seen, in closed
-// form; T, five taps; T - A: blue too dark, orange too light. Over each column its thing stands in section.
+// Experiment of chapter 14: a level floor beside four objects: a wall, a groove between two walls,
+// a thin bar, and a ball that lies on the floor. In each field the point on the floor moves from
+// left to right, and from bottom to top the object grows: the wall and the groove's walls get
+// higher, the bar is raised, and the ball's radius grows. The rows are A, the openness in closed
+// form; T, five taps; and T - A, where blue is too dark and orange too light. Above each column the
+// object is drawn in section.
 #include "main.glsl"
 #include "lighting.glsl"
 #include "occlusion.glsl"
@@ -9,7 +11,7 @@
 #include "primitives.glsl"
 
 uniform float reach;    // 1 in [0.1, 10] step *1.2, scene units: height of the last tap
-uniform float strength; // 1 in [0, 2] step 0.05: how much a tap takes
+uniform float strength; // 1 in [0, 2] step 0.05: how much a tap darkens
 
 const float HALF_GROOVE = 0.6, BAR = 0.05;   // half the groove's width, the bar's radius, scene units
 const vec2  MARGIN = vec2(0.24, 0.26), FIELD = (vec2(32.0 / 9.0, 2.0) - MARGIN) / vec2(4.0, 3.0); // of the screen
@@ -18,14 +20,14 @@ const vec3  INK = vec3(0.05, 0.06, 0.08);
 const vec3  DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02);
 
 int   thing; // 0 wall, 1 groove, 2 bar, 3 ball
-float size;  // of it, scene units
+float size;  // of the object, scene units
 
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0));
 }
 
-// A wall whose foot is at x = 0, to the left; exact in front of it.
+// A wall on the left, with its foot at x = 0; exact in front of it.
 float wallDistance(float x, float y)
 {
     return length(vec2(x, max(y - size, 0.0)));
@@ -39,7 +41,7 @@ float sceneDistance(vec3 p)
     return min(thing < 2 ? hollow : solid, p.y);
 }
 
-// The share of the sky that is seen from the floor, in closed form.
+// The openness of the floor, in closed form.
 float truth(float x)
 {
     float left = openBeforeWall(HALF_GROOVE + x, size), right = openBeforeWall(HALF_GROOVE - x, size);
@@ -48,7 +50,7 @@ float truth(float x)
     return thing == 0 ? openBeforeWall(x, size) : (thing == 1 ? left + right - 1.0 : (thing == 2 ? bar : ball));
 }
 
-// The letters of a row: A, T or T - A. Their middle is at 0, and they are 2 high.
+// The letters of a row: A, T or T - A. Their centre is at 0, and they are 2 high.
 float lettersDistance(vec2 q, int row)
 {
     vec2 a = vec2(abs(q.x - (row == 2 ? 1.5 : 0.0)), q.y), t = vec2(abs(q.x + (row == 2 ? 1.5 : 0.0)), q.y);
@@ -60,8 +62,8 @@ float lettersDistance(vec2 q, int row)
 
 vec3 rayColour(Ray ray)
 {
-    vec2 corner = vec2(ray.origin.x + 16.0 / 9.0, 1.0 - ray.origin.y) - MARGIN; // from the upper left field's
-    float column = corner.x / FIELD.x, row = corner.y / FIELD.y; // 4 and 3 of them
+    vec2 corner = vec2(ray.origin.x + 16.0 / 9.0, 1.0 - ray.origin.y) - MARGIN; // from that of the upper left field
+    float column = corner.x / FIELD.x, row = corner.y / FIELD.y; // 4 columns and 3 rows
     float along = fract(column), grown = 1.0 - fract(row);
     thing = clamp(int(column), 0, 3);
     size = thing < 2 ? 0.05 + 1.5 * grown : (thing == 2 ? 0.1 + 0.9 * grown : 0.05 + 0.55 * grown);

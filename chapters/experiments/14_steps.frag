@@ -1,14 +1,14 @@
-// Experiment of chapter 14: the workshop's occlusion, 1 - steps / most. In its line both are whole numbers, so that the
-// quotient is 0 but for rays that use up all steps.
+// Experiment of chapter 14: the workshop's occlusion, 1 - steps / most. In its line both are
+// integers, so that the quotient is 0 except for rays that use up all their steps.
 //
-// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
+// The chapter's own rayColour is renamed; everything else is the chapter's.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"
 #undef rayColour
 
-uniform int  most;     // 32 in [8, 512]: the number of steps that counts as quite dark
-uniform bool integers; // false: divide whole numbers, as the workshop's line does
+uniform int  most;     // 32 in [8, 512]: the number of steps at which the picture is black
+uniform bool integers; // false: divide integers, as in the workshop's line
 
 vec3 rayColour(Ray ray)
 {

@@ -1,5 +1,5 @@
-// Experiment of chapter 14: three candles and a sprig of leaves on a sill, at dusk. What shines through wax and leaf is the light
-// of the flames, weakened by the way that it goes inside.
+// Experiment of chapter 14: three candles and a sprig of leaves on a sill, at dusk. The light that
+// shines through wax and leaf comes from the flames, weakened by its path inside.
 #include "main.glsl"
 #include "bounds.glsl"
 #include "combine.glsl"
@@ -11,21 +11,21 @@
 #include "solids.glsl"
 #include "thickness.glsl"
 
-uniform bool  through;      // true: light that comes through wax and leaf
-uniform float clearness;    // 1 in [0.1, 10] step *1.1: how deep light goes in, over that of wax and leaf
-uniform int   inside;       // 0 in [0, 1]: way inside 0 along the ray to the flame, 1 by five distances under the surface
-uniform int   maxSteps;     // 96 in [1, 512]: steps before a ray is given up
+uniform bool  through;      // true: wax and leaf transmit light
+uniform float clearness;    // 1 in [0.1, 10] step *1.1: depth that light reaches, relative to that of wax and leaf
+uniform int   inside;       // 0 in [0, 1]: path inside: 0 along the ray to the flame, 1 estimated from five distances below the surface
+uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 const vec4 CANDLES[3] = vec4[3](vec4(-0.95, 1.30, -0.10, 0.27), vec4(-0.32, 0.78, 0.28, 0.30), vec4(0.28, 1.02, -0.38, 0.25)); // x, height, z, radius
-const vec3 FLAME = vec3(2.3, 1.25, 0.42);             // light of a flame one unit away, linear RGB
+const vec3 FLAME = vec3(2.3, 1.25, 0.42);             // light of a flame at the distance REFERENCE, linear RGB
 const vec3 DUSK = vec3(0.10, 0.15, 0.25);             // light of the sky on an open floor
 const vec3 WAX = vec3(0.82, 0.74, 0.60), WAX_DEPTH = vec3(0.42, 0.20, 0.085);
 const vec3 LEAF = vec3(0.10, 0.20, 0.05), LEAF_DEPTH = vec3(0.035, 0.075, 0.012);
 const vec3 SLATE = vec3(0.34, 0.31, 0.30);
 const vec3 CLAY = vec3(0.50, 0.22, 0.12);
-const float REFERENCE = 0.60;                         // where a flame gives the light FLAME, scene units
-const float WALL = -1.5;                              // it stands there along z
+const float REFERENCE = 0.60;                         // scene units
+const float WALL = -1.5;                              // z of the wall
 
 Ray pixelRay(vec2 screen)
 {
@@ -43,8 +43,8 @@ float waxDistance(vec3 p)
     return nearest;
 }
 
-// A leaf: what two balls have in common, drawn out along its middle line.
-//   along, face  that line and a direction across the leaf, length 1
+// A leaf: the intersection of two balls, stretched along its midline.
+//   along, face  directions of the midline and of the normal of the leaf, length 1
 float leafDistance(vec3 p, vec3 foot, vec3 along, vec3 face)
 {
     vec3 q = p - foot - 0.3 * along;
@@ -77,10 +77,10 @@ float sceneDistance(vec3 p)
     return min(min(waxDistance(p), leavesDistance(p)), min(potDistance(p), room));
 }
 
-// What is seen, and of what it is made.
+// The point that a ray meets, and its material.
 struct Spot {
     vec3  p, normal, colour;
-    vec3  depth;  // the way in it after which 1 / e of the light is left, scene units; 0: none gets through
+    vec3  depth;  // the path inside after which 1 / e of the light is left, scene units; 0: opaque
     float radius; // of the pixel's footprint there
 };
 
@@ -93,7 +93,7 @@ Spot spotAt(Ray ray, float t)
     return Spot(p, normalAt(p, radius), colour, wax ? WAX_DEPTH : (leaf ? LEAF_DEPTH : vec3(0.0)), radius);
 }
 
-// The way inside towards a lamp, or a guess of it by five distances under the surface.
+// The path inside towards a lamp, or an estimate of it from five distances below the surface.
 float wayInside(Spot spot, vec3 toLamp, float far)
 {
     float sum = 0.0;
@@ -103,7 +103,7 @@ float wayInside(Spot spot, vec3 toLamp, float far)
     return inside == 1 ? sum : thicknessAlong(Ray(below, toLamp), far, 0.0005, 64);
 }
 
-// The light of one flame on a place: what falls on it, and what comes through. It casts no shadows.
+// The light of one flame at a spot, reflected and transmitted. It casts no shadows.
 vec3 flameLight(Spot spot, vec3 flame)
 {
     float far = length(flame - spot.p);
@@ -114,7 +114,7 @@ vec3 flameLight(Spot spot, vec3 flame)
     return fallOff(far, REFERENCE) * FLAME * (on + (lets ? 0.22 * left : vec3(0.0)));
 }
 
-// The flame itself, an upright ellipsoid, and the glow of the air round it.
+// The flame itself, an upright ellipsoid, and the glow of the air around it.
 //   far  where the ray ends
 vec3 flameSeen(Ray ray, vec3 flame, float far)
 {

@@ -1,11 +1,12 @@
-// Experiment of chapter 15: a sky by night, in which a step of the file is wider than a hand. Its colours are
-// rounded to 255 steps here, with the dither or without it, and then made brighter, so that the steps are seen.
+// Experiment of chapter 15: a night sky, in which a step of the file is wider than a hand. Its
+// colours are rounded to 255 steps here, with or without the dither, and then made brighter, so
+// that the steps are visible.
 #include "main.glsl"
 #include "film.glsl"
 #include "lighting.glsl"
 
 uniform bool  dither;    // false: a fixed pattern before the rounding
-uniform float brighter;  // 4 in [1, 8] step 0.5: how much the rounded numbers are multiplied
+uniform float brighter;  // 4 in [1, 8] step 0.5: factor for the rounded numbers
 
 Ray pixelRay(vec2 screen)
 {

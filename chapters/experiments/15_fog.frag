@@ -1,15 +1,16 @@
-// Experiment of chapter 15: fog in the wrong place. As it should be; mixed into the numbers of the screen, after
-// film and encoding; and as a colour of its own by the distance alone, which the sky and the sun do not know.
+// Experiment of chapter 15: fog at the wrong stage. It is drawn as it should be; mixed into the
+// encoded numbers, after film and encoding; or in one grey, with an amount that depends only on the
+// distance to the hit, so that the sky has none and the sun does not affect it.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"
 #undef rayColour
 
-uniform int fogWay; // 1 in [0, 2]: 0 in the light, 1 after encoding, 2 one grey by the distance, none on the sky
+uniform int fogWay; // 1 in [0, 2]: 0 in the light, 1 after the encoding, 2 one grey that depends only on the distance, none on the sky
 
 const vec3 GREY = vec3(0.30, 0.33, 0.38); // linear
 
-// From light to the numbers of the screen.
+// From light to encoded numbers.
 vec3 shown(vec3 light)
 {
     float share = vignette ? cosineFourth(screenPosition(vec2(iPixel) + 0.5), focalLength) : 1.0;

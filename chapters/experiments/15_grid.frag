@@ -1,13 +1,13 @@
-// Experiment of chapter 15: the loop of the workshop's anti-aliasing, in the shader: n x n rays of a pixel, of
-// which the mean is taken. Their places are (i, j) / n from the pixel's middle, so that the picture is shifted; and
-// what is averaged are the numbers of the screen. Each can be mended.
+// Experiment of chapter 15: the loop of the workshop's anti-aliasing, in the shader: the mean of n
+// x n rays per pixel. Their positions are (i, j) / n from the pixel's centre, so that the picture
+// is shifted; and the mean is that of encoded numbers. Each of these can be mended.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"
 #undef rayColour
 
-uniform int  side;     // 2 in [1, 8]: so many times so many rays
-uniform bool centred;  // false: places in the middles of their cells
+uniform int  side;     // 2 in [1, 8]: rays per side: side x side rays
+uniform bool centred;  // false: positions at the centres of their cells
 uniform bool asLight;  // false: the mean of the light, encoded once
 
 vec3 rayColour(Ray ray)

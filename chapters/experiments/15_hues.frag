@@ -1,12 +1,13 @@
-// Experiment of chapter 15: what three curves do to six colours that are exposed for longer and longer. Rows: six
-// hues. From left to right eight stops, from dark to dazzling; each row is cut in three strips: clamped, the film's
-// curve on each channel, the film's curve on the largest channel.
+// Experiment of chapter 15: what three curves do to six colours with increasing exposure. The rows
+// are six hues, and from left to right there are eight stops, from dark to dazzling. Each row has
+// three strips: clamped, the film's curve on each channel, and the film's curve on the largest
+// channel.
 #include "main.glsl"
 #include "film.glsl"
 #include "hue.glsl"
 #include "lighting.glsl"
 
-uniform float gamma; // 1.45 in [1, 3] step 0.05: how steep the film's curve is
+uniform float gamma; // 1.45 in [1, 3] step 0.05: steepness of the film's curve
 uniform float white; // 8 in [1.5, 64] step *1.1: the light that becomes white
 
 Ray pixelRay(vec2 screen)

@@ -1,12 +1,13 @@
-// Experiment of chapter 15: a vignette as the workshop describes it, a picture darkened by the distance from its
-// middle, beside cos^4. It multiplies the numbers of the screen, and knows no lens.
+// Experiment of chapter 15: a vignette as the workshop describes it, which darkens a picture by the
+// distance from its centre, compared with cos^4. It multiplies the encoded numbers, and does not
+// depend on the lens.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"
 #undef rayColour
 
-uniform bool  lens;     // false: the light falls off as cos^4, true; the numbers are darkened, false
-uniform float strength; // 0.5 in [0, 1] step 0.05: how much is taken in the corners
+uniform bool  lens;     // false: the light falls off as cos^4; otherwise the encoded numbers are darkened
+uniform float strength; // 0.5 in [0, 1] step 0.05: how much the corners are darkened
 
 vec3 rayColour(Ray ray)
 {

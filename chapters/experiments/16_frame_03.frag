@@ -1,9 +1,9 @@
-// Experiment of chapter 16: a frame of chapter 03 in less time. The stage is met by a formula and is no part of
-// the distance; rays are marched only in the boxes round the three groups that stand on it; normal and
-// shadow share one loop.
+// Experiment of chapter 16: a frame of chapter 03 in less time. Rays meet the stage with a formula,
+// so it is not part of the distance; they are marched only in the boxes around the three groups of
+// objects on the stage; normal and shadow share one loop.
 //
-// The colours are those of chapter 03. On a machine that runs in lockstep a loop turns at least once for
-// every pixel, so one loop less is one evaluation less.
+// The colours are those of chapter 03. On a machine that runs in lockstep, a loop takes at least
+// one turn for every pixel, so one loop less is one evaluation less.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define rayColour chapterRayColour
@@ -14,8 +14,8 @@
 const vec3  STAGE = vec3(0.0, -0.1, 0.0), STAGE_HALF = vec3(2.6, 0.1, 2.2); // centre and half size
 const vec3  FRAME = vec3(0.4, 0.8, -0.5), BALL = vec3(1.75, 0.4, 1.2);       // centres
 const vec3  BLOCK = vec3(-1.6, 0.3, 0.1), BLOCK_HALF = vec3(0.35, 0.3, 0.55);
-const float MARGIN = 0.01;      // by which the boxes are larger than what they hold
-const float MET_BEFORE = 0.7;   // of the threshold: where a march ends before the stage, in the mean
+const float MARGIN = 0.01;      // by which the boxes are larger than their contents
+const float MET_BEFORE = 0.7;   // in thresholds: how far in front of the stage a march ends, on average
 
 float squareOutside(vec3 q)
 {
@@ -28,8 +28,9 @@ float largest(vec3 q)
     return max(q.x, max(q.y, q.z));
 }
 
-// All but the stage, as chapter 03 has it. The frame is three boxes, the block one: of the four distances outside
-// the least has the least square, so one root will do; inside, depths have none.
+// The scene of chapter 03 without the stage. The frame consists of three boxes, the block of one.
+// Of the four distances outside, the smallest has the smallest square, so one root is enough;
+// inside, depths need no root.
 float sceneDistance(vec3 p)
 {
     vec3 q = p - FRAME, outer = abs(q) - 0.8, inner = abs(outer + 0.07) - 0.07;
@@ -41,7 +42,8 @@ float sceneDistance(vec3 p)
     return min(sqrt(square) + min(depth, 0.0), balls);
 }
 
-// boxInterval of bounds.glsl from centre and half size, with one division for all the boxes of a ray.
+// boxInterval of bounds.glsl for a centre and a half size, with one division for all the boxes of a
+// ray.
 //   inverse  1 / direction
 vec2 inBox(vec3 origin, vec3 inverse, vec3 centre, vec3 halfSize)
 {
@@ -50,7 +52,8 @@ vec2 inBox(vec3 origin, vec3 inverse, vec3 centre, vec3 halfSize)
     return vec2(max(0.0, max(entry.x, max(entry.y, entry.z))), min(leave.x, min(leave.y, leave.z)));
 }
 
-// A box for the frame with both balls in its axis, one for the ball beside it, one for the block.
+// One box for the frame with both balls on its axis, one for the ball beside it, and one for the
+// block.
 vec2 groupsInterval(vec3 origin, vec3 inverse)
 {
     vec2 frame = inBox(origin, inverse, vec3(0.4, 1.165, -0.5), vec3(0.8, 1.165, 0.8) + MARGIN);
@@ -59,8 +62,8 @@ vec2 groupsInterval(vec3 origin, vec3 inverse)
     return intervalUnion(frame, intervalUnion(ball, block));
 }
 
-// What central differences with the step h find on the face of a box, in closed form: next to an edge two
-// faces have their share.
+// What central differences with the step h give on the face of a box, in closed form: near an edge,
+// both of its faces contribute.
 vec3 stageNormal(vec3 p, float h)
 {
     vec3 q = p - STAGE, outside = abs(q) - STAGE_HALF - MET_BEFORE * hitThreshold;
@@ -85,8 +88,8 @@ vec3 rayColour(Ray ray)
     vec2 shade = groupsInterval(p, 1.0 / toLight);
     float t = shade.x, far = shadows ? min(shade.y, sun ? FAR : distance) : 0.0;
 
-    // Turns 0 to 5 are the differences of a normal, as normalAt takes them; then the shadow is marched. A
-    // point of the stage begins with the shadow.
+    // Turns 0 to 5 compute the differences of a normal, as normalAt does; then the shadow is
+    // marched. A point on the stage begins with the shadow.
     int turn = hit.found ? 0 : 6;
     vec3 gradient = hit.found ? vec3(0.0) : stageNormal(p, normalStep), normal = gradient;
     bool dark = false, searching = hit.found || (onStage && t < far && dot(normal, toLight) > 0.0);
@@ -103,7 +106,7 @@ vec3 rayColour(Ray ray)
         searching = turn < 6 || (!dark && t < far && dot(normal, toLight) > 0.0 && turn < 6 + maxSteps);
     }
 
-    if (met) { // for the views and the probe, the stage too
+    if (met) { // report the stage to the views and the probe too
         traceNormal(normal);
         traceMarch(trace.steps, hit.found ? hit.t : end, END_HIT);
     }

@@ -1,8 +1,9 @@
-// Experiment of chapter 16: a frame of chapter 06 in less time. Where a ray cannot meet the pyramid the slab
-// alone is asked, and of both the normals and shadows only where they can be.
+// Experiment of chapter 16: a frame of chapter 06 in less time. Where a ray cannot meet the
+// pyramid, only the slab is evaluated; normals and shadows of both are computed only where there
+// can be any.
 //
-// Each march takes the steps that chapter 06 takes, so each ray ends where it ends there. The coarse pass
-// is not asked: in this scene it gains nothing.
+// Each march takes the same steps as in chapter 06, so each ray ends where it ends there. The
+// coarse pass is not used, because it gains nothing in this scene.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define rayColour chapterRayColour
@@ -10,20 +11,20 @@
 #undef sceneDistance
 #undef rayColour
 
-// The pyramid alone.
+// Only the pyramid.
 float sceneDistance(vec3 p)
 {
     return sdSierpinskiPlanes(pyramidPoint(p), SIZE, levels);
 }
 
-// The same at t of a ray that has been turned to the pyramid's axes, once for all its steps.
+// The same, at t on a ray that was rotated to the pyramid's axes once for all its steps.
 float turnedDistance(Ray turned, float t)
 {
     trace.evaluations++;
     return sdSierpinskiPlanes(turned.origin + t * turned.direction, SIZE, levels);
 }
 
-// boxInterval of bounds.glsl, with multiplications for most of its divisions.
+// boxInterval of bounds.glsl, with multiplications instead of most of its divisions.
 vec2 inSlab(Ray ray)
 {
     vec3 inverse = 1.0 / ray.direction;
@@ -32,11 +33,11 @@ vec2 inSlab(Ray ray)
     return vec2(max(0.0, max(entry.x, max(entry.y, entry.z))), min(leave.x, min(leave.y, leave.z)));
 }
 
-// Where a ray ends: pyramid or slab by their smaller distance as far as the pyramid's bounds reach, then the
-// slab alone.
+// Where a ray ends: within the pyramid's bounds the march takes the smaller of the distances to the
+// pyramid and the slab, and after that only the distance to the slab.
 struct End {
     float t;
-    bool met, near; // met anything; met it where both were asked
+    bool met, near; // hit anything; hit it where both were evaluated
 };
 
 End endOf(Ray ray, float spread)
@@ -69,8 +70,8 @@ End endOf(Ray ray, float spread)
     return End(t, met, near);
 }
 
-// The pyramid stands well within the slab, so near it the slab's distance is the height.
-//   asked  false: the loop is left at once
+// The pyramid is well inside the slab's outline, so near it the distance to the slab is the height.
+//   asked  false: leave the loop at once
 vec3 bothNormal(vec3 p, float h, bool asked)
 {
     vec3 gradient = vec3(0.0);
@@ -82,7 +83,8 @@ vec3 bothNormal(vec3 p, float h, bool asked)
     return normalize(gradient);
 }
 
-// Up, and over an edge a little to the side: about what differences with the step h find there.
+// Upwards, and near an edge a little to the side: about what differences with the step h give
+// there.
 vec3 slabNormal(vec3 p, float h)
 {
     vec3 q = p - SLAB, reach = max(abs(q) - SLAB_HALF + h, 0.0);

@@ -1,6 +1,6 @@
-// Experiment of chapter 16: a frame of chapter 09 in less time. The rays begin where the coarse pass has ended,
-// and end by marchCrossing where the city comes as near as the pixel's width: in one place, wherever they
-// began. The distance is that of city.glsl with fewer operations.
+// Experiment of chapter 16: a frame of chapter 09 in less time. The rays begin where the coarse
+// pass ended. With marchCrossing they end where the city comes as near as the pixel's width: at the
+// same point, wherever they began. The distance is that of city.glsl with fewer operations.
 #include "main.glsl"
 #include "cone.glsl"
 #include "crossing.glsl"
@@ -22,8 +22,9 @@ float coarseMargin(float t)
     return hitThreshold + footprint * pixelSpread() * t;
 }
 
-// cityDistance, written out: what its parts have in common is computed once, and what a tower's faces take
-// from x and z alike is found for the larger of the two.
+// cityDistance, written out: terms that its parts share are computed once, and a term that a
+// tower's faces compute in the same way from x and from z is computed once, for the larger of the
+// two.
 float sceneDistance(vec3 p)
 {
     vec2 cell = floor(p.xz * (1.0 / PERIOD) + 0.5);
@@ -36,7 +37,7 @@ float sceneDistance(vec3 p)
     float base = max(wide - 4.5 * BAY.x, up - floor(1.0 + 4.0 * r.z) * BAY.y);
     float wall = 0.5 * PERIOD - wide + GAP;
 
-    float x = a.x - 2.1, square = local.z * local.z, over = local.y - 1.1; // from the pavement
+    float x = a.x - 2.1, square = local.z * local.z, over = local.y - 1.1; // x from the pavement
     float arm = x - clamp(x, 0.0, LAMP.x);
     vec3 bulb = vec3(x, local.yz) - LAMP;
     float post = sqrt(x * x + square + max(over, 0.0) * max(over, 0.0)) - 0.018;

@@ -1,13 +1,15 @@
-// The means of chapter 16 in the march of an older chapter: a file that includes this one before the chapter
-// has its marches relaxed, and its first one begin where the coarse pass has ended.
+// The methods of chapter 16 in the march of an earlier chapter. In a file that includes this one
+// before the chapter, all marches are relaxed, and the first one begins where the coarse pass
+// ended.
 //
-// Shadow rays of shadow.glsl and cone.glsl stay as they are. The file itself says what coarseMargin is.
+// Shadow rays of shadow.glsl and cone.glsl remain as they are. The including file defines
+// coarseMargin.
 #include "cone.glsl"
 #include "shadow.glsl"
 #include "relaxed.glsl"
 #include "coarse.glsl"
 
-uniform float omega; // 1.2 in [1, 1.95] step 0.05, distances: length of a step; 1 is the march as it was
+uniform float omega; // 1.2 in [1, 1.95] step 0.05, distances: length of a step; 1 is the plain march
 
 Hit meansCone(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {

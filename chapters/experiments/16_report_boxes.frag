@@ -1,9 +1,9 @@
-// The report's figure 9 drawn again: the frame of a box and a column of balls, their shadow on a slab, and
-// what the polished slab mirrors of them.
+// The report's figure 9, redrawn: the frame of a box and a column of balls, their shadow on a slab,
+// and their reflection in the polished slab.
 //
-// The rays of a pixel, the eye's and the mirrored one, take turns in one loop: on a machine that runs in
-// lockstep a loop is what a block of pixels can leave early, an if is not.
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+// The two rays of a pixel, from the eye and reflected, take turns in one loop: on a machine that
+// runs in lockstep, a block of pixels can leave a loop early, but not an if.
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
 #include "normal.glsl"     // normalAt
@@ -14,41 +14,41 @@
 #include "lighting.glsl"   // lambert, encodeSRGB
 #include "fresnel.glsl"    // schlickShare
 
-uniform bool  clipped;      // true: march only inside the boxes that hold frame and balls
-uniform int   rays;         // 2 in [1, 2]: the eye's alone, or the mirrored one too
-uniform int   maxSteps;     // 128 in [1, 1024]: steps before a ray is given up
+uniform bool  clipped;      // true: march only inside the boxes around the frame and the balls
+uniform int   rays;         // 2 in [1, 2]: only the ray from the eye, or also the reflected ray
+uniform int   maxSteps;     // 128 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0003 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
-// Lengths as measured in the figure, in sides of the frame.
-const float FAR = 20.0;                            // a ray that has travelled so far sees the sky
+// Lengths as measured in the figure; the unit is the side of the frame.
+const float FAR = 20.0;                            // a ray that has travelled this far sees the sky
 const float FRAME = 0.5, BEAM = 0.05;              // half the frame's side, half a beam's thickness
 const float BALL = 0.15;                           // radius of a ball
-const float LAST = 3.0;                            // balls stand at the whole heights from 0 to LAST
+const float LAST = 3.0;                            // there is a ball at each integer height from 0 to LAST
 const vec3  SLAB = vec3(0.0, -0.96, 0.0);          // centre and half size of the slab
 const vec3  SLAB_HALF = vec3(1.5, 0.1, 1.5);
-const float MARGIN = 0.01;                         // by which the bounds are larger than what they hold
+const float MARGIN = 0.01;                         // by which the bounds are larger than their contents
 
 const vec3  TO_SUN = vec3(0.28606, 0.90525, -0.31503); // length 1
 const vec3  SUN_COLOUR = vec3(1.12, 0.96, 0.76);   // its light on a surface that faces it, linear RGB
-const vec3  SKY_LIGHT = vec3(0.07, 0.14, 0.17);    // of the side of the sky where the sun is, and of the other
-const vec3  SLAB_LIGHT = vec3(0.015, 0.022, 0.03);
+const vec3  SKY_LIGHT = vec3(0.07, 0.14, 0.17);    // ambient light on a surface that faces the sun
+const vec3  SLAB_LIGHT = vec3(0.015, 0.022, 0.03); // and on a surface that faces away from it
 const vec3  OBJECT_COLOUR = vec3(0.86, 0.83, 0.78);
 const vec3  SLAB_COLOUR = vec3(0.26, 0.27, 0.28);
-const float STRAIGHT = 0.14;                       // the share that the slab mirrors of a ray that falls straight
+const float STRAIGHT = 0.14;                       // share of the light that the slab reflects at normal incidence
 
 Ray pixelRay(vec2 screen)
 {
     return perspectiveRay(screen);
 }
 
-// Frame and balls: the slab is no part of the distance.
+// Frame and balls; the slab is not part of the distance.
 float sceneDistance(vec3 p)
 {
     float column = sdSphere(vec3(p.x, opRepeatLimited(p.y, 1.0, 0.0, LAST), p.z), BALL);
     return min(sdBoxFrame(p, vec3(FRAME), BEAM), column);
 }
 
-// Where a march has to look: in the boxes that hold frame and balls.
+// Where a march has to search: in the boxes around the frame and the balls.
 vec2 sceneInterval(Ray ray)
 {
     vec2 frame = boxInterval(ray, vec3(-FRAME - MARGIN), vec3(FRAME + MARGIN));
@@ -56,14 +56,14 @@ vec2 sceneInterval(Ray ray)
     return clipped ? intervalUnion(frame, column) : vec2(0.0, FAR);
 }
 
-// The sky of the figure: teal above, the night below.
+// The sky of the figure: teal above, night below.
 vec3 skyLight(vec3 direction)
 {
     vec3 high = mix(vec3(0.0, 0.075, 0.13), vec3(0.16, 0.46, 0.58), smoothstep(0.0, 0.5, direction.y));
     return mix(vec3(0.0, 0.001, 0.008), high, smoothstep(-0.55, 0.05, direction.y));
 }
 
-// Light of the sky and the slab on a matt surface, and of the sun where it is in sight.
+// The light that a matt surface receives from the sky, the slab and, where it is visible, the sun.
 vec3 receivedLight(vec3 p, vec3 normal)
 {
     Ray ray = shadowRay(p, normal, TO_SUN, 4.0 * hitThreshold);
@@ -74,7 +74,7 @@ vec3 receivedLight(vec3 p, vec3 normal)
     return around + seen * lambert(normal, TO_SUN) * SUN_COLOUR;
 }
 
-// Where a ray ends: at frame, balls or slab, or in the sky.
+// Where a ray ends: at the frame, the balls or the slab, or in the sky.
 struct Spot {
     vec3 p, normal;
     bool met, onSlab;
@@ -87,10 +87,10 @@ Spot spotAlong(Ray ray)
     Hit hit = march(ray, interval.x, min(interval.y, end), hitThreshold, maxSteps);
     float t = hit.found ? hit.t : end;
     vec3 p = ray.origin + t * ray.direction, aside = abs(p - SLAB) - SLAB_HALF;
-    float outside = max(aside.x, max(aside.y, aside.z)); // of the slab
+    float outside = max(aside.x, max(aside.y, aside.z)); // distance to the slab's surface, negative inside
     bool met = hit.found || end < FAR, onSlab = met && outside < 2.0 * hitThreshold;
     vec3 normal = onSlab ? step(outside, aside) * sign(p - SLAB) : normalAt(p, hitThreshold);
-    if (met) { // for the views and the probe, the slab too
+    if (met) { // report the slab to the views and the probe too
         traceNormal(normal);
         traceMarch(trace.steps, t, END_HIT);
     }
@@ -100,13 +100,14 @@ Spot spotAlong(Ray ray)
 vec3 rayColour(Ray ray)
 {
     vec3 light = vec3(0.0);
-    float share = 1.0; // of what the ray sees in what the eye sees
+    float share = 1.0; // how much the ray's light counts in the pixel
     for (int turn = 0; turn < rays && share > 0.0; turn++) {
         Spot spot = spotAlong(ray);
         vec3 seen = (spot.onSlab ? SLAB_COLOUR : OBJECT_COLOUR) * receivedLight(spot.p, spot.normal);
         light += share * (spot.met ? seen : skyLight(ray.direction));
 
-        // The mirrored ray, if it may meet something. Else it sees the sky, which takes no turn.
+        // The reflected ray, if it can hit something. Otherwise it sees the sky, which takes no
+        // turn.
         share *= spot.onSlab ? schlickShare(max(-dot(ray.direction, spot.normal), 0.0), STRAIGHT) : 0.0;
         ray = Ray(spot.p + 4.0 * hitThreshold * spot.normal, reflect(ray.direction, spot.normal));
         vec2 interval = sceneInterval(ray);

@@ -1,8 +1,8 @@
-// The report's figure 11 drawn again: slender towers on lawns between two roads, a lamp in front of them, the
-// sky of the hour, and all of it once more in the windows.
+// The report's figure 11, redrawn: slender towers on lawns between two roads, a lamp in front of
+// them, the sky of the hour, and reflections of all this in the windows.
 //
-// Hour, sky and exposure are those of chapter 09; two of its functions are kept aside under other names. As in
-// 16_report_boxes, the eye's ray and the mirrored one take turns in one loop.
+// Hour, sky and exposure are those of chapter 09; two of its functions are renamed. As in
+// 16_report_boxes, the ray from the eye and the reflected ray take turns in one loop.
 #include "main.glsl"
 #define sceneDistance chapterSceneDistance
 #define rayColour chapterRayColour
@@ -13,12 +13,13 @@
 #include "hue.glsl"     // hsvToRGB
 #include "fresnel.glsl" // schlickShare
 
-uniform int  rays;    // 2 in [1, 2]: the eye's alone, or the mirrored one too
+uniform int  rays;    // 2 in [1, 2]: only the ray from the eye, or also the reflected ray
 uniform bool clipped; // true: march only between the ground and the highest roof
-uniform bool parks;   // true: the distance knows where no towers stand
+uniform bool parks;   // true: the distance takes into account where there are no towers
 
-// Lengths as measured in the figure; a scene unit is about a metre. As in chapter 09, x is north and z east.
-const float PLOT = 5.0;                            // from the middle of a tower to the next
+// Lengths as measured in the figure; a scene unit is about a metre. As in chapter 09, x is north
+// and z east.
+const float PLOT = 5.0;                            // from the centre of a tower to the next
 const float BLOCK = 25.0;                          // from road to road: four plots and the road
 const float ROAD = 2.5;                            // half the width of a road
 const float FLOOR = 1.7;                           // height of a floor; a tower is 2 wide
@@ -26,19 +27,19 @@ const float HIGHEST = 20.0 * FLOOR;                // no roof is higher
 const vec2  PANE = vec2(0.84, 0.69);               // half a window's pane, along the wall and up
 const float RECESS = 0.12;                         // how far the pane lies behind the wall
 const vec3  POST = vec3(-2.7, 0.0, 6.3);           // foot of the lamp
-const vec3  GLOBE = vec3(0.0, 2.95, 0.0);          // its globe, from the foot
+const vec3  GLOBE = vec3(0.0, 2.95, 0.0);          // centre of its globe, from the foot
 const float GLOBE_RADIUS = 0.42;
 const float TAPER = 0.48;                          // slope of the post's foot
-const float CITY_FAR = 110.0;                      // a ray that has travelled so far sees the sky
-const float SHADOW = 40.0;                         // how far a shadow ray looks
-const float NEAR = 0.001;                          // the distance that counts as a hit, for the eye's ray
-const int   STEPS = 400;                           // before a ray is given up
+const float CITY_FAR = 110.0;                      // a ray that has travelled this far sees the sky
+const float SHADOW = 40.0;                         // length of a shadow ray
+const float NEAR = 0.001;                          // the distance that counts as a hit, for the ray from the eye
+const int   STEPS = 400;                           // after which a ray is abandoned
 
 // A point on its plot.
 struct Plot {
-    vec2  local;  // from the middle of the plot: x and z
-    vec2  aside;  // the same across the nearest wall of the tower and along it, each >= 0
-    float floors; // of the tower; 0 on a road or in a park: there is none
+    vec2  local;  // from the centre of the plot: x and z
+    vec2  aside;  // the same, perpendicular to the nearest wall and along it, each >= 0
+    float floors; // of the tower; 0 on a road or in a park, where there is none
 };
 
 // Every second row of blocks is a park.
@@ -50,7 +51,7 @@ Plot plotAt(vec3 p)
     return Plot(local, aside.x > aside.y ? aside : aside.yx, built ? floors : 0.0);
 }
 
-// A tower is a box without a bottom. How far its walls are, and its roof.
+// A tower is a box without a bottom. The distances to its walls and to the plane of its roof.
 //   max of the two  a lower bound
 vec2 outsideTower(Plot plot, float y)
 {
@@ -64,7 +65,8 @@ float postDistance(vec3 q)
     return min(max(post, q.y - GLOBE.y), sdSphere(q - GLOBE, GLOBE_RADIUS));
 }
 
-// The own plot's tower, what the others cannot be nearer than, and the lamp. A lower bound, 1-Lipschitz.
+// The tower of this plot, a lower bound for all other towers, and the lamp. A lower bound,
+// 1-Lipschitz.
 float sceneDistance(vec3 p)
 {
     Plot plot = plotAt(p);
@@ -74,9 +76,9 @@ float sceneDistance(vec3 p)
     return min(min(tower, parks ? max(others, row) : others), postDistance(p - POST));
 }
 
-// ---- What a ray meets: the march asks for towers and lamp, the ground is the floor of the interval ----
+// ---- What a ray meets: the march finds towers and the lamp, the ground ends the interval ----
 
-// Where a tower's surface faces: up on its roof, else away from the nearest wall.
+// The normal of a tower: upwards on its roof, otherwise that of the nearest wall.
 vec3 towerNormal(Plot plot, vec2 outside)
 {
     vec2 wall = abs(plot.local.x) < abs(plot.local.y) ? vec2(0.0, sign(plot.local.y)) : vec2(sign(plot.local.x), 0.0);
@@ -89,29 +91,30 @@ vec3 postNormal(vec3 q)
     return normalize(length(q - GLOBE) < GLOBE_RADIUS + 0.05 ? q - GLOBE : post);
 }
 
-// Where a ray ends, and how the pixel sees it.
+// Where a ray ends, and how the pixel sees that point.
 struct Spot {
     vec3  p, normal;
-    float t, width;           // of p along the ray; of the pixel there, scene units
+    float t, width;           // of p along the ray; width of the pixel there, scene units
     float facing;             // cosine of the angle between normal and ray, at least 0.03
-    bool  met, ground, post;  // met, and neither: a tower
+    bool  met, ground, post;  // met and neither of the others: a tower
 };
 
-// The end of a ray: between the ground and the highest roof there is something to hit.
+// The end of a ray: there are objects only between the ground and the highest roof.
 float cityEnd(Ray ray, float far)
 {
     vec2 crossing = (vec2(0.0, HIGHEST) - ray.origin.y) / ray.direction.y;
     return clipped || ray.direction.y < 0.0 ? min(max(crossing.x, crossing.y), far) : far;
 }
 
-// The eye's threshold does not grow, so that outlines are the same wherever a march began.
+// The threshold of the ray from the eye does not grow, so that outlines are the same wherever a
+// march began.
 float coarseMargin(float t)
 {
     return NEAR;
 }
 
-//   start  how long the way to the ray's origin was
-//   clear  up to where nothing stands in its way
+//   start  length of the path to the ray's origin
+//   clear  up to where the ray is known to be free
 Spot spotAlong(Ray ray, float start, float clear)
 {
     float spread = footprint * pixelSpread(), end = cityEnd(ray, CITY_FAR);
@@ -124,7 +127,7 @@ Spot spotAlong(Ray ray, float start, float clear)
     vec3 normal = ground ? vec3(0.0, 1.0, 0.0) : post ? postNormal(q) : towerNormal(plot, outside);
     float facing = max(-dot(normal, ray.direction), 0.03);
     float rest = ground || post ? 0.0 : max(outside.x, outside.y) / facing; // to the wall itself
-    if (met) { // for the views and the probe, the ground too
+    if (met) { // report the ground to the views and the probe too
         traceNormal(normal);
         traceMarch(trace.steps, t, END_HIT);
     }
@@ -134,16 +137,16 @@ Spot spotAlong(Ray ray, float start, float clear)
 
 // ---- Light ----
 
-// The share of a pixel that falls within the windows of a wall.
-//   at  on the wall: along it from its middle, and up
+// The share of a pixel that lies within the windows of a wall.
+//   at  on the wall: along it from its centre, and upwards
 float openingAt(vec2 at, Spot spot)
 {
     vec2 inside = PANE - abs(vec2(at.x, mod(at.y, FLOOR) - 0.5 * FLOOR));
     return coverage(inside.x, spot.width / spot.facing) * coverage(inside.y, spot.width);
 }
 
-// A window is a shallow box: the share of the pixel that looks into it, and of that the share that sees the pane
-// at its back and not a side.
+// A window is a shallow box: the share of the pixel that looks into it, and the share of this part
+// that sees the pane at its back and not a side.
 vec2 windowAt(Spot spot, vec3 direction)
 {
     vec3 along = abs(spot.normal.zyx), local = plotAt(spot.p).local.xxy;
@@ -153,7 +156,7 @@ vec2 windowAt(Spot spot, vec3 direction)
     return wall ? vec2(openingAt(at, spot), openingAt(behind, spot)) : vec2(0.0);
 }
 
-// Lawns, mown in stripes, and roads.
+// Lawns mown in stripes, and roads.
 vec3 groundColour(Spot spot)
 {
     float width = spot.width / spot.facing;
@@ -163,9 +166,9 @@ vec3 groundColour(Spot spot)
     return mix(vec3(0.030, 0.030, 0.045), lawn, coverage(min(road.x, road.y), width));
 }
 
-// What a spot sends to the eye, but for what its glass mirrors. The globe has a light of its own, of another hue
-// each hour, as in the figure.
-//   toLight, beam, sky  of the sun or the moon; and the light of all the sky
+// The light from a spot to the eye, without what its glass reflects. The globe emits light itself,
+// with a hue that depends on the hour, as in the figure.
+//   toLight, beam, sky  direction and light of the sun or the moon; and the light of the whole sky
 vec3 spotLight(Spot spot, vec2 window, vec3 toLight, vec3 beam, vec3 sky)
 {
     Ray ray = shadowRay(spot.p, spot.normal, toLight, 0.03 + spot.width);

@@ -1,7 +1,9 @@
-// The report's figure 10 drawn again: Sierpinski's pyramid in a parallel view, with its light and its shadow.
+// The report's figure 10, redrawn: Sierpinski's pyramid in a parallel view, with its light and its
+// shadow.
 //
-// The pyramid stands on an edge, as its formula has it: corners (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1).
-#include "main.glsl"         // main(): asks for pixelRay, then for rayColour
+// The pyramid stands on an edge, as in its formula, with the corners (1, 1, 1), (1, -1, -1), (-1,
+// 1, -1) and (-1, -1, 1).
+#include "main.glsl"         // main(): calls pixelRay, then rayColour
 #include "orthographic.glsl" // orthographicRay
 #include "cone.glsl"         // march, coneReaching
 #include "normal.glsl"       // normalAt
@@ -9,17 +11,17 @@
 #include "shadow.glsl"       // shadowRay, shadowReach
 #include "lighting.glsl"     // lambert, encodeSRGB
 
-uniform int   levels;       // 8 in [0, 12]: how often each tetrahedron is cut in four
-uniform bool  clipped;      // true: march only inside the tetrahedron that holds the pyramid
-uniform float footprint;    // 1 in [0, 4] step 0.25, half pixels: what is smaller counts as reached; 0 leaves hitThreshold alone
-uniform int   maxSteps;     // 128 in [1, 1024]: steps before a ray is given up
+uniform int   levels;       // 8 in [0, 12]: how many times each tetrahedron is divided into four
+uniform bool  clipped;      // true: march only inside the tetrahedron that contains the pyramid
+uniform float footprint;    // 1 in [0, 4] step 0.25, half pixels: smaller distances count as hits; with 0 only those below hitThreshold
+uniform int   maxSteps;     // 128 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
-const float HALF_HEIGHT = 1.567;                  // of what the figure shows, in halves of the cube round the pyramid
-const float FAR = 8.0;                            // a ray that has travelled so far sees the sky
+const float HALF_HEIGHT = 1.567;                  // of the picture, in halves of the cube around the pyramid
+const float FAR = 8.0;                            // a ray that has travelled this far sees the sky
 const float MARGIN = 0.02;                        // by which the bound is larger than the pyramid
 const vec3  TO_SUN = vec3(0.447, 0.866, -0.224);  // length 1
-const float SUN_SPREAD = 0.03;                    // tangent of half the angle of the sun's disc
+const float SUN_SPREAD = 0.03;                    // tangent of the angular radius of the sun's disc
 const vec3  SUN_COLOUR = vec3(1.35, 1.02, 0.70);  // its light on a surface that faces it, linear RGB
 const vec3  SKY_COLOUR = vec3(0.09, 0.20, 0.26);  // light from above
 const vec3  EARTH_COLOUR = vec3(0.01, 0.03, 0.06); // light from below
@@ -35,14 +37,14 @@ float sceneDistance(vec3 p)
     return sdSierpinskiPlanes(p, 1.0, levels);
 }
 
-// Where a ray can meet the pyramid.
+// The interval in which a ray can meet the pyramid.
 vec2 pyramidInterval(Ray ray)
 {
     return clipped ? tetrahedronInterval(ray, 1.0 + 1.7320508 * MARGIN) : vec2(0.0, FAR);
 }
 
-// How open a point lies to the sky, from 1 down: each of the first levels takes away by the depth in its
-// tetrahedron, as in chapter 06.
+// How open a point is to the sky, at most 1: each of the first levels darkens it in proportion to
+// its depth in the tetrahedron, as in chapter 06.
 float openness(vec3 p)
 {
     vec3 q = p - 1.0;
@@ -55,7 +57,7 @@ float openness(vec3 p)
     return open;
 }
 
-// The backdrop of the figure, which has the same colour along each row.
+// The backdrop of the figure, whose colour is the same along each row.
 vec3 backdrop(Ray ray)
 {
     float height = dot(ray.origin - iCameraPosition, iCameraUp) / HALF_HEIGHT;
@@ -64,7 +66,7 @@ vec3 backdrop(Ray ray)
 
 vec3 rayColour(Ray ray)
 {
-    float width = hitThreshold + footprint * HALF_HEIGHT / iResolution.y; // the same all along a parallel ray
+    float width = hitThreshold + footprint * HALF_HEIGHT / iResolution.y; // constant along a parallel ray
     vec2 interval = pyramidInterval(ray);
     Hit hit = march(ray, interval.x, interval.y, width, maxSteps);
     vec3 light = backdrop(ray);

@@ -1,13 +1,13 @@
-// Experiment of chapter 16: the scene of chapter 03 by the means of 16_means.glsl, and one more: a shadow ray
-// does not ask for the stage.
+// Experiment of chapter 16: the scene of chapter 03 with the methods of 16_means.glsl and one more:
+// a shadow ray ignores the stage.
 //
-// No point of the stage lies between another point of the scene and the lamp: all stand on it, and the
-// lamp is higher. So the stage can be lifted out of what a shadow ray is told, and the ray need not climb
-// away from it in little steps.
+// No point of the stage lies between another point of the scene and the lamp, because all objects
+// are on it and the lamp is higher. So the stage can be left out of the distance for shadow rays,
+// which need not climb away from it in small steps.
 #include "main.glsl"
 #include "16_means.glsl"
 
-uniform bool own; // true: shadow rays are not told of the stage
+uniform bool own; // true: shadow rays ignore the stage
 
 float stageAway = 0.0; // added to the stage's distance
 

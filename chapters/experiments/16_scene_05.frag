@@ -1,5 +1,5 @@
-// Experiment of chapter 16: the sea of chapter 05 by the means of 16_means.glsl, and one more: each ray has a
-// stretch of its own for the waves and for the twisted ring.
+// Experiment of chapter 16: the sea of chapter 05 with the methods of 16_means.glsl and one more:
+// each ray has its own stretch for the waves and for the twisted ring.
 #include "main.glsl"
 #include "16_means.glsl"
 #include "stretch.glsl"
@@ -9,7 +9,8 @@ uniform bool own; // true: a stretch for each ray
 
 void stretchAlong(vec3 direction);
 
-// A march whose distances are divided by what this ray needs; a normal and the next ray have the safe ones again.
+// A march whose distances are divided by the stretches of this ray; normals and the next ray use
+// the stretches that are safe for all directions again.
 Hit ownMarch(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 {
     stretchAlong(own ? ray.direction : vec3(0.0));
@@ -22,8 +23,8 @@ Hit ownMarch(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 #define march ownMarch
 #include "05_transforms.frag"
 
-// The stretches of the scene along a direction, or in all if it is 0. The ring is scaled alone, so its own
-// axes see the same angles.
+// The stretches of the scene along a direction, or for all directions if it is 0. The ring is only
+// scaled, so the angles are the same in its own axes.
 void stretchAlong(vec3 direction)
 {
     bool all = direction == vec3(0.0);

@@ -1,4 +1,4 @@
-// Experiment of chapter 16: the scene of chapter 06 by the means of 16_means.glsl.
+// Experiment of chapter 16: the scene of chapter 06 with the methods of 16_means.glsl.
 #include "main.glsl"
 #include "16_means.glsl"
 #include "06_sierpinski_symmetry.frag"

@@ -1,14 +1,15 @@
-// Experiment of chapter 16: the workshop's castRay, as it is called second there. Its 64 steps end with a hit,
-// also where nothing was found; and the count of its steps is divided as whole numbers are.
+// Experiment of chapter 16: the workshop's castRay in its second form, with the 64 steps of the
+// first. When the steps run out it reports a hit, even where nothing was found; and the number of
+// steps is divided as an integer.
 //
-// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
+// The chapter's own rayColour is renamed; everything else is the chapter's.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "16_fewer_steps.frag"
 #undef rayColour
 
-uniform bool shares; // false: paint the share of the steps that were taken, in place of the scene
-uniform bool mended; // false: steps that run out are no hit, and shares are divided as real numbers
+uniform bool shares; // false: paint the share of the steps that were taken instead of the scene
+uniform bool mended; // false: a ray whose steps run out is a miss, and shares are quotients of real numbers
 
 const int STEPS = 64;
 

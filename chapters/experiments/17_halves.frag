@@ -1,13 +1,13 @@
-// Experiment of chapter 17: a ball glued of two halves that touch. The union of their distances is 0 where they
-// meet, so the march inside finds a surface there that is none.
+// Experiment of chapter 17: a ball glued together from two halves that touch. The union of their
+// distances is 0 where they meet, so the march inside finds a surface there that does not exist.
 //
-// The chapter's own distance is kept aside under another name; everything else is the chapter's.
+// The chapter's own distance is renamed; everything else is the chapter's.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "17_glass.frag"
 #undef sceneDistance
 
-uniform float overlap; // 0 in [0, 0.2] step 0.01, scene units: how far each half reaches into the other
+uniform float overlap; // 0 in [0, 0.2] step 0.01, scene units: how far each half extends into the other
 
 float sceneDistance(vec3 p)
 {

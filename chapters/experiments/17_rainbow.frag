@@ -1,7 +1,8 @@
-// Experiment of chapter 17: a rainbow, from the ways through one drop. The sun stands behind the eye.
+// Experiment of chapter 17: a rainbow, from the paths through one drop. The sun is behind the eye.
 //
-// A ray that meets a drop at the share b of its radius is mirrored once or twice inside and leaves under an angle to
-// the sun's rays. Rings of b send their light to rings of the sky; where the angle has its limit they crowd.
+// A ray that meets a drop at the distance b from its axis, in radii, is reflected once or twice
+// inside and leaves at an angle to the sun's rays. Rings of b send their light to rings of the sky,
+// and where the angle has its limit the light is concentrated.
 #include "main.glsl"
 #include "camera.glsl"
 #include "coverage.glsl"
@@ -10,10 +11,10 @@
 #include "spectrum.glsl"
 
 uniform float sunElevation; // 14 in [0, 60] step 1, degrees: height of the sun, behind the eye
-uniform float sunWidth;     // 0.0093 in [0.002, 0.05] step *1.2, radians: how wide the sun looks; it blurs the bow
+uniform float sunWidth;     // 0.0093 in [0.002, 0.05] step *1.2, radians: angular diameter of the sun, which blurs the bow
 uniform int   waves;        // 12 in [1, 40]: wavelengths
 
-const vec2 WATER = vec2(1.3240, 0.00310); // Cauchy's numbers
+const vec2 WATER = vec2(1.3240, 0.00310); // Cauchy's coefficients
 const int RINGS = 48;
 
 Ray pixelRay(vec2 screen)
@@ -26,19 +27,37 @@ float sceneDistance(vec3 p)
     return p.y;
 }
 
-// The light that a shower sends from an angle off the sun's opposite point, mirrored so many times in each drop.
-float bowLight(float angle, float index, int mirrored)
+// An angle is its cosine and sine, so that nothing depends on how exact a driver's asin and acos are.
+// The product of two has the sum of the angles.
+vec2 turned(vec2 a, vec2 b)
 {
-    float light = 0.0, before = 0.0, within = 0.0;
+    return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+// a minus b, radians, both from 0 to half a turn; at least 1, or at most -1, beyond a quarter turn.
+float apart(vec2 a, vec2 b)
+{
+    vec2 difference = turned(a, vec2(b.x, -b.y));
+    return difference.x > 0.0 ? difference.y : sign(difference.y);
+}
+
+// The light that a shower sends from an angle to the point opposite the sun, reflected `mirrored`
+// times in each drop.
+float bowLight(vec2 angle, float index, int mirrored)
+{
+    vec2 before = vec2(1.0, 0.0);
+    float light = 0.0, within = 0.0;
     for (int k = 0; k <= RINGS; k++) {
-        float outside = 1.5707 * float(k) / float(RINGS), b = sin(outside), inside = asin(b / index);
-        float turn = float(mirrored) * 3.14159265 + 2.0 * outside - 2.0 * float(mirrored + 1) * inside;
-        float after = mirrored == 1 ? 3.14159265 - turn : turn - 3.14159265; // from the opposite point
-        float share = fresnelShare(cos(outside), 1.0 / index);
+        float b = sin(1.5707 * float(k) / float(RINGS)), c = b / index;
+        vec2 outside = vec2(sqrt(1.0 - b * b), b), inside = vec2(sqrt(1.0 - c * c), c);
+        vec2 less = turned(inside, vec2(outside.x, -outside.y)), twice = turned(inside, inside); // j - i, 2 j
+        vec2 once = turned(turned(less, less), twice); // 4 j - 2 i
+        vec2 after = mirrored == 1 ? once : vec2(-1.0, 1.0) * turned(once, twice); // from the opposite point
+        float share = fresnelShare(outside.x, 1.0 / index);
         float kept = (1.0 - share) * (1.0 - share) * (mirrored == 1 ? share : share * share);
-        float low = min(before, after), high = max(before, after);
-        float area = max(cos(low) - cos(high), 1e-6);
-        float lit = coverage(high - angle, sunWidth) - coverage(low - angle, sunWidth);
+        vec2 low = before.x > after.x ? before : after, high = before.x > after.x ? after : before;
+        float area = max(low.x - high.x, 1e-6);
+        float lit = coverage(apart(high, angle), sunWidth) - coverage(apart(low, angle), sunWidth);
         light += k > 0 ? lit * kept * (b * b - within) / area : 0.0;
         before = after;
         within = b * b;
@@ -50,7 +69,7 @@ vec3 rayColour(Ray ray)
 {
     float elevation = radians(sunElevation);
     vec3 opposite = vec3(0.0, -sin(elevation), -cos(elevation)), d = ray.direction;
-    float angle = acos(clamp(dot(d, opposite), -1.0, 1.0));
+    vec2 angle = vec2(dot(d, opposite), length(cross(d, opposite)));
     vec3 bow = vec3(0.0), sum = vec3(0.0);
     for (int i = 0; i < 2 * waves; i++) {
         float wave = sampleWave(i / 2, waves, 0.5);

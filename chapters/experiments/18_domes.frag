@@ -1,16 +1,17 @@
-// The whole sky as one sees it lying on one's back: the zenith in the middle, the horizon at the rim, the sun's side below.
-// sheet=true: twelve hours; else the chapter's way and another one side by side; with encoded=true that one as light and as
-// numbers.
+// The whole sky as seen by somebody lying on the ground: the zenith at the centre, the horizon at
+// the rim, the side of the sun below. With sheet=true it is drawn at twelve hours, otherwise twice,
+// side by side: by the chapter's method and by another one, or, with encoded=true, by the other
+// method as light and as encoded numbers.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"
 #undef rayColour
 #include "experiments/18_ways.glsl"
 
-uniform bool  sheet;     // true: twelve hours, from noon to night; false: on the right the chosen way
-uniform float sunHeight; // 48 in [-18, 90] step 1, degrees: of the sun, where it is no sheet
+uniform bool  sheet;     // true: twelve hours, from noon to night; false: two skies, the selected method on the right
+uniform float sunHeight; // 48 in [-18, 90] step 1, degrees: of the sun, with sheet=false
 
-// The heights of the sun on the sheet, degrees: from the upper left to the lower right.
+// The heights of the sun on the sheet, degrees, from the upper left to the lower right.
 const float HEIGHTS[12] = float[](48.0, 30.0, 15.0, 8.0, 4.0, 1.0, -1.0, -2.5, -4.0, -5.5, -7.0, -9.0);
 
 vec3 rayColour(Ray ray)
@@ -19,7 +20,7 @@ vec3 rayColour(Ray ray)
     vec2 cell = floor(place / size), at = (place - size * (cell + 0.5)) / (0.48 * min(size.x, size.y));
     float height = radians(sheet ? HEIGHTS[int(cell.x + 4.0 * (2.0 - cell.y))] : sunHeight);
     vec3 sun = vec3(0.0, sin(height), -cos(height));
-    // Equal angles are equal lengths: the rim is 90 degrees from the middle.
+    // Equal angles become equal lengths: the rim is 90 degrees from the centre.
     float r = min(length(at), 1.0), angle = 1.57079633 * r;
     vec2 way2 = at / max(length(at), 1e-6);
     vec3 direction = vec3(way2.x * sin(angle), cos(angle), way2.y * sin(angle));

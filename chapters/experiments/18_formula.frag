@@ -1,4 +1,4 @@
-// Chapter 18's picture under the sky of chapter 09: a formula in place of the tables.
+// Chapter 18's picture under the sky of chapter 09: a formula instead of the tables.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"

@@ -1,11 +1,11 @@
-// Chapter 18's picture under an air without ozone. Its tables hold a quarter of the light, for without ozone an evening
-// has up to three times as much.
+// Chapter 18's picture with air that contains no ozone. The tables contain a quarter of the light,
+// because without ozone an evening has up to three times as much.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"
 #undef rayColour
 
-uniform sampler2D greySunward; // "no_ozone_sunward.png" sRGB clamp: the half of the sky that holds the sun
+uniform sampler2D greySunward; // "no_ozone_sunward.png" sRGB clamp: the half of the sky that contains the sun
 uniform sampler2D greyAway;    // "no_ozone_away.png" sRGB clamp: the other half
 
 vec3 rayColour(Ray ray)

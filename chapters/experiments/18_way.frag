@@ -1,5 +1,6 @@
-// Chapter 18's picture under a sky of another way: way=1 the article's text, 2 its shader, 3 the formula of
-// chapter 09. With encoded=true the article's two colours are mixed as numbers of the screen.
+// Chapter 18's picture under a sky by another method: way=1 is the article's text, 2 its shader,
+// 3 the formula of chapter 09. With encoded=true the article's two colours are mixed as encoded
+// numbers.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"

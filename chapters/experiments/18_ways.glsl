@@ -1,11 +1,13 @@
-// 18_ways.glsl - for the experiments of chapter 18: other ways to a sky. The chapter's shader stands before it.
+// 18_ways.glsl - for the experiments of chapter 18: other methods for a sky. Include the chapter's
+// shader first.
 
-uniform int  way;      // 0 in [0, 3]: 0 the chapter's, 1 the article's mix by angle, 2 its shader's by dot product, 3 chapter 09's formula
-uniform bool encoded;  // false: the article's two colours are mixed as the screen's numbers
-uniform bool painted;  // false: the article's second table is a painter's, and differs from the first one at the zenith too
+uniform int  way;      // 0 in [0, 3]: method: 0 the chapter's, 1 the article's text by angle, 2 its shader by dot product, 3 chapter 09's formula
+uniform bool encoded;  // false: true mixes the article's two colours as encoded numbers
+uniform bool painted;  // false: true makes the article's second table a painter's, which also differs from the first at the zenith
 
-// What a table that holds whole colours has in a direction: the light along the middle of its half of the sky.
-//   level  1 for the half that holds the sun, -1 for the other one
+// The value of a table with complete colours in a direction: the light along the middle of its half
+// of the sky.
+//   level  1 for the half that contains the sun, -1 for the other
 vec3 halfColour(sampler2D table, vec3 direction, vec3 sun, float level)
 {
     vec2 place = skyPlace(sun.y, direction.y);
@@ -13,12 +15,13 @@ vec3 halfColour(sampler2D table, vec3 direction, vec3 sun, float level)
     return tableLight(table, place, y * sun.y + level * sqrt(max(flat2, 0.0)), skyScale(sun.y, place.y));
 }
 
-// The share of the first table, as the article's text has it: by the angle to the sun in the level plane, from 1 to 0.
-// At the zenith that is any number: here the angle of (0, 0), which is nothing.
+// The share of the first table by the article's text: from 1 to 0, linear in the horizontal angle
+// to the sun. At the zenith there is no such angle; there the share is 1 here, and undefined in the
+// article, because GLSL leaves atan(0, 0) undefined.
 float shareByAngle(vec3 direction, vec3 sun)
 {
     vec2 a = direction.xz, b = sun.xz;
-    return 1.0 - abs(atan(a.x * b.y - a.y * b.x, dot(a, b))) / 3.14159265;
+    return 1.0 - abs(atan(a.x * b.y - a.y * b.x, dot(a, b) + float(a == vec2(0.0)))) / 3.14159265;
 }
 
 vec3 decoded(vec3 v)
@@ -26,8 +29,8 @@ vec3 decoded(vec3 v)
     return mix(v / 12.92, pow((v + 0.055) / 1.055, vec3(2.4)), step(0.04045, v));
 }
 
-// The light of the sky by that way, in the chapter's unit.
-//   numbers  the article's colours are mixed as the screen's numbers
+// The light of the sky by the selected method, in the chapter's unit.
+//   numbers  true mixes the article's colours as encoded numbers
 vec3 skyByWay(vec3 direction, vec3 sun, bool numbers)
 {
     if (way == 3)

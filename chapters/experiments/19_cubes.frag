@@ -1,10 +1,11 @@
-// Experiment of chapter 19: the same hemisphere of stars twice, equal areas as equal areas, seen from the grid's
-// diagonal (1, 1, 1). Left the article's cells, the cubes that a sphere meets; right cells of equal solid angle.
+// Experiment of chapter 19: a hemisphere of stars drawn twice, in an equal-area projection centred
+// on the diagonal (1, 1, 1) of the grid. On the left are the article's cells, the cubes that a
+// sphere meets; on the right are cells of equal solid angle.
 #include "main.glsl"
 #include "night.glsl"
 
 uniform float side;  // 60 in [10, 400] step *1.2: cubes along the radius of the sphere
-uniform float share; // 0.12 in [0, 1] step 0.02: of the cubes that hold a star
+uniform float share; // 0.12 in [0, 1] step 0.02: share of the cubes that contain a star
 
 Ray pixelRay(vec2 screen)
 {
@@ -20,7 +21,7 @@ vec3 rayColour(Ray ray)
 {
     vec2 place = vec2(abs(ray.direction.x) - 0.89, ray.direction.y) / 0.84;
     float square = dot(place, place), out_ = sqrt(max(2.0 - square, 0.0));
-    vec3 p = vec3(place * out_, 1.0 - square); // Lambert's map: areas are kept
+    vec3 p = vec3(place * out_, 1.0 - square); // Lambert's map, which preserves areas
     vec3 right = normalize(vec3(1.0, -1.0, 0.0)), ahead = normalize(vec3(1.0)), up = cross(ahead, right);
     vec3 direction = p.x * right + p.y * up + p.z * ahead;
     uvec3 cell = uvec3(ivec3(floor(side * direction) + 1000.0));

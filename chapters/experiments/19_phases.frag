@@ -1,10 +1,11 @@
-// Experiment of chapter 19: ten phases of the moon side by side, each with its light made up to a common brightness.
+// Experiment of chapter 19: ten phases of the moon side by side, each exposed to the same
+// brightness.
 #include "main.glsl"
 #include "lighting.glsl"
 #include "night.glsl"
 
-uniform sampler2D moon; // "moon.png" linear clamp: how bright the moon's ground is, and how steep
-uniform float relief;   // 1.5 in [0, 6] step 0.5: how many times as steep as they are the slopes stand
+uniform sampler2D moon; // "moon.png" linear clamp: brightness and slopes of the moon's ground
+uniform float relief;   // 1.5 in [0, 6] step 0.5: factor by which the slopes are exaggerated
 
 Ray pixelRay(vec2 screen)
 {
@@ -16,7 +17,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The ages 1.5, 4.2, 7 and so on, from the left, then the lower row.
+// The ages 1.5, 4.45, 7.4 and so on, from left to right, then in the lower row.
 vec3 rayColour(Ray ray)
 {
     vec2 cell = vec2(ray.origin.x / 0.71, ray.origin.y < 0.0 ? 1.0 : 0.0);

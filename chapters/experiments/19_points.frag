@@ -1,8 +1,8 @@
-// Experiment of chapter 19: stars that are as small as stars, not as wide as the pixel.
+// Experiment of chapter 19: stars drawn as small points, narrower than a pixel.
 #include "main.glsl"
 #include "night.glsl"
 
-uniform float spot; // 0.2 in [0.05, 1] step *1.2, pixels: width that a star is spread over
+uniform float spot; // 0.2 in [0.05, 1] step *1.2, pixels: width over which a star is spread
 
 vec3 pointLight(vec3 direction, float width)
 {

@@ -1,11 +1,13 @@
-// Experiment of chapter 19: the article's projection of the moon, a scale and a factor that compensates.
+// Experiment of chapter 19: the article's projection of the moon, a scale and a compensating
+// factor.
 #include "main.glsl"
 #include "night.glsl"
 
 uniform float compensation; // 1 in [0.5, 2] step 0.05: the article has 1.4
 
-// Its moon has the radius 0.03. The offset from the middle, times 23.57 / 2 and the factor, is to run from -1/2 to
-// 1/2 across the disc; the disc of our picture has 0.94 of its width. Shown as it is, without a sun.
+// The article's moon has the radius 0.03. The offset from the centre, times 23.57 / 2 and the
+// factor, is meant to run from -1/2 to 1/2 across the disc; the disc in our picture has 0.94 of its
+// width. The picture is shown as it is, without a sun.
 vec3 articleFace(sampler2D face, vec2 place, float width, vec3 toSun, float relief)
 {
     vec2 foot = vec2(0.47 * width, 0.0), offset = 0.03 * place;

@@ -1,10 +1,10 @@
-// Experiment of chapter 19: a long exposure. The stars of many moments are added up in one picture.
+// Experiment of chapter 19: a long exposure, which adds up the stars at many moments.
 #include "main.glsl"
 #include "night.glsl"
 
-uniform float hours;     // 3 in [0, 12] step 0.5, hours: how long the shutter is open, from timeOfDay on
-uniform int   moments;   // 192 in [1, 1000] step *2: of which the exposure is made
-uniform float longer;    // 3 in [0, 12] step 0.5, stops: how much more light than a short exposure lets in
+uniform float hours;     // 3 in [0, 12] step 0.5, hours: time during which the shutter is open, from timeOfDay on
+uniform int   moments;   // 192 in [1, 1000] step *2: moments of which the exposure consists
+uniform float longer;    // 3 in [0, 12] step 0.5, stops: additional light, compared with a short exposure
 
 // The sky turns about the third axis of the stars' frame.
 vec3 trailLight(vec3 direction, float width)

@@ -1,11 +1,12 @@
-// The article's clouds and its weather, in its own numbers, which are numbers of the screen.
+// Experiment of chapter 20: the article's clouds and weather, in its own numbers, which are encoded
+// for the screen.
 
 #include "main.glsl"
 #define rayColour chapterColour
 #include "20_clouds_and_weather.frag"
 #undef rayColour
 
-uniform bool positive; // false: its colour at night is kept above 0
+uniform bool positive; // false: true keeps the clouds' colour at night from becoming negative
 
 vec3 rayColour(Ray ray)
 {

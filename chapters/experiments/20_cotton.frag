@@ -1,11 +1,11 @@
-// What the article tried first: octaves of noise in place of a panorama, on the sphere round the eye, or on a
-// flat layer overhead.
+// Experiment of chapter 20: the article's first attempt, octaves of noise instead of a panorama, on
+// the sphere around the eye or on a flat layer overhead.
 
 #include "main.glsl"
 #include "clouds.glsl"
 #include "noise.glsl"
 
-uniform bool layer; // false: on a layer; else on the sphere
+uniform bool layer; // false: true puts the noise on a flat layer, false on the sphere
 
 Cloud cotton(sampler2D panorama, vec3 direction, float turned, float width)
 {

@@ -1,4 +1,5 @@
-// A layer of clouds that is marched: Beer's law along the ray, and one ray towards the sun from each place.
+// Experiment of chapter 20: a march through a layer of clouds, with Beer's law along the ray and
+// one ray towards the sun from each point.
 
 #include "main.glsl"
 #include "random.glsl"
@@ -8,14 +9,15 @@
 
 uniform sampler3D noise; // "noise.png" linear repeat 64: value noise
 
-uniform int   places;    // 32 in [4, 128]: on a ray's way through the layer
-uniform float amount;    // 0.5 in [0, 1] step 0.02: how much of the layer is cloud
+uniform int   places;    // 32 in [4, 128]: points on the path of a ray through the layer
+uniform float amount;    // 0.5 in [0, 1] step 0.02: amount of cloud in the layer
 uniform float thickness; // 9 in [0, 40] step 1, per km: optical depth of a kilometre of cloud
-uniform bool  shaded;    // true: one ray to the sun from each place
+uniform bool  shaded;    // true: one ray to the sun from each point
 
 const float FOOT = 1.2, TOP = 2.6; // altitudes of the layer, km
 
-// Optical depth of a kilometre at a place over the eye; level: of the noise.
+// The optical depth of one kilometre at a point above the eye.
+//   level  of the noise
 float vapour(vec3 p, float level)
 {
     float altitude = p.y + dot(p.xz, p.xz) / (2.0 * EARTH_RADIUS), height = (altitude - FOOT) / (TOP - FOOT);
@@ -24,11 +26,12 @@ float vapour(vec3 p, float level)
     float puffs = 0.45 * textureLod(noise, q / 11.0, level).x + 0.4 * abs(textureLod(noise, q / 4.1, level + 1.4).x - 0.5);
     puffs += 0.3 * abs(textureLod(noise, q / 1.5, level + 2.9).x - 0.5);
     float inside = 0.9 * field + 1.3 * puffs - mix(1.2, 0.7, amount) - 0.5 * max(height - 0.2, 0.0);
-    float within = smoothstep(0.0, 0.08, height) * smoothstep(1.0, 0.8, height);
+    float within = smoothstep(0.0, 0.08, height) * (1.0 - smoothstep(0.8, 1.0, height));
     return thickness * within * clamp(7.0 * inside, 0.0, 1.0);
 }
 
-// Light of the layer along a ray (rgb), times what it hides, and the share of what is behind that is left (a).
+// The light of the layer along a ray (rgb), including its cover, and the share of the background
+// that remains visible (a).
 vec4 marchedLayer(vec3 direction, Lights lights, float width)
 {
     float near = layerHit(0.0, direction.y, FOOT), far = min(layerHit(0.0, direction.y, TOP), 80.0);

@@ -1,5 +1,6 @@
-// What the panoramas hold: on the left what the clouds cover, in the middle the light that reaches them from
-// above, on the right the light from the right less that from the left, grey being 0.
+// Experiment of chapter 20: the contents of the panoramas. On the left the cover of the clouds, in
+// the middle the light that reaches them from above, on the right the light from the right minus
+// that from the left, with grey for 0.
 
 #include "main.glsl"
 #define rayColour chapterColour

@@ -1,16 +1,17 @@
-// What goes wrong when the hardware takes the footprint: a line where the panorama begins and ends.
+// Experiment of chapter 20: a fault caused by the hardware's footprint, a line where the panorama
+// begins and ends.
 //
-// Two neighbouring pixels there differ by a whole turn in u. The hardware takes that for the size of the pixel
-// and reads the last level, which is the mean of the whole panorama.
+// Two neighbouring pixels there differ by a whole turn in u. The hardware takes this for the size
+// of the pixel and reads the last level, which is the mean of the whole panorama.
 
 #include "main.glsl"
 #include "clouds.glsl"
 
-uniform int way; // 0 in [0, 3]: 0 the hardware's footprint, 1 the smaller of two, 2 the library's, from the ray, 3 the smaller by however little
+uniform int way; // 0 in [0, 3]: footprint: 0 the hardware's, 1 that of the second coordinate if under half, 2 the ray's, 3 that of the second coordinate if smaller
 
 Cloud panoramaByWay(sampler2D panorama, vec3 direction, float turned, float width)
 {
-    vec2 place = panoramaPlace(direction), other = vec2(fract(place.x), place.y); // jumps in the south; in the north
+    vec2 place = panoramaPlace(direction), other = vec2(fract(place.x), place.y); // first jumps in the south, second in the north
     float size = fwidth(place.x), otherSize = fwidth(other.x);
     vec2 at = way == 1 && otherSize < 0.5 * size || way == 3 && otherSize < size ? other : place;
     vec4 texel = texture(panorama, at + vec2(turned, 0.0));

@@ -1,4 +1,4 @@
-// Experiment of chapter 21: one exposure for all hours, that of `exposedAt`.
+// Experiment of chapter 21: one exposure for all hours, the one for `exposedAt`.
 #include "main.glsl"
 #include "film.glsl"
 
@@ -8,7 +8,7 @@ vec3 exposedOnce(vec3 light, float stops);
 #include "21_a_landscape.frag"
 #undef exposed
 
-uniform float exposedAt; // 12 in [0, 24] step 0.5, hours: the hour for which the camera was set
+uniform float exposedAt; // 12 in [0, 24] step 0.5, hours: the hour for which the camera is set
 
 vec3 exposedOnce(vec3 light, float stops)
 {

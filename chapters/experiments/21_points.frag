@@ -1,4 +1,5 @@
-// Experiment of chapter 21: the waves are asked at one point of each pixel, in place of their mean over it.
+// Experiment of chapter 21: the slope of the waves at one point of each pixel, instead of its mean
+// over the pixel.
 #include "main.glsl"
 #include "water.glsl"
 

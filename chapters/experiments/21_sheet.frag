@@ -1,11 +1,12 @@
-// Experiment of chapter 21: the scene at every second hour, from top to bottom, in five weathers, from left to right:
-// a sheet of 5 x 12 pictures. Each picture has rays, an hour and a weather of its own.
+// Experiment of chapter 21: a sheet of 5 x 12 pictures, which shows the scene at every second hour
+// from top to bottom and in five kinds of weather from left to right. Each picture has its own rays,
+// hour and weather.
 #include "main.glsl"
 #include "camera.glsl"
 
 const vec2 SHEET = vec2(5.0, 12.0); // pictures, across and down
 
-// A pixel is one of a small picture's.
+// The spread of a pixel in one of the small pictures.
 float sheetSpread()
 {
     return SHEET.y / (iResolution.y * focalLength);

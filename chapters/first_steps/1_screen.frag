@@ -1,9 +1,9 @@
 #version 330 core
-// First step 1: the screen. This program runs once for every pixel; all that differs from pixel to
-// pixel is where the pixel is. Here that place becomes a colour.
+// First step 1: the screen. This program runs once for every pixel, and only the position differs
+// from pixel to pixel. Here this position becomes a colour.
 
-in vec2 FragCoord;  // y from -1 (bottom) to 1 (top), x as far as the window is wide
-out vec4 FragColor; // red, green, blue, each from 0 to 1, and an opacity that nothing uses
+in vec2 FragCoord;  // y from -1 (bottom) to 1 (top), x from -aspect (left) to aspect (right)
+out vec4 FragColor; // red, green, blue, each from 0 to 1, and an opacity that is not used
 
 void main()
 {

@@ -1,6 +1,6 @@
 #version 330 core
-// First step 3: a ray. The eye is at the origin and looks along -z; the screen stands in front of
-// it. Each pixel looks in its own direction: x is shown as red, y as green, -z as blue.
+// First step 3: a ray. The eye is at the origin and looks along -z; the screen is in front of it.
+// Each pixel looks in a different direction: x is shown as red, y as green, -z as blue.
 
 in vec2 FragCoord;
 out vec4 FragColor;

@@ -1,6 +1,6 @@
 #version 330 core
-// First step 4: the march. Ask how far the scene is; go that far along the ray; ask again. Near
-// enough is a hit, shown white.
+// First step 4: the march. Find how far away the scene is, go that far along the ray, and repeat.
+// A point that is close enough is a hit, shown in white.
 
 in vec2 FragCoord;
 out vec4 FragColor;
@@ -15,12 +15,12 @@ float sceneDistance(vec3 p)
 void main()
 {
     vec3 direction = normalize(vec3(FragCoord, -1.5));
-    float t = 0.0; // how far the ray has come
-    float d = 1.0; // how far the scene is from there
-    for (int i = 0; i < 200 && d > 0.001 && t < 40.0; i++) { // try 8 in place of 200
+    float t = 0.0; // distance travelled along the ray
+    float d = 1.0; // distance from there to the scene
+    for (int i = 0; i < 200 && d > 0.001 && t < 40.0; i++) { // try 8 instead of 200
         d = sceneDistance(t * direction);
         t += d;
     }
-    float white = d <= 0.001 ? exp(-0.12 * (t - 2.0)) : 0.0; // a little darker with the distance
+    float white = d <= 0.001 ? exp(-0.12 * (t - 2.0)) : 0.0; // darker in the distance
     FragColor = vec4(vec3(white), 1.0);
 }

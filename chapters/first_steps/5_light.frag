@@ -1,5 +1,6 @@
 #version 330 core
-// First step 5: light. The surface faces where the distance grows fastest; what faces the light is bright.
+// First step 5: light. The normal is the direction in which the distance grows fastest. A surface
+// that faces the light is bright.
 in vec2 FragCoord;
 out vec4 FragColor;
 

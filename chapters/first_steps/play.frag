@@ -1,9 +1,9 @@
-// An empty scene to start from: `make play`, or play.bat, copies it to chapters/play.frag, which is
-// yours, and opens that. Change it, save, and the window shows it; what is wrong is said there.
+// A simple scene to start from. `make play`, or play.bat, copies it to chapters/play.frag, which is
+// yours, and opens the copy. Change it and save: the window shows the result, or any errors.
 //
-// The library is shaders/: include a file of it, as below, and its functions are there.
+// The library is in shaders/. To use its functions, include a file of it, as below.
 
-#include "main.glsl"       // main(): asks for pixelRay, then for rayColour
+#include "main.glsl"       // main(): calls pixelRay, then rayColour
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
 #include "normal.glsl"     // normalAt
@@ -17,13 +17,13 @@ Ray pixelRay(vec2 screen)
     return perspectiveRay(screen);
 }
 
-// How far the scene is from p: a ball. Try min() with a second shape.
+// The distance from p to the scene, a ball. Try min() with a second shape.
 float sceneDistance(vec3 p)
 {
     return sdSphere(p, radius);
 }
 
-// What the ray sees: a sky that darkens upwards, or the ball, lit from the upper right.
+// The colour that the ray finds: a sky that darkens upwards, or the ball, lit from the upper right.
 vec3 rayColour(Ray ray)
 {
     Hit hit = march(ray, 0.0, 40.0, 0.0005, 256);

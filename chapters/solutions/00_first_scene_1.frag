@@ -1,8 +1,8 @@
 #version 330 core
 // Solution of exercise 1 of chapter 00: a snowman. A scene is a min() of distances: three balls of
-// snow, two of coal, and the ground. 512 questions, for rays that pass along the snow and the plain.
+// snow, two of coal, and the ground. Rays that pass close to the snow and the plain need 512 steps.
 
-in vec2 FragCoord;  // the pixel's place: y from -1 to 1, x from -aspect to aspect
+in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds
 out vec4 FragColor; // the pixel's colour
 
@@ -28,7 +28,7 @@ float sceneDistance(vec3 p)
     return min(min(min(belly, chest), min(head, eyesDistance(p))), ground);
 }
 
-// 2. The march: how far along the ray is the scene? Negative: nowhere.
+// 2. The march: how far along the ray is the scene? A negative result is a miss.
 
 float march(vec3 origin, vec3 direction)
 {
@@ -52,7 +52,7 @@ vec3 normalAt(vec3 p)
                           sceneDistance(p + h.yyx) - sceneDistance(p - h.yyx)));
 }
 
-// 4. The colour: what faces the sun is bright.
+// 4. The colour: a surface that faces the sun is bright.
 
 vec3 rayColour(vec3 origin, vec3 direction)
 {

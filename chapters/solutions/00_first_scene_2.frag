@@ -1,8 +1,8 @@
 #version 330 core
-// Solution of exercise 2 of chapter 00: the camera stands still and the object turns. Turning a
-// point one way before asking for its distance turns the object the other way.
+// Solution of exercise 2 of chapter 00: the camera is fixed and the object turns. Turning a point
+// one way before evaluating its distance turns the object the other way.
 
-in vec2 FragCoord;  // the pixel's place: y from -1 to 1, x from -aspect to aspect
+in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds
 out vec4 FragColor; // the pixel's colour
 
@@ -27,7 +27,7 @@ float sdBoxFrame(vec3 p, vec3 halfSize, float beam)
                    boxDistance(vec3(inner.x, inner.y, outer.z))));
 }
 
-// The point p turned about the y axis by an angle in radians; a positive one takes z towards x.
+// The point p turned about the y axis by an angle in radians; a positive angle takes z towards x.
 vec3 turnedY(vec3 p, float angle)
 {
     float c = cos(angle);
@@ -41,7 +41,7 @@ float sceneDistance(vec3 p)
     return min(sdBoxFrame(p, vec3(0.5), 0.05), sdSphere(p, 0.3));
 }
 
-// 2. The march: how far along the ray is the scene? Negative: nowhere.
+// 2. The march: how far along the ray is the scene? A negative result is a miss.
 
 float march(vec3 origin, vec3 direction)
 {
@@ -65,7 +65,7 @@ vec3 normalAt(vec3 p)
                           sceneDistance(p + h.yyx) - sceneDistance(p - h.yyx)));
 }
 
-// 4. The colour: what faces the sun is bright.
+// 4. The colour: a surface that faces the sun is bright.
 
 vec3 rayColour(vec3 origin, vec3 direction)
 {

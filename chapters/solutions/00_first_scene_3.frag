@@ -1,8 +1,9 @@
 #version 330 core
-// Solution of exercise 3 of chapter 00: a lantern. A box and a ball together, max(a, b), without a
-// smaller ball, max(a, -b), whose radius is larger than the half size of the box: it opens windows.
+// Solution of exercise 3 of chapter 00: a lantern. The intersection of a box and a ball, max(a, b),
+// minus a smaller ball, max(a, -b). The smaller ball reaches through the faces of the box, and so
+// the lantern has windows.
 
-in vec2 FragCoord;  // the pixel's place: y from -1 to 1, x from -aspect to aspect
+in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds
 out vec4 FragColor; // the pixel's colour
 
@@ -25,7 +26,7 @@ float sceneDistance(vec3 p)
     return min(lantern, sdSphere(p, 0.25));
 }
 
-// 2. The march: how far along the ray is the scene? Negative: nowhere.
+// 2. The march: how far along the ray is the scene? A negative result is a miss.
 
 float march(vec3 origin, vec3 direction)
 {
@@ -49,7 +50,7 @@ vec3 normalAt(vec3 p)
                           sceneDistance(p + h.yyx) - sceneDistance(p - h.yyx)));
 }
 
-// 4. The colour: what faces the sun is bright.
+// 4. The colour: a surface that faces the sun is bright.
 
 vec3 rayColour(vec3 origin, vec3 direction)
 {

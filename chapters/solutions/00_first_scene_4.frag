@@ -1,8 +1,8 @@
 #version 330 core
-// Solution of exercise 4 of chapter 00: the price of each pixel. The march gives back the number of
-// steps; black is none, white is 64 or more.
+// Solution of exercise 4 of chapter 00: the cost of each pixel. The march returns the number of
+// steps; black is 0, white is 64 or more.
 
-in vec2 FragCoord;  // the pixel's place: y from -1 to 1, x from -aspect to aspect
+in vec2 FragCoord;  // the pixel's position: y from -1 to 1, x from -aspect to aspect
 in float Time;      // seconds
 out vec4 FragColor; // the pixel's colour
 
@@ -32,7 +32,7 @@ float sceneDistance(vec3 p)
     return min(sdBoxFrame(p, vec3(0.5), 0.05), sdSphere(p, 0.3));
 }
 
-// 2. The march: how many times does the ray ask for the distance?
+// 2. The march: how many times is the distance evaluated?
 
 int marchSteps(vec3 origin, vec3 direction)
 {
@@ -48,7 +48,7 @@ int marchSteps(vec3 origin, vec3 direction)
     return steps;
 }
 
-// 3. The colour: float() and the point are needed, for steps / 64 is a division of integers.
+// 3. The colour: float() and 64.0 are needed, because steps / 64 divides integers.
 
 vec3 rayColour(vec3 origin, vec3 direction)
 {

@@ -1,12 +1,13 @@
-// Solution of exercise 01.1: a torus in place of the orbit of balls.
+// Solution of exercise 01.1: a torus instead of the orbit of balls.
 //
-// The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
+// The chapter's own sceneDistance gets another name; everything else is the chapter's.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "01_normal_colouring.frag"
 #undef sceneDistance
 
-// The points within a distance of a horizontal circle. Exact everywhere.
+// The signed distance to the points within a given distance of a horizontal circle, exact
+// everywhere.
 //   p         point, scene units
 //   radius    of the circle, > 0, scene units
 //   thickness radius of the tube, in (0, radius], scene units

@@ -1,6 +1,6 @@
 // Solution of exercise 01.2: the frame with rounded edges, of the same outer size.
 //
-// The chapter's own sceneDistance is kept aside under another name; everything else is the chapter's.
+// The chapter's own sceneDistance gets another name; everything else is the chapter's.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "01_normal_colouring.frag"

@@ -1,15 +1,15 @@
 // Solution of exercise 01.4: the normal from four evaluations at the corners of a tetrahedron.
 //
-// The chapter's own rayColour is kept aside under another name; everything else is the chapter's.
+// The chapter's own rayColour gets another name and is not used; everything else is the chapter's.
 #include "main.glsl"
 #define rayColour chapterColour
 #include "01_normal_colouring.frag"
 #undef rayColour
 
-// The gradient by four corners of a cube, made of length 1.
+// The gradient from four corners of a cube, normalised.
 //   p, h     as for normalAt
 //   formula  normalize(sum of k f(p + h k)), k = (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1);
-//            error O(h) from the formula: h (H_yz, H_xz, H_xy), H the second derivatives
+//            error O(h) of the formula: h (H_yz, H_xz, H_xy), where H holds the second derivatives
 vec3 tetrahedronNormal(vec3 p, float h)
 {
     vec3 gradient = vec3(0.0);

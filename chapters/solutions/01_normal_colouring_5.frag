@@ -1,6 +1,6 @@
 // Solution of exercise 01.5: a fisheye. The distance on the screen is proportional to the angle.
 //
-// The chapter's own pixelRay is kept aside under another name; everything else is the chapter's.
+// The chapter's own pixelRay gets another name and is not used; everything else is the chapter's.
 #include "main.glsl"
 #define pixelRay chapterRay
 #include "01_normal_colouring.frag"

@@ -1,4 +1,4 @@
-// Solution of exercise 02.1: a third lamp, green, over the left of the stage. Lamps add up.
+// Solution of exercise 02.1: a third lamp, green, above the left of the stage. Its light is added.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "02_lighting.frag"

@@ -1,7 +1,7 @@
-// Solution of exercise 02.2: too much light keeps its hue, because all three channels are divided by
-// the largest of them.
+// Solution of exercise 02.2: light that is too bright keeps its hue, because all three channels are
+// divided by the largest.
 //
-// The chapter's call of encodeSRGB is turned into a call of keepHue; everything else is the chapter's.
+// The macro turns the chapter's call to encodeSRGB into a call to keepHue.
 #include "main.glsl"
 #include "lighting.glsl"
 

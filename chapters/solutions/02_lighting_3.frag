@@ -1,5 +1,5 @@
-// Solution of exercise 02.3: ambient light that comes from the upper half of the sky alone. A
-// surface that leans away from the zenith sees less of it: the share (1 + N.y) / 2.
+// Solution of exercise 02.3: ambient light that comes only from the upper half of the sky. A
+// surface that leans away from the zenith receives less of it: the share (1 + N.y) / 2.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "02_lighting.frag"

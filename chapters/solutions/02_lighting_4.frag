@@ -1,12 +1,12 @@
-// Solution of exercise 02.4: four rays a pixel, averaged in linear light and encoded once.
+// Solution of exercise 02.4: four rays per pixel, averaged in linear light and encoded once.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "02_lighting.frag"
 #undef rayColour
 
-uniform bool linearMean; // true: average linear light; false: average what is encoded, as --samples does
+uniform bool linearMean; // true: average linear light; false: average encoded light, as --samples does
 
-// What one ray sees, linear, and no more than the screen can show.
+// The light that one ray finds: linear, and no more than the screen can show.
 vec3 linearColour(Ray ray)
 {
     Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
@@ -17,7 +17,7 @@ vec3 linearColour(Ray ray)
 
 vec3 rayColour(Ray ray)
 {
-    // The point of the screen that this ray goes through, seen from the eye.
+    // The vector from the eye to the point of the screen that this ray passes through.
     vec3 screen = ray.direction * focalLength / dot(ray.direction, iCameraForward);
     vec3 mean = vec3(0.0);
     for (int i = 0; i < 4; i++) {

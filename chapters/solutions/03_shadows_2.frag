@@ -1,7 +1,7 @@
-// Solution of exercise 03.2: the shadow ray starts a little along the light instead of along the
-// normal. Where the light grazes, that is not far enough from the surface: acne.
+// Solution of exercise 03.2: the offset of the shadow ray points towards the light instead of along
+// the normal. At grazing angles the start is then too close to the surface, which gives acne.
 //
-// The chapter's call of shadowRay is turned into a call of startAlongLight.
+// The macro turns the chapter's call to shadowRay into a call to startAlongLight.
 #include "main.glsl"
 #include "shadow.glsl"
 

@@ -1,6 +1,6 @@
 // Solution of exercise 03.3: rays are clipped to the ball around the scene's box instead of the box.
 //
-// The chapter's call of boxInterval is turned into a call of ballInterval.
+// The macro turns the chapter's call to boxInterval into a call to ballInterval.
 #include "main.glsl"
 #include "bounds.glsl"
 

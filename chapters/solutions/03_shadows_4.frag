@@ -1,11 +1,11 @@
-// Solution of exercise 03.4: a lamp of nine points, each with a ninth of the light and a shadow of
-// its own. The edge of a shadow becomes nine steps.
+// Solution of exercise 03.4: a lamp of nine points. Each has a ninth of the light and casts its own
+// shadow, so the edge of a shadow becomes a series of steps.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "03_shadows.frag"
 #undef rayColour
 
-uniform float lampSide; // 0.6 in [0, 2] step 0.1, scene units: side of the square that holds the points
+uniform float lampSide; // 0.6 in [0, 2] step 0.1, scene units: side of the square that contains the points
 
 vec3 nineLamps(vec3 p, vec3 normal)
 {

@@ -1,7 +1,7 @@
-// Solution of exercise 04.1: hue, saturation and value taken as the numbers of a screen, and decoded
-// to linear light. What lies between two knees becomes darker and purer: orange is orange.
+// Solution of exercise 04.1: the results of hsvToRGB are read as encoded numbers and decoded to
+// linear light. A channel between 0 and 1 becomes smaller, so amber turns orange.
 //
-// Every hsvToRGB of the chapter becomes a paintedHSV.
+// A macro replaces every hsvToRGB of the chapter with paintedHSV.
 #include "main.glsl"
 #include "hue.glsl"
 

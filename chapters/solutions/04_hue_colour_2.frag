@@ -1,7 +1,8 @@
-// Solution of exercise 04.2: a subtraction whose edges are rounded, the smooth union of the outside
-// of a with b, seen from outside. The groove of the stage is rounded too.
+// Solution of exercise 04.2: a subtraction with rounded edges. It is the complement of the smooth
+// union of b and the outside of a. The groove of the stage is rounded too.
 //
-// Every opSubtraction of the chapter becomes a smoothSubtraction, and the sharp share a soft one.
+// Macros replace every opSubtraction of the chapter with smoothSubtraction, and the sharp share
+// with a smooth one.
 #include "main.glsl"
 #include "combine.glsl"
 
@@ -19,8 +20,8 @@ float smoothSubtraction(float a, float b)
     return -opSmoothUnion(-a, b, blend);
 }
 
-// The chapter asks step(a, -b) for the ball's share of block less ball, and step for the sharp
-// shares of union and intersection, which stay.
+// The chapter uses step(a, -b) as the ball's share of block minus ball. It also uses step for the
+// sharp shares of union and intersection, which do not change.
 float softStep(float edge, float x)
 {
     return operation == 2 ? smoothUnionShare(-edge, -x, blend) : float(edge <= x);

@@ -1,7 +1,8 @@
-// Solution of exercise 04.3: the stage as a continuous colour wheel. The hue is the angle, the
+// Solution of exercise 04.3: the stage as a continuous colour wheel. The hue is the angle, and the
 // saturation grows from 0 in the middle to 1 at the edge.
 //
-// The chapter's colourAt answers for everything else.
+// The chapter's colourAt gives the colour of everything else. On the axis, where GLSL leaves
+// atan(0, 0) undefined, the angle is 0.
 #include "main.glsl"
 #define colourAt chapterColourAt
 #define rayColour chapterRayColour
@@ -11,7 +12,7 @@
 
 vec3 colourAt(vec3 p)
 {
-    vec3 disc = hsvToRGB(degrees(atan(p.z, p.x)) + hueShift, clamp(length(p.xz) / 3.2, 0.0, 1.0), 0.6);
+    vec3 disc = hsvToRGB(degrees(atan(p.z, p.x + float(p.xz == vec2(0.0)))) + hueShift, clamp(length(p.xz) / 3.2, 0.0, 1.0), 0.6);
     return stageDistance(p) < min(wheelDistance(p), middleDistance(p)) ? disc : chapterColourAt(p);
 }
 

@@ -1,7 +1,7 @@
-// Solution of exercise 04.4: the intersection of two equal balls, a lens, in the middle of the wheel,
-// with its exact distance or with the bound max(a, b).
+// Solution of exercise 04.4: a lens, the intersection of two equal balls, in the middle of the
+// wheel, with its exact distance or with the bound max(a, b).
 //
-// The chapter's colourAt and rayColour are written anew, for the middle is another.
+// The file defines its own colourAt and rayColour, because the middle is different.
 #include "main.glsl"
 #define sceneDistance wheelScene
 #define colourAt wheelColourAt
@@ -13,8 +13,8 @@
 
 uniform bool exact; // true: the exact distance instead of the maximum
 
-const float RADIUS = 1.1; // of the balls, scene units
-const float APART = 0.8;  // from the lens's middle to the centre of either ball
+const float RADIUS = 1.1; // radius of the balls, scene units
+const float APART = 0.8;  // from the lens's centre to the centre of each ball
 
 float lensDistance(vec3 p)
 {

@@ -1,6 +1,5 @@
-// Solution of exercise 05.1: the ring turns about its own axis, once in 20 seconds. The new rotation
-// stands on the right of those that it has: it is the first to be applied to the ring, before the ring
-// is laid on the water.
+// Solution of exercise 05.1: the ring turns about its own axis, once in 20 seconds. The new
+// rotation is the rightmost factor, so it is applied first, before the ring is laid on the water.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
 #include "05_transforms.frag"

@@ -1,11 +1,11 @@
-// Solution of exercise 05.2: the ball is a lens, flattened along its own axis by a linear map. The code
-// holds its inverse M; the distance is divided by the largest stretch of M.
+// Solution of exercise 05.2: the ball is a lens, flattened along its own axis by a linear map. The
+// code contains the inverse M of this map, and divides the distance by the largest stretch of M.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "05_transforms.frag"
 #undef sceneDistance
 
-uniform float flatness; // 0.5 in [0.2, 1] step 0.05: height of the ball over its width
+uniform float flatness; // 0.5 in [0.2, 1] step 0.05: ratio of the ball's height to its width
 uniform bool  divided;  // true: divide by the largest stretch
 
 float sceneDistance(vec3 p)

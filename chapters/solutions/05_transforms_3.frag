@@ -1,12 +1,12 @@
-// Solution of exercise 05.3: the ball has bumps. It is displaced by the product of three sines, whose
-// slope is nowhere more than height times fineness.
+// Solution of exercise 05.3: the ball has bumps. It is displaced by a product of three sines, whose
+// slope is at most height times fineness.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "05_transforms.frag"
 #undef sceneDistance
 
 uniform float bumpHeight; // 0.03 in [0, 0.1] step 0.005, scene units: height of a bump
-uniform float fineness;   // 16 in [1, 40] step 1, radians per scene unit: how close the bumps stand
+uniform float fineness;   // 16 in [1, 40] step 1, radians per scene unit: how close together the bumps are
 
 float sceneDistance(vec3 p)
 {

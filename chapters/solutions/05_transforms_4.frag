@@ -1,6 +1,7 @@
-// Solution of exercise 05.4: a bound for this ray alone. Along a direction D the height over the water
-// falls by at most |D.y| + slope |(D.x, D.z)| per scene unit, which is less than sqrt(1 + slope^2) for
-// a ray that grazes the sea: longer steps, still safe. Only the first march knows its direction here.
+// Solution of exercise 05.4: a bound for one ray. Along a direction D, the height above the water
+// falls by at most |D.y| + slope |(D.x, D.z)| per scene unit. For a ray that grazes the sea, this
+// is less than sqrt(1 + slope^2), so the steps are longer but still safe. Only the direction of the
+// first march is known here.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #define pixelRay chapterPixelRay
@@ -8,9 +9,9 @@
 #undef sceneDistance
 #undef pixelRay
 
-uniform bool directed; // true: the bound of the ray in place of the bound of every direction
+uniform bool directed; // true: use the bound for the ray instead of the bound for every direction
 
-float fall; // the most by which the height over the water falls along the first march's ray
+float fall; // bound of the fall of the height above the water, per unit of the first march's ray
 
 Ray pixelRay(vec2 screen)
 {

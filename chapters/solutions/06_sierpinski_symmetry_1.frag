@@ -1,22 +1,23 @@
-// Solution of exercise 06.1: the Sierpinski triangle in the plane. Two folds a level, three copies.
+// Solution of exercise 06.1: the Sierpinski triangle in the plane. Two folds per level give three
+// copies.
 //
-// The experiment draws it; its own sceneDistance, the letter's, is kept aside under another name.
+// The experiment draws it. A macro renames the experiment's own sceneDistance, that of the letter.
 #include "main.glsl"
 #define sceneDistance letterDistance
 #include "experiments/06_fold.frag"
 #undef sceneDistance
 
-uniform int levels; // 6 in [0, 12]: how often each triangle is cut in three
+uniform int levels; // 6 in [0, 12]: how often each triangle is divided into three
 
-const float RADIUS = 1.7; // from the middle to a corner, units
+const float RADIUS = 1.7; // from the centre to a corner, units
 
-// The triangle's three lines. Inside exact; outside between d / 2 and d.
+// The distance by the triangle's three lines: exact inside, between d / 2 and d outside.
 float sdTriangleLines(vec3 p, float radius)
 {
     return max(0.8660254 * abs(p.x) + 0.5 * p.y, -p.y) - 0.5 * radius;
 }
 
-// The mirrors stand halfway between the upper corner, from which q is measured, and the other two.
+// The mirrors are halfway between the upper corner, from which q is measured, and the other two.
 float sceneDistance(vec3 p)
 {
     vec3 q = p - vec3(0.0, RADIUS - 0.35, 0.0);

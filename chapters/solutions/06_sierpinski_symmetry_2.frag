@@ -1,19 +1,20 @@
-// Solution of exercise 06.2: 6^n octahedra. Three folds bring a point to the octant where all coordinates
-// are positive, two more to the side of the corner (1, 0, 0).
+// Solution of exercise 06.2: 6^m octahedra. Three folds bring a point to the octant where all
+// coordinates are positive, and two more to the side of the corner (1, 0, 0).
 //
-// The chapter's calls into the library are turned into calls of the functions here.
+// Macros replace the chapter's calls into the library with calls of the functions here.
 #include "main.glsl"
 #include "symmetry.glsl"
 #include "bounds.glsl"
 
-// The octahedron with corners at size along the axes. Inside exact; outside between d / sqrt(3) and d.
+// The octahedron with its corners on the axes, at size: exact inside, between d / sqrt(3) and d
+// outside.
 float sdOctahedronPlanes(vec3 p, float size)
 {
     p = abs(p);
     return (p.x + p.y + p.z - size) * 0.57735027;
 }
 
-// As foldToCorner, q is measured from size (1, 1, 1), where no corner is here.
+// As in foldToCorner, q is measured from size (1, 1, 1), where the octahedron has no corner.
 vec3 foldToTip(vec3 q, float size)
 {
     vec3 p = abs(q + size);

@@ -1,6 +1,7 @@
-// Solution of exercise 06.3: the exact distance in place of the planes'. Fewer steps, each of which costs more.
+// Solution of exercise 06.3: the exact distance instead of the distance by planes. The march takes
+// fewer steps, but each costs more.
 //
-// The chapter's call of sdSierpinskiPlanes is turned into a call of sdSierpinski.
+// A macro replaces the chapter's call of sdSierpinskiPlanes with a call of sdSierpinski.
 #include "main.glsl"
 #include "symmetry.glsl"
 #define sdSierpinskiPlanes sdSierpinski

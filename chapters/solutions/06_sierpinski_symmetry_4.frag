@@ -1,12 +1,12 @@
-// Solution of exercise 06.4: no more levels than the eye can tell apart. A tetrahedron is cut while its
-// edge is longer than detail footprints, as seen from the eye.
+// Solution of exercise 06.4: no more levels than the eye can distinguish. A tetrahedron is divided
+// while its edge, as seen from the eye, is longer than detail half pixels.
 //
-// The chapter's call of sdSierpinskiPlanes is turned into a call of seenPyramid.
+// A macro replaces the chapter's call of sdSierpinskiPlanes with a call of seenPyramid.
 #include "main.glsl"
 #include "cone.glsl"
 #include "symmetry.glsl"
 
-uniform float detail; // 4 in [1, 64] step 1, half pixels: edges that are shorter are not cut
+uniform float detail; // 4 in [1, 64] step 1, half pixels: shorter edges are not divided
 
 vec3 scenePoint(vec3 p);
 
@@ -21,7 +21,7 @@ float seenPyramid(vec3 p, float size, int levels)
 #define sdSierpinskiPlanes seenPyramid
 #include "06_sierpinski_symmetry.frag"
 
-// The way back from the pyramid's axes: the transposed matrix.
+// From the pyramid's coordinates back to the scene, with the transposed matrix.
 vec3 scenePoint(vec3 p)
 {
     return p * TO_PYRAMID + PYRAMID;

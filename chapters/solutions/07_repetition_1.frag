@@ -1,7 +1,7 @@
 // Solution of exercise 07.1: five times five lanterns instead of a field without end.
 //
-// The chapter's calls of cellOf are turned into calls of cellOfFive. cellOthers may stay: where there
-// are fewer lanterns than it thinks it is too careful, and never too bold.
+// A macro replaces the chapter's calls of cellOf with calls of cellOfFive. cellOthers need not
+// change: where there are fewer lanterns than it assumes, it is still a lower bound.
 #include "main.glsl"
 #include "repetition.glsl"
 

@@ -1,13 +1,13 @@
-// Solution of exercise 07.3: towers from 0.5 to 12 high, which fill their cells. Four towers are
-// asked, and the wall of their block is the farthest a step may go.
+// Solution of exercise 07.3: towers of height 0.5 to 12, which fill their cells. Four towers are
+// evaluated, and no step goes farther than the wall of their block.
 //
-// The experiment's own sceneDistance is kept aside under another name.
+// A macro renames the experiment's own sceneDistance, which is not used.
 #include "main.glsl"
 #define sceneDistance latticeDistance
 #include "experiments/07_lattice.frag"
 #undef sceneDistance
 
-uniform bool walled; // true: no step is longer than the way to the block's wall
+uniform bool walled; // true: no step is longer than the distance to the block's wall
 
 const float CELL = 2.0;
 

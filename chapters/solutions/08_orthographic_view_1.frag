@@ -1,4 +1,5 @@
-// Solution of exercise 08.1: perspective to the left of the middle, parallel rays to the right of it.
+// Solution of exercise 08.1: perspective to the left of the middle, parallel rays to the right of
+// it.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
 #include "08_orthographic_view.frag"

@@ -1,5 +1,5 @@
-// Solution of exercise 08.3: a fish-eye. The angle to the view's axis grows in proportion to the
-// distance from the picture's middle, so that even a half turn fits.
+// Solution of exercise 08.3: a fish-eye. The angle between the ray and the axis of the view is
+// proportional to the distance from the centre of the picture, so even 180 degrees are possible.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
 #include "08_orthographic_view.frag"

@@ -1,11 +1,11 @@
-// Solution of exercise 08.4: reversed perspective, u beyond 1. The rays meet in a point before the
-// eye, and what is farther is larger.
+// Solution of exercise 08.4: reversed perspective, with u greater than 1. The rays meet at a point
+// in front of the camera, and farther objects are larger.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
 #include "08_orthographic_view.frag"
 #undef pixelRay
 
-uniform float beyond; // 1.3 in [1, 1.6] step 0.05: u, the place on the passage
+uniform float beyond; // 1.3 in [1, 1.6] step 0.05: u, the position in the passage
 
 Ray pixelRay(vec2 screen)
 {

@@ -4,8 +4,8 @@
 #include "09_sky_and_sunset.frag"
 #undef rayColour
 
-uniform float latitude;    // 43.6 in [-66, 66] step 1, degrees: of the city
-uniform float declination; // -23.44 in [-23.44, 23.44] step 1, degrees: of the sun; lowest in December
+uniform float latitude;    // 43.6 in [-66, 66] step 1, degrees: latitude of the city
+uniform float declination; // -23.44 in [-23.44, 23.44] step 1, degrees: declination of the sun; lowest in December
 
 vec3 rayColour(Ray ray)
 {

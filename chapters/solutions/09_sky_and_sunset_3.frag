@@ -1,5 +1,6 @@
-// Solution of exercise 09.3: chapter 07's form. Ask the cell and its nearer neighbours, four in all,
-// and cap by the wall of these four cells together.
+// Solution of exercise 09.3: the other method of chapter 07. It evaluates the cell and its nearer
+// neighbours, four in all, and caps the result with the distance to the outer wall of these four
+// cells plus GAP.
 #include "main.glsl"
 #define sceneDistance oneCellDistance
 #include "09_sky_and_sunset.frag"

@@ -1,14 +1,15 @@
-// Solution of exercise 09.4: stars. The sphere of the sky turns about the celestial pole; each small
-// square of a cube round it holds one star or none, as an integer hash of the square says.
+// Solution of exercise 09.4: stars. The celestial sphere turns about the pole. Each small square on
+// a cube around it contains one star or none, as an integer hash of the square decides.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "09_sky_and_sunset.frag"
 #undef rayColour
 
-uniform float starSize; // 0.003 in [0.0005, 0.01] step *1.2, radians: radius of a star as it is drawn
+uniform float starSize; // 0.003 in [0.0005, 0.01] step *1.2, radians: radius of a star in the picture
 
-// The direction in a frame that turns with the sun: its third axis is the pole, its first lies in the
-// plane of the equator and has the sun's hour angle, its second is a quarter turn further west.
+// The direction in a frame that turns with the sun. Its third axis is the pole. Its first axis lies
+// in the plane of the equator and has the sun's hour angle, and its second is a quarter turn
+// further west.
 vec3 starFrame(vec3 direction)
 {
     float angle = radians(15.0 * (hour() - 12.0)), latitude = radians(LATITUDE);
@@ -17,8 +18,8 @@ vec3 starFrame(vec3 direction)
     return vec3(meridian * cos(angle) + west * sin(angle), west * cos(angle) - meridian * sin(angle), pole);
 }
 
-// The star of a square: its place in the square (x, y), away from the rim, and its light (z), which is
-// 0 for most squares.
+// The star of a square: its position in the square (x, y), away from the edges, and its light (z),
+// which is 0 for most squares.
 vec3 starOf(ivec3 square)
 {
     float random = cellRandom(square);

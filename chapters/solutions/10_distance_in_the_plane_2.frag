@@ -1,4 +1,5 @@
-// Solution of exercise 10.2: a star of five crossing sides, filled where the outline turns round a point.
+// Solution of exercise 10.2: a star of five crossing sides, filled where the outline winds around a
+// point.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "10_distance_in_the_plane.frag"
@@ -8,8 +9,8 @@ const vec2 CROSSED[POLYGON_CORNERS] = vec2[POLYGON_CORNERS](
     vec2(0.0, 0.95), vec2(0.559, -0.769), vec2(-0.904, 0.294), vec2(0.904, 0.294), vec2(-0.559, -0.769), vec2(0.0),
     vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
 
-// The distance to the nearest side; inside is where the sides turn round p, which a rising side to the right of
-// p does once to the left, and a falling one once to the right.
+// The distance to the nearest side. A point p is inside if the outline winds around it: a rising
+// side to the right of p adds one anticlockwise turn, a falling side one clockwise turn.
 float windingPolygon(vec2 p, vec2 corner[POLYGON_CORNERS], int count)
 {
     float nearest = 1e6;

@@ -1,4 +1,5 @@
-// Solution of exercise 10.4: a lamp at the ray's start. What it does not see lies in shadow.
+// Solution of exercise 10.4: a lamp at the ray's start. Points that its light does not reach are in
+// shadow.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "10_distance_in_the_plane.frag"

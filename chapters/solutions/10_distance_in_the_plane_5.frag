@@ -1,12 +1,12 @@
-// Solution of exercise 10.5: the ring of the still life has a square for its cross-section, which stands on a
-// corner. It keeps clear of the axis, so its distance is exact.
+// Solution of exercise 10.5: the ring of the still life has a square cross-section, which rests on
+// a corner. The square does not reach the axis, so the distance is exact.
 #include "transform.glsl"
 #include "plane.glsl"
 #include "solids.glsl"
 
 // A ring around the y axis.
-//   radius      from the axis to the middle of the square, scene units
-//   halfHeight  from there to a corner
+//   radius      from the axis to the centre of the square, scene units
+//   halfHeight  from the centre to a corner
 float squareRing(vec3 p, float radius, float halfHeight)
 {
     vec2 q = opRevolve(p, radius);

@@ -1,12 +1,12 @@
-// Solution of exercise 10.6: the wall's function is divided by its largest slope, whatever the twist and the
-// taper.
+// Solution of exercise 10.6: the wall's function is divided by its largest slope, whatever the
+// twist and the taper.
 #include "main.glsl"
 #define sceneDistance experimentDistance
 #include "experiments/10_twisted.frag"
 #undef sceneDistance
 
-// The length of (1, |c| sqrt(taper^2 + twist^2)), where c, the point of the figure that is nearest, is at most
-// REACH from its middle.
+// The length of (1, |g| sqrt(taper^2 + twist^2)), where g, the nearest point of the figure, is at
+// most REACH from its centre.
 float steepest()
 {
     return sqrt(1.0 + REACH * REACH * (taper * taper + twist * twist));

@@ -1,4 +1,5 @@
-// Solution of exercise 10.7: what two discs have in common, exact. Beyond its tips the nearest point is a tip.
+// Solution of exercise 10.7: the exact distance to the intersection of two discs. Beyond the tips,
+// the nearest point is a tip.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "10_distance_in_the_plane.frag"
@@ -10,8 +11,8 @@ float sdLens(vec2 p, float radius, float apart)
 {
     p = abs(p);
     float tip = sqrt(radius * radius - apart * apart);
-    // On the right side the boundary is an arc around the left centre, up to the tip: p is in its sector
-    // where it lies under the line from that centre through the tip.
+    // On the right the outline is an arc around the left centre, up to the tip. p is in its sector
+    // if it lies under the line from that centre through the tip.
     vec2 q = p + vec2(apart, 0.0);
     return q.y * apart <= q.x * tip ? length(q) - radius : length(p - vec2(0.0, tip));
 }

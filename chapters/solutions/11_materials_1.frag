@@ -1,7 +1,7 @@
-// Solution of exercise 11.1: the jug is glazed from its shoulder up. Its shape is asked nothing new; the point
-// that was hit says where on the jug it lies.
+// Solution of exercise 11.1: the jug is glazed from its shoulder up. The march evaluates nothing
+// new; the height of the hit determines which part of the jug it is.
 //
-// The chapter's own materialAt is kept aside under another name, and rayColour, which calls it, is written anew.
+// The chapter's own materialAt is renamed, and rayColour, which calls it, is replaced.
 #include "main.glsl"
 #define materialAt chapterMaterialAt
 #define rayColour chapterRayColour

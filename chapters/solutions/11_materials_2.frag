@@ -1,6 +1,7 @@
 // Solution of exercise 11.2: all blends quadratic, each with the share that belongs to it.
 //
-// The chapter's calls of opSmoothUnion and smoothUnionShare are turned into calls of the others.
+// The chapter's calls of opSmoothUnion and smoothUnionShare are replaced by calls of the quadratic
+// functions.
 #include "main.glsl"
 #include "combine.glsl"
 

@@ -1,6 +1,7 @@
-// Solution of exercise 11.4: whole balls, five a side. The repetition is limited, and nothing is cut.
+// Solution of exercise 11.4: whole balls, five along each side. The repetition is limited, and
+// nothing is cut.
 //
-// The experiment's own sceneDistance is kept aside under another name.
+// The experiment's own sceneDistance is renamed.
 #include "main.glsl"
 #define sceneDistance cutDistance
 #include "experiments/11_lattice.frag"

@@ -1,6 +1,7 @@
-// Solution of exercise 11.5: a blend of three that has no order, and its shares.
+// Solution of exercise 11.5: a blend of three balls that does not depend on their order, and its
+// shares.
 //
-// The experiment's sceneDistance, ballMaterial, and rayColour, which calls it, are written anew.
+// The experiment's sceneDistance, ballMaterial, and rayColour, which calls it, are replaced.
 #include "main.glsl"
 #define sceneDistance nestedDistance
 #define ballMaterial nestedMaterial
@@ -10,10 +11,10 @@
 #undef ballMaterial
 #undef sceneDistance
 
-const float WIDTH = 0.15; // of the blend, scene units
+const float WIDTH = 0.15; // width of the blend, scene units
 
-// For each ball exp(-distance / WIDTH), with the least distance taken away first: else far from all balls each
-// would be 0 to a float.
+// For each ball exp(-distance / WIDTH), after the smallest distance is subtracted. Otherwise, far
+// from all balls, every value would be rounded to 0.
 vec3 weights(vec3 ball, float least)
 {
     return exp((least - ball) / WIDTH);

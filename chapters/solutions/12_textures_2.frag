@@ -1,10 +1,10 @@
-// Solution of exercise 12.2: a threshold in place of a power. What a side gives is 0 below it.
+// Solution of exercise 12.2: a threshold instead of a power. Below it the weight of a side is 0.
 //
-// The chapter's call of planeWeights is turned into a call of thresholdWeights.
+// The chapter's call of planeWeights is replaced by a call of thresholdWeights.
 #include "main.glsl"
 #include "texture.glsl"
 
-uniform float threshold; // 0.5 in [0, 0.57] step 0.01: a side counts by how much |normal| exceeds it
+uniform float threshold; // 0.5 in [0, 0.57] step 0.01: the weight of a side is the amount by which |normal| exceeds it
 
 vec3 thresholdWeights(vec3 normal, float sharpness)
 {

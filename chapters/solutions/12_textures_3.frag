@@ -1,6 +1,6 @@
 // Solution of exercise 12.3: ridges. Every octave is folded at 1/2, which doubles its slope.
 //
-// The chapter's calls of octaveNoise and octaveStretch are turned into calls of these.
+// The chapter's calls of octaveNoise and octaveStretch are replaced by calls of these functions.
 #include "main.glsl"
 #include "noise.glsl"
 

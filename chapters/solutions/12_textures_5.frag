@@ -1,7 +1,8 @@
-// Solution of exercise 12.5: long pixels. Eight lookups along the ellipse, each as wide as its short axis or an
-// eighth of its long one.
+// Solution of exercise 12.5: long pixels. Eight lookups along the ellipse, each as wide as the
+// short axis and as long as an eighth of the long one.
 //
-// The chapter's calls of textureOnSlide, for plank and cloth, are turned into calls of textureAlong.
+// The chapter's calls of textureOnSlide, for plank and cloth, are replaced by calls of
+// textureAlong.
 #include "main.glsl"
 #include "texture.glsl"
 

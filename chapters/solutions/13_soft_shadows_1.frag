@@ -1,4 +1,5 @@
-// Solution of exercise 13.1: the penumbra falls as a disc is covered, not in a straight line.
+// Solution of exercise 13.1: in the penumbra the light falls as the visible share of a disc, not
+// linearly.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"

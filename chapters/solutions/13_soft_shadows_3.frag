@@ -1,4 +1,4 @@
-// Solution of exercise 13.3: a square window in place of the disc.
+// Solution of exercise 13.3: a square window instead of the disc.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"

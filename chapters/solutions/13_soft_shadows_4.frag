@@ -1,10 +1,10 @@
-// Solution of exercise 13.4: one ray a sample, and each sample has a cell of its own.
+// Solution of exercise 13.4: one ray per sample, and each sample has its own cell.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
 #undef rayColour
 
-// One ray of iSamples, which is a square number.
+// The result of one of iSamples rays; iSamples is a square number.
 float oneReaching(Ray ray, float far)
 {
     int side = int(sqrt(float(iSamples)) + 0.5);

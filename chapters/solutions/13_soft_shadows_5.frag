@@ -1,12 +1,12 @@
-// Solution of exercise 13.5: the march goes on inside. There distance / t is negative: how far the ray is
-// behind the edge. One closed form maps both sides.
+// Solution of exercise 13.5: the march goes on inside. There distance / t is negative and tells how
+// far the ray is behind the edge. One closed form maps both sides.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "13_soft_shadows.frag"
 #undef rayColour
 
-// The smallest distance / t, at least -spread; with steps of at least a fiftieth of the way, it passes
-// through what it meets.
+// The smallest distance / t, from spread down to about -spread. With steps of at least a fiftieth
+// of t, the march passes through the objects that it meets.
 float signedClearance(Ray ray, float far)
 {
     float t = hitThreshold, smallest = spread;

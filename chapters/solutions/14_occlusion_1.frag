@@ -1,4 +1,4 @@
-// Solution of exercise 14.1: near taps count more, and an open floor still has 1.
+// Solution of exercise 14.1: near taps count more, and an open floor still gets 1.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

@@ -1,4 +1,5 @@
-// Solution of exercise 14.2: the two box trees hide a part of the sky, in closed form, and nothing else does.
+// Solution of exercise 14.2: the two box trees hide part of the sky, in closed form, and nothing
+// else does.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

@@ -1,4 +1,5 @@
-// Solution of exercise 14.3: a sky three times as bright above as at the horizon; an open floor gets as much as before.
+// Solution of exercise 14.3: a sky three times as bright at the zenith as at the horizon; an open
+// floor gets as much as before.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

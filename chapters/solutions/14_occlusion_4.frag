@@ -1,5 +1,6 @@
-// Solution of exercise 14.4: one bounce by rays. Each ray that does not reach the sky brings what the place that it meets sends
-// back, and that place is lit by its own share of the sky, by five taps.
+// Solution of exercise 14.4: one bounce with rays. Each ray that does not reach the sky brings back
+// the light reflected by the point that it hits, and that point is lit according to its own
+// openness, from five taps.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

@@ -1,14 +1,16 @@
-// Solution of exercise 15.2: an even layer of fog up to the height fogScale, and clear air above it.
+// Solution of exercise 15.2: a uniform layer of fog up to the height fogScale, and clear air above
+// it.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "15_the_picture.frag"
 #undef rayColour
 
-// How much of a way lies in the layer: what is in front of its top, or what is behind it.
+// The length of a path inside the layer: the part before the ray crosses its top, or the part after
+// that.
 //   height, climb, t  as of fogDepth
 float inLayer(float height, float climb, float t)
 {
-    climb = abs(climb) < 1e-6 ? 1e-6 : climb;   // a level ray climbs a little
+    climb = abs(climb) < 1e-6 ? 1e-6 : climb;   // a level ray is treated as climbing a little
     float top = (fogScale - height) / climb;    // where the ray crosses the layer's top
     float crossed = clamp(top, 0.0, t);
     return climb > 0.0 ? crossed : t - crossed;

@@ -1,4 +1,4 @@
-// Solution of exercise 15.5: a plane in focus that leans. Its distance differs from ray to ray.
+// Solution of exercise 15.5: a tilted plane in focus. Its distance differs from ray to ray.
 #include "main.glsl"
 #define pixelRay chapterPixelRay
 #include "15_the_picture.frag"
@@ -7,7 +7,7 @@
 Ray pixelRay(vec2 screen)
 {
     Ray ray = perspectiveRay(filteredScreen(screen, kernel, jitter, 0));
-    vec3 normal = normalize(iCameraForward - iCameraRight);            // half a right angle to the view
+    vec3 normal = normalize(iCameraForward - iCameraRight);            // at 45 degrees to the view
     float t = focus * dot(iCameraForward, normal) / max(dot(ray.direction, normal), 0.01);
     return lensRay(ray, sampleDisc(2), aperture, t * dot(ray.direction, iCameraForward));
 }

@@ -1,5 +1,6 @@
-// Solution of exercise 16.3: over the walk the best factor is known beforehand: 2 / (1 + s), s the sine of the
-// angle at which the ray meets it. Left of the divider, where the factor is 1, it stays 1.
+// Solution of exercise 16.3: over the walk the best factor is known in advance. It is 2 / (1 + s),
+// where s is the sine of the angle at which the ray meets the walk. Left of the divider the factor
+// remains 1.
 #include "main.glsl"
 #include "relaxed.glsl"
 

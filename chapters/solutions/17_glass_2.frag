@@ -1,4 +1,5 @@
-// Solution of exercise 17.2: a bubble of air in the ball. The largest of two distances is exact inside.
+// Solution of exercise 17.2: a bubble of air in the ball. The larger of two distances is exact
+// inside.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "17_glass.frag"

@@ -1,5 +1,5 @@
-// Solution of exercise 17.4: what is left when the surfaces run out comes from the room, as if no more glass stood in
-// the way.
+// Solution of exercise 17.4: the light that is left when the number of surfaces runs out comes from
+// the room, as if there were no more glass in its path.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "17_glass.frag"

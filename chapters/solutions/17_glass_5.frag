@@ -1,4 +1,5 @@
-// Solution of exercise 17.5: each sample takes wavelengths of its own, from the same parts of the spectrum.
+// Solution of exercise 17.5: each sample has its own wavelengths, from the same parts of the
+// spectrum.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "17_glass.frag"

@@ -1,5 +1,6 @@
-// Exercise 18.1: the table as the article draws it: to the right the sine of the sun's height, from -0.28 to 1, upwards
-// that of the direction's, from 0 to 1, on the sun's side.
+// Solution of exercise 18.1: the table as the article draws it, on the side of the sun. The sine of
+// the sun's height increases to the right, from -0.28 to 1, that of the direction upwards, from 0
+// to 1.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"

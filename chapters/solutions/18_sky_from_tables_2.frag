@@ -1,11 +1,12 @@
-// Exercise 18.2: an eclipse. The moon stands a little above the sun, and hides it and its halo.
+// Solution of exercise 18.2: an eclipse. The moon is a little above the sun and hides it and its
+// halo.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"
 #undef rayColour
 
 uniform float moonRadius; // 0.259 in [0.1, 5] step 0.1, degrees: of the moon; the article's is 1.7
-uniform float apart;      // 0.1 in [-3, 3] step 0.05, degrees: by how much the moon stands above the sun
+uniform float apart;      // 0.1 in [-3, 3] step 0.05, degrees: height of the moon above the sun
 
 vec3 rayColour(Ray ray)
 {

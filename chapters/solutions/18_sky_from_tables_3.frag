@@ -1,11 +1,12 @@
-// Exercise 18.3: a sky by a painter. painted_sky.png has two storeys, below the half that holds the sun, above the other
-// one; each goes to the right from the sun's sine -1 to 1, upwards from the direction's sine 0 to 1.
+// Solution of exercise 18.3: a painted sky. painted_sky.png has two storeys: the lower one for the
+// half that contains the sun, the upper one for the other half. In each, the sine of the sun's
+// height increases to the right, from -1 to 1, and that of the direction upwards, from 0 to 1.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"
 #undef rayColour
 
-uniform sampler2D painted; // "painted_sky.png" sRGB clamp: the colours as the screen is to show them
+uniform sampler2D painted; // "painted_sky.png" sRGB clamp: the colours as the screen should show them
 
 const float SIDE = 64.0; // columns, and rows of a storey
 
@@ -21,7 +22,7 @@ vec3 rayColour(Ray ray)
     Place place = placeAlong(ray);
     vec3 d = place.leaves;
     float a = dot(d.xz, sun.xz) / max(length(d.xz) * length(sun.xz), 1e-6);
-    // The paint is what is seen: the light is that which the exposure turns into it.
+    // The paint is the final colour: find the light that the exposure turns into it.
     vec3 light = mix(paintedColour(sun.y, d.y, 1.0), paintedColour(sun.y, d.y, 0.0), 0.5 + 0.5 * a);
     light = exposed(light, -hourStops(sun.y));
     return developed(placeLight(place, light, sun), sun);

@@ -1,5 +1,6 @@
-// Exercise 18.4: the light of the sky on the islet from the tables themselves: the mean of twelve directions, three of
-// the sine of whose height divide a level surface's share evenly, four of the level angle.
+// Solution of exercise 18.4: the light of the sky on the islet, from the tables themselves. It is
+// the mean of twelve directions: four horizontal angles, and three heights that represent equal shares
+// of the light on a horizontal surface.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #define tableAmbient closedAmbient

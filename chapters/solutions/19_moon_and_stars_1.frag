@@ -1,20 +1,25 @@
-// Solution of exercise 19.1: the lines of a star chart, each hour of right ascension and each 15 degrees of declination.
+// Solution of exercise 19.1: the lines of a star chart, one for each hour of right ascension and
+// one for each 15 degrees of declination.
 #include "main.glsl"
 #include "cone.glsl"
 #include "night.glsl"
 #include "coverage.glsl"
 
-// A line every whole number, 1 where the pixel is wholly covered; thin where its width is.
-float lineAt(float x, float width)
+// A line at every 15 degrees of an angle: the share of the pixel that it covers. How far the angle is
+// from the nearest line comes from its sine, because a driver's atan may be inexact.
+//   along  cosine and sine of the angle, not both 0
+//   width  of the pixel, radians
+float lineAt(vec2 along, float width)
 {
-    return coverage(0.5 * width - abs(x - round(x)), width);
+    float line = NIGHT_PI / 12.0 * round(atan(along.y, along.x) * 12.0 / NIGHT_PI);
+    return coverage(0.5 - abs(along.y * cos(line) - along.x * sin(line)) / width, 1.0);
 }
 
 vec3 chartLight(vec3 direction)
 {
-    float width = 2.0 * pixelSpread(), across = max(length(direction.xy), 0.02);
-    float hour = atan(direction.y, direction.x) * 12.0 / NIGHT_PI, parallel = asin(direction.z) * 12.0 / NIGHT_PI;
-    float meridians = lineAt(hour, width * 12.0 / NIGHT_PI / across), parallels = lineAt(parallel, width * 12.0 / NIGHT_PI);
+    float width = 2.0 * pixelSpread(), level = length(direction.xy), across = max(level, 0.02);
+    vec2 hour = level > 0.0 ? direction.xy / level : vec2(1.0, 0.0);
+    float meridians = lineAt(hour, width / across), parallels = lineAt(vec2(level, direction.z), width);
     return milkyWay(direction) + max(meridians, parallels) * vec3(2e-7, 6e-7, 8e-7);
 }
 

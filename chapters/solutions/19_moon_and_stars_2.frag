@@ -1,8 +1,8 @@
-// Solution of exercise 19.2: a moon that the shadow of the earth crosses.
+// Solution of exercise 19.2: a moon that crosses the shadow of the Earth.
 #include "main.glsl"
 #include "night.glsl"
 
-// The shadow's middle lies opposite the sun; out there it is 2.65 moons wide.
+// The centre of the shadow lies opposite the sun; at the moon its radius is 2.65 radii of the moon.
 vec3 eclipsedFace(sampler2D face, vec2 place, float width, vec3 toSun, float relief)
 {
     vec3 light = moonFace(face, place, width, toSun, relief);

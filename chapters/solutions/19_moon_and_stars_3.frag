@@ -1,8 +1,9 @@
-// Solution of exercise 19.3: the guest star of the year 1054, of magnitude -6, in the constellation Taurus.
+// Solution of exercise 19.3: the guest star of the year 1054, of magnitude -6, in the constellation
+// Taurus.
 #include "main.glsl"
 #include "night.glsl"
 
-const float RIGHT = 83.63;       // its place among the stars, degrees: right ascension
+const float RIGHT = 83.63;       // its position among the stars, degrees: right ascension
 const float HIGH = 22.01;        // and declination
 const float BRIGHTNESS = -6.0;   // its magnitude
 

@@ -1,4 +1,4 @@
-// Chapter 20, exercise 1: the high layer over a flat Earth.
+// Solution of exercise 20.1: the high layer over a flat Earth.
 #include "main.glsl"
 #include "clouds.glsl"
 

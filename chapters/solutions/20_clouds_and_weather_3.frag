@@ -1,4 +1,4 @@
-// Chapter 20, exercise 3: clouds before the sun throw a shadow on coast and sea.
+// Solution of exercise 20.3: clouds in front of the sun cast a shadow on coast and sea.
 #include "main.glsl"
 #define rayColour chapterColour
 #include "20_clouds_and_weather.frag"

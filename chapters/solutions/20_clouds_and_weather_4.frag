@@ -1,13 +1,13 @@
-// Chapter 20, exercise 4: a rainbow.
+// Solution of exercise 20.4: a rainbow.
 #include "main.glsl"
 #define rayColour chapterColour
 #include "20_clouds_and_weather.frag"
 #undef rayColour
 
-// The light of the bow in a direction: bands round the point opposite the sun.
+// The light of the bow in a direction: bands around the point opposite the sun.
 vec3 rainbow(vec3 direction, Lights lights)
 {
-    float angle = degrees(acos(clamp(-dot(direction, lights.sun), -1.0, 1.0)));
+    float angle = degrees(atan(length(cross(direction, lights.sun)), -dot(direction, lights.sun)));
     vec3 off = (angle - vec3(42.4, 41.6, 40.7)) / 0.6;
     return 0.06 * rainShare(weather) * lights.strength * tableSunlight(lights.sun) * exp(-off * off);
 }

@@ -1,6 +1,6 @@
-// Solution of exercise 21.1: Fresnel's own formula for water, in place of Schlick's.
+// Solution of exercise 21.1: Fresnel's own formula for water, instead of Schlick's.
 //
-// The chapter's call of schlickShare is turned into a call of waterShare.
+// The chapter's call of schlickShare becomes a call of waterShare.
 #include "main.glsl"
 #include "fresnel.glsl"
 

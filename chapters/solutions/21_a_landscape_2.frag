@@ -1,10 +1,11 @@
-// Solution of exercise 21.2: snow down to a height that can be set, as late in the year, and grass that ends below it.
+// Solution of exercise 21.2: snow down to an adjustable height, as late in the year, and grass that
+// ends below it.
 //
-// The chapter's call of landColour is turned into a call of winterColour.
+// The chapter's call of landColour becomes a call of winterColour.
 #include "main.glsl"
 #include "valley.glsl"
 
-uniform float snowLine; // 4.3 in [-1, 12] step 0.25, scene units: height in whose middle the rock turns white
+uniform float snowLine; // 4.3 in [-1, 12] step 0.25, scene units: middle of the range of heights in which rock turns white
 
 vec3 winterColour(vec3 p, vec3 direction, vec3 normal, float chance, float width)
 {

@@ -1,6 +1,7 @@
-// Solution of exercise 21.3: gorges for ridges. The fold is turned over, and no bound changes: |grad| is the same.
+// Solution of exercise 21.3: gorges instead of ridges. The fold is turned upside down. No bound
+// changes, because |grad| is the same.
 //
-// All calls of ridged are turned into calls of gorge.
+// All calls of ridged become calls of gorge.
 #include "main.glsl"
 #include "land.glsl"
 

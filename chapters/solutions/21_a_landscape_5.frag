@@ -1,10 +1,10 @@
-// Solution of exercise 21.5: a steep island, with a bound of its own.
+// Solution of exercise 21.5: a steep island with its own bound.
 #include "main.glsl"
 #include "valley.glsl"
 
 const vec2  ISLAND = vec2(7.0, 14.0); // right and ahead of the eye
 const float ISLAND_SLOPE = 1.3;       // 1.54 * 4.2 / 5
-const float ISLAND_RADIUS = 2.0;      // of what stands over the water
+const float ISLAND_RADIUS = 2.0;      // of the part above the water
 
 // A hill on the bottom of the lake: height (x), gradient (yz).
 vec3 island(vec2 q)
@@ -12,7 +12,8 @@ vec3 island(vec2 q)
     return hill(q - ISLAND, vec2(5.0), 4.2) - vec3(3.0, 0.0, 0.0);
 }
 
-// The gap can close no faster than the slope lets it; and over the water nothing stands beyond the radius.
+// The gap closes no faster than the slope allows; and above the water the island has no point
+// outside the radius.
 float islandDistance(vec3 p, int count)
 {
     vec2 q = inValley(p.xz);

@@ -11,7 +11,7 @@ struct live_chapter {
 // Ends with a stem of NULL.
 extern const struct live_chapter live_chapters[];
 
-// What each main calls by the name of chapter_run: the compiler is told so.
+// What each main calls instead of chapter_run, because the compiler renames that.
 struct chapter;
 int live_run(const struct chapter *chapter, int argc, char **argv);
 

@@ -1,8 +1,9 @@
-// glfw.c - the part of GLFW that the harness asks for, over the canvas of a page, which has one
-// window. What the page's script tells of the hands (hands.h), the callbacks of the harness hear.
+// glfw.c - the part of GLFW that the harness uses, over the canvas of a page, which is its only
+// window. Input that the page's script reports (canvas.h) goes to the harness's callbacks.
 //
-// Nothing waits here: the page owns the loop. The clock stands still while nobody sees the page.
-#include "browser/hands.h"
+// Nothing waits here, because the page owns the loop. The clock is stopped while the page is
+// hidden.
+#include "browser/canvas.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -15,7 +16,7 @@
 #include "platform.h"
 
 // Emscripten's library has each by its own name.
-#define WEB_DECLARE(type, name) __typeof__(*(type)NULL) gl##name;
+#define WEB_DECLARE(type, name, arguments) type gl##name arguments;
 GL_FUNCTIONS(WEB_DECLARE)
 #undef WEB_DECLARE
 
@@ -40,14 +41,14 @@ struct GLFWcursor {
 static struct {
     struct GLFWwindow window;
     bool open, hidden, cleared, half;
-    int size[2], pixels[2]; // the canvas's, in the page's units and of its drawing buffer
-    double hidden_at, away; // seconds: when it was hidden last, and for how long before that
-    const char *why;        // of the last failure
+    int size[2], pixels[2]; // of the canvas in the page's units, and of its drawing buffer
+    double hidden_at, away; // seconds: when it was last hidden, and for how long before that
+    const char *why;        // reason of the last failure
 } web = {.size = {960, 540}, .pixels = {960, 540}, .why = ""};
 
 // ---- The functions of OpenGL ----
 
-// WebGL's own finish only flushes. To read a pixel waits for all that was drawn before it.
+// WebGL's own finish only flushes. Reading a pixel waits for everything that was drawn before it.
 static void finish(void)
 {
     GLint target = 0;
@@ -56,8 +57,8 @@ static void finish(void)
     glReadPixels(0, 0, 1, 1, GL_RGBA, target == 0 ? GL_UNSIGNED_BYTE : GL_FLOAT, pixel);
 }
 
-// A browser empties the canvas before the first drawing of a frame, and a blit is none to it: the
-// overlay, drawn after one, would find black.
+// A browser clears the canvas before the first draw of a frame. A blit does not count as a draw, so
+// the overlay, which comes after it, would be drawn over black.
 static void blit(GLint left, GLint bottom, GLint right, GLint top, GLint to_left, GLint to_bottom,
                  GLint to_right, GLint to_top, GLbitfield mask, GLenum filter)
 {
@@ -70,7 +71,7 @@ static void blit(GLint left, GLint bottom, GLint right, GLint top, GLint to_left
     glBlitFramebuffer(left, bottom, right, top, to_left, to_bottom, to_right, to_top, mask, filter);
 }
 
-// Every draw blends: where float targets do not, they are made of halves.
+// Every draw blends. If float targets cannot, half floats are used.
 static void tex_image(GLenum target, GLint level, GLint form, GLsizei width, GLsizei height,
                       GLint border, GLenum format, GLenum type, const void *pixels)
 {
@@ -90,7 +91,7 @@ GLFWglproc glfwGetProcAddress(const char *name)
     for (size_t i = 0; i < sizeof ours / sizeof *ours; i++)
         if (strcmp(name, ours[i].name) == 0)
             return ours[i].function;
-#define WEB_FIND(type, function)                                                                   \
+#define WEB_FIND(type, function, arguments)                                                        \
     if (strcmp(name, "gl" #function) == 0)                                                         \
         return (GLFWglproc)gl##function;
     GL_FUNCTIONS(WEB_FIND)
@@ -109,8 +110,9 @@ GLFWwindow *glfwCreateWindow(int width, int height, const char *title, GLFWmonit
                              GLFWwindow *share)
 {
     static const char *const reasons[] = {
-        [PAGE_NO_WEBGL] = "the browser gives no WebGL 2",
-        [PAGE_NO_FLOATS] = "this device draws into no float targets (EXT_color_buffer_float)"};
+        [PAGE_NO_WEBGL] = "this browser has no WebGL 2",
+        [PAGE_NO_FLOATS] =
+            "this device cannot draw into float targets (EXT_color_buffer_half_float)"};
     (void)title, (void)monitor, (void)share;
     page_size(width, height);
     int found = page_open_context();
@@ -126,7 +128,7 @@ GLFWwindow *glfwCreateWindow(int width, int height, const char *title, GLFWmonit
 
 void glfwMakeContextCurrent(GLFWwindow *window)
 {
-    (void)window; // it is, from the beginning
+    (void)window; // it always is
 }
 
 GLFWwindow *glfwGetCurrentContext(void)
@@ -138,8 +140,7 @@ void glfwDestroyWindow(GLFWwindow *window)
 {
     (void)window;
     page_close_context();
-    web.window =
-        (struct GLFWwindow){.focused = web.window.focused}; // none hears of a size or a key
+    web.window = (struct GLFWwindow){.focused = web.window.focused}; // without callbacks
     web.open = false;
 }
 
@@ -177,7 +178,7 @@ void glfwSwapInterval(int interval)
     (void)interval;
 }
 
-// The browser shows what was drawn once the turn ends.
+// The browser shows the frame when the turn ends.
 void glfwSwapBuffers(GLFWwindow *window)
 {
     (void)window;
@@ -196,13 +197,6 @@ void glfwGetFramebufferSize(GLFWwindow *window, int *width, int *height)
     (void)window;
     *width = web.pixels[0];
     *height = web.pixels[1];
-}
-
-void glfwGetWindowContentScale(GLFWwindow *window, float *x, float *y)
-{
-    (void)window;
-    *x = (float)web.pixels[0] / (float)web.size[0];
-    *y = (float)web.pixels[1] / (float)web.size[1];
 }
 
 int glfwGetWindowAttrib(GLFWwindow *window, int attribute)
@@ -226,49 +220,6 @@ int glfwWindowShouldClose(GLFWwindow *window)
 void glfwSetWindowShouldClose(GLFWwindow *window, int value)
 {
     window->ended = value != GLFW_FALSE;
-}
-
-// Full screen is the page's to ask for: a browser allows it only where a hand has just done
-// something.
-GLFWmonitor **glfwGetMonitors(int *count)
-{
-    *count = 0;
-    return NULL;
-}
-
-GLFWmonitor *glfwGetPrimaryMonitor(void)
-{
-    return NULL;
-}
-
-GLFWmonitor *glfwGetWindowMonitor(GLFWwindow *window)
-{
-    (void)window;
-    return NULL;
-}
-
-const GLFWvidmode *glfwGetVideoMode(GLFWmonitor *monitor)
-{
-    (void)monitor;
-    return NULL;
-}
-
-void glfwGetMonitorPos(GLFWmonitor *monitor, int *x, int *y)
-{
-    (void)monitor;
-    *x = *y = 0;
-}
-
-void glfwGetWindowPos(GLFWwindow *window, int *x, int *y)
-{
-    (void)window;
-    *x = *y = 0;
-}
-
-void glfwSetWindowMonitor(GLFWwindow *window, GLFWmonitor *monitor, int x, int y, int width,
-                          int height, int rate)
-{
-    (void)window, (void)monitor, (void)x, (void)y, (void)width, (void)height, (void)rate;
 }
 
 // ---- Time ----
@@ -297,7 +248,7 @@ void glfwWaitEventsTimeout(double timeout)
     (void)timeout;
 }
 
-// ---- What the hands do ----
+// ---- Input ----
 
 void *glfwGetWindowUserPointer(GLFWwindow *window)
 {
@@ -309,7 +260,7 @@ void glfwSetWindowUserPointer(GLFWwindow *window, void *pointer)
     window->user = pointer;
 }
 
-// glfwSet...Callback: each keeps a function and returns the one before.
+// glfwSet...Callback: each sets a function and returns the previous one.
 #define WEB_CALLBACK(name, type, member)                                                           \
     type glfwSet##name##Callback(GLFWwindow *window, type callback)                                \
     {                                                                                              \
@@ -340,7 +291,7 @@ void glfwSetInputMode(GLFWwindow *window, int mode, int value)
         page_capture(value == GLFW_CURSOR_DISABLED);
 }
 
-// A shape is one of six numbers in a row, from the arrow on.
+// The shapes are six consecutive numbers, beginning with the arrow.
 GLFWcursor *glfwCreateStandardCursor(int shape)
 {
     static struct GLFWcursor cursors[GLFW_VRESIZE_CURSOR - GLFW_ARROW_CURSOR + 1];
@@ -350,18 +301,13 @@ GLFWcursor *glfwCreateStandardCursor(int shape)
     return &cursors[shape - GLFW_ARROW_CURSOR];
 }
 
-void glfwDestroyCursor(GLFWcursor *cursor)
-{
-    (void)cursor;
-}
-
 void glfwSetCursor(GLFWwindow *window, GLFWcursor *cursor)
 {
     (void)window;
     page_cursor(cursor != NULL ? cursor->shape : 0);
 }
 
-// The keyboard's own label, where the browser tells it; else the harness names the American key.
+// The label of the reader's keyboard, if the browser provides it.
 const char *glfwGetKeyName(int key, int scancode)
 {
     static char label[16];
@@ -377,7 +323,7 @@ void live_size(int width, int height, int across, int down)
     web.pixels[0] = across;
     web.pixels[1] = down;
     if (web.window.on_damage != NULL)
-        web.window.on_damage(&web.window); // a canvas of a new size is empty
+        web.window.on_damage(&web.window); // a resized canvas is empty
 }
 
 void live_key(int key, int action, int modifiers)

@@ -1,11 +1,6 @@
-// Takes the place of guard.c in a browser, whose driver works in a process of its own: one that
-// dies takes the context with it, and the page hears of that.
+// Replaces guard.c in a browser, whose driver runs in another process: if it crashes, the page gets
+// an event.
 #include "context/guard.h"
-
-bool guard_stack(void)
-{
-    return true;
-}
 
 void guard_process(void)
 {

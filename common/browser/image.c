@@ -1,5 +1,4 @@
-// Takes the place of image_write.c and image_read.c: the browser writes PNG, and libpng is not
-// there.
+// Replaces the reader and writer of PNG: the browser writes it, and there is no libpng.
 #include "picture/image.h"
 
 #include <stdio.h>
@@ -26,7 +25,7 @@ bool image_write_png(const struct image *image, const char *path)
     return true;
 }
 
-// Turn 16 bits into 8, rounded as libpng rounds them.
+// Convert 16 bits to 8, rounded as libpng rounds them.
 static void round_to_bytes(unsigned char *to, const stbi_us *from, size_t count)
 {
     for (size_t i = 0; i < count; i++)

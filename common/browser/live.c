@@ -7,36 +7,35 @@
 #include "browser/chapters.h"
 #include "browser/state.h"
 #include "chapter.h"
+#include "json.h"
 #include "memory.h"
-#include "picture/pair.h"
+#include "picture/comparison.h"
 #include "platform.h"
 #include "report.h"
+#include "window/ray.h"
 #include "window/state.h"
 #include "window/window.h"
 
-#define ROOT      "/course" // where the page puts the course's files, and the current folder
+#define ROOT      "/course" // the current folder, to which the page writes the course's files
 #define ARGUMENTS 64
 
 static struct {
     struct chapter chapter;
     struct run *run; // NULL before the first start and after a stop
-    const struct live_chapter *at;
-    char *line; // the command line, cut into arguments
+    const struct live_chapter *program;
+    char *line; // the command line, split into arguments
     char *argument[ARGUMENTS + 1];
     int count;
-    bool only_sees; // the next main tells its files and does nothing else
-    char *answer;   // to the page, the last
+    bool visits;  // the next main only visits its files
+    char *answer; // the last one
 } live;
 
-// What a reader has set, while a context that was lost is made again.
+// The reader's state while a lost context is restored.
 static struct {
     bool is;
-    struct renderer_inputs inputs;
-    struct renderer_eye eye;
-    double place[2]; // of the chosen pixel
-    bool paused, folded;
+    struct window window; // for its inputs, ray and flags
     enum shader_view view;
-    struct parameters parameters[2]; // of the picture, and of the second beside it
+    struct parameters parameters[2]; // of the picture, and of the second of a comparison
     double divider;
 } kept;
 
@@ -49,8 +48,9 @@ static void forget(void)
 
 // ---- A command line ----
 
-// Take one word off a line, as a shell does, without its quotes. Returns the rest; NULL: no word.
-static char *take_word(char *c, char **word)
+// Split the first word off a line as a shell does, without its quotes. Returns the rest, or NULL if
+// there is no word.
+static char *split_word(char *c, char **word)
 {
     c += strspn(c, " \t\n");
     if (*c == '\0')
@@ -68,44 +68,43 @@ static char *take_word(char *c, char **word)
     return rest;
 }
 
-// Cut a command line into what a main gets. Returns false, reported.
-static bool cut(const char *stem, const char *line)
+// Split a command line into the arguments of a main. Returns false, reported.
+static bool split(const char *stem, const char *line)
 {
-    live.at = live_chapters;
-    while (live.at->stem != NULL && strcmp(live.at->stem, stem) != 0)
-        live.at++;
-    if (live.at->stem == NULL)
+    live.program = live_chapters;
+    while (live.program->stem != NULL && strcmp(live.program->stem, stem) != 0)
+        live.program++;
+    if (live.program->stem == NULL)
         return report("%s: there is no such chapter", stem);
     free(live.line);
     live.line = memory_text("%s --root " ROOT " %s", stem, line);
     live.count = 0;
-    for (char *rest = live.line, *word; (rest = take_word(rest, &word)) != NULL;) {
+    for (char *rest = live.line, *word; (rest = split_word(rest, &word)) != NULL;) {
         if (live.count == ARGUMENTS)
             return report("%s: more than %d words", stem, ARGUMENTS);
         live.argument[live.count++] = word;
     }
     live.argument[live.count] = NULL;
-    platform_set("DISPLAY", "canvas", true); // which glfw.c of the context looks for
+    platform_set("DISPLAY", "canvas", true); // without which context/glfw.c opens no window
     return true;
 }
 
-static void see(void *stream, const char *path)
+static void add_file(void *json, const char *path)
 {
-    fprintf(stream, "%s", ftell(stream) > 1 ? "," : "");
-    state_string(stream, path);
+    json_text(json, NULL, path);
 }
 
-// What a chapter's main calls in place of chapter_run.
+// Called by a chapter's main instead of chapter_run.
 int live_run(const struct chapter *chapter, int argc, char **argv)
 {
     live.chapter = *chapter;
-    if (!live.only_sees)
+    if (!live.visits)
         return chapter_open(&live.run, &live.chapter, argc, argv);
-    FILE *stream = memory_open(&live.answer);
-    fputs("[", stream);
-    chapter_see(&live.chapter, argc, argv, see, stream);
-    fputs("]", stream);
-    memory_close(stream);
+    struct json json = {.stream = memory_open(&live.answer)};
+    json_begin(&json, NULL, '[');
+    chapter_visit_files(&live.chapter, argc, argv, add_file, &json);
+    json_end(&json, ']');
+    memory_close(json.stream);
     return 0;
 }
 
@@ -114,12 +113,12 @@ static struct window *window(void)
     return live.run != NULL ? chapter_window(live.run) : NULL;
 }
 
-// The page says beside the picture what the window's panel says in it, which H brings back.
+// The page shows the panel's words beside the picture; H shows the panel.
 static int start(void)
 {
-    int status = live.at->main(live.count, live.argument);
+    int status = live.program->main(live.count, live.argument);
     if (window() != NULL) {
-        window()->panel.elsewhere = true;
+        window()->panel.in_page = true;
         window()->panel.folded = !window()->start->overlay_kept;
     }
     fflush(stdout);
@@ -130,17 +129,17 @@ int live_start(const char *stem, const char *line)
 {
     live_stop();
     forget();
-    return cut(stem, line) ? start() : 2;
+    return split(stem, line) ? start() : 2;
 }
 
 const char *live_files(const char *stem, const char *line)
 {
     free(live.answer);
     live.answer = NULL;
-    live.only_sees = true;
-    if (cut(stem, line))
+    live.visits = true;
+    if (split(stem, line))
         start();
-    live.only_sees = false;
+    live.visits = false;
     return live.answer != NULL ? live.answer : "[]";
 }
 
@@ -166,42 +165,40 @@ int live_turn(void)
     return done;
 }
 
-// What a reader has set, taken from the window: its renderers have none of it any more.
-static void keep(struct window *window)
+// Move the reader's state out of the window.
+static void keep(const struct window *window)
 {
-    struct renderer *first = window->renderer;
+    struct renderer *first = window->renderer,
+                    *second = first->comparison ? first->comparison->other : NULL;
     forget();
     kept.is = true;
-    kept.inputs = window->inputs;
-    kept.eye = window->ray.eye;
-    memcpy(kept.place, window->ray.place, sizeof kept.place);
-    kept.paused = window->paused;
-    kept.folded = window->panel.folded;
+    kept.window = *window;
     kept.view = first->view;
     kept.parameters[0] = first->parameters;
     first->parameters = (struct parameters){0};
-    if (first->pair == NULL)
+    if (second == NULL)
         return;
-    kept.divider = first->pair->divider;
-    kept.parameters[1] = first->pair->other->parameters;
-    first->pair->other->parameters = (struct parameters){0};
+    kept.divider = first->comparison->divider;
+    kept.parameters[1] = second->parameters;
+    second->parameters = (struct parameters){0};
 }
 
 static void give_back(struct window *window)
 {
     struct renderer *first = window->renderer;
+    const struct window *was = &kept.window;
     parameters_keep(&first->parameters, &kept.parameters[0]);
-    if (first->pair != NULL) {
-        parameters_keep(&first->pair->other->parameters, &kept.parameters[1]);
-        first->pair->divider = kept.divider;
+    if (first->comparison != NULL) {
+        parameters_keep(&first->comparison->other->parameters, &kept.parameters[1]);
+        first->comparison->divider = kept.divider;
     }
-    window->inputs = kept.inputs;
-    window->ray.eye = kept.eye;
-    memcpy(window->ray.place, kept.place, sizeof kept.place);
-    window->inputs.eye = kept.inputs.eye != NULL ? &window->ray.eye : NULL;
-    window->paused = kept.paused;
-    window->panel.folded = kept.folded;
-    window->ray.follow = kept.inputs.pixel[0] >= 0;
+    window->inputs = was->inputs;
+    window->ray.eye = was->ray.eye;
+    memcpy(window->ray.position, was->ray.position, sizeof was->ray.position);
+    window->inputs.eye = was->inputs.eye != NULL ? &window->ray.eye : NULL;
+    window->paused = was->paused;
+    window->panel.folded = was->panel.folded;
+    window->ray.follow = was->inputs.pixel[0] >= 0;
     live_view((int)kept.view);
     forget();
 }
@@ -219,7 +216,7 @@ int live_restore(void)
     return status;
 }
 
-// ---- What the page shows and sets ----
+// ---- State ----
 
 const char *live_state(void)
 {
@@ -247,15 +244,15 @@ const char *live_version(void)
     return live.answer;
 }
 
-// Of two pictures, the one's by the name that the state gives it: "factor (right)". NULL: none.
+// The parameter with a name of live_state, such as "factor (right)"; or NULL.
 static struct parameter *parameter(const char *name)
 {
     const struct renderer *renderer = window() != NULL ? window()->renderer : NULL;
-    for (int i = 0; renderer != NULL && i < pair_parameter_count(renderer); i++) {
-        char said[STATE_NAME];
-        pair_parameter_name(renderer, pair_parameter(renderer, i), said, sizeof said);
-        if (strcmp(said, name) == 0)
-            return pair_parameter(renderer, i);
+    for (int i = 0; renderer != NULL && i < comparison_parameter_count(renderer); i++) {
+        char own[STATE_NAME];
+        comparison_parameter_name(renderer, comparison_parameter(renderer, i), own, sizeof own);
+        if (strcmp(own, name) == 0)
+            return comparison_parameter(renderer, i);
     }
     return NULL;
 }
@@ -303,9 +300,9 @@ void live_pixel(int x, int y)
     if (window() == NULL)
         return;
     if (x >= 0)
-        window_choose_ray(window(), (const int[]){x, y});
+        window_select_ray(window(), (const int[]){x, y});
     else
-        window_leave_ray(window());
+        window_deselect_ray(window());
 }
 
 void live_step(int step)

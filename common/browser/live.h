@@ -1,23 +1,23 @@
-// live.h - what a page's script asks of the program in it. All of this, and of hands.h, is
-// exported.
+// live.h - what a page's script can ask of the program. The functions of this header and of
+// canvas.h are exported.
 //
-// The page owns the loop: live_start carries out a command line as the chapter's program would;
-// where that opens a window, the page gives it turns. Texts that the page passes lie in the
-// program's memory and are the page's; those that it gets are valid until the next call.
+// The page owns the loop: live_start carries out a command line as the chapter's program would; if
+// that opens a window, the page calls live_turn. Texts that the page passes belong to the page;
+// texts that it gets are valid until the next call.
 #ifndef LIVE_H
 #define LIVE_H
 
 // ---- A command line ----
 
-// Carry out a command line; what ran before is closed.
+// Carry out a command line, after closing what ran before.
 //   stem  of the chapter, "03_shadows"
-//   line  its options as a shell reads them: blanks part words, quotes hold them together
-// Returns the program's exit status. After 0 a window waits for turns where live_runs says so; else
+//   line  its options as in a shell: blanks separate words, quotes keep them together
+// Returns the program's exit status. After 0 there is a window if live_runs says so; otherwise
 // everything is done.
 int live_start(const char *stem, const char *line);
 
-// Which files a command line asks for, as a JSON list of paths; the page sees to it that those are
-// there that the course has.
+// The files that a command line needs, as a JSON list of paths. The page provides those that the
+// course has.
 const char *live_files(const char *stem, const char *line);
 
 void live_stop(void);
@@ -25,47 +25,44 @@ void live_stop(void);
 // True while there is a window.
 int live_runs(void);
 
-// Carry out what happened and draw what is due. Returns 0 when nothing can be drawn any more, and
-// when the reader has ended the program: live_report says why, or nothing.
+// Carry out the input and draw what is due. Returns 0 when drawing failed or the reader has quit:
+// live_report gives the reason, or nothing.
 int live_turn(void);
 
-// After the browser has given back a context that it had taken: everything is made again, the
-// values of both pictures, the divider, the eye and the time are as they were. Returns an exit
-// status. Where a shader does not load any more there is no window; once its files are others the
-// page calls this again.
+// Restart after the browser has given back a lost context: the values of both pictures, the
+// divider, the camera and the time are restored. Returns an exit status. If a shader no longer
+// loads, there is no window; once its files have changed, the page calls this again.
 int live_restore(void);
 
-// ---- What the page shows ----
+// ---- State ----
 
-// The program's state as JSON: state.c lists it.
+// The program's state as JSON, as state.h describes it.
 const char *live_state(void);
 
-// What could not be done last; "" when there is nothing.
+// The last failure, or "".
 const char *live_report(void);
 
-// Name and version of the driver.
+// Version and name of the driver.
 const char *live_version(void);
 
-// ---- What the page sets ----
-
-// A component of a parameter, kept within its range. An unknown name is ignored.
+// Set a component of a parameter, clamped to its range. An unknown name is ignored.
 void live_set(const char *name, int component, double value);
 
-// A parameter back to the value of its comment.
+// Reset a parameter.
 void live_reset(const char *name);
 
-// Show a view by its number. Returns 0 where there is none: live_report says why.
+// Show a view by its number. Returns 0 if there is no such view: live_report gives the reason.
 int live_view(int view);
 
 void live_pause(int paused);
 
-// Look at the ray of a pixel, (0, 0) bottom left; a negative x lets go of it.
+// Select the ray of a pixel, (0, 0) bottom left; a negative x deselects it.
 void live_pixel(int x, int y);
 
-// Show the steps of the chosen ray up to this one, 0 the first. Without a ray nothing happens.
+// Show the selected ray's march up to this step, counted from 0. Ignored without a ray.
 void live_step(int step);
 
-// Set the clock, seconds. It runs on from there, or stands.
+// Set the time, seconds.
 void live_time(double time);
 
 #endif

@@ -1,5 +1,5 @@
-// page.js - what page.h declares, for Emscripten's --js-library. Whoever loads the module may give it
-// onSize, onTitle, onCapture, onCursor, onPicture and keyLabel.
+// page.js - the functions of page.h, for Emscripten's --js-library. The page may set onSize, onTitle, onCapture,
+// onCursor, onPicture and keyLabel of the module.
 mergeInto(LibraryManager.library, {
     page_open_context__deps: ['$GL'],
     page_open_context: function () {
@@ -11,7 +11,8 @@ mergeInto(LibraryManager.library, {
         if (!handle) return 1;
         GL.makeContextCurrent(handle);
         Module['handle'] = handle;
-        return GLctx.getExtension('EXT_color_buffer_float') ? 0 : 2;
+        // Some phones can draw only into half floats.
+        return GLctx.getExtension('EXT_color_buffer_float') || GLctx.getExtension('EXT_color_buffer_half_float') ? 0 : 2;
     },
     page_close_context__deps: ['$GL'],
     page_close_context: function () {

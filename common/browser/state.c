@@ -2,154 +2,132 @@
 
 #include <math.h>
 
-#include "browser/hands.h"
-#include "picture/pair.h"
+#include "browser/canvas.h"
+#include "json.h"
+#include "picture/comparison.h"
 #include "report.h"
 #include "window/state.h"
 #include "window/window.h"
 
-void state_string(FILE *stream, const char *text)
+static void write_numbers(struct json *json, const char *name, int count, const double *value)
 {
-    fputc('"', stream);
-    for (; *text != '\0'; text++)
-        if ((unsigned char)*text < ' ')
-            fprintf(stream, "\\u%04x", (unsigned)*text);
-        else
-            fprintf(stream, *text == '"' || *text == '\\' ? "\\%c" : "%c", *text);
-    fputc('"', stream);
+    json_begin(json, name, '[');
+    for (int i = 0; i < count; i++)
+        json_number(json, NULL, value[i], -1);
+    json_end(json, ']');
 }
 
-static void text(FILE *stream, const char *name, const char *value)
+static void write_parameter(struct json *json, const struct renderer *renderer, int index)
 {
-    fprintf(stream, ",\"%s\":", name);
-    state_string(stream, value != NULL ? value : "");
-}
-
-// JSON knows no infinity and nothing that is no number.
-static void number(FILE *stream, double value)
-{
-    if (isfinite(value))
-        fprintf(stream, "%.9g", value);
-    else
-        fputs("null", stream);
-}
-
-static void numbers(FILE *stream, const char *name, int count, const double *value)
-{
-    fprintf(stream, ",\"%s\":[", name);
-    for (int i = 0; i < count; i++) {
-        fputs(i > 0 ? "," : "", stream);
-        number(stream, value[i]);
-    }
-    fputs("]", stream);
-}
-
-static void one(FILE *stream, const char *name, double value)
-{
-    fprintf(stream, ",\"%s\":", name);
-    number(stream, value);
-}
-
-static void yes(FILE *stream, const char *name, bool value)
-{
-    fprintf(stream, ",\"%s\":%s", name, value ? "true" : "false");
-}
-
-static void write_parameter(FILE *stream, const struct renderer *renderer, int index)
-{
-    const struct parameter *p = pair_parameter(renderer, index);
+    const struct parameter *p = comparison_parameter(renderer, index);
     char name[STATE_NAME];
-    pair_parameter_name(renderer, p, name, sizeof name);
+    comparison_parameter_name(renderer, p, name, sizeof name);
     static const char *const types[] = {
         [PARAMETER_FLOAT] = "float", [PARAMETER_INT] = "int", [PARAMETER_BOOL] = "bool"};
-    fprintf(stream, "{\"type\":\"%s\"", types[p->type]);
-    text(stream, "name", name);
-    numbers(stream, "value", p->components, p->value);
-    numbers(stream, "initial", p->components, p->initial);
-    one(stream, "minimum", p->minimum);
-    one(stream, "maximum", p->maximum);
-    one(stream, "step", p->step);
-    yes(stream, "multiplies", p->multiplies);
-    text(stream, "unit", p->unit);
-    text(stream, "meaning", p->meaning);
-    fputs("}", stream);
+    json_begin(json, NULL, '{');
+    json_text(json, "type", types[p->type]);
+    json_text(json, "name", name);
+    write_numbers(json, "value", p->components, p->value);
+    write_numbers(json, "initial", p->components, p->initial);
+    json_number(json, "minimum", p->minimum, -1);
+    json_number(json, "maximum", p->maximum, -1);
+    json_number(json, "step", p->step, -1);
+    json_flag(json, "multiplies", p->multiplies);
+    json_text(json, "unit", p->unit);
+    json_text(json, "meaning", p->meaning);
+    json_end(json, '}');
 }
 
-static void write_probe(FILE *stream, const struct probe *probe)
+static void write_probe(struct json *json, const struct probe *probe)
 {
-    fprintf(stream,
-            ",\"probe\":{\"recorded\":%s,\"steps\":%d,\"all_steps\":%d,\"evaluations\":%d,"
-            "\"colour\":[%d,%d,%d]",
-            probe->recorded ? "true" : "false", probe->steps, probe->all_steps, probe->evaluations,
-            probe->colour[0], probe->colour[1], probe->colour[2]);
-    text(stream, "outcome", probe->recorded ? probe_outcome(probe) : "");
-    fputs(",\"march\":[", stream);
+    const unsigned char *colour = probe->colour;
+    json_begin(json, "probe", '{');
+    json_flag(json, "recorded", probe->recorded);
+    json_number(json, "steps", probe->steps, 0);
+    json_number(json, "all_steps", probe->all_steps, 0);
+    json_number(json, "evaluations", probe->evaluations, 0);
+    write_numbers(json, "colour", 3, (const double[]){colour[0], colour[1], colour[2]});
+    json_text(json, "outcome", probe->recorded ? probe_outcome(probe) : "");
+    json_begin(json, "march", '[');
     for (int i = 0; probe->recorded && i < probe_rows(probe); i++) {
         const struct probe_step *step = &probe->step[i];
-        const double row[] = {(double)step->t, (double)step->distance, (double)step->position[0],
-                              (double)step->position[1], (double)step->position[2]};
-        for (int k = 0; k < 5; k++) {
-            fputs(k > 0 ? "," : i > 0 ? ",[" : "[", stream);
-            number(stream, row[k]);
-        }
-        fputs("]", stream);
+        write_numbers(json, NULL, 5,
+                      (const double[]){(double)step->t, (double)step->distance,
+                                       (double)step->position[0], (double)step->position[1],
+                                       (double)step->position[2]});
     }
-    fputs("]}", stream);
+    json_end(json, ']');
+    json_end(json, '}');
 }
 
-// The views to choose from: the picture alone where a text has a main of its own.
-static void write_views(FILE *stream, enum shader_form form)
+// A handle without a ray of the picture through it has no position.
+static void write_handles(struct json *json, const struct window *window)
 {
-    int count = form == SHADER_COURSE ? SHADER_VIEW_COUNT : SHADER_PICTURE + 1;
-    for (int view = 0; view < count; view++) {
-        fputs(view > 0 ? "," : ",\"views\":[", stream);
-        state_string(stream, shader_view_name((enum shader_view)view));
+    const int *side = (const int[]){window->inputs.width, window->inputs.height};
+    json_begin(json, "handles", '[');
+    for (int i = 0; i < window->handles.count; i++) {
+        const struct handle *handle = &window->handles.item[i];
+        if (!handle->seen)
+            continue;
+        json_begin(json, NULL, '{');
+        json_text(json, "name", handle->parameter->name);
+        json_number(json, "x", (double)handle->pixel[0] / side[0], -1);
+        json_number(json, "y", 1.0 - (double)handle->pixel[1] / side[1], -1);
+        json_flag(json, "focused", i == window->handles.focused);
+        json_end(json, '}');
     }
-    fputs("]", stream);
+    json_end(json, ']');
 }
 
-static void write_window(FILE *stream, const struct window *window)
+static void write_window(struct json *json, const struct window *window)
 {
     const struct renderer *renderer = window->renderer;
     const struct renderer_inputs *inputs = &window->inputs;
     const struct camera *camera = &inputs->camera;
-    text(stream, "view", shader_view_name(renderer->view));
-    one(stream, "time", inputs->time);
-    yes(stream, "paused", window->paused);
+    json_text(json, "view", shader_view_name(renderer->view));
+    json_number(json, "time", inputs->time, -1);
+    json_flag(json, "paused", window->paused);
     const double eye[] = {(double)camera->position[0], (double)camera->position[1],
                           (double)camera->position[2], (double)camera->pan, (double)camera->tilt};
-    numbers(stream, "camera", 5, eye);
-    one(stream, "rate", window->pace.rate);
-    one(stream, "milliseconds", 1000.0 * window->pace.seconds);
-    one(stream, "divisor", resolution_divisor(window->pace.resolution.level));
-    numbers(stream, "size", 2, (const double[]){inputs->width, inputs->height});
-    numbers(stream, "pixel", 2, (const double[]){inputs->pixel[0], inputs->pixel[1]});
-    one(stream, "shown", floor((double)inputs->shown));
-    text(stream, "why", inputs->pixel[0] >= 0 ? window->ray.why : "");
-    yes(stream, "halves", live_halves() != 0);
-    write_views(stream, renderer->fragment.form);
-    fputs(",\"files\":[", stream);
-    for (int i = 0; i < renderer->fragment.file_count; i++) {
-        fputs(i > 0 ? "," : "", stream);
-        state_string(stream, renderer->fragment.paths[i]);
-    }
-    fputs("],\"parameters\":[", stream);
-    for (int i = 0; i < pair_parameter_count(renderer); i++) {
-        fputs(i > 0 ? "," : "", stream);
-        write_parameter(stream, renderer, i);
-    }
-    fputs("]", stream);
+    write_numbers(json, "camera", 5, eye);
+    json_number(json, "rate", window->pace.rate, -1);
+    json_number(json, "milliseconds", 1000.0 * window->pace.seconds, -1);
+    json_number(json, "divisor", resolution_divisor(window->pace.resolution.level), -1);
+    write_numbers(json, "size", 2, (const double[]){inputs->width, inputs->height});
+    write_numbers(json, "pixel", 2, (const double[]){inputs->pixel[0], inputs->pixel[1]});
+    json_number(json, "shown", floor((double)inputs->shown), -1);
+    json_text(json, "why", inputs->pixel[0] >= 0 ? window->ray.why : "");
+    json_flag(json, "halves", live_halves() != 0);
+    // A shader with its own main has only the picture.
+    int views =
+        renderer->fragment.dialect == DIALECT_COURSE ? SHADER_VIEW_COUNT : SHADER_PICTURE + 1;
+    json_begin(json, "views", '[');
+    for (int view = 0; view < views; view++)
+        json_text(json, NULL, shader_view_name((enum shader_view)view));
+    json_end(json, ']');
+    json_begin(json, "files", '[');
+    for (int i = 0; i < renderer->fragment.file_count; i++)
+        json_text(json, NULL, renderer->fragment.paths[i]);
+    json_end(json, ']');
+    json_begin(json, "parameters", '[');
+    for (int i = 0; i < comparison_parameter_count(renderer); i++)
+        write_parameter(json, renderer, i);
+    json_end(json, ']');
+    write_handles(json, window);
     if (inputs->pixel[0] >= 0 && window->ray.why[0] == '\0' && !window->ray.follow)
-        write_probe(stream, window->ray.probe);
+        write_probe(json, window->ray.probe);
 }
 
 void state_write(FILE *stream, const struct chapter *chapter, const struct window *window)
 {
-    fprintf(stream, "{\"runs\":%s", window != NULL ? "true" : "false");
-    text(stream, "title", chapter->title);
-    text(stream, "shows", chapter->shows);
-    text(stream, "error", window != NULL ? window->panel.error : report_last());
+    struct json json = {.stream = stream};
+    json_begin(&json, NULL, '{');
+    json_flag(&json, "runs", window != NULL);
+    json_text(&json, "title", chapter->title);
+    json_text(&json, "shows", chapter->shows);
+    json_text(&json, "error", window != NULL ? window->panel.error : report_last());
+    json_text(&json, "unset", window != NULL ? window->renderer->fragment.unset : "");
     if (window != NULL)
-        write_window(stream, window);
-    fputs("}", stream);
+        write_window(&json, window);
+    json_end(&json, '}');
 }

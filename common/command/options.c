@@ -6,7 +6,7 @@
 
 #include "memory.h"
 #include "report.h"
-#include "sequence.h"
+#include "command/sequence.h"
 
 #define FPS_DEFAULT 25.0
 
@@ -15,22 +15,22 @@ static bool refuse_unknown(const char *word, size_t length)
     return report("unknown option '%.*s': --help lists the options", (int)length, word);
 }
 
-// Carry out an option.
-//   text  what stands in the option's own word, or NULL
-//   next  the words that follow, NULL at their end
+// Apply an option.
+//   text  its value in the same word, or NULL
+//   next  the words that follow; NULL ends them
 static bool apply(struct options *options, const struct options_row *row, const char *text,
                   char ***next)
 {
-    bool may = strncmp(row->value, " [", 2) == 0;
-    if (may && text == NULL && **next != NULL && (**next)[0] != '-')
+    bool optional = strncmp(row->value, " [", 2) == 0;
+    if (optional && text == NULL && **next != NULL && (**next)[0] != '-')
         text = *(*next)++;
-    bool needs = row->value[0] == ' ' && !may && text == NULL;
+    bool needs = row->value[0] == ' ' && !optional && text == NULL;
     if (needs && **next == NULL)
-        report("--%s: a value is missing: --help shows its form", row->name);
+        report("--%s: a value is missing: see --help", row->name);
     else if (row->value[0] == '\0' && text != NULL)
         report("--%s: takes no value", row->name);
     else {
-        // --help wins over other actions, so that it can be added to any command line.
+        // --help has priority, so that it can be added to any command line.
         if (row->action != OPTIONS_RUN && options->action != OPTIONS_HELP)
             options->action = row->action;
         return row->set == NULL || row->set(options, needs ? *(*next)++ : text);
@@ -87,75 +87,84 @@ static bool check_probes(const struct options *options)
         const int *pixel = options->probe[i];
         if (pixel[0] < 0 || pixel[0] >= options->width || pixel[1] < 0 ||
             pixel[1] >= options->height)
-            return report(
-                "--probe '%d,%d': outside the picture of %dx%d: X is from 0 to %d, Y from 0 to %d",
-                pixel[0], pixel[1], options->width, options->height, options->width - 1,
-                options->height - 1);
+            return report("--probe '%d,%d': outside the picture of %dx%d: X must be between 0 and "
+                          "%d, Y between 0 and %d",
+                          pixel[0], pixel[1], options->width, options->height, options->width - 1,
+                          options->height - 1);
     }
     return true;
 }
 
-// The ray that a picture shows: in a view of one ray's march, or in the overlay.
+// Check the options about the ray that a picture shows: in a view of its march, or in the overlay.
 static bool check_ray(const struct options *options)
 {
-    bool view = form_shows_ray(options->view);
+    bool view = shader_shows_ray(options->view);
     bool overlaid = options->has_overlay && options->probe_count > 0;
     bool stepped = options->step >= 0 || options->walk;
     if (options->output == NULL && (stepped || options->has_from))
-        return report("--%s: goes with --output: in a window E and Q go from step to step",
+        return report("--%s: requires --output; in a window, E and Q step along the ray",
                       stepped ? "step" : "from");
     if (stepped && !view && !overlaid)
-        return report("--step: goes with --view slice or plot, or with --probe and --overlay");
-    if (options->walk != (options->frames > 0) && stepped)
-        return report(options->walk
-                          ? "--step walk: goes with --frames N: how many pictures?"
-                          : "--step: one step of one picture: --frames wants --step walk");
+        return report("--step: requires --view slice or plot, or --probe and --overlay");
+    if (options->walk && options->frames == 0)
+        return report("--step walk: requires --frames N");
+    if (options->frames > 0 && options->step >= 0)
+        return report("--step %d: cannot be combined with --frames; use --step walk",
+                      options->step);
     if (options->has_from && (view || !overlaid))
-        return report("--from: a ray that is seen from elsewhere: goes with --probe and --overlay, "
-                      "and no --view of one ray");
+        return report("--from: requires --probe and --overlay, and cannot be combined with --view "
+                      "slice or plot");
     return true;
 }
 
-// What one option asks of the others.
-static bool complete(struct options *options)
+static void set_defaults(struct options *options)
 {
-    bool row = options->frames > 0, paced = options->fps > 0.0;
-    options->fps = paced ? options->fps : FPS_DEFAULT;
-    options->divider = options->has_divider ? options->divider : 0.5;
-    if (!options->compares)
-        options->shared_settings = options->setting_count;
     options->window =
         options->output == NULL && options->probe_count == 0 && options->benchmark == 0;
+    if (!options->has_divider)
+        options->divider = 0.5;
+    if (!options->compares)
+        options->shared_settings = options->setting_count;
     if (options->width == 0) {
         options->width = options->window ? 960 : 640;
         options->height = options->window ? 540 : 360;
     }
+}
+
+// Check what the options require of each other.
+static bool complete(struct options *options)
+{
+    bool film = options->frames > 0, paced = options->fps > 0.0;
+    set_defaults(options);
+    options->fps = paced ? options->fps : FPS_DEFAULT;
     if (options->benchmark > 0 && (options->output != NULL || options->probe_count > 0))
-        report("--benchmark: writes no picture and probes no ray: leave --%s out",
+        report("--benchmark: cannot be combined with --%s",
                options->output != NULL ? "output" : "probe");
     else if (options->has_divider && !options->compares)
-        report("--divider: goes with --compare: what stands on its other side?");
+        report("--divider: requires --compare");
     else if (options->compares && options->compare == NULL &&
              options->shared_settings == options->setting_count)
-        report("--compare: with what? Give a shader's FILE, or --set NAME=VALUE behind it");
+        report("--compare: requires a shader's FILE, or --set NAME=VALUE after it");
     else if (options->compares &&
              (options->benchmark > 0 || options->action == OPTIONS_PRINT_SHADER))
-        report("--compare: goes with a window, a picture or --probe: leave --%s out",
+        report("--compare: cannot be combined with --%s",
                options->benchmark > 0 ? "benchmark" : "print-shader");
-    else if (!row && paced)
-        report("--fps: goes with --frames N: how many pictures?");
-    else if (row && options->output == NULL)
-        report("--frames: goes with --output, as in -o frame-%%04d.png");
-    else if (row && !sequence_is_name(options->output))
-        report("--output '%s': with --frames the name must hold one %%d for the number, as in "
+    else if (!film && paced)
+        report("--fps: requires --frames N");
+    else if (film && options->output == NULL)
+        report("--frames: requires --output, as in -o frame-%%04d.png");
+    else if (film && !sequence_is_name(options->output))
+        report("--output '%s': with --frames, the name must contain one %%d for the number, as in "
                "frame-%%04d.png",
                options->output);
-    else if (row && options->probe_count > 0 && !form_shows_ray(options->view) && !options->walk)
-        report("--probe: the march of one picture: leave --frames out");
-    else if (row && fabs(options->time) + options->frames / options->fps > OPTIONS_LIMIT)
-        report("--frames: the last time must be from -1e9 to 1e9 seconds");
+    else if (film && options->probe_count > 0 && !shader_shows_ray(options->view) && !options->walk)
+        report("--probe: cannot be combined with --frames, except in the views slice and plot and "
+               "with --step walk");
+    else if (film && fabs(options->time) + options->frames / options->fps > OPTIONS_LIMIT)
+        report("--frames: the last time must be between -1e9 and 1e9 seconds");
     else if (options->shadertoy && options->view != SHADER_PICTURE)
-        report("--print-shader=shadertoy: only the picture runs there: leave --view %s out",
+        report("--print-shader=shadertoy: cannot be combined with --view %s: only the picture runs "
+               "there",
                shader_view_name(options->view));
     else
         return check_probes(options) && check_ray(options);

@@ -11,7 +11,7 @@
 #include "picture/overlay.h"
 #include "picture/probe.h"
 #include "report.h"
-#include "sequence.h"
+#include "command/sequence.h"
 
 // Report what an option's value must be.
 __attribute__((format(printf, 3, 4))) static bool refuse(const char *option, const char *text,
@@ -25,7 +25,7 @@ __attribute__((format(printf, 3, 4))) static bool refuse(const char *option, con
     return report("--%s '%s': %s", option, text, expected);
 }
 
-// Read two whole numbers with a separator between, those beyond every range as +-1e9.
+// Read two whole numbers with a separator between them; those beyond every range become +-1e9.
 static bool read_pair(const char *text, char separator, int pair[2])
 {
     for (int i = 0; i < 2; i++) {
@@ -40,7 +40,7 @@ static bool read_pair(const char *text, char separator, int pair[2])
     return true;
 }
 
-// True for a name that ends in .png, in letters of any size.
+// True for a name that ends in .png, in any case.
 static bool is_png(const char *name)
 {
     static const char ending[] = ".png";
@@ -55,7 +55,7 @@ static bool set_output(struct options *options, const char *text)
 {
     options->output = text;
     return is_png(text) ||
-           refuse("output", text, "must name a file that ends in .png: no other kind is written");
+           refuse("output", text, "must name a file that ends in .png, the only format");
 }
 
 static bool set_size(struct options *options, const char *text)
@@ -65,7 +65,7 @@ static bool set_size(struct options *options, const char *text)
         return refuse("size", text, "must be WIDTHxHEIGHT in pixels, as in 640x360");
     for (int i = 0; i < 2; i++)
         if (size[i] < 1 || size[i] > OPTIONS_SIZE_LIMIT)
-            return refuse("size", text, "width and height must be from 1 to %d pixels",
+            return refuse("size", text, "width and height must be between 1 and %d pixels",
                           OPTIONS_SIZE_LIMIT);
     options->width = size[0];
     options->height = size[1];
@@ -77,7 +77,7 @@ static bool set_time(struct options *options, const char *text)
     if (!number_read(text, &options->time))
         return refuse("time", text, "must be a number of seconds, as in 1.5%s", number_hint(text));
     return fabs(options->time) <= OPTIONS_LIMIT ||
-           refuse("time", text, "must be from -1e9 to 1e9 seconds");
+           refuse("time", text, "must be between -1e9 and 1e9 seconds");
 }
 
 static bool add_setting(struct options *options, const char *text)
@@ -87,11 +87,11 @@ static bool add_setting(struct options *options, const char *text)
            refuse("set", text, "must be NAME=VALUE; --list shows the names");
 }
 
-// The settings that follow are the second picture's alone.
+// The settings that follow apply only to the second picture.
 static bool set_compare(struct options *options, const char *text)
 {
     if (options->compares)
-        return report("--compare: two pictures at most stand beside each other: give it once");
+        return report("--compare: can be given only once");
     options->compares = true;
     options->compare = text;
     options->shared_settings = options->setting_count;
@@ -103,7 +103,7 @@ static bool set_divider(struct options *options, const char *text)
     options->has_divider = true;
     return (number_read(text, &options->divider) && options->divider >= 0.0 &&
             options->divider <= 1.0) ||
-           refuse("divider", text, "must be a share of the width from 0 to 1, as in 0.3%s",
+           refuse("divider", text, "must be a fraction of the width between 0 and 1, as in 0.3%s",
                   number_hint(text));
 }
 
@@ -118,12 +118,12 @@ static bool add_texture(struct options *options, const char *text)
 static bool set_channel(struct options *options, const char *text)
 {
     if (text[0] < '0' || text[0] > '3' || text[1] != '=' || text[2] == '\0')
-        return refuse("channel", text, "must be N=FILE.png, N from 0 to 3, as in 0=stone.png");
+        return refuse("channel", text, "must be N=FILE.png, with N from 0 to 3, as in 0=stone.png");
     options->channels[text[0] - '0'] = text + 2;
     return true;
 }
 
-// Read where an eye is and looks, X,Y,Z,PAN,TILT.
+// Read a camera, X,Y,Z,PAN,TILT.
 static bool read_camera(const char *option, const char *text, struct camera *camera)
 {
     double value[5];
@@ -131,16 +131,16 @@ static bool read_camera(const char *option, const char *text, struct camera *cam
     for (int i = 0; i < 5; i++) {
         size_t length = number_begin(c, &value[i]);
         if (length == 0 || c[length] != (i < 4 ? ',' : '\0'))
-            return refuse(option, text, "must be X,Y,Z,PAN,TILT, five numbers, as in 0,1,4,0,-10");
+            return refuse(option, text, "must be five numbers, X,Y,Z,PAN,TILT, as in 0,1,4,0,-10");
         if (!(fabs(value[i]) <= OPTIONS_LIMIT))
-            return refuse(option, text, "each number must be from -1e9 to 1e9");
+            return refuse(option, text, "each number must be between -1e9 and 1e9");
         c += length + 1;
     }
     *camera = (struct camera){.position = {(float)value[0], (float)value[1], (float)value[2]},
                               .pan = (float)value[3],
                               .tilt = (float)value[4]};
     return fabs(value[4]) <= (double)CAMERA_TILT_LIMIT ||
-           refuse(option, text, "the tilt must be from %g to %g degrees",
+           refuse(option, text, "the tilt must be between %g and %g degrees",
                   (double)-CAMERA_TILT_LIMIT, (double)CAMERA_TILT_LIMIT);
 }
 
@@ -162,32 +162,33 @@ static bool set_step(struct options *options, const char *text)
     options->walk = strcmp(text, "walk") == 0;
     options->step = -1;
     return options->walk || number_read_int(text, 0, PROBE_STEPS - 1, &options->step) ||
-           refuse("step", text, "must be a whole number from 0 to %d, or walk with --frames",
+           refuse("step", text, "must be a whole number between 0 and %d, or walk with --frames",
                   PROBE_STEPS - 1);
 }
 
 static bool set_samples(struct options *options, const char *text)
 {
     return number_read_int(text, 1, OPTIONS_SAMPLES_LIMIT, &options->samples) ||
-           refuse("samples", text, "must be a whole number from 1 to %d: N x N samples a pixel",
+           refuse("samples", text,
+                  "must be a whole number between 1 and %d: N x N samples per pixel",
                   OPTIONS_SAMPLES_LIMIT);
 }
 
 static bool set_frames(struct options *options, const char *text)
 {
     return number_read_int(text, 1, SEQUENCE_FRAMES_LIMIT, &options->frames) ||
-           refuse("frames", text, "must be a whole number of pictures from 1 to %d",
+           refuse("frames", text, "must be a whole number of pictures between 1 and %d",
                   SEQUENCE_FRAMES_LIMIT);
 }
 
 static bool set_fps(struct options *options, const char *text)
 {
     return (number_read(text, &options->fps) && options->fps >= 0.001 && options->fps <= 1000.0) ||
-           refuse("fps", text, "must be a number of pictures a second from 0.001 to 1000%s",
+           refuse("fps", text, "must be a number of pictures per second between 0.001 and 1000%s",
                   number_hint(text));
 }
 
-// A number of frames, or the word json; both may be given, one after the other.
+// A number of frames, or the word json; the option may be given twice, for both.
 static bool set_benchmark(struct options *options, const char *text)
 {
     bool json = strcmp(text, "json") == 0;
@@ -195,7 +196,7 @@ static bool set_benchmark(struct options *options, const char *text)
     if (json && options->benchmark == 0)
         options->benchmark = BENCHMARK_FRAMES_DEFAULT;
     return json || number_read_int(text, 1, BENCHMARK_FRAMES_LIMIT, &options->benchmark) ||
-           refuse("benchmark", text, "must be a whole number of frames from 1 to %d, or json",
+           refuse("benchmark", text, "must be a whole number of frames between 1 and %d, or json",
                   BENCHMARK_FRAMES_LIMIT);
 }
 
@@ -206,7 +207,7 @@ static bool set_view(struct options *options, const char *text)
         snprintf(names + strlen(names), sizeof names - strlen(names), "%s%s", i > 0 ? ", " : "",
                  shader_view_name((enum shader_view)i));
     return shader_view_from_name(text, &options->view) ||
-           refuse("view", text, "no such view: there are %s", names);
+           refuse("view", text, "unknown view; there are %s", names);
 }
 
 static bool set_probe(struct options *options, const char *text)
@@ -222,14 +223,14 @@ static bool set_overlay(struct options *options, const char *text)
     return text == NULL ||
            (number_read(text, &options->overlay) && options->overlay >= OVERLAY_SCALE_MINIMUM &&
             options->overlay <= OVERLAY_SCALE_MAXIMUM) ||
-           refuse("overlay", text, "the scale must be a number from %g to %g%s",
+           refuse("overlay", text, "the scale must be a number between %g and %g%s",
                   OVERLAY_SCALE_MINIMUM, OVERLAY_SCALE_MAXIMUM, number_hint(text));
 }
 
 static bool set_backend(struct options *options, const char *text)
 {
     return context_backend_from_name(text, &options->backend) ||
-           refuse("backend", text, "no such backend: there are glfw, egl, osmesa");
+           refuse("backend", text, "unknown backend; there are glfw, egl, osmesa");
 }
 
 static bool set_shader(struct options *options, const char *text)
@@ -248,32 +249,32 @@ static bool set_print_shader(struct options *options, const char *text)
 {
     options->shadertoy = text != NULL;
     return text == NULL || strcmp(text, "shadertoy") == 0 ||
-           refuse("print-shader", text, "must be shadertoy, or be left out");
+           refuse("print-shader", text, "must be shadertoy, or be omitted");
 }
 
 const struct options_row options_rows[] = {
     {"-o,", "output", " FILE.png", set_output, OPTIONS_RUN,
-     "render one picture without a window, write it, exit", ""},
+     "write the picture to a file, without a window", ""},
     {"-s,", "size", " WxH", set_size, OPTIONS_RUN, "size of the picture in pixels, 1 to 16384 each",
      "960x540 in a window, 640x360 to a file"},
     {"-t,", "time", " SECONDS", set_time, OPTIONS_RUN, "time of the picture", "0"},
     {"-p,", "set", " NAME=VALUE", add_setting, OPTIONS_RUN,
-     "set a parameter of the shader; may be repeated", ""},
+     "set a parameter of the shader; repeatable", ""},
     {"", "texture", " NAME=FILE.png", add_texture, OPTIONS_RUN,
-     "another picture for a texture of the shader; may be repeated", ""},
+     "use another picture for a texture of the shader; repeatable", ""},
     {"", "channel", " N=FILE.png", set_channel, OPTIONS_RUN,
-     "a shader from elsewhere: the picture of iChannelN, N from 0 to 3", ""},
+     "picture of iChannelN for a shader from elsewhere, N from 0 to 3", ""},
     {"-c,", "camera", " X,Y,Z,PAN,TILT", set_camera, OPTIONS_RUN,
-     "where the eye is, in scene units, and looks, in degrees", "the chapter's own"},
-    {"-a,", "samples", " N", set_samples, OPTIONS_RUN, "N x N samples a pixel, 1 to 8", "1"},
+     "position in scene units and direction in degrees", "the chapter's own"},
+    {"-a,", "samples", " N", set_samples, OPTIONS_RUN, "N x N samples per pixel, 1 to 8", "1"},
     {"-v,", "view", " NAME", set_view, OPTIONS_RUN, "picture, normals, depth, steps, slice or plot",
      "picture"},
     {"", "probe", " X,Y", set_probe, OPTIONS_RUN,
      "print a pixel's march and colour, 0,0 bottom left; repeatable", ""},
     {"", "step", " K|walk", set_step, OPTIONS_RUN,
-     "show that ray's march up to step K, from 0; walk: all of --frames", ""},
+     "show the march up to step K, from 0; walk: all of --frames", ""},
     {"", "from", " X,Y,Z,PAN,TILT", set_from, OPTIONS_RUN,
-     "where the ray of --probe starts; --camera looks at it", "the camera"},
+     "camera of the ray of --probe; --camera looks at that ray", "--camera"},
     {"", "overlay", "[=SCALE]", set_overlay, OPTIONS_RUN,
      "scale of the overlay, 0.5 to 8; draws it into a file too", "by the picture's height"},
     {"-b,", "backend", " NAME", set_backend, OPTIONS_RUN, "glfw, egl or osmesa",
@@ -281,19 +282,19 @@ const struct options_row options_rows[] = {
     {"-f,", "shader", " FILE", set_shader, OPTIONS_RUN,
      "run this fragment shader instead of the chapter's", ""},
     {"", "compare", " [FILE]", set_compare, OPTIONS_RUN,
-     "a second shader beside it; --set behind this is for that alone", ""},
-    {"", "divider", " SHARE", set_divider, OPTIONS_RUN,
+     "second shader beside the first; --set after this is for it alone", ""},
+    {"", "divider", " FRACTION", set_divider, OPTIONS_RUN,
      "where the second picture of --compare begins, 0 to 1", "0.5"},
     {"", "root", " DIR", set_root, OPTIONS_RUN, "the project's folder",
-     "found from the program's place"},
+     "found from the program's folder"},
     {"", "frames", " N", set_frames, OPTIONS_RUN,
-     "N pictures from --time on, as in -o frame-%04d.png", ""},
-    {"", "fps", " F", set_fps, OPTIONS_RUN, "pictures a second of --frames", "25"},
+     "write N pictures from --time on, as in -o frame-%04d.png", ""},
+    {"", "fps", " F", set_fps, OPTIONS_RUN, "pictures per second of --frames", "25"},
     {"", "print-shader", "[=shadertoy]", set_print_shader, OPTIONS_PRINT_SHADER,
-     "print the shader as one file; one for Shadertoy", ""},
+     "print the shader as one file, or as one for Shadertoy", ""},
     {"", "benchmark", " N|json", set_benchmark, OPTIONS_RUN,
-     "measure compilation, N frames, evaluations of the scene; as JSON", "20 frames with json"},
-    {"", "list", "", NULL, OPTIONS_LIST, "print the parameters: name, value, range, unit, meaning",
+     "measure compilation, N frames and evaluations; json: print JSON", "20 frames with json"},
+    {"", "list", "", NULL, OPTIONS_LIST, "list the parameters: name, value, range, unit, meaning",
      ""},
     {"-h,", "help", "", NULL, OPTIONS_HELP, "print this text", ""},
     {"-V,", "version", "", NULL, OPTIONS_VERSION, "print backend, OpenGL version and renderer", ""},

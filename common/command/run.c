@@ -1,14 +1,16 @@
 #include "command/run.h"
 
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
-// The chapter's title, or the name of the file that runs in place of its shader.
-static const char *title_of(const struct options *options, const char *title)
+#include "report.h"
+#include "command/sequence.h"
+
+static const char *name_of(const char *path)
 {
-    if (options->shader == NULL)
-        return title;
-    const char *slash = strrchr(options->shader, '/');
-    return slash != NULL ? slash + 1 : options->shader;
+    const char *slash = strrchr(path, '/');
+    return slash != NULL ? slash + 1 : path;
 }
 
 bool run_parse(struct run *run, const char *stem, const char *title, const struct camera *camera,
@@ -19,18 +21,157 @@ bool run_parse(struct run *run, const char *stem, const char *title, const struc
     if (!run->options.has_camera)
         run->options.camera = *camera;
     run->stem = stem;
-    run->title = title_of(&run->options, title);
+    run->title = run->options.shader != NULL ? name_of(run->options.shader) : title;
     return true;
 }
 
 void run_close(struct run *run)
 {
     window_close(run->window);
-    second_close(&run->second);
-    renderer_close(&run->renderer);
+    for (int i = 1; i >= 0; i--)
+        loader_close(&run->picture[i]);
     context_close(&run->context);
-    shader_free(&run->source);
-    parameters_free(&run->parameters);
     options_free(&run->options);
     *run = (struct run){0};
+}
+
+// ---- Files ----
+
+static bool is_root(const char *folder)
+{
+    char path[PLATFORM_PATH + 32];
+    struct platform_file file;
+    snprintf(path, sizeof path, "%s/shaders/screen.vert", folder);
+    return platform_look(path, &file) && file.regular;
+}
+
+static bool take_root(struct run *run, const char *given)
+{
+    char *resolved = platform_resolve(given);
+    bool fits = resolved != NULL &&
+                snprintf(run->root, sizeof run->root, "%s", resolved) < (int)sizeof run->root;
+    free(resolved);
+    return (fits && is_root(run->root)) ||
+           report("--root %s: contains no shaders/screen.vert: give the project's folder", given);
+}
+
+bool run_find_root(struct run *run)
+{
+    if (run->options.root != NULL)
+        return take_root(run, run->options.root);
+    char *slash = NULL;
+    if (platform_program(run->root))
+        while ((slash = strrchr(run->root, '/')) != NULL && slash != run->root) {
+            *slash = '\0';
+            if (is_root(run->root))
+                return true;
+        }
+    return report("shaders/screen.vert: not found above this program's folder: give --root DIR");
+}
+
+bool run_find_shader(struct run *run)
+{
+    int length = run->options.shader != NULL
+                     ? snprintf(run->shader, sizeof run->shader, "%s", run->options.shader)
+                     : snprintf(run->shader, sizeof run->shader, "%s/chapters/%s.frag", run->root,
+                                run->stem);
+    if (length < (int)sizeof run->shader)
+        return true;
+    return report("%.40s...: the path of the shader is too long", run->shader);
+}
+
+// Read one of the shaders and give its parameters their values.
+static int read_shader(struct run *run, int number, const char *path)
+{
+    const struct options *options = &run->options;
+    struct loader *picture = &run->picture[number];
+    int first = number == 0 ? 0 : options->shared_settings;
+    int end = number == 0 ? options->shared_settings : options->setting_count;
+    picture->path = path;
+    picture->root = run->root;
+    picture->request.textures = options->textures;
+    picture->request.texture_count = options->texture_count;
+    picture->request.channels = options->channels;
+    if (!loader_read(picture))
+        return RUN_NOT_DONE;
+    // A texture or a channel that the second shader does not have is left out.
+    if (number == 0 && !samplers_fit(&picture->parameters.samplers, &picture->source))
+        return RUN_WRONG_COMMAND_LINE;
+    for (int i = first; i < end; i++)
+        if (!parameters_assign(&picture->parameters, options->settings[i]))
+            return RUN_WRONG_COMMAND_LINE;
+    return RUN_DONE;
+}
+
+int run_read_shaders(struct run *run)
+{
+    const char *other = run->options.compare;
+    int status = read_shader(run, 0, run->shader);
+    if (status != RUN_DONE || !run->options.compares)
+        return status;
+    return read_shader(run, 1, other != NULL ? other : run->shader);
+}
+
+bool run_compile(struct run *run, const struct gl *gl)
+{
+    const struct options *options = &run->options;
+    struct renderer *first = &run->picture[0].renderer;
+    for (int i = 0; i < (options->compares ? 2 : 1); i++) {
+        struct loader *picture = &run->picture[i];
+        if (!renderer_open(&picture->renderer, gl, run->root))
+            return false;
+        picture->renderer.view = options->view;
+        if (!loader_compile(picture))
+            return false;
+    }
+    if (!options->compares)
+        return true;
+    run->comparison =
+        (struct comparison){.other = &run->picture[1].renderer,
+                            .divider = options->divider,
+                            .own = options->settings + options->shared_settings,
+                            .own_count = options->setting_count - options->shared_settings,
+                            .gripped = options->window};
+    for (int i = 0; i < 2 && options->compare != NULL; i++)
+        run->comparison.label[i] = name_of(run->picture[i].path);
+    first->comparison = &run->comparison;
+    comparison_follow(first);
+    return true;
+}
+
+// Check that a picture would not overwrite a file that a shader was read from. Returns false,
+// reported.
+static bool check_source(const struct shader_source *source, const char *path)
+{
+    struct platform_file target, read;
+    for (int i = 0; i < source->file_count && platform_look(path, &target); i++)
+        if (platform_look(source->paths[i], &read) && platform_is_same(&read, &target))
+            return report("--output '%s': is %s, which this run reads: choose another name", path,
+                          source->files[i]);
+    return true;
+}
+
+// The same for all files that this run has read.
+static bool check_unread(const struct run *run, const char *path)
+{
+    char vertex[PLATFORM_PATH + 32];
+    char *files[] = {vertex};
+    const struct shader_source own = {.paths = files, .files = files, .file_count = 1};
+    snprintf(vertex, sizeof vertex, "%s/shaders/screen.vert", run->root);
+    return check_source(&own, path) && check_source(&run->picture[0].source, path) &&
+           check_source(&run->picture[1].source, path);
+}
+
+bool run_check_targets(const struct run *run)
+{
+    const struct options *options = &run->options;
+    char path[PLATFORM_PATH];
+    if (options->frames == 0)
+        return options->output == NULL ||
+               (image_check_target(options->output) && check_unread(run, options->output));
+    for (int i = 0; i < options->frames; i++)
+        if (!sequence_path(options->output, i, path, sizeof path) || !image_check_target(path) ||
+            !check_unread(run, path))
+            return false;
+    return true;
 }

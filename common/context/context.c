@@ -9,7 +9,7 @@
 #include "report.h"
 
 // The drivers that were built in, in the order in which CONTEXT_ANY tries them for a file: those
-// that need no display first.
+// that need no display come first.
 static const struct context_driver *const drivers[] = {
 #ifdef HAVE_EGL
     &context_driver_egl,
@@ -42,25 +42,35 @@ static void report_not_built_in(enum context_backend wanted)
     for (int i = 0; drivers[i] != NULL; i++)
         fprintf(stream, "%s%s", i > 0 ? ", " : "", drivers[i]->name);
     memory_close(stream);
-    report("%s: not built in, its library was not found by make; built in: %s: run make setup, "
+    report("%s: not built in, because make did not find its library; built in: %s: run make setup, "
            "then make",
            wanted == CONTEXT_ANY ? "OpenGL backend" : names[wanted],
            built[0] != '\0' ? built : "none");
     free(built);
 }
 
-// What the current context says it is, or NULL.
-static const char *version_of(const struct context_driver *driver)
+bool gl_load(struct gl *gl, gl_function (*find)(const char *name))
 {
-    PFNGLGETSTRINGPROC get_string = (PFNGLGETSTRINGPROC)driver->find("glGetString");
-    return get_string != NULL ? (const char *)get_string(GL_VERSION) : NULL;
+    const char *missing = NULL;
+// NOLINTBEGIN(bugprone-macro-parentheses)
+#define GL_LOAD(type, name, arguments)                                                             \
+    gl->name = (type(*) arguments)find("gl" #name);                                                \
+    if (gl->name == NULL && missing == NULL)                                                       \
+        missing = "gl" #name;
+    GL_FUNCTIONS(GL_LOAD)
+// NOLINTEND(bugprone-macro-parentheses)
+#undef GL_LOAD
+    return missing == NULL || report("OpenGL: %s: the driver lacks this function: update the "
+                                     "driver or try another --backend",
+                                     missing);
 }
 
-// Asked before the table is loaded, so that an old driver is told by its version, not by the first
-// function that it lacks.
+// Checked before the table is loaded, so that the message about an old driver names its version,
+// not the first function that it lacks.
 static bool version_suffices(const struct context_driver *driver, char why[CONTEXT_WHY])
 {
-    const char *version = version_of(driver);
+    const GLubyte *(*get)(GLenum) = (const GLubyte *(*)(GLenum))driver->find("glGetString");
+    const char *version = get != NULL ? (const char *)get(GL_VERSION) : NULL;
     int major = 0, minor = 0;
     if (version != NULL && sscanf(version, GL_VERSION_READ, &major, &minor) == 2 &&
         (major > GL_NEEDED_MAJOR || (major == GL_NEEDED_MAJOR && minor >= GL_NEEDED_MINOR)))
@@ -69,7 +79,7 @@ static bool version_suffices(const struct context_driver *driver, char why[CONTE
     return false;
 }
 
-// Take over a context that a driver made current, if it is new enough; else close it.
+// Take over a context that a driver made current if it is new enough; otherwise close it.
 static bool take(struct context *context, const struct context_driver *driver, void *state,
                  char why[CONTEXT_WHY])
 {
@@ -88,7 +98,7 @@ static bool load(struct context *context)
     return false;
 }
 
-// A driver may crash over a name of its own that there is not, before it says anything.
+// A driver that is told to load an unknown driver of its own may crash before it says anything.
 static void guard_driver(const char *backend)
 {
     const char *name = getenv("GALLIUM_DRIVER");
@@ -101,7 +111,6 @@ static void guard_driver(const char *backend)
 bool context_open_offscreen(struct context *context, enum context_backend wanted)
 {
     char reasons[4 * CONTEXT_WHY] = "";
-    size_t used = 0;
     *context = (struct context){0};
     for (int i = 0; drivers[i] != NULL; i++) {
         const struct context_driver *driver = drivers[i];
@@ -114,8 +123,8 @@ bool context_open_offscreen(struct context *context, enum context_backend wanted
         guard_end();
         if (taken)
             return load(context);
-        used += (size_t)snprintf(reasons + used, sizeof reasons - used, "%s%s: %s",
-                                 used > 0 ? "; " : "", driver->name, why);
+        memory_append(reasons, sizeof reasons, "%s%s: %s", reasons[0] != '\0' ? "; " : "",
+                      driver->name, why);
     }
     if (reasons[0] == '\0')
         report_not_built_in(wanted);

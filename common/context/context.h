@@ -5,26 +5,47 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "context/driver.h"
 #include "context/gl.h"
+
+#define CONTEXT_WHY 512 // size of a phrase, bytes
+
+enum context_backend { CONTEXT_ANY, CONTEXT_GLFW, CONTEXT_EGL, CONTEXT_OSMESA };
+
+// A backend: glfw.c, egl.c, osmesa.c. One is absent if make did not find its library.
+struct context_driver {
+    enum context_backend backend;
+    const char *name; // "glfw", "egl", "osmesa"
+    // Make a 3.3 core context current, with nothing on the screen. Returns the backend's own state,
+    // or NULL and one phrase in why: what was tried, what the library answered.
+    void *(*open_offscreen)(char why[CONTEXT_WHY]);
+    // The same with a visible, resizable window, which is the state. NULL for a backend without.
+    //   width, height  in screen coordinates
+    void *(*open_window)(const char *title, int width, int height, char why[CONTEXT_WHY]);
+    gl_function (*find)(const char *name);
+    // The backend's own platform that was chosen ("surfaceless"); NULL if it has only one.
+    const char *(*platform)(const void *state);
+    void (*close)(void *state);
+};
+
+extern const struct context_driver context_driver_glfw, context_driver_egl, context_driver_osmesa;
 
 struct GLFWwindow;
 
 struct context {
     const struct context_driver *driver;
     void *state;               // the backend's own, freed by context_close
-    struct GLFWwindow *window; // the visible window, or NULL when there is none
+    struct GLFWwindow *window; // the visible window, or NULL if there is none
     struct gl gl;              // the functions of this context
 };
 
-// Open a context that draws into targets of its own, without a window.
+// Open a context without a window, which draws into targets of its own.
 //   wanted   CONTEXT_ANY tries egl, then osmesa, then a hidden glfw window
-// Returns false after one reported line that names each backend tried and why it could not.
+// Returns false after one reported line with each backend that was tried and why it failed.
 bool context_open_offscreen(struct context *context, enum context_backend wanted);
 
-// Open a visible, resizable window with a current context (glfw alone can).
-//   wanted          CONTEXT_ANY or CONTEXT_GLFW; another is reported as unable to show a window
-//   width, height   in screen coordinates; on a high-density display the framebuffer is larger
+// Open a visible, resizable window with a current context.
+//   wanted         CONTEXT_ANY or CONTEXT_GLFW; no other backend can show a window
+//   width, height  in screen coordinates; on a high-density display the framebuffer is larger
 // Returns false, reported: no display, no OpenGL 3.3, ...
 bool context_open_window(struct context *context, enum context_backend wanted, const char *title,
                          int width, int height);
@@ -35,7 +56,7 @@ void context_close(struct context *context);
 // One line: "egl (surfaceless), OpenGL 3.3 (Core Profile) Mesa 22.3.6, llvmpipe (...)".
 void context_describe(const struct context *context, char *text, size_t size);
 
-// The backend of a name given on the command line; false (not reported) for an unknown one.
+// The backend of a name from the command line; false, not reported, for an unknown one.
 bool context_backend_from_name(const char *name, enum context_backend *backend);
 
 #endif

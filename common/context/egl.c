@@ -1,4 +1,4 @@
-#include "context/driver.h"
+#include "context/context.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -15,11 +15,11 @@
 struct egl_state {
     EGLDisplay display;
     EGLContext context;
-    EGLSurface surface; // EGL_NO_SURFACE where the driver needs none
+    EGLSurface surface; // EGL_NO_SURFACE if the driver needs none
     char platform[32];  // "surfaceless", "device 0", "default display"
 };
 
-// True when a list of words set apart by spaces holds the whole word; a NULL list holds none.
+// True if a list of words separated by spaces has the whole word; a NULL list has none.
 static bool has_word(const char *list, const char *word)
 {
     size_t length = strlen(word);
@@ -85,18 +85,13 @@ static bool try_display(struct egl_state *state, char why[CONTEXT_WHY], EGLDispl
     *state = (struct egl_state){
         .display = display, .context = EGL_NO_CONTEXT, .surface = EGL_NO_SURFACE};
     snprintf(state->platform, sizeof state->platform, "%s", platform);
-    const char *failed = NULL;
-    if (display == EGL_NO_DISPLAY)
-        failed = "no such display";
-    else if (!eglInitialize(display, NULL, NULL))
-        failed = "eglInitialize";
-    else
-        failed = make_current(state);
+    const char *failed = display == EGL_NO_DISPLAY             ? "no such display"
+                         : !eglInitialize(display, NULL, NULL) ? "eglInitialize"
+                                                               : make_current(state);
     if (failed == NULL)
         return true;
-    size_t used = strlen(why);
-    snprintf(why + used, CONTEXT_WHY - used, "%s%s: %s (0x%04X)", used > 0 ? ", " : "", platform,
-             failed, (unsigned)eglGetError());
+    memory_append(why, CONTEXT_WHY, "%s%s: %s (0x%04X)", why[0] != '\0' ? ", " : "", platform,
+                  failed, (unsigned)eglGetError());
     if (display != EGL_NO_DISPLAY)
         release(state);
     return false;
@@ -121,7 +116,7 @@ static bool try_devices(struct egl_state *state, char why[CONTEXT_WHY],
     return false;
 }
 
-// Platforms that need no display come first. Each says in why what it failed at.
+// Platforms that need no display come first. Each adds to why the step that failed.
 static bool try_platforms(struct egl_state *state, char why[CONTEXT_WHY])
 {
     const char *extensions = eglQueryString(EGL_NO_DISPLAY, EGL_EXTENSIONS);
@@ -141,7 +136,7 @@ static bool try_platforms(struct egl_state *state, char why[CONTEXT_WHY])
 static void *open_offscreen(char why[CONTEXT_WHY])
 {
     struct egl_state *state = memory_zeros(1, sizeof *state);
-    // Mesa would print lines of its own about each platform that it cannot serve.
+    // Otherwise Mesa prints lines of its own about each platform that it cannot use.
     platform_set("EGL_LOG_LEVEL", "fatal", false);
     if (try_platforms(state, why))
         return state;

@@ -1,8 +1,8 @@
-// gl.h - the OpenGL functions that this program uses, in one table, found through the backend.
+// gl.h - the OpenGL functions that this program uses, in one table that the backend fills.
 //
-// Calls go through the table alone (gl->DrawArrays), never to a linked libGL: libOSMesa exports the
-// same names, and two backends may follow each other in one process. The list stays inside what
-// OpenGL 3.3 core and OpenGL ES 3.0 share.
+// All calls go through the table (gl->DrawArrays), never to a linked libGL: libOSMesa exports the
+// same names, and two backends may follow each other in one process. The list has only what OpenGL
+// 3.3 core and OpenGL ES 3.0 share.
 #ifndef GL_H
 #define GL_H
 
@@ -10,9 +10,9 @@
 
 #include "context/opengl.h"
 
-// What a text for the driver begins with, what the driver calls itself, and the version that is
-// needed of it. A browser has OpenGL ES, whose fragment shaders have no precision of their own for
-// floats, and for samplers one that is too little for a table of numbers.
+// How a shader's text begins, how the driver's version is read, and the version that is needed. A
+// browser has OpenGL ES, whose fragment shaders have no default precision for floats, and one for
+// samplers that is too low for a table of numbers.
 //   directives  those that must come first, each with its line end; "" for none
 #ifdef __EMSCRIPTEN__
 #define GL_IS_ES 1
@@ -29,82 +29,96 @@ enum { GL_NEEDED_MAJOR = 3, GL_NEEDED_MINOR = 3 };
 #endif
 #define GL_GLSL GL_GLSL_WITH("")
 
-// X(type, name): one line for each function.
-#define GL_FUNCTIONS(X)                                                                            \
-    X(PFNGLACTIVETEXTUREPROC, ActiveTexture)                                                       \
-    X(PFNGLATTACHSHADERPROC, AttachShader)                                                         \
-    X(PFNGLBINDBUFFERPROC, BindBuffer)                                                             \
-    X(PFNGLBINDFRAMEBUFFERPROC, BindFramebuffer)                                                   \
-    X(PFNGLBINDTEXTUREPROC, BindTexture)                                                           \
-    X(PFNGLBINDVERTEXARRAYPROC, BindVertexArray)                                                   \
-    X(PFNGLBLENDCOLORPROC, BlendColor)                                                             \
-    X(PFNGLBLENDFUNCPROC, BlendFunc)                                                               \
-    X(PFNGLBLITFRAMEBUFFERPROC, BlitFramebuffer)                                                   \
-    X(PFNGLBUFFERDATAPROC, BufferData)                                                             \
-    X(PFNGLCHECKFRAMEBUFFERSTATUSPROC, CheckFramebufferStatus)                                     \
-    X(PFNGLCLEARPROC, Clear)                                                                       \
-    X(PFNGLCLEARCOLORPROC, ClearColor)                                                             \
-    X(PFNGLCOMPILESHADERPROC, CompileShader)                                                       \
-    X(PFNGLCREATEPROGRAMPROC, CreateProgram)                                                       \
-    X(PFNGLCREATESHADERPROC, CreateShader)                                                         \
-    X(PFNGLDELETEBUFFERSPROC, DeleteBuffers)                                                       \
-    X(PFNGLDELETEFRAMEBUFFERSPROC, DeleteFramebuffers)                                             \
-    X(PFNGLDELETEPROGRAMPROC, DeleteProgram)                                                       \
-    X(PFNGLDELETESHADERPROC, DeleteShader)                                                         \
-    X(PFNGLDELETETEXTURESPROC, DeleteTextures)                                                     \
-    X(PFNGLDELETEVERTEXARRAYSPROC, DeleteVertexArrays)                                             \
-    X(PFNGLDISABLEPROC, Disable)                                                                   \
-    X(PFNGLDRAWARRAYSPROC, DrawArrays)                                                             \
-    X(PFNGLDRAWARRAYSINSTANCEDPROC, DrawArraysInstanced)                                           \
-    X(PFNGLENABLEPROC, Enable)                                                                     \
-    X(PFNGLENABLEVERTEXATTRIBARRAYPROC, EnableVertexAttribArray)                                   \
-    X(PFNGLFINISHPROC, Finish)                                                                     \
-    X(PFNGLFLUSHPROC, Flush)                                                                       \
-    X(PFNGLFRAMEBUFFERTEXTURE2DPROC, FramebufferTexture2D)                                         \
-    X(PFNGLGENBUFFERSPROC, GenBuffers)                                                             \
-    X(PFNGLGENFRAMEBUFFERSPROC, GenFramebuffers)                                                   \
-    X(PFNGLGENTEXTURESPROC, GenTextures)                                                           \
-    X(PFNGLGENVERTEXARRAYSPROC, GenVertexArrays)                                                   \
-    X(PFNGLGETERRORPROC, GetError)                                                                 \
-    X(PFNGLGETINTEGERVPROC, GetIntegerv)                                                           \
-    X(PFNGLGETPROGRAMINFOLOGPROC, GetProgramInfoLog)                                               \
-    X(PFNGLGETPROGRAMIVPROC, GetProgramiv)                                                         \
-    X(PFNGLGETSHADERINFOLOGPROC, GetShaderInfoLog)                                                 \
-    X(PFNGLGETSHADERIVPROC, GetShaderiv)                                                           \
-    X(PFNGLGETSTRINGPROC, GetString)                                                               \
-    X(PFNGLGETUNIFORMLOCATIONPROC, GetUniformLocation)                                             \
-    X(PFNGLLINKPROGRAMPROC, LinkProgram)                                                           \
-    X(PFNGLPIXELSTOREIPROC, PixelStorei)                                                           \
-    X(PFNGLREADPIXELSPROC, ReadPixels)                                                             \
-    X(PFNGLSCISSORPROC, Scissor)                                                                   \
-    X(PFNGLSHADERSOURCEPROC, ShaderSource)                                                         \
-    X(PFNGLTEXIMAGE2DPROC, TexImage2D)                                                             \
-    X(PFNGLTEXIMAGE3DPROC, TexImage3D)                                                             \
-    X(PFNGLTEXPARAMETERIPROC, TexParameteri)                                                       \
-    X(PFNGLTEXSUBIMAGE2DPROC, TexSubImage2D)                                                       \
-    X(PFNGLUNIFORM1FPROC, Uniform1f)                                                               \
-    X(PFNGLUNIFORM1IPROC, Uniform1i)                                                               \
-    X(PFNGLUNIFORM2FPROC, Uniform2f)                                                               \
-    X(PFNGLUNIFORM2FVPROC, Uniform2fv)                                                             \
-    X(PFNGLUNIFORM3FPROC, Uniform3f)                                                               \
-    X(PFNGLUNIFORM4FPROC, Uniform4f)                                                               \
-    X(PFNGLUSEPROGRAMPROC, UseProgram)                                                             \
-    X(PFNGLVERTEXATTRIBDIVISORPROC, VertexAttribDivisor)                                           \
-    X(PFNGLVERTEXATTRIBPOINTERPROC, VertexAttribPointer)                                           \
-    X(PFNGLVIEWPORTPROC, Viewport)
+// clang-format off
+// X(type, name, arguments): one line for each function.
+#define GL_FUNCTIONS(X) \
+    X(void, ActiveTexture, (GLenum)) \
+    X(void, AttachShader, (GLuint, GLuint)) \
+    X(void, BindBuffer, (GLenum, GLuint)) \
+    X(void, BindFramebuffer, (GLenum, GLuint)) \
+    X(void, BindTexture, (GLenum, GLuint)) \
+    X(void, BindVertexArray, (GLuint)) \
+    X(void, BlendColor, (GLfloat, GLfloat, GLfloat, GLfloat)) \
+    X(void, BlendFunc, (GLenum, GLenum)) \
+    X(void, BlitFramebuffer, \
+      (GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLint, GLbitfield, GLenum)) \
+    X(void, BufferData, (GLenum, GLsizeiptr, const void *, GLenum)) \
+    X(GLenum, CheckFramebufferStatus, (GLenum)) \
+    X(void, Clear, (GLbitfield)) \
+    X(void, ClearColor, (GLfloat, GLfloat, GLfloat, GLfloat)) \
+    X(void, CompileShader, (GLuint)) \
+    X(GLuint, CreateProgram, (void)) \
+    X(GLuint, CreateShader, (GLenum)) \
+    X(void, DeleteBuffers, (GLsizei, const GLuint *)) \
+    X(void, DeleteFramebuffers, (GLsizei, const GLuint *)) \
+    X(void, DeleteProgram, (GLuint)) \
+    X(void, DeleteShader, (GLuint)) \
+    X(void, DeleteTextures, (GLsizei, const GLuint *)) \
+    X(void, DeleteVertexArrays, (GLsizei, const GLuint *)) \
+    X(void, Disable, (GLenum)) \
+    X(void, DrawArrays, (GLenum, GLint, GLsizei)) \
+    X(void, DrawArraysInstanced, (GLenum, GLint, GLsizei, GLsizei)) \
+    X(void, Enable, (GLenum)) \
+    X(void, EnableVertexAttribArray, (GLuint)) \
+    X(void, Finish, (void)) \
+    X(void, Flush, (void)) \
+    X(void, FramebufferTexture2D, (GLenum, GLenum, GLenum, GLuint, GLint)) \
+    X(void, GenBuffers, (GLsizei, GLuint *)) \
+    X(void, GenFramebuffers, (GLsizei, GLuint *)) \
+    X(void, GenTextures, (GLsizei, GLuint *)) \
+    X(void, GenVertexArrays, (GLsizei, GLuint *)) \
+    X(GLenum, GetError, (void)) \
+    X(void, GetIntegerv, (GLenum, GLint *)) \
+    X(void, GetProgramInfoLog, (GLuint, GLsizei, GLsizei *, GLchar *)) \
+    X(void, GetProgramiv, (GLuint, GLenum, GLint *)) \
+    X(void, GetShaderInfoLog, (GLuint, GLsizei, GLsizei *, GLchar *)) \
+    X(void, GetShaderiv, (GLuint, GLenum, GLint *)) \
+    X(const GLubyte *, GetString, (GLenum)) \
+    X(GLint, GetUniformLocation, (GLuint, const GLchar *)) \
+    X(void, LinkProgram, (GLuint)) \
+    X(void, PixelStorei, (GLenum, GLint)) \
+    X(void, ReadPixels, (GLint, GLint, GLsizei, GLsizei, GLenum, GLenum, void *)) \
+    X(void, Scissor, (GLint, GLint, GLsizei, GLsizei)) \
+    X(void, ShaderSource, (GLuint, GLsizei, const GLchar *const*, const GLint *)) \
+    X(void, TexImage2D, \
+      (GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void *)) \
+    X(void, TexImage3D, \
+      (GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void *)) \
+    X(void, TexParameteri, (GLenum, GLenum, GLint)) \
+    X(void, Uniform1f, (GLint, GLfloat)) \
+    X(void, Uniform1i, (GLint, GLint)) \
+    X(void, Uniform2f, (GLint, GLfloat, GLfloat)) \
+    X(void, Uniform2fv, (GLint, GLsizei, const GLfloat *)) \
+    X(void, Uniform3f, (GLint, GLfloat, GLfloat, GLfloat)) \
+    X(void, Uniform3fv, (GLint, GLsizei, const GLfloat *)) \
+    X(void, Uniform4f, (GLint, GLfloat, GLfloat, GLfloat, GLfloat)) \
+    X(void, UseProgram, (GLuint)) \
+    X(void, VertexAttribDivisor, (GLuint, GLuint)) \
+    X(void, VertexAttribPointer, (GLuint, GLint, GLenum, GLboolean, GLsizei, const void *)) \
+    X(void, Viewport, (GLint, GLint, GLsizei, GLsizei))
+
+// Functions that OpenGL ES 3.0 lacks: they are looked up where they are used.
+#define GL_TIMER_FUNCTIONS(X) \
+    X(void, BeginQuery, (GLenum, GLuint)) \
+    X(void, DeleteQueries, (GLsizei, const GLuint *)) \
+    X(void, EndQuery, (GLenum)) \
+    X(void, GenQueries, (GLsizei, GLuint *)) \
+    X(void, GetQueryObjectui64v, (GLuint, GLenum, GLuint64 *))
+// clang-format on
 
 // A function of any type, to be cast to its own before a call.
 typedef void (*gl_function)(void);
 
 struct gl {
-#define GL_MEMBER(type, name) type name;
+// A type and a list of parameters take no parentheses. NOLINTNEXTLINE(bugprone-macro-parentheses)
+#define GL_MEMBER(type, name, arguments) type(*name) arguments;
     GL_FUNCTIONS(GL_MEMBER)
 #undef GL_MEMBER
 };
 
 // Fill the table for the current context.
-//   find     the backend's look-up; takes "glDrawArrays", returns NULL for what it lacks
-// Returns false, reported with the name of the first function that the driver lacks.
+//   find  the backend's lookup: takes "glDrawArrays", returns NULL for a function that it lacks
+// Returns false, reported with the name of the first function that is missing.
 bool gl_load(struct gl *gl, gl_function (*find)(const char *name));
 
 #endif

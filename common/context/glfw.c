@@ -1,4 +1,4 @@
-#include "context/driver.h"
+#include "context/context.h"
 
 #include <stdio.h>
 
@@ -7,9 +7,9 @@
 
 #include "platform.h"
 
-#define HIDDEN_SIZE 16 // pixels; what is drawn goes into targets of our own
+#define HIDDEN_SIZE 16 // pixels; pictures are drawn into targets of our own
 
-// GLFW's reason for its last failure. Its text lives until glfwTerminate only.
+// GLFW's reason for its last failure, whose text lives only until glfwTerminate.
 static void last_error(char why[CONTEXT_WHY], const char *step)
 {
     const char *text = NULL;
@@ -21,16 +21,16 @@ static void last_error(char why[CONTEXT_WHY], const char *step)
 static bool initialise(bool visible, char why[CONTEXT_WHY])
 {
     enum platform_display display = platform_display();
-    // Not asked then: what GLFW tries first, libwayland, may print a line of its own.
+    // GLFW would first try libwayland, which may print a line of its own.
     if (display == PLATFORM_NO_DISPLAY) {
         snprintf(why, CONTEXT_WHY, "no display: DISPLAY and WAYLAND_DISPLAY are not set");
         return false;
     }
-#ifdef GLFW_PLATFORM // from 3.4 on it tries Wayland first, also where only DISPLAY is set
+#ifdef GLFW_PLATFORM // since 3.4, GLFW tries Wayland first even if only DISPLAY is set
     if (display == PLATFORM_X11)
         glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
 #endif
-    // On macOS the menu comes with an icon in the Dock, which no hidden window should have.
+    // On macOS, the menu comes with an icon in the Dock, which a hidden window must not have.
     glfwInitHint(GLFW_COCOA_MENUBAR, visible ? GLFW_TRUE : GLFW_FALSE);
     if (glfwInit())
         return true;
@@ -49,11 +49,10 @@ static GLFWwindow *open_window(bool visible, const char *title, int width, int h
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE); // macOS has no other core profile
     glfwWindowHint(GLFW_VISIBLE, visible ? GLFW_TRUE : GLFW_FALSE);
-    // Nothing here has a depth, and llvmpipe copies into a window without one several times as
-    // fast.
+    // Without a depth buffer, llvmpipe copies into a window several times as fast.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
-    // Where a screen coordinate is a pixel, a dense display gets a window of more of them.
+    // If a screen coordinate is a pixel, a window on a high-density display has more of them.
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, visible ? GLFW_TRUE : GLFW_FALSE);
     GLFWwindow *window = glfwCreateWindow(width, height, title, NULL, NULL);
     if (window != NULL) {

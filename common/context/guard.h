@@ -1,28 +1,23 @@
-// guard.h - what a graphics driver may do to the process that it works in.
+// guard.h - protection of the process from its graphics driver.
 #ifndef GUARD_H
 #define GUARD_H
 
-#include <stdbool.h>
-
-// True when the stack is large enough for this program and for a driver's compiler; else reported.
-bool guard_stack(void);
-
-// Before a driver is opened: see to it that one that may start no threads does not wait for them,
-// and that it does without its cache of shaders where the disk is full.
+// Call before a driver is opened: if its shader cache, a file mapped into memory, loses its disk,
+// the program ends with status 1 and one line.
 void guard_process(void);
 
-// Before a driver is opened: have it compile every shader anew.
+// Call before a driver is opened: it compiles every shader, without its cache.
 void guard_forget_caches(void);
 
-// Until guard_end, a driver that crashes ends the program with status 1 and one line.
-//   format  what could not be done and what to do, printf's, without a final newline
+// From guard_begin to guard_end, a driver that crashes ends the program with status 1 and one line.
+//   format  as printf's, without a final newline: what failed and what to do
 void guard_begin(const char *format, ...) __attribute__((format(printf, 1, 2)));
 void guard_end(void);
 
-// After guard_begin: until guard_end the driver may take 4 GB more than the process has. One that
-// gets no more crashes, and that has its line; a machine that runs out of memory stands still. For
-// drivers that take what they use: those of graphics cards reserve far more. Where the system does
-// not say what the process has, nothing is limited.
+// Between guard_begin and guard_end: limit the driver to 4 GB more than the process has. A driver
+// that runs into the limit crashes with one line, whereas a machine without memory hangs. Only for
+// software drivers: those of graphics cards reserve far more. If the system does not say how much
+// memory the process has, there is no limit.
 void guard_memory(void);
 
 #endif

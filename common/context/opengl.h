@@ -1,6 +1,6 @@
-// opengl.h - the types, constants and functions of OpenGL 3.3 that this program names. A Mac has no
-// <GL/glcorearb.h>, and on Windows that one brings <windows.h>, whose macros take names away.
-// tests/test_house.sh holds each against Khronos' header, where that is.
+// opengl.h - the types and constants of OpenGL 3.3 that this program uses. A Mac has no
+// <GL/glcorearb.h>, and on Windows it includes <windows.h>, whose macros clash with our names.
+// tests/course/house.sh compares them with Khronos' header.
 //
 // Names and values are those of the Khronos registry,
 // https://github.com/KhronosGroup/OpenGL-Registry (Copyright 2013-2020 The Khronos Group Inc.,
@@ -68,7 +68,6 @@ typedef uint64_t GLuint64;
 #define GL_RGBA32F                  0x8814
 #define GL_RGBA8                    0x8058
 #define GL_SCISSOR_TEST             0x0C11
-#define GL_SRC_ALPHA                0x0302
 #define GL_SRGB8_ALPHA8             0x8C43
 #define GL_STREAM_DRAW              0x88E0
 #define GL_TEXTURE0                 0x84C0
@@ -89,74 +88,6 @@ typedef uint64_t GLuint64;
 #define GL_VERSION                  0x1F02
 #define GL_VERTEX_SHADER            0x8B31
 #define GL_ZERO                     0
-
-// 64-bit systems have one way of calling a function, so that none is named here.
-typedef void (*PFNGLACTIVETEXTUREPROC)(GLenum texture);
-typedef void (*PFNGLATTACHSHADERPROC)(GLuint program, GLuint shader);
-typedef void (*PFNGLBEGINQUERYPROC)(GLenum target, GLuint id);
-typedef void (*PFNGLBINDBUFFERPROC)(GLenum target, GLuint buffer);
-typedef void (*PFNGLBINDFRAMEBUFFERPROC)(GLenum target, GLuint framebuffer);
-typedef void (*PFNGLBINDTEXTUREPROC)(GLenum target, GLuint texture);
-typedef void (*PFNGLBINDVERTEXARRAYPROC)(GLuint array);
-typedef void (*PFNGLBLENDCOLORPROC)(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
-typedef void (*PFNGLBLENDFUNCPROC)(GLenum sfactor, GLenum dfactor);
-typedef void (*PFNGLBLITFRAMEBUFFERPROC)(GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter);
-typedef void (*PFNGLBUFFERDATAPROC)(GLenum target, GLsizeiptr size, const void *data, GLenum usage);
-typedef GLenum (*PFNGLCHECKFRAMEBUFFERSTATUSPROC)(GLenum target);
-typedef void (*PFNGLCLEARCOLORPROC)(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
-typedef void (*PFNGLCLEARPROC)(GLbitfield mask);
-typedef void (*PFNGLCOMPILESHADERPROC)(GLuint shader);
-typedef GLuint (*PFNGLCREATEPROGRAMPROC)(void);
-typedef GLuint (*PFNGLCREATESHADERPROC)(GLenum type);
-typedef void (*PFNGLDELETEBUFFERSPROC)(GLsizei n, const GLuint *buffers);
-typedef void (*PFNGLDELETEFRAMEBUFFERSPROC)(GLsizei n, const GLuint *framebuffers);
-typedef void (*PFNGLDELETEPROGRAMPROC)(GLuint program);
-typedef void (*PFNGLDELETEQUERIESPROC)(GLsizei n, const GLuint *ids);
-typedef void (*PFNGLDELETESHADERPROC)(GLuint shader);
-typedef void (*PFNGLDELETETEXTURESPROC)(GLsizei n, const GLuint *textures);
-typedef void (*PFNGLDELETEVERTEXARRAYSPROC)(GLsizei n, const GLuint *arrays);
-typedef void (*PFNGLDISABLEPROC)(GLenum cap);
-typedef void (*PFNGLDRAWARRAYSINSTANCEDPROC)(GLenum mode, GLint first, GLsizei count, GLsizei instancecount);
-typedef void (*PFNGLDRAWARRAYSPROC)(GLenum mode, GLint first, GLsizei count);
-typedef void (*PFNGLENABLEPROC)(GLenum cap);
-typedef void (*PFNGLENABLEVERTEXATTRIBARRAYPROC)(GLuint index);
-typedef void (*PFNGLENDQUERYPROC)(GLenum target);
-typedef void (*PFNGLFINISHPROC)(void);
-typedef void (*PFNGLFLUSHPROC)(void);
-typedef void (*PFNGLFRAMEBUFFERTEXTURE2DPROC)(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level);
-typedef void (*PFNGLGENBUFFERSPROC)(GLsizei n, GLuint *buffers);
-typedef void (*PFNGLGENFRAMEBUFFERSPROC)(GLsizei n, GLuint *framebuffers);
-typedef void (*PFNGLGENQUERIESPROC)(GLsizei n, GLuint *ids);
-typedef void (*PFNGLGENTEXTURESPROC)(GLsizei n, GLuint *textures);
-typedef void (*PFNGLGENVERTEXARRAYSPROC)(GLsizei n, GLuint *arrays);
-typedef GLenum (*PFNGLGETERRORPROC)(void);
-typedef void (*PFNGLGETINTEGERVPROC)(GLenum pname, GLint *data);
-typedef void (*PFNGLGETPROGRAMINFOLOGPROC)(GLuint program, GLsizei bufSize, GLsizei *length, GLchar *infoLog);
-typedef void (*PFNGLGETPROGRAMIVPROC)(GLuint program, GLenum pname, GLint *params);
-typedef void (*PFNGLGETQUERYOBJECTUI64VPROC)(GLuint id, GLenum pname, GLuint64 *params);
-typedef void (*PFNGLGETSHADERINFOLOGPROC)(GLuint shader, GLsizei bufSize, GLsizei *length, GLchar *infoLog);
-typedef void (*PFNGLGETSHADERIVPROC)(GLuint shader, GLenum pname, GLint *params);
-typedef const GLubyte *(*PFNGLGETSTRINGPROC)(GLenum name);
-typedef GLint (*PFNGLGETUNIFORMLOCATIONPROC)(GLuint program, const GLchar *name);
-typedef void (*PFNGLLINKPROGRAMPROC)(GLuint program);
-typedef void (*PFNGLPIXELSTOREIPROC)(GLenum pname, GLint param);
-typedef void (*PFNGLREADPIXELSPROC)(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void *pixels);
-typedef void (*PFNGLSCISSORPROC)(GLint x, GLint y, GLsizei width, GLsizei height);
-typedef void (*PFNGLSHADERSOURCEPROC)(GLuint shader, GLsizei count, const GLchar *const*string, const GLint *length);
-typedef void (*PFNGLTEXIMAGE2DPROC)(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void *pixels);
-typedef void (*PFNGLTEXIMAGE3DPROC)(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLsizei depth, GLint border, GLenum format, GLenum type, const void *pixels);
-typedef void (*PFNGLTEXPARAMETERIPROC)(GLenum target, GLenum pname, GLint param);
-typedef void (*PFNGLTEXSUBIMAGE2DPROC)(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void *pixels);
-typedef void (*PFNGLUNIFORM1FPROC)(GLint location, GLfloat v0);
-typedef void (*PFNGLUNIFORM1IPROC)(GLint location, GLint v0);
-typedef void (*PFNGLUNIFORM2FPROC)(GLint location, GLfloat v0, GLfloat v1);
-typedef void (*PFNGLUNIFORM2FVPROC)(GLint location, GLsizei count, const GLfloat *value);
-typedef void (*PFNGLUNIFORM3FPROC)(GLint location, GLfloat v0, GLfloat v1, GLfloat v2);
-typedef void (*PFNGLUNIFORM4FPROC)(GLint location, GLfloat v0, GLfloat v1, GLfloat v2, GLfloat v3);
-typedef void (*PFNGLUSEPROGRAMPROC)(GLuint program);
-typedef void (*PFNGLVERTEXATTRIBDIVISORPROC)(GLuint index, GLuint divisor);
-typedef void (*PFNGLVERTEXATTRIBPOINTERPROC)(GLuint index, GLint size, GLenum type, GLboolean normalized, GLsizei stride, const void *pointer);
-typedef void (*PFNGLVIEWPORTPROC)(GLint x, GLint y, GLsizei width, GLsizei height);
 // clang-format on
 
 #endif

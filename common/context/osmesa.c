@@ -1,4 +1,4 @@
-#include "context/driver.h"
+#include "context/context.h"
 
 #include <dlfcn.h>
 #include <stdio.h>
@@ -7,8 +7,8 @@
 
 #include "memory.h"
 
-// GL/osmesa.h includes GL/gl.h, which clashes with GL/glcorearb.h; and the library is opened with
-// dlopen, so that a program still starts where it is missing. So what we need of it stands here.
+// The library is opened with dlopen, so that a program starts without it. This is the part of
+// GL/osmesa.h that we need, which includes GL/gl.h.
 #define OSMESA_FORMAT                0x22
 #define OSMESA_DEPTH_BITS            0x30
 #define OSMESA_PROFILE               0x33
@@ -18,9 +18,9 @@
 
 typedef struct osmesa_context *osmesa_handle;
 
-#define BUFFER_SIDE 16 // pixels; what is drawn goes into targets of our own
+#define BUFFER_SIDE 16 // pixels; pictures are drawn into targets of our own
 
-// The library. It stays open until the program ends: Mesa's threads would lose their code.
+// The library. It stays open until the program ends, because Mesa's threads run its code.
 static struct {
     void *library;
     osmesa_handle (*create)(const int *attributes, osmesa_handle shared);
@@ -47,8 +47,8 @@ static bool open_library(char why[CONTEXT_WHY])
     return osmesa.library != NULL;
 }
 
-// Look one function up. ISO C has no conversion from void * to a function's pointer; POSIX promises
-// that both look alike, hence the copy.
+// Look up a function. ISO C has no conversion from void * to a function pointer, but POSIX
+// guarantees that both have the same representation, hence the copy.
 static bool look_up(const char *name, void *function, char why[CONTEXT_WHY])
 {
     void *symbol = dlsym(osmesa.library, name);

@@ -4,18 +4,17 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "json.h"
 #include "memory.h"
 #include "platform.h"
 #include "report.h"
-#include "picture/coarse.h"
 
-// OpenGL ES 3.0 has no timer: these are asked for where they are used, not in the table of gl.h.
+// The GPU's own clock.
 struct timer {
-    PFNGLGENQUERIESPROC gen;
-    PFNGLDELETEQUERIESPROC drop;
-    PFNGLBEGINQUERYPROC begin;
-    PFNGLENDQUERYPROC end;
-    PFNGLGETQUERYOBJECTUI64VPROC get;
+// A type and a list of parameters take no parentheses. NOLINTNEXTLINE(bugprone-macro-parentheses)
+#define TIMER_MEMBER(type, name, arguments) type(*name) arguments;
+    GL_TIMER_FUNCTIONS(TIMER_MEMBER)
+#undef TIMER_MEMBER
     GLuint query;
 };
 
@@ -34,7 +33,7 @@ static struct benchmark_span since(const struct benchmark_span *begin)
     return span;
 }
 
-// A processor that plays the graphics card has no clock of its own.
+// A software rasteriser has no clock of its own.
 static bool is_software(const struct gl *gl)
 {
     static const char *const names[] = {"llvmpipe", "softpipe", "swrast", "SWR", "Software"};
@@ -47,19 +46,17 @@ static bool is_software(const struct gl *gl)
 
 static bool open_timer(struct timer *timer, const struct context *context)
 {
-    gl_function (*find)(const char *) = context->driver->find;
-    if (is_software(&context->gl))
-        return false;
-    *timer = (struct timer){.gen = (PFNGLGENQUERIESPROC)find("glGenQueries"),
-                            .drop = (PFNGLDELETEQUERIESPROC)find("glDeleteQueries"),
-                            .begin = (PFNGLBEGINQUERYPROC)find("glBeginQuery"),
-                            .end = (PFNGLENDQUERYPROC)find("glEndQuery"),
-                            .get = (PFNGLGETQUERYOBJECTUI64VPROC)find("glGetQueryObjectui64v")};
-    if (timer->gen == NULL || timer->drop == NULL || timer->begin == NULL || timer->end == NULL ||
-        timer->get == NULL)
-        return false;
-    timer->gen(1, &timer->query);
-    return true;
+    bool has_all = !is_software(&context->gl);
+// NOLINTBEGIN(bugprone-macro-parentheses)
+#define TIMER_LOAD(type, name, arguments)                                                          \
+    timer->name = (type(*) arguments)context->driver->find("gl" #name);                            \
+    has_all = has_all && timer->name != NULL;
+    GL_TIMER_FUNCTIONS(TIMER_LOAD)
+// NOLINTEND(bugprone-macro-parentheses)
+#undef TIMER_LOAD
+    if (has_all)
+        timer->GenQueries(1, &timer->query);
+    return has_all;
 }
 
 // ---- Frames ----
@@ -75,21 +72,21 @@ bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer,
     return true;
 }
 
-//   timer  NULL where there is no GPU's clock
+//   timer  NULL without a GPU's clock
 static bool draw_frame(const struct benchmark *benchmark, struct renderer *renderer,
                        const struct timer *timer, struct benchmark_span *span)
 {
     GLuint64 nanoseconds = 0;
     struct benchmark_span begin = now();
     if (timer != NULL)
-        timer->begin(GL_TIME_ELAPSED, timer->query);
+        timer->BeginQuery(GL_TIME_ELAPSED, timer->query);
     bool done = renderer_draw(renderer, &benchmark->inputs, 0, benchmark->inputs.height);
     if (timer != NULL)
-        timer->end(GL_TIME_ELAPSED);
+        timer->EndQuery(GL_TIME_ELAPSED);
     renderer->gl->Finish();
     *span = since(&begin);
     if (timer != NULL)
-        timer->get(timer->query, GL_QUERY_RESULT, &nanoseconds);
+        timer->GetQueryObjectui64v(timer->query, GL_QUERY_RESULT, &nanoseconds);
     span->seconds[BENCHMARK_GPU] = 1e-9 * (double)nanoseconds;
     return done;
 }
@@ -110,49 +107,44 @@ struct benchmark_spread benchmark_spread_of(double *values, int count)
 static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
                         const struct timer *timer)
 {
-    int count = benchmark->frames;
-    double *seconds[BENCHMARK_CLOCKS];
+    int count = benchmark->frames, all = BENCHMARK_WARM_UP + count;
+    struct benchmark_span *span = memory_zeros((size_t)all, sizeof *span);
+    double *seconds = memory_zeros((size_t)count, sizeof *seconds);
     bool done = true;
-    for (int clock = 0; clock < BENCHMARK_CLOCKS; clock++)
-        seconds[clock] = memory_zeros((size_t)count, sizeof *seconds[clock]);
-    for (int i = -BENCHMARK_WARM_UP; i < count && done; i++) {
-        struct benchmark_span span;
-        done = draw_frame(benchmark, renderer, timer, &span);
-        if (i == -BENCHMARK_WARM_UP)
-            benchmark->first = span;
-        for (int clock = 0; clock < BENCHMARK_CLOCKS && i >= 0; clock++)
-            seconds[clock][i] = span.seconds[clock];
-    }
+    for (int i = 0; i < all && done; i++)
+        done = draw_frame(benchmark, renderer, timer, &span[i]);
+    benchmark->first = span[0];
     for (int clock = 0; clock < BENCHMARK_CLOCKS && done; clock++) {
-        struct benchmark_spread spread = benchmark_spread_of(seconds[clock], count);
+        for (int i = 0; i < count; i++)
+            seconds[i] = span[BENCHMARK_WARM_UP + i].seconds[clock];
+        struct benchmark_spread spread = benchmark_spread_of(seconds, count);
         benchmark->minimum.seconds[clock] = spread.minimum;
         benchmark->median.seconds[clock] = spread.median;
         benchmark->maximum.seconds[clock] = spread.maximum;
     }
-    for (int clock = 0; clock < BENCHMARK_CLOCKS; clock++)
-        free(seconds[clock]);
+    free(seconds);
+    free(span);
     return done;
 }
 
 // ---- Evaluations ----
 
-// Draw the counts of all pixels: 4 numbers each, as shaders/main.glsl writes them: evaluations,
-// steps, the least, whether the pixel's march is looked at.
+// Draw the counts of all pixels, 4 numbers each, as shaders/main.glsl writes them: evaluations,
+// steps, the bound, 1 if the pixel's march is compared with it.
 static bool draw_counts(struct renderer *renderer, const struct renderer_inputs *inputs,
                         float *values)
 {
     bool done = renderer_set_view(renderer, SHADER_COUNT) &&
                 renderer_draw(renderer, inputs, 0, inputs->height);
     if (done)
-        renderer_read(renderer, &renderer->picture, values);
+        target_read(&renderer->picture, renderer->gl, values);
     return done;
 }
 
-// Compare the marches of the grid's rays with the least that could have done.
-//   counts  as they are drawn
-//   alone   of each ray by itself, without the coarse pass: whose march has to be shown, and the
-//           least that does it
-//   shared  evaluations of the coarse pass for each pixel
+// Compare the marches with the bounds.
+//   counts  with the coarse pass
+//   alone   without the coarse pass: they have the bounds
+//   shared  evaluations of the coarse pass per pixel
 static struct benchmark_cover cover_of(const float *counts, const float *alone, double shared,
                                        size_t pixels)
 {
@@ -177,8 +169,7 @@ static struct benchmark_cover cover_of(const float *counts, const float *alone, 
     return cover;
 }
 
-// The evaluations of the coarse pass, the mean for each pixel; and, in place of the counts that are
-// drawn, those without it.
+// Count the evaluations of the coarse pass per pixel, and draw the counts without it.
 static bool count_coarse(struct renderer *renderer, const struct renderer_inputs *inputs,
                          float *values, double *shared)
 {
@@ -186,12 +177,10 @@ static bool count_coarse(struct renderer *renderer, const struct renderer_inputs
     size_t pixels = (size_t)inputs->width * (size_t)inputs->height;
     size_t blocks = (size_t)renderer->coarse.width * (size_t)renderer->coarse.height;
     double sum = 0.0;
-    renderer_read(renderer, &renderer->coarse, values); // has fewer texels than the picture
+    target_read(&renderer->coarse, renderer->gl, values); // has fewer texels than the picture
     for (size_t i = 0; i < blocks; i++)
         sum += (double)values[4 * i + 1];
     *shared = sum / (double)pixels;
-    if (pass == NULL)
-        return report("--benchmark: a coarse pass without its parameter coarsePass");
     double on = pass->value[0];
     pass->value[0] = 0.0;
     bool done = draw_counts(renderer, inputs, values);
@@ -199,7 +188,7 @@ static bool count_coarse(struct renderer *renderer, const struct renderer_inputs
     return done;
 }
 
-//   each  room for as many numbers
+//   each  room for one number per pixel
 static void sum_up(struct benchmark *benchmark, const float *counts, double shared, size_t pixels,
                    double *each)
 {
@@ -227,7 +216,7 @@ static bool count_evaluations(struct benchmark *benchmark, struct renderer *rend
     done = done && draw_counts(renderer, &inputs, counts);
     if (done)
         memcpy(alone, counts, 4 * sizeof *alone * pixels);
-    if (done && coarse_wanted(renderer, SHADER_COUNT))
+    if (done && renderer_wants_coarse(renderer, SHADER_COUNT))
         done = count_coarse(renderer, &inputs, alone, &shared);
     if (done) {
         sum_up(benchmark, counts, shared, pixels, each);
@@ -247,8 +236,8 @@ bool benchmark_run(struct benchmark *benchmark, const struct context *context,
     context_describe(context, benchmark->backend, sizeof benchmark->backend);
     bool done = draw_frames(benchmark, renderer, timed ? &timer : NULL);
     if (timed)
-        timer.drop(1, &timer.query);
-    if (done && renderer->fragment.form == SHADER_COURSE)
+        timer.DeleteQueries(1, &timer.query);
+    if (done && renderer->fragment.dialect == DIALECT_COURSE)
         done = count_evaluations(benchmark, renderer);
     GLenum error = renderer->gl->GetError();
     if (done && error != GL_NO_ERROR)
@@ -294,61 +283,43 @@ static void print_text(const struct benchmark *b, FILE *file)
                 b->cover.rays);
 }
 
-// The lines of a JSON object, each but the first behind a comma.
-static void print_string(FILE *file, const char *before, const char *name, const char *text)
-{
-    fprintf(file, "%s\n  \"%s\": \"", before, name);
-    for (const char *c = text; *c != '\0'; c++)
-        if (*c == '"' || *c == '\\')
-            fprintf(file, "\\%c", *c);
-        else
-            fputc((unsigned char)*c < ' ' ? '?' : *c, file);
-    fprintf(file, "\"");
-}
-
-static void print_number(FILE *file, const char *name, double value, int decimals, bool known)
-{
-    if (known)
-        fprintf(file, ",\n  \"%s\": %.*f", name, decimals, value);
-    else
-        fprintf(file, ",\n  \"%s\": null", name);
-}
-
-static void print_span(FILE *file, const char *name, const struct benchmark_span *span,
-                       bool has_gpu)
+static void json_span(struct json *json, const char *name, const struct benchmark_span *span,
+                      bool has_gpu)
 {
     static const char *const clocks[BENCHMARK_CLOCKS] = {"cpu", "wall", "gpu"};
     for (int i = 0; i < BENCHMARK_CLOCKS; i++) {
         char key[40];
         snprintf(key, sizeof key, "%s_%s_ms", name, clocks[i]);
-        print_number(file, key, 1000.0 * span->seconds[i], 4, i != BENCHMARK_GPU || has_gpu);
+        json_number(json, key, i != BENCHMARK_GPU || has_gpu ? 1000.0 * span->seconds[i] : NAN, 4);
     }
 }
 
 static void print_json(const struct benchmark *b, FILE *file)
 {
+    struct json json = {.stream = file, .lines = true};
     bool counted = b->has_evaluations, covered = b->cover.rays > 0;
-    print_string(file, "{", "shader", b->shader);
-    print_string(file, ",", "backend", b->backend);
-    print_number(file, "width", b->inputs.width, 0, true);
-    print_number(file, "height", b->inputs.height, 0, true);
-    fprintf(file, ",\n  \"time\": %.9g", b->inputs.time);
-    print_number(file, "samples", b->inputs.samples * b->inputs.samples, 0, true);
-    print_number(file, "frames", b->frames, 0, true);
-    print_span(file, "compile", &b->compile, false);
-    print_span(file, "first_frame", &b->first, b->has_gpu);
-    print_span(file, "frame_median", &b->median, b->has_gpu);
-    print_span(file, "frame_minimum", &b->minimum, b->has_gpu);
-    print_span(file, "frame_maximum", &b->maximum, b->has_gpu);
-    print_number(file, "evaluations_mean", b->mean, 4, counted);
-    print_number(file, "evaluations_p99", b->percentile, 0, counted);
-    print_number(file, "evaluations_maximum", b->most, 0, counted);
-    print_number(file, "march_rays", b->cover.rays, 0, true);
-    print_number(file, "march_evaluations", b->cover.march, 4, covered);
-    print_number(file, "march_bound", b->cover.bound, 4, covered);
-    print_number(file, "march_over_bound", b->cover.ratio, 4, covered);
-    print_number(file, "march_over_bound_minimum", b->cover.ray_ratio, 4, covered);
-    fprintf(file, "\n}\n");
+    json_begin(&json, NULL, '{');
+    json_text(&json, "shader", b->shader);
+    json_text(&json, "backend", b->backend);
+    json_number(&json, "width", b->inputs.width, 0);
+    json_number(&json, "height", b->inputs.height, 0);
+    json_number(&json, "time", b->inputs.time, -1);
+    json_number(&json, "samples", b->inputs.samples * b->inputs.samples, 0);
+    json_number(&json, "frames", b->frames, 0);
+    json_span(&json, "compile", &b->compile, false);
+    json_span(&json, "first_frame", &b->first, b->has_gpu);
+    json_span(&json, "frame_median", &b->median, b->has_gpu);
+    json_span(&json, "frame_minimum", &b->minimum, b->has_gpu);
+    json_span(&json, "frame_maximum", &b->maximum, b->has_gpu);
+    json_number(&json, "evaluations_mean", counted ? b->mean : NAN, 4);
+    json_number(&json, "evaluations_p99", counted ? b->percentile : NAN, 0);
+    json_number(&json, "evaluations_maximum", counted ? b->most : NAN, 0);
+    json_number(&json, "march_rays", b->cover.rays, 0);
+    json_number(&json, "march_evaluations", covered ? b->cover.march : NAN, 4);
+    json_number(&json, "march_bound", covered ? b->cover.bound : NAN, 4);
+    json_number(&json, "march_over_bound", covered ? b->cover.ratio : NAN, 4);
+    json_number(&json, "march_over_bound_minimum", covered ? b->cover.ray_ratio : NAN, 4);
+    json_end(&json, '}');
 }
 
 void benchmark_print(const struct benchmark *benchmark, bool json, FILE *file)

@@ -1,4 +1,5 @@
-// benchmark.h - what a shader costs on this machine: compilation, frames, evaluations of the scene.
+// benchmark.h - the cost of a shader on this machine: compilation, frames, evaluations of the
+// scene.
 #ifndef BENCHMARK_H
 #define BENCHMARK_H
 
@@ -10,13 +11,13 @@
 
 #define BENCHMARK_FRAMES_LIMIT   10000
 #define BENCHMARK_FRAMES_DEFAULT 20
-#define BENCHMARK_WARM_UP        3 // frames that are drawn and not counted, the first one included
+#define BENCHMARK_WARM_UP        3 // frames that are drawn before those that count
 
 // The clocks of one piece of work, in seconds.
 enum benchmark_clock {
-    BENCHMARK_CPU,  // of the process, all its threads together: other programs do not count
-    BENCHMARK_WALL, // what a person waits
-    BENCHMARK_GPU,  // GL_TIME_ELAPSED, on a graphics card; 0 without
+    BENCHMARK_CPU,  // of this process, in all its threads
+    BENCHMARK_WALL, // the time that a person waits
+    BENCHMARK_GPU,  // GL_TIME_ELAPSED; 0 without a graphics card
     BENCHMARK_CLOCKS
 };
 
@@ -24,12 +25,13 @@ struct benchmark_span {
     double seconds[BENCHMARK_CLOCKS];
 };
 
-// What marches took against the least that could have shown the same: shaders/cover.glsl. Where a
-// coarse pass marches for many rays at once, its evaluations are shared out among all pixels, and
-// the least is that of a ray by itself: so the march may come below it.
+// The evaluations of marches, and a lower bound for any march with the same result:
+// shaders/cover.glsl. The evaluations of a coarse pass, which marches for many rays at once, are
+// divided among all pixels. The bound is that of a single ray, so a march with a coarse pass may be
+// below it.
 struct benchmark_cover {
-    int rays;                // looked at, of those that march; 0: nothing is known
-    double march, bound;     // evaluations, the mean over these rays
+    int rays;                // that were compared; 0: unknown
+    double march, bound;     // evaluations, the mean of these rays
     double ratio, ray_ratio; // march / bound, and the smallest of a single ray
 };
 
@@ -39,23 +41,22 @@ struct benchmark {
     int frames;
     struct renderer_inputs inputs;
     // Measured.
-    char backend[512];                              // as context_describe has it
+    char backend[512];                              // from context_describe
     bool has_gpu;                                   // the GPU's clock was read
-    struct benchmark_span compile, first;           // with the drivers' own caches off
+    struct benchmark_span compile, first;           // without the drivers' caches
     struct benchmark_span median, minimum, maximum; // of the frames, by clock
-    bool has_evaluations;                           // the course's form counts them
-    // Evaluations of a pixel: the mean, with those of the coarse pass; what 99 % of the pixels have
-    // at most, and all, in their own marches.
+    bool has_evaluations;                           // only the course's dialect counts them
+    // Evaluations per pixel: the mean, including the coarse pass; the 99th percentile and the
+    // maximum, without it.
     double mean, percentile, most;
     struct benchmark_cover cover; // of the first marches, by the same count
 };
 
-// Of numbers in any order: the least, the one in the middle (the mean of two where their count is
-// even), the largest.
 struct benchmark_spread {
     double minimum, median, maximum;
 };
 
+// The spread of numbers; the median of an even count is the mean of the two in the middle.
 //   values  count >= 1 of them; they are sorted
 struct benchmark_spread benchmark_spread_of(double *values, int count);
 
@@ -63,15 +64,15 @@ struct benchmark_spread benchmark_spread_of(double *values, int count);
 bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer,
                     struct shader_source *source, struct parameters *parameters);
 
-// Draw the first frame, the warm-up, and the frames that count; then count evaluations on the GPU.
-//   benchmark  shader, frames (from 1 on) and inputs are set, benchmark_load was called
-//   context    the renderer's own
+// Draw the warm-up and the frames that count; then count evaluations on the GPU.
+//   benchmark  shader, frames (at least 1) and inputs are set, benchmark_load was called
+//   context    of the renderer
 // Returns false, reported.
 bool benchmark_run(struct benchmark *benchmark, const struct context *context,
                    struct renderer *renderer);
 
-// Print the numbers: aligned text, or one JSON object with one name a line. Milliseconds; what was
-// not measured is "-", null in JSON.
+// Print the numbers: aligned text, or one JSON object with one name per line. Times are
+// milliseconds; a number that was not measured is "-", or null in JSON.
 void benchmark_print(const struct benchmark *benchmark, bool json, FILE *file);
 
 #endif

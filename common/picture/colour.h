@@ -1,9 +1,9 @@
-// colour.h - a light as the screen's number, and a colour by its hue.
+// colour.h - light and the numbers of sRGB; hue, saturation and value.
 #ifndef COLOUR_H
 #define COLOUR_H
 
-// The share of light, 0 to 1, that a number of sRGB stands for, and the other way. IEC 61966-2-1:
-// v / 12.92 up to 0.04045, ((v + 0.055) / 1.055)^2.4 above.
+// The light, 0 to 1, of a number of sRGB, and the inverse. IEC 61966-2-1: v / 12.92 up to 0.04045,
+// ((v + 0.055) / 1.055)^2.4 above.
 double colour_decode(double number);
 double colour_encode(double light);
 
@@ -13,7 +13,7 @@ double colour_encode(double light);
 //   rgb  receives it, 0 to 1 each
 void colour_of_hue(const double hsv[3], double rgb[3]);
 
-// The other way. Of a grey the hue, of black the saturation too, stay as hsv has them.
+// The inverse. A grey keeps the hue that hsv has, and black keeps its saturation as well.
 void colour_hue_of(const double rgb[3], double hsv[3]);
 
 #endif

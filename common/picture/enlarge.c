@@ -1,11 +1,6 @@
 #include "picture/enlarge.h"
 
-#include <stddef.h>
 #include <stdio.h>
-#include <stdlib.h>
-
-#include "report.h"
-#include "shader/compile.h"
 
 static const char begin_text[] = GL_GLSL "uniform sampler2D picture;\n"
                                          "uniform vec2 step;\n" // from pixel to pixel, in texels
@@ -26,12 +21,6 @@ static const char end_text[] =
     "    fragment = vec4(filtered(column, row, place - base), 1.0);\n"
     "}\n";
 
-static const char nearest_text[] =
-    "vec3 filtered(ivec4 x, ivec4 y, vec2 f)\n"
-    "{\n"
-    "    return texel(f.x < 0.5 ? x.y : x.z, f.y < 0.5 ? y.y : y.z);\n"
-    "}\n";
-
 static const char bilinear_text[] = "vec3 filtered(ivec4 x, ivec4 y, vec2 f)\n"
                                     "{\n"
                                     "    vec3 low = mix(texel(x.y, y.y), texel(x.z, y.y), f.x);\n"
@@ -39,31 +28,12 @@ static const char bilinear_text[] = "vec3 filtered(ivec4 x, ivec4 y, vec2 f)\n"
                                     "    return mix(low, high, f.y);\n"
                                     "}\n";
 
-// Weights of the texels at -1, 0, 1, 2 for a place f behind texel 0.
-static const char bicubic_text[] =
-    "vec4 weights(float f)\n"
-    "{\n"
-    "    return 0.5 * vec4(f * (-1.0 + f * (2.0 - f)), 2.0 + f * f * (3.0 * f - 5.0),\n"
-    "                      f * (1.0 + f * (4.0 - 3.0 * f)), f * f * (f - 1.0));\n"
-    "}\n"
-    "vec3 across(ivec4 x, int y, vec4 w)\n"
-    "{\n"
-    "    return w.x * texel(x.x, y) + w.y * texel(x.y, y) + w.z * texel(x.z, y) +\n"
-    "           w.w * texel(x.w, y);\n"
-    "}\n"
-    "vec3 filtered(ivec4 x, ivec4 y, vec2 f)\n"
-    "{\n"
-    "    vec4 w = weights(f.x), v = weights(f.y);\n"
-    "    return v.x * across(x, y.x, w) + v.y * across(x, y.y, w) + v.z * across(x, y.z, w) +\n"
-    "           v.w * across(x, y.w, w);\n"
-    "}\n";
-
-// look adds, for one of the 4 nearest texels, by its bilinear weight: the slope there, and how far
-// it is one edge (1) and no thin line (0), along which no kernel may be laid. add takes one texel
-// into the mean: its offset is turned so that x goes up the slope and y along the edge, and
-// stretched: 4 texels along the edge, 2 across. The kernel is (25/16 (2/5 r - 1)^2 - 9/16)
-// (0.21 r - 1)^2, r the length squared, which follows Lanczos' of order 2 without its sines. Where
-// there is no single edge, bilinear has the say.
+// look adds for one of the 4 nearest texels, with its bilinear weight: the slope, and whether there
+// is a single edge (1) or a thin line (0), along which the kernel must not lie. add adds one texel
+// to the mean: its offset is rotated so that x goes up the slope and y along the edge, and scaled,
+// to 4 texels along the edge and 2 across it. The kernel is (25/16 (2/5 r - 1)^2 - 9/16) (0.21 r -
+// 1)^2, where r is the length squared; it approximates the Lanczos kernel of order 2 without sines.
+// Without a single edge, the bilinear mean is used.
 static const char edge_text[] =
     "vec2 slope;\n"
     "float single;\n"
@@ -129,9 +99,7 @@ static const char edge_text[] =
 static const struct {
     const char *name, *text;
 } filters[ENLARGE_FILTERS] = {
-    {"nearest", nearest_text},
     {"bilinear", bilinear_text},
-    {"bicubic", bicubic_text},
     {"edge", edge_text},
 };
 
@@ -143,61 +111,45 @@ const char *enlarge_name(enum enlarge_filter filter)
 static GLuint link_program(const struct gl *gl, const char *text)
 {
     char fragment[sizeof begin_text + sizeof edge_text + sizeof end_text];
-    enum shader_step step;
-    char *log;
     snprintf(fragment, sizeof fragment, "%s%s%s", begin_text, text, end_text);
-    GLuint program = shader_link_texts(gl, target_vertex, fragment, &step, &log);
-    if (program == 0)
-        report("enlarging: the driver does not take its shader: try another --backend: %.800s",
-               log != NULL ? log : "");
-    free(log);
-    return program;
+    return target_program(gl, "enlarging", target_vertex, fragment);
 }
 
-// A copy of 8 bits a channel: it has the values brought into [0, 1], and is quicker to read.
-static void copy_target(struct enlarge *enlarge, const struct gl *gl, const struct target *target)
+// Make a copy with 8 bits per channel, which is clamped to [0, 1] and faster to read.
+static bool copy_target(struct enlarge *enlarge, const struct gl *gl, const struct target *target)
 {
     int width = target->width, height = target->height;
     GLint drawn = 0;
     gl->GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &drawn);
-    if (enlarge->framebuffer == 0) {
-        gl->GenFramebuffers(1, &enlarge->framebuffer);
-        gl->GenTextures(1, &enlarge->texture);
-    }
-    gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, enlarge->framebuffer);
-    if (enlarge->width != width || enlarge->height != height) {
-        gl->BindTexture(GL_TEXTURE_2D, enlarge->texture);
-        gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                       NULL);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        gl->FramebufferTexture2D(GL_DRAW_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D,
-                                 enlarge->texture, 0);
-        enlarge->width = width;
-        enlarge->height = height;
-    }
+    bool made = target_bind(&enlarge->copy, gl, width, height);
     gl->BindFramebuffer(GL_READ_FRAMEBUFFER, target->framebuffer);
-    gl->BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    if (made)
+        gl->BlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT,
+                            GL_NEAREST);
     gl->BindFramebuffer(GL_DRAW_FRAMEBUFFER, (GLuint)drawn);
+    return made;
 }
 
 bool enlarge_draw(struct enlarge *enlarge, const struct gl *gl, enum enlarge_filter filter,
                   const struct target *target, int width, int height)
 {
     GLuint *program = &enlarge->program[filter];
-    if (enlarge->vertex_array == 0)
+    if (enlarge->vertex_array == 0) {
         gl->GenVertexArrays(1, &enlarge->vertex_array);
-    if (*program == 0)
+        target_open(&enlarge->copy, gl, GL_RGBA8);
+    }
+    if (*program == 0) {
         *program = link_program(gl, filters[filter].text);
-    if (*program == 0)
+        if (*program == 0)
+            return false;
+        enlarge->step[filter] = gl->GetUniformLocation(*program, "step");
+    }
+    if (!copy_target(enlarge, gl, target))
         return false;
-    copy_target(enlarge, gl, target);
-    const float step[2] = {(float)target->width / (float)width,
-                           (float)target->height / (float)height};
     gl->UseProgram(*program);
-    gl->Uniform1i(gl->GetUniformLocation(*program, "picture"), 0);
-    gl->Uniform2f(gl->GetUniformLocation(*program, "step"), step[0], step[1]);
-    gl->BindTexture(GL_TEXTURE_2D, enlarge->texture);
+    gl->Uniform2f(enlarge->step[filter], (float)target->width / (float)width,
+                  (float)target->height / (float)height);
+    gl->BindTexture(GL_TEXTURE_2D, enlarge->copy.texture);
     gl->BindVertexArray(enlarge->vertex_array);
     gl->Viewport(0, 0, width, height);
     gl->DrawArrays(GL_TRIANGLES, 0, 3);
@@ -210,11 +162,9 @@ void enlarge_close(struct enlarge *enlarge, const struct gl *gl)
     for (int i = 0; i < ENLARGE_FILTERS; i++)
         if (enlarge->program[i] != 0)
             gl->DeleteProgram(enlarge->program[i]);
-    if (enlarge->framebuffer != 0) {
-        gl->DeleteFramebuffers(1, &enlarge->framebuffer);
-        gl->DeleteTextures(1, &enlarge->texture);
-    }
-    if (enlarge->vertex_array != 0)
+    if (enlarge->vertex_array != 0) {
         gl->DeleteVertexArrays(1, &enlarge->vertex_array);
+        target_close(&enlarge->copy, gl);
+    }
     *enlarge = (struct enlarge){0};
 }

@@ -8,7 +8,7 @@
 
 #include "shader/text_file.h"
 
-// libpng's errors jump to whoever called setjmp.
+// libpng's errors jump to the call of setjmp.
 static void on_png_error(png_structp png, png_const_charp text)
 {
     snprintf(png_get_error_ptr(png), IMAGE_WHY, "cannot be read: %s: save it again as a PNG", text);
@@ -26,8 +26,8 @@ static void on_png_warning(png_structp png, png_const_charp text)
     (void)png, (void)text;
 }
 
-// Make every kind of PNG one of 8 bits and so many channels, its values as they are stored: no
-// gamma is applied, whatever the file says. May leave by longjmp.
+// Convert any kind of PNG to 8 bits and the number of channels, without gamma. May leave with
+// longjmp.
 static void read_pixels(png_structp png, png_infop info, struct image_bytes *bytes, size_t most)
 {
     png_read_info(png, info);

@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #include "picture/pen.h"
 #include "picture/slice.h"
@@ -11,17 +12,16 @@ enum { STEP_COLUMNS = 3 };
 static const float STEP_RIGHT[STEP_COLUMNS] = {28.0f, 92.0f, 172.0f};
 static const float INSPECTOR_WIDTH = 176.0f, WHY_WIDTH = 292.0f;
 
-// ---- What the table has ----
+// ---- The size of the table ----
 
-// What a table shows: how many rows, from which on, and which lines beside them.
 struct table {
-    int rows, first;
-    bool titles; // over the columns
-    bool whole;  // what the ray cost, and its colour
-    float lines; // of all this
+    int rows, first; // number of rows, and the step of the first one
+    bool titles;     // above the columns
+    bool whole;      // with the cost of the ray, and its colour
+    float lines;     // in all
 };
 
-// The row that is looked at; -1: none.
+// The current row; -1: none.
 static int row_of(const struct inspector *inspector)
 {
     int last = probe_rows(inspector->probe) - 1;
@@ -29,8 +29,7 @@ static int row_of(const struct inspector *inspector)
     return row > last ? last : row;
 }
 
-// Heading, titles, two rules and four lines of the outcome are left out one after the other where
-// lines are short.
+// If there are few lines, the cost is left out first, then the titles.
 static struct table table_of(const struct inspector *inspector, const struct inspector_room *room)
 {
     int all = probe_rows(inspector->probe), row = row_of(inspector);
@@ -42,7 +41,7 @@ static struct table table_of(const struct inspector *inspector, const struct ins
     table.rows = lines - (int)beside < all ? lines - (int)beside : all;
     if (table.rows < (all > 0 ? 1 : 0))
         return (struct table){0};
-    // The row that is looked at in the middle; without one the last rows.
+    // The current row is in the middle; without one, the last rows are shown.
     table.first = row < 0 ? all - table.rows : row - table.rows / 2;
     table.first = table.first > all - table.rows ? all - table.rows : table.first;
     table.first = table.first < 0 ? 0 : table.first;
@@ -52,16 +51,16 @@ static struct table table_of(const struct inspector *inspector, const struct ins
 
 // ---- Marks in the picture ----
 
-// A place of the picture in units, from the top left.
-static void place_of(const struct overlay *overlay, const float pixel[2], float place[2])
+// The position of a pixel in units, from the top left.
+static void position_of(const struct overlay *overlay, const float pixel[2], float position[2])
 {
-    place[0] = pixel[0] / overlay->scale;
-    place[1] = ((float)overlay->height - pixel[1]) / overlay->scale;
+    position[0] = pixel[0] / overlay->scale;
+    position[1] = ((float)overlay->height - pixel[1]) / overlay->scale;
 }
 
 static void mark_pixel(struct overlay *overlay, const int pixel[2])
 {
-    // Four arms that leave the pixel itself free; a dark edge shows them on a bright picture.
+    // Four arms that leave the pixel free, with a dark edge for bright pictures.
     static const float arms[4][4] = {{-8, 0, 5, 1}, {4, 0, 5, 1}, {0, -8, 1, 5}, {0, 4, 1, 5}};
     float x = ((float)pixel[0] + 0.5f) / overlay->scale - 0.5f;
     float y = ((float)(overlay->height - 1 - pixel[1]) + 0.5f) / overlay->scale - 0.5f;
@@ -83,7 +82,7 @@ static void mark_arrow(struct overlay *overlay, const float from[2], const float
 {
     float way[2] = {to[0] - from[0], to[1] - from[1]}, length = hypotf(way[0], way[1]);
     float head = fminf(7.0f, 0.5f * length);
-    if (length < 4.0f) // a dot says as much
+    if (length < 4.0f) // too short to be seen
         return;
     edged(overlay, from, to, 2.0f, PEN_HERE);
     for (int side = -1; side <= 1; side += 2) {
@@ -94,22 +93,20 @@ static void mark_arrow(struct overlay *overlay, const float from[2], const float
     }
 }
 
-// The line of a ray as far as it is shown, and a dot for each step.
-static void mark_way(struct overlay *overlay, const struct probe *probe, int last)
+// The line of a ray up to a step, and a dot for each step.
+static void mark_path(struct overlay *overlay, const struct probe *probe, int last)
 {
-    float before[2], place[2];
+    float before[2] = {0.0f, 0.0f}, at[2];
     for (int k = 0; k <= last; k++) {
-        const struct probe_step *step = &probe->step[k];
-        place_of(overlay, step->place, place);
-        if (step->seen && k > 0 && probe->step[k - 1].seen)
-            edged(overlay, before, place, 1.0f, PEN_BRIGHT);
-        before[0] = place[0];
-        before[1] = place[1];
+        position_of(overlay, probe->step[k].place, at);
+        if (probe->step[k].seen && k > 0 && probe->step[k - 1].seen)
+            edged(overlay, before, at, 1.0f, PEN_BRIGHT);
+        memcpy(before, at, sizeof before);
     }
     for (int k = 0; k <= last; k++) {
-        place_of(overlay, probe->step[k].place, place);
+        position_of(overlay, probe->step[k].place, at);
         if (probe->step[k].seen)
-            edged(overlay, place, place, 3.0f, PEN_BRIGHT);
+            edged(overlay, at, at, 3.0f, PEN_BRIGHT);
     }
 }
 
@@ -117,37 +114,32 @@ void inspector_mark(struct overlay *overlay, const struct inspector *inspector)
 {
     const struct probe *probe = inspector->probe;
     int row = probe != NULL ? row_of(inspector) : -1;
-    if (form_shows_ray(inspector->view))
+    if (shader_shows_ray(inspector->view))
         return;
-    if (probe == NULL || !probe->aside)
+    if (probe == NULL || !probe->pinned)
         mark_pixel(overlay, inspector->pixel);
     else
-        mark_way(overlay, probe, row >= 0 ? row : probe_rows(probe) - 1);
+        mark_path(overlay, probe, row >= 0 ? row : probe_rows(probe) - 1);
     if (row < 0 || !probe->step[row].seen)
         return;
     float here[2], next[2];
-    place_of(overlay, probe->step[row].place, here);
+    position_of(overlay, probe->step[row].place, here);
     if (row + 1 < probe_rows(probe) && probe->step[row + 1].seen) {
-        place_of(overlay, probe->step[row + 1].place, next);
+        position_of(overlay, probe->step[row + 1].place, next);
         mark_arrow(overlay, here, next);
     }
-    edged(overlay, here, here, probe->aside ? 6.0f : 4.0f, PEN_HERE);
+    edged(overlay, here, here, probe->pinned ? 6.0f : 4.0f, PEN_HERE);
 }
 
-// ---- Where the table stands ----
-
-// Where a panel at the right edge begins.
-static float left_of(const struct overlay *overlay, float width)
-{
-    return pen_picture_width(overlay) - PEN_MARGIN - width - 2.0f * PEN_PADDING;
-}
+// ---- The position of the table ----
 
 float inspector_left(const struct overlay *overlay, bool marched)
 {
-    return left_of(overlay, marched ? INSPECTOR_WIDTH : WHY_WIDTH);
+    float width = marched ? INSPECTOR_WIDTH : WHY_WIDTH;
+    return pen_picture_width(overlay) - PEN_MARGIN - width - 2.0f * PEN_PADDING;
 }
 
-#define CLEAR 16.0f // units around a place of the ray, with its mark
+#define CLEAR 16.0f // units around a point of the ray, with its mark
 
 void inspector_ray(const struct overlay *overlay, float middle, float span[2])
 {
@@ -157,43 +149,44 @@ void inspector_ray(const struct overlay *overlay, float middle, float span[2])
     span[1] = ray + CLEAR;
 }
 
-// Which heights the ray takes between two edges of a column: from span[0] to span[1]; the other way
-// round where it is not there.
+// Extend the heights of a column by those of a point, if it is in the column.
+static void extend(float span[2], float left, float right, float x, float y)
+{
+    if (x < left - CLEAR || x > right + CLEAR)
+        return;
+    span[0] = fminf(span[0], y - CLEAR);
+    span[1] = fmaxf(span[1], y + CLEAR);
+}
+
+// The heights of the ray between two edges of a column: from span[0] to span[1], which is smaller
+// if the ray does not cross the column.
 static void find_span(const struct overlay *overlay, const struct inspector *inspector, float left,
                       float right, float span[2])
 {
     const struct probe *probe = inspector->probe;
-    float height = pen_picture_height(overlay), place[2], before[2] = {0.0f, 0.0f};
-    span[0] = height;
+    const float pixel[2] = {(float)inspector->pixel[0] + 0.5f, (float)inspector->pixel[1] + 0.5f};
+    float at[2], before[2] = {0.0f, 0.0f};
+    span[0] = pen_picture_height(overlay);
     span[1] = 0.0f;
-    if (form_shows_ray(inspector->view)) {
+    if (shader_shows_ray(inspector->view)) {
         inspector_ray(overlay, inspector->middle, span);
         return;
     }
     for (int k = 0; k < probe_rows(probe); k++) {
         if (!probe->step[k].seen)
             continue;
-        place_of(overlay, probe->step[k].place, place);
+        position_of(overlay, probe->step[k].place, at);
         bool joined = k > 0 && probe->step[k - 1].seen;
-        for (int i = 1; i <= 32; i++) { // places of the line to this step
+        for (int i = 1; i <= 32; i++) { // points of the line to this step
             float share = joined ? (float)i / 32.0f : 1.0f;
-            float x = before[0] + share * (place[0] - before[0]);
-            float y = before[1] + share * (place[1] - before[1]);
-            if (x < left - CLEAR || x > right + CLEAR)
-                continue;
-            span[0] = fminf(span[0], y - CLEAR);
-            span[1] = fmaxf(span[1], y + CLEAR);
+            extend(span, left, right, before[0] + share * (at[0] - before[0]),
+                   before[1] + share * (at[1] - before[1]));
         }
-        before[0] = place[0];
-        before[1] = place[1];
+        memcpy(before, at, sizeof before);
     }
-    if (probe_rows(probe) == 0) { // there was no march
-        float pixel[2] = {(float)inspector->pixel[0] + 0.5f, (float)inspector->pixel[1] + 0.5f};
-        place_of(overlay, pixel, place);
-        if (place[0] >= left - CLEAR && place[0] <= right + CLEAR) {
-            span[0] = fminf(span[0], place[1] - CLEAR);
-            span[1] = fmaxf(span[1], place[1] + CLEAR);
-        }
+    if (probe_rows(probe) == 0) { // no march
+        position_of(overlay, pixel, at);
+        extend(span, left, right, at[0], at[1]);
     }
 }
 
@@ -217,7 +210,7 @@ struct inspector_room inspector_place(const struct overlay *overlay,
         {{beside, PEN_MARGIN, beside + width, bottom}, fits && at_middle[0] > at_middle[1]},
         {{right, PEN_MARGIN, right + width, fminf(bottom, at_right[0])}, true},
         {{right, fmaxf(PEN_MARGIN, at_right[1]), right + width, bottom},
-         !form_shows_ray(inspector->view)}, // there is their axis
+         !shader_shows_ray(inspector->view)}, // slice and plot have their axis there
         {{PEN_MARGIN, under, PEN_MARGIN + width, bottom}, at_left[0] > at_left[1]},
     };
     int best = 0;
@@ -245,7 +238,7 @@ static void write_step(struct pen *pen, const char *const cell[STEP_COLUMNS],
     pen->top += OVERLAY_LINE;
 }
 
-// The row that is looked at has a band and a mark, so that no colour has to tell it.
+// The current row has a band and a mark, not only a colour.
 static void write_steps(struct pen *pen, const struct inspector *inspector,
                         const struct table *table)
 {
@@ -280,7 +273,7 @@ static void write_cost(struct pen *pen, const struct probe *probe)
     pen_write(pen, text, PEN_PLAIN);
 }
 
-// What the table is of, and which of its rows are there.
+// The ray of the table, and its current step.
 static void heading_of(const struct inspector *inspector, const struct table *table, char *text,
                        size_t size)
 {
@@ -292,7 +285,7 @@ static void heading_of(const struct inspector *inspector, const struct table *ta
     if (row >= 0)
         snprintf(step, sizeof step, ": step %d of %d", row, all - 1);
     if (row >= 0 && inspector->side != NULL)
-        what = ""; // there is no room for all of it
+        what = ""; // too long otherwise
     snprintf(text, size, "%spixel %d, %d%s%s", what, inspector->pixel[0], inspector->pixel[1], side,
              step);
 }

@@ -1,4 +1,4 @@
-// letters.h - the letters of the overlay: how wide they are, and which share of each pixel they
+// letters.h - the letters of the overlay: their widths, and the fraction of each pixel that they
 // cover.
 //
 // The font is part of the program (common/picture/font/), so a text looks the same on every
@@ -10,52 +10,51 @@
 #include <stdint.h>
 
 #define LETTERS_EM       10.0f // size of the font: a capital is 7.3 units high
-#define LETTERS_BASELINE 8.0f  // from the top of a text to the line on which its letters stand
+#define LETTERS_BASELINE 8.0f  // from the top of a text to its baseline
 
 enum {
     LETTERS_PHASES = 4, // a letter begins at a quarter of a pixel
-    LETTERS_ROW = 1024  // width of the table of images, pixels: each OpenGL allows so many
+    LETTERS_ROW = 1024  // width of the atlas, pixels, which every OpenGL allows
 };
 
-// The font's file, TrueType: the Makefile makes it a part of the program.
+// The TrueType file, which the Makefile turns into an array.
 extern const unsigned char letters_font[];
 
-// The next character of a text, and go on behind it.
-//   text     UTF-8; not at its end
-//   returns  its code; 0xFFFD, a question mark in a diamond, for bytes that are no UTF-8 and for
-//   controls; a
-//            blank for a tab
+// Read the next character of a text, and move text past it.
+//   text  UTF-8; not at its end
+// Returns its code; a blank for a tab; 0xFFFD, a question mark in a diamond, for bytes that are not
+// UTF-8 and for control characters.
 uint32_t letters_next(const char **text);
 
-// How far the next letter stands from this one, in units, > 0.
+// The distance from a letter to the next one, in units, > 0.
 float letters_advance(uint32_t code);
 
-// What a letter covers.
+// The image of a letter.
 struct letter {
-    int left, top; // from the pixel where it begins, on its line, to the image's top left; y down
-    int width, height; // of the image, pixels; 0 for a blank
-    int x, y;          // of the image in the table
+    int left, top;     // from its origin on the baseline to the image's top left, pixels; y down
+    int width, height; // pixels; 0 for a blank
+    int x, y;          // in the atlas
 };
 
-// Images of letters at one scale, each made when it is asked for first. One of zeros is empty.
+// An atlas of letters at one scale, each drawn when it is first needed. Zeros: empty.
 struct letters {
     float scale;          // pixels in a unit
     unsigned char *pixel; // owned: LETTERS_ROW x rows, row 0 on top; 255 is covered whole
     int rows;
-    bool grown;                  // since the caller set it to false
+    bool grown;                  // has new images since the caller set it to false
     struct letters_known *known; // owned
     int count;
-    int right, top, bottom; // where the next image goes, and below it the next row of images
+    int right, top, bottom; // left and top of the next image, and top of the next row of images
 };
 
-// Begin at a scale; all images of another one are forgotten.
+// Choose a scale; images of another one are discarded.
 void letters_begin(struct letters *letters, float scale);
 
 // The image of a letter that begins phase / LETTERS_PHASES of a pixel right of a pixel's left edge.
-// Good until the next call.
+// Valid until the next call.
 const struct letter *letters_find(struct letters *letters, uint32_t code, int phase);
 
-// Free the images. One of zeros is allowed.
+// Free the images; zeros are allowed.
 void letters_close(struct letters *letters);
 
 #endif

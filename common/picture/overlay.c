@@ -1,71 +1,95 @@
 #include "picture/overlay.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "memory.h"
-#include "report.h"
-#include "shader/compile.h"
+#include "picture/target.h"
 
-// A tile's corner in the target, in pixels; the texture has its pixels in the same place.
-struct corner {
-    float x, y;
+// A vertex: a box, a letter's image, or a line from (left, low) to (right, high).
+struct shape {
+    float left, low, right, high; // pixels from the target's bottom left
+    float letter[2];              // top left of its image in the atlas; -1: not a letter
+    float width;                  // of a line, pixels; 0: not a line
+    unsigned char colour[4];      // red, green, blue, opacity
 };
 
-static const char vertex_text[] = GL_GLSL "layout(location = 0) in vec2 corner;\n"
-                                          "uniform vec2 size;\n"
-                                          "out vec2 place;\n"
-                                          "void main()\n"
-                                          "{\n"
-                                          "    place = corner / size;\n"
-                                          "    gl_Position = vec4(2.0 * place - 1.0, 0.0, 1.0);\n"
-                                          "}\n";
+// Vertices 0 to 3 are the corners of the rectangle of pixels that the shape may touch, which a line
+// has along its direction.
+static const char vertex_text[] =
+    GL_GLSL "layout(location = 0) in vec4 ends;\n"
+            "layout(location = 1) in vec3 kind;\n"
+            "layout(location = 2) in vec4 tint;\n"
+            "uniform vec2 size;\n"
+            "flat out vec4 shapeEnds, shapeTint;\n"
+            "flat out vec3 shapeKind;\n"
+            "void main()\n"
+            "{\n"
+            "    vec2 side = vec2(gl_VertexID & 1, gl_VertexID >> 1);\n"
+            "    vec2 at = mix(floor(ends.xy), ceil(ends.zw), side);\n"
+            "    if (kind.z > 0.0) {\n"
+            "        vec2 along = ends.zw - ends.xy, right = vec2(1.0, 0.0);\n"
+            "        right = length(along) > 0.0 ? normalize(along) : right;\n"
+            "        vec2 margin = (2.0 * side - 1.0) * (0.5 * kind.z + 1.0);\n"
+            "        at = ends.xy + side.x * along + margin.x * right + margin.y * vec2(-right.y, "
+            "right.x);\n"
+            "    }\n"
+            "    shapeEnds = ends;\n"
+            "    shapeKind = kind;\n"
+            "    shapeTint = tint;\n"
+            "    gl_Position = vec4(2.0 * at / size - 1.0, 0.0, 1.0);\n"
+            "}\n";
 
-// Nothing but a read: llvmpipe then takes a way that is several times as fast.
-static const char fragment_text[] = GL_GLSL "uniform sampler2D tiles;\n"
-                                            "in vec2 place;\n"
-                                            "out vec4 fragment;\n"
-                                            "void main()\n"
-                                            "{\n"
-                                            "    fragment = texture(tiles, place);\n"
-                                            "}\n";
-
-// The order in which the framebuffer of most windows has its channels is the quickest to copy. With
-// GL_RGBA for both, unlike with GL_RGBA8, a driver may keep them in that order.
-#if GL_IS_ES
-#define ORDER GL_RGBA
-#else
-#define ORDER GL_BGRA
-#endif
-
-static GLuint link_program(const struct gl *gl)
-{
-    enum shader_step step;
-    char *log;
-    GLuint program = shader_link_texts(gl, vertex_text, fragment_text, &step, &log);
-    if (program == 0)
-        report("overlay: the driver does not take its shader: try another --backend: %.800s",
-               log != NULL ? log : "");
-    free(log);
-    return program;
-}
+// The fraction of the pixel that the shape covers.
+static const char fragment_text[] =
+    GL_GLSL "uniform sampler2D letters;\n"
+            "flat in vec4 shapeEnds, shapeTint;\n"
+            "flat in vec3 shapeKind;\n"
+            "out vec4 fragment;\n"
+            "void main()\n"
+            "{\n"
+            "    vec2 at = gl_FragCoord.xy, low = shapeEnds.xy, high = shapeEnds.zw;\n"
+            "    vec2 inside = max(min(high, at + 0.5) - max(low, at - 0.5), 0.0);\n"
+            "    float covered = inside.x * inside.y;\n"
+            "    if (shapeKind.x >= 0.0) {\n"
+            "        vec2 texel = shapeKind.xy + vec2(at.x - low.x, high.y - at.y);\n"
+            "        covered = texelFetch(letters, ivec2(texel), 0).r;\n"
+            "    } else if (shapeKind.z > 0.0) {\n"
+            "        vec2 along = high - low;\n"
+            "        float t = dot(at - low, along) / max(dot(along, along), 1e-9);\n"
+            "        float far = length(at - low - clamp(t, 0.0, 1.0) * along);\n"
+            "        covered = clamp(0.5 * shapeKind.z + 0.5 - far, 0.0, 1.0);\n"
+            "    }\n"
+            "    float opacity = shapeTint.a * covered;\n"
+            "    fragment = vec4(opacity * shapeTint.rgb, opacity);\n"
+            "}\n";
 
 bool overlay_open(struct overlay *overlay, const struct gl *gl)
 {
-    *overlay = (struct overlay){.gl = gl, .program = link_program(gl)};
+    *overlay = (struct overlay){
+        .gl = gl, .program = target_program(gl, "overlay", vertex_text, fragment_text)};
     if (overlay->program == 0)
         return false;
+    overlay->size = gl->GetUniformLocation(overlay->program, "size");
     gl->GenVertexArrays(1, &overlay->vertex_array);
     gl->GenBuffers(1, &overlay->buffer);
     gl->BindVertexArray(overlay->vertex_array);
     gl->BindBuffer(GL_ARRAY_BUFFER, overlay->buffer);
-    gl->VertexAttribPointer(0, 2, GL_FLOAT, GL_FALSE, sizeof(struct corner), NULL);
-    gl->EnableVertexAttribArray(0);
+    const GLsizei stride = sizeof(struct shape);
+    gl->VertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, stride, NULL);
+    gl->VertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride,
+                            (const void *)offsetof(struct shape, letter));
+    gl->VertexAttribPointer(2, 4, GL_UNSIGNED_BYTE, GL_TRUE, stride,
+                            (const void *)offsetof(struct shape, colour));
+    for (GLuint i = 0; i < 3; i++) {
+        gl->EnableVertexAttribArray(i);
+        gl->VertexAttribDivisor(i, 1);
+    }
     gl->GenTextures(1, &overlay->texture);
     overlay->letters = memory_zeros(1, sizeof *overlay->letters);
-    overlay->tiles = memory_zeros(1, sizeof *overlay->tiles);
     return true;
 }
 
@@ -78,8 +102,6 @@ void overlay_close(struct overlay *overlay)
         overlay->gl->DeleteProgram(overlay->program);
         letters_close(overlay->letters);
         free(overlay->letters);
-        tiles_close(overlay->tiles);
-        free(overlay->tiles);
     }
     free(overlay->rectangle);
     *overlay = (struct overlay){0};
@@ -138,13 +160,13 @@ void overlay_text(struct overlay *overlay, float left, float top, const char *te
     }
 }
 
-// A letter begins at the nearest quarter of a pixel and stands on a whole one.
+// A letter begins at the nearest quarter of a pixel, and its baseline is a whole one.
 //   up  pixels from the target's bottom row to the picture's top
-static struct tiles_shape shape_of(const struct overlay *overlay,
-                                   const struct overlay_rectangle *rectangle, float up)
+static struct shape shape_of(const struct overlay *overlay,
+                             const struct overlay_rectangle *rectangle, float up)
 {
     float scale = overlay->scale;
-    struct tiles_shape shape = {.letter = {-1, -1}};
+    struct shape shape = {.letter = {-1.0f, -1.0f}};
     memcpy(shape.colour, rectangle->colour.channel, sizeof shape.colour);
     if (rectangle->letter == 0) {
         bool line = rectangle->width > 0.0f;
@@ -163,89 +185,44 @@ static struct tiles_shape shape_of(const struct overlay *overlay,
     shape.right = shape.left + (float)letter->width;
     shape.high = up - line - (float)letter->top;
     shape.low = shape.high - (float)letter->height;
-    shape.letter[0] = letter->x;
-    shape.letter[1] = letter->y;
+    shape.letter[0] = (float)letter->x;
+    shape.letter[1] = (float)letter->y;
     return shape;
 }
 
-// Bring the texture to this frame.
-static void paint_tiles(const struct overlay *overlay, int bottom, int rows)
+// Upload the frame's shapes, and the atlas if it has new letters.
+static void upload(const struct overlay *overlay, float up)
 {
     const struct gl *gl = overlay->gl;
-    struct tiles *tiles = overlay->tiles;
-    unsigned char pixel[TILES_SIDE * TILES_SIDE * 4];
-    if (tiles->width != overlay->width || tiles->height != rows) {
-        int width = (overlay->width + TILES_SIDE - 1) / TILES_SIDE * TILES_SIDE;
-        int height = (rows + TILES_SIDE - 1) / TILES_SIDE * TILES_SIDE;
-        gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA, width, height, 0, ORDER, GL_UNSIGNED_BYTE, NULL);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-        gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-    }
-    tiles_begin(tiles, overlay->width, rows);
-    // The images of letters at another scale may have the places of others.
-    if (overlay->letters->scale != overlay->scale)
-        tiles_forget(tiles);
-    letters_begin(overlay->letters, overlay->scale);
-    for (int i = 0; i < overlay->count; i++) {
-        const struct tiles_shape shape =
-            shape_of(overlay, &overlay->rectangle[i], (float)(overlay->height - bottom));
-        tiles_add(tiles, &shape);
-    }
-    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    for (int at = 0; tiles_paint(tiles, &at, overlay->letters->pixel, pixel); at++) {
-        for (int i = 0; i < TILES_SIDE * TILES_SIDE && ORDER != GL_RGBA; i++) {
-            unsigned char red = pixel[4 * i];
-            pixel[4 * i] = pixel[4 * i + 2];
-            pixel[4 * i + 2] = red;
-        }
-        gl->TexSubImage2D(GL_TEXTURE_2D, 0, at % tiles->columns * TILES_SIDE,
-                          at / tiles->columns * TILES_SIDE, TILES_SIDE, TILES_SIDE, ORDER,
-                          GL_UNSIGNED_BYTE, pixel);
-    }
-}
-
-// Two triangles for each run of tiles. Returns how many corners.
-static GLsizei hand_over_corners(const struct overlay *overlay)
-{
-    static const float across[] = {0, 1, 0, 0, 1, 1}, up[] = {0, 0, 1, 1, 0, 1};
-    const struct tiles *tiles = overlay->tiles;
-    struct corner *corner = NULL;
-    int count = 0, run;
-    for (int at = 0; (run = tiles_run(tiles, &at)) > 0; at += run)
-        for (int i = 0; i < 6; i++) {
-            corner = memory_row(corner, count, sizeof *corner);
-            corner[count++] = (struct corner){
-                TILES_SIDE * ((float)(at % tiles->columns) + across[i] * (float)run),
-                TILES_SIDE * ((float)(at / tiles->columns) + up[i])};
-        }
-    overlay->gl->BufferData(GL_ARRAY_BUFFER, count * (GLsizeiptr)sizeof *corner, corner,
-                            GL_STREAM_DRAW);
-    free(corner);
-    return count;
+    struct letters *letters = overlay->letters;
+    struct shape *shape = memory_zeros((size_t)overlay->count, sizeof *shape);
+    letters_begin(letters, overlay->scale);
+    for (int i = 0; i < overlay->count; i++)
+        shape[i] = shape_of(overlay, &overlay->rectangle[i], up);
+    gl->BufferData(GL_ARRAY_BUFFER, overlay->count * (GLsizeiptr)sizeof *shape, shape,
+                   GL_STREAM_DRAW);
+    free(shape);
+    if (!letters->grown)
+        return;
+    letters->grown = false;
+    target_upload(gl, LETTERS_ROW, letters->rows, letters->pixel);
 }
 
 void overlay_draw(const struct overlay *overlay, int bottom, int rows)
 {
     const struct gl *gl = overlay->gl;
-    GLuint program = overlay->program;
     if (overlay->count == 0)
         return;
+    gl->UseProgram(overlay->program);
+    gl->Uniform2f(overlay->size, (float)overlay->width, (float)rows);
     gl->BindTexture(GL_TEXTURE_2D, overlay->texture);
-    paint_tiles(overlay, bottom, rows);
-    const struct tiles *tiles = overlay->tiles;
-    int width = tiles->columns * TILES_SIDE, height = tiles->rows * TILES_SIDE;
-    gl->UseProgram(program);
-    gl->Uniform2f(gl->GetUniformLocation(program, "size"), (float)width, (float)height);
-    gl->Uniform1i(gl->GetUniformLocation(program, "tiles"), 0);
     gl->BindVertexArray(overlay->vertex_array);
     gl->BindBuffer(GL_ARRAY_BUFFER, overlay->buffer);
-    GLsizei corners = hand_over_corners(overlay);
-    gl->Viewport(0, 0, width, height);
+    upload(overlay, (float)(overlay->height - bottom));
+    gl->Viewport(0, 0, overlay->width, rows);
     gl->Enable(GL_BLEND);
     gl->BlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-    gl->DrawArrays(GL_TRIANGLES, 0, corners);
+    gl->DrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, overlay->count);
     gl->Disable(GL_BLEND);
     gl->BindTexture(GL_TEXTURE_2D, 0);
 }

@@ -5,21 +5,14 @@
 #include <string.h>
 
 #include "picture/inspector.h"
-#include "picture/pair.h"
-#include "picture/panel_paint.h"
+#include "picture/comparison.h"
 #include "picture/pen.h"
 #include "picture/picker.h"
-#include "picture/plot.h"
 
 #define GAP       12.0f  // units of the overlay, between keys
 #define TIP_WIDTH 170.0f // of the help, at most
-// Where the panel's title ends, with a margin: what grows from the bottom leaves it in sight.
+// The lower edge of the title's panel, with a margin, which panels at the bottom leave free.
 #define BELOW_TITLE (2.0f * (PEN_MARGIN + PEN_PADDING) + OVERLAY_LINE - 2.0f)
-
-static float larger(float a, float b)
-{
-    return a > b ? a : b;
-}
 
 // ---- Error ----
 
@@ -28,31 +21,40 @@ static float widest_text(const struct overlay *overlay)
     return pen_picture_width(overlay) - 2.0f * (PEN_MARGIN + PEN_PADDING);
 }
 
-// How many lines of the error are shown: a long one is cut where its panel would fill more than
-// half of the picture.
+// The error, or a note that replaces it; "" for none.
+static const char *words_of(const struct panel *panel)
+{
+    if (panel->error != NULL && panel->error[0] != '\0')
+        return panel->error;
+    return panel->unset != NULL && !panel->folded ? panel->unset : "";
+}
+
+// The number of lines of the error that are shown: at most half of the picture.
 static int error_lines(const struct panel *panel, const struct overlay *overlay)
 {
     char line[OVERLAY_TEXT + 1];
     int most = (int)(0.5f * pen_picture_height(overlay) / OVERLAY_LINE), lines = 0;
-    for (const char *at = panel->error;
+    for (const char *at = words_of(panel);
          lines < most && pen_next_line(&at, widest_text(overlay), line);)
         lines++;
     return lines;
 }
 
-// The height of its panel, with its heading; 0: there is none.
+// The height of its panel with the heading; 0: none.
 static float error_height(const struct panel *panel, const struct overlay *overlay)
 {
-    if (panel->error == NULL || panel->error[0] == '\0' || panel->bare)
+    if (words_of(panel)[0] == '\0' || panel->bare)
         return 0.0f;
     float lines = (float)error_lines(panel, overlay) + 1.5f;
     return OVERLAY_LINE * lines - 2.0f + 2.0f * PEN_PADDING;
 }
 
-// Above the keys.
+// Draw the error above the keys. Returns the bottom of the room that is left.
 static float write_error(const struct panel *panel, struct overlay *overlay, float bottom)
 {
-    const char *heading = panel->broken
+    const char *words = words_of(panel);
+    const char *heading = words == panel->unset ? "An input without a value"
+                          : panel->broken
                               ? "Error: the last good picture stays until the next good save"
                               : "This view can't be shown";
     char line[OVERLAY_TEXT + 1];
@@ -65,16 +67,16 @@ static float write_error(const struct panel *panel, struct overlay *overlay, flo
     overlay_box(overlay, PEN_MARGIN, top, 2.0f, height, PEN_BRIGHT);
     pen_write(&pen, heading, PEN_BRIGHT);
     pen_rule(&pen, limit);
-    for (const char *at = panel->error; lines > 0 && pen_next_line(&at, limit, line); lines--)
+    for (const char *at = words; lines > 0 && pen_next_line(&at, limit, line); lines--)
         pen_write(&pen, line, PEN_PLAIN);
     return top - PEN_MARGIN;
 }
 
 // ---- Keys ----
 
-// Lay the keys out in lines of a width. With an overlay they are drawn from the pen on; without,
-// only counted.
-//   widest  takes the width of the longest line
+// Lay the keys out in lines of limited width.
+//   pen     where to draw them; NULL: only measure
+//   widest  receives the width of the longest line
 // Returns the number of lines.
 static int lay_keys(const struct panel *panel, const struct pen *pen, float limit, float *widest)
 {
@@ -94,16 +96,15 @@ static int lay_keys(const struct panel *panel, const struct pen *pen, float limi
             overlay_text(pen->overlay, pen->left + at, top, key->label, PEN_BRIGHT);
             overlay_text(pen->overlay, pen->left + at + label + space, top, key->does, PEN_DIM);
         }
-        *widest = larger(*widest, at + width);
+        *widest = fmaxf(*widest, at + width);
         at += width + GAP;
     }
     *widest = ceilf(*widest);
     return lines;
 }
 
-// The keys stand at the bottom, for as long as they are asked for over a plot's graph. Where an
-// error, which stands above them, leaves no room for them, they are left out. Returns the place of
-// their panel's top.
+// Draw the keys at the bottom, unless an error leaves no room for them. Returns the bottom of the
+// room that is left.
 static float write_keys(const struct panel *panel, struct overlay *overlay)
 {
     float bottom = pen_foot(overlay, panel->renderer->view), widest;
@@ -121,7 +122,7 @@ static float write_keys(const struct panel *panel, struct overlay *overlay)
 
 // ---- Help ----
 
-// What a row is told about: beside the panel where there is room, else below the row.
+// Draw the help for a row, beside the panel if there is room, otherwise below the row.
 static void write_tip(const struct panel *panel, const struct panel_rows *rows,
                       struct overlay *overlay)
 {
@@ -139,16 +140,16 @@ static void write_tip(const struct panel *panel, const struct panel_rows *rows,
         beside = true;
     } else if (!beside)
         left = rows->left;
-    float limit = larger(20.0f, beside ? TIP_WIDTH : picture - left - PEN_MARGIN - edge);
+    float limit = fmaxf(20.0f, beside ? TIP_WIDTH : picture - left - PEN_MARGIN - edge);
     for (const char *at = text; pen_next_line(&at, limit, line); lines++)
-        widest = larger(widest, overlay_width(line));
+        widest = fmaxf(widest, overlay_width(line));
     float height = OVERLAY_LINE * (float)lines - 2.0f;
     float top = beside ? row->top - PEN_PADDING - 1.0f : row->top + row->height + 2.0f;
     float lowest = pen_picture_height(overlay) - PEN_MARGIN - height - edge;
     if (!beside && top > lowest)
         top = row->top - height - edge - 4.0f;
-    top = larger(0.0f, top < lowest ? top : lowest);
-    // Over the panel its own letters must not shine through.
+    top = fmaxf(0.0f, top < lowest ? top : lowest);
+    // It may cover the panel's letters.
     overlay_box(overlay, left, top, ceilf(widest) + edge, height + edge, PEN_DARK);
     struct pen pen = pen_open(overlay, left, top, ceilf(widest), height);
     for (const char *at = text; pen_next_line(&at, limit, line);)
@@ -162,26 +163,26 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     bool marched = panel->pixel[0] >= 0 && panel->probe != NULL;
     bool refused = panel->pixel[0] >= 0 && !marched && panel->why != NULL;
     enum shader_view view = panel->renderer->view;
-    // A slice's ray runs in the middle of its part of the picture, and nothing covers it.
-    float middle = (view == SHADER_PLOT ? 0.5f + 0.5f * PLOT_SHARE : 0.5f) * (float)height, ray[2];
+    // A slice's ray is in the middle of its part of the picture, and nothing covers it.
+    float middle = (view == SHADER_PLOT ? 0.5f + 0.5f * SLICE_PLOT : 0.5f) * (float)height, ray[2];
     inspector_ray(overlay, middle, ray);
-    float above = form_shows_ray(view) ? ray[1] : BELOW_TITLE;
-    float bottom = pair_write(panel->renderer, overlay, above,
-                              write_error(panel, overlay, write_keys(panel, overlay)));
+    float above = shader_shows_ray(view) ? ray[1] : BELOW_TITLE;
+    float bottom = comparison_write(panel->renderer, overlay, above,
+                                    write_error(panel, overlay, write_keys(panel, overlay)));
     float right = pen_picture_width(overlay) - PEN_MARGIN;
     if (marched || refused)
         right = inspector_left(overlay, marched) - PEN_MARGIN;
     struct panel_rows own = {0}, *rows = panel->rows != NULL ? panel->rows : &own;
     float room = right - PEN_MARGIN - 2.0f * PEN_PADDING;
-    float lowest = form_shows_ray(view) && ray[0] < bottom ? ray[0] : bottom;
+    float lowest = shader_shows_ray(view) && ray[0] < bottom ? ray[0] : bottom;
     panel_rows_build(rows, panel, room, lowest);
-    // Where there is no room for both, the ray that was asked for is what is shown.
+    // If there is no room for both, the selected ray is shown.
     if (panel->folded || (rows->width - 2.0f * PEN_PADDING > room && (marched || refused)))
         rows->count = 0;
     if (panel->right)
-        panel_rows_move(rows, larger(right - rows->width, PEN_MARGIN), PEN_MARGIN);
+        panel_rows_move(rows, fmaxf(right - rows->width, PEN_MARGIN), PEN_MARGIN);
     if (rows->count > 0)
-        panel_paint(rows, panel, overlay);
+        panel_rows_draw(rows, panel, overlay);
     const struct inspector inspector = {.pixel = {panel->pixel[0], panel->pixel[1]},
                                         .probe = marched ? panel->probe : NULL,
                                         .side = panel->side,
@@ -191,7 +192,7 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     const struct inspector_room taken = {rows->left, rows->top, rows->left + rows->width,
                                          rows->top + rows->height};
     static const struct inspector_room nothing = {0};
-    if (marched && !panel->bare && !(form_shows_ray(view) && panel->folded)) {
+    if (marched && !panel->bare && !(shader_shows_ray(view) && panel->folded)) {
         const struct inspector_room place =
             inspector_place(overlay, &inspector, rows->count > 0 ? &taken : &nothing, bottom);
         inspector_march(overlay, &inspector, &place);

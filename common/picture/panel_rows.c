@@ -7,16 +7,11 @@
 
 #include "memory.h"
 #include "number.h"
-#include "picture/pair.h"
+#include "picture/comparison.h"
 #include "picture/pen.h"
 
-#define MARK          14.0f // the room of the mark that folds
+#define MARK          14.0f // width of the mark that folds
 #define WIDEST_COLOUR "0.000,0.000,0.000"
-
-static float larger(float a, float b)
-{
-    return a > b ? a : b;
-}
 
 // ---- Building ----
 
@@ -29,70 +24,73 @@ static struct panel_row *add(struct panel_rows *rows, enum panel_row_kind kind, 
     return row;
 }
 
-static void status_text(const struct panel *panel, bool rated, char *text, size_t size)
+// Two units together say that the time drives an hour of the day.
+static void add_hour(const struct panel *panel, char text[PANEL_CELL])
 {
-    snprintf(text, size, "view: %s", shader_view_name(panel->renderer->view));
-    size_t used = strlen(text);
-    if (rated && panel->rate > 0.0)
-        snprintf(text + used, size - used, "    %.0f fps, %.1f ms", panel->rate,
-                 panel->milliseconds);
-    used = strlen(text);
-    if (panel->timed)
-        snprintf(text + used, size - used, "    time %.1f s", panel->time);
-    used = strlen(text);
-    // Where the time drives the hour of a chapter's sky.
     const struct parameters *all = &panel->renderer->parameters;
-    const struct parameter *start = parameters_find(all, "timeOfDay");
-    const struct parameter *speed = parameters_find(all, "hoursPerSecond");
-    if (panel->timed && start != NULL && speed != NULL) {
-        double hour = start->value[0] + speed->value[0] * panel->time;
-        int minute = (int)floor(60.0 * (hour - 24.0 * floor(hour / 24.0)));
-        snprintf(text + used, size - used, ", hour %02d:%02d", minute / 60, minute % 60);
-        used = strlen(text);
+    const struct parameter *start = NULL, *speed = NULL;
+    for (const struct parameter *p = all->item; p < all->item + all->count; p++) {
+        start = strcmp(p->unit, "hour of the day") == 0 ? p : start;
+        speed = strcmp(p->unit, "hours per second") == 0 ? p : speed;
     }
-    if (panel->paused)
-        snprintf(text + used, size - used, "    paused");
+    if (start == NULL || speed == NULL)
+        return;
+    double hour = start->value[0] + speed->value[0] * panel->time;
+    int minute = (int)floor(60.0 * (hour - 24.0 * floor(hour / 24.0)));
+    memory_append(text, PANEL_CELL, ", hour %02d:%02d", minute / 60, minute % 60);
 }
 
-// Of two slices or plots: whose march is where.
-static void marches_text(const struct panel *panel, char *text, size_t size)
+static void status_text(const struct panel *panel, bool rated, char text[PANEL_CELL])
 {
-    bool two = panel->renderer->pair != NULL && form_shows_ray(panel->renderer->view);
+    snprintf(text, PANEL_CELL, "view: %s", shader_view_name(panel->renderer->view));
+    if (rated && panel->rate > 0.0)
+        memory_append(text, PANEL_CELL, "    %.0f fps, %.1f ms", panel->rate, panel->milliseconds);
+    if (panel->timed) {
+        memory_append(text, PANEL_CELL, "    time %.1f s", panel->time);
+        add_hour(panel, text);
+    }
+    if (panel->paused)
+        memory_append(text, PANEL_CELL, "    paused");
+}
+
+// Two slices or plots: whose march is where.
+static void marches_text(const struct panel *panel, char text[PANEL_CELL])
+{
+    bool two = panel->renderer->comparison != NULL && shader_shows_ray(panel->renderer->view);
     bool table = panel->pixel[0] >= 0 && panel->probe != NULL;
     const char *side = panel->side != NULL ? panel->side : "";
-    snprintf(text, size, "%s%s%s", two ? "each side of the line: its own march" : "",
+    snprintf(text, PANEL_CELL, "%s%s%s", two ? "each side of the line: its own march" : "",
              two && table ? "; table: " : "", two && table ? side : "");
 }
 
-// The last line: that the picture is coarse, or what to press.
-static void last_text(const struct panel *panel, char *text, size_t size)
-{
-    bool coarse = panel->resolution > 0 && panel->resolution < 100;
-    if (coarse && panel->sharp == 0)
-        snprintf(text, size, "%d %% resolution while moving", panel->resolution);
-    else if (coarse && panel->sharp < 100)
-        snprintf(text, size, "%d %% resolution; sharpening: %d %%", panel->resolution,
-                 panel->sharp);
-    else
-        snprintf(text, size, "%s", panel->hint != NULL ? panel->hint : "");
-}
-
-static void textures_text(const struct panel *panel, char text[PANEL_CELL])
+// The last lines: textures, and that the picture is coarse or what to press.
+static void add_last(struct panel_rows *rows, const struct panel *panel)
 {
     const struct textures *textures = &panel->renderer->textures;
-    text[0] = '\0';
-    for (int i = 0; i < textures->count; i++) {
-        size_t used = strlen(text);
-        snprintf(text + used, PANEL_CELL - used, "%s%s",
-                 i > 0 ? ", " : "textures: ", textures->item[i].name);
-    }
+    bool coarse = panel->resolution > 0 && panel->resolution < 100;
+    char text[PANEL_CELL] = "";
+    for (int i = 0; rows->ranges && i < textures->count; i++)
+        memory_append(text, sizeof text, "%s%s",
+                      i > 0 ? ", " : "textures: ", textures->item[i].name);
+    if (text[0] != '\0')
+        add(rows, PANEL_ROW_TEXT, text);
+    snprintf(text, sizeof text, "%s", panel->hint != NULL ? panel->hint : "");
+    if (coarse && panel->sharp == 0)
+        snprintf(text, sizeof text, "%d %% resolution while moving", panel->resolution);
+    else if (coarse && panel->sharp < 100)
+        snprintf(text, sizeof text, "%d %% resolution; sharpening: %d %%", panel->resolution,
+                 panel->sharp);
+    if (text[0] == '\0')
+        return;
+    add(rows, PANEL_ROW_RULE, "");
+    add(rows, PANEL_ROW_TEXT, text);
 }
 
 // Name, value, range and unit of a parameter.
 static void fill_cells(const struct panel *panel, const struct parameter *parameter,
                        char cell[PANEL_COLUMNS][PANEL_CELL])
 {
-    pair_parameter_name(panel->renderer, parameter, cell[0], PANEL_CELL);
+    comparison_parameter_name(panel->renderer, parameter, cell[0], PANEL_CELL);
     parameter_value_text(parameter, cell[1], PANEL_CELL);
     parameter_range_text(parameter, cell[2], PANEL_CELL);
     snprintf(cell[3], PANEL_CELL, "%s", parameter->unit);
@@ -105,23 +103,22 @@ static void detail_text(const struct parameter *parameter, char text[PANEL_CELL]
     snprintf(text, PANEL_CELL, "%s %s", range, parameter->unit);
 }
 
-// The chosen vector is followed by its parts.
+// The selected vector is followed by its components.
 static void add_parts(struct panel_rows *rows, const struct parameter *parameter, int index)
 {
     const char *names = parameter_is_colour(parameter) ? "rgba" : "xyzw";
     for (int k = 0; k < parameter->components && parameter->components > 1; k++) {
-        char name[8];
-        snprintf(name, sizeof name, "   %c", names[k]);
+        const char name[] = {' ', ' ', ' ', names[k], '\0'};
         struct panel_row *row = add(rows, PANEL_ROW_PART, name);
         number_text(parameter->value[k], row->cell[1], NUMBER_SIZE);
         row->parameter = index;
         row->part = k;
-        row->chosen = true;
+        row->selected = true;
         row->place = parameter_place(parameter, k);
     }
 }
 
-// A colour shows itself to whoever has a pointer.
+// A colour has a swatch if there is a pointer to click it.
 static bool has_swatch(const struct panel *panel, const struct parameter *parameter)
 {
     return panel->rows != NULL && parameter_is_colour(parameter);
@@ -129,56 +126,26 @@ static bool has_swatch(const struct panel *panel, const struct parameter *parame
 
 static void add_parameter(struct panel_rows *rows, const struct panel *panel, int index)
 {
-    const struct parameter *parameter = pair_parameter(panel->renderer, index);
+    const struct parameter *parameter = comparison_parameter(panel->renderer, index);
     struct panel_row *row = add(rows, PANEL_ROW_PARAMETER, "");
-    bool chosen = panel->chosen != NULL && parameter == panel->chosen;
     fill_cells(panel, parameter, row->cell);
     row->parameter = index;
-    row->chosen = chosen;
+    row->selected = parameter == panel->selected;
     row->place = parameter->components == 1 ? parameter_place(parameter, 0) : -1.0;
     if (has_swatch(panel, parameter)) {
         row->swatch = PANEL_GAP + rows->column[0] + PANEL_GAP;
         for (int k = 0; k < 3; k++)
             row->share[k] = parameter_place(parameter, k);
     }
-    if (!chosen)
+    if (!row->selected)
         return;
     add_parts(rows, parameter, index);
     if (!rows->ranges) {
         row = add(rows, PANEL_ROW_DETAIL, "");
         detail_text(parameter, row->cell[0]);
         row->parameter = index;
-        row->chosen = true;
+        row->selected = true;
     }
-}
-
-// Of the parameters' rows, from first to behind last, keep as many as there is room for: the chosen
-// one stays in sight with all that belongs to it. The last place says which are shown.
-static void cut(struct panel_rows *rows, int first, int room, int parameters)
-{
-    int count = rows->count - first, top = count, behind = 0, from = 0, to = -1;
-    if (count <= room)
-        return;
-    room = room > 1 ? room - 1 : 0;
-    for (int i = 0; i < count; i++)
-        if (rows->row[first + i].chosen) {
-            top = i < top ? i : top;
-            behind = i + 1;
-        }
-    int begin = behind <= room ? 0 : behind - room;
-    begin = begin > top ? top : begin;
-    memmove(&rows->row[first], &rows->row[first + begin], (size_t)room * sizeof *rows->row);
-    rows->count = first + room;
-    for (int i = first; i < rows->count; i++) {
-        from = to < 0 ? rows->row[i].parameter + 1 : from;
-        to = rows->row[i].parameter + 1;
-    }
-    char text[64];
-    if (to < 0)
-        snprintf(text, sizeof text, "%d parameter%s", parameters, parameters == 1 ? "" : "s");
-    else
-        snprintf(text, sizeof text, "%d to %d of %d", from, to, parameters);
-    add(rows, PANEL_ROW_TEXT, text);
 }
 
 // ---- Measuring ----
@@ -188,37 +155,71 @@ static float height_of(enum panel_row_kind kind)
     return kind == PANEL_ROW_RULE ? 0.5f * OVERLAY_LINE : OVERLAY_LINE;
 }
 
-static float height_from(const struct panel_rows *rows, int first)
+static float height_of_panel(const struct panel_rows *rows)
 {
-    float height = 0.0f;
-    for (int i = first; i < rows->count; i++)
+    float height = 2.0f * PEN_PADDING - 2.0f;
+    for (int i = 0; i < rows->count; i++)
         height += height_of(rows->row[i].kind);
     return height;
 }
 
-// The width of the table of the first columns, or of the widest detail below one of its lines.
+// Keep as many of the parameters' rows, from first to before end, as there is room for: the
+// selected one stays in sight with all that belongs to it. One more row says which are shown.
+//   parameters  in all
+static void cut(struct panel_rows *rows, int first, int end, float bottom, int parameters)
+{
+    int count = end - first, top = count, behind = 0, from = 0, to = -1;
+    float above = PEN_MARGIN + height_of_panel(rows) - OVERLAY_LINE * (float)count;
+    int room = (int)((bottom - above) / OVERLAY_LINE);
+    if (count <= room || count == 0)
+        return;
+    room = room > 1 ? room - 1 : 0;
+    for (int i = 0; i < count; i++)
+        if (rows->row[first + i].selected) {
+            top = i < top ? i : top;
+            behind = i + 1;
+        }
+    int begin = behind <= room ? 0 : behind - room;
+    begin = begin > top ? top : begin;
+    struct panel_row *kept = &rows->row[first];
+    memmove(kept, kept + begin, (size_t)room * sizeof *kept);
+    for (int i = 0; i < room; i++) {
+        from = to < 0 ? kept[i].parameter + 1 : from;
+        to = kept[i].parameter + 1;
+    }
+    kept[room] = (struct panel_row){PANEL_ROW_TEXT, .parameter = -1, .part = -1, .place = -1.0};
+    if (to < 0)
+        snprintf(kept[room].cell[0], PANEL_CELL, "%d parameter%s", parameters,
+                 parameters == 1 ? "" : "s");
+    else
+        snprintf(kept[room].cell[0], PANEL_CELL, "%d to %d of %d", from, to, parameters);
+    memmove(&kept[room + 1], &rows->row[end], (size_t)(rows->count - end) * sizeof *kept);
+    rows->count -= count - room - 1;
+}
+
+// The width of the table of the first columns, or of the widest detail below one of its rows.
 static float measure_table(const struct panel *panel, int columns, float width[PANEL_COLUMNS])
 {
     const struct parameter *parameter;
     char cell[PANEL_COLUMNS][PANEL_CELL], detail[PANEL_CELL];
     float sum = 0.0f, widest = 0.0f;
     memset(width, 0, PANEL_COLUMNS * sizeof *width);
-    for (int i = 0; (parameter = pair_parameter(panel->renderer, i)) != NULL; i++) {
+    for (int i = 0; (parameter = comparison_parameter(panel->renderer, i)) != NULL; i++) {
         sum = PANEL_GAP;
         fill_cells(panel, parameter, cell);
         detail_text(parameter, detail);
-        widest = larger(widest, 2.0f * PANEL_GAP + overlay_width(detail));
+        widest = fmaxf(widest, 2.0f * PANEL_GAP + overlay_width(detail));
         for (int k = 0; k < columns; k++)
-            width[k] = larger(width[k], overlay_width(cell[k]));
-        // Its numbers are dragged: the panel does not tremble with them.
+            width[k] = fmaxf(width[k], overlay_width(cell[k]));
+        // Its numbers are dragged, and the panel keeps its width.
         if (has_swatch(panel, parameter))
             width[1] =
-                larger(width[1], PANEL_SWATCH + 4.0f +
-                                     larger(overlay_width(cell[1]), overlay_width(WIDEST_COLOUR)));
+                fmaxf(width[1], PANEL_SWATCH + 4.0f +
+                                    fmaxf(overlay_width(cell[1]), overlay_width(WIDEST_COLOUR)));
     }
     for (int k = 0; k < columns; k++)
         sum += width[k] + (k > 0 && width[k] > 0.0f ? PANEL_GAP : 0.0f);
-    return columns < PANEL_COLUMNS ? larger(sum, widest) : sum;
+    return columns < PANEL_COLUMNS ? fmaxf(sum, widest) : sum;
 }
 
 static float in_steps(float width)
@@ -226,7 +227,7 @@ static float in_steps(float width)
     return 20.0f * ceilf(width / 20.0f);
 }
 
-// The width of the texts, in steps, so that a panel does not tremble with its numbers.
+// The width of the texts, in steps, so that the panel keeps its width when a number changes.
 static float measure_texts(const struct panel_rows *rows)
 {
     float texts = 0.0f;
@@ -234,7 +235,7 @@ static float measure_texts(const struct panel_rows *rows)
         const struct panel_row *row = &rows->row[i];
         float mark = row->kind == PANEL_ROW_TITLE && row->cell[1][0] != '\0' ? MARK : 0.0f;
         if (row->kind == PANEL_ROW_TITLE || row->kind == PANEL_ROW_TEXT)
-            texts = larger(texts, overlay_width(row->cell[0]) + mark);
+            texts = fmaxf(texts, overlay_width(row->cell[0]) + mark);
     }
     return in_steps(texts);
 }
@@ -254,72 +255,45 @@ void panel_rows_move(struct panel_rows *rows, float left, float top)
     }
 }
 
-// What stands below the parameters.
-static void add_last(struct panel_rows *rows, const char *last, const char *textures)
+// The rows between the title and the end. Returns the width of the table.
+static float add_rows(struct panel_rows *rows, const struct panel *panel, float limit, float bottom)
 {
-    if (textures[0] != '\0')
-        add(rows, PANEL_ROW_TEXT, textures);
-    if (last[0] != '\0') {
+    int parameters = comparison_parameter_count(panel->renderer);
+    char text[PANEL_CELL];
+    float table = measure_table(panel, PANEL_COLUMNS, rows->column);
+    rows->ranges = panel->selected == NULL || (panel->ranges && table <= limit);
+    if (!rows->ranges)
+        table = measure_table(panel, 2, rows->column);
+    status_text(panel, true, text);
+    if (in_steps(overlay_width(text)) > limit)
+        status_text(panel, false, text);
+    add(rows, PANEL_ROW_TEXT, text);
+    marches_text(panel, text);
+    if (text[0] != '\0' && in_steps(overlay_width(text)) <= limit)
+        add(rows, PANEL_ROW_TEXT, text);
+    if (parameters > 0)
         add(rows, PANEL_ROW_RULE, "");
-        add(rows, PANEL_ROW_TEXT, last);
-    }
-}
-
-static float height_of_panel(const struct panel_rows *rows)
-{
-    return height_from(rows, 0) - 2.0f + 2.0f * PEN_PADDING;
-}
-
-// Where it would still be too high, its last rows are left out, and what no row is below; the title
-// stays.
-static void leave_out(struct panel_rows *rows, float bottom)
-{
-    while (rows->count > 1 && (PEN_MARGIN + height_of_panel(rows) > bottom ||
-                               rows->row[rows->count - 1].kind == PANEL_ROW_RULE))
-        rows->count--;
+    int first = rows->count;
+    for (int i = 0; i < parameters; i++)
+        add_parameter(rows, panel, i);
+    int end = rows->count;
+    add_last(rows, panel);
+    cut(rows, first, end, bottom, parameters);
+    return table;
 }
 
 void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float limit, float bottom)
 {
-    int parameters = pair_parameter_count(panel->renderer);
-    char text[PANEL_CELL], last[PANEL_CELL], textures[PANEL_CELL] = "";
-    float table = 0.0f;
     rows->count = 0;
     struct panel_row *title = add(rows, PANEL_ROW_TITLE, panel->title);
     if (panel->rows != NULL)
         snprintf(title->cell[1], PANEL_CELL, "%s", panel->rolled ? "▸" : "▾");
-    if (!panel->rolled) {
-        status_text(panel, true, text, sizeof text);
-        if (in_steps(overlay_width(text)) > limit)
-            status_text(panel, false, text, sizeof text);
-        last_text(panel, last, sizeof last);
-        table = measure_table(panel, PANEL_COLUMNS, rows->column);
-        rows->ranges = panel->chosen == NULL || (panel->ranges && table <= limit);
-        if (!rows->ranges)
-            table = measure_table(panel, 2, rows->column);
-        if (rows->ranges)
-            textures_text(panel, textures);
-        add(rows, PANEL_ROW_TEXT, text);
-        marches_text(panel, text, sizeof text);
-        if (text[0] != '\0' && in_steps(overlay_width(text)) <= limit)
-            add(rows, PANEL_ROW_TEXT, text);
-        int above = rows->count;
-        // What stands below is measured first: the parameters have the room that is left.
-        add_last(rows, last, textures);
-        float room = bottom - PEN_MARGIN - 2.0f * PEN_PADDING + 2.0f - height_from(rows, 0);
-        rows->count = above;
-        if (parameters > 0) {
-            add(rows, PANEL_ROW_RULE, "");
-            room -= height_of(PANEL_ROW_RULE);
-        }
-        int first = rows->count;
-        for (int i = 0; i < parameters; i++)
-            add_parameter(rows, panel, i);
-        cut(rows, first, (int)(room / OVERLAY_LINE), parameters);
-        add_last(rows, last, textures);
-    }
-    leave_out(rows, bottom);
-    rows->width = ceilf(larger(measure_texts(rows), table)) + 2.0f * PEN_PADDING;
+    float table = panel->rolled ? 0.0f : add_rows(rows, panel, limit, bottom);
+    // A panel that is still too high loses its last rows, and a rule with nothing below it.
+    while (rows->count > 1 && (PEN_MARGIN + height_of_panel(rows) > bottom ||
+                               rows->row[rows->count - 1].kind == PANEL_ROW_RULE))
+        rows->count--;
+    rows->width = ceilf(fmaxf(measure_texts(rows), table)) + 2.0f * PEN_PADDING;
     rows->height = height_of_panel(rows);
     panel_rows_move(rows, PEN_MARGIN, PEN_MARGIN);
 }
@@ -334,7 +308,7 @@ bool panel_rows_hold(const struct panel_rows *rows, float x, float y)
 
 const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, float y)
 {
-    // A row's letters stand in its middle: it is touched from a little above them.
+    // A row's letters are in its middle: it begins a little above them.
     for (int i = 0; i < rows->count && panel_rows_hold(rows, x, y); i++)
         if (y >= rows->row[i].top - 2.0f && y < rows->row[i].top - 2.0f + rows->row[i].height)
             return &rows->row[i];

@@ -1,15 +1,13 @@
-// panel_rows.h - what the panel says, and the rows of the chapter's panel: built, then measured,
-// then drawn by panel_paint. What the pointer is on is found in the same rows, so that what is seen
-// is what is touched.
+// panel_rows.h - the contents of the panel, and its rows: built, measured, and then drawn. A
+// pointer is found in the same rows that are drawn.
 #ifndef PANEL_ROWS_H
 #define PANEL_ROWS_H
 
 #include <stdbool.h>
 
-#include "picture/overlay.h"
 #include "picture/renderer.h"
 
-// A key's label and what it does.
+// A key's label, and its action.
 struct panel_key {
     char label[64];
     const char *does;
@@ -20,67 +18,68 @@ struct picker;
 
 // NULL, 0 and "" leave a part out.
 struct panel {
-    const char *title;               // of the chapter
-    const struct renderer *renderer; // its view and parameters
-    const struct parameter *chosen;  // what the arrows change
-    double rate, milliseconds;       // frames a second, of one frame
-    double time;                     // seconds
+    const char *title;                // of the chapter
+    const struct renderer *renderer;  // its view and parameters
+    const struct parameter *selected; // the selected parameter, which the arrow keys change
+    double rate, milliseconds;        // frames per second, and of one frame
+    double time;                      // seconds
     int resolution; // percent of each side at which the picture is drawn; 0 and 100: full
-    int sharp;      // percent of it that is sharp all the same
+    int sharp;      // percent of it that is already sharp
     bool timed;     // the picture depends on the time
     bool paused;
-    bool ranges;       // range and unit of all parameters, where the picture has room for them
-    bool folded;       // leave out all but the ray's march, in the slice that too, and the error
-    bool bare;         // leave out all words but a pair's labels: somebody else says them
-    bool right;        // it stands at the right
-    bool rolled;       // it is folded to its title
-    bool refused;      // it says why what was typed is not taken
-    const char *typed; // letters that stand in place of the chosen parameter's value
-    const char *tip;   // help for the row that the pointer rests on
-    int typed_part;    // the component that the letters are for; -1: all
-    float tip_at[2];   // where the pointer is, units from the picture's top left
-    struct panel_rows *rows; // takes the rows as they stand, for whoever has a pointer
-    struct picker *picker;   // of the chosen colour, which takes its place; NULL: it is not open
-    const char *hint;        // what to press; NULL or "": none
+    bool ranges;             // show range and unit of all parameters, if there is room
+    bool folded;             // show only the ray's march, except in a slice, and the error
+    bool bare;               // show no words except the labels of a comparison: a page shows them
+    bool right;              // the panel is at the right
+    bool rolled;             // the panel shows only its title
+    bool refused;            // tip says why the typed value is rejected
+    const char *typed;       // text that replaces the selected parameter's value
+    const char *tip;         // help for the row under the pointer
+    int typed_part;          // the component that is typed; -1: all
+    float tip_at[2];         // the pointer, units from the picture's top left
+    struct panel_rows *rows; // receives the rows, if there is a pointer
+    struct picker *picker;   // of the selected colour; receives its position. NULL: not open
+    const char *hint;        // the key to press
     const struct panel_key *keys;
     int key_count;
-    int pixel[2];              // whose march is shown, 0,0 bottom left; -1,-1: none
-    const char *side;          // whose it is, of two pictures: "left" or "right"
-    float shown;               // how many of its steps, as renderer_inputs.shown
-    const struct probe *probe; // its march, or NULL: then why says why there is none
+    int pixel[2];              // of the selected ray, 0,0 bottom left; -1,-1: none
+    const char *side;          // that the ray is on, in a comparison: "left" or "right"
+    float shown;               // steps of it, as renderer_inputs.shown
+    const struct probe *probe; // its march; NULL: why says why there is none
     const char *why;
-    const char *error; // its lines ended by '\n'; NULL or "": none
-    bool broken;       // the error is that of a reload; else it says why a view is refused
+    const char *error; // lines that end with '\n'
+    bool broken;       // the error is that of a reload; otherwise of a view
+    const char *unset; // an input that nothing sets, shown if there is no error
 };
 
 #define PANEL_GAP    12.0f // units of the overlay, between columns
-#define PANEL_SWATCH 10.0f // width of a colour's own colour, in front of its value
+#define PANEL_SWATCH 10.0f // width of a colour's swatch, in front of its value
 
-enum { PANEL_COLUMNS = 4, PANEL_CELL = 160, PANEL_DETAIL = 2 * PANEL_CELL };
+enum { PANEL_COLUMNS = 4, PANEL_CELL = 160 };
 
 enum panel_row_kind {
     PANEL_ROW_TITLE, // the second cell is the mark that folds the panel, at the row's right end
     PANEL_ROW_TEXT,
     PANEL_ROW_RULE,
     PANEL_ROW_PARAMETER,
-    PANEL_ROW_PART,  // one component of the chosen vector
-    PANEL_ROW_DETAIL // range and unit of the chosen parameter
+    PANEL_ROW_PART,  // one component of the selected vector
+    PANEL_ROW_DETAIL // range and unit of the selected parameter
 };
 
-// One row. Its place is in units of the overlay, from the picture's top left.
+// One row, in units of the overlay from the picture's top left.
 struct panel_row {
     enum panel_row_kind kind;
-    char cell[PANEL_COLUMNS][PANEL_CELL]; // name, value, range and unit of a parameter; else a text
-    int parameter;                        // its index of pair_parameter; -1: none
-    int part;                             // of a vector; -1: all of them
-    bool chosen;
-    double place;    // of the value between its ends, 0 to 1; below 0: nothing to drag
-    float swatch;    // of a colour that a pointer can reach: from the row's left to it; 0: none
-    double share[3]; // that colour, as shares of the range
+    char cell[PANEL_COLUMNS][PANEL_CELL]; // name, value, range and unit of a parameter; or a text
+    int parameter;                        // its index of comparison_parameter; -1: none
+    int part;                             // of a vector; -1: all components
+    bool selected;                        // it belongs to the selected parameter
+    double place;    // of the value in its range, 0 to 1; below 0: nothing to drag
+    float swatch;    // from the row's left to a colour's swatch; 0: none
+    double share[3]; // that colour, as fractions of the range
     float left, top, width, height;
 };
 
-// The panel. One of zeros has no rows.
+// Zeros: no rows.
 struct panel_rows {
     struct panel_row *row; // owned
     int count;
@@ -89,23 +88,28 @@ struct panel_rows {
     float left, top, width, height; // of the panel with its edges, units
 };
 
-// Build the rows of a panel, leave out what there is no room for, and measure the rest.
-//   limit   width of the text at most, where the small form can keep it
-//   bottom  of the panel at most
-// The rows before are forgotten. Free with panel_rows_free.
+// Build and measure the rows of a panel, without those for which there is no room. Earlier rows are
+// discarded.
+//   limit   width of the text, at most, if the small form can keep it
+//   bottom  of the panel, at most
+// Free with panel_rows_free.
 void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float limit,
                       float bottom);
 
-// Move them to a place.
+// Move the panel to a position.
 void panel_rows_move(struct panel_rows *rows, float left, float top);
 
-// The row at a place in units; NULL where there is none.
+// Draw the rows of a panel, over its background.
+void panel_rows_draw(const struct panel_rows *rows, const struct panel *panel,
+                     struct overlay *overlay);
+
+// The row at a point in units; NULL if there is none.
 const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, float y);
 
-// True where the panel is, its edges too.
+// True if a point is in the panel, including its edges.
 bool panel_rows_hold(const struct panel_rows *rows, float x, float y);
 
-// True at the mark of a title that folds the panel.
+// True at the mark of a title, which folds the panel.
 bool panel_row_is_mark(const struct panel_row *row, float x);
 
 // True at the swatch of a colour, which opens its picker.

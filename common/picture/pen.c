@@ -19,7 +19,7 @@ float pen_picture_height(const struct overlay *overlay)
 
 float pen_foot(const struct overlay *overlay, enum shader_view view)
 {
-    float axis = form_shows_ray(view) ? SLICE_AXIS * slice_cell(overlay->height) : 0.0f;
+    float axis = shader_shows_ray(view) ? SLICE_AXIS * slice_cell(overlay->height) : 0.0f;
     return pen_picture_height(overlay) - axis / overlay->scale - PEN_MARGIN;
 }
 

@@ -1,4 +1,4 @@
-// pen.h - how the panels over a picture look: their colours, their edges, a line below the other.
+// pen.h - the look of the panels over a picture: colours, edges, lines of text.
 // Lengths are units of the overlay.
 #ifndef PEN_H
 #define PEN_H
@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 #include "picture/overlay.h"
-#include "shader/form.h"
+#include "shader/dialect.h"
 
 #define PEN_MARGIN  8.0f // of a panel from the picture's edge
 #define PEN_PADDING 7.0f // of the text from the panel's edge
@@ -15,29 +15,29 @@ static const struct overlay_colour PEN_BAND = {{255, 255, 255, 38}};
 static const struct overlay_colour PEN_BRIGHT = {{250, 250, 250, 255}};
 static const struct overlay_colour PEN_PLAIN = {{226, 229, 234, 255}};
 static const struct overlay_colour PEN_DIM = {{190, 196, 206, 255}};
-static const struct overlay_colour PEN_HERE = {{255, 72, 128, 255}}; // the step that is looked at
+static const struct overlay_colour PEN_HERE = {{255, 72, 128, 255}}; // the current step
 static const struct overlay_colour PEN_DARK = {{0, 0, 0, 200}};
 
-// Where the next line of a panel goes, in units.
+// The position of a panel's next line.
 struct pen {
     struct overlay *overlay;
     float left, top;
 };
 
-// The size of the picture, and the lowest place of a panel: over the axis of a slice or plot.
+// The size of the picture, and the lowest edge of a panel: above the axis of a slice or plot.
 float pen_picture_width(const struct overlay *overlay);
 float pen_picture_height(const struct overlay *overlay);
 float pen_foot(const struct overlay *overlay, enum shader_view view);
 
-// Draw a panel's background, around a text of this size; the pen stands at its first line.
+// Draw a panel's background around a text of this size. The pen is at its first line.
 struct pen pen_open(struct overlay *overlay, float left, float top, float width, float height);
 
-// Write a line, or draw a rule of this width, and go on below.
+// Write a line, or draw a rule of this width, and move the pen below it.
 void pen_write(struct pen *pen, const char *text, struct overlay_colour colour);
 void pen_rule(struct pen *pen, float width);
 
-// Copy the part of a text that fits one line, which ends between words where it can and has at
-// least one letter, and go on behind it. False at the end.
+// Copy the next line of a text: as many words as fit, or at least one letter. Moves text past it.
+// Returns false at the end of the text.
 bool pen_next_line(const char **text, float limit, char line[OVERLAY_TEXT + 1]);
 
 #endif

@@ -11,22 +11,22 @@
 #define BAR    12.0f // width
 #define GAP    6.0f
 #define APART  4.0f                             // from the panel
-#define BEYOND (2.0f * PEN_PADDING + GAP + BAR) // how much wider it is than its square
+#define BEYOND (2.0f * PEN_PADDING + GAP + BAR) // its width without the square
 
-// ---- Where it stands ----
+// ---- Position ----
 
 static float clamp(float value, float low, float high)
 {
     return fmaxf(low, fminf(value, high));
 }
 
-// The first and the last row of the chosen colour. Returns false where it has none.
+// The first and the last row of the selected colour. Returns false if there are none.
 static bool find_rows(const struct panel_rows *rows, const struct panel_row *ends[2])
 {
     ends[0] = ends[1] = NULL;
     for (int i = 0; i < rows->count; i++) {
         const struct panel_row *row = &rows->row[i];
-        if (!row->chosen)
+        if (!row->selected)
             continue;
         ends[0] = ends[0] != NULL || row->swatch <= 0.0f ? ends[0] : row;
         ends[1] = row;
@@ -34,7 +34,7 @@ static bool find_rows(const struct panel_rows *rows, const struct panel_row *end
     return ends[0] != NULL;
 }
 
-// Make it as large as a room in units lets it be.
+// Make it as large as the room, in units, allows.
 static void size_for(struct picker *picker, float width, float height)
 {
     float side = fminf(width - BEYOND, height - 2.0f * PEN_PADDING);
@@ -75,7 +75,7 @@ bool picker_holds(const struct picker *picker, float x, float y)
            y < picker->top + picker->height;
 }
 
-// Where a place is in the square, from its bottom left, and whose it is.
+// The position of a point in the square, from its bottom left, and the part that has it.
 static enum picker_part look_up(const struct picker *picker, float x, float y, float at[2])
 {
     at[0] = (x - picker->left - PEN_PADDING) / picker->side;
@@ -146,8 +146,8 @@ static struct overlay_colour thin(unsigned char grey, double opacity)
     return (struct overlay_colour){{grey, grey, grey, (unsigned char)lround(255.0 * opacity)}};
 }
 
-// A colour is v (1 + s (hue - 1)): the hue below white, whose share falls to the right, below
-// black, whose share falls upwards. Strips are whole pixels, so that none shows below the next.
+// A colour is v (1 + s (hue - 1)): the hue under white, which fades to the right, under black,
+// which fades upwards. Strips are whole pixels wide, so they do not overlap.
 static void draw_square(const struct picker *picker, struct overlay *overlay)
 {
     float scale = overlay->scale, pixel = 1.0f / scale;
@@ -166,7 +166,7 @@ static void draw_square(const struct picker *picker, struct overlay *overlay)
                     shown(1.0 - (i + 0.5) / count, 1.0, 1.0));
 }
 
-// A ring of the colour itself, dark and bright, where the colour is; a line where its hue is.
+// A ring around the colour, dark and bright, and a line at its hue.
 static void draw_marks(const struct picker *picker, struct overlay *overlay)
 {
     float left = picker->left + PEN_PADDING, top = picker->top + PEN_PADDING, side = picker->side;
@@ -184,7 +184,7 @@ void picker_draw(const struct picker *picker, struct overlay *overlay)
 {
     if (picker->width <= 0.0f)
         return;
-    // Over the panel its own letters must not shine through.
+    // It may cover the panel's letters.
     overlay_box(overlay, picker->left, picker->top, picker->width, picker->height, PEN_DARK);
     pen_open(overlay, picker->left, picker->top, picker->width - 2.0f * PEN_PADDING,
              picker->height - 2.0f * PEN_PADDING);

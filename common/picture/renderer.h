@@ -1,12 +1,131 @@
-// renderer.h - one full-screen triangle, one shader, a float target: how a picture is made.
+// renderer.h - from a linked program to a picture: one full-screen triangle, drawn into a float
+// target.
+//
+// renderer.c draws pictures, renderer_ray.c the march of one ray, and renderer_pass.c single draws.
 #ifndef RENDERER_H
 #define RENDERER_H
 
 #include <stdbool.h>
 
+#include "camera.h"
+#include "picture/axis_labels.h"
+#include "picture/enlarge.h"
 #include "picture/image.h"
-#include "picture/pass.h"
-#include "picture/probe.h"
+#include "picture/overlay.h"
+#include "picture/slice.h"
+#include "picture/target.h"
+#include "picture/texture.h"
+#include "shader/compile.h"
+#include "shader/parameter.h"
+
+#define RENDERER_FOCAL_LENGTH 1.0f // for shaders that declare no focalLength of their own
+#define RENDERER_STEPS        64   // of a march that a picture can read: as in shaders/marched.glsl
+
+// The parameters that describe a camera's lens: focalLength and orthographic.
+enum { RENDERER_LENSES = 2 };
+extern const char *const renderer_lens[RENDERER_LENSES];
+
+// Where rays start, and through which lens.
+struct renderer_eye {
+    struct camera camera;
+    double lens[RENDERER_LENSES]; // values of renderer_lens
+};
+
+// Everything that a picture depends on besides the shader and its parameters. Times come from here,
+// never from a clock, so the same inputs give the same picture.
+struct renderer_inputs {
+    int width, height; // of the whole picture, pixels
+    struct camera camera;
+    double time;       // seconds
+    double time_delta; // seconds since the last frame; 0 for a file
+    int frame;         // index of the frame; 0 for a file
+    double rate;       // frames per second of a film; 0: from time_delta
+    float mouse[4];    // Shadertoy's iMouse; zeros for a file
+    float date[4];     // Shadertoy's iDate: year, month from 0, day, seconds of the day
+    int samples;       // along each side of a pixel
+    int pixel[2];      // of the selected ray, 0,0 bottom left; -1,-1: none, a slice has the middle
+    const struct renderer_eye *eye; // where the selected ray starts; NULL: at the camera
+    const double *lens;             // values that replace renderer_lens; NULL: the parameters' own
+    float zoom;                     // of the slice view; 1, or 0: the whole march
+    float shown; // steps of the selected ray's march that are shown, with a fraction of the next
+                 // one; 0: all
+};
+
+// Two pictures side by side: a divider separates the columns of the first from those of the second.
+// Both have the same camera, time, view and samples. The second follows the first's parameters,
+// except those of its own.
+struct comparison {
+    struct renderer *other; // of the second picture; its own comparison is NULL. Not owned
+    double divider;         // fraction of the width that the first picture has, 0 to 1
+    const char *const *own; // NAME=VALUE: parameters in which the second does not follow. Not owned
+    int own_count;
+    const char *label[2]; // their names; NULL: their own parameters are enough. Not owned
+    bool gripped;         // the divider can be dragged, and shows where
+};
+
+// The uniforms of the harness itself, besides inputs, parameters and textures.
+#define RENDERER_UNIFORMS(X)                                                                       \
+    X(iSample)                                                                                     \
+    X(iSamples)                                                                                    \
+    X(iPixelOffset)                                                                                \
+    X(iPixelJitter)                                                                                \
+    X(iCoarse)                                                                                     \
+    X(iSigns)                                                                                      \
+    X(iProbe)                                                                                      \
+    X(iMarchSteps)                                                                                 \
+    X(iMarchHit)                                                                                   \
+    X(iMarchStep)                                                                                  \
+    X(iMarchPixel)                                                                                 \
+    X(iMarched)                                                                                    \
+    X(iMarchedSteps)                                                                               \
+    X(iMarchedHit)                                                                                 \
+    X(iSliceFrame)                                                                                 \
+    X(iSliceTick)                                                                                  \
+    X(iSliceLine)                                                                                  \
+    X(iSliceTickScaled)                                                                            \
+    X(iSliceDecimals)                                                                              \
+    X(iPlotFrame)                                                                                  \
+    X(iPlotTick)                                                                                   \
+    X(iPlotTickScaled)                                                                             \
+    X(iPlotDecimals)                                                                               \
+    X(iPlotEnd)                                                                                    \
+    X(iHandlePoints)                                                                               \
+    X(iHandlePoint) X(focalLength) X(orthographic) X(harnessPixelOffset) X(harnessResolution)
+#define RENDERER_UNIFORM(name) UNIFORM_##name,
+enum renderer_uniform { RENDERER_UNIFORMS(RENDERER_UNIFORM) RENDERER_UNIFORM_COUNT };
+#undef RENDERER_UNIFORM
+
+// Everything needed to draw one shader file. Opened once; a shader is loaded into it, and loaded
+// again when its file changes.
+struct renderer {
+    const struct gl *gl;
+    const char *root;
+    struct shader_source vertex;   // shaders/screen.vert
+    struct shader_source fragment; // the last one that compiled
+    struct parameters parameters;  // of that one
+    struct textures textures;      // of its samplers
+    struct axis_labels labels;     // that its views write
+    enum shader_view view;
+    float focal_length;                   // for shaders that declare no focalLength of their own
+    double orthographic;                  // OrthoView of whole files: 0 perspective, 1 orthographic
+    GLuint program[SHADER_PROGRAM_COUNT]; // by view, linked when first needed
+    GLint *location[SHADER_PROGRAM_COUNT]; // of its uniforms: renderer_uniform, then those of
+                                           // inputs, parameters and textures; owned
+    const GLint *used;                     // those of the program in use
+    GLuint vertex_array;
+    struct target picture;
+    struct target sharp;           // a window's picture that is drawn in several frames
+    struct target table;           // of a probe, one column per step; the slice view reads it
+    struct target single;          // of a probe: one pixel of the picture is drawn
+    struct target places;          // where the steps of a ray are in the picture
+    struct target points;          // where the handles are in the picture
+    struct target coarse;          // of the coarse pass, one texel per block
+    struct enlarge enlarge;        // shows a small picture in a large window
+    struct comparison *comparison; // not owned; NULL: a single picture
+    const struct overlay *overlay; // drawn over every written picture; not owned; NULL: none
+};
+
+// ---- Open, load, close ----
 
 // Make the triangle's vertex array and read shaders/screen.vert.
 //   gl, root  must outlive the renderer
@@ -14,68 +133,158 @@
 bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root);
 void renderer_close(struct renderer *renderer);
 
-// Compile and link a shader, and read its textures. Parameters that it shares with the shader
-// before keep their values, as parameters_keep says.
+// Compile and link a shader, and read its textures. Parameters that it shares with the previous
+// shader keep their values, as parameters_keep says.
 //   source, parameters  of the shader; taken over and left empty
-// Returns false, reported; then both stay the caller's, and the renderer still draws the last good
-// shader.
+// Returns false, reported; then both still belong to the caller, and the renderer still draws the
+// last good shader.
 bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters);
 
-// Choose what is shown, in both pictures of a pair; compiles the view when it is new. Returns
-// false, reported, and keeps the old view when a shader has no such view.
+// Choose the view, in both pictures of a comparison; links it if it is new. Returns false,
+// reported, and keeps the old view if a shader has no such view.
 bool renderer_set_view(struct renderer *renderer, enum shader_view view);
 
-// Draw rows [bottom, bottom + rows) of the picture into the float target, tile by tile, samples x
-// samples jittered passes each, averaged. Row 0 is the bottom row.
+// ---- Draw and read pictures ----
+
+// Draw rows [bottom, bottom + rows) of the picture into the float target, tile by tile, the mean of
+// samples x samples jittered passes. Row 0 is the bottom row.
 // Returns false, reported: no memory for the target, no float target.
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows);
 
-// Draw rows [from, from + rows) of the picture into a target of its own, which keeps the other rows
-// as long as the picture's size stays. The top rows come first: with them the target is cleared.
-// Rows drawn in parts are those of renderer_draw, to the bit.
-// Returns false, reported.
+// Draw rows [from, from + rows) of the picture into the target sharp, which keeps its other rows
+// while the picture's size stays the same. The top rows come first; drawing them clears the target.
+// The rows are identical to those of renderer_draw, to the bit. Returns false, reported.
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
                       int rows);
 
-// Copy what renderer_draw drew into the framebuffer of the window: pixel by pixel where the sizes
-// are the same, else through a filter.
+// Copy the picture of renderer_draw into the window's framebuffer: pixel by pixel if the sizes are
+// equal, otherwise through a filter.
 //   width, height  of the framebuffer, pixels
-// Returns false, reported: the driver does not take the filter.
+// Returns false, reported: the driver rejects the filter.
 bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int width, int height);
 
-// Copy rows [from, from + rows) of what renderer_sharpen drew, pixel by pixel.
+// Copy rows [from, from + rows) of the picture of renderer_sharpen, pixel by pixel.
 void renderer_present_sharp(struct renderer *renderer, int from, int rows);
 
-// Draw a whole picture, with the overlay where there is one, and read it back: value v becomes
+// Draw a whole picture, with the overlay if there is one, and read it back: value v becomes
 // floor(255 clamp(v, 0, 1) + 0.5).
 // The caller frees image. Returns false, reported.
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
                       struct image *image);
 
-// Read a target: 4 floats a pixel, bottom row first.
-//   target   the renderer's picture, as the last renderer_draw left it, or sharp or table
-//   values   room for 4 * target->width * target->height floats, the caller's
-void renderer_read(const struct renderer *renderer, const struct target *target, float *values);
-
-// What renderer_sharpen drew, as renderer_picture makes an image. Returns false, reported; the
-// caller frees the image.
+// The same for the picture of renderer_sharpen, which is not drawn again.
 bool renderer_sharp_picture(struct renderer *renderer, struct image *image);
 
-// The pixel below a place in a window, also where a high-density display has several pixels to one
-// of the window's units.
-//   place   from the window's top left, y down, in the window's units
-//   window  width and height in these units, at least 1
-//   pixel   takes the place in the picture, 0,0 bottom left
-void renderer_pixel_at(const struct renderer_inputs *inputs, const double place[2],
-                       const int window[2], int pixel[2]);
+// The first column of the second picture, in pictures of this width in pixels; the width if there
+// is no second picture. And the renderer that draws column x.
+int renderer_split(const struct renderer *renderer, int width);
+struct renderer *renderer_at(struct renderer *renderer, int width, int x);
 
-// March the ray of pixel (x, y), 0,0 bottom left, from where inputs->eye says, and bring back every
-// step, where it is in the picture, and the colour that the picture has there: in the view that is
-// shown, but for slice and plot, in which the pixel is nowhere. Of a file with a main of its own
-// the colour alone. Returns false, reported: the driver failed.
+// ---- The march of one ray ----
+
+// The selected ray stays where it is in space while the camera moves on: this is the eye of a
+// picture, from which its rays start.
+struct renderer_eye renderer_eye_of(const struct renderer *renderer,
+                                    const struct renderer_inputs *inputs);
+
+// March the ray of pixel (x, y), 0,0 bottom left, from inputs->eye, and read back every step, its
+// position in the picture, and the pixel's colour in the current view, or in the picture if the
+// view is slice or plot. Of a file with its own main, only the colour is known. Returns false,
+// reported: the driver failed.
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
+
+// The march that a slice shows, or whose steps a picture reads.
+struct march {
+    int pixel[2];
+    int steps; // that renderer->table has
+    float at;  // the step that is shown, from 0, with a fraction of the next one; -1: none
+    enum probe_end end;
+    struct slice_frame frame;
+    struct plot_frame plot;        // of a plot, below the slice
+    float step[RENDERER_STEPS][2]; // t and distance of the first ones
+};
+
+// The inputs of a picture from the selected ray's own eye.
+struct renderer_inputs renderer_from_eye(const struct renderer_inputs *inputs);
+
+// March the ray of pixel (x, y), whose steps stay in renderer->table.
+// Returns false, reported.
+bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
+                    struct probe *probe);
+
+// March the selected ray, or the middle one if none is selected, and frame it.
+// Returns false, reported.
+bool renderer_march_selected(struct renderer *renderer, const struct renderer_inputs *inputs,
+                             struct march *march);
+
+// Set the uniforms of shaders/slice.glsl and plot.glsl, or of shaders/marched.glsl. The slice reads
+// the table from unit 0, where a sampler reads unless told otherwise.
+void renderer_set_slice(const struct renderer *renderer, const struct march *march);
+void renderer_set_steps(const struct renderer *renderer, const struct march *march);
+
+// Find the positions of a march's steps in the picture: all in its pixel, or, if the ray starts
+// elsewhere than at the camera, in the pixels whose rays meet them.
+//   probe  of pixel (x, y), whose steps are still in renderer->table
+// Returns false, reported.
+bool renderer_place_steps(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
+                          int y, struct probe *probe);
+
+// ---- One draw ----
+
+// Link a view, and the programs that its pictures need: the slice view shows a probe, and a program
+// that calls coarseStart reads the coarse pass. So an error in any of them is found while the old
+// shader is still there. Returns false, reported.
+bool renderer_link(struct renderer *renderer, enum shader_view view);
+
+// Delete all programs.
+void renderer_unlink(struct renderer *renderer);
+
+// True if a linked view of a course shader uses a uniform; the linker keeps only what is used. In
+// other dialects the name is the author's.
+bool renderer_reads(const struct renderer *renderer, enum shader_view view,
+                    enum renderer_uniform uniform);
+
+// Use a linked view, and set everything that is the same for all tiles and samples of a picture,
+// including the table of the coarse pass, which has run.
+void renderer_use(struct renderer *renderer, const struct renderer_inputs *inputs,
+                  enum shader_view view);
+
+// Make the whole target 0. Needed before the first draw of a picture: a shader may discard its
+// pixel, and blending multiplies the old value by 0, which keeps a NaN. Call it without a scissor:
+// to clear a part of a target, llvmpipe compiles programs, which takes as long as a small shader.
+void renderer_clear(const struct gl *gl);
+
+// One sample of the pixels of a draw.
+struct renderer_sample {
+    int number, count; // from 0; of how many
+    float jitter[2];   // from the pixel's centre, pixels
+};
+
+// Draw the triangle, into the current target, viewport and scissor.
+//   bottom  the row of the picture with which the target begins
+void renderer_pass(const struct renderer *renderer, const struct renderer_sample *sample,
+                   int bottom);
+
+// Draw a rectangle of a table, which is bound, with a single sample per pixel.
+void renderer_fill(const struct renderer *renderer, const struct target *table, int left,
+                   int bottom, int width, int height);
+
+// The coarse pass: before a picture, one march for each block of 8 x 8 pixels, which says how far
+// their rays meet nothing. shaders/coarse.glsl says what is computed, and proves it.
+
+// True if a linked view reads the pass, and its parameter coarsePass is on.
+bool renderer_wants_coarse(const struct renderer *renderer, enum shader_view view);
+
+// If the view wants it, run the pass for the blocks of a rectangle of pixels; other blocks are
+// undefined. renderer->coarse has one texel for each block of the whole picture: the start, the
+// evaluations that it took, the number of pixels in the block, unused.
+//   view       the linked view that is drawn next
+//   low, high  opposite corners of the rectangle, pixels, the upper one excluded
+// Returns false, reported.
+bool renderer_run_coarse(struct renderer *renderer, const struct renderer_inputs *inputs,
+                         enum shader_view view, const int low[2], const int high[2]);
 
 #endif

@@ -5,15 +5,18 @@
 #define BEHIND     0.10  // of the length shown, left of the eye
 #define BEYOND     0.35  // of it, right of a hit
 #define NOTHING    8.0   // scene units shown of a ray that was not marched
-#define TICK_SHARE 0.115 // of the picture's width: at least so far from tick to tick
+#define TICK_SHARE 0.115 // of the picture's width, at least, from tick to tick
 #define CELLS      180   // in the picture's height
+#define PLOT_ABOVE 10.0  // cells above the highest distance, for the axis' name
+#define PLOT_BELOW 9.0   // cells below the lowest one
+#define PLOT_TICKS 4.5   // in the plot's height, at most
 
 float slice_cell(int height)
 {
     return fmaxf(1.0f, floorf((float)height / CELLS));
 }
 
-// The step where the scene was nearest: of a hit the last.
+// The step with the smallest distance: of a hit, the last one.
 static const struct probe_step *nearest_step(const struct probe *probe, int steps)
 {
     const struct probe_step *nearest = &probe->step[0];
@@ -23,7 +26,8 @@ static const struct probe_step *nearest_step(const struct probe *probe, int step
     return nearest;
 }
 
-void slice_round_tick(double length, float *tick, int digits[2])
+// The smallest of 1, 2 or 5 times a power of ten that is not less than a length.
+static void round_tick(double length, float *tick, int digits[2])
 {
     int power = (int)floor(log10(length));
     double share = length / pow(10.0, power);
@@ -46,7 +50,7 @@ struct slice_frame slice_frame_of(const struct probe *probe, int width, int heig
         const struct probe_step *nearest = nearest_step(probe, steps);
         double last = (double)probe->step[steps - 1].t;
         centre = (double)nearest->t;
-        // A ray that only leaves is shown whole: a shadow ray, or one into the sky.
+        // A ray that only moves away is shown whole: a shadow ray, or one into the sky.
         if (probe->end == PROBE_PASSED && nearest == &probe->step[0])
             end = 1.05 * last;
         else if (probe->end == PROBE_PASSED)
@@ -54,20 +58,47 @@ struct slice_frame slice_frame_of(const struct probe *probe, int width, int heig
         else
             end = last * (1.0 + BEYOND);
     }
-    if (!(fabs(centre) < 1e9)) // a broken distance
+    if (!(fabs(centre) < 1e9)) // not a number, or infinite: a shader's mistake
         centre = 0.0;
-    if (!(end > 0.0 && end < 1e9)) // or a march that starts at the surface
+    if (!(end > 0.0 && end < 1e9)) // or a march that starts on the surface
         end = fmax(centre, 1.0);
-    double times = zoom > 0.0f ? (double)zoom : 1.0;
-    double left = -BEHIND * end;
-    double shown = (1.0 + BEHIND) * end;
-    left = centre + (left - centre) / times;
-    shown /= times;
+    double times = zoom > 0.0f ? (double)zoom : 1.0, shown = (1.0 + BEHIND) * end / times;
+    double left = centre + (-BEHIND * end - centre) / times;
     struct slice_frame frame = {.left = (float)left, .unit = (float)(shown / width)};
     frame.bottom = -0.5f * (float)height * frame.unit;
-    slice_round_tick(TICK_SHARE * shown, &frame.tick, frame.digits);
-    // 1 and 10 are parted in fifths, 2 in fourths.
-    bool fourths = frame.digits[0] == 2 * (int)lround(pow(10.0, floor(log10(frame.digits[0]))));
-    frame.line = (float)((double)frame.tick / (fourths ? 4.0 : 5.0));
+    round_tick(TICK_SHARE * shown, &frame.tick, frame.digits);
+    // A tick of 1 or 5 is divided into fifths, one of 2 into quarters.
+    bool quarters = frame.digits[0] == 2 * (int)lround(pow(10.0, floor(log10(frame.digits[0]))));
+    frame.line = (float)((double)frame.tick / (quarters ? 4.0 : 5.0));
+    return frame;
+}
+
+// The lowest and the highest distance of the steps that are shown, and 0.
+static void range_of(const struct probe *probe, double left, double right, double range[2])
+{
+    range[0] = range[1] = 0.0;
+    for (int i = 0; i < probe_rows(probe); i++) {
+        double t = (double)probe->step[i].t, distance = (double)probe->step[i].distance;
+        if (!(t >= left && t <= right && fabs(distance) < 1e9))
+            continue;
+        range[0] = fmin(range[0], distance);
+        range[1] = fmax(range[1], distance);
+    }
+    if (!(range[1] - range[0] > 0.0))
+        range[1] = 1.0;
+}
+
+struct plot_frame plot_frame_of(const struct probe *probe, int width, int height,
+                                struct slice_frame *slice)
+{
+    double unit = (double)slice->unit, left = (double)slice->left, range[2];
+    double cell = (double)slice_cell(height), split = floor((double)SLICE_PLOT * height + 0.5);
+    slice->bottom = (float)(-(split + 0.5 * (height - split)) * unit);
+    range_of(probe, left, left + width * unit, range);
+    double low = (double)SLICE_AXIS + PLOT_BELOW;
+    double scale = (range[1] - range[0]) / fmax(split - (low + PLOT_ABOVE) * cell, 1.0);
+    struct plot_frame frame = {.split = (float)split, .unit = (float)scale};
+    frame.zero = (float)(low * cell - range[0] / scale);
+    round_tick((range[1] - range[0]) / PLOT_TICKS, &frame.tick, frame.digits);
     return frame;
 }

@@ -1,37 +1,47 @@
-// slice.h - which part of the plane of a ray the slice view shows.
+// slice.h - how the slice view frames the plane of a ray, and the plot view the distance below it.
 #ifndef SLICE_H
 #define SLICE_H
 
 #include "picture/probe.h"
 
-// What slice and plot write in the picture, in cells of their digits: the axis along the ray, from
-// the picture's bottom; a step's number, from the ray up.
+// In cells: the height of the axis along the ray, from the picture's bottom, and the room above the
+// ray for a step's number.
 #define SLICE_AXIS   13.0f
 #define SLICE_NUMBER 10.0f
 
 #define SLICE_ZOOM_MINIMUM 0.1f
-#define SLICE_ZOOM_MAXIMUM 200.0f // beyond it a float's rounding shows in the lines
+#define SLICE_ZOOM_MAXIMUM 200.0f // beyond it, the rounding of floats shows in the lines
+#define SLICE_PLOT         0.5f   // fraction of the picture's height below a plot's slice
 
-// The plane that holds a ray: (along, across), scene units along the ray from the eye, and up.
+// The plane that contains a ray: (along, across), scene units along the ray from the eye, and up.
 struct slice_frame {
     float left, bottom; // (along, across) of the picture's bottom left corner
-    float unit;         // scene units a pixel
+    float unit;         // scene units per pixel
     float tick;         // scene units between ticks: 1, 2 or 5 times a power of ten
-    float line;         // between lines of equal distance: a fourth or a fifth of the tick
+    float line;         // between lines of equal distance: a quarter or a fifth of the tick
     int digits[2];      // the tick as digits[0] / 10^digits[1]
 };
 
-// The side of a cell in a picture of a height, both in pixels.
+// The plot fills the picture below the slice, down to the axis along the ray.
+struct plot_frame {
+    float zero;    // the row of distance 0, pixels from the picture's bottom
+    float unit;    // distance per pixel
+    float split;   // the lowest row of the slice
+    float tick;    // distance between ticks: 1, 2 or 5 times a power of ten
+    int digits[2]; // the tick as digits[0] / 10^digits[1]
+};
+
+// The side of a cell in a picture of this height, pixels: 1 / 180 of it, rounded down, at least 1.
 float slice_cell(int height);
 
-// The least of 1, 2 or 5 times a power of ten that is not less than a length.
-//   digits  receives it as digits[0] / 10^digits[1]
-void slice_round_tick(double length, float *tick, int digits[2]);
-
 // Frame a march: from behind the eye to a little past its end. A ray that passed the far limit is
-// shown to a little past the place where the scene was nearest, or to its last step where that is
-// the eye.
-//   zoom  1: as above; z: z times as large about that place; 0 counts as 1
+// shown to a little past its point nearest to the scene, or, if that is the eye, to its last step.
+//   zoom  1, or 0: as above; z: z times as large around that point
 struct slice_frame slice_frame_of(const struct probe *probe, int width, int height, float zoom);
+
+// Frame the distances of the steps that a slice shows, including 0 and negative ones.
+//   slice  is moved up into its part of the picture
+struct plot_frame plot_frame_of(const struct probe *probe, int width, int height,
+                                struct slice_frame *slice);
 
 #endif

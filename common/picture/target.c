@@ -19,7 +19,7 @@ static const char fragment_text[] = GL_GLSL "out vec4 fragment;\n"
                                             "    fragment = vec4(0.25);\n"
                                             "}\n";
 
-// Draw a quarter twice over nothing, in one pixel.
+// Blend a quarter twice over 0, in one pixel.
 static void draw_half(const struct gl *gl, GLuint program)
 {
     GLuint vertex_array;
@@ -37,7 +37,52 @@ static void draw_half(const struct gl *gl, GLuint program)
     gl->DeleteVertexArrays(1, &vertex_array);
 }
 
-GLenum target_form(const struct gl *gl)
+GLuint target_program(const struct gl *gl, const char *what, const char *vertex,
+                      const char *fragment)
+{
+    enum shader_step step;
+    char *log;
+    GLuint program = shader_link_texts(gl, vertex, fragment, &step, &log);
+    if (program == 0)
+        report("%s: the driver rejects its shader: try another --backend: %.800s", what,
+               log != NULL ? log : "");
+    free(log);
+    return program;
+}
+
+static void read_nearest(const struct gl *gl)
+{
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
+void target_upload(const struct gl *gl, int width, int height, const unsigned char *pixel)
+{
+    gl->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_R8, width, height, 0, GL_RED, GL_UNSIGNED_BYTE, pixel);
+    read_nearest(gl);
+}
+
+// Bind a target, and allocate it if its size is new. Returns false if the driver cannot.
+static bool make(struct target *target, const struct gl *gl, int width, int height)
+{
+    gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
+    if (target->width == width && target->height == height)
+        return true;
+    gl->BindTexture(GL_TEXTURE_2D, target->texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)target->format, width, height, 0, GL_RGBA,
+                   target->format == GL_RGBA8 ? GL_UNSIGNED_BYTE : GL_FLOAT, NULL);
+    read_nearest(gl);
+    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture,
+                             0);
+    bool made = gl->CheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE &&
+                gl->GetError() == GL_NO_ERROR;
+    target->width = made ? width : 0;
+    target->height = height;
+    return made;
+}
+
+GLenum target_format(const struct gl *gl)
 {
     struct target target;
     enum shader_step step;
@@ -46,7 +91,7 @@ GLenum target_form(const struct gl *gl)
     GLuint program = shader_link_texts(gl, target_vertex, fragment_text, &step, &log);
     free(log);
     target_open(&target, gl, GL_RGBA32F);
-    if (program != 0 && target_bind(&target, gl, 1, 1)) {
+    if (program != 0 && make(&target, gl, 1, 1)) {
         draw_half(gl, program);
         target_read(&target, gl, sum);
     }
@@ -55,9 +100,9 @@ GLenum target_form(const struct gl *gl)
     return sum[0] == 0.5f ? GL_RGBA32F : GL_RGBA16F;
 }
 
-void target_open(struct target *target, const struct gl *gl, GLenum form)
+void target_open(struct target *target, const struct gl *gl, GLenum format)
 {
-    *target = (struct target){.form = form};
+    *target = (struct target){.format = format};
     gl->GenFramebuffers(1, &target->framebuffer);
     gl->GenTextures(1, &target->texture);
 }
@@ -71,27 +116,10 @@ void target_close(struct target *target, const struct gl *gl)
 
 bool target_bind(struct target *target, const struct gl *gl, int width, int height)
 {
-    gl->BindFramebuffer(GL_FRAMEBUFFER, target->framebuffer);
-    if (target->width == width && target->height == height)
-        return true;
-    gl->BindTexture(GL_TEXTURE_2D, target->texture);
-    gl->TexImage2D(GL_TEXTURE_2D, 0, (GLint)target->form, width, height, 0, GL_RGBA, GL_FLOAT,
-                   NULL);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    gl->TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    gl->FramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target->texture,
-                             0);
-    if (gl->CheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE ||
-        gl->GetError() != GL_NO_ERROR) {
-        target->width = 0;
-        return report(
-            "float target %dx%d: the driver cannot make it: try a smaller --size or another "
-            "--backend",
-            width, height);
-    }
-    target->width = width;
-    target->height = height;
-    return true;
+    return make(target, gl, width, height) ||
+           report("float target %dx%d: the driver cannot make it: try a smaller --size or another "
+                  "--backend",
+                  width, height);
 }
 
 void target_read(const struct target *target, const struct gl *gl, float *values)

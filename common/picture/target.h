@@ -1,4 +1,4 @@
-// target.h - a float texture to draw into.
+// target.h - a texture to draw into, and small programs and textures of the harness's own.
 #ifndef TARGET_H
 #define TARGET_H
 
@@ -6,32 +6,40 @@
 
 #include "context/gl.h"
 
-// Red, green, blue and alpha, a float each. Made by the first target_bind that asks for a size.
+// Red, green, blue and alpha. Its pixels are allocated by target_bind.
 struct target {
     GLuint framebuffer, texture;
-    GLenum form;
+    GLenum format;
     int width, height; // pixels; 0 before the first target_bind
 };
 
-// The text of a vertex shader: three vertices of no buffer, a triangle that covers whatever is
-// drawn into.
+// Link a program of the harness's own.
+//   what  names it in the report
+// Returns 0, reported, if the driver rejects it.
+GLuint target_program(const struct gl *gl, const char *what, const char *vertex,
+                      const char *fragment);
+
+// Fill the texture that is bound with an image of one byte per pixel.
+void target_upload(const struct gl *gl, int width, int height, const unsigned char *pixel);
+
+// A vertex shader: three vertices without a buffer, a triangle that covers the target.
 extern const char target_vertex[];
 
-// The form of targets in which what is drawn adds up: GL_RGBA32F, as OpenGL 3.3 asks of every
-// driver; GL_RGBA16F where that does not blend.
-GLenum target_form(const struct gl *gl);
+// The format of targets that blend: GL_RGBA32F, as OpenGL 3.3 requires of every driver; GL_RGBA16F
+// if that does not blend.
+GLenum target_format(const struct gl *gl);
 
-// Make the names of a target that has no pixels yet, and give them back.
-//   form  GL_RGBA32F or GL_RGBA16F
-void target_open(struct target *target, const struct gl *gl, GLenum form);
+// Open a target without pixels, and close it.
+//   format  GL_RGBA32F, GL_RGBA16F or GL_RGBA8
+void target_open(struct target *target, const struct gl *gl, GLenum format);
 void target_close(struct target *target, const struct gl *gl);
 
-// Bind a target to draw into, made anew when its size changes: then its pixels are undefined.
+// Bind a target to draw into. If its size changes, its pixels are undefined.
 // Returns false, reported: the driver has no float target, or none of that size.
 bool target_bind(struct target *target, const struct gl *gl, int width, int height);
 
-// Read a target: 4 floats a pixel, bottom row first. It stays bound for reading.
-//   values  room for 4 * width * height floats, the caller's
+// Read a target: 4 floats per pixel, bottom row first. It stays bound for reading.
+//   values  room for 4 * width * height floats
 void target_read(const struct target *target, const struct gl *gl, float *values);
 
 #endif

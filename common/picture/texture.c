@@ -8,43 +8,32 @@
 #include "picture/colour.h"
 #include "memory.h"
 
-enum { CHANNELS = 4, BYTES = 256, GUESSES = 1024 };
+enum { CHANNELS = 4, BYTES = 256 };
 
 // ---- Numbers and bytes ----
 
-// What a byte means, and, between each two, which numbers become it: for a linear channel and for
-// one of sRGB, IEC 61966-2-1.
+// The number of each byte, and the limit above which the next byte is nearer, of a linear channel
+// or of one of sRGB.
 struct code {
     float value[BYTES], above[BYTES];
-    unsigned char guess[GUESSES + 1]; // the byte of k / GUESSES
 };
-
-static double decode(double v, bool srgb)
-{
-    return srgb ? colour_decode(v) : v;
-}
 
 static void make_code(struct code *code, bool srgb)
 {
     for (int i = 0; i < BYTES; i++) {
-        code->value[i] = (float)decode(i / 255.0, srgb);
-        code->above[i] = (float)decode((i + 0.5) / 255.0, srgb);
-    }
-    int byte = 0;
-    for (int k = 0; k <= GUESSES; k++) {
-        while (byte < BYTES - 1 && (float)k / GUESSES >= code->above[byte])
-            byte++;
-        code->guess[k] = (unsigned char)byte;
+        double value = i / 255.0, above = (i + 0.5) / 255.0;
+        code->value[i] = (float)(srgb ? colour_decode(value) : value);
+        code->above[i] = (float)(srgb ? colour_decode(above) : above);
     }
 }
 
-// The byte whose number is nearest, seen as the code spaces them.
-//   value  in [0, 1]: a mean, which rounding may carry a little beyond 1
+// The byte whose number is nearest, as the code spaces them.
 static unsigned char encode(const struct code *code, float value)
 {
-    int byte = code->guess[(int)(value * GUESSES)];
-    while (byte < BYTES - 1 && value >= code->above[byte])
-        byte++;
+    int byte = 0;
+    for (int step = BYTES / 2; step > 0; step /= 2)
+        if (value >= code->above[byte + step - 1])
+            byte += step;
     return (unsigned char)byte;
 }
 
@@ -55,7 +44,7 @@ static size_t texels(const int size[3])
     return (size_t)size[0] * (size_t)size[1] * (size_t)size[2];
 }
 
-// Halve one axis: each new texel is the mean of what it covers, in shares where a side is odd.
+// Halve one axis: each new texel is the mean of those that it covers, in part if the side is odd.
 //   size  of the values; becomes that of the new ones
 // Returns the new values, which the caller frees, or NULL.
 static float *halve(const float *value, int size[3], int axis)
@@ -81,7 +70,7 @@ static float *halve(const float *value, int size[3], int axis)
     return result;
 }
 
-// Room for the bytes of one more level; NULL where memory is short.
+// Allocate one more level. Returns NULL if memory is short.
 static unsigned char *add_level(struct texture_image *image, const int size[3])
 {
     unsigned char *level = calloc(texels(size), CHANNELS);
@@ -91,8 +80,8 @@ static unsigned char *add_level(struct texture_image *image, const int size[3])
     return level;
 }
 
-// The first level: a file's bytes, each slice with its bottom row first. Returns its numbers, which
-// the caller frees; NULL where memory is short.
+// Make the first level: a file's bytes, each slice with its bottom row first. Returns its numbers,
+// which the caller frees; NULL if memory is short.
 static float *first_level(struct texture_image *image, const struct image_bytes *bytes,
                           const struct code code[2], const int size[3])
 {
@@ -107,7 +96,7 @@ static float *first_level(struct texture_image *image, const struct image_bytes 
     return value;
 }
 
-// The levels after the first one, from its numbers, which are freed.
+// Make the other levels from the numbers of the first, which are freed.
 static bool make_levels(struct texture_image *image, const struct code code[2], float *value,
                         int size[3])
 {
@@ -203,7 +192,7 @@ static bool upload(struct texture *texture, const struct gl *gl, const struct te
     return gl->GetError() == GL_NO_ERROR;
 }
 
-// The picture of one sampler.
+// Load the picture of one sampler.
 static bool load(struct texture *texture, const struct gl *gl, const struct sampler *sampler,
                  const char *path, char why[IMAGE_WHY])
 {
@@ -251,20 +240,34 @@ void textures_free(struct textures *textures, const struct gl *gl)
     *textures = (struct textures){0};
 }
 
-void textures_bind(const struct textures *textures, const struct gl *gl, GLuint program)
+void textures_locate(const struct textures *textures, const struct gl *gl, GLuint program,
+                     GLint *location)
 {
     static const char channel[] = "iChannel";
-    for (int i = 0; i < textures->count; i++) {
+    for (int i = 0; i < textures->count; i++, location += TEXTURE_UNIFORMS) {
+        const char *name = textures->item[i].name, *number = name + strlen(channel);
+        char size[96];
+        location[0] = gl->GetUniformLocation(program, name);
+        location[1] = location[2] = -1;
+        if (strncmp(name, channel, strlen(channel)) != 0)
+            continue;
+        snprintf(size, sizeof size, "iChannelResolution[%s]", number);
+        location[1] = gl->GetUniformLocation(program, size);
+        snprintf(size, sizeof size, "u_tex%sResolution", number);
+        location[2] = gl->GetUniformLocation(program, size);
+    }
+}
+
+void textures_bind(const struct textures *textures, const struct gl *gl, const GLint *location)
+{
+    for (int i = 0; i < textures->count; i++, location += TEXTURE_UNIFORMS) {
         const struct texture *texture = &textures->item[i];
+        float width = (float)texture->size[0], height = (float)texture->size[1];
         gl->ActiveTexture(GL_TEXTURE1 + (GLenum)i);
         gl->BindTexture(texture->target, texture->texture);
-        gl->Uniform1i(gl->GetUniformLocation(program, texture->name), 1 + i);
-        if (strncmp(texture->name, channel, strlen(channel)) != 0)
-            continue;
-        char name[96];
-        snprintf(name, sizeof name, "iChannelResolution[%s]", texture->name + strlen(channel));
-        gl->Uniform3f(gl->GetUniformLocation(program, name), (float)texture->size[0],
-                      (float)texture->size[1], 1.0f);
+        gl->Uniform1i(location[0], 1 + i);
+        gl->Uniform3f(location[1], width, height, 1.0f);
+        gl->Uniform2f(location[2], width, height);
     }
     gl->ActiveTexture(GL_TEXTURE0);
     gl->BindTexture(GL_TEXTURE_2D, 0);

@@ -1,4 +1,4 @@
-// platform.h for Linux, macOS and their like: files, the program, its surroundings.
+// platform.h for Linux, macOS and similar systems: files, the program, its environment.
 #include "platform.h"
 
 #include <errno.h>
@@ -45,7 +45,7 @@ char *platform_resolve(const char *path)
     return realpath(path, NULL);
 }
 
-// O_NONBLOCK: a fifo put in the file's place must not hang the program, it is empty.
+// O_NONBLOCK, so that a fifo which replaces the file in this moment does not hang the program.
 FILE *platform_open(const char *path)
 {
     struct platform_file file;
@@ -70,8 +70,8 @@ bool platform_close_text(FILE *stream)
 
 // ---- Files that are written ----
 
-// Put what a path's last name links to in its place, also where that is missing: a rename would
-// replace the link. Returns 0 or an errno.
+// Follow the links of a path's last name, even to a missing file, because a rename would replace
+// the link itself. Returns 0 or an errno.
 static int follow_links(const char *path, char target[PLATFORM_PATH])
 {
     char text[PLATFORM_PATH], joined[PLATFORM_PATH];
@@ -88,7 +88,7 @@ static int follow_links(const char *path, char target[PLATFORM_PATH])
             return ENAMETOOLONG;
         strcpy(target, joined);
     }
-    return errno == EINVAL || errno == ENOENT ? 0 : errno; // no link, or nothing at all
+    return errno == EINVAL || errno == ENOENT ? 0 : errno; // not a link, or no file
 }
 
 static const char *kind_of(mode_t mode)
@@ -107,8 +107,8 @@ static bool refuse(char why[PLATFORM_WHY], const char *phrase)
     return false;
 }
 
-// True when an existing file may be replaced. A rename asks the folder's permission alone, but who
-// write-protects a file expects it to stay.
+// True if an existing file may be replaced. A rename needs only the folder's permission, but a file
+// that is write-protected must stay.
 static bool may_replace(const char *path, mode_t mode, char why[PLATFORM_WHY])
 {
     if (S_ISREG(mode))
@@ -117,7 +117,7 @@ static bool may_replace(const char *path, mode_t mode, char why[PLATFORM_WHY])
     return false;
 }
 
-// The folder of a path, with its last / or empty: where the path's last name begins.
+// The length of the folder of a path, including its last /; 0 if there is none.
 static int folder_length(const char *path)
 {
     const char *slash = strrchr(path, '/');
@@ -166,8 +166,8 @@ static int write_and_close(int file, const char *data, size_t size)
     return close(file) != 0 && error == 0 ? errno : error;
 }
 
-// Create a file with a name that nothing has. mkstemp would give it to its owner alone, and the
-// umask cannot be read without changing it.
+// Create a file with a new name. mkstemp would let only its owner read it, and the umask cannot be
+// read without changing it.
 static int create_beside(const char *target, char name[PLATFORM_PATH + 64])
 {
     int file = -1;
@@ -179,7 +179,7 @@ static int create_beside(const char *target, char name[PLATFORM_PATH + 64])
     return file;
 }
 
-// Write data beside the target and rename it over. Returns 0 or an errno; then nothing is left.
+// Write a new file beside the target and rename it. Returns 0 or an errno; then no file is left.
 static int replace(const char *target, const char *data, size_t size)
 {
     char name[PLATFORM_PATH + 64];
@@ -194,8 +194,8 @@ static int replace(const char *target, const char *data, size_t size)
     return error;
 }
 
-// A signal that ends the program waits until the file is whole, and the one of a file size limit,
-// which would end it in the midst, becomes an error of write().
+// A signal that ends the program waits until the file is complete, and the signal of a file size
+// limit becomes an error of write().
 int platform_replace(const char *target, const char *data, size_t size)
 {
     struct sigaction ignore = {.sa_handler = SIG_IGN}, before;
@@ -222,7 +222,7 @@ const char *platform_why(int error)
     return strerror(error);
 }
 
-// ---- The program and its surroundings ----
+// ---- The program and its environment ----
 
 bool platform_program(char path[PLATFORM_PATH])
 {

@@ -1,6 +1,6 @@
-// platform.h for Windows: files, the program, its surroundings. By the system's own calls: those of
-// its C library know neither UTF-8 nor a rename over a file, and they keep others from replacing a
-// file that is open. Paths have '/' between their parts here too; the system takes both.
+// platform.h for Windows: files, the program, its environment. It uses the system's own calls:
+// those of its C library know neither UTF-8 nor a rename that replaces a file, and they prevent
+// other programs from replacing a file that is open. Paths have '/' between their parts.
 #include "platform.h"
 
 #include <errno.h>
@@ -13,10 +13,10 @@
 #include <windows.h>
 
 enum {
-    TRIES = 20,       // of what another program holds for a moment: a scanner of viruses, an editor
+    TRIES = 20,       // while another program has a file open: a virus scanner, an editor
     TRY_AGAIN = 50,   // ms
-    PLAIN_PATH = 240, // letters of a path that every call takes as it is
-    BESIDE = 40       // letters at most of a file's name that is written beside another
+    PLAIN_PATH = 240, // letters of a path that every call accepts
+    BESIDE = 40       // letters that the name of a new file beside a target may have
 };
 
 #define SHARED       (FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE)
@@ -25,8 +25,8 @@ enum {
 
 // ---- Text ----
 
-// A path as the system's calls take it: whole, and where it is long in the form that has no limit
-// of 260 letters. Returns false with errno when it is malformed, empty or too long.
+// Convert a path for the system's calls: absolute, and if it is long, in the form without a limit
+// of 260 letters. Returns false with errno if it is malformed, empty or too long.
 static bool widen(const char *path, wchar_t wide[PLATFORM_PATH])
 {
     wchar_t given[PLATFORM_PATH], whole[PLATFORM_PATH];
@@ -45,7 +45,7 @@ static bool widen(const char *path, wchar_t wide[PLATFORM_PATH])
     return true;
 }
 
-// Returns false with errno when it is too long.
+// Returns false with errno if it is too long.
 static bool narrow(const wchar_t *wide, char path[PLATFORM_PATH])
 {
     if (WideCharToMultiByte(CP_UTF8, 0, wide, -1, path, PLATFORM_PATH, NULL, NULL) == 0) {
@@ -58,7 +58,7 @@ static bool narrow(const wchar_t *wide, char path[PLATFORM_PATH])
     return true;
 }
 
-// The errno of what the system said last.
+// The errno of the system's last error.
 static int last_errno(void)
 {
     static const struct {
@@ -99,7 +99,7 @@ const char *platform_why(int error)
 
 // ---- Files that are read ----
 
-// Open whatever is there, a folder too; an editor that is about to save may let nobody else in.
+// Open a file or a folder. An editor that is saving may deny access for a moment.
 static HANDLE open_any(const char *path, DWORD access)
 {
     wchar_t wide[PLATFORM_PATH];
@@ -164,13 +164,13 @@ char *platform_resolve(const char *path)
         return NULL;
     DWORD length = GetFinalPathNameByHandleW(handle, whole, PLATFORM_PATH, VOLUME_NAME_DOS);
     CloseHandle(handle);
-    // Drives that a program makes may have no final name.
+    // A drive that a program provides may have no final name.
     bool told = (length > 0 && length < PLATFORM_PATH) || widen(path, whole);
     return told ? plain(whole) : NULL;
 }
 
-// Others may replace the file while it is open here: fopen would forbid it. Looking at all of it,
-// as platform_look does, would ask for its disk too.
+// Other programs may replace the file while it is open here, which fopen would forbid.
+// platform_look would also ask for its disk.
 FILE *platform_open(const char *path)
 {
     FILE_BASIC_INFO is;
@@ -207,9 +207,9 @@ static size_t name_at(const char *path)
     return slash != NULL ? (size_t)(slash - path) + 1 : path[0] != '\0' && path[1] == ':' ? 2 : 0;
 }
 
-// Create a file with a name that nothing has, in the target's folder.
+// Create a file with a new name in the target's folder.
 //   flags  FILE_FLAG_DELETE_ON_CLOSE: only to try
-// Returns INVALID_HANDLE_VALUE with errno where that cannot be.
+// Returns INVALID_HANDLE_VALUE with errno if that fails.
 static HANDLE create_beside(const char *target, wchar_t name[PLATFORM_PATH], DWORD flags)
 {
     char path[PLATFORM_PATH + BESIDE];
@@ -241,7 +241,7 @@ static bool may_replace(const char *path, const struct platform_file *file, char
            refuse(why, platform_why(EACCES));
 }
 
-// True when a name that nothing has may be given to a file.
+// True if a new file may have this name.
 static bool may_create(const char *path, char why[PLATFORM_WHY])
 {
     wchar_t wide[PLATFORM_PATH];
@@ -249,7 +249,7 @@ static bool may_create(const char *path, char why[PLATFORM_WHY])
         return refuse(why, platform_why(errno));
     if (path[strlen(path) - 1] == '/')
         return refuse(why, "a name that ends in / is a folder's: give the name of a file");
-    // What stands behind a colon would be a part of another file.
+    // A name with a colon would be a stream of another file.
     if (strpbrk(path + name_at(path), "<>:\"|?*") != NULL)
         return refuse(why, "a name has none of < > : \" | ? * here: give another");
     if (widen(path, wide) && GetFileAttributesW(wide) != INVALID_FILE_ATTRIBUTES)
@@ -278,14 +278,14 @@ bool platform_target(const char *path, char target[PLATFORM_PATH], char why[PLAT
         return may_create(path, why) && folder_writable(target, why);
     if (!may_replace(path, &file, why))
         return false;
-    char *resolved = platform_resolve(path); // a link stays, what it leads to is replaced
+    char *resolved = platform_resolve(path); // a link stays, and its file is replaced
     if (resolved != NULL)
         strcpy(target, resolved);
     free(resolved);
     return folder_writable(target, why);
 }
 
-// Put a file in the place of one that others read, in the way in which they keep the old one.
+// Rename a file to a target that other programs are reading; they keep the old one.
 static bool rename_as_posix(const wchar_t *name, const wchar_t *target)
 {
     struct {
@@ -303,8 +303,8 @@ static bool rename_as_posix(const wchar_t *name, const wchar_t *target)
     return done;
 }
 
-// What denies is a program that holds the target open: whether it is protected was looked at
-// before. Returns 0 or an errno.
+// Rename a file to its target. If access is denied, a program has the target open, because
+// platform_target has checked its protection. Returns 0 or an errno.
 static int put_in_place(const wchar_t *name, const wchar_t *target)
 {
     for (int i = 0; !MoveFileExW(name, target, MOVEFILE_REPLACE_EXISTING); i++) {
@@ -319,7 +319,7 @@ static int put_in_place(const wchar_t *name, const wchar_t *target)
     return 0;
 }
 
-// Write data beside the target and rename it over. Returns 0 or an errno; then nothing is left.
+// Write a new file beside the target and rename it. Returns 0 or an errno; then no file is left.
 static int replace(const char *target, const char *data, size_t size)
 {
     wchar_t name[PLATFORM_PATH], wide[PLATFORM_PATH];
@@ -343,13 +343,13 @@ static int replace(const char *target, const char *data, size_t size)
 
 static CRITICAL_SECTION writing;
 
-// Ctrl+C comes in a thread of its own: it waits here until the file is whole.
+// Ctrl+C arrives in a thread of its own, which waits here until the file is complete.
 static BOOL WINAPI on_interrupt(DWORD event)
 {
     (void)event;
     EnterCriticalSection(&writing);
     LeaveCriticalSection(&writing);
-    return FALSE; // to the next one, which ends the program
+    return FALSE; // so the next handler ends the program
 }
 
 int platform_replace(const char *target, const char *data, size_t size)
@@ -366,16 +366,7 @@ int platform_replace(const char *target, const char *data, size_t size)
     return error;
 }
 
-double platform_room(const char *folder)
-{
-    wchar_t wide[PLATFORM_PATH];
-    ULARGE_INTEGER room;
-    return widen(folder, wide) && GetDiskFreeSpaceExW(wide, &room, NULL, NULL)
-               ? (double)room.QuadPart
-               : -1.0;
-}
-
-// ---- The program and its surroundings ----
+// ---- The program and its environment ----
 
 bool platform_program(char path[PLATFORM_PATH])
 {

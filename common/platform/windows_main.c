@@ -1,5 +1,6 @@
-// Where a program for Windows begins: it hands main the command line in UTF-8. What is packed for
-// others has this file in every program, and all the rest once, in a library beside them.
+// The start of a program for Windows, which calls main with the command line in UTF-8. In the
+// packed folder, every program contains this file, and a library beside them contains all the
+// others.
 #include "platform/windows.h"
 
 #include <fcntl.h>
@@ -8,17 +9,17 @@
 
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
-// Behind it, for they need it.
+// After windows.h, which they need.
 #include <shellapi.h>
 #include <timeapi.h>
 
-// Laptops with two graphics cards give a program that exports these the faster one.
+// On laptops with two graphics cards, a program that exports these gets the faster one.
 __declspec(dllexport) extern const DWORD NvOptimusEnablement, AmdPowerXpressRequestHighPerformance;
 const DWORD NvOptimusEnablement = 1, AmdPowerXpressRequestHighPerformance = 1;
 
 static struct {
     UINT code_page; // of the console, before
-    bool done;      // main has come to a good end
+    bool done;      // main has succeeded
 } state;
 
 static void leave_console(void)
@@ -41,8 +42,8 @@ static void *need(void *memory)
     return memory;
 }
 
-// A word of the command line in UTF-8, with '/' between the parts of a path: of all that can be
-// said there only paths have a '\'. Lives as long as the program.
+// A word of the command line in UTF-8, with '/' for '\', which only paths contain. Lives as long as
+// the program.
 static char *word_of(const wchar_t *wide)
 {
     int size = WideCharToMultiByte(CP_UTF8, 0, wide, -1, NULL, 0, NULL, NULL);
@@ -54,8 +55,7 @@ static char *word_of(const wchar_t *wide)
     return word;
 }
 
-// The words of the command line as the shell gave them: the C library would look for files that *
-// and ? stand for.
+// The words of the command line as the shell passed them: the C library would expand * and ?.
 static char **words_of(int *count)
 {
     wchar_t **wide = need(CommandLineToArgvW(GetCommandLineW(), count));
@@ -66,16 +66,16 @@ static char **words_of(int *count)
     return words;
 }
 
-// The C library begins here. Output is written as it stands, in UTF-8.
+// The C library starts here. Output is written unchanged, in UTF-8.
 int wmain(void)
 {
     int count = 0;
     char **words = words_of(&count);
     _setmode(_fileno(stdout), _O_BINARY);
     _setmode(_fileno(stderr), _O_BINARY);
-    setvbuf(stderr, NULL, _IONBF, 0);     // else what goes into a pipe waits for the program's end
-    SetErrorMode(SEM_FAILCRITICALERRORS); // a drive without a disk is a file that is not there
-    timeBeginPeriod(1);                   // else a wait may be as long as a picture, 16 ms
+    setvbuf(stderr, NULL, _IONBF, 0);     // otherwise a pipe gets it at the program's end
+    SetErrorMode(SEM_FAILCRITICALERRORS); // a drive without a disk has no files, and no dialog
+    timeBeginPeriod(1);                   // otherwise a wait may last 16 ms, as long as a frame
     state.code_page = GetConsoleOutputCP();
     SetConsoleOutputCP(CP_UTF8);
     atexit(leave_console);

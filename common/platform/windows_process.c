@@ -1,4 +1,4 @@
-// platform.h for Windows: the program's clocks, its console, and what may happen to the process.
+// platform.h for Windows: clocks, console, crashes and memory.
 #include "platform/windows.h"
 
 #include <io.h>
@@ -9,7 +9,7 @@
 #define WIN32_LEAN_AND_MEAN
 #include <windows.h>
 
-#define STACK_LEFT (64 * 1024) // bytes for on_crash, when the driver has used up the rest
+#define STACK_LEFT (64 * 1024) // bytes for on_crash, if the driver has used up the rest
 #define SINCE_1601 11644473600 // of 1970, in seconds
 
 static struct {
@@ -99,7 +99,7 @@ double platform_date(struct tm *date)
     return 1e-7 * (double)(ticks % 10000000);
 }
 
-// ---- What may happen to the process ----
+// ---- Crashes and memory ----
 
 static LONG WINAPI on_crash(EXCEPTION_POINTERS *what)
 {
@@ -125,24 +125,6 @@ void platform_watch_lost_page(const char *words)
 {
     state.lost_page = words;
     SetUnhandledExceptionFilter(on_crash);
-}
-
-size_t platform_stack(void)
-{
-    ULONG_PTR low, high;
-    GetCurrentThreadStackLimits(&low, &high);
-    return (size_t)(high - low);
-}
-
-int platform_processors(void)
-{
-    return (int)GetActiveProcessorCount(ALL_PROCESSOR_GROUPS);
-}
-
-// Nothing but memory limits them.
-bool platform_has_threads(int count)
-{
-    return count >= 0;
 }
 
 void platform_limit_memory(double more)

@@ -1,6 +1,6 @@
-// platform.h for Windows: streams into memory. Its C library has none, so a stream is one to a file
-// of the system's folder for such files, which seldom reaches the disk. A file is kept for the next
-// stream: short texts are made at every turn of a window's loop.
+// platform.h for Windows: streams into memory. Its C library has none, so each is a temporary file,
+// which seldom reaches the disk. The file is kept for the next stream, because a window makes short
+// texts in every frame.
 #include "platform.h"
 
 #include <fcntl.h>
@@ -15,11 +15,11 @@ enum { STREAMS = 16 }; // at the same time
 
 static struct {
     FILE *stream;
-    char **text; // NULL while nobody writes
+    char **text; // NULL while it is unused
     size_t *size;
 } kept[STREAMS];
 
-// A file that goes with its last handle, however the program ends.
+// A file that is deleted with its last handle, however the program ends.
 static FILE *open_scratch(void)
 {
     wchar_t folder[MAX_PATH + 1], name[MAX_PATH + 1];
@@ -55,7 +55,7 @@ FILE *platform_open_text(char **text, size_t *size)
     return kept[i].stream;
 }
 
-// What was written, with a '\0' behind it; NULL when it is not all there.
+// What was written, with '\0' at the end; NULL if part of it is missing.
 static char *contents(FILE *stream, size_t *size)
 {
     bool failed = fflush(stream) != 0 || ferror(stream) != 0;
@@ -80,7 +80,7 @@ bool platform_close_text(FILE *stream)
     char *text = contents(stream, kept[i].size);
     *kept[i].text = text;
     kept[i].text = NULL;
-    rewind(stream); // forgets an error too
+    rewind(stream); // also clears an error
     if (_chsize_s(_fileno(stream), 0) != 0) {
         fclose(stream);
         kept[i].stream = NULL;

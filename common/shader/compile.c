@@ -6,13 +6,13 @@
 #include "context/guard.h"
 #include "memory.h"
 #include "report.h"
+#include "shader/translate.h"
 
 char *shader_text(const struct shader_source *source, enum shader_view view)
 {
-    char *prelude = form_prelude(source, view), *body = form_body(source);
-    char *text = memory_text("%s%s", prelude, body);
+    char *prelude = dialect_prelude(source, view);
+    char *text = memory_text("%s%s", prelude, source->body != NULL ? source->body : source->text);
     free(prelude);
-    free(body);
     return text;
 }
 
@@ -22,7 +22,7 @@ char *shader_text(const struct shader_source *source, enum shader_view view)
 static void report_failure(const struct shader_source *source, enum shader_view view,
                            const char *step, const char *log)
 {
-    if (log != NULL && form_refuses(source, log, strcmp(step, "link") == 0))
+    if (log != NULL && dialect_refuses(source, log, strcmp(step, "link") == 0))
         return;
     char *errors = shader_explain(source, view, log != NULL ? log : "");
     char *text = memory_text("%s: does not %s:\n%s", source->files[0], step, errors);
@@ -37,10 +37,9 @@ static void report_failure(const struct shader_source *source, enum shader_view 
 
 // ---- Two stages ----
 
-typedef void (*get_log)(GLuint object, GLsizei size, GLsizei *length, GLchar *log);
-
-// What the driver wrote; NULL where it wrote nothing.
-static char *read_log(get_log get, GLuint object, GLint size)
+// The driver's log; NULL if it wrote nothing.
+static char *read_log(void (*get)(GLuint object, GLsizei size, GLsizei *length, GLchar *log),
+                      GLuint object, GLint size)
 {
     char *log = size > 0 ? memory_zeros((size_t)size + 1, 1) : NULL;
     if (log != NULL)
@@ -94,7 +93,7 @@ GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fr
         *step = SHADER_LINK;
         program = link_stages(gl, stage, log);
     }
-    // A shader that is attached lives on until its program goes; 0 is ignored.
+    // An attached shader lives until its program is deleted; 0 is ignored.
     gl->DeleteShader(stage[0]);
     gl->DeleteShader(stage[1]);
     return program;
@@ -102,12 +101,27 @@ GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fr
 
 // ---- A program ----
 
-GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
-                   const struct shader_source *fragment, enum shader_view view)
+// The vertex shader that computes what a fragment shader reads. Free its prelude and its body.
+static struct shader_source vertex_for(const struct shader_source *vertex,
+                                       const struct shader_source *fragment)
 {
-    char *first = shader_text(vertex, view), *second = shader_text(fragment, view), *log;
+    struct shader_source stage = *vertex;
+    char *before, *behind;
+    inputs_vertex(fragment, &before, &behind);
+    stage.prelude = memory_text("%s%s", GL_GLSL, before);
+    stage.body = memory_text("%s%s", vertex->text, behind);
+    free(before);
+    free(behind);
+    return stage;
+}
+
+GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
+                   struct shader_source *fragment, enum shader_view view)
+{
+    struct shader_source stage = vertex_for(vertex, fragment);
+    char *first = shader_text(&stage, view), *second = shader_text(fragment, view), *log;
     enum shader_step step;
-    // A compiler that calls itself for each term of a sum runs out of stack on a long one.
+    // A recursive compiler runs out of stack on a long sum.
     guard_begin("%.800s: the graphics driver crashed over it, or wants more than 4 GB for it: "
                 "split its longest statement, shorten its arrays and macros",
                 fragment->files[0]);
@@ -115,18 +129,27 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
     if (version != NULL && strstr(version, "Mesa") != NULL)
         guard_memory();
     GLuint program = shader_link_texts(gl, first, second, &step, &log);
+    if (GL_IS_ES && program == 0 && step == SHADER_COMPILE_FRAGMENT && fragment->body != NULL) {
+        // The desktop accepts integers as floats. Of two errors, that of the author's text is told.
+        char *floats = translate_floats(second), *other;
+        program = shader_link_texts(gl, first, floats, &step, &other);
+        free(floats);
+        free(other);
+    }
     guard_end();
     if (program == 0)
-        report_failure(step == SHADER_COMPILE_VERTEX ? vertex : fragment, view,
+        report_failure(step == SHADER_COMPILE_VERTEX ? &stage : fragment, view,
                        step == SHADER_LINK ? "link" : "compile", log);
+    free(stage.prelude);
+    free(stage.body);
     free(first);
     free(second);
     free(log);
-    if (program != 0 && !form_accepts(fragment)) {
+    if (program != 0 && !dialect_accepts(fragment)) {
         gl->DeleteProgram(program);
         program = 0;
     }
-    // What is known to the user by now must not be found again as an error of the next call.
+    // An error that is already reported must not be blamed on the next call.
     while (program == 0 && gl->GetError() != GL_NO_ERROR)
         continue;
     return program;

@@ -4,24 +4,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "shader/form_inputs.h"
 #include "shader/glsl.h"
+#include "shader/inputs.h"
+#include "shader/translate.h"
 #include "memory.h"
 #include "report.h"
 
-// One export under way.
+// An export in progress.
 struct export
 {
-    const struct shader_source *source;
+    struct shader_source *source;
     const struct parameters *parameters;
     struct camera_basis basis;
     const struct camera *camera;
     float focal_length;
     const struct glsl *code; // of the source
-    FILE *text;              // what is written so far
+    FILE *text;
 };
 
-// A number as GLSL ES has it: with a point or an exponent, the shortest that is the same float.
+// Write a number in GLSL ES: the shortest that is the same float, with a point or an exponent.
 static void put_float(struct export *e, double value)
 {
     char text[32];
@@ -52,9 +53,19 @@ static void put_floats(struct export *e, const float *value, int components)
     put_vector(e, all, components);
 }
 
-// ---- The course's form ----
+// The vector of the camera that an input means, or NULL.
+static const float *camera_vector(const struct export *e, enum input_meaning meaning)
+{
+    return meaning == INPUT_EYE       ? e->camera->position
+           : meaning == INPUT_RIGHT   ? e->basis.right
+           : meaning == INPUT_UP      ? e->basis.up
+           : meaning == INPUT_FORWARD ? e->basis.forward
+                                      : NULL;
+}
 
-// What only the harness needs: its main, the views and the probe.
+// ---- The course's dialect ----
+
+// True for files that only the harness needs: its main, the views and the probe.
 static bool is_left_out(const char *file)
 {
     static const char *const names[] = {
@@ -66,12 +77,7 @@ static bool is_left_out(const char *file)
     return false;
 }
 
-static bool is_named(const struct export *e, const struct glsl_token *t, const char *const names[])
-{
-    return t->kind == GLSL_WORD && glsl_is_any(e->code, t, names);
-}
-
-// How often the lines that stay mention a word.
+// The number of mentions of a word in the exported lines.
 static int mentions(const struct export *e, const char *name)
 {
     int count = 0;
@@ -91,54 +97,45 @@ static void put_value(struct export *e, const struct parameter *parameter)
         put_vector(e, parameter->value, parameter->components);
 }
 
-// Write the constant that stands for a uniform of the course, and the rest of its line; nothing
-// where Shadertoy has it. Returns false for what is no such uniform.
+// Write the constant that replaces a uniform of the course, and the rest of its line; nothing if
+// Shadertoy declares it, or if only its declaration mentions it. Shadertoy draws the picture in one
+// part, with one sample. Returns false for any other uniform.
 static bool put_uniform(struct export *e, const struct glsl_token *uniform)
 {
-    static const char *const given[] = {"iResolution", "iTime", "iTimeDelta", "iFrame",
-                                        "iMouse",      "iDate", NULL};
-    // Shadertoy draws the picture in one part, with one sample.
-    const struct constant {
-        const char *name, *text;
-        const float *vector;
-    } constants[] = {{"iPixelOffset", "vec2(0.0)", NULL},
-                     {"iSample", "0", NULL},
-                     {"iSamples", "1", NULL},
-                     {"iCameraPosition", NULL, e->camera->position},
-                     {"iCameraRight", NULL, e->basis.right},
-                     {"iCameraUp", NULL, e->basis.up},
-                     {"iCameraForward", NULL, e->basis.forward}};
-    const struct glsl_token *type = uniform + 1, *end = type;
+    const struct glsl_token *name = uniform + 2, *end = uniform;
+    char word[64];
+    if (uniform[1].kind != GLSL_WORD || name->kind != GLSL_WORD)
+        return false;
+    snprintf(word, sizeof word, "%.*s", GLSL_TEXT(e->code, name));
+    const struct parameter *parameter = parameters_find(e->parameters, word);
+    const struct input *input = inputs_find(word);
+    if (input != NULL && !inputs_is_course(input))
+        input = NULL;
+    bool draw = input != NULL && input->meaning == INPUT_DRAW;
+    const float *vector = input != NULL ? camera_vector(e, input->meaning) : NULL;
+    if ((input != NULL && inputs_is_shadertoy(input)) || (draw && mentions(e, word) == 1))
+        return true;
+    if (parameter == NULL && vector == NULL && !draw)
+        return false;
     while (end->kind != GLSL_END && end->sign != ';')
         end++;
-    if (type->kind != GLSL_WORD || type[1].kind != GLSL_WORD || is_named(e, type + 1, given))
-        return type->kind == GLSL_WORD && type[1].kind == GLSL_WORD;
-    char name[64];
-    snprintf(name, sizeof name, "%.*s", GLSL_TEXT(e->code, type + 1));
-    const struct constant *constant = NULL;
-    for (size_t i = 0; i < sizeof constants / sizeof *constants; i++)
-        if (strcmp(name, constants[i].name) == 0)
-            constant = &constants[i];
-    const struct parameter *parameter = parameters_find(e->parameters, name);
-    if (constant != NULL && constant->text != NULL && mentions(e, name) == 1)
-        return true; // its declaration
-    if (parameter == NULL && constant == NULL)
-        return false;
     int begin = uniform->begin + uniform->length;
     const char *text = e->code->text, *rest = text + end->begin;
     fprintf(e->text, "const%.*s = ", end->begin - begin, text + begin);
-    if (constant == NULL)
+    if (parameter != NULL)
         put_value(e, parameter);
-    else if (constant->text != NULL)
-        fprintf(e->text, "%s", constant->text);
+    else if (vector != NULL)
+        put_floats(e, vector, 3);
     else
-        put_floats(e, constant->vector, 3);
+        fputs(input->type[0] == 'v'           ? "vec2(0.0)"
+              : strcmp(word, "iSamples") == 0 ? "1"
+                                              : "0",
+              e->text);
     fprintf(e->text, "%.*s\n", (int)strcspn(rest, "\n"), rest);
     return true;
 }
 
-// Begin a comment with the shader's name without its folder, which is that of this machine. A
-// backslash at its end would draw the next line in.
+// Write the shader's name without its folder. A backslash at its end would continue the comment.
 static void put_name(struct export *e, const char *before)
 {
     const char *path = e->source->files[0], *slash = strrchr(path, '/');
@@ -147,7 +144,7 @@ static void put_name(struct export *e, const char *before)
         fprintf(e->text, "%c", *c == '\\' ? '?' : *c);
 }
 
-// The lines that stay, each file under its name.
+// Write the exported lines, each file under its name.
 static void put_files(struct export *e)
 {
     const struct shader_source *source = e->source;
@@ -194,144 +191,111 @@ static void put_course(struct export *e)
                      "}\n");
 }
 
-// ---- A whole file ----
+// ---- Other dialects ----
 
-// Shadertoy has a main, and calls mainImage: those of the file get other names. Qualifiers go where
-// a global begins; those of parameters stay.
-static const struct {
-    const char *word, *instead;
-    bool global;
-} renamed[] = {{"main", "shaderMain", false},
-               {"mainImage", "shaderImage", false},
-               {"gl_FragColor", "shaderColour", false},
-               {"in", "", true},
-               {"out", "", true},
-               {"varying", "", true},
-               {"smooth", "", true},
-               {"flat", "", true},
-               {"noperspective", "", true},
-               {"centroid", "", true}};
-
-// What stands for a word of a whole file; NULL for the word itself.
-static const char *instead_of(const struct export *e, const struct glsl_token *t)
+// Write the value of an input on Shadertoy. Returns its number of components.
+static int put_meaning(struct export *e, const struct input *input)
 {
-    for (size_t i = 0; t->kind == GLSL_WORD && i < sizeof renamed / sizeof *renamed; i++)
-        if (glsl_is(e->code, t, renamed[i].word) && (!renamed[i].global || t->depth == 0))
-            return renamed[i].instead;
-    return NULL;
-}
-
-// The last token of what begins here and is left out, what Shadertoy says itself or does not take:
-// #version, the precision of numbers, layouts, its own uniforms, and the word before a uniform that
-// has a value. NULL for what stays.
-static const struct glsl_token *end_of_omission(const struct export *e, const struct glsl_token *t)
-{
-    const struct glsl *code = e->code;
-    const struct glsl_token *end = t;
-    bool layout = glsl_is(code, t, "layout"), uniform = glsl_is(code, t, "uniform");
-    bool value = false, given = false;
-    if (t->kind == GLSL_HASH && glsl_is(code, t + 1, "version")) {
-        while (end[1].directive && end[1].kind < GLSL_COMMENT)
-            end++;
-        return end;
+    static const struct {
+        const char *text;
+        int components;
+    } given[INPUT_VALUES] = {[INPUT_SIZE] = {"iResolution", 3},
+                             [INPUT_TIME] = {"iTime", 1},
+                             [INPUT_STEP] = {"iTimeDelta", 1},
+                             [INPUT_RATE] = {"iFrameRate", 1},
+                             [INPUT_FRAME] = {"float(iFrame)", 1},
+                             [INPUT_DATE] = {"iDate", 4},
+                             [INPUT_MOUSE] = {"iMouse", 4},
+                             [INPUT_POINTER] = {"iMouse", 4},
+                             [INPUT_POINTER_SHARE] = {"(iMouse.xy / iResolution.xy)", 2},
+                             [INPUT_ASPECT] = {"(iResolution.x / iResolution.y)", 1}};
+    enum input_meaning meaning = input->meaning;
+    if (meaning == INPUT_POSITION) {
+        const char *from = strstr(input->text, "harnessPosition");
+        const char *place = "(2.0 * toyPixel - iResolution.xy) / iResolution.y";
+        fprintf(e->text, "(%.*s(%s)%s)", (int)(from - input->text), input->text, place,
+                from + strlen("harnessPosition"));
+        return 2;
     }
-    if (!layout && !uniform && !glsl_is(code, t, "precision"))
-        return NULL;
-    while (end[1].kind != GLSL_END && end->sign != (layout ? ')' : ';')) {
-        end++;
-        value |= end->sign == '=';
-        const char *name;
-        for (size_t i = 0; uniform && form_toy_input(i, &name) != NULL; i++)
-            given |= glsl_is(code, end, name);
+    if (meaning == INPUT_CHANNEL_SIZE) {
+        fprintf(e->text, "iChannelResolution[%d]", input->channel);
+        return 3;
     }
-    return !uniform || given ? end : value ? t : NULL;
-}
-
-// The text with its inputs and output as variables, comments as they are.
-static void put_whole_text(struct export *e)
-{
-    const char *text = e->code->text;
-    int from = (int)strspn(text, " \n");
-    for (const struct glsl_token *t = e->code->item; t->kind != GLSL_END; t++) {
-        const struct glsl_token *end = end_of_omission(e, t);
-        const char *instead = end != NULL ? "" : instead_of(e, t);
-        if (instead == NULL)
-            continue;
-        fprintf(e->text, "%.*s%s", t->begin - from, text + from, instead);
-        t = end != NULL ? end : t;
-        from = t->begin + t->length;
+    const float *vector = camera_vector(e, meaning);
+    if (vector != NULL || meaning == INPUT_FOCAL) {
+        put_floats(e, vector != NULL ? vector : &e->focal_length, vector != NULL ? 3 : 1);
+        return vector != NULL ? 3 : 1;
     }
-    fprintf(e->text, "%s", text + from);
+    bool known = meaning < INPUT_VALUES && given[meaning].text != NULL;
+    fprintf(e->text, "%s", known ? given[meaning].text : "0.0");
+    return known ? given[meaning].components : 1;
 }
 
-static void put_input(struct export *e, const char *name, const char *value)
+// Set an input that Shadertoy lacks, in the type that the file declares.
+static void put_input(struct export *e, const struct shader_input *in)
 {
-    if (glsl_mentions(e->code, name) > 0 && !form_declares(e->code, name))
-        fprintf(e->text, "    %s = %s;\n", name, value);
+    static const char *const parts[] = {"", ".x", ".xy", ".xyz", ""};
+    static const char *const zeros[] = {"", ", 0.0", ", 0.0, 0.0", ", 0.0, 0.0, 0.0"};
+    fprintf(e->text, "    %s%s = %s", inputs_is_shadertoy(in->input) ? "own_" : "", in->input->name,
+            in->integer ? "int(" : "");
+    if (in->components > 1)
+        fprintf(e->text, "vec%d(", in->components);
+    int count = put_meaning(e, in->input);
+    if (count > in->components)
+        fprintf(e->text, "%s", parts[in->components]);
+    else
+        fprintf(e->text, "%s", zeros[in->components - count]);
+    fprintf(e->text, "%s%s;\n", in->components > 1 ? ")" : "", in->integer ? ")" : "");
 }
 
-static void put_constant(struct export *e, const char *name, const float *value, int components)
+static bool put_foreign(struct export *e)
 {
-    if (glsl_mentions(e->code, name) == 0)
-        return;
-    fprintf(e->text, "    %s = ", name);
-    put_floats(e, value, components);
-    fprintf(e->text, ";\n");
-}
-
-static bool put_whole(struct export *e)
-{
-    const struct glsl_token *output = form_output(e->code);
-    bool old = output == NULL && glsl_mentions(e->code, "gl_FragColor") > 0;
-    if (old)
-        fprintf(e->text, "vec4 shaderColour;\n");
-    put_whole_text(e);
+    struct shader_source *source = e->source;
+    char *front = NULL, *body = NULL;
+    if (!translate(source, TRANSLATE_SHADERTOY, &front, &body))
+        return false;
+    fprintf(e->text, "%s%s", front != NULL ? front : "", body + strspn(body, " \n"));
+    bool wraps = front != NULL, toy = source->dialect == DIALECT_SHADERTOY;
+    struct declared output = translate_output(e->code);
+    bool old = output.kind == DECLARED_NONE;
+    free(front);
+    free(body);
+    if (!wraps)
+        return true;
     fprintf(e->text, "\n// ---- What Shadertoy calls ----\n\n"
                      "void mainImage(out vec4 toyColour, in vec2 toyPixel)\n{\n");
-    put_input(e, "FragCoord", "(2.0 * toyPixel - iResolution.xy) / iResolution.y");
-    put_input(e, "Time", "iTime");
-    put_constant(e, "Ex", e->basis.right, 3);
-    put_constant(e, "Ey", e->basis.up, 3);
-    put_constant(e, "Ez", e->basis.forward, 3);
-    put_constant(e, "CamPos", e->camera->position, 3);
-    put_constant(e, "fovValue", &e->focal_length, 1);
-    put_input(e, "FacteurLargeur", "iResolution.x / iResolution.y");
-    static const char *const zeros[] = {"OrthoView", "CustomToggle", "CustomInt"};
-    for (int i = 0; i < 3; i++)
-        put_input(e, zeros[i], "0.0");
-    fprintf(e->text, "    shaderMain();\n    toyColour = vec4(");
-    if (output != NULL)
-        fprintf(e->text, "%.*s", GLSL_TEXT(e->code, output));
+    for (int i = 0; i < source->input_count; i++)
+        if (!inputs_is_own(&source->inputs[i]) && source->inputs[i].input->meaning != INPUT_CHANNEL)
+            put_input(e, &source->inputs[i]);
+    for (int i = 0; i < e->parameters->count; i++) {
+        fprintf(e->text, "    %s = ", e->parameters->item[i].name);
+        put_value(e, &e->parameters->item[i]);
+        fprintf(e->text, ";\n");
+    }
+    if (toy)
+        fprintf(e->text, "    shaderImage(toyColour, toyPixel);\n}\n");
     else
-        fprintf(e->text, "shaderColour");
-    fprintf(e->text, ".rgb, 1.0);\n}\n");
-    return output != NULL || old ||
+        fprintf(e->text, "    shaderMain();\n    toyColour = vec4(%s.rgb, 1.0);\n}\n",
+                old ? "shaderColour" : output.word);
+    return toy || !old || glsl_mentions(e->code, "gl_FragColor") > 0 ||
+           glsl_mentions(e->code, "gl_FragData") > 0 ||
            report("%s: no output that Shadertoy could show: declare out vec4 FragColor;",
-                  e->source->files[0]);
+                  source->files[0]);
 }
 
-struct reader {
+// What picture_of needs.
+struct pictures {
     const struct shader_source *source;
     const struct samplers *samplers;
 };
 
-static const char *picture_of(const void *reader, int i)
+static const char *picture_of(const void *pictures, int i)
 {
-    const struct reader *r = reader;
-    return r->source->files[r->samplers->item[i].file];
+    const struct pictures *p = pictures;
+    return p->source->files[p->samplers->item[i].file];
 }
 
-// A shader of the course that reads pictures.
-static void refuse_textures(const struct shader_source *source, const struct samplers *samplers)
-{
-    const struct reader reader = {source, samplers};
-    char *names = memory_list(samplers->count, picture_of, &reader);
-    report("%s: reads %s: Shadertoy takes no files: leave =shadertoy out for a text that runs here",
-           source->files[0], names);
-    free(names);
-}
-
-char *export_shadertoy(const struct shader_source *source, const struct parameters *parameters,
+char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
                        const struct camera *camera, float focal_length)
 {
     struct export e = {.source = source,
@@ -342,17 +306,19 @@ char *export_shadertoy(const struct shader_source *source, const struct paramete
                        .code = &source->code};
     char *text;
     bool done = true;
-    if (source->form == SHADER_COURSE && parameters->samplers.count > 0) {
-        refuse_textures(source, &parameters->samplers);
+    if (source->dialect == DIALECT_COURSE && parameters->samplers.count > 0) {
+        const struct pictures pictures = {source, &parameters->samplers};
+        text = memory_list(parameters->samplers.count, picture_of, &pictures);
+        report("%s: reads %s: Shadertoy takes no files: without =shadertoy the text runs here",
+               source->files[0], text);
+        free(text);
         return NULL;
     }
     e.text = memory_open(&text);
-    if (source->form == SHADER_SHADERTOY)
-        fputs(source->text, e.text);
-    else if (source->form == SHADER_COURSE)
+    if (source->dialect == DIALECT_COURSE)
         put_course(&e);
     else
-        done = put_whole(&e);
+        done = put_foreign(&e);
     memory_close(e.text);
     if (done)
         return text;

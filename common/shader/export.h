@@ -6,15 +6,15 @@
 #include "shader/parameter.h"
 #include "shader/source.h"
 
-// Write a shader in Shadertoy's form.
-//   parameters    of the source; each becomes a constant of its value
-//   camera        becomes constants too: Shadertoy has none
+// Write a shader in Shadertoy's dialect.
+//   parameters    of the source; each becomes a constant
+//   camera        becomes constants too, because Shadertoy has none
 //   focal_length  of a whole file, which has no parameters
-// A course file loses what only views and probe need, its main becomes mainImage. A whole file's
-// inputs and output become variables, which a mainImage fills in and hands on. One in Shadertoy's
-// form stays as it is.
+// A course file loses the parts that only views and the probe need, and its main becomes mainImage.
+// In a file in another dialect, the output, the parameters and the inputs that Shadertoy lacks
+// become variables, which a new mainImage sets and reads; a file that needs none of this is copied.
 // Returns memory that the caller frees, or NULL, reported.
-char *export_shadertoy(const struct shader_source *source, const struct parameters *parameters,
+char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
                        const struct camera *camera, float focal_length);
 
 #endif

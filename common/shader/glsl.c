@@ -1,257 +1,46 @@
 #include "shader/glsl.h"
 
+#include <ctype.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "context/gl.h"
 #include "memory.h"
 
-enum { ENDS = 4 }; // tokens of the kind GLSL_END behind a row
+enum { ENDS = 4 }; // tokens of kind GLSL_END after a row
+
+// An open #if.
+struct glsl_conditional {
+    enum glsl_truth others; // whether a later part may be taken
+    bool live, certain;     // of the text around it
+    int depth, begin;       // of brackets at the #if, and at the beginning of this part
+};
+
+// ---- Tokens ----
+
+bool glsl_is_word(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
 
 bool glsl_is_sign(const struct glsl_token *token, const char *signs)
 {
     return token->sign != '\0' && strchr(signs, token->sign) != NULL;
 }
 
-int glsl_mentions(const struct glsl *code, const char *word)
-{
-    const struct glsl_name *name = glsl_name(code, word);
-    return name != NULL ? name->count : 0;
-}
-
-// ---- What the preprocessor leaves out ----
-
-// One #if under way.
-struct conditional {
-    enum glsl_truth branch; // the part at hand is taken
-    enum glsl_truth others; // and what is left for the parts to come
-    bool live, certain;     // what stands around it
-    int depth, begin;       // of brackets where the #if stands, and where the part at hand begins
-};
-
-// A walk over the text that tells what counts.
-struct walk {
-    struct glsl *code;
-    struct conditional *open; // the #ifs around the place
-    int count;
-    int *bracket; // the open brackets among the statements
-    int depth;
-    bool live, certain, parted;
-};
-
-static enum glsl_truth negate(enum glsl_truth truth)
-{
-    return truth == GLSL_PERHAPS ? GLSL_PERHAPS : truth == GLSL_ALWAYS ? GLSL_NEVER : GLSL_ALWAYS;
-}
-
-static enum glsl_truth is_defined(const struct glsl *code, const struct glsl_token *token)
-{
-    const char *word = code->text + token->begin;
-    if (token->kind != GLSL_WORD || !token->directive || glsl_is(code, token, "VIEW") ||
-        glsl_is(code, token, "HW_PERFORMANCE"))
-        return GLSL_PERHAPS;
-    if (glsl_is(code, token, "GL_ES"))
-        return GL_IS_ES ? GLSL_ALWAYS : GLSL_NEVER;
-    bool drivers = strncmp(word, "GL_", 3) == 0 || strncmp(word, "__", 2) == 0;
-    return drivers ? GLSL_PERHAPS : code->name[token->name].defined;
-}
-
-// What stands behind #if: 0, 1, defined NAME or !defined(NAME), and nothing more; else
-// GLSL_PERHAPS.
-static enum glsl_truth truth_of(const struct glsl *code, const struct glsl_token *c)
-{
-    const struct glsl_token *hash = c - 2;
-    bool no = c->sign == '!';
-    enum glsl_truth truth = GLSL_PERHAPS;
-    c += no;
-    if (glsl_is(code, c, "defined")) {
-        bool bracket = c[1].sign == '(';
-        truth = is_defined(code, c + 1 + bracket);
-        c += 2 + 2 * bracket;
-    } else if (!no && (glsl_is(code, c, "0") || glsl_is(code, c, "1"))) {
-        truth = code->text[c->begin] == '0' ? GLSL_NEVER : GLSL_ALWAYS;
-        c++;
-    }
-    while (c->kind >= GLSL_COMMENT && c->directive)
-        c++;
-    bool ends = c->kind == GLSL_END || c->kind == GLSL_HASH || !c->directive;
-    return !ends || c <= hash + 2 ? GLSL_PERHAPS : no ? negate(truth) : truth;
-}
-
-// The condition of #if, #ifdef or #ifndef; false for another directive.
-static bool find_condition(const struct glsl *code, const struct glsl_token *word,
-                           enum glsl_truth *truth)
-{
-    if (glsl_is(code, word, "ifdef"))
-        *truth = is_defined(code, word + 1);
-    else if (glsl_is(code, word, "ifndef"))
-        *truth = negate(is_defined(code, word + 1));
-    else if (glsl_is(code, word, "if"))
-        *truth = truth_of(code, word + 1);
-    else
-        return false;
-    return true;
-}
-
-// The next part of the last #if. A part that is left out moves no brackets; of parts that may all
-// be taken each begins where the #if does.
-static void begin_part(struct walk *walk, enum glsl_truth branch, enum glsl_truth others)
-{
-    struct conditional *last = &walk->open[walk->count - 1];
-    bool live = last->live && branch != GLSL_NEVER;
-    walk->depth = !walk->live ? last->begin : live ? last->depth : walk->depth;
-    last->branch = branch;
-    last->others = others;
-    last->begin = walk->depth;
-    walk->live = live;
-    walk->certain = live && last->certain && branch == GLSL_ALWAYS;
-}
-
-static void begin_if(struct walk *walk, enum glsl_truth truth)
-{
-    walk->open = memory_row(walk->open, walk->count, sizeof *walk->open);
-    walk->open[walk->count++] = (struct conditional){
-        .live = walk->live, .certain = walk->certain, .depth = walk->depth, .begin = walk->depth};
-    begin_part(walk, truth, negate(truth));
-}
-
-static void define(struct walk *walk, const struct glsl_token *hash)
-{
-    struct glsl_name *name = &walk->code->name[hash[2].name];
-    bool defines = glsl_is(walk->code, hash + 1, "define");
-    if (defines && name->definition < 0)
-        name->definition = (int)(hash - walk->code->item);
-    if (!defines || name->defined == GLSL_NEVER)
-        name->defined = defines && walk->certain ? GLSL_ALWAYS : GLSL_PERHAPS;
-}
-
-// Obey a directive.
-static void obey(struct walk *walk, const struct glsl_token *hash)
-{
-    const struct glsl *code = walk->code;
-    const struct glsl_token *word = hash + 1;
-    struct conditional *last = walk->count > 0 ? &walk->open[walk->count - 1] : NULL;
-    enum glsl_truth truth;
-    if (word->kind != GLSL_WORD || !word->directive)
-        return;
-    if (find_condition(code, word, &truth)) {
-        begin_if(walk, truth);
-    } else if (last != NULL && glsl_is(code, word, "else")) {
-        begin_part(walk, last->others, GLSL_NEVER);
-    } else if (last != NULL && glsl_is(code, word, "elif")) {
-        truth = last->others == GLSL_NEVER ? GLSL_NEVER : GLSL_PERHAPS;
-        begin_part(walk, truth, truth);
-    } else if (last != NULL && glsl_is(code, word, "endif")) {
-        walk->depth = walk->live ? walk->depth : last->begin;
-        walk->live = last->live;
-        walk->certain = last->certain;
-        walk->count--;
-    } else if (walk->live && word[1].kind == GLSL_WORD && word[1].directive &&
-               (glsl_is(code, word, "define") || glsl_is(code, word, "undef"))) {
-        define(walk, hash);
-    }
-}
-
-// Count a bracket, whose depth is that of what stands around it. One without a partner has itself.
-//   at  its place among the statements
-static void count_bracket(struct walk *walk, struct glsl_token *token, int at)
-{
-    struct glsl_token *statement = walk->code->statement;
-    bool opens = glsl_is_sign(token, "([{"), closes = glsl_is_sign(token, ")]}");
-    bool stray = closes && walk->depth == 0;
-    token->depth = walk->depth -= closes && !stray;
-    token->partner = at;
-    if (token->live && opens)
-        walk->bracket[walk->depth] = at;
-    if (token->live && closes && !stray) {
-        token->partner = walk->bracket[walk->depth];
-        statement[token->partner].partner = at;
-    }
-    walk->depth += opens;
-}
-
-// Say of each token whether it counts, and put those of the statements into a row of their own.
-static void judge(struct walk *walk)
-{
-    struct glsl *code = walk->code;
-    for (int i = 0; i < code->count; i++) {
-        struct glsl_token *token = &code->item[i];
-        int at = code->statement_count;
-        if (token->kind == GLSL_HASH)
-            obey(walk, token);
-        token->live = walk->live;
-        token->certain = walk->certain;
-        token->depth = walk->depth;
-        walk->parted |= token->directive;
-        if (token->kind == GLSL_WORD)
-            code->name[token->name].count += token->live;
-        if (token->directive || token->kind >= GLSL_COMMENT)
-            continue;
-        if (glsl_is_sign(token, "([{)]}"))
-            count_bracket(walk, token, at);
-        if (!token->live)
-            continue;
-        token->parted = walk->parted;
-        walk->parted = false;
-        code->statement[code->statement_count++] = *token;
-    }
-}
-
-// What only the whole text tells.
-static void finish(struct glsl *code)
-{
-    for (int i = 0; i < code->statement_count; i++) {
-        struct glsl_token *token = &code->statement[i];
-        if (token->kind == GLSL_WORD) {
-            struct glsl_name *name = &code->name[token->name];
-            token->macro = name->definition >= 0;
-            name->last = i;
-        } else if (glsl_is_sign(token, "([{") && token->partner == i) {
-            token->partner = code->statement_count;
-        }
-    }
-}
-
-// Add the ends to the rows.
-static void make_rows(struct glsl *code)
-{
-    for (int i = 0; i < ENDS; i++) {
-        code->item = memory_row(code->item, code->count + i, sizeof *code->item);
-        code->item[code->count + i] = (struct glsl_token){0};
-    }
-    code->statement = memory_zeros((size_t)code->count + ENDS + 1, sizeof *code->statement);
-    code->statement++; // the end before the first one
-}
-
-void glsl_read(struct glsl *code, const char *text)
-{
-    *code = (struct glsl){.text = memory_text("%s", text), .open = -1};
-    glsl_scan(code);
-    make_rows(code);
-    struct walk walk = {.code = code, .live = true, .certain = true};
-    walk.bracket = memory_zeros((size_t)code->count, sizeof *walk.bracket);
-    judge(&walk);
-    free(walk.bracket);
-    free(walk.open);
-    finish(code);
-}
-
-void glsl_free(struct glsl *code)
-{
-    free(code->text);
-    free(code->item);
-    free(code->statement != NULL ? code->statement - 1 : NULL);
-    free(code->name);
-    free(code->table);
-    *code = (struct glsl){0};
-}
-
-// ---- Words and functions ----
-
 bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char *word)
 {
     return !token->macro && strlen(word) == (size_t)token->length &&
            memcmp(code->text + token->begin, word, (size_t)token->length) == 0;
+}
+
+const struct glsl_token *glsl_code(const struct glsl_token *token)
+{
+    while (token->kind >= GLSL_COMMENT)
+        token++;
+    return token;
 }
 
 bool glsl_is_any(const struct glsl *code, const struct glsl_token *token, const char *const words[])
@@ -263,8 +52,7 @@ bool glsl_is_any(const struct glsl *code, const struct glsl_token *token, const 
 
 bool glsl_is_precision(const struct glsl *code, const struct glsl_token *token)
 {
-    static const char *const words[] = {"lowp", "mediump", "highp", NULL};
-    return glsl_is_any(code, token, words);
+    return glsl_is_any(code, token, (const char *const[]){"lowp", "mediump", "highp", NULL});
 }
 
 const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl_token *bracket)
@@ -287,6 +75,367 @@ const struct glsl_token *glsl_skip(const struct glsl *code, const struct glsl_to
     return token;
 }
 
+// ---- Names ----
+
+// The slot of a word in the table of names, used or free.
+static int *slot_of(const struct glsl *code, const char *word, int length)
+{
+    unsigned hash = 2166136261u, mask = (unsigned)(code->table_size - 1);
+    for (int i = 0; i < length; i++)
+        hash = (hash ^ (unsigned char)word[i]) * 16777619u;
+    for (hash &= mask; code->table[hash] >= 0; hash = (hash + 1) & mask) {
+        const struct glsl_name *name = &code->name[code->table[hash]];
+        if (name->length == length && memcmp(code->text + name->begin, word, (size_t)length) == 0)
+            break;
+    }
+    return &code->table[hash];
+}
+
+// Double the table when it is half full.
+static void grow_table(struct glsl *code)
+{
+    if (2 * code->name_count < code->table_size)
+        return;
+    code->table_size = code->table_size > 0 ? 2 * code->table_size : 64;
+    free(code->table);
+    code->table = memory_zeros((size_t)code->table_size, sizeof *code->table);
+    memset(code->table, 0xFF, (size_t)code->table_size * sizeof *code->table); // -1 each
+    for (int i = 0; i < code->name_count; i++)
+        *slot_of(code, code->text + code->name[i].begin, code->name[i].length) = i;
+}
+
+// Find the name of a word, or add it.
+static int add_name(struct glsl *code, const struct glsl_token *token)
+{
+    grow_table(code);
+    int *slot = slot_of(code, code->text + token->begin, token->length);
+    if (*slot < 0) {
+        code->name = memory_row(code->name, code->name_count, sizeof *code->name);
+        *slot = code->name_count++;
+        code->name[*slot] = (struct glsl_name){.begin = token->begin, token->length, .last = -1};
+    }
+    return *slot;
+}
+
+struct glsl_name *glsl_name(const struct glsl *code, const char *word)
+{
+    int at = code->table_size > 0 ? *slot_of(code, word, (int)strlen(word)) : -1;
+    return at >= 0 ? &code->name[at] : NULL;
+}
+
+int glsl_mentions(const struct glsl *code, const char *word)
+{
+    const struct glsl_name *name = glsl_name(code, word);
+    return name != NULL ? name->count : 0;
+}
+
+// ---- Conditions ----
+
+static enum glsl_truth negate(enum glsl_truth truth)
+{
+    return truth == GLSL_PERHAPS ? truth : truth == GLSL_ALWAYS ? GLSL_NEVER : GLSL_ALWAYS;
+}
+
+static enum glsl_truth is_defined(const struct glsl *code, const struct glsl_token *token)
+{
+    const char *word = code->text + token->begin;
+    if (token->kind != GLSL_WORD || glsl_is(code, token, "VIEW") ||
+        glsl_is(code, token, "HW_PERFORMANCE"))
+        return GLSL_PERHAPS;
+    if (glsl_is(code, token, "GL_ES"))
+        return GL_IS_ES ? GLSL_ALWAYS : GLSL_NEVER;
+    bool drivers = strncmp(word, "GL_", 3) == 0 || strncmp(word, "__", 2) == 0;
+    return drivers ? GLSL_PERHAPS : code->name[token->name].defined;
+}
+
+// The truth of a condition that is 0, 1, defined NAME or !defined(NAME); GLSL_PERHAPS for any
+// other.
+static enum glsl_truth truth_of(const struct glsl *code, const struct glsl_token *c)
+{
+    bool no = c->sign == '!';
+    enum glsl_truth truth = GLSL_PERHAPS;
+    c += no;
+    if (glsl_is(code, c, "defined")) {
+        bool bracket = c[1].sign == '(';
+        truth = is_defined(code, c + 1 + bracket);
+        c += 2 + 2 * bracket;
+    } else if (!no && (glsl_is(code, c, "0") || glsl_is(code, c, "1"))) {
+        truth = code->text[c->begin] == '0' ? GLSL_NEVER : GLSL_ALWAYS;
+        c++;
+    }
+    return glsl_code(c)->kind != GLSL_END ? GLSL_PERHAPS : no ? negate(truth) : truth;
+}
+
+// Begin the next part of the last #if. A skipped part changes no depth; if several parts may be
+// taken, each begins with the depth of the #if.
+static void begin_part(struct glsl_reader *r, enum glsl_truth branch, enum glsl_truth others)
+{
+    struct glsl_conditional *last = &r->open[r->open_count - 1];
+    bool live = last->live && branch != GLSL_NEVER;
+    r->depth = !r->live ? last->begin : live ? last->depth : r->depth;
+    last->others = others;
+    last->begin = r->depth;
+    r->live = live;
+    r->certain = live && last->certain && branch == GLSL_ALWAYS;
+}
+
+static void begin_if(struct glsl_reader *r, enum glsl_truth truth)
+{
+    r->open = memory_row(r->open, r->open_count, sizeof *r->open);
+    r->open[r->open_count++] = (struct glsl_conditional){
+        .live = r->live, .certain = r->certain, .depth = r->depth, .begin = r->depth};
+    begin_part(r, truth, negate(truth));
+}
+
+static void end_if(struct glsl_reader *r)
+{
+    const struct glsl_conditional *last = &r->open[--r->open_count];
+    r->depth = r->live ? r->depth : last->begin;
+    r->live = last->live;
+    r->certain = last->certain;
+}
+
+static void define(struct glsl_reader *r, const struct glsl_token *word, bool defines)
+{
+    struct glsl_name *name = &r->code->name[word->name];
+    name->macro |= defines;
+    if (!defines || name->defined == GLSL_NEVER)
+        name->defined = defines && r->certain ? GLSL_ALWAYS : GLSL_PERHAPS;
+}
+
+// Obey the directive whose tokens are the last ones.
+static void obey(struct glsl_reader *r)
+{
+    struct glsl *code = r->code;
+    for (int i = 0; i < 3; i++) // nothing follows it
+        code->item = memory_row(code->item, code->count + i, sizeof *code->item);
+    memset(code->item + code->count, 0, 3 * sizeof *code->item);
+    const struct glsl_token *word = code->item + r->hash + 1;
+    const struct glsl_conditional *last = r->open_count > 0 ? &r->open[r->open_count - 1] : NULL;
+    r->inside = false;
+    if (glsl_is(code, word, "ifdef"))
+        begin_if(r, is_defined(code, word + 1));
+    else if (glsl_is(code, word, "ifndef"))
+        begin_if(r, negate(is_defined(code, word + 1)));
+    else if (glsl_is(code, word, "if"))
+        begin_if(r, truth_of(code, word + 1));
+    else if (last != NULL && glsl_is(code, word, "else"))
+        begin_part(r, last->others, GLSL_NEVER);
+    else if (last != NULL && glsl_is(code, word, "elif"))
+        begin_part(r, last->others == GLSL_NEVER ? GLSL_NEVER : GLSL_PERHAPS,
+                   last->others == GLSL_NEVER ? GLSL_NEVER : GLSL_PERHAPS);
+    else if (last != NULL && glsl_is(code, word, "endif"))
+        end_if(r);
+    else if (r->live && word[1].kind == GLSL_WORD &&
+             (glsl_is(code, word, "define") || glsl_is(code, word, "undef")))
+        define(r, word + 1, glsl_is(code, word, "define"));
+}
+
+// ---- The scan ----
+
+// Move bytes from c to the text.
+static void append(struct glsl *code, const char **c, int length)
+{
+    const char *from = *c;
+    if (code->length + length >= code->room) {
+        code->room = 2 * (code->length + length) + 256;
+        char *text = memory_zeros((size_t)code->room, 1);
+        if (code->length > 0)
+            memcpy(text, code->text, (size_t)code->length);
+        free(code->text);
+        code->text = text;
+    }
+    memcpy(code->text + code->length, from, (size_t)length);
+    code->length += length;
+    for (int i = 0; i < length; i++)
+        code->lines += from[i] == '\n';
+    *c += length;
+}
+
+// The length of the line comment that begins at c.
+static int line_comment(const char *c)
+{
+    int length = 2;
+    while (c[length] != '\0' && c[length] != '\n')
+        length += c[length] == '\\' && c[length + 1] == '\n' ? 2 : 1;
+    return length;
+}
+
+static int number_length(const char *c)
+{
+    bool hexadecimal = c[0] == '0' && (c[1] == 'x' || c[1] == 'X');
+    int length = 1;
+    while (glsl_is_word(c[length]) || c[length] == '.' ||
+           (!hexadecimal && (c[length] == '+' || c[length] == '-') &&
+            (c[length - 1] == 'e' || c[length - 1] == 'E')))
+        length++;
+    return length;
+}
+
+// The kind and the length of the token that begins at c.
+static struct glsl_token token_at(struct glsl_reader *r, const char *c)
+{
+    struct glsl_token token = {.kind = GLSL_SIGN, .length = 1};
+    if (c[0] == '/' && c[1] == '/') {
+        token.kind = GLSL_COMMENT;
+        token.length = line_comment(c);
+    } else if (c[0] == '/' && c[1] == '*') {
+        const char *close = strstr(c + 2, "*/");
+        token.kind = GLSL_COMMENTED;
+        r->code->open = close == NULL;
+        token.length = close == NULL ? (int)strlen(c) : (int)(close + 2 - c);
+    } else if (isdigit((unsigned char)c[*c == '.'])) {
+        token.kind = GLSL_NUMBER;
+        token.length = number_length(c);
+    } else if (glsl_is_word(*c)) {
+        token.kind = GLSL_WORD;
+        while (glsl_is_word(c[token.length]))
+            token.length++;
+    } else if (*c == '#' && !r->word) {
+        token.kind = GLSL_HASH;
+    } else {
+        token.sign = *c;
+    }
+    return token;
+}
+
+// Set the depth of a bracket, which is that of the text around it, and its partner, which is itself
+// until it is found.
+//   at  its index among the statements
+static void count_bracket(struct glsl_reader *r, struct glsl_token *token, int at)
+{
+    struct glsl_token *statement = r->code->statement;
+    bool opens = glsl_is_sign(token, "([{"), closes = glsl_is_sign(token, ")]}");
+    bool stray = closes && r->depth == 0;
+    token->depth = r->depth -= closes && !stray;
+    token->partner = at;
+    if (token->live && opens) {
+        r->bracket = memory_row(r->bracket, r->depth, sizeof *r->bracket);
+        r->bracket[r->depth] = at;
+    }
+    if (token->live && closes && !stray) {
+        token->partner = r->bracket[r->depth];
+        statement[token->partner].partner = at;
+    }
+    r->depth += opens;
+}
+
+static void add_statement(struct glsl_reader *r, const struct glsl_token *token)
+{
+    struct glsl *code = r->code;
+    struct glsl_token *row = code->statement != NULL ? code->statement - 1 : NULL;
+    row = memory_row(row, code->statement_count + 1, sizeof *row); // the end before the first one
+    code->statement = row + 1;
+    code->statement[code->statement_count] = *token;
+    code->statement[code->statement_count++].parted = r->parted;
+    r->parted = false;
+}
+
+static void take(struct glsl_reader *r, const char **c)
+{
+    struct glsl *code = r->code;
+    struct glsl_token token = token_at(r, *c);
+    if (token.kind == GLSL_HASH) {
+        r->inside = true;
+        r->hash = code->count;
+    }
+    token.begin = code->length;
+    token.line = code->lines;
+    token.directive = r->inside;
+    token.live = r->live;
+    token.certain = r->certain;
+    token.depth = r->depth;
+    append(code, c, token.length);
+    r->word |= token.kind < GLSL_COMMENT;
+    r->parted |= r->inside;
+    if (token.kind == GLSL_WORD) {
+        token.name = add_name(code, &token);
+        code->name[token.name].count += token.live;
+    }
+    if (!token.directive && token.kind < GLSL_COMMENT) {
+        if (glsl_is_sign(&token, "([{)]}"))
+            count_bracket(r, &token, code->statement_count);
+        if (token.live)
+            add_statement(r, &token);
+    }
+    code->item = memory_row(code->item, code->count, sizeof *code->item);
+    code->item[code->count++] = token;
+}
+
+void glsl_take_line(struct glsl_reader *r, const char **c)
+{
+    for (bool ended = false; !ended && **c != '\0';) {
+        bool joins = (*c)[0] == '\\' && (*c)[1] == '\n';
+        ended = **c == '\n';
+        if (joins || ended || strchr(" \t\v\f", **c) != NULL)
+            append(r->code, c, 1 + joins);
+        else
+            take(r, c);
+    }
+    r->word = false;
+    if (r->inside)
+        obey(r);
+}
+
+void glsl_take_comment(struct glsl_reader *r, const char **c)
+{
+    const char *mark = "// ";
+    append(r->code, &mark, 3);
+    append(r->code, c, (int)strcspn(*c, "\n") + 1);
+}
+
+void glsl_begin(struct glsl_reader *r, struct glsl *code)
+{
+    *code = (struct glsl){0};
+    *r = (struct glsl_reader){.code = code, .live = true, .certain = true};
+    append(code, &(const char *){""}, 0);
+}
+
+void glsl_end(struct glsl_reader *r)
+{
+    struct glsl *code = r->code;
+    for (int i = 0; i < code->statement_count; i++) {
+        struct glsl_token *token = &code->statement[i];
+        if (token->kind == GLSL_WORD) {
+            token->macro = code->name[token->name].macro;
+            code->name[token->name].last = i;
+        } else if (glsl_is_sign(token, "([{") && token->partner == i) {
+            token->partner = code->statement_count;
+        }
+    }
+    int statements = code->statement_count;
+    for (int i = 0; i < ENDS; i++) {
+        code->item = memory_row(code->item, code->count + i, sizeof *code->item);
+        code->item[code->count + i] = (struct glsl_token){0};
+        add_statement(r, &(struct glsl_token){0});
+    }
+    code->statement_count = statements;
+    code->statement[-1] = (struct glsl_token){0};
+    free(r->bracket);
+    free(r->open);
+}
+
+void glsl_read(struct glsl *code, const char *text)
+{
+    struct glsl_reader reader;
+    glsl_begin(&reader, code);
+    while (*text != '\0')
+        glsl_take_line(&reader, &text);
+    glsl_end(&reader);
+}
+
+void glsl_free(struct glsl *code)
+{
+    free(code->text);
+    free(code->item);
+    free(code->statement != NULL ? code->statement - 1 : NULL);
+    free(code->name);
+    free(code->table);
+    *code = (struct glsl){0};
+}
+
+// ---- Search ----
+
 const struct glsl_token *glsl_find(const struct glsl *code, const char *word)
 {
     const struct glsl_token *token = code->item;
@@ -295,10 +444,11 @@ const struct glsl_token *glsl_find(const struct glsl *code, const char *word)
     return token->kind != GLSL_END ? token : NULL;
 }
 
-// The first word of the statements from a place on that is this name; NULL for none.
-static const struct glsl_token *next_mention(const struct glsl *code, int from,
-                                             const struct glsl_name *name)
+const struct glsl_token *glsl_find_next(const struct glsl *code, const struct glsl_token *after,
+                                        const char *word)
 {
+    const struct glsl_name *name = glsl_name(code, word);
+    int from = after != NULL ? (int)(after - code->statement) + 1 : 0;
     for (int i = from; name != NULL && i <= name->last; i++)
         if (code->statement[i].kind == GLSL_WORD && &code->name[code->statement[i].name] == name)
             return &code->statement[i];
@@ -307,21 +457,91 @@ static const struct glsl_token *next_mention(const struct glsl *code, int from,
 
 const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *word)
 {
-    const struct glsl_name *name = glsl_name(code, word);
-    const struct glsl_token *at = next_mention(code, 0, name);
-    while (at != NULL && (at[1].sign != '(' || glsl_next(code, at + 1)->sign != '{'))
-        at = next_mention(code, (int)(at - code->statement) + 1, name);
+    const struct glsl_token *at = NULL;
+    do
+        at = glsl_find_next(code, at, word);
+    while (at != NULL && (at[1].sign != '(' || glsl_next(code, at + 1)->sign != '{'));
     return at;
 }
 
-// A type before the name makes it a declaration; after these words stands an expression.
+// A type before the name makes it a declaration; an expression follows these words.
 const struct glsl_token *glsl_find_call(const struct glsl *code, const char *word)
 {
     static const char *const statements[] = {"return", "else", "do", NULL};
-    const struct glsl_name *name = glsl_name(code, word);
-    const struct glsl_token *at = next_mention(code, 0, name);
+    const struct glsl_token *at = NULL;
+    do
+        at = glsl_find_next(code, at, word);
     while (at != NULL && (at[1].sign != '(' ||
-                          (at[-1].kind == GLSL_WORD && !glsl_is_any(code, at - 1, statements))))
-        at = next_mention(code, (int)(at - code->statement) + 1, name);
+                          (at[-1].kind == GLSL_WORD && !glsl_is_any(code, at - 1, statements))));
     return at;
+}
+
+// ---- Edits ----
+
+struct edit {
+    int begin, length; // of what is replaced
+    int number;        // of those at one position, in this order
+    char *text;
+};
+
+void edits_add(struct edits *edits, int begin, int length, const char *format, ...)
+{
+    char *text;
+    FILE *stream = memory_open(&text);
+    va_list arguments;
+    va_start(arguments, format);
+    vfprintf(stream, format, arguments);
+    va_end(arguments);
+    memory_close(stream);
+    edits->item = memory_row(edits->item, edits->count, sizeof *edits->item);
+    edits->item[edits->count] = (struct edit){begin, length, edits->count, text};
+    edits->count++;
+    edits->size += (int)strlen(text);
+}
+
+void edits_replace(struct edits *edits, const struct glsl_token *token, const char *instead)
+{
+    edits_add(edits, token->begin, token->length, "%s", instead);
+}
+
+void edits_cut(struct edits *edits, const struct glsl_token *from, const struct glsl_token *to)
+{
+    edits_add(edits, from->begin, to->begin + to->length - from->begin, "%s", "");
+}
+
+static int by_position(const void *a, const void *b)
+{
+    const struct edit *first = a, *second = b;
+    int order = (first->begin > second->begin) - (first->begin < second->begin);
+    return order != 0 ? order : first->number - second->number;
+}
+
+char *edits_apply(struct edits *edits, const char *text)
+{
+    char *result;
+    FILE *stream = memory_open(&result);
+    int from = 0;
+    if (edits->count > 0)
+        qsort(edits->item, (size_t)edits->count, sizeof *edits->item, by_position);
+    for (int i = 0; i < edits->count; i++) {
+        const struct edit *item = &edits->item[i];
+        if (item->begin < from) // inside what another one has replaced
+            continue;
+        fprintf(stream, "%.*s%s", item->begin - from, text + from, item->text);
+        for (from = item->begin; from < item->begin + item->length; from++)
+            if (text[from] == '\n')
+                fputc('\n', stream);
+    }
+    fputs(text + from, stream);
+    memory_close(stream);
+    edits_free(edits);
+    return result;
+}
+
+void edits_free(struct edits *edits)
+{
+    for (int i = 0; i < edits->count; i++)
+        free(edits->item[i].text);
+    free(edits->item);
+    *edits = (struct edits){0};
 }

@@ -1,59 +1,149 @@
-// glsl.h - a GLSL text as a row of tokens, read once: everything in common/shader that looks into a
-// shader walks over these.
+// glsl.h - a GLSL text as a row of tokens, scanned once, and edits of such a text.
 //
-// Two rows: one of everything, in the order of the text, and one of the statements alone: without
-// comments, directives, and what the preprocessor surely leaves out (between #if 0, #ifdef,
-// #ifndef, or #if with defined, and #else, #elif or #endif). Where only the driver knows a
-// condition (an expression, a name of GL_ or __), everything counts. Both rows end in tokens of the
-// kind GLSL_END, and the statements begin after one, so that a walk may look a few tokens ahead and
-// one back.
+// There are two rows of tokens: all of the text, and its statements alone, without comments,
+// directives and anything that the preprocessor certainly skips (#if 0, #ifdef, #ifndef, or #if
+// with defined). Where only the driver can decide a condition (an expression, a name that begins
+// with GL_ or __), every part counts. Both rows end in tokens of kind GLSL_END, and one more comes
+// before the first statement, so a caller may look a few tokens ahead and one back.
 #ifndef GLSL_H
 #define GLSL_H
 
 #include <stdbool.h>
 
-#include "shader/glsl_scan.h"
+enum glsl_kind {
+    GLSL_END,
+    GLSL_WORD,
+    GLSL_NUMBER,
+    GLSL_SIGN,     // one other character
+    GLSL_HASH,     // the # that begins a directive
+    GLSL_COMMENT,  // // to the end of its line, which a backslash continues
+    GLSL_COMMENTED // between /* and */
+};
 
-// Read a text. Time and memory grow with its length. Free with glsl_free.
+struct glsl_token {
+    unsigned char kind; // enum glsl_kind
+    char sign;          // of a GLSL_SIGN, else '\0'
+    bool directive : 1; // inside a directive
+    bool live : 1;      // not skipped by the preprocessor
+    bool certain : 1;   // live, and inside no #if that only the driver can decide
+    bool parted : 1;    // of a statement: a directive comes directly before it
+    bool macro : 1;     // of a statement: a word that the text defines as a macro
+    int begin, length;  // in the text, bytes
+    int line;           // from 0
+    int depth;          // number of brackets of any kind around it
+    union {
+        int name;    // of a word: its index among the names
+        int partner; // of a bracket in a statement: index of the other one, or of the end
+    };
+};
+
+// What is known of a condition before the driver has seen it.
+enum glsl_truth { GLSL_NEVER, GLSL_ALWAYS, GLSL_PERHAPS };
+
+// A distinct word of the text.
+struct glsl_name {
+    int begin, length;       // its first position
+    int count;               // live mentions
+    int last;                // index of its last mention among the statements, or -1
+    bool macro;              // a live #define names it
+    enum glsl_truth defined; // at the end of the text
+};
+
+// The arguments of "%.*s" for a token's text.
+#define GLSL_TEXT(code, token) (token)->length, (code)->text + (token)->begin
+
+struct glsl {
+    char *text; // '\0' terminated
+    int length, room;
+    struct glsl_token *item, *statement;
+    int count, statement_count; // without the ends
+    struct glsl_name *name;
+    int name_count;
+    int *table; // of names, by hash
+    int table_size;
+    int lines; // line ends so far
+    bool open; // the last comment is never closed
+};
+
+// A scan in progress; the text may come from several files.
+struct glsl_reader {
+    struct glsl *code;
+    struct glsl_conditional *open; // the #ifs around the next token
+    int open_count;
+    int *bracket; // the open brackets of the statements
+    int depth, hash;
+    bool live, certain, parted; // of the next token
+    bool inside, word;          // it is in a directive; it follows a token on its line
+};
+
+// Scan a text that may come from several files: glsl_begin, glsl_take_line until each text is at
+// its end, then glsl_end. Time and memory grow linearly with the text.
+//   c  moves past the line, with any line that a comment or a backslash joins to it
+void glsl_begin(struct glsl_reader *reader, struct glsl *code);
+void glsl_take_line(struct glsl_reader *reader, const char **c);
+void glsl_end(struct glsl_reader *reader);
+
+// Add a line to the text as a comment, without tokens.
+void glsl_take_comment(struct glsl_reader *reader, const char **c);
+
+// Scan a text. Free with glsl_free, which also accepts zeros.
 void glsl_read(struct glsl *code, const char *text);
-
-// Free the tokens; code may be all zeros.
 void glsl_free(struct glsl *code);
 
-// True when the token is this word, and no macro of the text.
-bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char *word);
+// True for a letter, a digit or an underscore in ASCII, whatever the locale.
+bool glsl_is_word(char c);
 
-// As glsl_is, for the words of a list that ends in NULL.
+// True if the token is one of these signs; this word, and no macro of the text; one of these words,
+// the last of which is NULL; lowp, mediump or highp.
+bool glsl_is_sign(const struct glsl_token *token, const char *signs);
+bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char *word);
 bool glsl_is_any(const struct glsl *code, const struct glsl_token *token,
                  const char *const words[]);
-
-// True for lowp, mediump and highp.
 bool glsl_is_precision(const struct glsl *code, const struct glsl_token *token);
 
-// The other bracket of a pair among the statements; the end for one that is never closed.
+// The next token that is no comment, starting with this one.
+const struct glsl_token *glsl_code(const struct glsl_token *token);
+
+// Among the statements: the other bracket of a pair, or the end; the token after this one, or after
+// the bracket that it opens; the first of these signs from a token on, outside of any bracket that
+// opens there, or the end.
 const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl_token *bracket);
-
-// What follows a token of the statements, or, where this opens a bracket, the bracket's end.
 const struct glsl_token *glsl_next(const struct glsl *code, const struct glsl_token *token);
-
-// The first of these signs among the statements from a token on, outside of brackets that open
-// there; or the end.
 const struct glsl_token *glsl_skip(const struct glsl *code, const struct glsl_token *token,
                                    const char *signs);
 
-// The name of a word, or NULL where the text has no such word.
+// The name of a word, or NULL if the text lacks it; its number of live mentions.
 struct glsl_name *glsl_name(const struct glsl *code, const char *word);
-
-// How often the text mentions a word, what is left out aside.
 int glsl_mentions(const struct glsl *code, const char *word);
 
-// The first live mention of a word in the whole text, or NULL.
+// NULL if there is none: the first live mention of a word in the text; its next mention among the
+// statements after a token (NULL: the first one); its name in the definition of a function; its
+// first call, which is no prototype and no definition.
 const struct glsl_token *glsl_find(const struct glsl *code, const char *word);
-
-// The name in the definition of a function, or NULL; a prototype defines nothing.
+const struct glsl_token *glsl_find_next(const struct glsl *code, const struct glsl_token *after,
+                                        const char *word);
 const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *word);
-
-// The first call of a function, or NULL; prototypes and definitions are no calls.
 const struct glsl_token *glsl_find_call(const struct glsl *code, const char *word);
+
+// Edits of a text that keep its lines. Begin with zeros.
+struct edits {
+    struct edit *item; // owned
+    int count;
+    int size; // bytes that are inserted
+};
+
+// Replace a part of the text; insertions at one position keep their order. The new text has no line
+// end, and line ends in the old one stay.
+void edits_add(struct edits *edits, int begin, int length, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+// Replace a token; cut from one token to another, both included.
+void edits_replace(struct edits *edits, const struct glsl_token *token, const char *instead);
+void edits_cut(struct edits *edits, const struct glsl_token *from, const struct glsl_token *to);
+
+// Apply and free the edits. Returns memory that the caller frees.
+char *edits_apply(struct edits *edits, const char *text);
+
+void edits_free(struct edits *edits);
 
 #endif

@@ -4,28 +4,28 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "shader/glsl.h"
 #include "memory.h"
+#include "shader/glsl.h"
 
 #define NAME_SIZE   128 // of a function in a link error
 #define LINE_LIMIT  160 // letters of a source line that is shown
 #define ERROR_LIMIT 20  // errors that are shown: the first ones cause the others
 
-// One explanation under way.
+// An explanation in progress.
 struct explanation {
     const struct shader_source *source;
-    int prelude;     // lines that shader_text puts first
-    FILE *text;      // what is explained so far
-    int shown;       // expanded line that was shown last, 0 for none
-    int errors;      // lines of the log that were explained, and those left out
-    bool has_errors; // the log holds an error, so that its warnings only hide it
+    int prelude; // lines that shader_text puts first
+    FILE *text;
+    int shown;       // the expanded line that was shown last, or 0
+    int errors;      // lines of the log so far
+    bool has_errors; // the log holds an error, so its warnings only hide it
 };
 
-// What one line of a log says.
+// The content of one line of a log.
 struct message {
-    int line;         // of the compiled text, 0 when the log line names none
-    const char *kind; // "error" or "warning"
-    const char *text; // what follows
+    int line; // of the compiled text, or 0
+    bool warning;
+    const char *text;
 };
 
 static const char *skip_blanks(const char *c)
@@ -33,14 +33,14 @@ static const char *skip_blanks(const char *c)
     return c + strspn(c, " \t");
 }
 
-// Skip a prefix; NULL when c is NULL or begins otherwise.
+// Skip a prefix; NULL if c is NULL or begins otherwise.
 static const char *skip(const char *c, const char *prefix)
 {
     size_t length = strlen(prefix);
     return c != NULL && strncmp(c, prefix, length) == 0 ? c + length : NULL;
 }
 
-// Read a number of a log; NULL when there is none.
+// Read a number; NULL if there is none.
 static const char *skip_number(const char *c, int *number)
 {
     int digits = c != NULL ? (int)strspn(c, "0123456789") : 0;
@@ -55,44 +55,40 @@ static void split_kind(const char *c, struct message *message)
 {
     static const char *const kinds[] = {"error", "warning", "preprocessor error", "fatal error",
                                         "preprocessor warning"};
+    message->text = c;
     for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
         const char *rest = skip(c, kinds[i]);
         if (rest == NULL || (*rest != ':' && *rest != ' '))
             continue;
-        message->kind = strstr(kinds[i], "error") != NULL ? "error" : "warning";
-        c = skip_blanks(rest + (*rest == ':'));
+        message->warning = strstr(kinds[i], "warning") != NULL;
+        message->text = skip_blanks(rest + (*rest == ':'));
         break;
     }
-    message->text = c;
 }
 
 // Mesa "0:12(3): error: text", NVIDIA "0(12) : error C1008: text", others "ERROR: 0:12: text".
 static struct message read_message(const char *log)
 {
-    struct message message = {.kind = "error", .text = log};
+    struct message message = {.text = log};
     int file, line, column;
-    const char *other = skip(log, "ERROR: ");
-    if (other == NULL && (other = skip(log, "WARNING: ")) != NULL)
-        message.kind = "warning";
-    const char *number = skip_number(other != NULL ? other : log, &file);
-    const char *end = skip_number(
-        number != NULL && (*number == ':' || *number == '(') ? number + 1 : NULL, &line);
-    if (end == NULL)
-        return message;
-    if (*number == '(')
+    const char *error = skip(log, "ERROR: "), *warning = skip(log, "WARNING: ");
+    const char *c = skip_number(error != NULL ? error : warning != NULL ? warning : log, &file);
+    const char *end = skip_number(c != NULL && (*c == ':' || *c == '(') ? c + 1 : NULL, &line);
+    if (end != NULL && *c == '(')
         end = skip(end, ")");
-    else if (*end == '(')
+    else if (end != NULL && *end == '(')
         end = skip(skip_number(end + 1, &column), ")");
     end = end != NULL ? skip(skip_blanks(end), ":") : NULL;
-    if (end == NULL)
-        return message;
-    message.line = line;
-    split_kind(skip_blanks(end), &message);
+    message.warning = warning != NULL;
+    if (end != NULL) {
+        message.line = line;
+        split_kind(skip_blanks(end), &message);
+    }
     return message;
 }
 
 // A link error names a function and no line: `foo', "float foo(vec3);" or foo( . Find the first
-// call of a name that stands so; of one in quotes, which may be an input, else the first mention.
+// call of such a name; for one in quotes, which may be an input, otherwise its first mention.
 // Returns the expanded line, or 0.
 static int line_of_call(const struct explanation *e, const char *log)
 {
@@ -116,19 +112,21 @@ static int line_of_call(const struct explanation *e, const char *log)
     return 0;
 }
 
-// The expanded line of a message, or 0. A text that ends too early is blamed on the line after its
+// The expanded line of a message, or 0. A text that ends too early is blamed on a line past its
 // last one.
 static int expanded_line(const struct explanation *e, const struct message *message)
 {
-    int line = message->line - e->prelude;
-    int count = e->source->line_count;
-    if (message->line == 0)
+    int line = message->line - e->prelude, count = e->source->line_count;
+    bool translated = e->source->body != NULL;
+    if (message->line == 1 && translated && e->source->version > 0)
+        return glsl_code(e->source->code.item)->line + 1; // the author's own #version
+    if (message->line == 0 || line < 1 || (line > count + 1 && !translated))
         return 0;
-    return line == count + 1 ? count : line >= 1 && line <= count ? line : 0;
+    return line > count ? count : line;
 }
 
-// The line as its author wrote it, without what the log line adds.
-static void append_source(const struct explanation *e, int line)
+// Write a line as its author wrote it.
+static void put_source(const struct explanation *e, int line)
 {
     const char *text = e->source->text;
     for (int i = 1; i < line; i++)
@@ -139,10 +137,9 @@ static void append_source(const struct explanation *e, int line)
     fprintf(e->text, "    %.*s%s\n", cut ? LINE_LIMIT : length, text, cut ? "..." : "");
 }
 
-// Name a sign that is no part of GLSL, which drivers answer with whatever comes after it: an accent
-// in a name, a space or a quotation mark out of a word processor.
-//   sign  receives a phrase, or stays as it is
-static void foreign_sign(const struct explanation *e, int line, char sign[128])
+// Name a character that is not part of GLSL, which drivers answer with whatever follows it: an
+// accent in a name, a space or a quotation mark from a word processor.
+static void put_foreign_character(const struct explanation *e, int line)
 {
     const struct glsl_token *t = e->source->code.item;
     while (t->kind != GLSL_END && (t->line < line - 1 || (unsigned char)t->sign < 0x80))
@@ -153,18 +150,20 @@ static void foreign_sign(const struct explanation *e, int line, char sign[128])
     int length = 1;
     while (length < 4 && ((unsigned char)code[length] & 0xC0) == 0x80)
         length++;
-    bool space = strncmp(code, "\xC2\xA0", 2) == 0;
-    snprintf(sign, 128, "only plain letters and signs, here is %s%.*s%s: ",
-             space ? "a space that cannot break" : "'", space ? 0 : length, code, space ? "" : "'");
+    if (strncmp(code, "\xC2\xA0", 2) == 0)
+        fputs("only plain letters and signs, here is a space that cannot break: ", e->text);
+    else
+        fprintf(e->text, "only plain letters and signs, here is '%.*s': ", length, code);
 }
 
 static void explain_line(struct explanation *e, const char *log)
 {
     struct message message = read_message(log);
     int line = expanded_line(e, &message);
-    if (message.line != 0 && e->has_errors && strcmp(message.kind, "warning") == 0)
+    if (message.line != 0 && e->has_errors && message.warning)
         return;
-    if (message.line == 0 && (line = line_of_call(e, log)) != 0 && message.text == log)
+    if (line == 0 && message.line <= e->prelude && (line = line_of_call(e, log)) != 0 &&
+        message.text == log)
         split_kind(skip(log, "ERROR: ") != NULL ? log + strlen("ERROR: ") : log, &message);
     if (line == 0) {
         e->shown = 0;
@@ -173,17 +172,17 @@ static void explain_line(struct explanation *e, const char *log)
     }
     const struct shader_line *from = &e->source->lines[line - 1];
     bool again = line == e->shown;
-    char sign[128] = "";
-    if (!again)
-        foreign_sign(e, line, sign);
     e->shown = line;
-    fprintf(e->text, "%s:%d: %s: %s%s\n", e->source->files[from->file], from->line, message.kind,
-            sign, message.text);
+    fprintf(e->text, "%s:%d: %s: ", e->source->files[from->file], from->line,
+            message.warning ? "warning" : "error");
     if (!again)
-        append_source(e, line);
+        put_foreign_character(e, line);
+    fprintf(e->text, "%s\n", message.text);
+    if (!again)
+        put_source(e, line);
 }
 
-// True when the same line stands earlier in the log.
+// True if the same line is earlier in the log.
 static bool is_repeated(const char *log, const char *line, size_t length)
 {
     for (const char *c = log; c < line; c += strcspn(c, "\n") + 1)
@@ -192,18 +191,17 @@ static bool is_repeated(const char *log, const char *line, size_t length)
     return false;
 }
 
-// Explain each line of the log, or only see whether one of them is an error.
+// Explain each line of the log, or only look for an error.
 static void explain_lines(struct explanation *e, const char *log, bool only_look)
 {
     for (const char *c = log; *c != '\0';) {
-        size_t length = strcspn(c, "\n");
-        size_t trimmed = length;
+        size_t length = strcspn(c, "\n"), trimmed = length;
         while (trimmed > 0 && strchr(" \t\r", c[trimmed - 1]) != NULL)
             trimmed--;
         if (trimmed > 0 && !is_repeated(log, c, trimmed)) {
             char *line = memory_text("%.*s", (int)trimmed, c);
             struct message message = read_message(line);
-            e->has_errors |= message.line != 0 && strcmp(message.kind, "error") == 0;
+            e->has_errors |= message.line != 0 && !message.warning;
             if (!only_look && ++e->errors <= ERROR_LIMIT)
                 explain_line(e, line);
             free(line);
@@ -216,7 +214,7 @@ char *shader_explain(const struct shader_source *source, enum shader_view view, 
 {
     char *text;
     struct explanation e = {.source = source, .text = memory_open(&text)};
-    char *prelude = form_prelude(source, view);
+    char *prelude = dialect_prelude(source, view);
     for (const char *c = prelude; *c != '\0'; c++)
         e.prelude += *c == '\n';
     free(prelude);

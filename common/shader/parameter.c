@@ -1,6 +1,7 @@
 #include "shader/parameter.h"
 
 #include <math.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -10,10 +11,12 @@
 
 #define TEXT_SIZE 160 // a value or a range as text
 
+enum { COLUMNS = 6 }; // of a table, at most
+
 void parameters_free(struct parameters *parameters)
 {
     free(parameters->item);
-    samplers_free(&parameters->samplers);
+    free(parameters->samplers.item);
     *parameters = (struct parameters){0};
 }
 
@@ -91,21 +94,26 @@ static bool read_numbers(const struct parameter *parameter, const char *text, do
     return true;
 }
 
-static const char *name_of(const void *parameters, int i)
+static const char *parameter_name(const void *parameters, int i)
 {
     return ((const struct parameters *)parameters)->item[i].name;
 }
 
-// Report a name that no parameter has, with the names there are.
-static void report_unknown(const struct parameters *parameters, const char *assignment)
+static const char *sampler_name(const void *samplers, int i)
 {
-    char *names = memory_list(parameters->count, name_of, parameters);
-    if (parameters->count == 0)
-        report("--set %s: this shader has no parameters", assignment);
+    return ((const struct samplers *)samplers)->item[i].name;
+}
+
+// Report an assignment to an unknown name, with the known ones, which are freed; always false.
+static bool report_unknown(const char *option, const char *assignment, const char *what, int count,
+                           char *names)
+{
+    if (count == 0)
+        report("--%s %s: this shader has no %ss", option, assignment, what);
     else
-        report("--set %s: no parameter has this name: there %s %s", assignment,
-               parameters->count == 1 ? "is" : "are", names);
+        report("--%s %s: unknown %s: this shader has %s", option, assignment, what, names);
     free(names);
+    return false;
 }
 
 bool parameters_assign(const struct parameters *parameters, const char *assignment)
@@ -118,10 +126,9 @@ bool parameters_assign(const struct parameters *parameters, const char *assignme
     if (length < sizeof name)
         memcpy(name, assignment, length);
     struct parameter *parameter = parameters_find(parameters, name);
-    if (parameter == NULL) {
-        report_unknown(parameters, assignment);
-        return false;
-    }
+    if (parameter == NULL)
+        return report_unknown("set", assignment, "parameter", parameters->count,
+                              memory_list(parameters->count, parameter_name, parameters));
     const char *text = assignment + length + 1;
     if (parameter->type == PARAMETER_BOOL ? !read_bool(text, value)
                                           : !read_numbers(parameter, text, value))
@@ -219,9 +226,61 @@ void parameter_reset(struct parameter *parameter)
     memcpy(parameter->value, parameter->initial, sizeof parameter->value);
 }
 
-// ---- The table ----
+// ---- Samplers ----
 
-enum { COLUMNS = 5 };
+// True if a sampler has the name of NAME=FILE; otherwise reported.
+static bool knows(const struct samplers *samplers, const char *assignment)
+{
+    size_t length = strcspn(assignment, "=");
+    for (int i = 0; i < samplers->count; i++)
+        if (strlen(samplers->item[i].name) == length &&
+            strncmp(samplers->item[i].name, assignment, length) == 0)
+            return true;
+    return report_unknown("texture", assignment, "texture", samplers->count,
+                          memory_list(samplers->count, sampler_name, samplers));
+}
+
+bool samplers_fit(const struct samplers *samplers, const struct shader_source *source)
+{
+    const struct shader_request *request = &source->request;
+    bool course = source->dialect == DIALECT_COURSE;
+    for (int i = 0; i < request->texture_count; i++) {
+        if (!course)
+            return report("--texture %s: the shader is not in the course's dialect: --channel "
+                          "N=FILE.png sets iChannelN",
+                          request->textures[i]);
+        if (!knows(samplers, request->textures[i]))
+            return false;
+    }
+    for (int i = 0; request->channels != NULL && i < 4; i++) {
+        char name[] = "iChannel0";
+        name[sizeof name - 2] = (char)('0' + i);
+        if (request->channels[i] != NULL && course)
+            return report("--channel %d=%s: the shader is in the course's dialect: --texture "
+                          "NAME=FILE.png is for its samplers",
+                          i, request->channels[i]);
+        if (request->channels[i] != NULL && glsl_mentions(&source->code, name) == 0)
+            return report("--channel %d=%s: the shader does not mention %s", i,
+                          request->channels[i], name);
+    }
+    return true;
+}
+
+bool sampler_refuse(const struct shader_source *source, const struct sampler *sampler,
+                    const char *format, ...)
+{
+    char why[512];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(why, sizeof why, format, arguments);
+    va_end(arguments);
+    return sampler->line < 0 ? report("--channel %s=%s: %s", sampler->name + strlen("iChannel"),
+                                      source->files[sampler->file], why)
+                             : shader_refuse(source, sampler->line, "sampler %s: %s: %s",
+                                             sampler->name, source->files[sampler->file], why);
+}
+
+// ---- The tables ----
 
 // Characters, not bytes: a degree sign is one.
 static int width_of(const char *text)
@@ -232,40 +291,72 @@ static int width_of(const char *text)
     return width;
 }
 
-static void fill_row(const struct parameter *parameter, char value[TEXT_SIZE],
-                     char range[TEXT_SIZE], const char *row[COLUMNS])
+// Print rows of cells, each column as wide as its widest cell, and free them.
+static void print_table(FILE *file, int columns, int rows, char **cell)
 {
-    static const char *const titles[COLUMNS] = {"name", "value", "range", "unit", "meaning"};
-    memcpy(row, titles, sizeof titles);
-    if (parameter == NULL)
-        return;
-    parameter_value_text(parameter, value, TEXT_SIZE);
-    parameter_range_text(parameter, range, TEXT_SIZE);
-    row[0] = parameter->name;
-    row[1] = value;
-    row[2] = range;
-    row[3] = parameter->unit[0] != '\0' ? parameter->unit : "-";
-    row[4] = parameter->meaning;
+    int width[COLUMNS] = {0};
+    for (int i = 0; i < columns * rows; i++)
+        if (width_of(cell[i]) > width[i % columns])
+            width[i % columns] = width_of(cell[i]);
+    for (int i = 0; i < columns * rows; i++) {
+        bool last = (i + 1) % columns == 0;
+        fprintf(file, "%s%*s%s", cell[i], last ? 0 : width[i % columns] - width_of(cell[i]) + 2, "",
+                last ? "\n" : "");
+        free(cell[i]);
+    }
+    free(cell);
+}
+
+// Begin a table with its titles.
+static char **new_table(int columns, int rows, const char *const titles[])
+{
+    char **cell = memory_zeros((size_t)(columns * (rows + 1)), sizeof *cell);
+    for (int i = 0; i < columns; i++)
+        cell[i] = memory_text("%s", titles[i]);
+    return cell;
 }
 
 void parameters_print(const struct parameters *parameters, FILE *file)
 {
-    char value[TEXT_SIZE], range[TEXT_SIZE];
-    const char *row[COLUMNS];
-    int width[COLUMNS] = {0};
+    static const char *const titles[] = {"name", "value", "range", "unit", "meaning"};
     if (parameters->count == 0) {
         fprintf(file, "This shader has no parameters.\n");
         return;
     }
-    for (int i = -1; i < parameters->count; i++) {
-        fill_row(i < 0 ? NULL : &parameters->item[i], value, range, row);
-        for (int k = 0; k < COLUMNS; k++)
-            width[k] = width_of(row[k]) > width[k] ? width_of(row[k]) : width[k];
+    char **cell = new_table(5, parameters->count, titles), text[TEXT_SIZE];
+    for (int i = 0; i < parameters->count; i++) {
+        const struct parameter *p = &parameters->item[i];
+        char **row = cell + 5 * (i + 1);
+        bool unit = p->unit[0] != '\0', handle = p->handle != HANDLE_NONE;
+        row[0] = memory_text("%s", p->name);
+        parameter_value_text(p, text, sizeof text);
+        row[1] = memory_text("%s", text);
+        parameter_range_text(p, text, sizeof text);
+        row[2] = memory_text("%s", text);
+        row[3] = memory_text("%s%s%s", unit || handle ? p->unit : "-", unit && handle ? ", " : "",
+                             handle ? "handle" : "");
+        row[4] = memory_text("%s", p->meaning);
     }
-    for (int i = -1; i < parameters->count; i++) {
-        fill_row(i < 0 ? NULL : &parameters->item[i], value, range, row);
-        for (int k = 0; k < COLUMNS - 1; k++)
-            fprintf(file, "%s%*s", row[k], width[k] - width_of(row[k]) + 2, "");
-        fprintf(file, "%s\n", row[COLUMNS - 1]);
+    print_table(file, 5, parameters->count + 1, cell);
+}
+
+void samplers_print(const struct samplers *samplers, const struct shader_source *source, FILE *file)
+{
+    static const char *const titles[] = {"texture", "file",   "colour",
+                                         "edge  ",  "slices", "meaning"};
+    if (samplers->count == 0)
+        return;
+    char **cell = new_table(6, samplers->count, titles);
+    for (int i = 0; i < samplers->count; i++) {
+        const struct sampler *s = &samplers->item[i];
+        char **row = cell + 6 * (i + 1);
+        row[0] = memory_text("%s", s->name);
+        row[1] = memory_text("%s", source->files[s->file]);
+        row[2] = memory_text("%s", s->srgb ? "sRGB" : "linear");
+        row[3] = memory_text("%s", s->repeat ? "repeat" : "clamp");
+        row[4] = s->slices > 0 ? memory_text("%d", s->slices) : memory_text("-");
+        row[5] = memory_text("%s", s->meaning);
     }
+    fputc('\n', file);
+    print_table(file, 6, samplers->count + 1, cell);
 }

@@ -7,14 +7,40 @@
 //   uniform vec3  lightColour;  // 1.0, 0.9, 0.5 in [0, 1], linear RGB: colour of the light
 //
 // A comment that begins with a value declares a parameter: value(s), then "in [min, max]" (numbers
-// need it, bool has none), then optionally "step s" or "step *s" (each key press multiplies), then
-// optionally ", unit", then ": meaning". Any other comment declares nothing.
+// need one, a bool has none), optionally "step s" or "step *s" (each key press multiplies),
+// optionally ", unit", and ": meaning". Any other comment declares nothing.
 //
 // A comment begins with a value when its first word is a decimal number, true or false, and is
 // followed by a blank, a comma, a colon or the end of the line: "2 times the radius" does and is
 // refused, "2D position" does not. One value alone stands for every component of a vector. Without
-// "step" an int changes by 1, a float by a hundredth of its range. The declaration stands alone on
-// its line. The preprocessor is not run: a uniform between #if 0 and #endif counts.
+// "step" an int changes by 1, a float by a hundredth of its range. The declaration is alone on its
+// line. The preprocessor is not run: a uniform between #if 0 and #endif counts.
+//
+// A vec2 or a vec3 can be a handle, a point that is dragged in the picture:
+//
+//   uniform vec2 aim;  // (0.6, 0.1) handle scene units: where the ray points
+//   uniform vec3 lamp; // 1, 2, 0 in [-5, 5] step 0.1, handle xz scene units: the lamp
+//
+// The values may have parentheses. A handle without a range gets [-10, 10]. A vec2 lies in the
+// plane z = 0 or, after "xz", in the plane y = 0. A vec3 moves parallel to the screen or, after
+// "xy" or "xz", keeps its third coordinate.
+//
+// If one unit is "hour of the day" and another "hours per second", the panel shows the hour.
+//
+// A texture is declared in the same way:
+//
+//   uniform sampler2D granite; // "granite.png" sRGB repeat: polished stone, seen from above
+//   uniform sampler3D noise;   // "noise.png" linear repeat 64: value noise, 64 slices one below
+//                              // the other
+//
+// The comment begins with the name of a file in quotes, which is looked for next to the file that
+// declares the sampler, then in shaders/textures/, and never outside the project and the shader's
+// own folder. Then come sRGB for a colour, which is decoded when it is read, or linear for a
+// number, which is not; repeat or clamp, outside of [0, 1]; for a volume, its number of slices; and
+// a meaning.
+//
+// In the course's dialect every sampler needs such a comment, unless the preprocessor certainly
+// skips it. In the other dialects, samplers are the channels.
 #ifndef PARAMETER_H
 #define PARAMETER_H
 
@@ -22,21 +48,40 @@
 #include <stddef.h>
 #include <stdio.h>
 
-#include "shader/sampler.h"
 #include "shader/source.h"
 
+#define SAMPLER_SLICES 2048 // at most
+
+struct sampler {
+    char name[64];
+    int file;          // the picture, among the files of the source
+    int line;          // that declares it, of the source's text, from 0; -1: a channel
+    bool srgb, repeat; // else linear, clamp
+    int slices;        // of a volume; 0 for a picture
+    char meaning[200];
+};
+
+struct samplers {
+    struct sampler *item; // owned
+    int count;
+};
+
 enum parameter_type { PARAMETER_FLOAT, PARAMETER_INT, PARAMETER_BOOL };
+
+// The plane in which a handle is dragged; that of the screen is parallel to it.
+enum parameter_handle { HANDLE_NONE, HANDLE_SCREEN, HANDLE_XY, HANDLE_XZ };
 
 struct parameter {
     char name[64];
     enum parameter_type type;
     int components;          // 1 to 4: float, vec2, vec3, vec4; int and bool have 1
-    double value[4];         // what the shader gets now; a bool is 0 or 1
-    double initial[4];       // what the shader's comment says
+    double value[4];         // the present value; a bool is 0 or 1
+    double initial[4];       // the value in the shader's comment
     double minimum, maximum; // of each component; 0 and 1 for a bool
-    double step;             // of one key press: added, or multiplied when multiplies
+    double step;             // of one key press: added, or multiplied if multiplies
     bool multiplies;
-    char unit[48]; // "" when there is none
+    enum parameter_handle handle;
+    char unit[48]; // "" for none
     char meaning[200];
 };
 
@@ -46,13 +91,18 @@ struct parameters {
     struct samplers samplers; // the textures of the shader
 };
 
-// Find the parameters of an expanded source, in the order of the text. Sources of the course's form
-// have parameters; others have none. Other comments are blanked before looking.
-// Its samplers are read too, by samplers_read.
-// Returns false, reported with file and line, for a comment that begins with a value and is
-// malformed: no range, value outside it, wrong number of values, unknown type, no meaning, a name
-// declared twice. Free with parameters_free.
+// Read the parameters and the samplers of a source, in the order of the text. In other dialects
+// than the course's, a malformed annotation declares nothing, and the samplers are the pictures of
+// the request's channels and those that the text names.
+// Returns false, reported with file and line. Of a comment that begins with a value: no range, a
+// value outside of it, a wrong number of values, an unknown type, no meaning. Of a sampler: no such
+// comment, a malformed one, another kind than sampler2D and sampler3D, one in a structure or a
+// macro, a missing file. A name declared twice. Free with parameters_free.
 bool parameters_read(struct parameters *parameters, struct shader_source *source);
+
+// True if the declaration of a uniform has such a comment, well formed.
+//   name  the uniform's, among the statements
+bool parameter_declared(const struct shader_source *source, const struct glsl_token *name);
 
 void parameters_free(struct parameters *parameters);
 
@@ -60,32 +110,31 @@ void parameters_free(struct parameters *parameters);
 struct parameter *parameters_find(const struct parameters *parameters, const char *name);
 
 // Carry out NAME=VALUE. A vector takes comma-separated values, a bool true, false, 1 or 0.
-// Returns false, reported: unknown name (with the names there are), not a number, NaN, wrong count,
-// out of range (with the range).
+// Returns false, reported: unknown name (with the known ones), not a number, NaN, wrong count, out
+// of range (with the range).
 bool parameters_assign(const struct parameters *parameters, const char *assignment);
 
-// Copy the values of old into those of new that have the same name, type and number of components,
-// clamped to the new range: what a reload keeps. A component whose value the file has changed takes
-// that one: who edits a number wants to see it.
+// Keep values over a reload: copy each old value to the new parameter of the same name, type and
+// number of components, clamped to the new range. A component whose value the file has changed
+// takes that value, because its author wants to see it.
 void parameters_keep(const struct parameters *new_ones, const struct parameters *old_ones);
 
 // Change every component by a number of key presses, stopping at the range; a bool toggles.
 void parameter_change(struct parameter *parameter, int presses);
 
-// Where a component lies between its ends, 0 to 1: by its size, or by its logarithm where the step
-// multiplies.
+// The position of a component in its range, 0 to 1; on a logarithmic scale if the step multiplies.
 //   part  0 to components - 1
 double parameter_place(const struct parameter *parameter, int part);
 
-// The other way: give a component the value at a place, which is clamped to [0, 1], rounded to what
-// a hand can tell apart: a thousandth of the range, or three figures where the step multiplies; an
-// int to a whole number, a bool to one of its two.
+// The inverse: set a component from a position, which is clamped to [0, 1]. The value is rounded to
+// a thousandth of the range, or to three figures if the step multiplies; an int to a whole number,
+// a bool to 0 or 1.
 void parameter_put(struct parameter *parameter, int part, double place);
 
 // True for three numbers whose unit is "linear RGB".
 bool parameter_is_colour(const struct parameter *parameter);
 
-// Back to the value in the shader's comment.
+// Reset to the value in the shader's comment.
 void parameter_reset(struct parameter *parameter);
 
 // The value as it would be typed after "NAME=".
@@ -96,5 +145,18 @@ void parameter_range_text(const struct parameter *parameter, char *text, size_t 
 
 // The table of --list: name, value, range, unit, meaning.
 void parameters_print(const struct parameters *parameters, FILE *file);
+
+// True if each picture of the source's request has a sampler that reads it. Otherwise reported: a
+// NAME of NAME=FILE that no sampler has, with the names of all; a channel that the shader does not
+// mention, or any channel for the course's dialect.
+bool samplers_fit(const struct samplers *samplers, const struct shader_source *source);
+
+// Report a problem with a sampler's picture; always false.
+bool sampler_refuse(const struct shader_source *source, const struct sampler *sampler,
+                    const char *format, ...) __attribute__((format(printf, 3, 4)));
+
+// The table of --list: name, file, how it is read, meaning. Nothing if there are none.
+void samplers_print(const struct samplers *samplers, const struct shader_source *source,
+                    FILE *file);
 
 #endif

@@ -2,32 +2,26 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "context/gl.h"
 #include "memory.h"
 #include "platform.h"
 #include "report.h"
-#include "shader/text_file.h"
+#include "shader/passes.h"
 
-#define TEXT_LIMIT  (8 * 1024 * 1024)   // bytes of the expanded text
-#define DEPTH_LIMIT 64                  // files open at once, the first one included
+#define TEXT_LIMIT  (8 * 1024 * 1024) // bytes of the expanded text
+#define DEPTH_LIMIT 64                // files open at once, the first one included
+#define BLANKS      " \t\v\f"
 #define WHERE_SIZE  (3 * PLATFORM_PATH) // FILE:LINE: #include "NAME"
 
-// One expansion under way.
-struct expansion {
-    struct shader_source *source;
-    FILE *text;            // of the source
-    size_t size;           // of it so far
-    int open[DEPTH_LIMIT]; // the files from the first to the one being read
-    int depth;
-};
+// ---- Files ----
 
-// ---- Names ----
-
-// True for the folder itself too.
+// True for a path in a folder, or the folder.
 static bool inside(const char *path, const char *folder)
 {
     size_t length = strlen(folder);
@@ -35,7 +29,7 @@ static bool inside(const char *path, const char *folder)
                                                   (length > 0 && folder[length - 1] == '/'));
 }
 
-// The part of a path inside the folder that holds it; . for the folder itself.
+// A path relative to the folder around it.
 static const char *within(const char *path, const char *folder)
 {
     path += strlen(folder);
@@ -55,78 +49,50 @@ static void tell(const struct shader_source *source, const char *path)
         source->request.see(source->request.to, path);
 }
 
-// True for two names of the same letters, capital or small.
-static bool alike(const char *one, const char *other, size_t length)
+// The part of a resolved path that differs in case from the name that led to it, or NULL. A link
+// may lead anywhere.
+static const char *other_case(const char *name, const char *path)
 {
-    for (size_t i = 0; i < length; i++)
-        if (tolower((unsigned char)one[i]) != tolower((unsigned char)other[i]))
-            return false;
-    return true;
-}
-
-// Where a path ends otherwise than the name by which it was found, in capital or small letters
-// alone; NULL where it does not. Links lead elsewhere, and ".." is in no resolved path.
-static const char *otherwise(const char *name, const char *path)
-{
-    const char *found = NULL;
-    size_t left = strlen(name), rest = strlen(path);
-    while (left > 0 && left < rest) {
-        size_t length = 0;
-        while (length < left && name[left - length - 1] != '/')
-            length++;
-        left -= length;
-        rest -= length;
-        if (path[rest - 1] != '/' || !alike(name + left, path + rest, length))
-            break;
-        if (memcmp(name + left, path + rest, length) != 0)
-            found = path + rest;
-        left -= left > 0;
-        rest--;
+    while (strncmp(name, "./", 2) == 0 || strncmp(name, "../", 3) == 0)
+        name = strchr(name, '/') + 1;
+    size_t length = strlen(name), whole = strlen(path);
+    if (length > whole)
+        return NULL;
+    const char *tail = path + whole - length, *part = tail, *other = NULL;
+    for (size_t i = 0; i < length; i++) {
+        if (tolower((unsigned char)name[i]) != tolower((unsigned char)tail[i]))
+            return NULL;
+        part = name[i] == '/' ? tail + i + 1 : part;
+        other = other == NULL && name[i] != tail[i] ? part : other;
     }
-    return found;
+    return other;
 }
 
-// True for a name that means the same on every system; else why receives a phrase.
-static bool is_plain(const char *name, const char *folder, char why[TEXT_FILE_WHY])
+// True for a name that means the same on every system.
+static bool is_portable(const char *name, const char *folder, char why[TEXT_FILE_WHY])
 {
-    // The root of a system's files, or a disk of Windows.
-    if (name[0] == '/' || (isalpha((unsigned char)name[0]) && name[1] == ':'))
+    bool absolute = name[0] == '/' || (isalpha((unsigned char)name[0]) && name[1] == ':');
+    if (absolute)
         snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from %s",
                  folder);
     else if (strchr(name, '\\') != NULL)
-        snprintf(why, TEXT_FILE_WHY, "a \\ stands between folders on Windows alone: write /");
-    else
-        return true;
-    return false;
+        snprintf(why, TEXT_FILE_WHY, "a \\ separates folders on Windows alone: write /");
+    return !absolute && strchr(name, '\\') == NULL;
 }
 
-// True for a path that a name may lead to; else why receives a phrase.
-static bool may_lead(const struct shader_source *source, const char *name, const char *path,
-                     char why[TEXT_FILE_WHY])
-{
-    const char *other = otherwise(name, path);
-    if (!inside(path, source->root) && !inside(path, source->own))
-        snprintf(why, TEXT_FILE_WHY, "lies outside the project and the shader's own folder");
-    else if (other != NULL)
-        snprintf(why, TEXT_FILE_WHY,
-                 "the disk has it as %.300s: write it so, for other systems tell capital letters "
-                 "from small ones",
-                 other);
-    else
-        return true;
-    return false;
-}
-
-// Resolve the name of a file that another one names: beside that, then in folders of the project.
-//   folders  in the project, each with a / in front; NULL after the last one
+// Resolve the name of a file that another one names: next to that one, then in folders of the
+// project.
+//   folders  each begins with /; the last is NULL
 //   where    the same in words
+//   why      receives one phrase if there is none
+// Returns memory that the caller frees, or NULL, not reported.
 static char *resolve(const struct shader_source *source, int from, const char *name,
                      const char *const folders[], const char *where, char why[TEXT_FILE_WHY])
 {
     const char *slash = strrchr(source->files[from], '/');
     char beside[PLATFORM_PATH], path[3 * PLATFORM_PATH];
     folder_of(source->paths[from], beside);
-    if (!is_plain(name, folders[0] + 1, why))
+    if (!is_portable(name, folders[0] + 1, why))
         return NULL;
     for (int i = 0; i == 0 || folders[i - 1] != NULL; i++) {
         snprintf(path, sizeof path, "%s%s/%s", i == 0 ? beside : source->root,
@@ -135,10 +101,18 @@ static char *resolve(const struct shader_source *source, int from, const char *n
         tell(source, resolved != NULL ? resolved : path);
         if (resolved == NULL && (errno == ENOENT || errno == ENOTDIR))
             continue;
+        const char *other = resolved != NULL ? other_case(name, resolved) : NULL;
         if (resolved == NULL)
             snprintf(why, TEXT_FILE_WHY, "cannot be read: %s", platform_why(errno));
-        else if (may_lead(source, name, resolved, why))
+        else if (!inside(resolved, source->root) && !inside(resolved, source->own))
+            snprintf(why, TEXT_FILE_WHY, "lies outside the project and the shader's own folder");
+        else if (other == NULL)
             return resolved;
+        else
+            snprintf(why, TEXT_FILE_WHY,
+                     "the disk has it as %.300s: write it like that, because other systems "
+                     "distinguish capital letters",
+                     other);
         free(resolved);
         return NULL;
     }
@@ -147,7 +121,8 @@ static char *resolve(const struct shader_source *source, int from, const char *n
     return NULL;
 }
 
-// The name of a file in messages: from the project's folder on, else as the first file was given.
+// The name of a file in messages, relative to the project, or as the first file was given. Returns
+// memory that the caller frees.
 static char *name_of(const struct shader_source *source, const char *given, const char *resolved)
 {
     if (source->file_count == 0)
@@ -159,11 +134,17 @@ static char *name_of(const struct shader_source *source, const char *given, cons
     return memory_text("%.*s%s", folder, first, within(resolved, source->own));
 }
 
-// Add a file to the table; takes name and path over. A name may hold a line's end, which would
-// break a message or a comment in two. Returns its index.
+// Add a file, unless it is known; takes over name and path. A line end in a name would break a
+// message or a comment in two. Returns its index.
 static int add_file(struct shader_source *source, char *name, char *path)
 {
     int file = source->file_count;
+    for (int i = 0; i < file; i++)
+        if (strcmp(source->paths[i], path) == 0) {
+            free(name);
+            free(path);
+            return i;
+        }
     for (char *c = name; *c != '\0'; c++)
         if ((unsigned char)*c < ' ' || *c == 0x7f)
             *c = '?';
@@ -192,26 +173,19 @@ int shader_take_texture(struct shader_source *source, const char *path, char why
     return -1;
 }
 
-// ---- The expanded text ----
+// ---- Includes ----
 
-// Add one line of a file, its end included, after a prefix.
-static bool add_line(struct expansion *e, struct shader_line from, const char *prefix,
-                     const char *line, size_t length)
-{
-    struct shader_source *source = e->source;
-    e->size += strlen(prefix) + length + 1;
-    if (e->size > TEXT_LIMIT)
-        return report("%s:%d: the text passes 8 MiB with its includes: include less",
-                      source->files[from.file], from.line);
-    fprintf(e->text, "%s%.*s\n", prefix, (int)length, line);
-    source->lines = memory_row(source->lines, source->line_count, sizeof *source->lines);
-    source->lines[source->line_count++] = from;
-    return true;
-}
+// An expansion in progress.
+struct expansion {
+    struct shader_source *source;
+    struct glsl_reader reader; // of its text
+    int open[DEPTH_LIMIT];     // the files from the first to the one being read
+    int depth;
+};
 
 static bool expand_file(struct expansion *e, int file, const char *where);
 
-// Report an include that would have its file contain itself, with the way round.
+// Report an include that would make its file contain itself, with the files in between.
 static bool report_cycle(const struct expansion *e, int file, const char *where)
 {
     char chain[2048] = "";
@@ -226,107 +200,249 @@ static bool report_cycle(const struct expansion *e, int file, const char *where)
                   chain, e->source->files[file]);
 }
 
-// Put the file of an include in place, unless it is there already.
+// Insert the file of an include, unless it is there already.
 static bool include(struct expansion *e, struct shader_line from, const char *name)
 {
+    static const char *const folders[] = {"/shaders", "/chapters", NULL};
     struct shader_source *source = e->source;
     char where[WHERE_SIZE], why[TEXT_FILE_WHY];
     snprintf(where, sizeof where, "%s:%d: #include \"%s\"", source->files[from.file], from.line,
              name);
-    static const char *const folders[] = {"/shaders", "/chapters", NULL};
-    char *resolved =
-        resolve(source, from.file, name, folders, ", in shaders/ or in chapters/", why);
-    if (resolved == NULL)
+    char *path = resolve(source, from.file, name, folders, ", in shaders/ or in chapters/", why);
+    if (path == NULL)
         return report("%s: %s", where, why);
-    for (int i = 0; i < source->file_count; i++) {
-        if (strcmp(source->paths[i], resolved) != 0)
-            continue;
-        free(resolved);
-        for (int k = 0; k < e->depth; k++)
-            if (e->open[k] == i)
-                return report_cycle(e, i, where);
-        return true;
-    }
-    if (e->depth == DEPTH_LIMIT) {
-        free(resolved);
+    int count = source->file_count;
+    int file = add_file(source, name_of(source, name, path), path);
+    for (int i = 0; i < e->depth; i++)
+        if (e->open[i] == file)
+            return report_cycle(e, file, where);
+    if (file == count && e->depth == DEPTH_LIMIT)
         return report("%s: more than %d files within each other", where, DEPTH_LIMIT);
-    }
-    return expand_file(e, add_file(source, name_of(source, name, resolved), resolved), where);
+    return file < count || expand_file(e, file, where);
 }
 
-// The name in an include that stands alone on its line: no comment crosses the line's ends, so that
-// it means there what it means in place. False when it is malformed.
-//   hash  where the directive begins, among the tokens
-//   line  the line in the text, and its end
-static bool quoted_name(const struct glsl *code, const struct glsl_token *hash, const char *line,
-                        const char *end, char name[PLATFORM_PATH])
+// Read the rest of an include: a name in quotes, and nothing but comments that end on this line.
+static bool quoted_name(const char *c, char name[PLATFORM_PATH])
 {
-    const char *open = code->text + hash[1].begin + hash[1].length;
-    open += strspn(open, " \t\v\f");
-    size_t length = *open == '"' ? strcspn(open + 1, "\"\n") : 0;
-    const char *close = open + length + 1;
-    if (length == 0 || length >= PLATFORM_PATH || *close != '"' || end[-1] == '\\' ||
-        (hash > code->item && hash[-1].begin + hash[-1].length > line - code->text &&
-         hash[-1].line < hash->line))
+    c += strspn(c, BLANKS);
+    size_t length = *c == '"' ? strcspn(c + 1, "\"\n") : 0;
+    if (length == 0 || length >= PLATFORM_PATH || c[length + 1] != '"')
         return false;
-    for (const struct glsl_token *t = hash + 2; t->directive && t->kind != GLSL_HASH; t++) {
-        const char *begin = code->text + t->begin;
-        if (begin > close && (t->kind < GLSL_COMMENT || begin + t->length > end))
+    snprintf(name, PLATFORM_PATH, "%.*s", (int)length, c + 1);
+    for (c += length + 2;; c += 2) {
+        const char *end = c + strcspn(c, "\n");
+        c += strspn(c, BLANKS);
+        if (c == end || (c[0] == '/' && c[1] == '/'))
+            return end[-1] != '\\';
+        c = c[0] == '/' && c[1] == '*' ? strstr(c + 2, "*/") : NULL;
+        if (c == NULL || c > end)
             return false;
     }
-    snprintf(name, PLATFORM_PATH, "%.*s", (int)length, open + 1);
-    return true;
 }
 
-// A #version makes the first file a whole one; anywhere else the driver would refuse it, far from
-// its cause.
-static bool check_version(struct expansion *e, struct shader_line from, bool first)
-{
-    const char *file = e->source->files[from.file];
-    if (from.file > 0)
-        report("%s:%d: #version in an included file: take it out", file, from.line);
-    else if (!first)
-        report("%s:%d: #version must come first: move it to the top", file, from.line);
-    else
-        e->source->versioned = true;
-    return from.file == 0 && first;
-}
-
-// Expand a line of a file; hash is the directive that it begins, or NULL.
-static bool expand_line(struct expansion *e, struct shader_line from, const struct glsl *code,
-                        const struct glsl_token *hash, const char *line, size_t length)
+static bool take_include(struct expansion *e, struct shader_line at, const char *rest)
 {
     char name[PLATFORM_PATH];
-    bool includes = hash != NULL && glsl_is(code, hash + 1, "include");
-    // An author's own #line would blame another line.
-    bool comments = includes || (hash != NULL && glsl_is(code, hash + 1, "line"));
-    if (includes && !quoted_name(code, hash, line, line + length, name))
-        return report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line",
-                      e->source->files[from.file], from.line);
-    return add_line(e, from, comments ? "// " : "", line, length) &&
-           (!includes || include(e, from, name));
+    if (quoted_name(rest, name))
+        return include(e, at, name);
+    return report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line",
+                  e->source->files[at.file], at.line);
 }
 
-static bool expand_text(struct expansion *e, int file, const struct glsl *code)
+// ---- The directives of VS Code's extension Shader Toy ----
+
+// Rewrite the rest of #iUniform float x = 0.5 in { 0.0, 1.0 } as an annotated uniform; without a
+// range it gets four times its value, or 1. Returns memory that the caller frees, or NULL.
+static char *annotated_uniform(const char *c)
 {
-    struct shader_line from = {file, 0};
-    const struct glsl_token *t = code->item;
-    bool first = true;
-    for (const char *line = code->text; *line != '\0';) {
-        size_t length = strcspn(line, "\n");
-        while (t->kind >= GLSL_COMMENT && t->line <= from.line)
-            t++;
-        const struct glsl_token *hash = t->kind == GLSL_HASH && t->line == from.line ? t : NULL;
-        from.line++;
-        if ((hash != NULL && glsl_is(code, hash + 1, "version") &&
-             !check_version(e, from, first)) ||
-            !expand_line(e, from, code, hash, line, length))
-            return false;
-        for (; t->kind != GLSL_END && t->line < from.line; t++)
-            first &= t->kind >= GLSL_COMMENT;
-        line += length + 1;
+    char type[16], name[64], words[256] = "0 ", range[64] = "";
+    int begin = 0;
+    if (sscanf(c, "%*[ \t]%15[A-Za-z0-9]%*[ \t]%63[A-Za-z0-9_]%n", type, name, &begin) != 2)
+        return NULL;
+    c += begin;
+    c += strspn(c, BLANKS);
+    bool colour = strncmp(type, "color", 5) == 0;
+    size_t used = *c == '=' ? 0 : 2;
+    c += used == 0;
+    c += strspn(c, BLANKS);
+    // A value loses its constructor and the f of a float; braces become brackets.
+    for (; strchr("\n;", *c) == NULL && used + 1 < sizeof words; c++) {
+        size_t word = strcspn(c, "( \t\n;");
+        bool suffix = *c == 'f' && used > 0 && strchr(".0123456789", words[used - 1]) != NULL;
+        if (c[0] == '/' && c[1] == '/')
+            break;
+        if (c[word] == '(' && isalpha((unsigned char)*c))
+            c += word;
+        else if (*c != ')' && !suffix)
+            words[used++] = *c == '{' ? '[' : *c == '}' ? ']' : *c;
     }
+    words[used] = '\0';
+    double value = fabs(strtod(words, NULL)), end = value > 0.0 ? 4.0 * value : 1.0;
+    if (strcmp(type, "color3") == 0)
+        snprintf(range, sizeof range, " in [0, 1], linear RGB");
+    else if (strcmp(type, "bool") != 0 && strchr(words, '[') == NULL)
+        snprintf(range, sizeof range, " in [%g, %g]", -end, end);
+    return memory_text("uniform %s%s %s; // %s%s: %s\n", colour ? "vec" : "",
+                       type + (colour ? 5 : 0), name, words, range, name);
+}
+
+static bool ends_in(const char *text, const char *const ends[])
+{
+    for (size_t length = strlen(text); *ends != NULL; ends++)
+        if (length >= strlen(*ends) && strcmp(text + length - strlen(*ends), *ends) == 0)
+            return true;
+    return false;
+}
+
+// Obey #iChannel0 "file://stone.png": a picture beside the file. Anything else that a channel is
+// (another shader, the shader itself, a sound, a cube map) is kept for messages.
+static bool take_channel(struct expansion *e, struct shader_line at, int channel, const char *rest)
+{
+    static const char *const shaders[] = {".glsl", ".frag", ".fs", "self", NULL},
+                             *const sounds[] = {".mp3", ".wav", ".ogg", NULL};
+    struct shader_source *source = e->source;
+    const char *file = source->files[at.file];
+    char value[256], why[TEXT_FILE_WHY];
+    bool option = *rest == ':';
+    if (sscanf(rest + strcspn(rest, "\"\n"), "\"%255[^\"\n]", value) != 1 ||
+        (option && strcmp(value, "CubeMap") != 0))
+        return true;
+    const char *was = option || strchr(value, '{') != NULL                       ? "cubemap"
+                      : ends_in(value, shaders) || strncmp(value, "buf", 3) == 0 ? "buffer"
+                      : ends_in(value, sounds)                                   ? "music"
+                                                                                 : "";
+    if (was[0] != '\0')
+        strcpy(source->was[channel], was);
+    if (was[0] != '\0' ||
+        (source->request.channels != NULL && source->request.channels[channel] != NULL))
+        return true;
+    if (strncmp(value, "http", 4) == 0)
+        return report("%s:%d: #iChannel%d: pictures are not downloaded: save it and give --channel "
+                      "%d=FILE.png",
+                      file, at.line, channel, channel);
+    const char *name = value + (strncmp(value, "file://", 7) == 0 ? 7 : 0);
+    int picture = shader_find_texture(source, at.file, name, why);
+    source->channel[channel] = picture > 0 ? picture : 0;
+    const char *reason = picture < 0 ? why : "a shader's file";
+    if (GL_IS_ES)
+        return picture > 0 || report("%s:%d: #iChannel%d: %s: this page reads no pictures of yours",
+                                     file, at.line, channel, reason);
+    return picture > 0 || report("%s:%d: #iChannel%d: %s: or give --channel %d=FILE.png", file,
+                                 at.line, channel, reason, channel);
+}
+
+// ---- Lines ----
+
+// List the lines that have ended.
+static void end_lines(struct shader_source *source, struct shader_line *from)
+{
+    for (; source->line_count < source->code.lines; from->line++) {
+        source->lines = memory_row(source->lines, source->line_count, sizeof *source->lines);
+        source->lines[source->line_count++] = *from;
+    }
+}
+
+// Obey a line that is a directive for no driver: it becomes a comment, or a uniform. So does #line,
+// which would make the driver blame another line.
+//   line  moves past it
+//   done  receives false after an error, reported
+// Returns false for any other line.
+static bool take_directive(struct expansion *e, struct shader_line *from, const char **line,
+                           bool *done)
+{
+    const char *word = *line + strspn(*line, BLANKS);
+    if (*word != '#' || !e->reader.live)
+        return false;
+    word += 1 + strspn(word + 1, BLANKS);
+    size_t length = 0;
+    while (glsl_is_word(word[length]))
+        length++;
+    bool includes = length == 7 && strncmp(word, "include", 7) == 0;
+    bool extension = length > 1 && word[0] == 'i' && isupper((unsigned char)word[1]);
+    if (!includes && !extension && !(length == 4 && strncmp(word, "line", 4) == 0))
+        return false;
+    const struct shader_line at = *from;
+    const char *rest = word + length;
+    int channel = length == 9 && strncmp(word, "iChannel", 8) == 0 ? word[8] - '0' : -1;
+    char *uniform =
+        length == 8 && strncmp(word, "iUniform", 8) == 0 ? annotated_uniform(rest) : NULL;
+    const char *instead = uniform;
+    if (uniform != NULL) {
+        glsl_take_line(&e->reader, &instead);
+        *line += strcspn(*line, "\n") + 1;
+    } else
+        glsl_take_comment(&e->reader, line);
+    free(uniform);
+    end_lines(e->source, from);
+    *done = includes                       ? take_include(e, at, rest)
+            : channel >= 0 && channel <= 3 ? take_channel(e, at, channel, rest)
+                                           : true;
     return true;
+}
+
+// Judge the directive in the tokens of a line. A #version makes the first file a whole one;
+// anywhere else the driver would refuse it, far from its cause.
+//   first  nothing but comments comes before it
+static bool check_directive(struct expansion *e, struct shader_line at,
+                            const struct glsl_token *hash, bool first)
+{
+    const struct glsl *code = &e->source->code;
+    const char *file = e->source->files[at.file];
+    const struct glsl_token *end = code->item + code->count;
+    if (hash + 1 >= end || !hash->live)
+        return true;
+    if (glsl_is(code, hash + 1, "include")) // behind a comment, or divided
+        return take_include(e, at, "");
+    if (!glsl_is(code, hash + 1, "version"))
+        return true;
+    if (at.file > 0)
+        return report("%s:%d: #version in an included file: take it out", file, at.line);
+    bool number = hash + 2 < end && hash[2].kind == GLSL_NUMBER;
+    e->source->version = number ? atoi(code->text + hash[2].begin) : 1;
+    return first || report("%s:%d: #version must come first: move it to the top", file, at.line);
+}
+
+static bool expand_text(struct expansion *e, int file, const char *text)
+{
+    struct shader_source *source = e->source;
+    const struct glsl *code = &source->code;
+    struct shader_line from = {file, 1};
+    bool first = true, done = true;
+    while (done && *text != '\0') {
+        if (take_directive(e, &from, &text, &done)) {
+            first = false;
+            continue;
+        }
+        int begin = code->count;
+        glsl_take_line(&e->reader, &text);
+        if (code->open)
+            return report("%s:%d: this comment is never closed: write */ at its end",
+                          source->files[file],
+                          from.line + code->item[code->count - 1].line - source->line_count);
+        if (code->length > TEXT_LIMIT)
+            return report("%s:%d: the text passes 8 MiB with its includes: include less",
+                          source->files[file], from.line);
+        for (int i = begin; done && i < code->count; i++) {
+            const struct glsl_token *token = &code->item[i];
+            struct shader_line at = {file, from.line + token->line - source->line_count};
+            done = token->kind != GLSL_HASH || check_directive(e, at, token, first);
+            first &= token->kind >= GLSL_COMMENT;
+        }
+        end_lines(source, &from);
+    }
+    return done;
+}
+
+// Expand the passes of a shader that Shadertoy has exported.
+static bool expand_passes(struct expansion *e, const char *text)
+{
+    struct passes passes;
+    const char *why = passes_read(&passes, text);
+    memcpy(e->source->was, passes.was, sizeof passes.was);
+    bool done = why != NULL ? report("%s: %s", e->source->files[0], why)
+                            : expand_text(e, 0, passes.common) && expand_text(e, 0, passes.image);
+    passes_free(&passes);
+    return done;
 }
 
 static bool expand_file(struct expansion *e, int file, const char *where)
@@ -335,17 +451,9 @@ static bool expand_file(struct expansion *e, int file, const char *where)
     char *text = text_file_read(e->source->paths[file], why);
     if (text == NULL)
         return report("%s: %s", where, why);
-    struct glsl code;
-    bool done = false;
-    glsl_read(&code, text);
     e->open[e->depth++] = file;
-    if (code.open < 0)
-        done = expand_text(e, file, &code);
-    else
-        report("%s:%d: this comment is never closed: write */ at its end", e->source->files[file],
-               code.item[code.count - 1].line + 1);
+    bool done = file == 0 && passes_are(text) ? expand_passes(e, text) : expand_text(e, file, text);
     e->depth--;
-    glsl_free(&code);
     free(text);
     return done;
 }
@@ -371,16 +479,22 @@ bool shader_expand(struct shader_source *source, const char *path, const char *r
         source->request = *request;
     char *resolved = source->root != NULL ? platform_resolve(path) : NULL;
     if (resolved == NULL) {
-        report("%s: cannot be read: %s", source->root != NULL ? path : root, platform_why(errno));
+        struct platform_file file;
+        int why = errno;
+        if (source->root != NULL && platform_look(path, &file) && !file.regular)
+            report("%s: a pipe, which can be read only once: save the text in a file", path);
+        else
+            report("%s: cannot be read: %s", source->root != NULL ? path : root, platform_why(why));
         shader_free(source);
         return false;
     }
     tell(source, resolved);
     folder_of(resolved, own);
     source->own = memory_text("%s", own);
-    e.text = memory_open(&source->text);
+    glsl_begin(&e.reader, &source->code);
     bool done = expand_file(&e, add_file(source, memory_text("%s", path), resolved), path);
-    memory_close(e.text);
+    glsl_end(&e.reader);
+    source->text = source->code.text;
     if (!done)
         shader_free(source);
     return done;
@@ -395,7 +509,10 @@ void shader_free(struct shader_source *source)
     free(source->files);
     free(source->paths);
     free(source->lines);
-    free(source->text);
+    free(source->prelude);
+    free(source->body);
+    free(source->inputs);
+    free(source->unset);
     free(source->root);
     free(source->own);
     glsl_free(&source->code);

@@ -7,16 +7,16 @@
 #define TEXT_FILE_LIMIT (1024 * 1024) // bytes
 #define TEXT_FILE_WHY   512           // size of the phrase, bytes
 
-// Open a file of any kind for reading, unless it is a device, a folder or a pipe.
-//   why  receives one phrase when it cannot be read
+// Open a regular file for reading.
+//   why  receives one phrase if it cannot be read
 // Returns NULL then, not reported.
 FILE *text_file_open(const char *path, char why[TEXT_FILE_WHY]);
 
-// Read a text file. A byte-order mark and carriage returns are dropped, a missing line end at the
-// end is added; '\0' terminated.
-//   why  receives one phrase when it cannot be read: missing, a folder or a device, empty, a zero
-//        byte in it, over the limit
-// Returns memory that the caller frees, or NULL; not reported, for the caller knows who asked.
+// Read a text file. Drops a byte-order mark and carriage returns, adds a missing line end at the
+// end, and ends the text in '\0'.
+//   why  receives one phrase if it cannot be read: missing, not a regular file, empty, with a zero
+//        byte, over the limit
+// Returns memory that the caller frees, or NULL, not reported.
 char *text_file_read(const char *path, char why[TEXT_FILE_WHY]);
 
 #endif

@@ -1,27 +1,32 @@
-#include "window/state.h"
+#include "window/draw.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "picture/pair.h"
+#include "picture/comparison.h"
 #include "picture/probe.h"
+#include "platform.h"
 #include "report.h"
+#include "window/handle.h"
+#include "window/keys.h"
+#include "window/panel_input.h"
+#include "window/ray.h"
+#include "window/selection.h"
 
 #define FIGURES_SECONDS 0.25 // between two changes of the overlay's rate
-#define REST_SECONDS                                                                               \
-    0.3                   // without motion until the picture sharpens: longer than between two
-                          // repeats of a held key
-#define BAND_SECONDS 0.05 // of sharpening between two looks at what the hands do
+// Longer than between two repeats of a held key.
+#define REST_SECONDS 0.3  // without motion before the picture is sharpened
+#define BAND_SECONDS 0.05 // of sharpening between two looks at the input
 
 void window_retitle(struct window *window)
 {
     char text[sizeof window->title.shown], name[76] = "", value[128] = "", rate[32] = "";
-    const struct parameter *parameter = window_chosen(window);
+    const struct parameter *parameter = window_selected(window);
     if (parameter != NULL)
         parameter_value_text(parameter, value, sizeof value);
     if (parameter != NULL)
-        pair_parameter_name(window->renderer, parameter, name, sizeof name);
+        comparison_parameter_name(window->renderer, parameter, name, sizeof name);
     if (window->pace.rate > 0.0)
         snprintf(rate, sizeof rate, " - %.0f fps", window->pace.rate);
     snprintf(text, sizeof text, "%.60s%s%s - %s%s%s%s%.60s%s", window->start->title,
@@ -33,37 +38,36 @@ void window_retitle(struct window *window)
     memcpy(window->title.shown, text, sizeof text);
 }
 
-// The linker keeps only what is used.
+// The linker keeps only the uniforms that a program uses.
 static bool program_uses_time(const struct renderer *renderer, enum shader_view view)
 {
-    static const char *const names[] = {"iTime", "iTimeDelta", "iFrame", "iFrameRate", "iDate"};
     GLuint program = renderer->program[view];
-    for (size_t i = 0; i < sizeof names / sizeof *names && program != 0; i++)
-        if (renderer->gl->GetUniformLocation(program, names[i]) >= 0)
-            return true;
-    return renderer->pair != NULL && program_uses_time(renderer->pair->other, view);
+    if (program != 0 &&
+        inputs_reads(renderer->gl, program, &renderer->fragment, INPUT_TIME, INPUT_DATE))
+        return true;
+    return renderer->comparison != NULL && program_uses_time(renderer->comparison->other, view);
 }
 
 bool window_uses_time(const struct window *window)
 {
     const struct renderer *renderer = window->renderer;
-    bool slice = form_shows_ray(renderer->view), chosen = window->inputs.pixel[0] >= 0;
+    bool slice = shader_shows_ray(renderer->view), selected = window->inputs.pixel[0] >= 0;
     return program_uses_time(renderer, renderer->view) ||
-           ((chosen || slice) && program_uses_time(renderer, SHADER_PROBE)) ||
-           (chosen && slice && program_uses_time(renderer, SHADER_PICTURE));
+           ((selected || slice) && program_uses_time(renderer, SHADER_PROBE)) ||
+           (selected && slice && program_uses_time(renderer, SHADER_PICTURE));
 }
 
 // ---- Overlay ----
 
-static void gather(struct window *window)
+static void fill_overlay(struct window *window)
 {
     const struct renderer_inputs *inputs = &window->inputs;
     double scale = window->start->overlay_scale;
-    window_name_keys(window);
+    window_list_keys(window);
     struct panel panel = {
         .title = window->start->title,
         .renderer = window->renderer,
-        .chosen = window_chosen(window),
+        .selected = window_selected(window),
         .rate = window->panel.figures[0],
         .milliseconds = window->panel.figures[1],
         .timed = window_uses_time(window),
@@ -74,24 +78,26 @@ static void gather(struct window *window)
                      : 0,
         .paused = window->paused,
         .folded = window->panel.folded,
-        .bare = window->panel.folded && window->panel.elsewhere,
+        .bare = window->panel.folded && window->panel.in_page,
         .ranges = window->panel.helps,
         .hint = window->panel.hint,
         .keys = window->panel.keys,
         .key_count = window->panel.helps ? window->panel.key_count : 0,
         .pixel = {inputs->pixel[0], inputs->pixel[1]},
-        .side = pair_side_name(window->renderer, inputs->width, inputs->pixel[0]),
+        .side = comparison_side_name(window->renderer, inputs->width, inputs->pixel[0]),
         .shown = inputs->shown,
         .probe = window->ray.why[0] == '\0' ? window->ray.probe : NULL,
         .why = window->ray.why,
         .error = window->panel.error,
         .broken = window->broken,
+        .unset = window->renderer->fragment.unset,
         .rows = &window->panel.rows,
     };
     char tip[512];
-    window_touch_tell(window, &panel, tip);
+    window_panel_fill(window, &panel, tip);
     panel_gather(&panel, &window->panel.overlay, inputs->width, inputs->height,
                  scale > 0.0 ? (float)scale : overlay_scale_of(inputs->height));
+    window_draw_handles(window);
     window->renderer->overlay = window->start->overlay_kept ? &window->panel.overlay : NULL;
 }
 
@@ -103,7 +109,7 @@ static double pixels_of(const struct renderer_inputs *inputs)
 }
 
 // Draw the picture at a level of the resolution.
-//   cost  takes the seconds that a pixel took
+//   cost  receives the seconds per pixel
 static bool draw_at(struct window *window, int level, double *cost)
 {
     struct renderer_inputs inputs = window->inputs;
@@ -123,9 +129,10 @@ static bool draw_at(struct window *window, int level, double *cost)
     return true;
 }
 
-// Learn what a pixel of a new program costs by a small picture that nobody sees, so that a heavy
-// one never holds the window up. Drivers finish compiling in the first. What each draw costs beside
-// its pixels counts much in so small a one: hence the half. A slice costs little in any scene.
+// Estimate what a pixel of a new program costs from a small picture that is not shown, so that a
+// slow program never blocks the window. It is drawn twice, because drivers finish compiling during
+// the first draw. The estimate is halved, because the cost per draw weighs more in a small picture.
+// A slice is quick to draw in any scene.
 static bool try_program(struct window *window)
 {
     const struct renderer *renderer = window->renderer;
@@ -134,7 +141,7 @@ static bool try_program(struct window *window)
         return true;
     window->pace.tried = program;
     double cost = 0.0;
-    bool slice = form_shows_ray(renderer->view);
+    bool slice = shader_shows_ray(renderer->view);
     for (int i = 0; i < 2 && !slice; i++)
         if (!draw_at(window, RESOLUTION_COARSEST, &cost))
             return false;
@@ -142,16 +149,16 @@ static bool try_program(struct window *window)
     return true;
 }
 
-// Draw the picture at the resolution that is due.
+// Draw the picture at the resolution that its cost allows.
 static bool draw_picture(struct window *window, double now)
 {
     if (window->moved)
-        window->sharpening.rest_at = now + REST_SECONDS;
+        window->sharpening.due = now + REST_SECONDS;
     if (!try_program(window))
         return false;
     double cost, pixels = pixels_of(&window->inputs);
-    double beside = enlarging_choose(&window->pace.enlarging, pixels);
-    if (!draw_at(window, resolution_choose(&window->pace.resolution, pixels, beside), &cost))
+    double enlarge = enlarging_choose(&window->pace.enlarging, pixels);
+    if (!draw_at(window, resolution_choose(&window->pace.resolution, pixels, enlarge), &cost))
         return false;
     resolution_learn(&window->pace.resolution, cost);
     window->sharpening.inputs = window->inputs;
@@ -167,11 +174,11 @@ bool window_sharpens(const struct window *window, double now)
 {
     return window->pace.resolution.level > 0 &&
            window->sharpening.rows < window->sharpening.inputs.height &&
-           now >= window->sharpening.rest_at;
+           now >= window->sharpening.due;
 }
 
-// Draw a few more rows of the sharp picture, from the top down: so many that what the hands do is
-// never left waiting.
+// Draw some more rows of the sharp picture, from the top down: few enough that input never has to
+// wait.
 static bool sharpen(struct window *window)
 {
     const struct renderer_inputs *inputs = &window->sharpening.inputs;
@@ -193,8 +200,8 @@ static bool sharpen(struct window *window)
     return true;
 }
 
-// Fill the window from the picture, and learn what that takes where the picture is smaller.
-static bool enlarge(struct window *window)
+// Fill the window from the picture, and measure the time if the picture is smaller.
+static bool show_enlarged(struct window *window)
 {
     struct renderer *renderer = window->renderer;
     struct enlarging *enlarging = &window->pace.enlarging;
@@ -210,30 +217,41 @@ static bool enlarge(struct window *window)
     return true;
 }
 
-// Show what there is: the picture, and over it what is sharp already.
+// Show the picture, and over it the rows that are sharp already.
 static bool present(struct window *window)
 {
     int height = window->sharpening.inputs.height, sharp = window->sharpening.rows;
-    if (sharp < height && !enlarge(window))
+    if (sharp < height && !show_enlarged(window))
         return false;
     if (sharp > 0)
         renderer_present_sharp(window->renderer, height - sharp, sharp);
     return true;
 }
 
-// The rate of frames that follow each other; while nothing changes none is drawn.
-static void count(struct window *window, double now)
+// Update the rate of consecutive frames. While nothing changes, no frame is drawn.
+static void update_rate(struct window *window, double now)
 {
     double seconds = window->pace.drew ? now - window->pace.frame : 0.0;
     if (seconds > 0.0)
         window->pace.rate +=
             (window->pace.rate > 0.0 ? 0.1 : 1.0) * (1.0 / seconds - window->pace.rate);
     window->pace.frame = now;
-    if (now < window->panel.figures_at)
+    if (now < window->panel.figures_due)
         return;
-    window->panel.figures_at = now + FIGURES_SECONDS;
+    window->panel.figures_due = now + FIGURES_SECONDS;
     window->panel.figures[0] = window->pace.rate;
     window->panel.figures[1] = 1000.0 * window->pace.seconds;
+}
+
+// Set Shadertoy's iDate to the local time.
+static void update_date(struct renderer_inputs *inputs)
+{
+    struct tm day = {0};
+    double fraction = platform_date(&day);
+    inputs->date[0] = (float)(day.tm_year + 1900);
+    inputs->date[1] = (float)day.tm_mon;
+    inputs->date[2] = (float)day.tm_mday;
+    inputs->date[3] = (float)(3600 * day.tm_hour + 60 * day.tm_min + day.tm_sec) + (float)fraction;
 }
 
 bool window_draw(struct window *window, double now)
@@ -242,14 +260,14 @@ bool window_draw(struct window *window, double now)
     const struct gl *gl = window->renderer->gl;
     bool draws = window->stale;
     inputs->time_delta = inputs->frame > 0 && !window->paused ? now - window->pace.frame : 0.0;
-    window_tell_date(window);
+    update_date(&window->inputs);
     if (draws && !draw_picture(window, now))
         return false;
     if (!draws && window_sharpens(window, now) && !sharpen(window))
         return false;
     if (draws || window->ray.follow)
         window_follow_ray(window);
-    gather(window);
+    fill_overlay(window);
     if (!present(window))
         return false;
     gl->BindFramebuffer(GL_FRAMEBUFFER, 0);
@@ -260,6 +278,6 @@ bool window_draw(struct window *window, double now)
                       inputs->width, inputs->height, error);
     glfwSwapBuffers(window->handle);
     window->stale = window->ray.follow = window->dirty = false;
-    count(window, now);
+    update_rate(window, now);
     return true;
 }

@@ -4,63 +4,23 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "shader/form.h"
-
-#define LONGEST_STEP 0.1 // seconds: a machine that stalls must not throw the camera away
+#define LONGEST_STEP 0.1 // seconds: a slow frame must not throw the camera far away
 #define FASTER       4.0 // times the speed while Left Shift or F is held
-#define TEN_STEPS    10  // key presses that one press with Shift counts for
-#define DRAG_BEGINS  3.0 // pixels: a hand that clicks trembles less
-#define DOUBLE       0.4 // seconds between two presses that are one double click, at most
+#define DRAG_BEGINS  3.0 // pixels: the pointer moves less than this during a click
+#define DOUBLE       0.4 // seconds between the two presses of a double click, at most
 
 // GLFW names positions by the American keyboard: GLFW_KEY_W is the key labelled Z on a French one.
-static const struct {
-    int key;
-    enum window_key as;
-} held_keys[] = {
-    {GLFW_KEY_A, WINDOW_KEY_LEFT},       {GLFW_KEY_D, WINDOW_KEY_RIGHT},
-    {GLFW_KEY_SPACE, WINDOW_KEY_UP},     {GLFW_KEY_C, WINDOW_KEY_DOWN},
-    {GLFW_KEY_W, WINDOW_KEY_FORWARD},    {GLFW_KEY_LEFT_CONTROL, WINDOW_KEY_DOWN_TOO},
-    {GLFW_KEY_S, WINDOW_KEY_BACK},       {GLFW_KEY_LEFT_SHIFT, WINDOW_KEY_FASTER},
-    {GLFW_KEY_F, WINDOW_KEY_FASTER_TOO},
+static const int held_keys[HELD_KEYS] = {
+    [HELD_LEFT] = GLFW_KEY_A,
+    [HELD_RIGHT] = GLFW_KEY_D,
+    [HELD_UP] = GLFW_KEY_SPACE,
+    [HELD_DOWN] = GLFW_KEY_C,
+    [HELD_DOWN_CONTROL] = GLFW_KEY_LEFT_CONTROL,
+    [HELD_FORWARD] = GLFW_KEY_W,
+    [HELD_BACK] = GLFW_KEY_S,
+    [HELD_FASTER] = GLFW_KEY_LEFT_SHIFT,
+    [HELD_FASTER_F] = GLFW_KEY_F,
 };
-
-static const struct {
-    int key;
-    enum window_action action;
-    int amount;
-    bool repeats;
-} pressed_keys[] = {
-    {GLFW_KEY_BACKSPACE, WINDOW_END, 0, false},
-    {GLFW_KEY_ESCAPE, WINDOW_PAUSE, 0, false},
-    {GLFW_KEY_R, WINDOW_RESTART, 0, false},
-    {GLFW_KEY_P, WINDOW_SCREENSHOT, 0, false},
-    {GLFW_KEY_H, WINDOW_FOLD, 0, false},
-    {GLFW_KEY_K, WINDOW_HELP, 0, false},
-    {GLFW_KEY_O, WINDOW_SIDE, 0, false},
-    {GLFW_KEY_T, WINDOW_ROLL, 0, false},
-    {GLFW_KEY_F11, WINDOW_FULL_SCREEN, 0, false},
-    {GLFW_KEY_TAB, WINDOW_ORTHOGRAPHIC, 0, false},
-    {GLFW_KEY_UP, WINDOW_CHOOSE, -1, true},
-    {GLFW_KEY_DOWN, WINDOW_CHOOSE, 1, true},
-    {GLFW_KEY_LEFT, WINDOW_CHANGE, -1, true},
-    {GLFW_KEY_RIGHT, WINDOW_CHANGE, 1, true},
-    {GLFW_KEY_DELETE, WINDOW_RESET, 0, false},
-    {GLFW_KEY_E, WINDOW_STEP, 1, true},
-    {GLFW_KEY_Q, WINDOW_STEP, -1, true},
-    {GLFW_KEY_PAGE_DOWN, WINDOW_STEP, 1, true}, // a presenter's remote has these two
-    {GLFW_KEY_PAGE_UP, WINDOW_STEP, -1, true},
-    {GLFW_KEY_HOME, WINDOW_FIRST, 0, false},
-    {GLFW_KEY_END, WINDOW_LAST, 0, false},
-    {GLFW_KEY_X, WINDOW_LEAVE, 0, false},
-    {GLFW_KEY_1, WINDOW_VIEW, SHADER_PICTURE, false},
-    {GLFW_KEY_2, WINDOW_VIEW, SHADER_NORMALS, false},
-    {GLFW_KEY_3, WINDOW_VIEW, SHADER_DEPTH, false},
-    {GLFW_KEY_4, WINDOW_VIEW, SHADER_STEPS, false},
-    {GLFW_KEY_5, WINDOW_VIEW, SHADER_SLICE, false},
-    {GLFW_KEY_6, WINDOW_VIEW, SHADER_PLOT, false},
-};
-
-#define COUNT(array) (sizeof(array) / sizeof *(array))
 
 static struct window_input *input_of(GLFWwindow *window)
 {
@@ -70,37 +30,44 @@ static struct window_input *input_of(GLFWwindow *window)
 static void add(struct window_input *input, struct window_event event)
 {
     struct window_event *last = input->events > 0 ? &input->event[input->events - 1] : NULL;
-    if (last != NULL && last->action == event.action && event.action >= WINDOW_ZOOM) {
+    if (last != NULL && last->kind == event.kind && event.kind >= EVENT_WHEEL) {
         for (int axis = 0; axis < 3; axis++)
-            last->way[axis] += event.way[axis];
-        memcpy(last->place, event.place, sizeof event.place);
+            last->movement[axis] += event.movement[axis];
+        memcpy(last->position, event.position, sizeof event.position);
     } else if (input->events < WINDOW_INPUT_EVENTS)
         input->event[input->events++] = event;
 }
 
-// Movement is counted at every press and release, not once a frame: so the way travelled is the
-// time the key was down, whatever the frame rate.
+static void add_at_pointer(struct window_input *input, struct window_event event)
+{
+    for (int i = 0; i < 2; i++)
+        event.position[i] = input->inside && !input->captured ? input->position[i] : -1.0;
+    add(input, event);
+}
+
+// Movement is counted at every press and release, not once a frame: so the distance depends on how
+// long the key was down, not on the frame rate.
 void window_input_count(struct window_input *input)
 {
     const bool *held = input->held;
     double now = glfwGetTime();
     double seconds = fmin(now - input->counted, LONGEST_STEP);
     input->counted = now;
-    if (held[WINDOW_KEY_FASTER] || held[WINDOW_KEY_FASTER_TOO])
+    if (held[HELD_FASTER] || held[HELD_FASTER_F])
         seconds *= FASTER;
-    int right = held[WINDOW_KEY_RIGHT] - held[WINDOW_KEY_LEFT];
-    int up = held[WINDOW_KEY_UP] - (held[WINDOW_KEY_DOWN] || held[WINDOW_KEY_DOWN_TOO]);
-    int forward = held[WINDOW_KEY_FORWARD] - held[WINDOW_KEY_BACK];
+    int right = held[HELD_RIGHT] - held[HELD_LEFT];
+    int up = held[HELD_UP] - (held[HELD_DOWN] || held[HELD_DOWN_CONTROL]);
+    int forward = held[HELD_FORWARD] - held[HELD_BACK];
     if (seconds > 0.0 && (right != 0 || up != 0 || forward != 0))
         add(input,
-            (struct window_event){.action = WINDOW_TRAVEL,
-                                  .way = {seconds * right, seconds * up, seconds * forward}});
+            (struct window_event){.kind = EVENT_MOVE,
+                                  .movement = {seconds * right, seconds * up, seconds * forward}});
 }
 
 bool window_input_moves(const struct window_input *input)
 {
-    for (int i = 0; i < WINDOW_KEY_COUNT; i++)
-        if (input->held[i] && i != WINDOW_KEY_FASTER && i != WINDOW_KEY_FASTER_TOO)
+    for (int i = 0; i < HELD_FASTER; i++)
+        if (input->held[i])
             return true;
     return false;
 }
@@ -111,93 +78,81 @@ void window_input_forget(struct window_input *input)
     input->events = 0;
 }
 
-// An event where the pointer is.
-static void add_here(struct window_input *input, enum window_action action, int amount)
+// Handle a button that is released, or counts as released.
+static void release(struct window_input *input, bool clicked)
 {
-    struct window_event event = {.action = action, .amount = amount, .place = {-1.0, -1.0}};
-    if (input->seen)
-        memcpy(event.place, input->at, sizeof event.place);
-    add(input, event);
-}
-
-// The button is up, or counts as such.
-//   clicked  it was one press at one place
-static void let_go(struct window_input *input, bool clicked)
-{
-    if (input->state != WINDOW_POINTER_FREE)
-        add_here(input, WINDOW_RELEASE, clicked);
-    input->state = WINDOW_POINTER_FREE;
-}
-
-static void release_all(struct window_input *input)
-{
-    window_input_count(input);
-    for (int i = 0; i < WINDOW_KEY_COUNT; i++)
-        input->held[i] = false;
-    let_go(input, false);
-    input->jumped = true;
+    if (input->state != BUTTON_UP)
+        add_at_pointer(input, (struct window_event){.kind = EVENT_RELEASE, .amount = clicked});
+    input->state = BUTTON_UP;
 }
 
 static void capture(struct window_input *input)
 {
-    let_go(input, false);
+    release(input, false);
     input->captured = !input->captured;
     input->jumped = true;
-    input->seen = false; // a captured pointer is anywhere
+    input->inside = false; // a captured pointer has no position
     glfwSetInputMode(input->window, GLFW_CURSOR,
                      input->captured ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
-}
-
-// While somebody types no key does what it does else.
-static void type_key(struct window_input *input, int key)
-{
-    int code = 0;
-    if (key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER)
-        code = WINDOW_TYPED_ENTER;
-    else if (key == GLFW_KEY_ESCAPE)
-        code = WINDOW_TYPED_ESCAPE;
-    else if (key == GLFW_KEY_BACKSPACE)
-        code = WINDOW_TYPED_BACK;
-    if (code != 0)
-        add(input, (struct window_event){.action = WINDOW_TYPED, .amount = code});
 }
 
 static void on_letter(GLFWwindow *window, unsigned int code)
 {
     struct window_input *input = input_of(window);
     if (input->typing)
-        add(input, (struct window_event){.action = WINDOW_TYPED, .amount = (int)code});
+        add(input, (struct window_event){.kind = EVENT_TYPED, .amount = (int)code});
+}
+
+// While a field is open, no key has its usual action.
+static void type_key(struct window_input *input, int key)
+{
+    int code = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER ? INPUT_ENTER
+               : key == GLFW_KEY_ESCAPE                          ? INPUT_ESCAPE
+               : key == GLFW_KEY_BACKSPACE                       ? INPUT_BACKSPACE
+                                                                 : 0;
+    if (code != 0)
+        add(input, (struct window_event){.kind = EVENT_TYPED, .amount = code});
 }
 
 static void on_key(GLFWwindow *window, int key, int scancode, int action, int modifiers)
 {
     (void)scancode;
     struct window_input *input = input_of(window);
-    bool closes = input->picking && key == GLFW_KEY_ESCAPE;
+    bool closes = input->picker_open && key == GLFW_KEY_ESCAPE;
     if ((input->typing || closes) && action != GLFW_RELEASE) {
         type_key(input, key);
         return;
     }
-    for (size_t i = 0; i < COUNT(held_keys); i++)
-        if (held_keys[i].key == key && action != GLFW_REPEAT) {
-            window_input_count(input);
-            input->held[held_keys[i].as] = action == GLFW_PRESS;
-        }
+    int held = 0;
+    while (held < HELD_KEYS && held_keys[held] != key)
+        held++;
+    if (held < HELD_KEYS) {
+        window_input_count(input);
+        input->held[held] = action != GLFW_RELEASE;
+        return;
+    }
     if (key == GLFW_KEY_M && action == GLFW_PRESS)
         capture(input);
-    for (size_t i = 0; i < COUNT(pressed_keys); i++) {
-        bool acts = action == GLFW_PRESS || (action == GLFW_REPEAT && pressed_keys[i].repeats);
-        if (pressed_keys[i].key != key || !acts)
-            continue;
-        struct window_event event = {.action = pressed_keys[i].action,
-                                     .amount = pressed_keys[i].amount};
-        bool shifted = (modifiers & GLFW_MOD_SHIFT) != 0;
-        if (shifted && event.action == WINDOW_CHANGE)
-            event.amount *= TEN_STEPS;
-        if (shifted && event.action == WINDOW_RESTART)
-            event.action = WINDOW_BEGIN;
-        add(input, event);
-    }
+    else if (action != GLFW_RELEASE)
+        add(input, (struct window_event){.kind = EVENT_KEY,
+                                         .amount = key,
+                                         .shifted = (modifiers & GLFW_MOD_SHIFT) != 0,
+                                         .repeated = action == GLFW_REPEAT});
+}
+
+// A third press begins a new double click.
+static void press(struct window_input *input, bool right)
+{
+    double now = glfwGetTime(), *position = input->press.position;
+    bool again =
+        !right && now - input->press.time <= DOUBLE &&
+        hypot(input->position[0] - position[0], input->position[1] - position[1]) <= DRAG_BEGINS;
+    input->state = BUTTON_PRESSED;
+    input->button = right;
+    add_at_pointer(input, (struct window_event){.kind = again ? EVENT_DOUBLE_PRESS : EVENT_PRESS,
+                                                .amount = right});
+    input->press.time = again || right ? -10.0 * DOUBLE : now;
+    memcpy(position, input->position, sizeof input->position);
 }
 
 static void on_button(GLFWwindow *window, int button, int action, int modifiers)
@@ -207,78 +162,69 @@ static void on_button(GLFWwindow *window, int button, int action, int modifiers)
     bool right = button == GLFW_MOUSE_BUTTON_RIGHT, pressed = action == GLFW_PRESS;
     if ((button != GLFW_MOUSE_BUTTON_LEFT && !right) || input->captured)
         return;
-    // One button at a time: another one means nothing while it is held.
-    if (pressed ? input->state != WINDOW_POINTER_FREE : input->button != right)
+    // While one button is held, another one is ignored.
+    if (pressed ? input->state != BUTTON_UP : input->button != right)
         return;
-    // Asked for now, the pointer may be further on than it was when the button went down.
-    if (!input->seen)
-        glfwGetCursorPos(window, &input->at[0], &input->at[1]);
-    input->seen = true;
+    // Only if no event has given the position: by now the pointer may have moved on.
+    if (!input->inside)
+        glfwGetCursorPos(window, &input->position[0], &input->position[1]);
+    input->inside = true;
     if (!pressed)
-        let_go(input, input->state == WINDOW_POINTER_PRESSED);
+        release(input, input->state == BUTTON_PRESSED);
     if (pressed || input->jumped)
-        memcpy(input->pointer, input->at, sizeof input->at);
+        memcpy(input->previous, input->position, sizeof input->position);
     input->jumped = false;
-    if (!pressed)
-        return;
-    input->state = WINDOW_POINTER_PRESSED;
-    input->button = right;
-    double now = glfwGetTime(), *place = input->press.place;
-    bool again = !right && now - input->press.at <= DOUBLE &&
-                 hypot(input->at[0] - place[0], input->at[1] - place[1]) <= DRAG_BEGINS;
-    add_here(input, again ? WINDOW_DOUBLE : WINDOW_PRESS, right);
-    // A third press begins anew.
-    input->press.at = again || right ? -10.0 * DOUBLE : now;
-    memcpy(place, input->at, sizeof input->at);
+    if (pressed)
+        press(input, right);
 }
 
 static void on_pointer(GLFWwindow *window, double x, double y)
 {
     struct window_input *input = input_of(window);
-    input->seen = true;
-    input->at[0] = x;
-    input->at[1] = y;
-    double right = x - input->pointer[0], down = y - input->pointer[1];
-    if (input->state == WINDOW_POINTER_PRESSED && hypot(right, down) > DRAG_BEGINS)
-        input->state = WINDOW_POINTER_DRAGS;
-    if (!input->captured && input->state != WINDOW_POINTER_DRAGS)
-        add_here(input, WINDOW_POINT, 0);
-    if (input->state == WINDOW_POINTER_PRESSED)
-        return; // what it went until now is a part of the drag
-    if ((input->captured || input->state == WINDOW_POINTER_DRAGS) && !input->jumped)
-        add(input, (struct window_event){.action = input->captured ? WINDOW_LOOK : WINDOW_DRAG,
-                                         .amount = input->button,
-                                         .way = {right, down},
-                                         .place = {x, y}});
-    input->pointer[0] = x;
-    input->pointer[1] = y;
+    input->inside = true;
+    input->position[0] = x;
+    input->position[1] = y;
+    double right = x - input->previous[0], down = y - input->previous[1];
+    if (input->state == BUTTON_PRESSED && hypot(right, down) > DRAG_BEGINS)
+        input->state = BUTTON_DRAGS;
+    if (!input->captured && input->state != BUTTON_DRAGS)
+        add_at_pointer(input, (struct window_event){.kind = EVENT_HOVER});
+    if (input->state == BUTTON_PRESSED)
+        return; // if this becomes a drag, the drag includes this movement
+    if ((input->captured || input->state == BUTTON_DRAGS) && !input->jumped)
+        add_at_pointer(input,
+                       (struct window_event){.kind = input->captured ? EVENT_LOOK : EVENT_DRAG,
+                                             .amount = input->button,
+                                             .movement = {right, down}});
+    memcpy(input->previous, input->position, sizeof input->position);
     input->jumped = false;
 }
 
-static void on_leaving(GLFWwindow *window, int entered)
+static void on_enter(GLFWwindow *window, int entered)
 {
     struct window_input *input = input_of(window);
-    if (entered || input->captured || input->state != WINDOW_POINTER_FREE)
+    if (entered || input->captured || input->state != BUTTON_UP)
         return;
-    input->seen = false;
-    add_here(input, WINDOW_POINT, 0);
+    input->inside = false;
+    add_at_pointer(input, (struct window_event){.kind = EVENT_HOVER});
 }
 
 static void on_wheel(GLFWwindow *window, double right, double up)
 {
     (void)right;
     struct window_input *input = input_of(window);
-    struct window_event event = {.action = WINDOW_ZOOM, .way = {up}, .place = {-1.0, -1.0}};
-    if (input->seen && !input->captured)
-        memcpy(event.place, input->at, sizeof event.place);
     if (up != 0.0)
-        add(input, event);
+        add_at_pointer(input, (struct window_event){.kind = EVENT_WHEEL, .movement = {up}});
 }
 
 static void on_focus(GLFWwindow *window, int focused)
 {
     (void)focused;
-    release_all(input_of(window));
+    struct window_input *input = input_of(window);
+    window_input_count(input);
+    memset(input->held, 0, sizeof input->held);
+    release(input, false);
+    input->jumped = true;
 }
 
 static void on_damage(GLFWwindow *window)
@@ -297,13 +243,13 @@ void window_input_open(struct window_input *input, GLFWwindow *window, void (*sh
                                    .to = to,
                                    .counted = glfwGetTime(),
                                    .jumped = true,
-                                   .press.at = -10.0 * DOUBLE};
+                                   .press.time = -10.0 * DOUBLE};
     glfwSetWindowUserPointer(window, input);
     glfwSetKeyCallback(window, on_key);
     glfwSetCharCallback(window, on_letter);
     glfwSetMouseButtonCallback(window, on_button);
     glfwSetCursorPosCallback(window, on_pointer);
-    glfwSetCursorEnterCallback(window, on_leaving);
+    glfwSetCursorEnterCallback(window, on_enter);
     glfwSetScrollCallback(window, on_wheel);
     glfwSetWindowFocusCallback(window, on_focus);
     glfwSetWindowRefreshCallback(window, on_damage);

@@ -1,97 +1,97 @@
-// The list of keys, as the overlay shows it.
-#include "window/state.h"
+#include "window/keys.h"
 
 #include <ctype.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "picture/pair.h"
+#include "picture/comparison.h"
+#include "window/projection.h"
 
-// What stands on a key that GLFW names by the American keyboard: é on the 2 of a French one.
-static void name_of(const struct window *window, int key, char name[8])
+enum condition { ALWAYS, WITH_RAY, WITH_PARAMETERS, WITH_HANDLES, WITH_PROJECTIONS };
+
+// A single letter or digit of the labels names a key of an American keyboard.
+static const struct {
+    const char *does, *label;
+    enum condition condition;
+} entries[] = {
+    {"move", "W A S D", ALWAYS},
+    {"up, down", "Space C", ALWAYS},
+    {"faster", "Shift F", ALWAYS},
+    {"look around", "drag", ALWAYS},
+    {"capture mouse", "M", ALWAYS},
+    {"select ray", "click", ALWAYS},
+    {"step back, on", "Q E", ALWAYS},
+    {"first, last step", "Home End", WITH_RAY},
+    {"deselect ray", "X", WITH_RAY},
+    {"zoom", "wheel", ALWAYS},
+    {"view", "1 2 3 4 5 6", ALWAYS},
+    {"select", "↑ ↓", WITH_PARAMETERS},
+    {"change", "← →", WITH_PARAMETERS},
+    {"reset", "Delete", WITH_PARAMETERS},
+    {"next handle", "Enter", WITH_HANDLES},
+    {"orthographic", "Tab", WITH_PROJECTIONS},
+    {"pause", "Esc", ALWAYS},
+    {"restart", "R", ALWAYS},
+    {"screenshot", "P", ALWAYS},
+    {"hide overlay", "H", ALWAYS},
+    {"fewer keys", "K", ALWAYS},
+    {"other side", "O", ALWAYS},
+    {"collapse panel", "T", ALWAYS},
+    {"full screen", "F11", ALWAYS},
+    {"quit", "Backspace", ALWAYS},
+};
+_Static_assert(sizeof entries / sizeof *entries <= WINDOW_KEYS, "no room for all keys");
+
+// Add the label of a key that GLFW names by the American keyboard: é for the 2 of a French one. A
+// sign on a letter's key is quoted, because a comma is easily missed.
+static void add_label(const struct window *window, char key, char *text, size_t size)
 {
-    const char american[] = {(char)key, '\0'};
-    const char *text = window->has_keyboard ? glfwGetKeyName(key, 0) : NULL;
-    if (text == NULL || text[0] == '\0' || strlen(text) > 4)
-        text = american;
-    snprintf(name, 8, "%c%s", toupper((unsigned char)text[0]), text + 1);
+    const char american[] = {key, '\0'};
+    const char *label = window->has_keyboard ? glfwGetKeyName(key, 0) : NULL;
+    size_t used = strlen(text);
+    if (label == NULL || label[0] == '\0' || strlen(label) > 4)
+        label = american;
+    bool sign = isalpha((unsigned char)key) && label[1] == '\0' && !isalnum((unsigned char)*label);
+    snprintf(text + used, size - used, sign ? "\"%c%s\"" : "%c%s", toupper((unsigned char)*label),
+             label + 1);
 }
 
-// The same where it stands alone: a comma is easily missed.
-static void label_of(const struct window *window, int key, char label[8])
+// The labels of several keys, parted by blanks.
+static void fill_labels(const struct window *window, const char *keys, char *text, size_t size)
 {
-    char name[8];
-    name_of(window, key, name);
-    bool sign = name[1] == '\0' && !isalnum((unsigned char)name[0]);
-    snprintf(label, 8, sign ? "\"%.4s\"" : "%.4s", name);
-}
-
-static void add_key(struct window *window, const char *does, const char *label)
-{
-    if (window->panel.key_count == WINDOW_KEYS)
-        return;
-    struct panel_key *key = &window->panel.keys[window->panel.key_count++];
-    snprintf(key->label, sizeof key->label, "%s", label);
-    key->does = does;
-}
-
-static void add_letter(struct window *window, const char *does, int key)
-{
-    char label[8];
-    label_of(window, key, label);
-    add_key(window, does, label);
-}
-
-void window_name_keys(struct window *window)
-{
-    static const int moves[] = {GLFW_KEY_W, GLFW_KEY_A, GLFW_KEY_S, GLFW_KEY_D, GLFW_KEY_C};
-    static const int views[] = {GLFW_KEY_1, GLFW_KEY_2, GLFW_KEY_3,
-                                GLFW_KEY_4, GLFW_KEY_5, GLFW_KEY_6};
-    char l[6][8], text[64];
-    for (int i = 0; i < 5; i++)
-        label_of(window, moves[i], l[i]);
-    window->panel.key_count = 0;
-    snprintf(text, sizeof text, "%s %s %s %s", l[0], l[1], l[2], l[3]);
-    add_key(window, "move", text);
-    snprintf(text, sizeof text, "Space %s", l[4]);
-    add_key(window, "up, down", text);
-    label_of(window, GLFW_KEY_F, l[0]);
-    snprintf(text, sizeof text, "Shift %s", l[0]);
-    add_key(window, "faster", text);
-    add_key(window, "look", "drag");
-    add_letter(window, "mouse look", GLFW_KEY_M);
-    add_key(window, "ray", "click");
-    label_of(window, GLFW_KEY_Q, l[0]);
-    label_of(window, GLFW_KEY_E, l[1]);
-    snprintf(text, sizeof text, "%s %s", l[0], l[1]);
-    add_key(window, "step back, on", text);
-    if (window->inputs.pixel[0] >= 0) {
-        add_key(window, "first, last step", "Home End");
-        add_letter(window, "no ray", GLFW_KEY_X);
+    text[0] = '\0';
+    while (*keys != '\0') {
+        size_t length = strcspn(keys, " "), used = strlen(text);
+        if (length == 1)
+            add_label(window, *keys, text, size);
+        else
+            snprintf(text + used, size - used, "%.*s", (int)length, keys);
+        keys += length;
+        used = strlen(text);
+        if (*keys++ == '\0')
+            return;
+        snprintf(text + used, size - used, " ");
     }
-    add_key(window, "zoom", "wheel");
-    for (int i = 0; i < 6; i++)
-        name_of(window, views[i], l[i]);
-    snprintf(text, sizeof text, "%s %s %s %s %s %s", l[0], l[1], l[2], l[3], l[4], l[5]);
-    add_key(window, "view", text);
-    if (pair_parameter_count(window->renderer) > 0) {
-        add_key(window, "choose", "↑ ↓");
-        add_key(window, "change", "← →");
-        add_key(window, "reset", "Delete");
-    }
-    if (window_has_orthographic(window))
-        add_key(window, "orthographic", "Tab");
-    add_key(window, "pause", "Esc");
-    add_letter(window, "restart", GLFW_KEY_R);
-    add_letter(window, "screenshot", GLFW_KEY_P);
-    add_letter(window, "hide all", GLFW_KEY_H);
-    add_letter(window, "fewer", GLFW_KEY_K);
-    add_letter(window, "other side", GLFW_KEY_O);
-    add_letter(window, window->panel.rolled ? "unfold panel" : "title alone", GLFW_KEY_T);
-    add_key(window, "full screen", "F11");
-    add_key(window, "end", "Backspace");
-    label_of(window, GLFW_KEY_K, l[0]);
-    label_of(window, GLFW_KEY_H, l[1]);
-    snprintf(window->panel.hint, sizeof window->panel.hint, "%s: %s    %s: hide", l[0],
-             window->panel.helps ? "fewer" : "keys, ranges", l[1]);
+}
+
+void window_list_keys(struct window *window)
+{
+    const bool holds[] = {[ALWAYS] = true,
+                          [WITH_RAY] = window->inputs.pixel[0] >= 0,
+                          [WITH_PARAMETERS] = comparison_parameter_count(window->renderer) > 0,
+                          [WITH_HANDLES] = window->handles.count > 0,
+                          [WITH_PROJECTIONS] = window_has_orthographic(window)};
+    char show[16], hide[16];
+    int count = 0;
+    for (size_t i = 0; i < sizeof entries / sizeof *entries; i++)
+        if (holds[entries[i].condition]) {
+            struct panel_key *key = &window->panel.keys[count++];
+            fill_labels(window, entries[i].label, key->label, sizeof key->label);
+            key->does = entries[i].does;
+        }
+    window->panel.key_count = count;
+    fill_labels(window, "K", show, sizeof show);
+    fill_labels(window, "H", hide, sizeof hide);
+    snprintf(window->panel.hint, sizeof window->panel.hint, "%s: %s    %s: hide", show,
+             window->panel.helps ? "fewer keys" : "keys, ranges", hide);
 }

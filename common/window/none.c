@@ -1,13 +1,13 @@
-// Takes the place of window.c on a machine without GLFW, where no window can be opened.
+// Replaces window.c on a machine without GLFW, where no window can be opened.
 #include "window/window.h"
 
 #include "report.h"
 
-struct window *window_open(struct context *context, struct renderer *renderer,
-                           const struct window_start *start)
+struct window *window_open(struct context *context, const struct window_start *start)
 {
-    (void)context, (void)renderer;
-    report("%s: built without GLFW, which opens windows: run make setup, then make", start->title);
+    (void)context;
+    report("%s: built without GLFW, so it cannot open windows: run make setup, then make",
+           start->title);
     return NULL;
 }
 

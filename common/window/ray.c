@@ -1,46 +1,125 @@
-// The ray that a click chooses.
+#include "window/ray.h"
+
 #include <math.h>
+#include <stdio.h>
 
-#include "window/state.h"
+#include "picture/comparison.h"
+#include "report.h"
 
-// A click also drives a parameter of two numbers named aim, if the shader has one: it becomes the
-// place of the plane z = 0 that the pixel shows, as far as its range goes.
-static void take_aim(struct window *window, const int pixel[2])
+// Show the ray again, in the overlay and in a picture that reads its march.
+static void refresh(struct window *window)
 {
-    const struct renderer_inputs *inputs = &window->inputs;
-    struct parameters *all = &window->renderer->parameters;
-    struct parameter *aim = parameters_find(all, "aim");
-    const struct parameter *focal = parameters_find(all, "focalLength");
-    if (aim == NULL || aim->components != 2)
-        return;
-    struct camera_basis basis = camera_basis_of(&inputs->camera);
-    double length = focal != NULL ? focal->value[0] : (double)window->renderer->focal_length,
-           way[3];
-    double x = (2.0 * pixel[0] + 1.0 - inputs->width) / inputs->height;
-    double y = (2.0 * pixel[1] + 1.0 - inputs->height) / inputs->height;
-    for (int i = 0; i < 3; i++)
-        way[i] = x * (double)basis.right[i] + y * (double)basis.up[i] +
-                 length * (double)basis.forward[i];
-    double t = -(double)inputs->camera.position[2] / way[2];
-    if (!(t > 0.0 && t < 1e6)) // the plane is behind the eye, or nowhere in this direction
-        return;
-    for (int i = 0; i < 2; i++)
-        aim->value[i] =
-            fmin(fmax((double)inputs->camera.position[i] + t * way[i], aim->minimum), aim->maximum);
-    window->stale = true;
+    const struct renderer *renderer = window->renderer;
+    window->ray.follow = window->dirty = true;
+    window->stale |= shader_shows_ray(renderer->view) ||
+                     renderer_reads(renderer, renderer->view, UNIFORM_iMarched);
 }
 
-void window_look_at_ray(struct window *window, const double place[2])
+void window_select_ray(struct window *window, const int pixel[2])
 {
-    const int *pixel = window->inputs.pixel;
-    int size[2] = {0, 0}, at[2];
-    glfwGetWindowSize(window->handle, &size[0], &size[1]);
-    if (size[0] < 1 || size[1] < 1)
-        return;
-    renderer_pixel_at(&window->inputs, place, size, at);
-    take_aim(window, at);
-    if (at[0] == pixel[0] && at[1] == pixel[1])
-        window_leave_ray(window);
+    const struct renderer_inputs *inputs = &window->inputs;
+    const int size[2] = {inputs->width, inputs->height};
+    for (int i = 0; i < 2; i++) {
+        window->inputs.pixel[i] = pixel[i];
+        window->ray.position[i] = (2.0 * pixel[i] + 1.0 - size[i]) / inputs->height;
+    }
+    window->ray.eye = renderer_eye_of(window->renderer, &window->inputs);
+    window->inputs.eye = &window->ray.eye;
+    window->inputs.shown = 0.0f;
+    window->ray.why[0] = '\0';
+    window->ray.print = true;
+    refresh(window);
+}
+
+void window_deselect_ray(struct window *window)
+{
+    window->inputs.pixel[0] = window->inputs.pixel[1] = -1;
+    window->inputs.eye = NULL;
+    window->inputs.shown = 0.0f;
+    window->ray.why[0] = '\0';
+    window->ray.print = false;
+    refresh(window);
+}
+
+void window_click_ray(struct window *window, const double pixel[2])
+{
+    const int *selected = window->inputs.pixel;
+    const int clicked[2] = {(int)floor(pixel[0]), (int)ceil(pixel[1]) - 1};
+    if (clicked[0] == selected[0] && clicked[1] == selected[1])
+        window_deselect_ray(window);
     else
-        window_choose_ray(window, at);
+        window_select_ray(window, clicked);
+}
+
+void window_resize_ray(struct window *window, int width, int height)
+{
+    int *pixel = window->inputs.pixel;
+    const double *position = window->ray.position;
+    if (pixel[0] < 0)
+        return;
+    pixel[0] = (int)floor(0.5 * (position[0] * height + width));
+    pixel[1] = (int)floor(0.5 * (position[1] * height + height));
+    if (pixel[0] < 0 || pixel[0] >= width)
+        window_deselect_ray(window);
+    else
+        refresh(window);
+}
+
+// The number of steps of the selected ray; 0 if there is none.
+static int steps_of(struct window *window)
+{
+    if (window->inputs.pixel[0] < 0)
+        return 0;
+    window_follow_ray(window); // it may have been selected in this turn
+    bool marched = window->inputs.pixel[0] >= 0 && window->ray.why[0] == '\0';
+    return marched ? probe_rows(window->ray.probe) : 0;
+}
+
+static void show_steps(struct window *window, int shown, int steps)
+{
+    window->inputs.shown = fminf(fmaxf((float)shown, 1.0f), (float)steps);
+    refresh(window);
+}
+
+void window_step(struct window *window, int by)
+{
+    const struct renderer_inputs *inputs = &window->inputs;
+    const int middle[2] = {inputs->width / 2, inputs->height / 2};
+    if (inputs->pixel[0] < 0 && window->renderer->fragment.dialect == DIALECT_COURSE)
+        window_select_ray(window, middle);
+    int steps = steps_of(window), shown = (int)inputs->shown;
+    if (steps == 0)
+        return;
+    // While all steps are shown, forwards leads to the first one and backwards to the last.
+    show_steps(window, shown == 0 && by < 0 ? steps : shown + by, steps);
+}
+
+bool window_step_to(struct window *window, bool last)
+{
+    int steps = steps_of(window);
+    if (steps > 0)
+        show_steps(window, last ? steps : 1, steps);
+    return steps > 0;
+}
+
+void window_follow_ray(struct window *window)
+{
+    const struct renderer_inputs *inputs = &window->inputs;
+    const int *pixel = window->inputs.pixel;
+    if (pixel[0] >= inputs->width || pixel[1] >= inputs->height || (pixel[0] >= 0 && pixel[1] < 0))
+        window_deselect_ray(window);
+    if (pixel[0] < 0 || window->ray.why[0] != '\0')
+        return;
+    if (renderer_at(window->renderer, inputs->width, inputs->pixel[0])->fragment.dialect !=
+        DIALECT_COURSE) {
+        snprintf(window->ray.why, sizeof window->ray.why,
+                 "no march: a shader with its own main keeps no trace of its rays");
+    } else if (!renderer_probe(window->renderer, inputs, pixel[0], pixel[1], window->ray.probe)) {
+        snprintf(window->ray.why, sizeof window->ray.why, "%s", report_last());
+    } else if (window->ray.print) {
+        printf("ray of pixel %d,%d\n", pixel[0], pixel[1]);
+        probe_print(window->ray.probe, stdout);
+        fflush(stdout);
+    }
+    window->ray.print = false;
 }

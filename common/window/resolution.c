@@ -2,14 +2,13 @@
 
 #include <math.h>
 
-// The middle one of three.
-static double middle(const double of[3])
+static double median(const double of[3])
 {
     double low = fmin(of[0], of[1]), high = fmax(of[0], of[1]);
     return fmax(low, fmin(high, of[2]));
 }
 
-// Let the newest of three in and the oldest go.
+// Add the newest of three and drop the oldest.
 static void push(double to[3], double newest)
 {
     to[2] = to[1];
@@ -44,22 +43,23 @@ void resolution_learn(struct resolution *resolution, double cost)
 
 double resolution_cost(const struct resolution *resolution)
 {
-    return middle(resolution->cost);
+    return median(resolution->cost);
 }
 
-// What a frame of a level is foretold to take.
-static double foretold(const struct resolution *resolution, int level, double pixels, double beside)
+// The seconds that a frame at a level is predicted to take.
+static double predicted(const struct resolution *resolution, int level, double pixels,
+                        double enlarge)
 {
-    return resolution_cost(resolution) * pixels / exp2(0.5 * level) + (level > 0 ? beside : 0.0);
+    return resolution_cost(resolution) * pixels / exp2(0.5 * level) + (level > 0 ? enlarge : 0.0);
 }
 
-int resolution_choose(struct resolution *resolution, double pixels, double beside)
+int resolution_choose(struct resolution *resolution, double pixels, double enlarge)
 {
     int level = resolution->level;
     while (level < RESOLUTION_COARSEST &&
-           foretold(resolution, level, pixels, beside) > RESOLUTION_SLOW)
+           predicted(resolution, level, pixels, enlarge) > RESOLUTION_SLOW)
         level++;
-    while (level > 0 && foretold(resolution, level - 1, pixels, beside) < RESOLUTION_QUICK)
+    while (level > 0 && predicted(resolution, level - 1, pixels, enlarge) < RESOLUTION_QUICK)
         level--;
     resolution->level = level;
     return level;
@@ -72,7 +72,7 @@ void enlarging_learn(struct enlarging *enlarging, double cost)
 
 double enlarging_choose(struct enlarging *enlarging, double pixels)
 {
-    double edge = middle(enlarging->cost) * pixels;
+    double edge = median(enlarging->cost) * pixels;
     enlarging->plain = edge > (enlarging->plain ? ENLARGING_QUICK : ENLARGING_SLOW);
     return enlarging->plain ? edge / ENLARGING_RATIO : edge;
 }

@@ -4,21 +4,19 @@
 
 #include <stdbool.h>
 
-#include "camera.h"
-#include "shader/source.h"
+#include "picture/loader.h"
 
-// How a window begins, and what R returns to.
+// The state in which a window opens, and to which R returns.
 struct window_start {
-    const char *title;  // of the chapter, for the title bar
-    const char *stem;   // of the chapter: screenshots are STEM-0001.png, ... in the current folder
-    const char *shader; // path of the shader's file: loaded again when it or an include changes
-    const char *second; // path of the file beside it, which is loaded again too; NULL or "": none
-    const struct shader_request *request; // what its readings are asked besides
-    struct camera camera;                 // where the eye starts
-    double time;                          // seconds
-    int samples;                          // along each side of a pixel
-    double overlay_scale;                 // 0: as the picture's height asks
-    bool overlay_kept;                    // screenshots have the overlay too
+    const char *title;      // of the chapter, for the title bar
+    const char *stem;       // screenshots are STEM-0001.png, ... in the current folder
+    struct loader *picture; // compiled; reloaded when their files change. Not owned
+    int pictures;           // 1, or 2 with a comparison
+    struct camera camera;   // where the eye starts
+    double time;            // seconds
+    int samples;            // along each side of a pixel
+    double overlay_scale;   // 0: chosen by the picture's height
+    bool overlay_kept;      // screenshots show the overlay too
 };
 
 #endif

@@ -7,7 +7,7 @@
 
 enum { LOOKS_WHEN_COMPLETE = 1, LOOKS_WHEN_MISSING = 5 };
 
-// Bring the record of a file up to date; true when it was not.
+// Bring the record of a file up to date. Returns true if the file has changed.
 static bool refresh(struct watch_file *file)
 {
     struct platform_file was = file->was, *now = &file->was;
@@ -17,20 +17,25 @@ static bool refresh(struct watch_file *file)
 
 void watch_add(struct watch *watch, const char *path)
 {
-    for (int i = 0; i < watch->count; i++)
-        if (strcmp(watch->file[i].path, path) == 0)
-            return;
-    watch->file = memory_row(watch->file, watch->count, sizeof *watch->file);
-    watch->file[watch->count] = (struct watch_file){.path = memory_text("%s", path)};
-    refresh(&watch->file[watch->count++]);
+    int i = 0;
+    while (i < watch->count && strcmp(watch->file[i].path, path) != 0)
+        i++;
+    if (i == watch->count) {
+        watch->file = memory_row(watch->file, watch->count++, sizeof *watch->file);
+        watch->file[i] = (struct watch_file){.path = memory_text("%s", path)};
+        refresh(&watch->file[i]);
+    }
+    watch->file[i].kept = true;
 }
 
 bool watch_look(struct watch *watch)
 {
     bool news = false, complete = true;
     for (int i = 0; i < watch->count; i++) {
-        news |= refresh(&watch->file[i]);
-        complete &= watch->file[i].was.size > 0;
+        struct watch_file *file = &watch->file[i];
+        if (refresh(file))
+            file->changed = news = true;
+        complete &= !file->changed || file->was.size > 0;
     }
     if (news) {
         watch->pending = true;
@@ -41,22 +46,22 @@ bool watch_look(struct watch *watch)
     if (!watch->pending || watch->quiet < (complete ? LOOKS_WHEN_COMPLETE : LOOKS_WHEN_MISSING))
         return false;
     watch->pending = false;
+    for (int i = 0; i < watch->count; i++)
+        watch->file[i].changed = false;
     return true;
 }
 
-static bool is_among(const char *path, const char *first, char *const *others, int count)
+void watch_begin(struct watch *watch)
 {
-    bool found = strcmp(path, first) == 0;
-    for (int i = 0; i < count && !found; i++)
-        found = strcmp(path, others[i]) == 0;
-    return found;
+    for (int i = 0; i < watch->count; i++)
+        watch->file[i].kept = false;
 }
 
-void watch_keep(struct watch *watch, const char *first, char *const *others, int count)
+void watch_end(struct watch *watch)
 {
     int kept = 0;
     for (int i = 0; i < watch->count; i++) {
-        if (is_among(watch->file[i].path, first, others, count))
+        if (watch->file[i].kept)
             watch->file[kept++] = watch->file[i];
         else
             free(watch->file[i].path);
@@ -66,8 +71,8 @@ void watch_keep(struct watch *watch, const char *first, char *const *others, int
 
 void watch_clear(struct watch *watch)
 {
-    for (int i = 0; i < watch->count; i++)
-        free(watch->file[i].path);
+    watch_begin(watch);
+    watch_end(watch);
     free(watch->file);
     *watch = (struct watch){0};
 }

@@ -1,4 +1,4 @@
-// watch.h - notices when one of a set of files has changed and the writing is over.
+// watch.h - notices when one of a set of files has been changed and completely written.
 #ifndef WATCH_H
 #define WATCH_H
 
@@ -6,34 +6,35 @@
 
 #include "platform.h"
 
-// One file.
 struct watch_file {
     char *path;
     struct platform_file was; // when last looked at
+    bool changed;             // a change has not been reported yet
+    bool kept;                // added since watch_begin
 };
 
 // A set of files. One of zeros is empty.
 struct watch {
     struct watch_file *file; // owned
     int count;
-    bool pending; // a change was seen that has not been told yet
-    int quiet;    // looks in a row that saw nothing new since
+    bool pending; // a change has not been reported yet
+    int quiet;    // looks in a row that saw nothing new
 };
 
-// Add a file, unless it is there already, as it is now.
+// Add a file in its present state, unless the set has it already.
 void watch_add(struct watch *watch, const char *path);
 
-// Look at every file once; to be called about ten times a second.
-// Returns true once for a change: at the first look that sees nothing new, so that a file is not
-// read while it is written. Where a file is missing or empty, which editors make it for a moment,
-// several such looks are waited for.
+// Look at every file once; to be called about ten times per second.
+// Returns true once per change: at the first look that sees nothing new, so that a file is not read
+// while it is being written. A file that is missing or empty, which some editors cause for a
+// moment, delays this for a few looks, but never a later change of another file.
 bool watch_look(struct watch *watch);
 
-// Forget the files that are not among these.
-//   first, others, count   paths; first may be among the others
-void watch_keep(struct watch *watch, const char *first, char *const *others, int count);
+// Replace the set: after watch_begin, add the new files; watch_end removes all others.
+void watch_begin(struct watch *watch);
+void watch_end(struct watch *watch);
 
-// Forget all files; also frees the memory.
+// Remove all files and free the memory.
 void watch_clear(struct watch *watch);
 
 #endif

@@ -75,12 +75,10 @@ int main(void)
     const struct svg_pen ink = {.stroke = SVG_INK, .width = 1.2};
     svg_begin(760.0, 330.0, "Two blends and their shares",
               "Left: the union of two distances against their difference. The minimum has a "
-              "corner; the cubic blend "
-              "is lower by a sixth of its width where both are equal, the quadratic by a quarter. "
-              "Right: the share of "
-              "the second. Both blends have one half where the distances are equal; the workshop's "
-              "weight has a "
-              "sixth there, and is not symmetric.");
+              "corner. Where both distances are equal, the cubic blend is lower by a sixth of its "
+              "width, the quadratic blend by a quarter. Right: the share of the second distance. "
+              "Both blends have one half where the distances are equal. The workshop's weight is "
+              "a sixth there, and it is not symmetric.");
     svg_plot_frame(&depth, 0.5, 0.2, "a - b, in widths k", "the union");
     svg_plot_frame(&share, 0.5, 0.25, "a - b, in widths k", "share of b");
     curve(&depth, least, ink);

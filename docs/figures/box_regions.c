@@ -1,5 +1,5 @@
-// box_regions.c - the distance of a box, region by region: two cuts of one octant, one through the
-// middle of the box and one in front of it, and points with their q and their distance.
+// box_regions.c - the distance to a box, region by region: two cuts of one octant, one through the
+// centre of the box and one in front of it, and points with their q and their distance.
 #include <math.h>
 
 #include "svg.h"
@@ -33,7 +33,7 @@ static void draw_rectangle(const struct cut *cut, const double from[2], const do
     svg_polygon(4, corner, pen);
 }
 
-// The places of the cut by the number of sides beyond which they lie.
+// The regions of the cut, by the number of sides beyond which they lie.
 static void draw_regions(const struct cut *cut)
 {
     static const char *const shade[] = {SVG_SKY, SVG_SAND, SVG_TEAL, SVG_ORANGE};
@@ -83,8 +83,8 @@ static const char *minus(double number)
     return number < 0.0 ? "&#8722;" : "";
 }
 
-// A point, its nearest point of the surface, and its words.
-//   name_x, name_y  where its words stand, from the point, pixels
+// A point, the nearest point of the surface, and its label.
+//   name_x, name_y  position of its label relative to the point, pixels
 static void draw_point(const struct cut *cut, double x, double y, const char *name, double name_x,
                        double name_y)
 {
@@ -116,17 +116,17 @@ static void draw_point(const struct cut *cut, double x, double y, const char *na
 
 int main(void)
 {
-    const struct cut middle = {26.0, 266.0, 0.0, "cut through the middle, z = 0"};
+    const struct cut middle = {26.0, 266.0, 0.0, "cut through the centre, z = 0"};
     const struct cut front = {412.0, 266.0, 1.3, "cut in front of the box, z = 1.3"};
     svg_begin(
-        760.0, 294.0, "The distance of a box, region by region",
+        760.0, 294.0, "The distance to a box, region by region",
         "Two cuts of the octant in which x, y and z are positive, of a box with half sizes "
-        "1.2, 0.8 and 1. On the left the cut passes through the middle of the box: inside, the "
+        "1.2, 0.8 and 1. On the left the cut passes through the centre of the box: inside, the "
         "nearest point is on the nearest face; beside a face it is the foot on that face; "
         "beyond two faces it is on their edge. On the right the cut passes in front of the box: "
-        "before it the nearest point is on the front face, beyond a side on an edge, and beyond "
-        "two sides in the corner. A line at the distance 0.5 runs straight beside the sides and "
-        "round about the corner.");
+        "in front of it the nearest point is on the front face, beyond a side it is on an edge, "
+        "and beyond two sides it is the corner. A line at the distance 0.5 runs straight beside "
+        "the sides and around the corner in an arc.");
     draw_regions(&middle);
     draw_level(&middle);
     draw_point(&middle, 0.9, 0.42, "inside", -38.0, 24.0);

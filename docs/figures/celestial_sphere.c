@@ -92,8 +92,8 @@ static void horizon(void)
 static void words(void)
 {
     const double x = 530.0;
-    svg_text(x, 96.0, 'l', 15.0, SVG_BLUE, "P: the pole, at the height &#966;");
-    svg_text(x, 124.0, 'l', 15.0, SVG_TEAL, "M: at right angles to P,");
+    svg_text(x, 96.0, 'l', 15.0, SVG_BLUE, "P: the pole, &#966; above the horizon");
+    svg_text(x, 124.0, 'l', 15.0, SVG_TEAL, "M: perpendicular to P,");
     svg_text(x, 143.0, 'l', 15.0, SVG_TEAL, "due south, at the height 90&#176; &#8722; &#966;");
     svg_text(x, 171.0, 'l', 15.0, SVG_INK, "W: west, on the horizon");
     svg_text(x, 199.0, 'l', 15.0, SVG_ORANGE, "S: the sun in June at 15 h,");
@@ -104,11 +104,11 @@ static void words(void)
 int main(void)
 {
     svg_begin(
-        760.0, 386.0, "The way of the sun over a day",
-        "A sphere with the horizon as its level disc, seen from the west. The celestial pole P "
-        "stands at 43.6 degrees in the north. About it the sun runs on circles: low in the south "
-        "in December, from due east to due west in March, high in June. M, at right "
-        "angles to P, points due south and upwards, W to the west.");
+        760.0, 386.0, "The path of the sun over a day",
+        "A sphere with the horizon as its horizontal disc, seen from the west. The celestial pole "
+        "P is 43.6 degrees above the northern horizon. The sun moves on circles around it: low in "
+        "the south in December, from due east to due west in March, high in June. M, which is "
+        "perpendicular to P, points due south and upwards; W points west.");
     svg_circle(middle[0], middle[1], size, (struct svg_pen){.stroke = SVG_PALE, .width = 1.2});
     horizon();
     day(-23.44, "December");

@@ -39,8 +39,8 @@ static void draw_extrusion(void)
     svg_text(100.0, 172.0, 'r', 14.0, SVG_INK, "&#8722;q<tspan font-size='10' dy='3'>y</tspan>");
 
     svg_text(87.0, 290.0, 'm', 13.0, SVG_BLUE, "the solid, cut");
-    svg_text(130.0, 326.0, 'm', 14.0, SVG_INK, "outside Pythagoras,");
-    svg_text(130.0, 344.0, 'm', 14.0, SVG_INK, "inside the smaller depth");
+    svg_text(130.0, 326.0, 'm', 14.0, SVG_INK, "outside: Pythagoras,");
+    svg_text(130.0, 344.0, 'm', 14.0, SVG_INK, "inside: the smaller depth");
 }
 
 // ---- Revolution: a disc of radius 1 around (centre, 0), turned about the axis ----
@@ -87,26 +87,28 @@ static void draw_turned(const struct panel *panel, double centre, double y)
     svg_circle(p[0], p[1], panel->unit * asked,
                (struct svg_pen){.stroke = SVG_ORANGE, .width = 2.0});
     svg_circle(p[0], p[1], 4.0, (struct svg_pen){.fill = SVG_INK});
-    svg_textf(panel->x + 0.6 * panel->unit * centre, 326.0, 'm', 14.0, SVG_ORANGE, "asked: %.4f",
+    svg_textf(panel->x + 0.6 * panel->unit * centre, 326.0, 'm', 14.0, SVG_ORANGE, "formula: %.4f",
               asked);
     svg_textf(panel->x + 0.6 * panel->unit * centre, 344.0, 'm', 14.0, SVG_TEAL,
-              "to what is drawn: %.4f", answer);
+              "true distance: %.4f", answer);
 }
 
 int main(void)
 {
     svg_begin(
         760.0, 360.0, "From the plane to space",
-        "Left: a block, cut along the line of its extrusion. A point over its edge is the "
-        "hypotenuse of a right-angled triangle away, whose legs are the distance to the "
-        "figure and the height over the base; a point inside has the smaller of two depths. "
-        "Middle: a disc with its centre right of the axis; the part left of it is dashed. The "
-        "circle around the origin reaches the dashed rim first, long before the rim that is "
-        "drawn. Right: a disc with its centre left of the axis: over the tip of what is drawn "
-        "the circle touches the dashed rim before it reaches the tip.");
+        "Left: a block, cut along the line of its extrusion. The distance of a point above its "
+        "edge "
+        "is the hypotenuse of a right-angled triangle, whose legs are the distance to the figure "
+        "and the height above the end face. A point inside has the smaller of two depths. Middle: "
+        "a disc with its centre to the right of the axis; the part on the left is dashed. A circle "
+        "around the origin touches the dashed rim long before the rim that is drawn. Right: a "
+        "disc with its centre to the left of the axis. A circle around a point above the tip "
+        "touches the "
+        "dashed rim before it reaches the tip.");
     svg_text(130.0, 30.0, 'm', 15.0, SVG_INK, "an extrusion");
-    svg_text(386.0, 30.0, 'm', 15.0, SVG_INK, "an apple: inside too near");
-    svg_text(648.0, 30.0, 'm', 15.0, SVG_INK, "a lemon: outside too near");
+    svg_text(386.0, 30.0, 'm', 15.0, SVG_INK, "an apple: too near inside");
+    svg_text(648.0, 30.0, 'm', 15.0, SVG_INK, "a lemon: too near outside");
     draw_extrusion();
     draw_turned(&(struct panel){345.0, 184.0, 86.0}, 0.8, 0.0);
     draw_turned(&(struct panel){690.0, 204.0, 86.0}, -0.8, 1.0);

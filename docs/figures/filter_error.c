@@ -1,8 +1,8 @@
 // filter_error.c - how far the mean of a few samples of a pixel is from the mean of 256: regular
-// and jittered places, and the workshop's grid.
+// and jittered positions, and the workshop's grid.
 #include <stddef.h>
 
-#include "../../tests/support_filter.h"
+#include "lib/filter.h"
 #include "svg.h"
 
 enum { SIDES = 8, CURVES = 5 };
@@ -18,11 +18,11 @@ int main(void)
     const struct svg_plot plot = {80.0, 40.0, 640.0, 340.0, {1.0, 100.0}, {1e-3, 1.0}, true, true};
     svg_begin(
         760.0, 440.0, "The error of a pixel against the number of its samples",
-        "Root of the mean square of the difference to 256 samples of the same filter, on a fan "
-        "of fine rays, both axes logarithmic. Four lines fall, that of the regular box lowest, "
-        "those of the wider filters higher; the workshop's grid stays between 0.06 and 0.11 "
+        "Root mean square difference from 256 samples of the same filter, on a fan of fine "
+        "rays, with both axes logarithmic. Four lines fall, that of the regular box is lowest, "
+        "those of the wider filters are higher; the workshop's grid stays between 0.06 and 0.11 "
         "and rises from 4 samples on.");
-    svg_plot_frame(&plot, 0.0, 0.0, "samples of a pixel", "error, of 1");
+    svg_plot_frame(&plot, 0.0, 0.0, "samples per pixel", "error, of 1");
     for (int curve = 0; curve < CURVES; curve++) {
         double point[SIDES][2];
         for (int i = 0; i < SIDES; i++) {

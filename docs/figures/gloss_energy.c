@@ -1,6 +1,6 @@
 // gloss_energy.c - the share of the light that a surface of little mirrors sends back, against its
 // roughness.
-#include "../../tests/support_gloss.h"
+#include "lib/gloss.h"
 #include "svg.h"
 
 enum { POINTS = 19 };
@@ -24,14 +24,12 @@ int main(void)
     const double cosine[3] = {1.0, 0.5, 0.173648177666930};
     const char *const colour[3] = {SVG_BLUE, SVG_TEAL, SVG_ORANGE};
     const char *const dash[3] = {NULL, "8 4", "2 4"};
-    svg_begin(760.0, 330.0, "The light that comes back",
-              "Two plots of the share of light sent back against roughness, seen straight on, at "
-              "60 and at 80 degrees. "
-              "GGX: nearly all while smooth, then less; at roughness 1 it is 0.31 straight on, "
-              "0.45 at 60 degrees, 0.67 "
-              "at 80. Blinn and Phong: all of it straight on, but seen at 60 degrees a quarter "
-              "while smooth, at 80 "
-              "degrees 0.03.");
+    svg_begin(760.0, 330.0, "The share of light that is reflected",
+              "Two plots of the share of light that is reflected against roughness, straight on, "
+              "at 60 and at 80 degrees. GGX reflects nearly all light while the surface is smooth, "
+              "then less: at roughness 1 the share is 0.31 straight on, 0.45 at 60 degrees and "
+              "0.67 at 80. Blinn and Phong reflect all of it straight on, but on a smooth surface "
+              "only a quarter at 60 degrees and 0.03 at 80.");
     svg_plot_frame(&left, 0.1, 0.2, "roughness", "GGX");
     svg_plot_frame(&right, 0.1, 0.2, "roughness", "Blinn and Phong");
     for (int i = 0; i < 3; i++) {
@@ -39,7 +37,7 @@ int main(void)
         curve(&left, gloss_ggx, cosine[i], pen);
         curve(&right, gloss_blinn_phong, cosine[i], pen);
     }
-    svg_text(70.0, 318.0, 'l', 14.0, SVG_INK, "seen");
+    svg_text(70.0, 318.0, 'l', 14.0, SVG_INK, "light");
     svg_text(120.0, 318.0, 'l', 14.0, SVG_BLUE, "solid: straight on");
     svg_text(290.0, 318.0, 'l', 14.0, SVG_TEAL, "dashed: at 60°");
     svg_text(440.0, 318.0, 'l', 14.0, SVG_ORANGE, "dotted: at 80°");

@@ -1,8 +1,8 @@
-// normal_error.c - the two error curves of the normal's step, for the unit ball at z = 10 in 32-bit
-// floats: the numbers of `build/tests/measure normal`.
+// normal_error.c - the error of the normal against the step, two curves for the unit ball at z = 10
+// in 32-bit floats: the numbers of `build/tests/measure normal`.
 #include <stddef.h>
 
-#include "../../tests/support_measure.h"
+#include "lib/measure.h"
 #include "svg.h"
 
 enum { STEPS = 57 };
@@ -20,17 +20,16 @@ int main(void)
     }
     svg_begin(760.0, 440.0, "The step of the normal: two U-shaped curves",
               "Worst angle between the computed and the true normal against the step, both axes "
-              "logarithmic. Both curves fall from the left, where rounding rules, like one over "
-              "the step. "
-              "Forward differences turn near a step of 0.0004 at about 0.05 degrees and rise in "
-              "proportion to "
-              "the step; central differences turn near 0.008 at about 0.0014 degrees and rise with "
-              "its square.");
+              "logarithmic. Both curves fall from the left, where rounding dominates, like one "
+              "over the step. Forward differences turn near a step of 0.0004 at about 0.05 degrees "
+              "and rise in proportion to the step; central differences turn near 0.008 at about "
+              "0.0014 degrees and rise with its square.");
     svg_plot_frame(&plot, 0.0, 0.0, "step, scene units", "worst angle, degrees");
-    svg_plot_curve(&plot, STEPS, (const double(*)[2])forward,
-                   (struct svg_pen){.stroke = SVG_ORANGE, .width = 2.4, .dash = "8 4"});
+    svg_plot_curve(
+        &plot, STEPS, (const double(*)[2])forward,
+        (struct svg_pen){.stroke = SVG_ORANGE, .width = 2.4, .dash = "8 4", .decimals = 1});
     svg_plot_curve(&plot, STEPS, (const double(*)[2])central,
-                   (struct svg_pen){.stroke = SVG_BLUE, .width = 2.6});
+                   (struct svg_pen){.stroke = SVG_BLUE, .width = 2.6, .decimals = 1});
     svg_text(520.0, 128.0, 'r', 15.0, SVG_ORANGE, "forward");
     svg_text(632.0, 262.0, 'l', 15.0, SVG_BLUE, "central");
     svg_text(150.0, 200.0, 'l', 14.0, SVG_INK, "rounding: 1 / step");

@@ -1,4 +1,4 @@
-// pixel_vectors.c - the report's figure 2: from the place of a pixel on the screen to its ray.
+// pixel_vectors.c - the report's figure 2: from the position of a pixel on the screen to its ray.
 #include <stdio.h>
 
 #include "svg.h"
@@ -37,7 +37,7 @@ static void words(struct place p, double dx, double dy, const char *colour, cons
     svg_text(page_x(p) + dx, page_y(p) + dy, 'l', 15.0, colour, text);
 }
 
-// The same on the screen: a ground of its own hides the lines of the grid.
+// The same on the screen: its own background hides the lines of the grid.
 static void words_on_screen(struct place p, double dx, double dy, double width, const char *text)
 {
     double l = page_x(p) + dx - 4.0, r = l + width + 8.0, b = page_y(p) + dy + 6.0, t = b - 21.0;
@@ -77,10 +77,9 @@ int main(void)
     svg_begin(
         760.0, 430.0, "From a pixel to its ray",
         "An eye on the left with three arrows of length one: right, up and forward. In front of "
-        "it, "
-        "one focal length away, stands the screen as a grid of pixels. From the middle of the "
-        "screen the way to a pixel is x times right and y times up. The arrow from the eye through "
-        "that pixel is the ray.");
+        "it, one focal length away, is the screen, a grid of pixels. The vector from the centre of "
+        "the screen to a pixel is x times right plus y times up. The arrow from the eye through "
+        "this pixel is the ray.");
     draw_screen();
     line(eye, middle, "6 5");
     arrow(eye, pixel, SVG_ORANGE, 2.6);

@@ -1,4 +1,4 @@
-// plane_steps.c - the number of steps against the angle under which a ray meets a plane, and past a
+// plane_steps.c - the number of steps against the angle at which a ray meets a plane, and past a
 // ball against the width of the gap.
 #include <math.h>
 #include <stddef.h>
@@ -7,13 +7,14 @@
 
 static const double radians = 3.14159265358979323846 / 180.0;
 
-// Evaluations of a march from height 1 over a plane: the height shrinks by 1 - sin(angle) a step.
+// Evaluations of a march from height 1 above a plane: each step multiplies the height by
+// 1 - sin(angle).
 static double plane_steps(double degrees, double threshold)
 {
     return ceil(log(threshold) / log(1.0 - sin(degrees * radians))) + 1.0;
 }
 
-// Moves past a ball of radius 1 that the ray misses by delta, from 3 before to 3 behind.
+// Steps past a ball of radius 1 that the ray misses by delta, from 3 in front of it to 3 behind it.
 static double ball_moves(double delta)
 {
     int moves = 0;
@@ -68,11 +69,11 @@ static void draw_ball(void)
 int main(void)
 {
     svg_begin(
-        760.0, 380.0, "Why grazing rays are dear",
-        "Two plots with logarithmic axes. Left: the steps to a plane grow without end as the angle "
-        "falls, from 2 at a right angle over about 100 at 4 degrees to thousands at a tenth of a "
-        "degree. Right: the counted steps past a ball lie on the line pi times the root of 2 over "
-        "the gap: ten times for a gap a hundred times as small.");
+        760.0, 380.0, "Why grazing rays are expensive",
+        "Two plots with logarithmic axes. Left: the number of steps to a plane grows without limit "
+        "as the angle falls, from 2 at a right angle to about 100 at 4 degrees and thousands at a "
+        "tenth of a degree. Right: the counted steps past a ball lie on the line pi times the root "
+        "of 2 over the gap: ten times as many for a gap a hundred times as small.");
     draw_plane();
     draw_ball();
     svg_end();

@@ -54,19 +54,18 @@ static void draw_row(int row, double left, double top, const char *name, const c
 int main(void)
 {
     svg_begin(
-        760.0, 470.0, "The weights of three pictures, four ways",
-        "Four plots over the angle of the normal, which turns from the x to the y axis and leans "
-        "20 "
-        "degrees towards z. With the parts of the normal as weights the sum rises to 1.67. Divided "
-        "by "
-        "it, the sum is 1. With the sixth power the pictures change places within 30 degrees. With "
-        "the two planes that count most the third weight is 0.");
-    draw_row(0, 60.0, 66.0, "the parts of the normal (workshop)",
+        760.0, 470.0, "Four ways to weight three pictures",
+        "Four plots against the angle of the normal, which turns from the x axis to the y axis and "
+        "leans 20 degrees towards z. With the components of the normal as weights the sum rises to "
+        "1.67. Divided by their sum, the weights add up to 1. With the sixth power one picture "
+        "replaces the other within 30 degrees. With the two largest weights only, the third is 0.");
+    draw_row(0, 60.0, 66.0, "the components of the normal (workshop)",
              "the sum is up to 1.73: too bright");
-    draw_row(1, 430.0, 66.0, "divided by their sum", "the sum is 1; all three count everywhere");
-    draw_row(2, 60.0, 280.0, "the sixth power, divided", "one picture a face, a narrow seam");
-    draw_row(3, 430.0, 280.0, "less the least, divided", "two lookups; the third is 0");
-    const char *const word[4] = {"thrown along x", "along y", "along z", "their sum"};
+    draw_row(1, 430.0, 66.0, "divided by their sum",
+             "the sum is 1; all three are mixed everywhere");
+    draw_row(2, 60.0, 280.0, "the sixth power, divided", "one picture per face, a narrow seam");
+    draw_row(3, 430.0, 280.0, "minus the smallest, divided", "two lookups; the third weight is 0");
+    const char *const word[4] = {"projected along x", "along y", "along z", "their sum"};
     const char *const colour[4] = {SVG_BLUE, SVG_TEAL, SVG_PALE, SVG_ORANGE};
     for (int i = 0; i < 4; i++) {
         double x = 70.0 + 175.0 * i;

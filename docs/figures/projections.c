@@ -60,7 +60,7 @@ int main(void)
 {
     svg_begin(
         760.0, 310.0, "Perspective and parallel projection",
-        "Twice the same two boxes of equal height, at depths 2.2 and 4, and a screen at depth 1. "
+        "The same two boxes of equal height, at depths 2.2 and 4, and a screen at depth 1, twice. "
         "Left, the rays come from one point, and the farther box is smaller on the screen by the "
         "ratio of the depths. Right, the rays are parallel, and both are of equal size.");
     const struct view perspective = {50.0, 160.0, 1.0}, orthographic = {430.0, 160.0, 0.0};

@@ -40,11 +40,12 @@ int main(void)
 {
     svg_begin(
         760.0, 400.0, "Repetition of one coordinate",
-        "Two saw-tooth curves of the place in a cell of width 2 against x. The right formula runs "
+        "Two saw-tooth curves of the position in a cell of width 2 against x. The correct formula "
+        "runs "
         "from minus 1 to 1 in each cell and passes the band of half-width 0.6 in which a ball of "
         "radius 0.6 is drawn. The report's formula runs from 1 to 3 and never meets that band. "
-        "Below, a row of balls, one a cell, with the walls of the cells as dashed lines.");
-    plot_place(70.0, "right: x &#8722; N &#8970;x/N + &#189;&#8971;", right_place, SVG_BLUE);
+        "Below, a row of balls, one per cell, with the walls of the cells as dashed lines.");
+    plot_place(70.0, "correct: x &#8722; N &#8970;x/N + &#189;&#8971;", right_place, SVG_BLUE);
     plot_place(440.0, "report: mod(x &#8722; N/2, N) + N/2", report_place, SVG_ORANGE);
     const double unit = 72.0, middle = 380.0, row = 320.0;
     for (int cell = -3; cell <= 2; cell++) {

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "../../tests/support_random.h"
+#include "lib/random.h"
 #include "svg.h"
 
 enum { SIDES = 8, TRIES = 4096, CURVES = 3 };
@@ -61,14 +61,15 @@ static double slope_of(const double (*point)[2])
 int main(void)
 {
     static const char *const colours[CURVES] = {SVG_ORANGE, SVG_BLUE, SVG_TEAL};
-    static const char *const words[CURVES] = {"at random, an edge", "a ray a cell, an edge",
-                                              "a ray a cell, smooth light"};
+    static const char *const words[CURVES] = {"random rays, an edge", "one ray per cell, an edge",
+                                              "one ray per cell, smooth light"};
     const struct svg_plot plot = {80.0, 40.0, 640.0, 340.0, {1.0, 300.0}, {1e-3, 1.0}, true, true};
-    svg_begin(760.0, 440.0, "The error against the number of rays",
-              "Root of the mean square error of the share that is seen against the number of rays, "
-              "both axes logarithmic. By lot the error falls with the slope -0.50; with a ray in "
-              "each cell and an edge across the disc with about -0.75; with a ray in each cell and "
-              "a light without an edge with about -1.");
+    svg_begin(
+        760.0, 440.0, "The error against the number of rays",
+        "Root mean square error of the visible share against the number of rays, with both "
+        "axes logarithmic. With random rays the error falls with a slope of -0.51, with one ray "
+        "per cell and an edge across the disc with -0.76, and with one ray per cell and a light "
+        "without an edge with -1.00.");
     svg_plot_frame(&plot, 0.0, 0.0, "rays", "error of the share");
     for (int curve = 0; curve < CURVES; curve++) {
         double point[SIDES][2];

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stddef.h>
 
-#include "../../tests/support_random.h"
+#include "lib/random.h"
 #include "svg.h"
 
 enum { SIDES = 7, TRIES = 3000, CURVES = 2 };
@@ -63,12 +63,12 @@ static double slope_of(const double (*point)[2])
 int main(void)
 {
     static const char *const colours[CURVES] = {SVG_ORANGE, SVG_BLUE};
-    static const char *const words[CURVES] = {"at random", "a ray in each cell"};
+    static const char *const words[CURVES] = {"random rays", "one ray per cell"};
     struct svg_plot plot = {90.0, 30.0, 620.0, 300.0, {1.0, 200.0}, {0.01, 1.0}, true, true};
     svg_begin(
         760.0, 400.0, "The error of the openness against the number of rays",
-        "Two falling lines in logarithmic scales: rays at random are the slower one, a ray in "
-        "each cell the faster one.");
+        "Two falling lines on logarithmic scales: with random rays the line falls more slowly, "
+        "with one ray per cell it falls faster.");
     svg_plot_frame(&plot, 1.0, 1.0, "number of rays", "error of the share");
     for (int curve = 0; curve < CURVES; curve++) {
         double point[SIDES][2];

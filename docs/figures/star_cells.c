@@ -1,5 +1,5 @@
-// star_cells.c - a hemisphere of stars seen from above its pole: rings of one width, cells of one
-// solid angle, one star in each; beside it how many cubes of a grid the sphere meets.
+// star_cells.c - a hemisphere of stars drawn as a disc: rings of equal width, cells of equal solid
+// angle, one star in each; beside it the number of cubes of a grid that the sphere meets.
 #include <math.h>
 #include <stdint.h>
 
@@ -38,10 +38,10 @@ static void cells(void)
                        (struct svg_pen){.fill = SVG_INK});
         }
     }
-    svg_text(middle[0], 366.0, 'm', 14.0, SVG_INK, "one star in each cell of one solid angle");
+    svg_text(middle[0], 366.0, 'm', 14.0, SVG_INK, "one star in each cell of equal solid angle");
 }
 
-// Along the great circle from an axis over a corner of the cube to the middle of an edge.
+// Along the great circle from an axis through a corner of the cube to the middle of an edge.
 static void cubes(void)
 {
     struct svg_plot plot = {.left = 440.0,
@@ -64,17 +64,17 @@ static void cubes(void)
     svg_text(svg_plot_x(&plot, 54.7), svg_plot_y(&plot, 1.78), 'm', 14.0, SVG_INK,
              "cubes that a sphere meets");
     svg_text(svg_plot_x(&plot, 54.7), svg_plot_y(&plot, 0.84), 'm', 14.0, SVG_INK,
-             "cells of one solid angle");
-    svg_text(585.0, 36.0, 'm', 14.0, SVG_INK, "stars on a unit of area");
+             "cells of equal solid angle");
+    svg_text(585.0, 36.0, 'm', 14.0, SVG_INK, "stars per unit area");
 }
 
 int main(void)
 {
     svg_begin(
         760.0, 390.0, "Cells for stars",
-        "Left a disc of five rings, cut into cells of one area with a dot in each. Right, from "
-        "an axis of the grid over its diagonal: the cubes that a sphere meets rise from 1 to "
-        "1.73 and fall to 1.41, cells of one solid angle stay at 1.");
+        "Left: a disc of five rings, divided into cells of equal area with a dot in each. Right: "
+        "from an axis of the grid through its diagonal, the number of cubes that a sphere meets "
+        "rises from 1 to 1.73 and falls to 1.41, while cells of equal solid angle stay at 1.");
     cells();
     cubes();
     svg_end();

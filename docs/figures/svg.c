@@ -67,9 +67,11 @@ void svg_circle(double x, double y, double radius, struct svg_pen pen)
 
 static void write_points(const char *shape, int count, const double (*point)[2], struct svg_pen pen)
 {
+    int decimals = pen.decimals > 0 ? pen.decimals : 2;
     printf("<%s points=\"", shape);
     for (int i = 0; i < count; i++)
-        printf("%s%.2f,%.2f", i > 0 ? " " : "", clean(point[i][0]), clean(point[i][1]));
+        printf("%s%.*f,%.*f", i > 0 ? " " : "", decimals, clean(point[i][0]), decimals,
+               clean(point[i][1]));
     printf("\"");
     write_pen(pen);
 }

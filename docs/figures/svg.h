@@ -1,7 +1,8 @@
 // svg.h - the pen of the figures: a page of SVG on standard output, in pixels, y downwards, and a
 // plot on it, in numbers of its own, y upwards.
 //
-// Every number is written with two decimals, so that a figure is the same file on every machine.
+// Every number is written with two decimals, so that a figure is the same file on every machine. A
+// curve that measures rounding needs a pen with one decimal for that.
 #ifndef SVG_H
 #define SVG_H
 
@@ -31,6 +32,7 @@ struct svg_pen {
     const char *fill;   // colour; NULL none
     const char *dash;   // as SVG's stroke-dasharray; NULL a whole line
     double opacity;     // 0 is 1
+    int decimals;       // of the points of a polygon or a path; 0 is 2
 };
 
 void svg_line(double x0, double y0, double x1, double y1, struct svg_pen pen);

@@ -17,7 +17,7 @@ int main(void)
     }
     svg_begin(
         760.0, 410.0, "The Lipschitz bound of the twist",
-        "Two curves over u, the twist per scene unit times the distance from its axis. The right "
+        "Two curves over u, the twist per scene unit times the distance from its axis. The correct "
         "bound starts at 1 with slope one half, is 1.618 at 1 and 3.303 at 3. The formula root of "
         "1 plus the square of u starts flat and stays below it everywhere: steps shortened by it "
         "are too long.");

@@ -17,8 +17,8 @@ static void surface(double top)
     struct svg_plot plot[2];
     const double object[3] = {1.0, 0.5, 0.0};
     const char *const words[4] = {
-        "report: min(object, light)", "Orange turns yellow where the light is under 0.5.",
-        "right: object &#215; light", "Orange stays orange, and darkens."};
+        "report: min(object, light)", "Orange turns yellow where the light is below 0.5.",
+        "correct: object &#215; light", "Orange stays orange, and darkens."};
     svg_pair(top, "1.5.5 &#160; A surface (1, 0.5, 0) under a white light of 0.15 to 0.9", words,
              (double[]){0.0, 6.0}, (double[]){0.0, 1.0}, plot);
     for (int i = 0; i < 2; i++)
@@ -93,8 +93,8 @@ static void sky(double top)
     struct svg_plot plot[2];
     const char *const words[4] = {
         "report: green and blue times &#10216;up, direction of the rays&#10217;",
-        "Negative all day long: the sky of noon is red.",
-        "right: each channel times exp(&#8722;&#964; (m &#8722; 1))",
+        "Negative all day long: the sky at noon is red.",
+        "correct: each channel times exp(&#8722;&#964; (m &#8722; 1))",
         "Blue by day; red when the sun is low."};
     svg_pair(top, "3.4 &#160; The sky's red, green and blue, for a sun 0&#176; to 90&#176; high",
              words, (double[]){-14.0, 112.0}, (double[]){-1.25, 1.3}, plot);
@@ -107,11 +107,13 @@ static void sky(double top)
 int main(void)
 {
     svg_begin(
-        760.0, 2.0 * SVG_PAIR_ROW + 8.0, "Two formulas about colour, as they stand and mended",
-        "Two rows, the report's formula on the left and the right one on the right. An orange "
-        "surface in six lights: by the minimum it is yellow in the three dimmest, by the product "
-        "it is orange in all. The sky's red, green and blue against the height of the sun: by the "
-        "report's product green and blue are negative by day; by the transmittance of the air "
+        760.0, 2.0 * SVG_PAIR_ROW + 8.0, "Two formulas about colour, as printed and corrected",
+        "Two rows, the report's formula on the left and the correct one on the right. An orange "
+        "surface in six lights: with the minimum it is yellow in the three dimmest, with the "
+        "product "
+        "it is orange in all. The sky's red, green and blue against the height of the sun: with "
+        "the "
+        "report's product green and blue are negative by day; with the transmittance of the air "
         "blue is largest by day, and all but a little red is lost at the horizon.");
     surface(8.0);
     sky(8.0 + SVG_PAIR_ROW);

@@ -2,7 +2,7 @@
 // basis of the eye, the end of a march, the parallel view.
 #include <math.h>
 
-#include "../../tests/support_mirror.h"
+#include "lib/mirror.h"
 #include "svg.h"
 
 static const struct svg_pen faint = {.stroke = SVG_INK, .width = 1.0, .dash = "4 4"};
@@ -40,9 +40,9 @@ static void mirrored(double top)
     struct svg_plot plot[2];
     const char *const words[4] = {
         "report: " E("z", "against the view; x") E("x", "+ y") E("y", "&#8722; FL") E("z", ""),
-        "A pixel on the right (x = 0.8) sees what is on the left.",
-        "right: " E("z", "along the view; x") E("x", "+ y") E("y", "+ FL") E("z", ""),
-        "It sees what is on the right."};
+        "The ray of a pixel on the right (x = 0.8) goes to the left.",
+        "correct: " E("z", "along the view; x") E("x", "+ y") E("y", "+ FL") E("z", ""),
+        "It goes to the right."};
     svg_pair(top, "1.3 &#160; The basis of the eye, seen from above; the eye looks up the page",
              words, (double[]){-5.2, 5.2}, (double[]){-0.45, 3.527}, plot);
     for (int i = 0; i < 2; i++) {
@@ -97,9 +97,9 @@ static void ended(double top)
 {
     struct svg_plot plot[2];
     const char *const words[4] = {"report: a distance of 20 or more is a miss",
-                                  "The first step already: the ball is taken for sky.",
-                                  "right: a way longer than the far limit is a miss",
-                                  "The march goes on, and arrives."};
+                                  "The first step counts as a miss: the ball is lost.",
+                                  "correct: a path longer than the far limit is a miss",
+                                  "The march goes on and arrives."};
     svg_pair(top, "1.4 &#160; The distance along a ray to a ball that is 22 units away", words,
              (double[]){-3.0, 30.0}, (double[]){-4.0, 28.0}, plot);
     double limit = svg_plot_y(&plot[0], 20.0);
@@ -117,9 +117,9 @@ static void parallel(double top)
 {
     struct svg_plot plot[2];
     const char *const words[4] = {"report: origin = camera + x" E("x", "+ y") E("y", ""),
-                                  "Two units high, whatever one does: the ball is cut off.",
-                                  "right: camera + sx" E("x", "+ sy") E("y", "with s = 2 here"),
-                                  "As high as one likes: 2 s units."};
+                                  "It is always two units high: the ball is cut off.",
+                                  "correct: camera + sx" E("x", "+ sy") E("y", "with s = 2 here"),
+                                  "It is as high as you like: 2 s units."};
     svg_pair(top, "2.3 &#160; The parallel view of a ball of radius 1.6, from the side", words,
              (double[]){-6.0, 6.0}, (double[]){-2.294, 2.294}, plot);
     for (int i = 0; i < 2; i++) {
@@ -141,14 +141,13 @@ static void parallel(double top)
 int main(void)
 {
     svg_begin(
-        760.0, 3.0 * SVG_PAIR_ROW + 8.0, "Three statements about rays, as they stand and mended",
-        "Three rows, the report's statement on the left and the right one on the right. The basis "
-        "of "
-        "the eye: the ray of a pixel on the right goes to the box on the left, or to the ball on "
-        "the right. The end of a march: it is given up at its first step, whose distance passes "
-        "20, "
-        "or goes on in ever smaller steps to the ball. The parallel view: the rays cover the "
-        "middle of the ball alone, or all of it.");
+        760.0, 3.0 * SVG_PAIR_ROW + 8.0, "Three statements about rays, as printed and corrected",
+        "Three rows, the report's statement on the left and the correct one on the right. The "
+        "basis "
+        "of the eye: the ray of a pixel on the right goes to the box on the left, or to the ball "
+        "on the right. The end of a march: it is abandoned at its first step, whose distance "
+        "passes 20, or goes on in ever smaller steps to the ball. The parallel view: the rays "
+        "cover only the middle of the ball, or all of it.");
     mirrored(8.0);
     ended(8.0 + SVG_PAIR_ROW);
     parallel(8.0 + 2.0 * SVG_PAIR_ROW);

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "../../tests/support_matrix.h"
+#include "lib/matrix.h"
 #include "svg.h"
 
 static const struct svg_pen wrong = {.stroke = SVG_ORANGE, .width = 2.2};
@@ -44,9 +44,9 @@ static void march(const struct svg_plot *plot, double (*f)(double, double), stru
 static void scaled(double top)
 {
     struct svg_plot plot[2];
-    const char *const words[4] = {"report: SDF(p / k)",
-                                  "Twice too large for k = 1/2: the ray steps over the ball.",
-                                  "right: k SDF(p / k)", "Every circle is empty: the ray arrives."};
+    const char *const words[4] = {
+        "report: SDF(p / k)", "Twice too large for k = 1/2: the ray steps over the ball.",
+        "correct: k SDF(p / k)", "Every circle is empty: the ray arrives."};
     svg_pair(top, "2.2 &#160; A ball, shrunk to one half", words, (double[]){-4.3, 6.0},
              (double[]){-1.57, 2.37}, plot);
     for (int i = 0; i < 2; i++) {
@@ -101,8 +101,8 @@ static void turned(double top)
              "Turned and turned back, it is %.1f&#176; away from where it was.",
              left_over(&back, &turn, degree));
     const char *const words[4] = {"report: R(&#8722;30&#176;, &#8722;40&#176;, &#8722;20&#176;)",
-                                  askew, "right: the transposed matrix",
-                                  "It lies where it lay (dashed)."};
+                                  askew, "correct: the transposed matrix",
+                                  "It is back where it was (dashed)."};
     svg_pair(top, "2.2.2 &#160; The inverse of the rotation R(30&#176;, 40&#176;, 20&#176;)", words,
              (double[]){-4.25, 4.25}, (double[]){-1.625, 1.625}, plot);
     block(&plot[0], &back, &turn, wrong);
@@ -132,9 +132,9 @@ static double row_right(double x, double y)
 static void repeated(double top)
 {
     struct svg_plot plot[2];
-    const char *const words[4] = {"report: mod(p.x &#8722; N/2, N) + N/2",
-                                  "The distance is 0.4 at least: nothing is drawn.",
-                                  "right: mod(p.x + N/2, N) &#8722; N/2", "One ball in each cell."};
+    const char *const words[4] = {
+        "report: mod(p.x &#8722; N/2, N) + N/2", "The distance is at least 0.4: nothing is drawn.",
+        "correct: mod(p.x + N/2, N) &#8722; N/2", "One ball in each cell."};
     svg_pair(top, "2.2.3 &#160; A ball of radius 0.6, repeated with the period 2", words,
              (double[]){-4.25, 4.25}, (double[]){-1.625, 1.625}, plot);
     for (int i = 0; i < 2; i++) {
@@ -168,11 +168,11 @@ static void folded(double top)
 {
     struct svg_plot plot[2];
     const char *const words[4] = {
-        "report: offset = 0.4, by the plane of 2.1.2",
+        "report: offset = 0.4, as for the plane of 2.1.2",
         "The code mirrors at &#10216;p, n&#10217; = &#8722;offset, the other side.",
-        "right: offset = &#8722;0.4", "The image stands as far behind the mirror."};
-    svg_pair(top, "2.2.4 &#160; A ball and its image; the mirror is meant to stand at x = 0.4",
-             words, (double[]){-4.25, 4.25}, (double[]){-1.625, 1.625}, plot);
+        "correct: offset = &#8722;0.4", "The image is equally far behind the mirror."};
+    svg_pair(top, "2.2.4 &#160; A ball and its image; the mirror should be at x = 0.4", words,
+             (double[]){-4.25, 4.25}, (double[]){-1.625, 1.625}, plot);
     for (int i = 0; i < 2; i++) {
         double meant = svg_plot_x(&plot[i], 0.4), used = svg_plot_x(&plot[i], i == 0 ? -0.4 : 0.4);
         svg_line(meant, plot[i].top, meant, plot[i].top + 130.0, faint);
@@ -185,14 +185,13 @@ static void folded(double top)
 int main(void)
 {
     svg_begin(
-        760.0, 4.0 * SVG_PAIR_ROW + 8.0, "Four formulas of section 2, as they stand and mended",
-        "Four rows, the report's formula on the left and the right one on the right. A shrunk "
-        "ball: "
-        "the report's steps pass over it, the right ones stop at it. A block turned and turned "
-        "back: askew on the left, in its old place on the right. A repeated ball: no ball at all "
-        "on "
-        "the left, one in each cell on the right. A mirrored ball: its image too far to the left "
-        "by the report's sign, as far behind the mirror as the ball is before it on the right.");
+        760.0, 4.0 * SVG_PAIR_ROW + 8.0, "Four formulas of section 2, as printed and corrected",
+        "Four rows, the report's formula on the left and the correct one on the right. A shrunk "
+        "ball: the report's steps pass over it, the correct ones stop at it. A block turned and "
+        "turned back: askew on the left, in its old position on the right. A repeated ball: no "
+        "ball at all on the left, one in each cell on the right. A mirrored ball: its image too "
+        "far to the left by the report's sign, as far behind the mirror as the ball is in front "
+        "of it on the right.");
     scaled(8.0);
     turned(8.0 + SVG_PAIR_ROW);
     repeated(8.0 + 2.0 * SVG_PAIR_ROW);

@@ -1,27 +1,29 @@
-// body.mjs - finishes what pandoc and filter.lua make of a page: formulas, listings, commands, pictures, tables.
+// body.mjs - completes the HTML that pandoc and filter.lua make of a page: formulas, listings, commands, pictures,
+// tables.
 import fs from 'node:fs';
 import path from 'node:path';
 import {coloured, escaped, plain, sizeOf} from './colour.mjs';
-import {commandOf, isCommand, piecesOf} from './commands.mjs';
+import {commandOf, isCommand, isFigure, piecesOf, pictureOf as commandOfPicture} from './commands.mjs';
 
+export const read = (file) => fs.readFileSync(file, 'utf8');
 const temml = (await import(new URL('../../build/node/node_modules/temml/dist/temml.mjs', import.meta.url))).default;
 
 // ---- Formulas ----
 
-// What a browser knows by itself is left out: forms of operators by their place, groups of one.
+// Leaves out everything that a browser adds by itself: the forms of operators at their position, groups of one element.
 function compact(mathml) {
     return mathml.replaceAll(' separator="true"', '').replaceAll(' fence="true"', '').replaceAll('></mspace>', '/>')
         .replace(/(?<=<mrow>|<math>)<mo form="prefix" stretchy="false">/g, '<mo stretchy="false">').replace(/<mo form="prefix" stretchy="false">(?=[([{⌈⌊])/g, '<mo stretchy="false">')
         .replace(/<mo form="postfix" stretchy="false">([^<]*<\/mo>)(?=<\/mrow>)/g, '<mo stretchy="false">$1')
         .replace(/<mo form="postfix" stretchy="false">(?=[)\]}⌉⌋])/g, '<mo stretchy="false">').replace(/<mo stretchy="false">(?=[−+±])/g, '<mo>')
         .replace(/<mrow>(<(m[in])(?: [^>]*)?>[^<]*<\/\2>)<\/mrow>/g, '$1').replace(/ class="tml-display" style="display:block math;"/, '')
-        // Pagella's prime hangs high already: it stands in the line.
+        // Pagella's prime is already raised, so it is not set as a superscript.
         .replace(/<msup>(<(m[in])(?: [^>]*)?>[^<]*<\/\2>)<mo [^>]*tml-prime[^>]*>([^<]*)<\/mo><\/msup>/g, '<mrow>$1<mo lspace="0" rspace="0">$3</mo></mrow>');
 }
 
-// TeX sets no space around the signs of an index or an exponent; a browser does.
+// TeX puts no space around the operators of an index or an exponent, but browsers do.
 function tightened(mathml) {
-    const open = []; // of each element that is open: is it a script, does it stand in one, how many children it had
+    const open = []; // for each open element: whether it is a script, whether it is in one, how many children it has had
     return mathml.replace(/<(\/?)(\w+)([^>]*?)(\/?)>/g, (tag, end, name, attributes, empty) => {
         if (end) { open.pop(); return tag; }
         const parent = open.at(-1), inside = Boolean(parent && (parent.inside || (parent.script && parent.count > 0)));
@@ -31,7 +33,7 @@ function tightened(mathml) {
     });
 }
 
-// The children of a formula: [text of an element].
+// The children of a formula, each as text.
 function childrenOf(mathml) {
     const children = [];
     let depth = 0, from = 0;
@@ -44,10 +46,11 @@ function childrenOf(mathml) {
 }
 
 const ungrouped = (child) => child.startsWith('<mrow>') ? child.slice(6, -7) : child;
-const UNSTYLED = / class="(?:tml-(?:prime|\w+-pad) ?)+"/g; // names of Temml's own style sheet, of which site.css has two
-const LONG = 24; // letters of a formula in a line that a phone's line may not hold
+const UNSTYLED = / class="(?:tml-(?:prime|\w+-pad) ?)+"/g; // class names of Temml's own style sheet; site.css has two of them
+const LONG = 24; // an inline formula with more letters may not fit into a line on a phone
 
-// Of several statements in one display, a \\qquad apart or behind a comma and a \\quad, each is a formula: they stand below each other where the page is narrow.
+// If a display has several statements, separated by \\qquad or by a comma and \\quad, each becomes a formula, so that
+// they are placed below one another on a narrow page.
 function statements(whole) {
     const [, open, inside] = /^(<math[^>]*>)(.*)<\/math>$/s.exec(whole);
     const all = childrenOf(inside), children = all.length === 1 && all[0].startsWith('<mrow>') ? childrenOf(ungrouped(all[0])) : all;
@@ -59,8 +62,8 @@ function statements(whole) {
     return parts.length === 1 ? whole : parts.map((part) => `${open}<mrow>${part.join('')}</mrow></math>`).join('');
 }
 
-// A formula that is wider than the page scrolls in its own box. In a line a long one breaks behind its signs: no browser
-// breaks a <math>, so it becomes one for each part that TeX would not break.
+// A displayed formula that is wider than the page scrolls in its own box. A long inline formula may break after its
+// operators: no browser breaks a <math>, so each part that TeX would not break becomes a <math> of its own.
 function mathml(tex, display) {
     const render = (wrap) => tightened(compact(temml.renderToString(tex, {displayMode: display, wrap, throwOnError: true}))).replace(UNSTYLED, '');
     const whole = render('none');
@@ -72,13 +75,13 @@ function mathml(tex, display) {
     return parts.every((part) => !part.startsWith('<mspace')) ? parts.map((part) => `<math>${ungrouped(part)}</math>`).join('') : `<math>${inside}</math>`;
 }
 
-// A column's head that is a formula alone says it in words too: reading programs look for text there.
+// A column heading that consists only of a formula also gives it in words, because screen readers expect text there.
 const heads = (html) => html.replace(/<th([^>]*)><span class="math inline">\\\((.*?)\\\)<\/span><\/th>/gs, (whole, more, tex) => {
     const words = tex.replace(/\\[lr]vert/g, '|').replace(/\\sqrt\{([^}]*)\}/g, 'root of ($1)').replace(/\\(?:left|right|math\w+|[,;! ])/g, '').replace(/[\\{}]/g, '');
     return whole.replace(`<th${more}>`, `<th${more}><span class="unseen">${words.replace(/\s+/g, ' ').trim()}</span>`).replace('class="math inline"', 'aria-hidden="true" class="math inline"');
 });
 
-// What ends a sentence stays with its formula.
+// Punctuation stays with its formula.
 const formulas = (html) => heads(html).replace(/<span (?:aria-hidden="true" )?class="math (inline|display)">\\[[(](.*?)\\[\])]<\/span>([.,;:)?!’”]?)/gs,
     (whole, kind, tex, sign) => mathml(plain(tex), kind === 'display').replaceAll('<math>', whole.includes('aria-hidden') ? '<math aria-hidden="true">' : '<math>') + (sign && kind === 'inline' ? `\u2060${sign}` : sign));
 
@@ -94,21 +97,25 @@ function commandBlock({text, command}, i, pieces) {
     const what = commandOf(command, above(i));
     if (what.check) {
         const exercise = what.check.replace('_', '-');
-        return `<div class="command">${listing}<form class="check" data-exercise="${exercise}"><button type="submit" aria-label="Check exercise ${exercise}">Check</button></form></div>`;
+        return `<div class="command">${listing}<form class="check" data-exercise="${exercise}" data-stem="${what.stem}"><button type="submit" aria-label="Check exercise ${exercise}">Check</button> `
+            + `<button type="button" class="answer" aria-label="Write your answer to exercise ${exercise}">Your answer</button></form></div>`;
     }
     if (!what.reason) return `<div class="command">${listing}${button(what, command)}</div>`;
-    // Of several with one reason the last one says it.
+    // If consecutive commands have the same reason, only the last one shows it.
     const next = pieces[i + 1]?.command, said = next && commandOf(next, above(i + 1)).reason === what.reason;
-    return `<div class="command">${listing}<p class="reason"${said ? ' hidden' : ''}>For a terminal: ${escaped(what.reason)}.</p></div>`;
+    return `<div class="command">${listing}<p class="reason"${said ? ' hidden' : ''}>For a terminal only: ${escaped(what.reason)}.</p></div>`;
 }
+
+const NARROW = 84; // letters of a listing's line that the text's width holds
 
 // A listing, below the name of its file; `sources` knows where the file and this place of it are shown.
 function listing(language, text, file, symbol, sources) {
     const code = `<pre><code>${coloured(text, language)}</code></pre>`;
-    if (!file) return `<div class="listing">${code}</div>`;
+    const kind = text.split('\n').some((line) => line.length > NARROW) ? 'listing broad' : 'listing';
+    if (!file) return `<div class="${kind}">${code}</div>`;
     const address = sources.place(file, text);
     const name = symbol === '*' ? '' : ` <span class="symbol">${escaped(symbol)}</span>`;
-    return `<figure class="listing"><figcaption><a href="${address}">${escaped(file)}</a>${name}</figcaption>${code}</figure>`;
+    return `<figure class="${kind}"><figcaption><a href="${address}">${escaped(file)}</a>${name}</figcaption>${code}</figure>`;
 }
 
 function blocks(html, sources) {
@@ -118,6 +125,39 @@ function blocks(html, sources) {
         return listing(language, text, /data-file="([^"]*)"/.exec(more)?.[1], plain(/data-symbol="([^"]*)"/.exec(more)?.[1] ?? ''), sources);
     });
 }
+
+// ---- Guesses and numbers in sentences ----
+
+const GUESSES = read(new URL('guesses.txt', import.meta.url)).split('\n').filter((line) => line && !line.startsWith('#')).map((line) => {
+    const [page, words, kind, ...right] = line.split('|').map((part) => part.trim());
+    return {page, words, kind, right};
+});
+
+// What a question takes: the fields of its form, and what is right.
+function fieldsOf({kind, right} = {}) {
+    const choice = (text, i) => `<label><input type="radio" name="guess" value="${i}"> ${escaped(text.replace(/^\*/, ''))}</label>`;
+    if (kind === 'choice') return {data: ` data-kind="choice" data-right="${right.findIndex((one) => one.startsWith('*'))}"`, fields: right.map(choice).join(' ')};
+    if (kind === 'number') return {data: ` data-kind="number" data-right="${right[0]}"`, fields: '<label>Your guess: <input type="number" step="any" name="guess"></label>'};
+    return {data: '', fields: '<label>Your guess: <input name="guess" maxlength="200" autocomplete="off"></label>'};
+}
+
+// Predict first: the form between a question and its answer, which a command may stand before.
+const guesses = (html, stem) => html.replace(/(<p><em>Predict\.<\/em>)((?:(?!<\/p>).)*)(<\/p>)(?=\s*(?:<div class="commands">(?:(?!<details>|<h\d|<p>).)*)?<details>)/gs, (whole, begin, question, end) => {
+    const words = plain(question.replace(/<[^>]*>/g, '')).replace(/\s+/g, ' ').trim();
+    const {data, fields} = fieldsOf(GUESSES.find((one) => one.page === stem && words.startsWith(one.words)));
+    return `${begin}${question}${end}<form class="guess"${data}>${fields} <button type="submit">Keep my guess</button> <output></output></form>`;
+});
+
+// The parameters of a chapter that are single numbers, its library's with them.
+function parametersOf(stem, found = new Set(), seen = new Set(), file = `chapters/${stem}.frag`) {
+    if (seen.has(file) || !fs.existsSync(file)) return found;
+    seen.add(file);
+    const text = read(file);
+    for (const [, name] of text.matchAll(/^uniform (?:float|int) (\w+);\s*\/\//gm)) found.add(name);
+    for (const [, name] of text.matchAll(/^#include "([^"]+)"/gm)) for (const folder of ['chapters', 'shaders']) parametersOf(stem, found, seen, `${folder}/${name}`);
+    return found;
+}
+const scrubs = (html, parameters) => html.replace(/(?<!<pre>)<code>(\w+)=(-?\d+(?:\.\d+)?)<\/code>/g, (whole, name) => parameters.has(name) ? whole.replace('<code>', '<code class="scrub">') : whole);
 
 // Code in a line stays together, unless it is long: then an option stays so. A command has its button behind it.
 const LONG_CODE = 24;
@@ -130,7 +170,7 @@ const inline = (html) => html.replace(/(?<!<pre>)<code>([^<]*)<\/code>/g, (whole
 
 // ---- Pictures, tables, links ----
 
-// Where the site has a picture that a page takes from ../tests/references/ or figures/; it goes into `pictures`.
+// The attributes of a picture that a page takes from ../tests/references/ or figures/; it is added to `pictures`.
 function pictureOf(source, pictures) {
     const file = path.join('docs', source);
     const name = path.basename(file);
@@ -139,26 +179,32 @@ function pictureOf(source, pictures) {
     return `src="pictures/${name}" width="${width}" height="${height}"${width >= 600 ? ' class="wide"' : ''}`;
 }
 
-const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) =>
-    `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`);
+// A picture that a program has written lives where it is when it is touched.
+const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) => {
+    const img = `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`;
+    const {stem, line, probe, step} = commandOfPicture(path.basename(source)) ?? {};
+    if (!stem) return img;
+    return `<live-chapter class="in-place${isFigure(line) ? ' hands' : ''}" stem="${stem}"${line ? ` line="${escaped(line)}"` : ''}${probe ? ` probe="${probe}"` : ''}${step ? ` step="${step}"` : ''}>${img}</live-chapter>`;
+});
 
-// The first picture of a chapter is its program, at rest; it is what a page waits for, so it is the gallery's smaller file.
+// The first picture of a chapter becomes its program, not yet running. The page waits for this picture, so it is the
+// gallery's smaller file.
 const live = (html, stem, pictures) => html.replace(/<figure>\s*<img src="([^"]*)"([^>]*?) ?\/?>.*?<\/figure>/s, (_, source, more) => {
     const small = new Map(), poster = pictureOf(source, small).replace('-smooth.png"', '.webp" fetchpriority="high"');
     pictures.set(poster.split(/[/"]/)[2], ...small.values());
     return `<live-chapter stem="${stem}"><img ${poster}${more} decoding="async"></live-chapter>`;
 });
 
-// Is this a table of words below named columns, which a narrow page shows row by row?
+// Is this a table of text below named columns? A narrow page shows such a table row by row.
 function wordy(table) {
     const [head, ...rows] = table.split('</tr>').map((row) => [...row.matchAll(/<t[dh][^>]*>(.*?)<\/t[dh]>/gs)].map(([, cell]) => plain(cell).trim())).filter((row) => row.length > 0);
     return head.length > 2 && head[0] !== '' && rows.join('').length > 45 * rows.length;
 }
 
-// A picture leads to itself alone, to be seen larger.
+// A picture is a link to its own file, so that it can be seen larger.
 const enlarged = (html) => html.replace(/(<live-chapter[^>]*>)?(<img src="([^"]*)"[^>]*>)/g, (whole, live, img, source) => live ? whole : `<a class="picture" href="${source}">${img}</a>`);
 
-// In a table of pictures each cell is a share of the width; one of numbers scrolls where it is wider than the page.
+// In a table of pictures, the cells share the width; a table of numbers scrolls if it is wider than the page.
 const tables = (html) => html.replace(/<table>(.*?)<\/table>/gs, (whole, inside) => {
     const kind = /<td[^>]*>\s*<img/.test(inside) ? ' pictures' : wordy(inside) ? ' words' : '';
     const clean = inside.replace(/<tr class="[^"]*">/g, '<tr>').replace(/<th([^>]*)><\/th>/g, '<td$1></td>');
@@ -171,24 +217,25 @@ const links = (html, sources) => html.replace(/<a href="source:([^"#]*)(#[^"]*)?
 });
 
 // The body of a page from pandoc's HTML.
-//   stem      its chapter, or nothing
+//   stem      its chapter, or undefined
 //   sources   shows files of the project (sources.mjs)
-//   pictures  receives what it shows: name in the site -> file
+//   pictures  receives the pictures that it shows: name in the site -> file
 export function bodyOf(html, {stem, sources, pictures}) {
     html = inline(blocks(formulas(html), sources));
+    if (stem) html = guesses(scrubs(html, parametersOf(stem)), stem);
     html = links(images(stem ? live(html, stem, pictures) : html, pictures), sources);
     html = tables(html).replaceAll(' />', '>');
-    // What stands above the first section is no part of one: small to the eye, but no level is left out.
+    // Headings above the first section do not belong to one: they look small, but no level is skipped.
     html = html.replace(/^.*?(?=<h2|$(?![^]))/s, (head) => head.replace(/<h3( [^>]*)>(.*?)<\/h3>/gs, '<h2 class="minor"$1>$2</h2>'));
     return enlarged(html);
 }
 
-// The sections of a body: [{level, id, html, text}], text being the words below its heading.
+// The sections of a body: [{level, id, html, text}], where text is the text below the heading.
 export function sectionsOf(html) {
     const parts = html.split(/<h([1-3])((?: [\w-]+="[^"]*")*)>(.*?)<\/h\1>/s);
     const sections = [];
     for (let i = 1; i < parts.length; i += 4) {
-        const words = parts[i + 3].replace(/<math.*?<\/math>|<pre.*?<\/pre>|<figcaption.*?<\/figcaption>|<button.*?<\/button>|<summary>.*?<\/summary>|<p class="note">.*?<\/p>/gs, ' ')
+        const words = parts[i + 3].replace(/<math.*?<\/math>|<pre.*?<\/pre>|<figcaption.*?<\/figcaption>|<button.*?<\/button>|<summary>.*?<\/summary>|<form.*?<\/form>|<p class="note">.*?<\/p>/gs, ' ')
             .replace(/<\/?(?:p|li|t[hdr]|div|h\d|[uo]l|br)\b[^>]*>/g, ' ');
         sections.push({
             level: Number(parts[i]), id: /id="([^"]*)"/.exec(parts[i + 1])[1], html: parts[i + 2],
@@ -198,4 +245,3 @@ export function sectionsOf(html) {
     return sections;
 }
 
-export const read = (file) => fs.readFileSync(file, 'utf8');

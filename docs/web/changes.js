@@ -1,4 +1,4 @@
-// changes.js - a reader's changes to the files of the program that runs: the editor with what stands around it.
+// changes.js - a reader's changes to the files of the running program: the editor and its surroundings.
 import * as edits from './edits.js';
 
 const SHADER = /\.(frag|glsl)$/;
@@ -8,23 +8,27 @@ export class Changes {
     constructor(stage) {
         const {part} = stage;
         this.stage = stage;
-        this.files = {}; // what is not as the course has it
+        this.files = {}; // what is not as it was at first
+        this.brought = new Map(); // texts that the course does not have, as they were at first
         this.said = part('span');
         this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(this.named)));
+        this.other = part('p', {className: 'live-other', hidden: true});
+        this.other.setAttribute('role', 'status');
         this.place = part('div');
         this.saved = part('span', {className: 'live-saved'});
         this.saved.setAttribute('role', 'status');
         this.download = stage.button('Download my.frag', () => this.hand());
         this.element = part('div', {className: 'live-editor', hidden: true}, this.place, part('div', {className: 'live-bar'},
             stage.button('Reset this file', () => this.undo([this.editor.name])), stage.button('Copy a link', () => this.link()), this.download, this.saved));
-        this.open = stage.button('Edit', () => this.toggle());
+        this.open = stage.icon('Edit', () => this.toggle());
         this.open.setAttribute('aria-expanded', 'false');
         addEventListener('pagehide', () => this.editor?.flush());
+        addEventListener('storage', (event) => { if (edits.isOurs(event) && this.begun) this.elsewhere(edits.kept()); });
     }
 
-    // Before the first start: what this page's address holds, else what the browser has kept.
+    // Before the first start, load the changes in this page's address and those that the browser has kept.
     //   at  the element that starts
-    // Returns the link's command line, or null.
+    // Returns the command line of the link, or null.
     async begin(at) {
         if (this.begun) return null;
         this.begun = true;
@@ -36,24 +40,66 @@ export class Changes {
         }
         const files = {...edits.kept(), ...link?.files};
         for (const [name, text] of Object.entries(files)) {
-            const original = await this.stage.program.original(name);
-            if (text !== original) this.files[name] = text;
+            if (text !== await this.original(name)) this.files[name] = text;
         }
         this.write();
         this.tell();
         return link?.stem === at.stem ? link.line : null;
     }
 
+    // The text that a file goes back to: the course's, of an answer the chapter's; null: there is none.
+    async original(name) {
+        const {program} = this.stage, exercise = edits.exerciseOf(name);
+        const chapter = exercise && [...program.course].find((one) => one.startsWith(`chapters/${exercise.slice(0, 2)}_`));
+        return this.brought.get(name) ?? program.original(chapter || name);
+    }
+
+    // Have a reader's answer to an exercise where the program finds it.
+    //   text  to begin with; null: the chapter's, or the answer as far as it is
+    async draft(at, name, text = null) {
+        await this.begin(at);
+        if (text !== null) await this.change(name, text);
+        else if (this.files[name] === undefined) this.stage.program.write(name, await this.original(name));
+        if (text !== null) this.editor?.renew(name);
+    }
+
+    // Have a file that the course does not have, and nothing of one that had its name.
+    //   base  what Reset goes back to
+    async bring(at, name, base, text) {
+        await this.begin(at);
+        this.brought.set(name, base);
+        await this.change(name, text);
+        this.editor?.renew(name);
+    }
+
+    // Another tab has kept other texts. Those that are not shown here follow it; of the others the reader decides.
+    async elsewhere(all) {
+        const shown = this.stage.state?.files ?? [], differ = Object.keys({...all, ...this.files}).filter((name) => all[name] !== this.files[name]);
+        const take = async (names) => {
+            for (const name of names) {
+                const text = all[name] ?? await this.original(name);
+                if (text !== null) await this.change(name, text);
+                this.editor?.renew(name);
+            }
+        };
+        const asked = differ.filter((name) => shown.includes(PREFIX + name));
+        await take(differ.filter((name) => !asked.includes(name)));
+        this.other.hidden = asked.length === 0;
+        this.other.replaceChildren(`Another tab has changed ${asked.join(', ')}. If you go on typing here, its text is lost. `,
+            this.stage.button('Take the other text', async () => { await take(asked); this.other.hidden = true; }));
+    }
+
     write() {
         for (const [name, text] of Object.entries(this.files)) this.stage.program.write(name, text);
     }
 
-    // Lay out the files as the course has them: what a reader has changed may not even start.
+    // Write the course's own files if `original` is true, because the reader's changes may not even start; otherwise
+    // write the changes.
     async lay(original) {
         const {program} = this.stage;
         if (!original) return this.write();
         for (const name of Object.keys(this.files)) {
-            const text = await program.original(name);
+            const text = await this.original(name);
             if (text !== null) program.write(name, text);
         }
     }
@@ -63,17 +109,17 @@ export class Changes {
     async change(name, text) {
         const {program} = this.stage;
         program.write(name, text); // the program looks at its files, and loads them again
-        const original = await program.original(name);
+        const original = await this.original(name);
         if (text === original) delete this.files[name];
         else this.files[name] = text;
         edits.show('');
-        this.saved.textContent = edits.keep(name, text === original ? null : text) ? '' : 'This browser keeps nothing: copy a link.';
+        this.saved.textContent = edits.keep(name, text === original ? null : text) ? '' : 'This browser does not keep your changes: copy a link to save them.';
         this.tell();
     }
 
     async undo(names) {
         for (const name of names) {
-            const text = await this.stage.program.original(name);
+            const text = await this.original(name);
             if (text === null) continue;
             if (this.editor?.name === name) this.editor.put(name, text);
             else {
@@ -84,15 +130,13 @@ export class Changes {
         edits.show('');
     }
 
-    // Say which files of the shader that runs are changed.
+    // Tell which files of the running shader are changed.
     tell() {
         const running = this.stage.state?.files;
         this.named = Object.keys(this.files).filter((name) => !running || running.includes(PREFIX + name));
-        const text = edits.withChanges(this.named), top = this.element.getBoundingClientRect().top;
+        const text = edits.withChanges(this.named);
         if (this.said.textContent !== text) this.said.textContent = text;
-        if (this.line.hidden === (this.named.length === 0)) return;
         this.line.hidden = this.named.length === 0;
-        if (!this.element.hidden) scrollBy({top: this.element.getBoundingClientRect().top - top, behavior: 'instant'}); // what is typed stays in its place
     }
 
     // ---- The editor ----
@@ -110,7 +154,7 @@ export class Changes {
         });
         this.show(this.stage.state);
         this.editor.view.focus();
-        this.element.scrollIntoView({block: 'start'}); // below the picture, which stays in sight
+        this.element.scrollIntoView({block: 'start'}); // below the picture, which remains visible
     }
 
     show(state) {
@@ -128,7 +172,7 @@ export class Changes {
         this.stage.part('a', {href: url, download: name}).click();
         setTimeout(() => URL.revokeObjectURL(url), 10000);
         const others = Object.keys(this.files).filter((one) => one !== this.editor.names[0]);
-        this.saved.textContent = name === 'my.frag' && others.length > 0 ? `You have changed ${others.join(', ')} too: my.frag alone is not what you see.` : '';
+        this.saved.textContent = name === 'my.frag' && others.length > 0 ? `You have also changed ${others.join(', ')}, which my.frag does not contain.` : '';
     }
 
     async link() {
@@ -137,9 +181,9 @@ export class Changes {
         edits.show(await edits.pack(at.stem, this.stage.line, this.files));
         try {
             await navigator.clipboard.writeText(location.href);
-            this.saved.textContent = 'Copied: the address of this page now holds your changes.';
+            this.saved.textContent = 'Copied. The address of this page now contains your changes.';
         } catch {
-            this.saved.textContent = 'The address of this page now holds your changes: copy it.';
+            this.saved.textContent = 'The address of this page now contains your changes. Copy it.';
         }
     }
 }

@@ -1,22 +1,24 @@
-// check.js - what is drawn to be compared, by a program of its own: `make check`, the reader's edit of the chapter against
-// the solution of an exercise, pictures and rays; and `make compare`, two pictures against each other. What an exercise
-// compares is tests/images.txt's and tests/checks.txt's; numbers and words are tests/support_judge.c's.
+// check.js - draws pictures to compare them, in a separate program: `make check` compares the pictures and rays of the
+// reader's version of a chapter with those of the solution of an exercise, and `make compare` compares two pictures.
+// tests/pictures/images.txt and tests/course/checks.txt list the pictures of an exercise; the numbers and messages come
+// from tests/lib/judge.c.
 import {Program} from './program.js';
-import {kept, shownBy, withChanges} from './edits.js';
+import {draftOf, kept, shownBy, withChanges} from './edits.js';
 
 const SOLUTION = (stem, number) => `chapters/solutions/${stem}_${number}.frag`;
 const MINE = 'my.frag';
 
-// What is compared for an exercise, "03_2": {stem, number, pictures: [{options, shown, rays, places}]}.
+// The pictures and rays that are compared for an exercise, "03_2": {stem, number, pictures: [{options, shown, rays,
+// places}]}.
 async function exercise(name) {
     const answer = await fetch(new URL('exercises.txt', import.meta.url));
-    if (!answer.ok) throw new Error(`the list of exercises: ${answer.status} ${answer.statusText}`);
+    if (!answer.ok) throw new Error(`cannot load the list of exercises: ${answer.status} ${answer.statusText}`);
     const rows = (await answer.text()).trim().split('\n').map((line) => line.split('|')).filter(([one]) => one === name);
-    if (rows.length === 0) throw new Error(`no exercise ${name} has a solution to compare with`);
+    if (rows.length === 0) throw new Error(`exercise ${name} has no solution to compare with`);
     return {stem: rows[0][1], number: name.slice(3), pictures: rows.map(([, , options, shown, rays, places]) => ({options, shown, rays, places}))};
 }
 
-// A program of its own, which nobody sees: the one in the page goes on as it is.
+// A separate, invisible program, so that the one in the page can continue.
 class Judge {
     static async load() {
         const judge = new Judge();
@@ -37,11 +39,11 @@ class Judge {
         this.lines = [];
         this.errors = [];
         this.picture = null;
-        await new Promise((painted) => setTimeout(painted)); // the page says how far it is
+        await new Promise((painted) => setTimeout(painted)); // lets the page show the progress
         const status = await this.program.start(stem, line);
         this.program.stop();
         if (status === 0 && !this.program.lost) return '';
-        return this.program.lost ? 'does not end: the graphics driver gave up on it' : `does not run: ${this.errors.find((line) => /:\d+: /.test(line)) || this.errors[0] || `status ${status}`}`.replaceAll('/course/', '');
+        return this.program.lost ? 'does not end: the graphics driver stopped it' : `does not run: ${this.errors.find((line) => /:\d+: /.test(line)) || this.errors[0] || `status ${status}`}`.replaceAll('/course/', '');
     }
 
     async draw(stem, line) {
@@ -54,13 +56,14 @@ class Judge {
         return this.lines.join('\n');
     }
 
-    // ---- What support_judge.c says ----
+    // ---- Functions of tests/lib/judge.c ----
 
     call(name, ...values) {
         return this.program.module.ccall(name, name === 'judge_share' ? 'number' : 'string', values.map((value) => typeof value), values);
     }
 
-    // Returns what is wrong, how far apart they are in words, and the picture of the difference.
+    // Returns the message about what is wrong, a description of the difference, a picture of it, its share and its
+    // pixel.
     compare(shown, right, mine) {
         if (right.width !== mine.width || right.height !== mine.height) throw new Error(`one picture has ${right.width} × ${right.height} pixels, the other ${mine.width} × ${mine.height}`);
         const {module} = this.program, size = 3 * right.width * right.height;
@@ -84,7 +87,7 @@ class Judge {
 // ---- An exercise ----
 
 // Judge a text. Returns {right, words, place?, rays?, pictures?: {mine, difference}}.
-//   told  is called with how far it is
+//   told  is called with messages about the progress
 export async function judge(name, text, told = () => {}) {
     const {stem, number, pictures} = await exercise(name);
     const solution = SOLUTION(stem, number), own = await Judge.load();
@@ -120,8 +123,8 @@ export async function judge(name, text, told = () => {}) {
 // Draw two pictures and compare them. Returns {words, changed, pictures: [{name, data}], difference}.
 //   stem   of the chapter's program
 //   lines  its command line for each, with --output
-//   files  what the reader has changed, {NAME: TEXT}; `changed` are the names of those that the pictures show
-//   told   is called with how far it is
+//   files  the files that the reader has changed, {NAME: TEXT}; `changed` lists those that the pictures show
+//   told   is called with messages about the progress
 export async function compare(stem, lines, files, told = () => {}) {
     const own = await Judge.load();
     try {
@@ -152,16 +155,16 @@ function shown(part, data, words) {
     return part('figure', {}, canvas, part('figcaption', {textContent: words}));
 }
 
-// What the reader has changed: {NAME: TEXT}.
+// The files that the reader has changed: {NAME: TEXT}.
 async function changesOf(stage) {
     await stage?.changes.editor?.flush();
     return {...kept(), ...stage?.changes.files};
 }
 
-const GREY = 'The difference: grey where both are alike';
+const GREY = 'The difference: grey where the two pictures are equal';
 
 // Carry out a form.check.
-//   edit  opens the editor on the chapter's file, for who has changed nothing yet
+//   edit  opens the editor on the answer, which may begin with a text
 export async function check(form, stage, part, edit) {
     if (form.getAttribute('aria-busy') === 'true') return;
     const verdict = form.querySelector('.live-verdict') || form.appendChild(part('div', {className: 'live-verdict'}));
@@ -171,29 +174,33 @@ export async function check(form, stage, part, edit) {
     try {
         const name = (form.dataset.exercise || '').replace('-', '_');
         const {stem} = await exercise(name);
-        const files = await changesOf(stage), own = `chapters/${stem}.frag`;
+        const files = await changesOf(stage), own = draftOf(name), chapter = `chapters/${stem}.frag`;
         if (files[own] === undefined) {
-            const button = part('button', {type: 'button', className: 'live-open', textContent: 'Open the editor'});
-            button.addEventListener('click', () => edit(form, stem));
-            say('You have not changed the shader yet: change it as the exercise asks, here, and check it then. ', button);
+            const button = (text, from) => {
+                const made = part('button', {type: 'button', className: 'live-open', textContent: text});
+                made.addEventListener('click', () => edit(form, from));
+                return made;
+            };
+            say('You have not changed the shader of this exercise yet. Change it as the exercise asks, then check it. ', button('Open the editor'),
+                ...(files[chapter] === undefined ? [] : [' ', button(`Begin with your changes in ${chapter}`, files[chapter])]));
             return;
         }
         say('Loading …');
         const {right, words, place, rays, pictures} = await judge(name, files[own], (text) => say(text));
         say(part('strong', {textContent: right ? 'Right: ' : 'Wrong: '}), `${words}.`);
         verdict.classList.toggle('live-right', right);
-        if (place) verdict.append(part('p', {}, `Your pixel ${place}: ${rays[0]}`, part('br'), `The solution's: ${rays[1]}`));
+        if (place) verdict.append(part('p', {}, `Your ray of pixel ${place}: ${rays[0]}`, part('br'), `The solution's ray: ${rays[1]}`));
         if (pictures) verdict.append(part('div', {className: 'live-two'}, shown(part, pictures.mine, 'Yours'), shown(part, pictures.difference, GREY)));
-        const others = Object.keys(files).filter((one) => one !== own);
-        if (others.length > 0) verdict.append(part('p', {textContent: `Your changes in ${others.join(', ')} are no part of it.`}));
+        const others = Object.keys(files).filter((one) => one.startsWith('shaders/'));
+        if (others.length > 0) verdict.append(part('p', {textContent: `The check ignores your changes in ${others.join(', ')}.`}));
     } catch (error) {
-        say(`It cannot be checked: ${error.message}.`);
+        say(`Your shader cannot be checked: ${error.message}.`);
     } finally {
         form.removeAttribute('aria-busy');
     }
 }
 
-// Carry out a button of `make compare`; what it says stands in `box`.
+// Run the comparison of a `make compare` button; the result is shown in `box`.
 export async function compareIn(box, button, stage, part) {
     const say = (text) => box.replaceChildren(part('p', {textContent: text}));
     const {stem, line, other} = button.dataset;

@@ -1,4 +1,4 @@
-// colour.mjs - colours listings by the same grammars as the page's editor, as HTML.
+// colour.mjs - turns listings into coloured HTML, using the same grammars as the page's editor.
 import fs from 'node:fs';
 
 const modules = new URL('../../build/node/node_modules/', import.meta.url);
@@ -17,7 +17,7 @@ export const escaped = (text) => text.replaceAll('&', '&amp;').replaceAll('<', '
 export const plain = (html) => html.replace(/<[^>]*>/g, '').replace(/&#(\d+);/g, (_, code) => String.fromCodePoint(code)).replaceAll('&lt;', '<')
     .replaceAll('&gt;', '>').replaceAll('&quot;', '"').replaceAll('&amp;', '&');
 
-// Two neighbours of one colour are one word to a reader's program.
+// Neighbouring pieces of the same colour are joined, so that screen readers take them as one word.
 export function coloured(text, name) {
     const language = LANGUAGES[name];
     if (!language) return escaped(text);
@@ -34,7 +34,7 @@ export function languageOf(file) {
     return /\.(frag|glsl|vert)$/.test(file) ? 'glsl' : /\.[ch]$/.test(file) ? 'c' : /\.sh$|\.ci\/run$/.test(file) ? 'sh' : 'text';
 }
 
-// Width and height of a picture: PNG or SVG.
+// The width and height of a PNG or SVG file.
 export function sizeOf(file) {
     if (file.endsWith('.svg')) return /<svg[^>]* width="(\d+)" height="(\d+)"/.exec(fs.readFileSync(file, 'utf8')).slice(1, 3);
     const data = fs.readFileSync(file);

@@ -1,5 +1,5 @@
-// commands.mjs - what a command of a page is in the browser: a line for the live program, an exercise to be checked, or
-// a reason why it stays in the terminal (commands.txt).
+// commands.mjs - what a command of a page becomes in the browser: a command line for the live program, an exercise to
+// be checked, or a reason why it needs a terminal (commands.txt).
 import fs from 'node:fs';
 
 const REASONS = fs.readFileSync(new URL('commands.txt', import.meta.url), 'utf8').split('\n')
@@ -9,8 +9,29 @@ const REASONS = fs.readFileSync(new URL('commands.txt', import.meta.url), 'utf8'
         return {pattern: new RegExp(pattern), reason};
     });
 const STEMS = fs.readdirSync('chapters').filter((name) => /^\d\d_.*\.c$/.test(name)).map((name) => name.slice(0, -2)).sort();
-// Where one of these stands too, --output names a picture that no window can show.
+// With one of these options, --output names a picture that a window cannot show.
 const STILL = ['--probe', '--step', '--from', '--overlay', '--list', '--print-shader'];
+
+// The command line of every reference picture, by its file's name: {stem, line, probe, step} as tests/pictures/images.txt
+// has it. A window shows the ray of a pixel, in fractions of the picture, when it is told to; with --probe it would print.
+// A picture of several samples is live with one.
+const PICTURES = new Map(fs.readFileSync('tests/pictures/images.txt', 'utf8').split('\n').filter((line) => /^\d/.test(line)).map((row) => {
+    const [stem, variant, ...words] = row.trim().split(/\s+/);
+    const value = (name) => words.includes(name) ? words.splice(words.indexOf(name), 2)[1] : undefined;
+    const probe = value('--probe')?.split(','), step = value('--step');
+    value('-a');
+    const [width, height] = (words[words.indexOf('-s') + 1] ?? '').match(/^(\d+)x(\d+)$/)?.slice(1) ?? [640, 360];
+    return [`${stem}${variant === '-' ? '' : `-${variant}`}.png`, {stem, line: words.join(' '), step, probe: probe && `${probe[0] / width},${probe[1] / height}`}];
+}));
+const FIXED = /--(?:overlay|from|frames)/; // what a page's window cannot show
+
+export function pictureOf(name) {
+    const found = PICTURES.get(name);
+    return found && !FIXED.test(found.line) ? found : undefined;
+}
+
+// An interactive figure's shader.
+export const isFigure = (line) => /(?:-f|--shader)[ =]chapters\/figures\//.test(line);
 
 // The words of a command as a shell reads them; a comment behind it ends it.
 function wordsOf(command) {
@@ -22,15 +43,15 @@ function wordsOf(command) {
     return words;
 }
 
-// A chapter's stem from what CHAPTER says, as .make/chapters.sh reads it.
+// A chapter's stem from the value of CHAPTER, found as in .make/chapters.sh.
 function stemOf(name) {
     const stem = STEMS.find((stem) => !name || stem === name || stem.startsWith(`${name.padStart(2, '0')}_`));
-    if (!stem) throw new Error(`no chapter is named ${name}`);
+    if (!stem) throw new Error(`unknown chapter: ${name}`);
     return stem;
 }
 
-// The line for a program whose window a page has: {line, still}. A picture that it could show is not written: it stands
-// still there.
+// The command line for a program whose window is in the page: {line, still}. A picture that the window can show is not
+// written to a file; the window shows it with the time paused.
 function lineOf(words) {
     const at = words.findIndex((word) => word === '--output' || word === '-o');
     const still = at >= 0 && !words.some((word) => STILL.some((still) => word === still || word.startsWith(`${still}=`)));
@@ -39,10 +60,10 @@ function lineOf(words) {
 
 const reasonOf = (command) => REASONS.find(({pattern}) => pattern.test(command))?.reason;
 
-// The chapter of a program's name.
+// The chapter to which a program's name belongs.
 const programOf = (word) => STEMS.find((stem) => word === `build/${stem}`);
 
-// Two pictures that are compared, where one program writes both above: {stem, line, other}.
+// Two pictures to be compared, if the same program writes both of them further up: {stem, line, other}.
 function pairOf(command, above) {
     const files = /^make compare PICTURES='(\S+) (\S+)'$/.exec(command)?.slice(1) ?? [];
     const lines = above.map((one) => wordsOf(one.replaceAll('\\\n', ' ')));
@@ -57,10 +78,10 @@ function pairOf(command, above) {
 //   {stem, line, still}  the chapter's program and its line; whether its time is held; of what it prints the page speaks of
 //                        the first `head` lines or the last `tail`, where it has one of these, or of all
 //   {stem, line, other}  two lines that write a picture each, to be compared
-//   {check}              an exercise, "03_2"
+//   {check, stem}        an exercise, "03_2", and its chapter
 //   {reason}             why it has no button
 //   above                the commands above it in its block
-// Throws where it is none of these: then commands.txt lacks a line.
+// Throws if it is none of these: then commands.txt lacks a line.
 export function commandOf(command, above = []) {
     const pair = pairOf(command, above);
     if (pair) return pair;
@@ -73,14 +94,15 @@ export function commandOf(command, above = []) {
     if (chapter) return {stem: chapter, ...lineOf(rest), ...(cut && {[cut[1]]: cut[2]})};
     if (program === 'make') {
         const values = Object.fromEntries(rest.slice(1).map((word) => /^(\w+)=(.*)$/s.exec(word)?.slice(1) ?? [word, '']));
+        if (rest[0] === 'run' && values.FIGURE) return {stem: stemOf(values.FIGURE.slice(0, 2)), line: `--shader chapters/figures/${values.FIGURE}.frag`};
         if (rest[0] === 'run') return {stem: stemOf(values.CHAPTER), ...lineOf((values.OPTIONS ?? '').split(/\s+/).filter(Boolean))};
-        if (rest[0] === 'check' && values.EXERCISE) return {check: values.EXERCISE};
+        if (rest[0] === 'check' && values.EXERCISE) return {check: values.EXERCISE, stem: stemOf(values.EXERCISE.slice(0, 2))};
     }
-    throw new Error(`docs/web/commands.txt: no reason why this has no button: ${command}`);
+    throw new Error(`docs/web/commands.txt: no line says why this command has no button: ${command}`);
 }
 
-// The commands of a block, each with the comments above it: [{text, command}]. A command goes on behind a backslash and
-// within quotes or braces.
+// The commands of a block, each with the comments above it: [{text, command}]. A command continues after a backslash
+// and within quotes or braces.
 export function piecesOf(block) {
     const pieces = [];
     let text = '', command = '';
@@ -88,7 +110,7 @@ export function piecesOf(block) {
         text += (text ? '\n' : '') + line;
         if (!command && /^\s*(#|$)/.test(line)) continue;
         command += (command ? '\n' : '') + line;
-        const said = command.replace(/(^|\s)#.*$/gm, ''); // an apostrophe of a comment opens nothing
+        const said = command.replace(/(^|\s)#.*$/gm, ''); // an apostrophe in a comment is not a quote
         if (/\\$/.test(line) || (said.match(/'/g) ?? []).length % 2 === 1 || (/\(\) \{/.test(command) && !/\}$/.test(command))) continue;
         pieces.push({text, command});
         text = command = '';
@@ -97,7 +119,7 @@ export function piecesOf(block) {
     return pieces;
 }
 
-// Is this inline code a command, and not only the name of one?
+// Is this inline code a command, and not only the name of a program?
 export function isCommand(code) {
-    return /^build\/\d\d_\w+ -/.test(code) || /^make run CHAPTER=/.test(code);
+    return /^build\/\d\d_\w+ -/.test(code) || /^make run (CHAPTER=|FIGURE=\d)/.test(code);
 }

@@ -1,5 +1,5 @@
-// editor.js - the texts of the shader that runs, a tab each, with the errors at their lines. esbuild makes one file of
-// this and of CodeMirror; it is loaded when a reader asks for it.
+// editor.js - the files of the running shader, one in each tab, with the errors at their lines. esbuild joins this and
+// CodeMirror into one file, which is loaded when a reader opens the editor.
 import {EditorState} from '@codemirror/state';
 import {EditorView, keymap, lineNumbers, highlightActiveLine, highlightActiveLineGutter, drawSelection} from '@codemirror/view';
 import {defaultKeymap, history, historyKeymap} from '@codemirror/commands';
@@ -9,7 +9,7 @@ import {lintGutter, lintKeymap, setDiagnostics} from '@codemirror/lint';
 import {shader} from '@codemirror/legacy-modes/mode/clike';
 import {tags} from '@lezer/highlight';
 
-const REST = 300; // milliseconds without a key until a text is tried
+const REST = 300; // milliseconds without a key press until a text is tried
 
 const colours = syntaxHighlighting(HighlightStyle.define([
     {tag: [tags.keyword, tags.controlKeyword, tags.modifier], class: 'live-keyword'},
@@ -19,7 +19,7 @@ const colours = syntaxHighlighting(HighlightStyle.define([
     {tag: [tags.number, tags.bool, tags.atom, tags.string], class: 'live-number'},
 ]));
 
-// The program's lines "FILE:LINE: error: TEXT", as {name, line, severity, message}.
+// Parse the program's lines "FILE:LINE: error: TEXT" into {name, line, severity, message}.
 export function problemsOf(error) {
     const found = [];
     for (const text of error.split('\n')) {
@@ -38,15 +38,15 @@ function diagnostics(state, name, problems) {
 }
 
 export class Editor {
-    //   parent   takes the tabs and the text
-    //   read     gives the text of a file by its name
-    //   changed  is told a file's name and its new text, once the hands rest
-    //   bottom   gives where on the screen something stands over the text, in pixels, or Infinity
+    //   parent   receives the tabs and the text
+    //   read     returns the text of a file, given its name
+    //   changed  is called with a file's name and its new text, when the reader stops typing
+    //   bottom   returns the height on the screen, in pixels, below which the text is covered, or Infinity
     constructor(parent, {read, changed, bottom}) {
         this.read = read;
         this.changed = changed;
         this.bottom = bottom;
-        this.states = new Map(); // of each file that was looked at
+        this.states = new Map(); // one for each file that was shown
         this.problems = [];
         this.timer = 0;
         this.tabs = document.createElement('div');
@@ -67,7 +67,7 @@ export class Editor {
             extensions: [
                 lineNumbers(), history(), drawSelection(), bracketMatching(), highlightActiveLine(), highlightActiveLineGutter(), highlightSelectionMatches(),
                 StreamLanguage.define(shader), colours, lintGutter(), EditorState.tabSize.of(4), indentUnit.of('    '),
-                // Tab stays the page's: who uses the keyboard alone gets out again.
+                // Tab is left to the page, so that a reader who uses only the keyboard can leave the editor.
                 keymap.of([...searchKeymap, ...historyKeymap, ...lintKeymap, ...defaultKeymap]),
                 ...(matchMedia('(max-width: 640px)').matches ? [EditorView.lineWrapping] : []),
                 EditorView.contentAttributes.of({'aria-label': `Text of ${name}`, 'tabindex': '0', 'spellcheck': 'false', 'autocapitalize': 'off'}),
@@ -82,7 +82,7 @@ export class Editor {
         });
     }
 
-    // Hand on at once what still waits for the hands to rest. Returns when that is done.
+    // Pass on a change that is still waiting for a pause in typing. Returns when this is done.
     async flush() {
         clearTimeout(this.timer);
         if (!this.waits) return;
@@ -92,7 +92,7 @@ export class Editor {
 
     text() { return this.view.state.doc.toString(); }
 
-    // Show these files, the first where none of them is shown now.
+    // Show tabs for these files, and select the first if none of them is shown now.
     open(names) {
         const list = names.join();
         if (list === this.list) return;
@@ -135,6 +135,16 @@ export class Editor {
         this.tabs.children[at].focus();
     }
 
+    // A file has another text, and nothing of the one before is left.
+    renew(name) {
+        this.states.delete(name);
+        if (name !== this.name) return;
+        clearTimeout(this.timer);
+        this.waits = false;
+        this.view.setState(this.state(name));
+        this.lint();
+    }
+
     // A file has another text, which the hands did not type: one step of undo brings it back.
     put(name, text) {
         if (name === this.name) {
@@ -145,7 +155,7 @@ export class Editor {
         }
     }
 
-    // Mark the lines that the program complains of, and the tabs where they are.
+    // Mark the lines with errors, and the tabs of their files.
     complain(error) {
         if (error === this.error) return;
         this.error = error;
@@ -155,7 +165,7 @@ export class Editor {
         this.uncover();
     }
 
-    // Scroll the page so far that the line that is typed is seen whole.
+    // Scroll the page until the line that is being edited is fully visible.
     uncover() {
         this.view.requestMeasure({
             key: this,

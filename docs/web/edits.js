@@ -1,20 +1,27 @@
-// edits.js - what a reader has changed in the course's files: kept in the browser, so that a reload loses nothing, and
-// packed into an address, so that a link shows it to somebody else.
+// edits.js - a reader's changes to the course's files: kept in the browser, so that a reload loses nothing, and packed
+// into an address, so that a link shows them to somebody else.
 const HERE = `ray marching: changes in ${new URL('.', import.meta.url).pathname}`;
 const MARK = '#edit=';
-const NAME = /^(chapters|shaders)\/[\w./-]+\.(frag|glsl)$/; // what may be changed
-const LONGEST = 1 << 20; // letters that an address may unpack to
+const NAME = /^(chapters|shaders)\/[\w./-]+\.(frag|glsl)$/; // the files that may be changed
+const LONGEST = 1 << 20; // the maximum length of an unpacked address
+
+// The file of a reader's answer to an exercise, "03_2", which begins as the chapter's own.
+export const draftOf = (exercise) => `chapters/exercises/${exercise}/my.frag`;
+export const exerciseOf = (name) => /^chapters\/exercises\/(\d\d_\d+)\/my\.frag$/.exec(name)?.[1];
+
+// Does a storage event say that another tab has kept something?
+export const isOurs = (event) => event.key === HERE || event.key === null;
 
 // {NAME: TEXT} of what is kept.
 export function kept() {
     try {
         return clean(JSON.parse(localStorage.getItem(HERE) || '{}'));
     } catch {
-        return {}; // the browser keeps nothing
+        return {}; // the browser refuses to keep anything
     }
 }
 
-// Keep a file's text, or with null nothing of it. Returns false where the browser keeps nothing.
+// Keep a file's text; null removes it. Returns false if the browser keeps nothing.
 export function keep(name, text) {
     const all = kept();
     if (text === null) delete all[name];
@@ -28,13 +35,13 @@ export function keep(name, text) {
     }
 }
 
-// Of files those that a command line shows, as far as its words tell: its shader, and the library.
+// The files that a command line shows, as far as its words tell: its shader and the library.
 export function shownBy(names, stem, line) {
     const shader = /--shader[ =](\S+)/.exec(line)?.[1] ?? `chapters/${stem}.frag`;
     return names.filter((name) => name === shader || name.startsWith('shaders/'));
 }
 
-// What a page says of files that are changed.
+// The note on a page about changed files.
 export const withChanges = (names) => `With your changes in ${names.join(', ')}.`;
 
 function clean(files) {
@@ -57,8 +64,8 @@ async function through(stream, bytes, most = Infinity) {
     return new Uint8Array(await new Blob(parts).arrayBuffer());
 }
 
-// The fragment of an address that holds changes.
-//   stem, line  of the program that shows them
+// The fragment of an address that contains changes.
+//   stem, line  the program that shows them, and its command line
 //   files       {NAME: TEXT}
 export async function pack(stem, line, files) {
     const bytes = await through(new CompressionStream('deflate-raw'), new TextEncoder().encode(JSON.stringify({stem, line, files})));
@@ -67,7 +74,7 @@ export async function pack(stem, line, files) {
     return MARK + btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 
-// What this page's address holds: {stem, line, files}, or null where it holds none.
+// The changes in this page's address: {stem, line, files}, or null if there are none.
 export async function unpack(fragment = location.hash) {
     if (!fragment.startsWith(MARK)) return null;
     const text = atob(fragment.slice(MARK.length).replaceAll('-', '+').replaceAll('_', '/'));
@@ -76,7 +83,7 @@ export async function unpack(fragment = location.hash) {
     return {stem: String(stem), line: String(line), files: clean(files)};
 }
 
-// Put changes into this page's address, or with '' take them out.
+// Put changes into this page's address; '' removes them.
 export function show(fragment) {
     if (fragment !== '' || location.hash.startsWith(MARK)) history.replaceState(null, '', fragment || location.pathname + location.search);
 }

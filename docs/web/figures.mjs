@@ -1,19 +1,19 @@
-// figures.mjs - the figures of docs/figures/ as a page shows them: their colours follow its theme, and their letters come
-// with them, since a picture can load no font and a reader's machine may have none that they ask for.
+// figures.mjs - prepares the figures of docs/figures/ for a page: their colours follow its theme, and they contain
+// their fonts, because a picture cannot load a font, and the reader's machine may not have it.
 import fs from 'node:fs';
 import {plain} from './colour.mjs';
 import {subset} from './fonts.mjs';
 
-// In a dark theme the pen's colours change (docs/figures/svg.h), and what figures have besides for words and grounds; a
-// picture follows the colour scheme of the page that shows it.
+// In a dark theme the colours of the pen change (docs/figures/svg.h), and so do the other colours that figures use for
+// text and backgrounds. A picture follows the colour scheme of the page that shows it.
 const DARK = {'#0d1433': '#e9e5dc', '#9aa0b5': '#7f8494', '#d9731a': '#f2954a', '#fce1b8': '#5d4420', '#2f6fc0': '#7fb2f5', '#cfe0f5': '#22395a',
     '#0b7f73': '#4cc4b5', '#fffbf2': '#1e2024', '#ffffff': '#141518', '#e4e2dd': '#34363c', '#f0c9a8': '#6b4628', '#b3261e': '#f0776c',
     '#1b7f3b': '#5cc47f', '#2446b8': '#8aa2ff'};
 
-const FAMILY = 'Course Heros', SIGNS = 'Course Signs'; // what Heros lacks, primes and brackets, Pagella Math has
+const FAMILY = 'Course Heros', SIGNS = 'Course Signs'; // Pagella Math has the primes and brackets that Heros lacks
 const STYLES = {Regular: '', Italic: 'font-style:italic;', Bold: 'font-weight:bold;'};
 
-// The letters of a figure's words: {Regular, Italic, Bold}, a set each.
+// The letters in the text of a figure: {Regular, Italic, Bold}, each a set.
 function lettersOf(svg) {
     const sets = Object.fromEntries(Object.keys(STYLES).map((style) => [style, new Set()]));
     for (const [, words] of svg.matchAll(/<text[^>]*>(.*?)<\/text>/gs)) {
@@ -29,7 +29,7 @@ function lettersOf(svg) {
 
 // Write figures into a folder.
 //   figures  [{name, file}]
-//   parts    a folder for what comes between
+//   parts    a folder for intermediate files
 export async function writeFigures(figures, folder, parts) {
     const all = figures.map(({name, file}) => ({name, svg: fs.readFileSync(file, 'utf8')})).map((one) => ({...one, letters: lettersOf(one.svg)}));
     const faces = {}, lacking = new Set();
@@ -43,7 +43,7 @@ export async function writeFigures(figures, folder, parts) {
         for (const letter of await face(style, FAMILY, more, `TeX Gyre Heros:style=${style}`, letters)) lacking.add(letter);
     }
     const none = await face('Signs', SIGNS, '', 'TeX Gyre Pagella Math', lacking);
-    if (none.length > 0) throw new Error(`no font of the figures has ${none.join(' ')}`);
+    if (none.length > 0) throw new Error(`the fonts of the figures lack ${none.join(' ')}`);
     for (const {name, svg, letters} of all) {
         const used = Object.keys(STYLES).filter((style) => letters[style].size > 0);
         if (used.some((style) => [...letters[style]].some((letter) => lacking.has(letter)))) used.push('Signs');

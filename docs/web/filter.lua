@@ -1,9 +1,9 @@
--- filter.lua - prepares a page of docs/ for site.mjs: links between pages, figures with captions, listings that know
--- their file, French that says so. What it leaves as data-… site.mjs finishes.
+-- filter.lua - prepares a page of docs/ for site.mjs: links between pages, figures with captions, listings with the
+-- names of their files, and the language of French text. site.mjs processes the data-… attributes.
 
 local pages = dofile('.make/pages.lua')
 
--- The front page of the site stands for the project's README, so how to read the course has a name of its own.
+-- The front page of the site replaces the project's README, so the page on how to read the course gets another name.
 local function address(file)
     return (file:gsub('^README%.md$', 'reading.md'):gsub('%.md$', '.html'))
 end
@@ -17,7 +17,7 @@ local function link(element)
     elseif kind == 'file' then
         element.target = 'source:' .. file
     elseif element.target:match('^https?:') and pandoc.utils.stringify(element) ~= element.target then
-        element.classes:insert('elsewhere') -- paper shows its address
+        element.classes:insert('elsewhere') -- the printed page shows its address
     end
     return element
 end
@@ -31,8 +31,7 @@ local function block(element)
     return pages.mermaid(element) and {} or nil
 end
 
--- A French term stands in brackets after the English one, (*distance signée*), or before a bracket or a semicolon that
--- ends it; what is said in English is stressed without a bracket.
+-- A French term follows the English one in brackets: (*distance signée*). English text is emphasised without a bracket.
 local function french(inlines)
     for i = 2, #inlines do
         local before, here = inlines[i - 1], inlines[i]
@@ -47,7 +46,7 @@ local function raw(element)
     return element.format:match('html') and element.text:match('^<!%-%-') and {} or nil
 end
 
--- A listing below its marker, and the summary in French below its heading.
+-- A listing below its marker, and the French summary below its heading.
 local function neighbours(blocks)
     for i = 1, #blocks - 1 do
         local here, after = blocks[i], blocks[i + 1]

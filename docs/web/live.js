@@ -1,8 +1,11 @@
-// live.js - <live-chapter stem="03_shadows" line="--time 3">: a chapter's program in a page. Before a reader asks for
-// it there is its poster and a button; the module, the controls and the editor are loaded by the click.
+// live.js - <live-chapter stem="03_shadows" line="--time 3">: a chapter's program in a page. At first it shows only a
+// poster and a button; a click loads the module, the controls and the editor.
 //
-// Beside the elements that a page has, a button.run opens one below its command, and a form.check judges an exercise.
-// A page has one program: it moves to where it was asked for last.
+// A button.run opens a further element below its command, and a form.check judges an exercise. A page has only one
+// program, which moves to the element that was used last.
+
+import {draftOf} from './edits.js';
+import {Scrub} from './scrub.js';
 
 let stage = null; // the one that runs, once it was asked for
 
@@ -12,51 +15,72 @@ const part = (name, properties = {}, ...children) => {
     return made;
 };
 
-// Ask for all that a program needs at once, not one after what names it.
+// Request all the files that a program needs at once, instead of each only when another one names it.
 const PARTS = ['stage', 'program', 'harness'], DATA = ['harness.wasm', 'course.json'];
 
-//   stem  of the chapter whose text is asked for too; '' for none
-async function load(stem) {
+//   text  the name of the shader that is asked for too; '' for none
+async function load(text) {
     const from = (name) => new URL(name, import.meta.url).href;
     document.head.append(...PARTS.map((name) => part('link', {rel: 'modulepreload', href: from(`${name}.js`)})),
-        ...[...DATA, ...(stem ? [`course/chapters/${stem}.frag`] : [])].map((name) => part('link', {rel: 'preload', as: 'fetch', crossOrigin: 'anonymous', href: from(name)})));
+        ...[...DATA, ...(text ? [`course/${text}`] : [])].map((name) => part('link', {rel: 'preload', as: 'fetch', crossOrigin: 'anonymous', href: from(name)})));
     const {Stage} = await import('./stage.js');
     return Stage.load(part);
 }
 
+// Can this browser draw a program? It is asked once.
+const draws = () => draws.said ??= Boolean(document.createElement('canvas').getContext('webgl2'));
+
 class LiveChapter extends HTMLElement {
     connectedCallback() {
-        if (this.screen) return; // it was moved
+        if (this.screen) return; // the element was only moved
         const poster = this.querySelector('img');
-        this.button = part('button', {type: 'button', className: 'live-start', textContent: '▶ Run'});
-        this.button.setAttribute('aria-label', `Run the program of chapter ${this.stem.slice(0, 2)}`);
+        this.button = part('button', {type: 'button', className: 'live-start', textContent: this.hasHands ? 'Drag the points' : this.isInPlace ? '▶' : '▶ Run'});
+        if (!this.hasHands) this.button.setAttribute('aria-label', this.isInPlace ? `Run this picture: ${poster.alt}` : `Run the program of chapter ${this.stem.slice(0, 2)}`);
         this.button.addEventListener('click', () => this.run());
         this.screen = part('div', {className: 'live-screen'}, ...(poster ? [poster] : []), this.button);
+        if (this.isInPlace) poster.addEventListener('click', () => this.run());
+        // A context that is made while a finger comes down would turn the tap into a long press.
+        this.screen.addEventListener('pointerenter', (event) => { if (event.pointerType === 'mouse') this.expect(); }, {once: true});
+        if (poster) this.style.setProperty('--across', poster.classList.contains('wide') ? '100%' : `${poster.getAttribute('width')}px`);
         this.prepend(this.screen);
         this.prepare();
     }
 
-    // What the button says where there are changes to see.
+    // The text of the button if the address contains changes.
     prepare() {
         if (this.isFirst && location.hash.startsWith('#edit=')) {
-            this.button.textContent = '▶ Run what this link holds';
+            this.button.textContent = '▶ Run the changes in this link';
             this.button.removeAttribute('aria-label');
         }
     }
 
     get stem() { return this.getAttribute('stem') || ''; }
+    get isInPlace() { return this.classList.contains('in-place'); }
+    get hasHands() { return this.classList.contains('hands'); } // an interactive figure
     get isFirst() { return document.querySelector('live-chapter') === this; }
+
+    // A pointer or a finger is on the picture: load the program before the click.
+    expect(line = this.getAttribute('line') || '') {
+        if (!draws()) return null;
+        stage ??= load(/(?:--shader|-f)[ =](\S+)/.exec(line)?.[1] ?? `chapters/${this.stem}.frag`);
+        stage.catch(() => { stage = null; }); // the click tries again, and says why not
+        return stage;
+    }
 
     // Run a command line here: what options.c reads behind the program's name. Returns the exit status once it is
     // done, or the window's first picture is there. The page's program moves here if it is elsewhere.
     //   shown  {head} how many of the first lines that it prints are shown, {tail} how many of the last; else all;
-    //          {still} the time is held until it is let run
-    async run(line = this.getAttribute('line') || '', shown = {}) {
+    //          {still} the time is held until it is let run; {probe} the pixel whose ray is shown, "0.5,0.5" of the
+    //          picture, and {step} up to which step
+    async run(line = this.getAttribute('line') || '', shown = {still: this.isInPlace && !this.hasHands, probe: this.getAttribute('probe'), step: this.getAttribute('step')}) {
+        if (!draws()) {
+            this.say('This browser has no WebGL 2, so no program can run here; all text and pictures are shown.');
+            return 1;
+        }
         this.button.disabled = true;
         this.setAttribute('aria-busy', 'true');
         try {
-            stage ??= load(this.stem);
-            this.stage = await stage;
+            this.stage = await this.expect(line);
             return await this.stage.start(this, line, shown);
         } catch (error) {
             stage = null;
@@ -68,7 +92,7 @@ class LiveChapter extends HTMLElement {
         }
     }
 
-    // A line in place of the program.
+    // Show a message instead of the program.
     say(text) {
         this.said ??= part('p', {className: 'live-said'});
         this.said.setAttribute('role', 'alert');
@@ -77,30 +101,39 @@ class LiveChapter extends HTMLElement {
     }
 
     // Put a text into the course's files as chapters/NAME and run it, in the editor. Returns the exit status.
-    async play(name, text) {
+    //   base  what Reset goes back to
+    //   stem  the chapter whose camera it begins with
+    async play(name, base, text = base, stem = this.stem) {
+        this.setAttribute('stem', stem);
         stage ??= load('');
-        const {program} = this.stage = await stage;
+        const {program, changes} = this.stage = await stage;
         this.scrollIntoView({block: 'nearest'}); // a file may be dropped anywhere in the page
-        program.write(`chapters/${name}`, text);
+        await changes.bring(this, `chapters/${name}`, base, text);
         const status = await this.run(`--shader chapters/${name}`);
         if (program.call('live_runs')) await this.stage.changes.toggle(true);
         return status;
     }
 
-    // The text that runs as a file for Shadertoy; '' where it runs none. Nothing else changes.
+    // The running shader as a file for Shadertoy; '' if no shader is running. Nothing else changes.
     async exported() { return this.program ? this.stage.exported() : ''; }
 
-    // The program in it, once it runs: for pages with files of their own.
+    // The program in this element, once it runs; for pages that have their own files.
     get program() { return this.stage?.at === this ? this.stage.program : null; }
 }
 
 customElements.define('live-chapter', LiveChapter);
 
+// A film takes its picture's place once the page is there, unless its reader wants little motion or little data.
+addEventListener('load', () => {
+    if (matchMedia('(prefers-reduced-motion: reduce)').matches || navigator.connection?.saveData) return;
+    for (const img of document.querySelectorAll('img[data-film]')) img.src = img.dataset.film;
+});
+
 // ---- Beside the text ----
 
-const beside = new WeakMap(); // a command's button: the chapter below it
+const beside = new WeakMap(); // maps a command's button to the chapter below it
 
-// The one that belongs to a button, below the button's block.
+// The chapter that belongs to a button, below the button's block.
 function chapterOf(button, stem) {
     let chapter = beside.get(button);
     if (!chapter?.isConnected) {
@@ -115,7 +148,7 @@ function chapterOf(button, stem) {
     return chapter;
 }
 
-// Compare the two pictures of a button, below it: what runs in the page goes on.
+// Compare the two pictures of a button, and show the result below it; the running program continues.
 async function compare(button) {
     if (button.getAttribute('aria-busy') === 'true' && beside.get(button)?.isConnected) return;
     button.setAttribute('aria-busy', 'true');
@@ -130,23 +163,36 @@ async function compare(button) {
         const [{compareIn}, running] = await Promise.all([import('./check.js'), stage]);
         await compareIn(box, button, running, part);
     } catch (error) {
-        box.textContent = `What compares them cannot be loaded: ${error.message}`;
+        box.textContent = `The comparison cannot be loaded: ${error.message}`;
     } finally {
         button.removeAttribute('aria-busy');
     }
 }
 
 document.addEventListener('click', (event) => {
-    const button = event.target.closest?.('button.run');
+    const button = event.target.closest?.('button.run, .answer');
+    if (event.detail > 0 && event.target.closest?.('button.run, .live-start')) event.target.blur(); // Space and Page Down scroll the page
+    if (button?.matches('.answer')) return edit(button.form);
     if (button?.dataset.other) compare(button);
     else if (button) chapterOf(button, button.dataset.stem).run(button.dataset.line || '', {head: Number(button.dataset.head), tail: Number(button.dataset.tail), still: 'still' in button.dataset});
 });
 
-// The chapter's file in the editor, below a form.
-async function edit(form, stem) {
-    const chapter = chapterOf(form.querySelector('button'), stem);
-    if (await chapter.run('') === 0) chapter.stage.changes.toggle(true);
+// A reader's answer to an exercise in the editor, below its form.
+//   text  to begin with; else the chapter's, or the answer as far as it is
+async function edit(form, text) {
+    const chapter = chapterOf(form.querySelector('button'), form.dataset.stem), name = draftOf(form.dataset.exercise.replace('-', '_'));
+    stage ??= load('');
+    const {changes} = await stage;
+    await changes.draft(chapter, name, text);
+    if (await chapter.run(`--shader ${name}`) === 0) changes.toggle(true);
 }
+
+// Run what a number in a sentence sets; where the picture's shader does not have it, the chapter's own.
+async function runIn(at, own = false) {
+    await (own ? at.run('') : at.run());
+}
+export const scrub = (code) => new Scrub(code, runIn);
+document.querySelectorAll('code.scrub').forEach(scrub);
 
 document.addEventListener('submit', async (event) => {
     const form = event.target.closest?.('form.check');

@@ -1,5 +1,5 @@
-// pack.mjs LATER OUT FILE... - the texts of the course in one file of JSON.
-//   LATER  a list of files that are loaded when something asks for them, one a line
+// pack.mjs LATER OUT FILE... - packs the texts of the course into one JSON file.
+//   LATER  a list of the files that are loaded only when they are needed, one per line
 import fs from 'node:fs';
 
 const [later, out, ...names] = process.argv.slice(2);

@@ -1,12 +1,13 @@
-// program.js - a chapter's program in a page: loads the module once, gives it the files that a command line
-// asks for, its turns, and what the hands do on its canvas. It makes no element of its own.
+// program.js - a chapter's program in a page: loads the module once, gives it the files that a command line needs, lets
+// it draw frames, and passes on the input on its canvas. It creates no elements.
 import loadHarness from './harness.js';
 
 const ROOT = '/course/';
 const PRESS = 1, RELEASE = 0, REPEAT = 2;
+const FINGER = 30; // of the page's units around a handle where a finger takes it
 const PIXELS = 1280 * 720; // of the drawing buffer at most: the harness goes below where a picture takes long
 
-// GLFW's numbers of keys by their position. Tab is the browser's, and so are the function keys.
+// GLFW's key codes by the position of the key. Tab and the function keys are left to the browser.
 const KEYS = {
     Space: 32, Quote: 39, Comma: 44, Minus: 45, Period: 46, Slash: 47, Semicolon: 59, Equal: 61, BracketLeft: 91, Backslash: 92,
     BracketRight: 93, Backquote: 96, Escape: 256, Enter: 257, Backspace: 259, Insert: 260, Delete: 261, ArrowRight: 262,
@@ -15,8 +16,8 @@ const KEYS = {
 const CODES = Object.fromEntries(Object.entries(KEYS).map(([code, key]) => [key, code]));
 const CURSORS = {0x36002: 'text', 0x36003: 'crosshair', 0x36004: 'pointer', 0x36005: 'ew-resize', 0x36006: 'ns-resize'};
 
-// GLFW's number of an event's key; 0 for one that the page keeps. With Ctrl a key belongs to the browser: W would
-// close the page.
+// GLFW's code for the key of an event; 0 for a key that is left to the browser, such as every key with Ctrl: Ctrl+W
+// closes the page.
 function keyOf(event) {
     if (event.ctrlKey || event.metaKey || event.altKey) return 0;
     const match = /^(?:Key([A-Z])|Digit([0-9]))$/.exec(event.code);
@@ -27,10 +28,10 @@ function codeOf(key) {
     return key >= 48 && key <= 57 ? `Digit${key - 48}` : key >= 65 && key <= 90 ? `Key${String.fromCharCode(key)}` : CODES[key];
 }
 
-// Who asks the system for little motion gets a time that is held, until it is let run.
+// If the system asks for reduced motion, the time is paused until the reader starts it.
 export const calm = matchMedia('(prefers-reduced-motion: reduce)');
 
-// What the keyboard has on its keys, where the browser tells it.
+// The labels of the keyboard's keys, if the browser provides them.
 let labels = null;
 navigator.keyboard?.getLayoutMap?.().then((map) => { labels = map; }, () => {});
 
@@ -41,10 +42,11 @@ async function fetched(url) {
 }
 
 export class Program {
-    // Load the module for a canvas, which stays its own. What is handed in besides is called:
+    // Load the module for a canvas, which no other program may use. Hooks:
     //   onLine(text, isError)   the program prints a line
     //   onPicture(data, name)   it writes a picture: ImageData
     //   onSize(width, height)   it asks for a window or a picture of that size
+    //   onDraw()                the first picture after a start is there
     //   onEnd()                 no turn follows: state().error says why, or nothing
     //   onLost()                the browser takes the graphics context away
     //   onFound(fails)          it has given it back; whether what ran does not load any more
@@ -91,7 +93,7 @@ export class Program {
 
     // ---- Files ----
 
-    // Put a file of the course: the shader that runs is loaded again when it is one of its own.
+    // Write a file of the course; the running shader is reloaded if it uses this file.
     write(name, data) {
         const path = ROOT + name, folder = path.slice(0, path.lastIndexOf('/'));
         this.module.FS.mkdirTree(folder);
@@ -103,14 +105,15 @@ export class Program {
         return this.module.FS.readFile(ROOT + name, {encoding: 'utf8'});
     }
 
-    // The text of a file as the course has it; null for one that it has not.
+    // The course's own text of a file; null if the course has no such file.
     async original(name) {
         if (!this.course.has(name)) return null;
         if (!this.originals.has(name)) this.originals.set(name, await fetched(new URL(`course/${name}`, import.meta.url)).then((answer) => answer.text()));
         return this.originals.get(name);
     }
 
-    // Load what a command line asks for and is not here: an experiment, then what that includes, then its textures.
+    // Load the missing files that a command line needs: an experiment, then the files that it includes, then its
+    // textures.
     async fetchFiles(stem, line) {
         for (;;) {
             this.quiet = true;
@@ -128,20 +131,21 @@ export class Program {
 
     // ---- A command line ----
 
-    // Call a function of live.h. A text is what the program's memory holds.
+    // Call a function of live.h. Returned strings are copied from the program's memory.
     call(name, ...values) {
         const texts = ['live_files', 'live_state', 'live_report', 'live_version'];
         return this.module.ccall(name, texts.includes(name) ? 'string' : 'number', values.map((value) => typeof value), values);
     }
 
-    // Carry out a command line as the chapter's program does. Returns its exit status.
-    //   still  a window's time is held
+    // Execute a command line like the chapter's program. Returns the exit status.
+    //   still  pause the time of a window
     async start(stem, line = '', still = false) {
         const turn = this.starting = Symbol(stem);
         await this.fetchFiles(stem, line);
-        if (this.starting !== turn) return 0; // another one was asked for meanwhile
+        if (this.starting !== turn) return 0; // another start was requested meanwhile
         const status = this.call('live_start', stem, line);
         if (still || calm.matches) this.call('live_pause', 1);
+        this.fresh = true;
         this.fit();
         this.run();
         return status;
@@ -155,12 +159,15 @@ export class Program {
         this.call('live_stop');
     }
 
-    // Turns, as long as somebody can see what they draw.
+    // Draw frames as long as they are visible.
     run() {
         const turn = () => {
             this.asked = 0;
             if (!this.visible || this.lost || !this.call('live_runs')) return;
-            if (this.module._live_turn()) this.asked = requestAnimationFrame(turn);
+            const goes = this.module._live_turn();
+            if (goes && this.fresh) this.hooks.onDraw?.();
+            this.fresh = false;
+            if (goes) this.asked = requestAnimationFrame(turn);
             else if (!this.canvas.getContext('webgl2').isContextLost()) this.hooks.onEnd?.();
         };
         if (!this.asked) this.asked = requestAnimationFrame(turn);
@@ -192,7 +199,7 @@ export class Program {
         new IntersectionObserver((entries) => { this.near = entries.at(-1).isIntersecting; this.show(); }).observe(canvas);
         document.addEventListener('visibilitychange', () => this.show());
         canvas.addEventListener('webglcontextlost', (event) => {
-            event.preventDefault(); // or it never comes back
+            event.preventDefault(); // otherwise it would never be restored
             this.lost = true;
             this.hooks.onLost?.();
         });
@@ -204,14 +211,14 @@ export class Program {
         });
     }
 
-    // Make everything again after the context was lost. What does not load any more leaves no window until this is
-    // called with other files.
+    // Create everything again after the context was lost. If the shader can no longer be loaded, there is no window
+    // until this is called with other files.
     restore() {
         this.call('live_restore');
         this.run();
     }
 
-    // ---- The hands ----
+    // ---- Input ----
 
     hear() {
         const {canvas, module} = this;
@@ -226,8 +233,10 @@ export class Program {
         canvas.addEventListener('keydown', (event) => key(event, event.repeat ? REPEAT : PRESS));
         canvas.addEventListener('keyup', (event) => key(event, RELEASE));
         canvas.addEventListener('focus', () => module._live_focus(1));
+        // A finger on a handle drags it, and one beside it scrolls the page.
+        canvas.addEventListener('touchstart', (event) => { if (event.touches.length === 1 && this.toHandle(event.touches[0])) event.preventDefault(); }, {passive: false});
         canvas.addEventListener('blur', () => module._live_focus(0));
-        // The wheel scrolls the page until the picture is in use.
+        // The wheel scrolls the page unless the picture has the focus.
         canvas.addEventListener('wheel', (event) => {
             if (document.activeElement !== canvas) return;
             event.preventDefault();
@@ -236,28 +245,37 @@ export class Program {
         this.hearPointer(modifiers);
     }
 
+    // The way from a finger to the handle that it takes, in the page's units; null: none is near.
+    toHandle({clientX, clientY}) {
+        const {left, top, width, height} = this.canvas.getBoundingClientRect();
+        const ways = (this.state().handles ?? []).map(({x, y}) => [left + x * width - clientX, top + y * height - clientY]);
+        const near = ways.sort((a, b) => Math.hypot(...a) - Math.hypot(...b))[0];
+        return near && Math.hypot(...near) <= FINGER ? near : null;
+    }
+
     // One finger or the mouse drags and clicks, two fingers are the wheel. A finger that comes down is held back until
-    // it moves or goes up, for a second one may follow: two that are laid down and lifted are no click.
+    // it moves or goes up, because a second one may follow: two that are laid down and lifted are no click. The picture
+    // has the keyboard, and with it the wheel and all swipes, once the reader has clicked, tapped or dragged it.
     hearPointer(modifiers) {
         const {canvas, module} = this;
         const fingers = new Map(), locked = [0, 0];
-        let spread = 0, held = null;
+        let spread = 0, held = null, away = [0, 0]; // away: from the finger to the handle that it drags
         const between = () => {
             const [a, b] = [...fingers.values()];
             return Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
         };
         const place = (event) => {
             const box = canvas.getBoundingClientRect();
-            module._live_pointer(event.clientX - box.left, event.clientY - box.top);
+            module._live_pointer(event.clientX - box.left + away[0], event.clientY - box.top + away[1]);
         };
         const button = (event) => [0, 2, 1][event.button] ?? 0;
         const press = (event) => {
             held = null;
+            canvas.focus({preventScroll: true});
             place(event);
             module._live_button(button(event), 1, modifiers(event));
         };
         canvas.addEventListener('pointerdown', (event) => {
-            canvas.focus({preventScroll: true});
             fingers.set(event.pointerId, event);
             canvas.setPointerCapture(event.pointerId);
             if (fingers.size === 2) {
@@ -265,7 +283,9 @@ export class Program {
                 if (!held) module._live_button(0, 0, 0);
                 held = null;
             } else if (fingers.size === 1) {
-                if (event.pointerType === 'touch') held = event;
+                const handle = event.pointerType === 'touch' && this.toHandle(event);
+                away = handle || [0, 0];
+                if (event.pointerType === 'touch' && !handle) held = event;
                 else press(event);
             }
         });
@@ -282,7 +302,11 @@ export class Program {
                 if (spread > 0 && now > 0) module._live_wheel(12 * Math.log(now / spread));
                 spread = now;
             } else {
-                if (held && Math.hypot(event.clientX - held.clientX, event.clientY - held.clientY) > 3) press(held);
+                const way = held ? [event.clientX - held.clientX, event.clientY - held.clientY].map(Math.abs) : [0, 0];
+                if (Math.hypot(...way) > 3) {
+                    if (way[1] > way[0] && getComputedStyle(canvas).touchAction !== 'none') fingers.delete(event.pointerId); // the page scrolls
+                    else press(held);
+                }
                 if (!held) place(event);
             }
         });

@@ -1,4 +1,4 @@
-// ray.js - the ray of the pixel that was clicked: what became of it, its steps, the way along it.
+// ray.js - the ray of the selected pixel: its outcome, its steps, and buttons to move along it.
 const VIEWS = {Slice: 'slice', Plot: 'plot'};
 
 export class Ray {
@@ -20,26 +20,33 @@ export class Ray {
         const view = (name) => () => stage.call('live_view', Math.max(0, stage.state.views.indexOf(stage.state.view === name ? 'picture' : name)));
         this.ways = Object.entries(VIEWS).map(([text, name]) => Object.assign(stage.button(text, view(name)), {view: name}));
         this.tools = part('div', {className: 'live-steps'},
-            stage.button('First', () => to(0)), stage.button('Back', () => to(this.shown === 0 ? this.steps : this.shown - 2)),
-            stage.button('On', () => to(this.shown)), stage.button('Last', () => to(this.steps)),
-            ...this.ways, stage.button('Let go', () => stage.call('live_pixel', -1, -1)));
+            stage.button('First step', () => to(0)), stage.button('Back one step', () => to(this.shown === 0 ? this.steps : this.shown - 2)),
+            stage.button('Forward', () => to(this.shown)), stage.button('Last step', () => to(this.steps)),
+            ...this.ways, stage.button('Deselect', () => stage.call('live_pixel', -1, -1)));
         this.tools.setAttribute('role', 'group');
         this.tools.setAttribute('aria-label', 'Along the ray');
-        this.middle = stage.button('The middle pixel', () => {
+        this.middle = stage.button('Select the middle pixel', () => {
             const [width, height] = stage.state.size;
             stage.call('live_pixel', Math.floor(width / 2), Math.floor(height / 2));
         });
-        this.none = part('p', {className: 'live-outcome'}, 'Click or tap the picture: the ray of that pixel is followed step by step. ', this.middle);
-        this.element = part('details', {className: 'live-ray', open: !matchMedia('(max-width: 640px)').matches}, this.title, this.none, this.outcome, this.tools, this.scroll);
+        this.none = part('p', {className: 'live-outcome'}, 'Click or tap the picture to follow the ray of that pixel step by step. ', this.middle);
+        this.slice = part('canvas', {className: 'live-slice', width: 0});
+        this.slice.setAttribute('role', 'img');
+        this.slice.setAttribute('aria-label', 'The slice: the ray from the side, with the circles of its steps');
+        this.element = part('details', {className: 'live-ray', open: !stage.narrow.matches}, this.title, this.slice, this.tools, this.none, this.outcome, this.scroll);
     }
 
     show({pixel, probe, why, shown, view}) {
         const chosen = pixel[0] >= 0;
         this.shown = shown;
-        if (chosen && !probe && !why) return; // it is marched again in the next turn: what is there stays
+        if (chosen && !probe && !why) return; // the ray is marched again with the next frame; until then, keep what is shown
         this.none.hidden = chosen;
         this.outcome.hidden = this.tools.hidden = !chosen;
         this.scroll.hidden = !probe?.recorded;
+        if (chosen && this.element.classList.toggle('live-chosen', true) && !this.chosen && this.stage.narrow.matches) this.element.open = true;
+        if (!chosen) this.element.classList.remove('live-chosen');
+        this.chosen = chosen;
+        this.slice.hidden = !chosen || !this.stage.narrow.matches || !probe?.recorded || ['slice', 'plot'].includes(view);
         this.title.textContent = chosen ? `Ray of pixel ${pixel.join(', ')}` : 'Ray';
         for (const button of this.ways) button.setAttribute('aria-pressed', button.view === view);
         if (!chosen) return;
@@ -54,6 +61,22 @@ export class Ray {
                 ...[i, t?.toFixed(4), distance?.toPrecision(3), ...place.map((x) => x?.toFixed(3))].map((cell) => this.stage.part('td', {textContent: cell ?? '–'})))));
         }
         this.mark(shown - 1);
+        if (!this.slice.hidden && this.element.open) this.drawSlice(`${text} ${shown}`);
+    }
+
+    // On a narrow page the slice is below the picture: the program draws it once, and then the view that is shown again,
+    // before the browser shows either.
+    drawSlice(what) {
+        if (what === this.drawn) return;
+        this.drawn = what;
+        const {program, state, canvas} = this.stage, to = (name) => {
+            program.call('live_view', state.views.indexOf(name));
+            program.module._live_turn();
+        };
+        to('slice');
+        Object.assign(this.slice, {width: canvas.width, height: canvas.height});
+        this.slice.getContext('2d').drawImage(canvas, 0, 0);
+        to(state.view);
     }
 
     mark(at) {

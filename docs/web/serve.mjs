@@ -1,4 +1,4 @@
-// serve.mjs FOLDER [PORT] - shows a folder on this machine alone, as `make serve` does.
+// serve.mjs FOLDER [PORT] - serves a folder on this machine only; used by `make serve`.
 import fs from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
@@ -10,7 +10,7 @@ const TYPES = {
     '.zip': 'application/zip',
 };
 
-// What an address asks for, '' where it is no text: %FF.
+// The path in an address; '' if it is not valid text, such as %FF.
 function nameIn(address) {
     try {
         return decodeURIComponent(new URL(address, 'http://localhost').pathname);
@@ -19,8 +19,8 @@ function nameIn(address) {
     }
 }
 
-// A server of a folder's files, which does not listen yet.
-//   more  pages that lie in no folder: a path's HTML
+// A server for the files of a folder, which is not listening yet.
+//   more  additional pages that are not in the folder: path -> HTML
 export function folderServer(folder, more = {}) {
     return http.createServer((request, answer) => {
         const name = path.normalize(nameIn(request.url));
@@ -32,7 +32,7 @@ export function folderServer(folder, more = {}) {
             head(path.extname(file));
             fs.createReadStream(file).pipe(answer);
         } else {
-            answer.writeHead(404, {'content-type': 'text/plain'}).end(`${name} is not here\n`);
+            answer.writeHead(404, {'content-type': 'text/plain'}).end(`${name}: not found\n`);
         }
     });
 }
@@ -40,8 +40,8 @@ export function folderServer(folder, more = {}) {
 if (fs.realpathSync(process.argv[1]) === fileURLToPath(import.meta.url)) {
     const [folder, port = '8000'] = process.argv.slice(2), server = folderServer(folder);
     server.on('error', (error) => {
-        console.error(`make serve: port ${port}: ${error.code === 'EADDRINUSE' ? 'something else listens there: make serve PORT=8001' : error.message}`);
+        console.error(`make serve: port ${port}: ${error.code === 'EADDRINUSE' ? 'already in use; try make serve PORT=8001' : error.message}`);
         process.exitCode = 1;
     });
-    server.listen(Number(port), '127.0.0.1', () => console.log(`http://127.0.0.1:${server.address().port}/ - Ctrl+C ends it`));
+    server.listen(Number(port), '127.0.0.1', () => console.log(`http://127.0.0.1:${server.address().port}/ (press Ctrl+C to stop)`));
 }

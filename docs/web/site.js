@@ -1,15 +1,16 @@
-// site.js - what every page does: its theme, search, the section that is being read, and the place where a reader stopped.
-// A script of the old kind: browsers run no modules from file://.
+// site.js - the script of every page: the theme, the search, the section that is being read, and the position where the
+// reader stopped. It is not a module, because browsers run no modules from file://.
 (() => {
     const root = document.documentElement;
-    const store = (() => { try { return localStorage; } catch { return {}; } })(); // a browser may refuse to keep anything
+    const store = (() => { try { return localStorage; } catch { return {}; } })(); // a browser may refuse access
     const page = location.pathname.split('/').pop() || 'index.html';
+    const idOf = (hash) => { try { return decodeURIComponent(hash.slice(1)); } catch { return ''; } }; // #100% names nothing
     const inFiles = document.body.classList.contains('file');
 
     // ---- Theme ----
 
     const theme = document.querySelector('.theme');
-    const themes = {'': ['Auto', 'as the system'], light: ['Light', 'light'], dark: ['Dark', 'dark']};
+    const themes = {'': ['Auto', 'set by the system'], light: ['Light', 'light'], dark: ['Dark', 'dark']};
     function showTheme(name) {
         const [short, long] = themes[name] || themes[''];
         root.dataset.theme = name;
@@ -17,7 +18,6 @@
         theme.title = `The theme is ${long}`;
         theme.setAttribute('aria-label', `${short}: the theme is ${long}`);
     }
-    theme.hidden = false;
     theme.onclick = () => {
         const names = Object.keys(themes), next = names[(names.indexOf(root.dataset.theme) + 1) % names.length];
         store.theme = next;
@@ -33,91 +33,24 @@
 
     // ---- Search ----
 
-    const field = document.querySelector('.search input'), list = document.querySelector('.results'), found = document.querySelector('.found');
-    const up = field.dataset.index.replace('search.js', '');
-    const folded = (text) => text.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
-    let entries = null;
-    window.searchIndex = (pages) => {
-        entries = pages.flatMap(([address, title, sections]) => sections.map(([id, heading, text]) =>
-            ({address: `${up}${address}#${id}`, title, heading, text, low: folded(text), head: folded(heading)})));
-        search();
-    };
+    const field = document.querySelector('.search input');
     function load() {
         if (load.begun) return;
         load.begun = true;
         const script = document.createElement('script');
-        script.src = field.dataset.index;
-        script.onerror = () => { found.textContent = 'The list of words could not be loaded.'; load.begun = false; };
+        script.src = field.dataset.index.replace('search.js', 'find.js');
         document.head.append(script);
     }
-    // Every word must be there; in a heading it counts more, and at the beginning of a word.
-    function scoreOf(entry, words) {
-        let sum = 0;
-        for (const word of words) {
-            const inHead = entry.head.indexOf(word), inText = entry.low.indexOf(word);
-            if (inHead < 0 && inText < 0) return 0;
-            if (inHead >= 0) sum += inHead === 0 || entry.head[inHead - 1] === ' ' ? 30 : 10;
-            if (inText >= 0) sum += Math.min(entry.low.split(word).length - 1, 6) + (inText === 0 || /\W/.test(entry.low[inText - 1]) ? 3 : 0);
-        }
-        return sum;
-    }
-    function excerpt(entry, words) {
-        const at = Math.max(0, ...words.map((word) => entry.low.indexOf(word)).filter((i) => i >= 0).slice(0, 1));
-        const begin = at < 60 ? 0 : entry.text.indexOf(' ', at - 60) + 1, text = entry.text.slice(begin, begin + 150);
-        const small = document.createElement('small');
-        if (begin > 0) small.append('… ');
-        const word = words.find((each) => folded(text).includes(each));
-        if (word && folded(text).length === text.length) {
-            const i = folded(text).indexOf(word), mark = document.createElement('mark');
-            mark.textContent = text.slice(i, i + word.length);
-            small.append(text.slice(0, i), mark, text.slice(i + word.length));
-        } else {
-            small.append(text);
-        }
-        return small;
-    }
-    function search() {
-        const words = folded(field.value).split(/\s+/).filter((word) => word.length > 1);
-        if (!entries || words.length === 0) { list.hidden = true; found.textContent = ''; return; }
-        const hits = entries.map((entry) => [scoreOf(entry, words), entry]).filter(([score]) => score > 0).sort((a, b) => b[0] - a[0]).slice(0, 12);
-        list.replaceChildren(...hits.map(([, entry]) => {
-            const item = document.createElement('li'), link = document.createElement('a');
-            link.href = entry.address;
-            link.append(entry.heading === entry.title ? entry.title : `${entry.heading} `);
-            if (entry.heading !== entry.title) {
-                const where = document.createElement('small');
-                where.textContent = entry.title;
-                link.append(where);
-            }
-            link.append(excerpt(entry, words));
-            item.append(link);
-            return item;
-        }));
-        found.textContent = hits.length === 0 ? 'Nothing found' : `${hits.length} ${hits.length === 1 ? 'place' : 'places'} found`;
-        if (hits.length === 0) list.innerHTML = '<li class="none">Nothing found.</li>';
-        list.hidden = false;
-    }
     field.addEventListener('focus', load);
-    field.addEventListener('input', () => { load(); search(); });
-    const close = () => { list.hidden = true; };
-    document.querySelector('.search').addEventListener('keydown', (event) => {
-        const links = [...list.querySelectorAll('a')], at = links.indexOf(document.activeElement);
-        if (event.key === 'Escape') { close(); field.focus(); }
-        else if (event.key === 'Enter' && at < 0 && !list.hidden && links.length > 0) links[0].click();
-        else if ((event.key === 'ArrowDown' || event.key === 'ArrowUp') && !list.hidden) {
-            event.preventDefault();
-            (links[at + (event.key === 'ArrowDown' ? 1 : -1)] || field).focus();
-        }
-    });
-    document.addEventListener('click', (event) => { if (!event.target.closest('.search') || event.target.closest('.results a')) close(); });
+    field.addEventListener('input', load);
     document.addEventListener('keydown', (event) => {
         const typing = /^(INPUT|TEXTAREA|SELECT|CANVAS)$/.test(document.activeElement.tagName) || document.activeElement.isContentEditable;
         if (event.key === '/' && !typing && !event.ctrlKey && !event.metaKey && !event.altKey) { event.preventDefault(); field.focus(); }
     });
 
-    // ---- Where one is ----
+    // ---- The section that is being read ----
 
-    const links = new Map([...document.querySelectorAll('.sections a')].map((link) => [decodeURIComponent(link.hash.slice(1)), link]));
+    const links = new Map([...document.querySelectorAll('.sections a')].map((link) => [idOf(link.hash), link]));
     const headings = [...document.querySelectorAll('main :is(h1, h2, h3)[id]')];
     const reading = () => headings.filter((heading) => heading.offsetParent && heading.getBoundingClientRect().top < 120).at(-1);
     let shown = null;
@@ -140,9 +73,9 @@
     document.addEventListener('scroll', follow, {passive: true});
     follow();
 
-    // What a link leads to may be folded.
+    // The target of a link may be folded.
     function unfold() {
-        const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+        const target = location.hash && document.getElementById(idOf(location.hash));
         const fold = target && target.closest('details:not([open])');
         if (fold) { fold.open = true; target.scrollIntoView(); }
     }
@@ -155,7 +88,7 @@
         show();
     }
 
-    // ---- Where one stopped ----
+    // ---- The position where the reader stopped ----
 
     const saved = (key) => { try { return JSON.parse(store[key]); } catch { return null; } };
     const words = (heading) => heading.textContent.trim();
@@ -165,24 +98,27 @@
         try {
             store[`read ${page}`] = JSON.stringify({id: here.id, words: words(here)});
             store.last = JSON.stringify({page, title: document.querySelector('h1').textContent, id: here.id, words: words(here)});
-        } catch {} // nothing may be kept here
+        } catch {} // the browser keeps nothing
     }
     function offer(text, href, label) {
-        const line = document.createElement('p'), link = document.createElement('a');
+        const line = document.createElement('p'), link = document.createElement('a'), close = document.createElement('button');
         line.className = 'resume';
+        close.type = 'button';
+        close.textContent = 'Close';
+        close.onclick = link.onclick = () => line.remove();
         link.href = href;
         link.textContent = label;
-        line.append(text, link, '.');
-        document.querySelector('main h1').after(line);
+        line.append(text, link, '.', close);
+        document.querySelector('main').append(line); // it stands over the page: nothing moves
     }
     const last = saved('last'), own = saved(`read ${page}`);
-    const again = performance.getEntriesByType('navigation')[0]?.type !== 'navigate'; // then the browser itself goes back there
+    const again = performance.getEntriesByType('navigation')[0]?.type !== 'navigate'; // then the browser itself restores the position
     if (page === 'index.html' && last && last.page !== page) offer('You were reading ', `${last.page}#${last.id}`, `${last.title}, ${last.words}`);
     else if (page !== 'index.html' && own && !location.hash && !again && document.getElementById(own.id)) offer('You stopped at ', `#${own.id}`, own.words);
     document.addEventListener('scrollend', keep);
     addEventListener('pagehide', keep);
 
-    // ---- What scrolls sideways is reached by the keyboard ----
+    // ---- Boxes that scroll sideways can be reached with the keyboard ----
 
     const wide = new ResizeObserver((seen) => {
         for (const {target} of seen) {
@@ -192,7 +128,7 @@
     });
     for (const box of document.querySelectorAll('main pre, .table, .formula')) wide.observe(box);
 
-    // ---- On paper the folds stand at the end, as in the book: who asks is not answered at once ----
+    // ---- In print, the folds are at the end, as in the book, so that a question is not followed by its answer ----
 
     const made = (name, ...children) => {
         const element = document.createElement(name);
@@ -210,7 +146,8 @@
     }
     function unfolded(fold, number) {
         const copy = fold.cloneNode(true);
-        for (const one of copy.querySelectorAll('summary, live-chapter, .live-verdict')) one.remove();
+        for (const one of copy.querySelectorAll('live-chapter')) one.replaceWith(...one.querySelectorAll('.live-screen > img'));
+        for (const one of copy.querySelectorAll('summary, form, .live-verdict')) one.remove();
         for (const one of copy.querySelectorAll('[id]')) one.removeAttribute('id');
         return [made('h4', `${number}. ${ownerOf(fold)}`), ...copy.childNodes];
     }

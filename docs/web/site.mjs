@@ -3,6 +3,7 @@
 //   PAGE  pages in the order of reading
 // Beside them it writes the front page, Play, the files that pages link to, what search.js reads, the pictures, and the
 // fonts. OUT.parts/ is for what comes between.
+import {createHash} from 'node:crypto';
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -35,7 +36,7 @@ async function pageOf(file) {
     const page = {address, stem, title: plain(/<h1[^>]*>(.*?)<\/h1>/s.exec(stdout)[1])};
     for (const [, source] of stdout.matchAll(/(?:data-file="|href="source:)([^"#]*)/g)) sources.mention(source, page);
     try {
-        page.body = bodyOf(stdout, {stem: name === 'front' ? '00_first_scene' : stem, sources, pictures}).replace(/(<h1[^>]*>)(\d\d) /, '$1<span class="number">$2</span> ');
+        page.body = bodyOf(stdout, {stem, sources, pictures}).replace(/(<h1[^>]*>)(\d\d) /, '$1<span class="number">$2</span> ');
         page.body = hinted(page);
     } catch (error) {
         throw new Error(`${file}: ${error.message}`, {cause: error});
@@ -44,7 +45,7 @@ async function pageOf(file) {
     return page;
 }
 
-// Some at a time: pandoc takes a processor for each.
+// One at a time per processor, because each pandoc uses a whole processor.
 async function pagesOf(names) {
     const pages = [];
     let next = 0;
@@ -58,34 +59,34 @@ async function pagesOf(names) {
 }
 
 // Below a chapter's program: a page speaks of a terminal, and its reader has none.
-const HERE_TOO = '<p class="note">You need no terminal here: <b>Run</b> does what the command beside it says, <b>Edit</b>, below the picture, changes its shader. '
-    + '<a href="index.html#in-these-pages">How these pages work</a></p>';
+const HERE_TOO = '<p class="note">You need no terminal on this page: <b>Run</b> carries out the command beside it, a picture comes to life when you touch it, and <b>Edit</b>, below it, opens its shader. '
+    + '<a href="pages.html">How these pages work</a></p>';
 const hinted = (page) => page.stem ? page.body.replace(/<\/live-chapter>(?:\s*<div class="commands">.*?<\/button><\/div><\/div>)?/s, (program) => `${program}\n${HERE_TOO}`) : page.body;
 
 // ---- Proofs ----
 
-// A page has at most 150 KB of text, with what stands around it: a telephone loads and lays out no more in good time. The
-// proofs of a heavier one are a page beside it.
+// With its surroundings, a page has at most 150 KB of text: a phone takes too long to load and lay out more. If a page
+// is heavier, its proofs become a separate page.
 const HEAVY = 140e3;
 
 const idsOf = (html) => new Set([...html.matchAll(/\sid="([^"]*)"/g)].map(([, id]) => id));
 
-// The page of a heavy page's proofs, which keeps a list of them; nothing for a page that is light.
+// The separate page for the proofs of a heavy page, which keeps a list of links to them; undefined for other pages.
 function proofsOf(page) {
     if (Buffer.byteLength(page.body) <= HEAVY) return undefined;
     const [whole, heading, body] = /(<h2 id="proofs">.*?<\/h2>)(.*?)(?=<h2|$(?![^]))/s.exec(page.body) ?? [];
-    if (!whole) throw new Error(`${page.address}: ${Buffer.byteLength(page.body)} bytes, and no proofs to take out`);
+    if (!whole) throw new Error(`${page.address}: ${Buffer.byteLength(page.body)} bytes, and no section of proofs that could become a page of its own`);
     const address = page.address.replace('.html', '-proofs.html');
     const items = [...body.matchAll(/<h3 id="([^"]*)">(.*?)<\/h3>/gs)].map(([, id, title]) => `<li><a href="${address}#${id}">${title.replace(/<\/?a[^>]*>/g, '')}</a></li>`);
-    page.body = page.body.replace(whole, () => `${heading}<p>They are <a href="${address}">a page of their own</a>:</p><ul>${items.join('')}</ul>`);
+    page.body = page.body.replace(whole, () => `${heading}<p>The proofs are on <a href="${address}">a separate page</a>:</p><ul>${items.join('')}</ul>`);
     return {
         address, of: page, title: `${page.title}: proofs`, stem: page.stem,
-        body: `<h1 id="${page.stem}-proofs">${page.title.replace(/^\d\d /, '<span class="number">$&</span>')}: proofs</h1>\n<p>What <a href="${page.address}">the chapter</a> states, proved.</p>\n`
+        body: `<h1 id="${page.stem}-proofs">${page.title.replace(/^\d\d /, '<span class="number">$&</span>')}: proofs</h1>\n<p>These are the proofs of the claims in <a href="${page.address}">the chapter</a>.</p>\n`
             + body.replace(/<(\/?)h([34])/g, (_, end, level) => `<${end}h${level - 1}`),
     };
 }
 
-// Put the pages of proofs behind those that they belong to, and lead every link to where its place is now.
+// Put each page of proofs after the page that it belongs to, and adapt every link to the new position of its target.
 function parted(pages) {
     const all = pages.flatMap((page) => [page, proofsOf(page)].filter(Boolean));
     for (const proofs of all.filter(({of}) => of)) {
@@ -101,9 +102,9 @@ function parted(pages) {
     return all;
 }
 
-// ---- What stands around a page ----
+// ---- The surroundings of a page ----
 
-// The parts of the course as docs/README.md has them: [{name, from, to}], by the numbers of chapters.
+// The parts of the course, from docs/README.md: [{name, from, to}], where from and to are chapter numbers.
 const parts = [...read('docs/README.md').matchAll(/^\| (I+) \| (\d\d) to (\d\d) \|/gm)].map(([, name, from, to]) => ({name: `Part ${name}`, from, to}));
 const partOf = (page) => page.stem && parts.find(({from, to}) => page.stem.slice(0, 2) >= from && page.stem.slice(0, 2) <= to);
 const BUILDING = ['teaching', 'architecture', 'contributing'];
@@ -111,7 +112,7 @@ const BUILDING = ['teaching', 'architecture', 'contributing'];
 function groupOf(page) {
     if (page.stem) return partOf(page)?.name ?? 'Chapters';
     const name = path.basename(page.address, '.html');
-    return ['index', 'reading', 'play'].includes(name) ? '' : BUILDING.includes(name) ? 'To teach and to build on' : 'To look things up';
+    return ['index', 'reading', 'pages', 'play'].includes(name) ? '' : BUILDING.includes(name) ? 'Teaching and contributing' : 'Reference';
 }
 
 const short = (page) => page.address === 'index.html' ? 'Front page' : page.title;
@@ -124,7 +125,7 @@ function contents(pages, here, up = '') {
         .join('')}</ul>`).join('\n');
 }
 
-// The sections at the right: those of a section only where it is being read.
+// The list of sections on the right; subsections are shown only for the section that is being read.
 function sectionList(page) {
     const items = [];
     for (const section of page.sections.filter(({level}) => level > 1)) {
@@ -137,15 +138,18 @@ function sectionList(page) {
 }
 
 function turn(pages, page) {
-    // Who reads the chapters in order goes past a page of proofs; from there the chapter is before.
+    // A reader who follows the order of the chapters skips pages of proofs; on such a page, 'previous' is its chapter.
     const i = pages.indexOf(page), before = pages.slice(0, i).findLast(({of}) => !of), after = pages.slice(i + 1).find(({of}) => !of);
     if (i < 0 || (!before && !after)) return '';
     return `<nav class="turn" aria-label="Previous and next page">${before ? `<a rel="prev" href="${before.address}"><small>Previous</small> ${numbered(short(before))}</a>` : '<span></span>'}`
         + `${after ? `<a rel="next" href="${after.address}"><small>Next</small> ${numbered(short(after))}</a>` : ''}</nav>`;
 }
 
+// The policy of a page names the one script that stands in it.
+const hash = `sha256-${createHash('sha256').update(/<script>(.*?)<\/script>/s.exec(template)[1]).digest('base64')}`;
+
 function fill(values) {
-    return template.replace(/\{\{(\w+)\}\}/g, (_, name) => values[name] ?? '');
+    return template.replace(/\{\{(\w+)\}\}/g, (_, name) => ({hash, ...values})[name] ?? '');
 }
 
 function write(page, pages) {
@@ -154,13 +158,15 @@ function write(page, pages) {
     const first = /<p>(.*?)<\/p>/s.exec(page.body)?.[1] ?? '';
     const words = plain(first.replace(/<math.*?<\/math>/gs, '…')).replace(/\s+/g, ' ');
     fs.writeFileSync(`${out}/${page.address}`, fill({
-        root: '', kind: page.stem ? 'chapter' : page.address.replace('.html', ''),
+        root: '', kind: `${page.stem ? 'chapter' : page.address.replace('.html', '')}${list ? ' three' : ''}`,
+        fonts: /<math/.test(page.body) ? '\n<link rel="preload" href="fonts/formula.woff2" as="font" type="font/woff2" crossorigin>' : '',
         title: escaped(page.address === 'index.html' ? TITLE : `${page.title} · ${TITLE}`),
         description: escaped(words.length > 155 ? `${words.slice(0, words.lastIndexOf(' ', 155))} …` : words),
         head: alive ? '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '') : '',
+        guess: /class="guess"/.test(page.body) ? '<script src="guess.js" defer></script>\n' : '',
         menu: list ? '<button type="button" class="menu at" popovertarget="sections">Sections</button>\n' : '',
         contents: contents(pages, page), body: page.body,
-        note: alive ? '<noscript><p class="note">Without JavaScript the programs stand still; text, formulas and pictures are all here.</p></noscript>\n' : '',
+        note: alive ? '<noscript><p class="note">Without JavaScript the programs do not run, but all text, formulas and pictures are here.</p></noscript>\n' : '',
         sections: list ? `<nav id="sections" class="sections" aria-label="On this page" popover>\n<h2>On this page</h2><ul>${list}</ul>\n</nav>` : '',
         turn: turn(pages, page),
     }));
@@ -168,7 +174,7 @@ function write(page, pages) {
 
 // ---- The front page and Play ----
 
-// The table of README.md's chapters: picture, its words, page, title, what you can do afterwards.
+// The rows of the table of chapters in README.md: picture, alternative text, page, title, what you can do afterwards.
 const rows = () => [...read('README.md').matchAll(/^\| !\[([^\]]*)\]\(([^)]*)\) \| \[([^\]]*)\]\(docs\/([^)]*)\.md\) \| (.*) \|$/gm)]
     .map(([, alt, picture, title, stem, can]) => ({alt, picture, title, stem, can}));
 
@@ -184,16 +190,39 @@ function gallery() {
         stem.slice(0, 2) >= from && stem.slice(0, 2) <= to).map(card).join('\n')}</ul>`).join('\n');
 }
 
-// README.md's own section, seen from docs/.
+// The section of README.md, with its links relative to docs/.
 function whereFrom() {
-    const section = /^## Where it comes from\n(.*?)(?=\nHow the house is built|\n## |$(?![^]))/ms.exec(read('README.md'))[0];
+    const section = /^## Where it comes from\n(.*?)(?=\n## |$(?![^]))/ms.exec(read('README.md'))[0];
     return section.replaceAll('](docs/', '](').trim();
 }
 
-const drop = (poster) => `<div class="drop"><p><label for="file">Choose a file, or drop one here:</label> <input type="file" id="file" accept=".frag,.glsl,.fs,.txt"></p>`
-    + `<live-chapter stem="00_first_scene" play><img ${poster}></live-chapter><p><button type="button" class="export" disabled>Export for Shadertoy</button> <span class="said" role="status"></span></p></div>`;
+// What a reader may begin with on the page Play: its name, its file in chapters/, the reference picture that shows it.
+const STARTERS = [
+    ['Ball', 'first_steps/play', '00_first_scene-step-5'], ['Rings', 'first_steps/2_distance', '00_first_scene-step-2'],
+    ...[['Normals', '01_normal_colouring'], ['Lamps', '02_lighting'], ['Shadows', '03_shadows'], ['Colours', '04_hue_colour'], ['Fractal', '06_sierpinski_symmetry'],
+        ['City', '07_repetition'], ['Sunset', '09_sky_and_sunset'], ['Landscape', '21_a_landscape']].map(([title, stem]) => [title, stem, `${stem}-smooth`]),
+];
 
-// A page of docs/web/ with what the project says elsewhere put in.
+function starter([title, file, picture]) {
+    const name = picture.replace(/(-smooth)?$/, '.webp');
+    pictures.set(name, `tests/references/${picture}.png`);
+    return `<button type="button" class="starter" id="new=${title.toLowerCase()}" data-file="chapters/${file}.frag" data-stem="${file.includes('/') ? '01_normal_colouring' : file}"><img src="pictures/${name}" alt="" width="160" height="90" loading="lazy">${title}</button>`;
+}
+
+const drop = (poster) => `<div class="drop"><div class="starters" role="group" aria-label="Begin with"><button type="button" class="starter" id="new=blank">Blank sheet</button>${STARTERS.map(starter).join('')}</div><ul class="drafts" aria-label="Your drafts" hidden></ul>`
+    + `<p><label for="file">Choose a file, or drop one here:</label> <input type="file" id="file" accept=".frag,.glsl,.fs,.txt"></p>`
+    + '<p class="studio"><label>Name <input class="title" disabled></label> <button type="button" class="remix" disabled>Remix</button> <button type="button" class="save" disabled>Download</button> '
+    + '<button type="button" class="export" disabled>Export for Shadertoy</button> <span class="said" role="status"></span></p>'
+    + `<live-chapter stem="01_normal_colouring" play><img ${poster}></live-chapter></div>`;
+
+// The landscape through its day: a still picture, whose film comes once the page is there.
+function film() {
+    const [width, height] = [640, 360], name = '21_a_landscape.webp';
+    pictures.set(name, 'tests/references/21_a_landscape-smooth.png').set('day.webp', `${HERE}day.webp`);
+    return `<live-chapter class="in-place" stem="21_a_landscape"><img src="pictures/${name}" class="wide" data-film="pictures/day.webp" alt="A lake between mountains, as the hours of a day pass" width="${width}" height="${height}" fetchpriority="high"></live-chapter>`;
+}
+
+// A page of docs/web/, with the text from README.md inserted.
 function prepared(name) {
     const text = read(`${HERE}${name}.md`).replace('<div data-insert="where"></div>', () => whereFrom());
     const file = `${out}.parts/${name}.md`;
@@ -202,11 +231,11 @@ function prepared(name) {
     return file;
 }
 
-// ---- All ----
+// ---- The whole site ----
 
-// The letters that each font needs, {text, formula}: a browser makes single letters of a formula italic by itself.
+// The letters that each font needs, {text, formula}. Browsers set single letters of a formula in italics by themselves.
 function letters(pages) {
-    const text = new Set(), formula = new Set('0123456789𝜕𝜖𝜗𝜙√'); // a root's sign is drawn, and stands in no text
+    const text = new Set(), formula = new Set('0123456789𝜕𝜖𝜗𝜙√'); // a root's sign is drawn, but is not in any text
     const add = (set, html) => { for (const letter of plain(html)) if (letter > ' ') set.add(letter); };
     for (const {body} of pages) {
         for (const [found] of body.matchAll(/<math.*?<\/math>/gs)) add(formula, found);
@@ -221,28 +250,28 @@ function letters(pages) {
     return {text, formula};
 }
 
-// ssty, half as much again, is what no browser asks for by itself.
+// The feature ssty would add half of the size, and no browser uses it by itself.
 async function writeFonts({text, formula}) {
     const write = (name, font, letters, features) => subset(font, letters, features, `${out}/fonts/${name}.woff2`);
     await write('formula', 'TeX Gyre Pagella Math', formula, 'kern');
     for (const style of ['Regular', 'Italic', 'Bold']) await write(style.toLowerCase(), `TeX Gyre Pagella:style=${style}`, text, 'kern,liga,tnum');
 }
 
-const front = prepared('front'), play = prepared('play');
-const order = [front, files[0], ...files.slice(1).filter((file) => /\/\d\d_/.test(file)), play, ...files.slice(1).filter((file) => !/\/\d\d_/.test(file))];
+const [front, manual, play] = ['front', 'pages', 'play'].map(prepared);
+const order = [front, files[0], manual, ...files.slice(1).filter((file) => /\/\d\d_/.test(file)), play, ...files.slice(1).filter((file) => !/\/\d\d_/.test(file))];
 const pages = parted(await pagesOf(order));
 const at = (address) => pages.find((page) => page.address === address);
-at('index.html').body = at('index.html').body.replace('<div data-insert="gallery"></div>', gallery);
+at('index.html').body = at('index.html').body.replace('<div data-insert="film"></div>', film).replace('<div data-insert="gallery"></div>', gallery);
 at('index.html').sections = sectionsOf(at('index.html').body);
 at('play.html').body = at('play.html').body.replace('<div data-insert="play"></div>',
-    drop(/<live-chapter[^>]*><img ([^>]*)>/.exec(at('00_first_scene.html').body)[1]));
+    drop(/<live-chapter[^>]*><img ([^>]*)>/.exec(at('01_normal_colouring.html').body)[1]));
 for (const page of pages) write(page, pages);
 
 for (const file of sources.texts.keys()) {
     const address = `source/${file}.html`;
     fs.mkdirSync(path.dirname(`${out}/${address}`), {recursive: true});
     fs.writeFileSync(`${out}/${address}`, fill({
-        root: root(file), kind: 'file', title: escaped(`${file} · ${TITLE}`), description: escaped(`${file}, a source of the course`),
+        root: root(file), kind: 'file', title: escaped(`${file} · ${TITLE}`), description: escaped(`${file}, a source file of the course`),
         contents: contents(pages, undefined, root(file)), body: sources.body(file),
     }));
 }
@@ -255,7 +284,7 @@ fs.mkdirSync(`${out}/pictures`, {recursive: true});
 const small = [], figures = [];
 for (const [name, file] of [...pictures].sort()) {
     if (name.endsWith('.svg')) figures.push({name, file});
-    else if (name.endsWith('.webp')) small.push(run('cwebp', ['-quiet', '-q', '82', '-m', '6', file, '-o', `${out}/pictures/${name}`]));
+    else if (name.endsWith('.webp') && !file.endsWith('.webp')) small.push(run('cwebp', ['-quiet', '-q', '82', '-m', '6', file, '-o', `${out}/pictures/${name}`]));
     else fs.copyFileSync(file, `${out}/pictures/${name}`);
 }
 await Promise.all(small);

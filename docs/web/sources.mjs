@@ -1,4 +1,4 @@
-// sources.mjs - the files that the pages link to, each as a coloured page of its own, source/FILE.html.
+// sources.mjs - makes a coloured page, source/FILE.html, of each file that the pages link to.
 import fs from 'node:fs';
 import path from 'node:path';
 import {coloured, escaped, languageOf} from './colour.mjs';
@@ -11,8 +11,8 @@ export class Sources {
         this.shownBy = new Map();
     }
 
-    // The address of a file's page, from a page at the top of the site: at the place where `text` begins in it; nothing
-    // for what is no text of the project.
+    // The address of a file's page, relative to the top of the site, with the line where `text` begins; '' if this is
+    // not a text file of the project.
     place(file, text = '') {
         if (!fs.existsSync(file) || !fs.statSync(file).isFile() || /\.(png|svg)$/.test(file)) return '';
         if (!this.texts.has(file)) {
@@ -24,25 +24,25 @@ export class Sources {
         return `source/${file}.html${line}`;
     }
 
-    // The file that an #include means: as shader/source.c looks for it, and as the compiler does.
+    // The file that an #include refers to, found as by shader/source.c and by the compiler.
     included(file, name) {
         const found = [path.join(path.dirname(file), name), `shaders/${name}`, `chapters/${name}`, `common/${name}`].find((each) => fs.existsSync(each));
         return found && this.place(found) ? found : undefined;
     }
 
-    // Say that a page shows a file.
+    // Record that a page shows a file.
     mention(file, page) {
         const pages = this.shownBy.get(file) ?? new Map();
         this.shownBy.set(file, pages.set(page.address, page.title));
     }
 
-    // The body of a file's page: numbered lines, includes that are links, and the pages that show it.
+    // The body of a file's page: numbered lines, links for its includes, and a list of the pages that show it.
     body(file) {
         const up = root(file);
         const lines = coloured(this.texts.get(file).replace(/\n$/, ''), languageOf(file)).split('\n');
         let open = '';
         const html = lines.map((line, i) => {
-            const whole = open + line; // a comment of several lines is open at the end of the first
+            const whole = open + line; // a comment may continue on the next line
             const tags = [...whole.matchAll(/<i class="\w">|<\/i>/g)].map(([tag]) => tag);
             open = tags.length > 0 && tags.at(-1) !== '</i>' ? tags.at(-1) : '';
             return `<span id="L${i + 1}">${whole}${open ? '</i>' : ''}</span>`;

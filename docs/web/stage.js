@@ -1,27 +1,36 @@
-// stage.js - a running program with its controls: canvas, views, time, values, the ray of a pixel, the editor. There is
-// one in a page; it stands in the <live-chapter> that asked for it last.
+// stage.js - a running program with its controls: canvas, views, time, values, the ray of a pixel, the editor. A page
+// has only one, in the <live-chapter> that was used last.
 import {calm, Program} from './program.js';
 import {Changes} from './changes.js';
 import {shownBy, withChanges} from './edits.js';
 import {Values} from './values.js';
 import {Ray} from './ray.js';
 
-const LOOK = 200; // milliseconds between two looks at the program's state
+const LOOK = 200; // milliseconds between two updates from the program's state
 const PRESS = 1, RELEASE = 0;
 const PAD = [['◀', 65, 'left'], ['▲', 87, 'forwards'], ['▼', 83, 'backwards'], ['▶', 68, 'right'], ['⤒', 32, 'up'], ['⤓', 67, 'down']];
-const RESTART = 82, SHIFT = 1;
+const RESTART = 82, SHIFT = 1, NEXT_HANDLE = 257;
+// What a narrow page shows of a button, within 24 by 24 units.
+const ICONS = {
+    'Pause': 'M8 5v14M16 5v14', 'Resume': 'M8 5l11 7-11 7z', 'Restart': 'M5 12a7 7 0 1 0 2-5M5 3v5h5', 'Views': 'M2 12q10-14 20 0q-10 14-20 0zM12 9a3 3 0 1 0 .1 0',
+    'Values': 'M4 6h16M4 12h16M4 18h16M9 4v4M15 10v4M7 16v4', 'Ray': 'M12 3v6M12 15v6M3 12h6M15 12h6M12 11.5v1', 'Move': 'M12 3v18M3 12h18M9 6l3-3 3 3M9 18l3 3 3-3M6 9l-3 3 3 3M18 9l3 3-3 3',
+    'Edit': 'M4 20l1-5L16 4l4 4L9 19z', 'Full screen': 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5', 'Close': 'M5 5l14 14M19 5L5 19',
+};
 
 export class Stage {
     static async load(part) {
         const stage = new Stage();
+        stage.narrow = matchMedia('(max-width: 640px)');
         stage.part = part;
         stage.build();
         stage.program = await Program.load(stage.canvas, {
             onLine: (text, isError) => stage.heard(text, isError),
             onPicture: (data, name) => stage.show(data, name),
             onSize: (width, height) => { stage.asked = [width, height]; },
+            onDraw: () => stage.drew(),
             onEnd: () => stage.ended(),
-            onLost: () => stage.note('The graphics driver gave up on this picture; it is made again as soon as the browser allows.'),
+            onLost: () => stage.note('The graphics driver stopped drawing this picture. It is drawn again as soon as the browser allows.',
+                ...(stage.changes.any ? [' Does your change never end? ', stage.button('Undo all', () => stage.changes.undo(Object.keys(stage.changes.files)))] : [])),
             onFound: (fails) => stage.found(fails),
         });
         setInterval(() => stage.look(), LOOK);
@@ -34,12 +43,29 @@ export class Stage {
         return button;
     }
 
+    // A button that has a drawing too.
+    icon(text, act, more = {}) {
+        return this.name(this.button('', act, {...more, className: `live-iconed ${more.className ?? ''}`}), text);
+    }
+
+    name(button, text) {
+        if (button.textContent !== text) button.innerHTML = `<svg viewBox="0 0 24 24" aria-hidden="true"><path d="${ICONS[text]}"/></svg><span>${text}</span>`;
+        return button;
+    }
+
+    // A button of a narrow page that shows and hides a part.
+    //   shows  is told to, or not, and says what it is now
+    toggle(text, shows) {
+        const button = this.icon(text, () => button.setAttribute('aria-expanded', shows()), {className: 'live-toggle'});
+        button.setAttribute('aria-expanded', 'false');
+        return button;
+    }
+
     build() {
         const {part} = this;
         this.canvas = part('canvas', {className: 'live-canvas', tabIndex: 0});
         this.canvas.setAttribute('role', 'img');
         this.canvas.addEventListener('pointerdown', (event) => { if (event.pointerType === 'touch') this.controls.classList.add('live-touched'); });
-        this.canvas.setAttribute('aria-label', 'The running program. Drag to look, W A S D to move, click for a ray, Escape to pause.');
         this.status = part('p', {className: 'live-status'});
         this.notice = part('p', {className: 'live-notice', hidden: true});
         this.notice.setAttribute('role', 'status');
@@ -50,32 +76,35 @@ export class Stage {
         this.views = part('span', {className: 'live-views'});
         this.views.setAttribute('role', 'group');
         this.views.setAttribute('aria-label', 'View');
-        this.pause = this.button('Pause', () => this.call('live_pause', this.state.paused ? 0 : 1));
+        this.canvas.addEventListener('focus', () => this.takeHandle());
+        this.pause = this.icon('Pause', () => this.call('live_pause', this.state.paused ? 0 : 1));
         this.time = part('input', {type: 'number', step: 'any', className: 'live-time'});
-        this.time.setAttribute('aria-label', 'Time, seconds');
+        this.time.setAttribute('aria-label', 'Time in seconds');
         this.time.addEventListener('change', () => this.call('live_time', Number(this.time.value)));
-        this.back = this.button('Camera back', () => this.press(RESTART, SHIFT), {title: 'and the time to its start'});
-        this.still = part('small', {className: 'live-still', textContent: 'time is held: this system asks for little motion', hidden: true});
+        this.back = this.button('Reset camera', () => this.press(RESTART, SHIFT), {title: 'Reset the camera and the time'});
+        this.still = part('small', {className: 'live-still', textContent: 'time is paused, because your system asks for reduced motion', hidden: true});
         this.changes = new Changes(this);
+        this.values = new Values(this);
+        this.ray = new Ray(this);
+        const flips = (name) => () => this.controls.classList.toggle(name), unfolds = ({element}) => () => { element.open = !element.open; return element.open; };
         this.bar = part('div', {className: 'live-bar'}, this.views,
-            part('span', {className: 'live-clock'}, this.pause, this.button('Restart', () => this.press(RESTART)), this.back, part('label', {}, this.time, ' s'), this.still),
-            part('span', {className: 'live-tools'}, this.changes.open, this.button('Full screen', () => this.full(), {className: 'live-full'}), this.button('Close', () => this.close())));
+            part('span', {className: 'live-clock'}, this.pause, this.icon('Restart', () => this.press(RESTART)), this.back, part('label', {}, this.time, ' s'), this.still),
+            part('span', {className: 'live-tools'}, this.toggle('Views', flips('live-more')), this.toggle('Values', unfolds(this.values)), this.toggle('Ray', unfolds(this.ray)), this.mover = this.toggle('Move', flips('live-moves')),
+                this.changes.open, this.icon('Full screen', () => this.full(), {className: 'live-full'}), this.icon('Close', () => this.close())));
         this.bar.setAttribute('role', 'toolbar');
         this.bar.setAttribute('aria-label', 'The program');
         this.error = part('pre', {className: 'live-error', hidden: true});
         this.error.setAttribute('role', 'alert');
-        this.values = new Values(this);
-        this.ray = new Ray(this);
-        this.controls = part('div', {className: 'live-controls'}, this.changes.line, this.pad, this.bar, this.changes.element, this.error, this.values.element, this.ray.element);
+        this.controls = part('div', {className: 'live-controls'}, this.pad, this.bar, this.changes.element, this.changes.line, this.changes.other, this.error, this.values.element, this.ray.element, this.status);
     }
 
-    // A button that is a key for as long as it is held.
+    // A button that acts as a key for as long as it is held down.
     held(sign, key, label) {
         const button = this.part('button', {type: 'button', textContent: sign});
         button.setAttribute('aria-label', label);
         const up = () => { this.program.module._live_key(key, RELEASE, 0); };
         button.addEventListener('pointerdown', (event) => {
-            event.preventDefault(); // the press stays a press: no selection, no menu
+            event.preventDefault(); // prevents a selection and a menu
             button.setPointerCapture(event.pointerId);
             this.program.module._live_key(key, PRESS, 0);
         });
@@ -99,19 +128,19 @@ export class Stage {
 
     // ---- A command line ----
 
-    // Run one in an element, which gets the program. Returns its exit status.
+    // Run a command line in an element, to which the program moves. Returns the exit status.
     async start(at, line, shown = {}) {
         const turn = this.turn = Symbol(line), asked = at.opener ?? at, top = asked.getBoundingClientRect().top;
         this.move(at);
         this.lines = [];
         this.pictures = [];
         this.asked = null;
-        this.note('');
+        this.note(this.unset = '');
         this.starting = true;
         at.result?.remove();
         at.said?.remove();
-        scrollBy({top: asked.getBoundingClientRect().top - top, behavior: 'instant'}); // what stood above may be gone
-        // The browser paints what is said before the program takes the processor.
+        scrollBy({top: asked.getBoundingClientRect().top - top, behavior: 'instant'}); // elements above may have been removed
+        // Let the browser paint the message before the program uses the processor.
         at.classList.add('live-waits');
         await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
         this.line = await this.changes.begin(at) ?? line;
@@ -124,8 +153,8 @@ export class Stage {
         return status;
     }
 
-    // Carry out a command line. Where a reader's changes let nothing start, the picture is the one without them, and
-    // the error is that of a change to a program that runs.
+    // Execute a command line. If it fails because of the reader's changes, show the picture without them, together with
+    // the error, as if the program had been running when they were made.
     async carry(stem, line, still) {
         const status = await this.program.start(stem, line, still);
         if (status !== 1 || !this.changes.any) return status;
@@ -133,15 +162,17 @@ export class Stage {
         this.lines = [];
         await this.changes.lay(true);
         const without = await this.program.start(stem, line, still);
-        if (!this.program.call('live_runs')) this.lines = lines; // no window: what they say is the result
+        if (!this.program.call('live_runs')) this.lines = lines; // without a window, the messages are the result
         await this.changes.lay(false);
         return this.program.call('live_runs') ? without : status;
     }
 
-    // The context is back. Where a reader's changes load no more, the picture is the one without them, as at a start.
+    // The context is back. If the reader's changes can no longer be loaded, show the picture without them, as at a
+    // start.
     async found(fails) {
         const {turn} = this;
         this.note('');
+        this.wrong = '';
         if (!fails) return;
         await this.changes.lay(true);
         if (this.turn === turn) this.program.restore();
@@ -149,30 +180,31 @@ export class Stage {
         if (this.turn === turn && !this.program.call('live_runs')) this.ended();
     }
 
-    // Stand in an element; the one before goes back to its poster.
+    // Move to an element; the previous one shows its poster again.
     move(at) {
         if (this.at === at) return;
         this.leave();
         this.at = at;
-        at.screen.append(this.canvas, this.status, this.notice);
+        at.screen.append(this.canvas, this.notice);
         at.screen.after(this.controls);
         at.classList.add('live-on');
+        this.values.element.open = this.ray.element.open = !this.narrow.matches && !at.isInPlace;
         at.classList.toggle('live-editing', !this.changes.element.hidden);
     }
 
-    // What an element without a poster has printed or drawn stays; else it goes.
+    // Leave the element. One that was opened by a command is removed, unless it still shows printed or drawn results.
     leave() {
         const {at} = this;
         if (!at) return;
         this.program?.stop();
-        at.classList.remove('live-on', 'live-window', 'live-waits', 'live-editing', 'live-wide');
+        at.classList.remove('live-on', 'live-window', 'live-drawn', 'live-waits', 'live-editing', 'live-wide');
         this.controls.remove();
-        for (const made of [this.canvas, this.status, this.notice]) made.remove();
+        for (const made of [this.canvas, this.notice]) made.remove();
         this.at = null;
         if (at.opener && !at.result?.isConnected) at.remove();
     }
 
-    // What there is to see after a start.
+    // Show the result of a start.
     tell(at, status) {
         const runs = this.program.call('live_runs') === 1;
         at.classList.toggle('live-window', runs);
@@ -181,7 +213,9 @@ export class Stage {
         at.style.setProperty('--ratio', width / height);
         if (runs) {
             this.program.fit();
-            this.canvas.focus({preventScroll: true});
+            this.canvas.setAttribute('aria-label', at.hasHands ? 'The figure, which runs. Drag its points, or press Enter for the next point and the arrow keys to move it.'
+                : 'The running program. Drag to look around, press W A S D to move, click to select a ray, press Escape to pause.');
+            this.follow(this.shown);
         } else {
             at.result = this.result(at, status);
             at.append(at.result);
@@ -190,15 +224,28 @@ export class Stage {
         this.look();
     }
 
+    // Show the ray that a picture shows.
+    follow({probe}) {
+        if (!probe) return;
+        const {size} = this.program.state(), [x, y] = probe.split(',').map((share, i) => Math.floor(share * size[i]));
+        this.call('live_pixel', x, y);
+    }
+
+    // The first frame is there: it takes the still picture's place. By then the ray has been marched.
+    drew() {
+        if (this.shown?.step) this.call('live_step', Number(this.shown.step));
+        this.at?.classList.add('live-drawn');
+    }
+
     // What a command line has printed and drawn, which stays where it was asked for.
     result(at, status) {
         const {part} = this;
         const result = part('div', {className: 'live-result'}, ...this.pictures);
         const {head, tail} = this.shown, lines = head > 0 ? this.lines.slice(0, head) : tail > 0 ? this.lines.slice(-tail) : this.lines;
         if (this.lines.length > 0 || this.pictures.length === 0) {
-            const printed = part('pre', {className: 'live-printed', tabIndex: 0, textContent: lines.join('\n').replaceAll('/course/', '') || '(it prints nothing)'});
-            printed.setAttribute('role', 'group'); // no landmark: there may be several
-            printed.setAttribute('aria-label', 'What the program prints');
+            const printed = part('pre', {className: 'live-printed', tabIndex: 0, textContent: lines.join('\n').replaceAll('/course/', '') || '(no output)'});
+            printed.setAttribute('role', 'group'); // not a landmark, because there may be several
+            printed.setAttribute('aria-label', 'Output of the program');
             printed.classList.toggle('live-wrong', status !== 0);
             printed.classList.toggle('live-few', lines.length < 3);
             result.append(printed);
@@ -217,10 +264,11 @@ export class Stage {
 
     heard(text, isError) {
         if (this.starting) this.lines.push(text);
-        else if (isError) this.wrong = text;
+        else if (isError && !this.canvas.getContext('webgl2')?.isContextLost()) this.wrong = text;
     }
 
-    // A picture that the program has written: of its command line it stands on the page, of a key it is saved.
+    // A picture that the program has written: if a command line wrote it, it is shown on the page; if a key did, it is
+    // saved.
     show(data, name) {
         const {part} = this, {starting} = this;
         const canvas = part('canvas', {width: data.width, height: data.height});
@@ -236,7 +284,7 @@ export class Stage {
         });
     }
 
-    // The program has ended, by Backspace or because it could not draw.
+    // The program has ended, after Backspace or because it could not draw.
     ended() {
         const {error} = this.program.state(), at = this.at;
         this.close();
@@ -251,8 +299,8 @@ export class Stage {
         (at?.opener || at?.button)?.focus();
     }
 
-    note(text) {
-        this.notice.textContent = text;
+    note(text, ...more) {
+        this.notice.replaceChildren(text, ...more);
         this.notice.hidden = text === '';
     }
 
@@ -260,11 +308,11 @@ export class Stage {
         const at = this.at;
         if (document.fullscreenElement) document.exitFullscreen();
         else if (at.requestFullscreen) at.requestFullscreen();
-        else at.classList.toggle('live-wide'); // a telephone that has none
+        else at.classList.toggle('live-wide'); // for phones that have no full screen
         this.canvas.focus({preventScroll: true});
     }
 
-    // What runs as a file for Shadertoy, by a program of its own; the one in the page goes on.
+    // The running shader as a file for Shadertoy, made by a separate program; the one in the page continues.
     async exported() {
         const lines = [], names = this.state.files.map((path) => path.replace('/course/', ''));
         const other = await Program.load(this.part('canvas'), {onLine: (text) => lines.push(text)});
@@ -274,6 +322,12 @@ export class Stage {
         return lines.join('\n') + '\n';
     }
 
+    // Of an interactive figure the keyboard has a point at once: Enter leads to the next.
+    takeHandle() {
+        const {handles} = this.at?.hasHands ? this.program.state() : {};
+        if (handles?.length > 0 && this.canvas.matches(':focus-visible') && !handles.some((one) => one.focused)) this.press(NEXT_HANDLE);
+    }
+
     // ---- The state ----
 
     look() {
@@ -281,17 +335,20 @@ export class Stage {
         const state = this.state = this.program.state();
         if (this.views.childElementCount !== state.views.length)
             this.views.replaceChildren(...state.views.map((name, view) => this.button(name, () => this.call('live_view', view))));
-        // A text with a main of its own has no camera, no views and no trace of a ray.
-        this.views.hidden = this.pad.hidden = this.back.hidden = this.ray.element.hidden = state.views.length === 1;
+        // A text with a main of its own has no camera, no views and no trace of a ray; an interactive figure needs none.
+        this.views.hidden = this.pad.hidden = this.mover.hidden = this.back.hidden = this.ray.element.hidden = state.views.length === 1 || this.at.hasHands;
         state.views.forEach((name, view) => this.views.children[view].setAttribute('aria-pressed', name === state.view));
-        this.pause.textContent = state.paused ? 'Go on' : 'Pause';
+        this.name(this.pause, state.paused ? 'Resume' : 'Pause');
         this.still.hidden = !(state.paused && calm.matches);
         if (document.activeElement !== this.time) this.time.value = state.time.toFixed(state.paused ? 3 : 1);
         const size = state.divisor > 1 ? ` (drawn at 1/${Number(state.divisor.toFixed(1))})` : '';
-        this.status.textContent = `${state.size.join(' × ')}${size} · ${state.milliseconds.toFixed(0)} ms · ${state.rate.toFixed(0)} a second`;
+        this.status.textContent = `${state.size.join(' × ')}${size} · ${state.milliseconds.toFixed(0)} ms · ${state.rate.toFixed(0)} fps`;
         const error = state.error.replaceAll('/course/', '');
         if (this.error.textContent !== error) this.error.textContent = error;
         this.error.hidden = error === '';
+        // What nothing sets is said where it is seen, until something is said that is worse.
+        if (error === '' && state.unset !== this.unset) this.note(state.unset);
+        this.unset = state.unset;
         if (this.wrong && error === '') this.note(this.wrong.replaceAll('/course/', ''));
         this.wrong = '';
         this.changes.show(state);

@@ -1,6 +1,6 @@
-// values.js - a row for each parameter of the shader: slider, number, unit, help, and back to the value of the file.
+// values.js - a row for each parameter of the shader: slider, number, unit, help, and a button that resets the value.
 
-// How a parameter's slider counts: where a press of a key multiplies, it has equal ratios.
+// The scale of a parameter's slider: logarithmic if a key press multiplies the value.
 function scaleOf(parameter) {
     const {minimum, maximum, step, type} = parameter;
     if (parameter.multiplies && minimum > 0)
@@ -18,11 +18,11 @@ export class Values {
         this.rows = new Map();
         this.list = part('div', {className: 'live-rows'});
         this.all = stage.button('Reset all', () => { for (const name of this.rows.keys()) stage.call('live_reset', name); }, {className: 'live-reset-all'});
-        this.element = part('details', {className: 'live-values', open: !matchMedia('(max-width: 640px)').matches}, part('summary', {textContent: 'Values'}), this.list, this.all);
+        this.element = part('details', {className: 'live-values', open: !stage.narrow.matches}, part('summary', {textContent: 'Values'}), this.list, this.all);
     }
 
     row(parameter) {
-        const {part} = this.stage, {name, type} = parameter, id = `live-help-${name.replace(/\W+/g, '-')}`; // "factor (right)": of the second of two pictures
+        const {part} = this.stage, {name, type} = parameter, id = `live-help-${name.replace(/\W+/g, '-')}`; // "factor (right)" is a parameter of the second of two pictures
         const set = (i, value) => this.stage.call('live_set', name, i, value);
         const row = {inputs: [], numbers: [], scale: scaleOf(parameter)};
         const letters = parameter.value.length > 1 ? (/colour( \(|$)/i.test(name) ? 'rgba' : 'xyzw') : ' ';

@@ -1,5 +1,5 @@
-// air.h - the light of a clear sky: sunlight that the air of a round Earth scatters once. It draws
-// nothing: the tables sky_sunward, sky_away and sun_halo are made of it.
+// air.h - the light of a clear sky: sunlight that the air of a round Earth scatters, once or
+// several times. It draws nothing: the tables sky_sunward, sky_away and sun_halo are made of it.
 //
 // Light is in the unit of the course's skies: 1 is 4,000 cd/m^2, and a lamp's light on a surface is
 // given as what a white matt surface across its rays sends on. Colours are linear sRGB. Heights are
@@ -16,20 +16,30 @@ struct air_wave {
 };
 extern const struct air_wave air_waves[AIR_WAVES];
 
-// What the air sends towards an eye at sea level, each kind without the share that its angle of
-// scattering has: multiply by air_rayleigh_phase and air_dust_phase, and add.
+// What the air sends towards an eye at sea level. Multiply the first two kinds by phaseAir and
+// phaseDust of shaders/sky_table.glsl, which depend on the angle of scattering, and add.
 struct air_light {
-    double air[3];  // scattered by molecules
-    double dust[3]; // scattered by dust and droplets
+    double air[3];  // scattered once, by molecules
+    double dust[3]; // scattered once, by dust and droplets
+    double more[3]; // scattered more than once, by either or by the ground: the same in each phase
 };
 
-// The scattered light of a direction: an integral along it, of what is scattered at each place,
-// dimmed on the way there and on the way to the eye, added up over 16 wavelengths.
+// The scattered light of a direction: an integral along it of what is scattered at each point,
+// dimmed on the way there and on the way to the eye, added up over 16 wavelengths. The light that
+// has been scattered before it arrives at a point comes from a grid, which the first call computes
+// in some seconds: four orders of scattering, by air, dust and a ground of albedo 0.15, each taken
+// to arrive from all directions alike.
 //   sun      sine of the sun's height, in [-1, 1]; no light comes through the Earth
 //   view     sine of the direction's height, in [0, 1]
 //   azimuth  cosine of the angle between the two in the level plane, in [-1, 1]: 1 below or above
 //   the sun ozone    of 300 Dobson units: 1; 0 leaves it out
 struct air_light air_scattered(double sun, double view, double azimuth, double ozone);
+
+// The same for each wavelength, as shares of the sunlight above the air, per steradian.
+struct air_shares {
+    double air[AIR_WAVES], dust[AIR_WAVES], more[AIR_WAVES];
+};
+void air_shares(double sun, double view, double azimuth, double ozone, struct air_shares *shares);
 
 // The sun's light on a surface across its rays, after the air; unrefracted.
 //   sun      sine of its height; 0 where the Earth is in the way
@@ -37,8 +47,9 @@ void air_sunlight(double sun, double colour[3]);
 
 // ---- The tables ----
 
-// A table has a column for each height of the sun and two storeys of rows: below for what the air
-// scatters, above for the dust, in each a row for each height of the direction.
+// A table has a column for each height of the sun and three storeys of rows, from the bottom: light
+// that the air has scattered once, that the dust has, and light that was scattered more often. In
+// each there is a row for each height of the direction.
 // shaders/sky_table.glsl reads it.
 enum { AIR_COLUMNS = 288, AIR_ROWS = 160 };
 
@@ -65,7 +76,7 @@ double air_drawn_back(double x, double k);
 //   sun   sine of its height
 //   row   of the direction's height: air_drawn_out of its sine, 0 to 1
 struct air_scale {
-    double air[3], dust[3];
+    double air[3], dust[3], more[3];
 };
 struct air_scale air_scale(double sun, double row);
 

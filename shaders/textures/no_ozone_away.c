@@ -9,5 +9,5 @@ static void table(double u, double v, double value[4])
 
 int main(void)
 {
-    return paint_texture(AIR_COLUMNS, 2 * AIR_ROWS, 1, PAINT_FOUR, table);
+    return paint_texture(AIR_COLUMNS, 3 * AIR_ROWS, 1, PAINT_FOUR, table);
 }

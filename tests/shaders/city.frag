@@ -1,4 +1,4 @@
-// For test_sky.c: chapter 09's distance at places without pattern, and whether its sky is a colour.
+// For sky.c: chapter 09's distance at places without pattern, and whether its sky is a colour.
 //
 // iTime chooses: 0 to 1 a place as a share of the sampled box, 1 to 2 the distance there, 2 to 3 the
 // tree's distance at it and beside it, from 3 on the sky. All in [0, 1], which main() keeps.

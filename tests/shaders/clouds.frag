@@ -1,5 +1,5 @@
 #version 330 core
-// For test_clouds.c: the functions of clouds.glsl. Time chooses the function, iMouse holds four numbers for it; x
+// For clouds.c: the functions of clouds.glsl. Time chooses the function, iMouse holds four numbers for it; x
 // and y are the pixel's numbers.
 
 in float Time;

@@ -1,4 +1,4 @@
-// For test_coarse.c: four balls and a wire, each pixel's march begun by the coarse pass.
+// For coarse.c: four balls and a wire, each pixel's march begun by the coarse pass.
 
 #include "main.glsl"
 #include "orthographic.glsl"

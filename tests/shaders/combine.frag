@@ -1,5 +1,5 @@
 #version 330 core
-// For test_combine.c: two equal balls combined, at random points, with a second point near each.
+// For combine.c: two equal balls combined, at random points, with a second point near each.
 //
 // Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), (a, b, the share of b, -), and the smooth
 // union at (a + h, b), (a - h, b), (a, b + h), (a, b - h). Time is the operation; iMouse holds half the

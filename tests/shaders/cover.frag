@@ -1,4 +1,4 @@
-// For test_bound.c: all rays are one, towards or away from a plane, or past a ball.
+// For bound.c: all rays are one, towards or away from a plane, or past a ball.
 
 #include "main.glsl"
 #include "march.glsl"

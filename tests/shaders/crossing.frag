@@ -1,5 +1,5 @@
 #version 330 core
-// For test_crossing.c: marches towards things drawn by lot.
+// For crossing.c: marches towards things drawn by lot.
 //
 // Time chooses the function, iMouse holds numbers for it; x is the number of the case; the upper row is marchCone.
 

@@ -1,5 +1,5 @@
 #version 330 core
-// For test_numeric.c: the library's distances at random points, with a second point near each.
+// For numeric.c: the library's distances at random points, with a second point near each.
 //
 // Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), (differences of f at p, their length), 0.
 // Time chooses the function; iMouse holds its sizes.

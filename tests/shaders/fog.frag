@@ -1,5 +1,5 @@
 #version 330 core
-// For test_fog.c: the functions of fog.glsl. Time chooses the function, iMouse holds four numbers for it; x
+// For fog.c: the functions of fog.glsl. Time chooses the function, iMouse holds four numbers for it; x
 // and y are the pixel's numbers.
 
 in float Time;

@@ -1,5 +1,5 @@
 #version 330 core
-// For test_glass.c and test_spectrum.c: glass.glsl, fresnel.glsl, spectrum.glsl, prism.glsl, caustic.glsl.
+// For glass.c and spectrum.c: glass.glsl, fresnel.glsl, spectrum.glsl, prism.glsl, caustic.glsl.
 //
 // Time chooses the function, iMouse holds four numbers for it; x is the pixel's number.
 
@@ -51,11 +51,6 @@ void main()
     if (function == 0) { // Fresnel; iMouse.x: eta
         float facing = number / 512.0;
         FragColor = vec4(facing, fresnelShare(facing, iMouse.x), schlickShare(facing, iMouse.y), 0.0);
-    } else if (function == 1) { // GLSL's refract; iMouse.x: eta
-        vec3 normal = normalize(sin(vec3(1.3, 2.7, 4.1) * (number + 1.0)));
-        vec3 aside = normalize(cross(normal, sin(vec3(7.1, 1.9, 3.3) * (number + 2.0))));
-        float angle = 1.55 * row / 15.0;
-        FragColor = vec4(refract(sin(angle) * aside - cos(angle) * normal, normal, iMouse.x), angle);
     } else if (function == 2) { // through the ball; iMouse: index, threshold, offset in thresholds
         Ray ray = towardsBall((number + 0.5) / 512.0, 0.4 * row);
         Hit in_ = marchSide(ray, 1.0, 0.0, 9.0, iMouse.y, 4096);

@@ -1,5 +1,5 @@
 #version 330 core
-// For test_gloss.c: highlights on a surface with the normal (0, 0, 1), for lights over the half-sphere.
+// For gloss.c: highlights on a surface with the normal (0, 0, 1), for lights over the half-sphere.
 //
 // A pixel is a direction of light: its column the turn about the normal, its row the cosine to it. Time
 // is the model; iMouse holds the cosine to the eye, the parameter, and the number of rows.

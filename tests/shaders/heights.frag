@@ -1,4 +1,4 @@
-// For test_texturing.c: heightOnSlide of a picture of heights, at a texel's middle for each pixel of 64 x 64.
+// For texturing.c: heightOnSlide of a picture of heights, at a texel's middle for each pixel of 64 x 64.
 //
 // iTime is the axis, and 3 more for its gradient, else the height is red; iMouse.x is the reach in texels.
 // A gradient g, per repeat, is shown as 1/2 + g / 4096.

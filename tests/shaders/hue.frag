@@ -1,5 +1,5 @@
 #version 330 core
-// For test_hue.c: the library's colours of a hue. Time chooses the function; x and y the number.
+// For hue.c: the library's colours of a hue. Time chooses the function; x and y the number.
 
 in float Time;
 out vec4 FragColor;

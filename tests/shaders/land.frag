@@ -1,5 +1,5 @@
 #version 330 core
-// For test_land.c: functions of land.glsl and water.glsl. Time chooses the function, iMouse holds four numbers for it;
+// For land.c: functions of land.glsl and water.glsl. Time chooses the function, iMouse holds four numbers for it;
 // x and y are the pixel's numbers.
 
 in float Time;
@@ -26,8 +26,8 @@ void main()
         FragColor = vec4(ridged(groundNoise(iMouse.xy + vec2(number) / 16.0)), 0.0);
     } else if (function == 2) { // iMouse: radii, height
         FragColor = vec4(hill(number / 16.0 - 4.0, iMouse.xy, iMouse.z), 0.0);
-    } else if (function == 3) { // gap, slope, growth
-        vec3 v = vec3(exp2(0.25 * number.x - 8.0), exp2(0.5 * number.y - 3.0), iMouse.x);
+    } else if (function == 3) { // gap, slope, growth; iMouse: growth, 1 for gaps below the ground
+        vec3 v = vec3((1.0 - 2.0 * iMouse.y) * exp2(0.25 * number.x - 8.0), exp2(0.5 * number.y - 3.0), iMouse.x);
         FragColor = vec4(v.x, v.y, wayToClose(v.x, v.y, v.z), 0.0);
     } else if (function == 4) { // iMouse: the footprint's axes along x and z; four waves at one place
         Footprint f = Footprint(vec3(iMouse.x, 0.0, iMouse.y), vec3(iMouse.z, 0.0, iMouse.w));

@@ -1,5 +1,5 @@
 #version 330 core
-// For test_lens.c: the functions of lens.glsl, samples.glsl and filter.glsl. Time chooses the function,
+// For lens.c: the functions of lens.glsl, samples.glsl and filter.glsl. Time chooses the function,
 // iMouse holds four numbers for it.
 
 in float Time;
@@ -20,7 +20,7 @@ uniform float focalLength;
 void main()
 {
     int function = int(Time);
-    vec2 pixel = gl_FragCoord.xy + iPixelOffset, number = floor(pixel);
+    vec2 pixel = gl_FragCoord.xy, number = floor(pixel); // with the offset of the sample, as other tools have it
     iPixel = ivec2(number);
     vec2 screen = screenPosition(pixel);
     FragColor = vec4(0.0);

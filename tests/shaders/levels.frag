@@ -1,4 +1,4 @@
-// For test_levels.c: what a pixel sees of a picture that it covers a part of, by the picture's levels.
+// For levels.c: what a pixel sees of a picture that it covers a part of, by the picture's levels.
 //
 // A pixel of 32 x 32 asks at a place of its own, the same in every run. iTime chooses how it reads: by
 // the footprint's two sides, by a level, by footprintOn. iMouse is the sides in repeats of the picture or

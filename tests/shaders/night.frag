@@ -1,5 +1,5 @@
 #version 330 core
-// For test_night.c: the functions of the night. Time chooses the function; x is the pixel's number.
+// For night.c: the functions of the night. Time chooses the function; x is the pixel's number.
 
 in float Time;
 out vec4 FragColor;

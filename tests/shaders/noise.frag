@@ -1,5 +1,5 @@
 #version 330 core
-// For test_noise.c: the functions of noise.glsl at random points.
+// For noise.c: the functions of noise.glsl at random points.
 //
 // Each item takes 4 pixels of a row. Time chooses the function; iMouse holds its numbers.
 

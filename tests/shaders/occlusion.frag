@@ -1,5 +1,5 @@
 #version 330 core
-// For test_occlusion.c: the functions of occlusion.glsl and thickness.glsl.
+// For occlusion.c: the functions of occlusion.glsl and thickness.glsl.
 //
 // Time chooses the function, iMouse holds four numbers for it; x is the pixel's number.
 

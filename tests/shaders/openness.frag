@@ -1,4 +1,4 @@
-// For support_occlusion.c: of the scene of chapter 14, what is seen of the sky by a formula (red) and by 576 rays (blue); green is 0
+// For tests/lib/occlusion.c: of the scene of chapter 14, what is seen of the sky by a formula (red) and by 576 rays (blue); green is 0
 // where the picture shows the sky.
 #include "main.glsl"
 #define rayColour chapterRayColour

@@ -1,4 +1,4 @@
-// For test_projection.c: two equal upright plates, one behind the other, or a strip on the ground; white
+// For projection.c: two equal upright plates, one behind the other, or a strip on the ground; white
 // before black. The eye is at the origin.
 
 #include "main.glsl"

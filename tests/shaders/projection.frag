@@ -1,5 +1,5 @@
 #version 330 core
-// For test_projection.c: the rays of a place on the screen by each of the three projections.
+// For projection.c: the rays of a place on the screen by each of the three projections.
 //
 // Time chooses what is written; iMouse.x is the framing distance.
 

@@ -1,5 +1,5 @@
 #version 330 core
-// For test_numeric.c: the library's march, box interval, shadow ray and normal along random rays.
+// For numeric.c: the library's march, box interval, shadow ray and normal along random rays.
 //
 // Each item takes 4 pixels of a row: (origin, -), (direction, -), and two of results. Time chooses
 // the function; iMouse holds its numbers.

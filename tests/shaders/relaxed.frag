@@ -1,5 +1,5 @@
 #version 330 core
-// For test_relaxed.c: marches over distances drawn by lot, stretches along a ray.
+// For relaxed.c: marches over distances drawn by lot, stretches along a ray.
 //
 // Time chooses the function, iMouse holds four numbers for it; x is the number of the case, y of the row.
 

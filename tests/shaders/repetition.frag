@@ -1,5 +1,5 @@
 #version 330 core
-// For test_repetition.c and test_cells.c: repeated volumes at random points, the operators at given numbers, the hash.
+// For repetition.c and cells.c: repeated volumes at random points, the operators at given numbers, the hash.
 //
 // Time chooses the function; iMouse: period, number of repeated axes, first and last cell. Each pixel
 // is (p, f(p)), or four numbers.

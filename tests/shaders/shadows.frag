@@ -1,4 +1,4 @@
-// For support_measure.c: of the scene of chapter 13, what is seen of the sun by one march (red) and by 1024
+// For tests/lib/measure.c: of the scene of chapter 13, what is seen of the sun by one march (red) and by 1024
 // rays (blue); 1 where no shadow is looked for. The last formula is that of the solution of exercise 5.
 #include "main.glsl"
 #define rayColour chapterRayColour

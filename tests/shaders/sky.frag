@@ -1,5 +1,5 @@
 #version 330 core
-// For test_sky.c: the sky's functions. Time chooses the function; x is the pixel's number.
+// For sky.c: the sky's functions. Time chooses the function; x is the pixel's number.
 
 in float Time;
 out vec4 FragColor;
@@ -23,14 +23,9 @@ void main()
         FragColor = vec4(view, sun, light.x, light.z);
     } else if (Time < 3.0) { // iMouse.xy: latitude, declination
         FragColor = vec4(sunDirection(number * 0.0234375, iMouse.x, iMouse.y), number * 0.0234375);
-    } else if (Time < 4.0) {
+    } else {
         float angle = number * 0.003;
         vec3 away = vec3(sin(angle), 0.0, cos(angle));
         FragColor = vec4(glow(away, vec3(0.0, 0.0, 1.0), 0.8), disc(away, vec3(0.0, 0.0, 1.0), 0.5), angle, 0.0);
-    } else { // iMouse.xy: hour, haze; 32 heights for each of 256 directions
-        float turn = 0.0245 * floor(number / 32.0), height = mod(number, 32.0) / 31.0;
-        vec3 direction = vec3(sqrt(1.0 - height * height) * vec2(cos(turn), sin(turn)), height).xzy;
-        vec3 sun = sunDirection(iMouse.x, 43.6, 2.0);
-        FragColor = vec4(sunlitSky(direction, sun, RAYLEIGH + iMouse.y) + nightSky(direction, sun), 0.0);
     }
 }

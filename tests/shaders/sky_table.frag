@@ -1,4 +1,4 @@
-// For test_sky_table.c and `build/tests/measure sky`: the functions of sky_table.glsl, and the other ways of chapter 18's
+// For sky_table.c and `build/tests/measure sky`: the functions of sky_table.glsl, and the other ways of chapter 18's
 // experiments. iTime chooses the function, iMouse.x is its number. What is drawn is cut off at 0 and 1: the logarithm is told.
 #include "main.glsl"
 #define rayColour chapterRayColour

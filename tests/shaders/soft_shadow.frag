@@ -1,5 +1,5 @@
 #version 330 core
-// For test_soft_shadow.c: the functions of soft_shadow.glsl.
+// For soft_shadow.c: the functions of soft_shadow.glsl.
 //
 // Time chooses the function, iMouse holds four numbers for it; x is the pixel's number.
 
@@ -59,6 +59,10 @@ void main()
     } else if (function == 5) {
         float turn = 0.1 * number, height = sin(7.0 * number);
         vec3 toLight = vec3(sqrt(1.0 - height * height) * vec2(cos(turn), sin(turn)), height).xzy;
+        if (number < 6.0) { // along an axis of space, both ways
+            toLight = vec3(0.0);
+            toLight[int(number) % 3] = number < 3.0 ? 1.0 : -1.0;
+        }
         vec2 point = discPoint(vec2(0.25, fract(0.37 * number)));
         vec3 direction = lampDirection(toLight, iMouse.x, point);
         FragColor = vec4(length(direction), dot(direction, toLight), length(cross(direction, toLight)), 0.0);

@@ -1,5 +1,5 @@
 #version 330 core
-// For test_solids.c: extrusions, revolutions and the solids of shaders/solids.glsl, at random points.
+// For solids.c: extrusions, revolutions and the solids of shaders/solids.glsl, at random points.
 //
 // Each item takes 2 pixels of a row: a point and its distance, and another point, near or far, and its.
 // Time chooses the function; iMouse holds its numbers.

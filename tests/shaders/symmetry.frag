@@ -1,5 +1,5 @@
 #version 330 core
-// For test_symmetry.c: folds, tetrahedra, pyramids and cones at random points and along random rays.
+// For symmetry.c: folds, tetrahedra, pyramids and cones at random points and along random rays.
 //
 // Each item takes 4 pixels of a row. Time chooses the function; iMouse holds its numbers.
 

@@ -1,5 +1,5 @@
 #version 330 core
-// For test_texturing.c: the functions of texture.glsl that look nothing up, at random places.
+// For texturing.c: the functions of texture.glsl that look nothing up, at random places.
 //
 // Each item takes 8 pixels of a row. iMouse.x is the sharpness.
 

@@ -1,5 +1,5 @@
 #version 330 core
-// For test_transform.c and test_deformation.c: the functions of transform.glsl at random points.
+// For transform.c and deformation.c: the functions of transform.glsl at random points.
 //
 // Each item takes 4 pixels of a row. Time chooses the function; iMouse holds its numbers.
 

@@ -1,5 +1,5 @@
 #version 330 core
-// For test_numeric.c: the library's functions of a number or of a place on the screen.
+// For numeric.c: the library's functions of a number or of a place on the screen.
 //
 // Time chooses the function; x is the pixel's number.
 

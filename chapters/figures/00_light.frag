@@ -1,0 +1,31 @@
+// A ball in the light of a lamp: drag the lamp around the ball and behind it. A surface that faces the lamp is
+// bright; one that faces away keeps only a tenth.
+#include "main.glsl"
+#include "lighting.glsl"
+#include "march.glsl"
+#include "normal.glsl"
+#include "primitives.glsl"
+
+uniform vec3 lamp; // -1.15, 0.75, -1.9 in [-6, 6] step 0.1, handle scene units: the lamp
+
+Ray pixelRay(vec2 screen)
+{
+    return Ray(vec3(0.0), normalize(vec3(screen, -1.5)));
+}
+
+float sceneDistance(vec3 p)
+{
+    return min(sdSphere(p - vec3(0.0, 0.0, -3.0), 1.0), p.y + 1.0);
+}
+
+vec3 rayColour(Ray ray)
+{
+    Hit hit = march(ray, 0.0, 40.0, 0.001, 200);
+    vec3 p = ray.origin + hit.t * ray.direction, normal = normalAt(p, 0.001);
+    vec3 colour = vec3(0.5, 0.7, 1.0);
+    if (hit.found)
+        colour = vec3(1.0, 0.9, 0.7) * (0.1 + 0.9 * lambert(normal, normalize(lamp - p)));
+    float beside = 1.5 * length(ray.direction.xy / ray.direction.z - lamp.xy / lamp.z); // from the lamp, on the screen
+    bool visible = lamp.z < 0.0 && (!hit.found || length(lamp) < hit.t);
+    return visible ? mix(colour, vec3(1.0, 0.97, 0.85), (1.0 - smoothstep(0.031, 0.037, beside))) : colour;
+}

@@ -1,0 +1,32 @@
+// A bent plank: drag the point around it. The blue circle has the radius that the formula gives at the point that
+// is turned back, and it may reach into the plank. The green circle has this radius divided by the stretch of the
+// bend, and never does. The lines are those of the formula: where they are crowded, it changes too fast.
+#include "figure.glsl"
+#include "transform.glsl"
+
+uniform vec2  point; // (0.42, -0.3) handle: where the formula is evaluated
+uniform float rate;  // 0.9 in [-1, 1] step 0.1, radians per unit: how much the plank is bent
+
+const vec2  CENTRE = vec2(0.0, 0.35); // of the plank
+const float RADIUS = 1.2;             // of the cylinder around it in which the bound is valid
+
+float sceneDistance(vec3 p)
+{
+    return sdRectangle(opBend(p - vec3(CENTRE, 0.0), rate).xy, vec2(1.1, 0.14));
+}
+
+vec3 rayColour(Ray ray)
+{
+    vec2 p = sheetPoint(ray);
+    float d = sceneDistance(vec3(p, 0.0)), formula = abs(sceneDistance(vec3(point, 0.0)));
+    fill(d, SAND, 1.0);
+    contours(d, 0.1, 0.8, PALE);
+    fill(length(p - point) - formula, SKY, 0.7);
+    stroke(d, 2.5, ORANGE);
+    stroke(length(p - point) - formula, 1.5, BLUE);
+    stroke(length(p - point) - formula / bendStretch(rate, RADIUS), 1.5, TEAL);
+    dot2(p, point, 8.0, INK);
+    number(p, vec2(-1.6, 0.88), formula, 2, BLUE);
+    number(p, vec2(-1.6, 0.77), formula / bendStretch(rate, RADIUS), 2, TEAL);
+    return sheetColour;
+}

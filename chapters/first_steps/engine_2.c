@@ -1,0 +1,216 @@
+// An engine of your own, step 2: a fragment shader from a file, with its errors
+// (docs/engine.md). The picture follows each time the file is saved. To build it without make:
+//
+// cc -o engine_2 chapters/first_steps/engine_2.c $(pkg-config --cflags --libs glfw3)
+
+#include <errno.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#define GLFW_INCLUDE_NONE // or GLFW includes an old OpenGL header; the right one follows
+#include <GLFW/glfw3.h>
+#include <GL/glcorearb.h>
+
+enum { WIDTH = 640, HEIGHT = 360, TEXT = 65536 }; // pixels; bytes of a shader, at most
+
+// Runs for each corner, 0, 1 and 2: where is it? The screen extends from -1 to 1.
+static const char vertex_text[] =
+    "#version 330 core\n"
+    "out vec2 FragCoord;\n"
+    "void main()\n"
+    "{\n"
+    "    FragCoord = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);\n"
+    "    gl_Position = vec4(FragCoord, 0.0, 1.0);\n"
+    "}\n";
+
+// The OpenGL functions that this program calls: FUNCTIONS(X) expands to X(type, name) for each.
+#define FUNCTIONS(X)                                                                               \
+    X(PFNGLATTACHSHADERPROC, glAttachShader)                                                       \
+    X(PFNGLBINDVERTEXARRAYPROC, glBindVertexArray)                                                 \
+    X(PFNGLCOMPILESHADERPROC, glCompileShader)                                                     \
+    X(PFNGLCREATEPROGRAMPROC, glCreateProgram)                                                     \
+    X(PFNGLCREATESHADERPROC, glCreateShader)                                                       \
+    X(PFNGLDELETEPROGRAMPROC, glDeleteProgram)                                                     \
+    X(PFNGLDELETESHADERPROC, glDeleteShader)                                                       \
+    X(PFNGLDRAWARRAYSPROC, glDrawArrays)                                                           \
+    X(PFNGLGENVERTEXARRAYSPROC, glGenVertexArrays)                                                 \
+    X(PFNGLGETPROGRAMINFOLOGPROC, glGetProgramInfoLog)                                             \
+    X(PFNGLGETPROGRAMIVPROC, glGetProgramiv)                                                       \
+    X(PFNGLGETSHADERINFOLOGPROC, glGetShaderInfoLog)                                               \
+    X(PFNGLGETSHADERIVPROC, glGetShaderiv)                                                         \
+    X(PFNGLLINKPROGRAMPROC, glLinkProgram)                                                         \
+    X(PFNGLSHADERSOURCEPROC, glShaderSource)                                                       \
+    X(PFNGLUSEPROGRAMPROC, glUseProgram)                                                           \
+    X(PFNGLVIEWPORTPROC, glViewport)
+
+#define DECLARE(type, name) static type name;
+FUNCTIONS(DECLARE)
+
+// Report a failure in one line: what failed, and why. Always false.
+static bool fail(const char *what, const char *why)
+{
+    fprintf(stderr, "engine: %s: %.*s\n", what, (int)strcspn(why, "\n"), why);
+    return false;
+}
+
+// Get the addresses of the functions from the driver. Returns false if it lacks one.
+static bool load_functions(void)
+{
+    const char *missing = NULL;
+#define LOAD(type, name)                                                                           \
+    name = (type)glfwGetProcAddress(#name);                                                        \
+    missing = (name) == NULL ? #name : missing;
+    FUNCTIONS(LOAD)
+    return missing == NULL || fail(missing, "the driver lacks this function: update the driver");
+}
+
+// Read a whole file as text. Returns false if it cannot be read or is too long.
+static bool read_text(const char *path, char text[TEXT])
+{
+    FILE *file = fopen(path, "r");
+    if (file == NULL)
+        return fail(path, strerror(errno));
+    size_t size = fread(text, 1, TEXT, file);
+    int error = ferror(file) ? errno : 0; // a folder can be opened, but not read
+    fclose(file);
+    if (error != 0 || size == TEXT)
+        return fail(path, error != 0 ? strerror(error) : "too long: a shader has less than 64 KiB");
+    text[size] = '\0';
+    return true;
+}
+
+// When was the file last saved, in seconds? 0 if there is none, as while an editor replaces it.
+static double saved_at(const char *path)
+{
+    struct stat about;
+    if (stat(path, &about) != 0)
+        return 0.0;
+    return (double)about.st_mtim.tv_sec + 1e-9 * (double)about.st_mtim.tv_nsec;
+}
+
+// Report the first error of a driver's log. Drivers write the line as 0:13 or 0(13), after other
+// words or before them, and the message after the next colon and space. Always false.
+static bool fail_at_line(const char *name, const char *log)
+{
+    const char *at = strpbrk(log, "0123456789");
+    const char *message = at == NULL ? NULL : strstr(at, ": ");
+    if (message == NULL || (at[1] != ':' && at[1] != '('))
+        return fail(name, log);
+    char what[1000];
+    snprintf(what, sizeof what, "%s:%ld", name, strtol(at + 2, NULL, 10));
+    return fail(what, message + 2);
+}
+
+// Let the driver compile a shader and attach it to the program. Returns false if it has an error.
+static bool add_shader(GLuint program, GLenum kind, const char *text, const char *name)
+{
+    GLuint shader = glCreateShader(kind);
+    glShaderSource(shader, 1, &text, NULL);
+    glCompileShader(shader);
+    GLint right = 0;
+    glGetShaderiv(shader, GL_COMPILE_STATUS, &right);
+    char log[1000] = "";
+    if (!right)
+        glGetShaderInfoLog(shader, sizeof log, NULL, log);
+    glAttachShader(program, shader);
+    glDeleteShader(shader); // as soon as the program no longer needs it
+    return right || fail_at_line(name, log);
+}
+
+// Make a program of the vertex shader above and a file. Returns 0 if they have an error.
+static GLuint make_program(const char *path)
+{
+    static char text[TEXT];
+    if (!read_text(path, text))
+        return 0;
+    GLuint program = glCreateProgram();
+    GLint right = add_shader(program, GL_VERTEX_SHADER, vertex_text, "vertex shader") &&
+                  add_shader(program, GL_FRAGMENT_SHADER, text, path);
+    if (right) {
+        char log[1000] = "";
+        glLinkProgram(program);
+        glGetProgramiv(program, GL_LINK_STATUS, &right);
+        glGetProgramInfoLog(program, sizeof log, NULL, log);
+        if (!right)
+            fail(path, log);
+    }
+    if (!right)
+        glDeleteProgram(program);
+    return right ? program : 0;
+}
+
+// Make the program of the file and use it, if the file was saved since the last time. Returns the
+// old program if nothing changed or the file has an error, so that the last good picture stays.
+static GLuint reload(GLuint program, const char *path, double *saved)
+{
+    double now = saved_at(path);
+    if (now == *saved || (now == 0.0 && program != 0))
+        return program;
+    *saved = now;
+    GLuint next = make_program(path);
+    if (next == 0)
+        return program;
+    glDeleteProgram(program); // 0 is allowed
+    glUseProgram(next);
+    return next;
+}
+
+// Open a window with an OpenGL 3.3 context. Returns NULL if there can be none.
+static GLFWwindow *open_window(void)
+{
+    GLFWwindow *window = NULL;
+    if (glfwInit()) {
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        window = glfwCreateWindow(WIDTH, HEIGHT, "Engine", NULL, NULL);
+    }
+    const char *why = "unknown reason";
+    if (window == NULL && glfwGetError(&why) != GLFW_NO_ERROR)
+        fail("no window with OpenGL 3.3", why);
+    if (window != NULL) {
+        glfwMakeContextCurrent(window);
+        glfwSetInputMode(window, GLFW_STICKY_KEYS, GLFW_TRUE); // a press counts, however short
+    }
+    return window;
+}
+
+// Draw again and again until the window is closed. Returns false if the file is wrong at the start.
+static bool show(GLFWwindow *window, const char *path)
+{
+    double saved = -1.0;
+    GLuint program = 0;
+    while (!glfwWindowShouldClose(window) && glfwGetKey(window, GLFW_KEY_BACKSPACE) != GLFW_PRESS) {
+        program = reload(program, path, &saved);
+        if (program == 0)
+            return false;
+        int width = 0, height = 0;
+        glfwGetFramebufferSize(window, &width, &height);
+        glViewport(0, 0, width, height);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glfwSwapBuffers(window);           // show the result
+        glfwWaitEventsTimeout(1.0 / 60.0); // keys, mouse, the close button
+    }
+    return true;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2) {
+        fprintf(stderr, "usage: engine_2 SHADER.frag\n");
+        return 2;
+    }
+    bool done = false;
+    GLFWwindow *window = open_window();
+    if (window != NULL && load_functions()) {
+        GLuint corners = 0; // OpenGL requires this object even if the corners have no data
+        glGenVertexArrays(1, &corners);
+        glBindVertexArray(corners);
+        done = show(window, argv[1]);
+    }
+    glfwTerminate(); // also closes the window, and frees all that OpenGL made in it
+    return done ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,34 @@
+// canvas.h - the canvas's size and input: the page's script calls these functions, and glfw.c
+// passes them on to the harness.
+#ifndef CANVAS_H
+#define CANVAS_H
+
+// The canvas has another size.
+//   width, height  in the page's units
+//   across, down   of its drawing buffer, pixels
+void live_size(int width, int height, int across, int down);
+
+// A key, by GLFW's key and action: the page maps positions, and keeps its own keys.
+void live_key(int key, int action, int modifiers);
+
+// A character was typed.
+void live_type(unsigned code);
+
+// The position of the pointer, in the page's units from the canvas's top left.
+void live_pointer(double x, double y);
+
+// A button of the mouse, by GLFW's number.
+void live_button(int button, int pressed, int modifiers);
+
+// Notches of the wheel, away from the user positive.
+void live_wheel(double notches);
+
+void live_focus(int focused);
+
+// While the page or the canvas cannot be seen, the program's clock is stopped.
+void live_hide(int hidden);
+
+// True if float targets do not blend, so that half floats are used.
+int live_halves(void);
+
+#endif

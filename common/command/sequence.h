@@ -1,0 +1,24 @@
+// sequence.h - a film as a sequence of pictures: their file names, and the progress.
+#ifndef SEQUENCE_H
+#define SEQUENCE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define SEQUENCE_FRAMES_LIMIT 100000
+
+// True if a name contains one conversion, %d or %0Wd with W from 1 to 9, and no other '%'.
+bool sequence_is_name(const char *name);
+
+// The name of one picture.
+//   name    for which sequence_is_name is true
+//   number  from 0
+//   path    receives the name with the number instead of the conversion, at most size bytes
+// Returns false, reported: it is too long.
+bool sequence_path(const char *name, int number, char *path, size_t size);
+
+// Print how many pictures are done, on standard error if that is a terminal. The cursor stays at
+// the beginning of the line, so that the next message overwrites it; the last call clears the line.
+void sequence_progress(int done, int count);
+
+#endif

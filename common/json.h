@@ -1,0 +1,27 @@
+// json.h - a writer of JSON.
+#ifndef JSON_H
+#define JSON_H
+
+#include <stdbool.h>
+#include <stdio.h>
+
+// Begin with {.stream = stream}.
+struct json {
+    FILE *stream;
+    bool lines; // each member of an object gets its own line
+    bool comma; // the next value needs a comma before it
+};
+
+// Each writes one value.
+//   name     of the member of an object; NULL in an array, and for the outermost value
+//   bracket  { or [ to begin, } or ] to end
+//   text     UTF-8; NULL is written as ""
+//   value    infinities and NaN are written as null
+//   decimals of the number; -1: nine digits
+void json_begin(struct json *json, const char *name, char bracket);
+void json_end(struct json *json, char bracket);
+void json_text(struct json *json, const char *name, const char *text);
+void json_number(struct json *json, const char *name, double value, int decimals);
+void json_flag(struct json *json, const char *name, bool value);
+
+#endif

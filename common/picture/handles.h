@@ -1,0 +1,41 @@
+// handles.h - parameters that are points of the picture: where they are, and how they follow a
+// pointer.
+#ifndef HANDLES_H
+#define HANDLES_H
+
+#include "picture/renderer.h"
+
+enum { HANDLES_MOST = 8 }; // of one shader; more cannot be dragged
+
+// A handle in a picture. Pixels are counted from the bottom left of the whole picture.
+struct handle {
+    struct parameter *parameter; // not owned
+    float pixel[2];              // its position
+    float move[2][2]; // how many pixels it moves for one scene unit along either axis of its plane
+    float axis[2][3]; // these axes: unit vectors of the scene
+    bool seen;        // a ray of the picture passes through it; otherwise the rest is undefined
+};
+
+// Find the handles of a renderer's shader in a picture, whatever its pixelRay.
+//   formula  shaders/places.glsl finds the pixels of the point p and of p + e a and p + e b, where
+//   a
+//            and b are the axes, and e is a hundredth of the distance to the camera; move is the
+//            difference divided by e: the derivative, up to terms of order e
+// Returns their number; -1, reported.
+int handles_find(struct renderer *renderer, const struct renderer_inputs *inputs,
+                 struct handle handle[HANDLES_MOST]);
+
+// Move a handle in its plane to a pixel, or as close as its range allows, and find all of them
+// again.
+//   handle   as handles_find left them
+//   moved    the index of the one to move
+//   to       the pixel, from the bottom left
+//   formula  Newton's method, at most an eighth of the picture's height per step, so that
+//   perspective
+//            throws no handle behind the camera. A step that loses the handle is undone, and later
+//            ones are a quarter as long. Values are rounded to a thousandth of a unit
+// Returns true if its value changed.
+bool handles_drag(struct renderer *renderer, const struct renderer_inputs *inputs,
+                  struct handle handle[HANDLES_MOST], int moved, const double to[2]);
+
+#endif

@@ -1,0 +1,32 @@
+// loader.h - the one path from a shader's file to what a renderer draws: at the start, after each
+// save, and for both pictures of a comparison.
+#ifndef LOADER_H
+#define LOADER_H
+
+#include <stdbool.h>
+
+#include "picture/renderer.h"
+
+// The shader of one picture. Set path, root and request; a loader of zeros is closed.
+struct loader {
+    const char *path;              // the shader's file; not owned
+    const char *root;              // the project's folder; not owned
+    struct shader_request request; // for each reading
+    struct shader_source source;   // what was read, until the renderer takes it over
+    struct parameters parameters;
+    struct renderer renderer;
+};
+
+// Read the file and its parameters. What an earlier reading left is freed; the renderer is not
+// touched.
+// Returns false, reported.
+bool loader_read(struct loader *loader);
+
+// Compile what was read; the renderer must be open.
+// Returns false, reported; then the renderer still draws the last good shader.
+bool loader_compile(struct loader *loader);
+
+// Close the renderer too, in the context in which it was opened.
+void loader_close(struct loader *loader);
+
+#endif

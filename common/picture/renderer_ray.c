@@ -1,0 +1,173 @@
+#include "picture/renderer.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+
+// Each column of a probe's table marches the ray again: most rays need only these.
+#define FIRST_COLUMNS 64
+
+// ---- The eye ----
+
+struct renderer_eye renderer_eye_of(const struct renderer *renderer,
+                                    const struct renderer_inputs *inputs)
+{
+    struct renderer_eye eye = {.camera = inputs->camera,
+                               .lens = {(double)renderer->focal_length, 0.0}};
+    for (int i = 0; i < RENDERER_LENSES; i++) {
+        const struct parameter *lens = parameters_find(&renderer->parameters, renderer_lens[i]);
+        if (lens != NULL)
+            eye.lens[i] = lens->value[0];
+    }
+    return eye;
+}
+
+struct renderer_inputs renderer_from_eye(const struct renderer_inputs *inputs)
+{
+    struct renderer_inputs from = *inputs;
+    if (inputs->eye == NULL)
+        return from;
+    from.camera = inputs->eye->camera;
+    from.lens = inputs->eye->lens;
+    from.eye = NULL;
+    return from;
+}
+
+// True if the selected ray starts elsewhere than at the camera.
+static bool is_pinned(const struct renderer *renderer, const struct renderer_inputs *inputs)
+{
+    if (inputs->eye == NULL)
+        return false;
+    struct renderer_eye here = renderer_eye_of(renderer, inputs);
+    const struct camera *a = &here.camera, *b = &inputs->eye->camera;
+    bool same = a->pan == b->pan && a->tilt == b->tilt;
+    for (int i = 0; i < 3; i++)
+        same = same && a->position[i] == b->position[i];
+    for (int i = 0; i < RENDERER_LENSES; i++)
+        same = same && here.lens[i] == inputs->eye->lens[i];
+    return !same;
+}
+
+// ---- The march ----
+
+bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
+                    struct probe *probe)
+{
+    const struct gl *gl = renderer->gl;
+    const int low[2] = {x, y}, high[2] = {x + 1, y + 1};
+    struct target *table = &renderer->table;
+    if (!renderer_link(renderer, SHADER_PROBE) ||
+        !renderer_run_coarse(renderer, inputs, SHADER_PROBE, low, high) ||
+        !target_bind(table, gl, PROBE_STEPS, PROBE_ROWS))
+        return false;
+    renderer_use(renderer, inputs, SHADER_PROBE);
+    gl->Uniform2f(renderer->used[UNIFORM_iProbe], (float)x + 0.5f, (float)y + 0.5f);
+    renderer_clear(gl);
+    renderer_fill(renderer, table, 0, 0, FIRST_COLUMNS, PROBE_ROWS);
+    float steps[4];
+    gl->ReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, steps);
+    if (steps[2] > (float)FIRST_COLUMNS)
+        renderer_fill(renderer, table, FIRST_COLUMNS, 0, PROBE_STEPS - FIRST_COLUMNS, PROBE_ROWS);
+    float *values = memory_zeros(PROBE_STEPS * PROBE_ROWS, 4 * sizeof *values);
+    target_read(table, gl, values);
+    probe_unpack(probe, values);
+    free(values);
+    return true;
+}
+
+bool renderer_march_selected(struct renderer *renderer, const struct renderer_inputs *inputs,
+                             struct march *march)
+{
+    const struct renderer_inputs from = renderer_from_eye(inputs);
+    const int size[2] = {inputs->width, inputs->height};
+    for (int i = 0; i < 2; i++)
+        march->pixel[i] = inputs->pixel[i] < 0 ? size[i] / 2 : inputs->pixel[i];
+    struct probe *probe = memory_zeros(1, sizeof *probe);
+    bool done = renderer_march(renderer, &from, march->pixel[0], march->pixel[1], probe);
+    if (done) {
+        march->steps = probe_rows(probe);
+        march->at = fminf(inputs->shown, (float)march->steps) - 1.0f;
+        march->end = probe->end;
+        march->frame = slice_frame_of(probe, inputs->width, inputs->height, inputs->zoom);
+        if (renderer->view == SHADER_PLOT)
+            march->plot = plot_frame_of(probe, inputs->width, inputs->height, &march->frame);
+        for (int k = 0; k < RENDERER_STEPS && k < march->steps; k++) {
+            march->step[k][0] = probe->step[k].t;
+            march->step[k][1] = probe->step[k].distance;
+        }
+    }
+    free(probe);
+    return done;
+}
+
+void renderer_set_slice(const struct renderer *renderer, const struct march *march)
+{
+    const struct gl *gl = renderer->gl;
+    const GLint *at = renderer->used;
+    const struct slice_frame *frame = &march->frame;
+    const struct plot_frame *plot = &march->plot;
+    gl->BindTexture(GL_TEXTURE_2D, renderer->table.texture);
+    gl->Uniform1i(at[UNIFORM_iMarchSteps], march->steps);
+    gl->Uniform1i(at[UNIFORM_iMarchHit], march->end == PROBE_HIT);
+    gl->Uniform1f(at[UNIFORM_iMarchStep], march->at);
+    gl->Uniform2f(at[UNIFORM_iMarchPixel], (float)march->pixel[0] + 0.5f,
+                  (float)march->pixel[1] + 0.5f);
+    gl->Uniform3f(at[UNIFORM_iSliceFrame], frame->left, frame->bottom, frame->unit);
+    gl->Uniform1f(at[UNIFORM_iSliceTick], frame->tick);
+    gl->Uniform1f(at[UNIFORM_iSliceLine], frame->line);
+    gl->Uniform1i(at[UNIFORM_iSliceTickScaled], frame->digits[0]);
+    gl->Uniform1i(at[UNIFORM_iSliceDecimals], frame->digits[1]);
+    gl->Uniform3f(at[UNIFORM_iPlotFrame], plot->zero, plot->unit, plot->split);
+    gl->Uniform1f(at[UNIFORM_iPlotTick], plot->tick);
+    gl->Uniform1i(at[UNIFORM_iPlotTickScaled], plot->digits[0]);
+    gl->Uniform1i(at[UNIFORM_iPlotDecimals], plot->digits[1]);
+    gl->Uniform1i(at[UNIFORM_iPlotEnd], (int)march->end);
+}
+
+void renderer_set_steps(const struct renderer *renderer, const struct march *march)
+{
+    const struct gl *gl = renderer->gl;
+    const GLint *at = renderer->used;
+    gl->Uniform2fv(at[UNIFORM_iMarched], RENDERER_STEPS, march->step[0]);
+    gl->Uniform1i(at[UNIFORM_iMarchedSteps],
+                  march->steps < RENDERER_STEPS ? march->steps : RENDERER_STEPS);
+    gl->Uniform1i(at[UNIFORM_iMarchedHit], march->end == PROBE_HIT);
+}
+
+// ---- Its steps in the picture ----
+
+// Find the pixels whose rays meet the steps of a ray that starts elsewhere.
+static bool find_steps(struct renderer *renderer, const struct renderer_inputs *inputs,
+                       struct probe *probe)
+{
+    const struct gl *gl = renderer->gl;
+    struct target *places = &renderer->places;
+    if (!renderer_link(renderer, SHADER_PLACES) || !target_bind(places, gl, PROBE_STEPS, 1))
+        return false;
+    renderer_use(renderer, inputs, SHADER_PLACES);
+    gl->BindTexture(GL_TEXTURE_2D, renderer->table.texture);
+    renderer_clear(gl);
+    renderer_fill(renderer, places, 0, 0, probe_rows(probe), 1);
+    float(*pixel)[4] = memory_zeros(PROBE_STEPS, sizeof *pixel);
+    target_read(places, gl, pixel[0]);
+    for (int k = 0; k < probe_rows(probe); k++) {
+        memcpy(probe->step[k].place, pixel[k], sizeof probe->step[k].place);
+        probe->step[k].seen = pixel[k][2] > 0.5f;
+    }
+    free(pixel);
+    return true;
+}
+
+bool renderer_place_steps(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
+                          int y, struct probe *probe)
+{
+    probe->pinned = is_pinned(renderer, inputs);
+    for (int k = 0; k < probe_rows(probe); k++) {
+        probe->step[k].place[0] = (float)x + 0.5f;
+        probe->step[k].place[1] = (float)y + 0.5f;
+        probe->step[k].seen = true;
+    }
+    return !probe->pinned || probe_rows(probe) == 0 || find_steps(renderer, inputs, probe);
+}

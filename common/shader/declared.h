@@ -1,0 +1,53 @@
+// declared.h - the one reader of declarations: variables, inputs, outputs, uniforms and blocks.
+#ifndef SHADER_DECLARED_H
+#define SHADER_DECLARED_H
+
+#include <stdbool.h>
+
+#include "shader/glsl.h"
+
+enum { DECLARED_NAME = 64 }; // size of a name or a type that is judged
+
+enum declared_kind {
+    DECLARED_NONE,
+    DECLARED_VARIABLE, // also in a function, but no parameter and no member
+    DECLARED_IN,
+    DECLARED_OUT,
+    DECLARED_UNIFORM,
+    DECLARED_BLOCK // of any of these
+};
+
+// A declared name, and where the reader is. Begin with zeros and the code.
+struct declared {
+    const struct glsl *code;
+    enum declared_kind kind;
+    const struct glsl_token *begin;               // the first qualifier
+    const struct glsl_token *layout;              // among the qualifiers, or NULL
+    const struct glsl_token *type, *first, *name; // first: of the names of the declaration
+    const struct glsl_token *value;               // the = behind the name and its size, or NULL
+    const struct glsl_token *end; // behind all these: a comma, a semicolon, ...; of a block its {
+    const char *storage;          // what declared_store last wrote
+    char word[DECLARED_NAME];     // the name
+};
+
+// Move to the next declared name; false at the end.
+bool declared_next(struct declared *at);
+
+// True if its layout gives it location 0.
+bool declared_is_first(const struct declared *at);
+
+// True if it is an array.
+bool declared_is_array(const struct declared *at);
+
+// True if the text mentions the name elsewhere, perhaps in a macro; for a block, one of its members
+// or its name.
+bool declared_is_read(const struct declared *at);
+
+// Declare the name with another storage, without layout and interpolation: "uniform", or "" for a
+// variable. Each name of a declaration must get one, in order.
+void declared_store(struct declared *at, struct edits *edits, const char *storage);
+
+// True if anything outside of functions declares or defines a word, a macro included.
+bool declared_anywhere(const struct glsl *code, const char *word);
+
+#endif

@@ -1,0 +1,387 @@
+#include "shader/dialect.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "context/gl.h"
+#include "memory.h"
+#include "report.h"
+#include "shader/inputs.h"
+#include "shader/parameter.h"
+#include "shader/translate.h"
+
+#define ARRAY_LIMIT  65536 // elements
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+// ---- Files of other kinds ----
+
+struct kind {
+    const char *word, *why;
+};
+
+// Words that only one kind of file contains.
+static const struct kind kinds[] = {
+    {"gl_GlobalInvocationID", "a compute shader: a picture needs a fragment shader"},
+    {"EmitVertex", "a geometry shader: a picture needs a fragment shader"},
+    {"gl_TessCoord", "a tessellation shader: a picture needs a fragment shader"},
+    {"SV_Target", "HLSL, the language of DirectX: a shader must be GLSL"},
+    {"SV_POSITION", "HLSL, the language of DirectX: a shader must be GLSL"},
+    {"CGPROGRAM", "a shader for Unity: a shader must be GLSL"},
+    {"metal_stdlib", "the language of Metal: a shader must be GLSL"},
+    {"shader_type", "a shader for Godot: write void main() or mainImage, and name the inputs as "
+                    "docs/using.md does"},
+    {"IMG_PIXEL", "an ISF file, because it uses IMG_PIXEL: ISF is not read here"},
+    {"IMG_NORM_PIXEL", "an ISF file, because it uses IMG_NORM_PIXEL: ISF is not read here"}};
+
+// Functions that such a file defines instead of main or mainImage.
+static const struct kind functions[] = {
+    {"mainSound", "a sound for Shadertoy, because it defines mainSound: there is no sound here"},
+    {"mainCubemap", "a cube map for Shadertoy, because it defines mainCubemap: cube maps are not "
+                    "offered"},
+    {"transition", "a GL Transition, which blends two pictures: there are none here"}};
+
+// True for a first comment that is an ISF description in JSON.
+static bool is_isf(const struct glsl *code)
+{
+    static const char *const members[] = {"\"INPUTS\"",      "\"ISFVSN\"", "\"CATEGORIES\"",
+                                          "\"DESCRIPTION\"", "\"CREDIT\"", "\"PASSES\""};
+    const char *c = code->text + code->item->begin + 2, *end = c + code->item->length;
+    bool found = false;
+    if (code->item->kind != GLSL_COMMENTED || c[strspn(c, "* \t\n")] != '{')
+        return false;
+    for (size_t i = 0; i < COUNT(members); i++) {
+        const char *member = strstr(c, members[i]);
+        found |= member != NULL && member < end;
+    }
+    return found;
+}
+
+// Refuse a vertex shader, unless the course's own.
+static bool refuse_vertex(const struct shader_source *source)
+{
+    return report("%s: a vertex shader, because it sets gl_Position: give the fragment shader",
+                  source->files[0]);
+}
+
+// Refuse a file that is no fragment shader, in one line that says what it is.
+static bool check_kind(const struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    const char *why = is_isf(code) ? "an ISF file, because of its first comment: ISF is not read "
+                                     "here: declare its inputs as uniforms with a value, and use "
+                                     "iResolution and iTime"
+                                   : NULL;
+    for (size_t i = 0; i < COUNT(kinds) && why == NULL; i++)
+        if (glsl_mentions(code, kinds[i].word) > 0)
+            why = kinds[i].why;
+    bool draws = source->dialect == DIALECT_SHADERTOY || glsl_mentions(code, "main") > 0;
+    for (size_t i = 0; i < COUNT(functions) && why == NULL && !draws; i++)
+        if (glsl_find_definition(code, functions[i].word) != NULL)
+            why = functions[i].why;
+    if (why != NULL)
+        return report("%s: %s", source->files[0], why);
+    const struct glsl_token *glslify = glsl_find(code, "glslify");
+    if (glslify != NULL && glslify->directive && glsl_is(code, glslify - 1, "pragma"))
+        return shader_refuse(source, glslify->line,
+                             "#pragma glslify: a file for glslify, a tool in JavaScript: run that "
+                             "first and give its output");
+    return source->dialect != DIALECT_WHOLE || glsl_mentions(code, "gl_Position") == 0 ||
+           refuse_vertex(source);
+}
+
+// Refuse a text of nothing but comments, and an array whose literal number of elements keeps some
+// drivers busy for minutes. Constants and macros can hide one: guard_begin limits the memory that
+// a driver may take.
+static bool check_sense(const struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    const struct glsl_token *t = code->item;
+    while (t->kind != GLSL_END && !(t->live && t->kind < GLSL_COMMENT))
+        t++;
+    if (t->kind == GLSL_END)
+        return report("%s: holds nothing but comments: a shader is code", source->files[0]);
+    for (t = code->statement; t->kind != GLSL_END; t++) {
+        const struct glsl_token *number = t + 1;
+        if (t->sign == '[' && number->kind == GLSL_NUMBER && number[1].sign == ']' &&
+            strtod(code->text + number->begin, NULL) > ARRAY_LIMIT)
+            return shader_refuse(source, t->line,
+                                 "an array of %.*s elements: a graphics processor has room for at "
+                                 "most %d",
+                                 number->length < 20 ? number->length : 20,
+                                 code->text + number->begin, ARRAY_LIMIT);
+    }
+    return true;
+}
+
+static bool refuse_image(const struct shader_source *source, const struct glsl_token *image)
+{
+    return shader_refuse(source, image->line,
+                         "mainImage has other parameters than those it is called with: write void "
+                         "mainImage(out vec4 fragColor, in vec2 fragCoord)");
+}
+
+// Check that mainImage hands over its colour in an out, and that it writes no other.
+static bool check_image(const struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    const struct glsl_token *image = glsl_find_definition(code, "mainImage");
+    const struct glsl_token *old = glsl_find(code, "gl_FragColor");
+    if (image == NULL || !image->certain || image[2].macro)
+        return true;
+    if (!glsl_is_any(code, image + 2, (const char *const[]){"out", "inout", NULL}))
+        return refuse_image(source, image);
+    const struct glsl_token *colour = glsl_skip(code, image + 2, ",)") - 1;
+    return old == NULL || !old->certain ||
+           shader_refuse(source, old->line,
+                         "gl_FragColor: mainImage hands its colour over in %.*s: write %.*s = ...",
+                         GLSL_TEXT(code, colour), GLSL_TEXT(code, colour));
+}
+
+// ---- Which dialect ----
+
+// A course file that --print-shader wrote begins with the prelude. Make these lines comments, so
+// that the file is in the course's dialect again.
+static bool forget_prelude(struct shader_source *source)
+{
+    static const char first[] = "#version 330 core\n#define VIEW ";
+    if (strncmp(source->text, first, strlen(first)) != 0 ||
+        glsl_find_definition(&source->code, "rayColour") == NULL)
+        return false;
+    char *line = strchr(source->text, '\n') + 1;
+    memset(source->text, ' ', strlen("#version 330 core"));
+    memset(line, ' ', strcspn(line, "\n"));
+    source->version = 0;
+    return true;
+}
+
+// A course file gets its #version: with one of its own it would be a whole file with a second main.
+static bool check_version(const struct shader_source *source)
+{
+    for (int i = 1; i < source->file_count && source->version != 0; i++)
+        if (strcmp(source->files[i], "shaders/main.glsl") == 0)
+            return shader_refuse(source, 0,
+                                 "take #version out: a file that includes main.glsl gets its own");
+    return true;
+}
+
+// Tell the dialect. A file that defines main is a whole one if it includes nothing; the course's
+// vertex shader is not.
+static enum shader_dialect dialect_of(struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    bool printed = source->version != 0 && forget_prelude(source), includes = false;
+    bool main = glsl_find_definition(code, "main") != NULL;
+    if (glsl_mentions(code, "mainImage") > 0 && !main)
+        return DIALECT_SHADERTOY;
+    for (int i = 0; i < source->line_count; i++)
+        includes |= source->lines[i].file > 0;
+    bool whole = main && !printed && !includes && glsl_mentions(code, "gl_Position") == 0;
+    return source->version != 0 || whole ? DIALECT_WHOLE : DIALECT_COURSE;
+}
+
+// Tell the dialect of an expanded text, and translate it. The course's library declares its inputs.
+static bool take_dialect(struct shader_source *source)
+{
+    const struct input *input;
+    source->dialect = dialect_of(source);
+    if (!check_sense(source) || !check_version(source) || !check_kind(source) ||
+        (source->dialect == DIALECT_SHADERTOY && !check_image(source)))
+        return false;
+    if (source->dialect != DIALECT_COURSE)
+        return translate(source, TRANSLATE_DRIVER, &source->prelude, &source->body);
+    for (int i = 0; (input = inputs_row(i)) != NULL; i++)
+        if (inputs_is_course(input) && glsl_mentions(&source->code, input->name) > 0)
+            inputs_add(source, inputs_default(input));
+    return true;
+}
+
+bool shader_read_asked(struct shader_source *source, const char *path, const char *root,
+                       const struct shader_request *request)
+{
+    if (shader_expand(source, path, root, request) && take_dialect(source))
+        return true;
+    shader_free(source);
+    return false;
+}
+
+bool shader_read(struct shader_source *source, const char *path, const char *root)
+{
+    return shader_read_asked(source, path, root, NULL);
+}
+
+// ---- Views ----
+
+// The first SHADER_VIEW_COUNT can be chosen.
+static const char *const view_names[SHADER_PROGRAM_COUNT] = {
+    "picture", "normals", "depth", "steps",       "slice",
+    "plot",    "probe",   "count", "coarse pass", "places"};
+
+bool shader_shows_ray(enum shader_view view)
+{
+    return view == SHADER_SLICE || view == SHADER_PLOT;
+}
+
+const char *shader_view_name(enum shader_view view)
+{
+    return view_names[view];
+}
+
+bool shader_view_from_name(const char *name, enum shader_view *view)
+{
+    for (int i = 0; i < SHADER_VIEW_COUNT; i++)
+        if (strcmp(name, view_names[i]) == 0) {
+            *view = (enum shader_view)i;
+            return true;
+        }
+    return false;
+}
+
+bool shader_has_view(const struct shader_source *source, enum shader_view view)
+{
+    return view == SHADER_PICTURE || source->dialect == DIALECT_COURSE ||
+           report("%s: cannot show the view %s: it has a main of its own, which records nothing of "
+                  "its rays: the chapters from 01 on have all views",
+                  source->files[0], shader_view_name(view));
+}
+
+// ---- Judgement after the driver's ----
+
+char *dialect_prelude(const struct shader_source *source, enum shader_view view)
+{
+    return source->prelude != NULL ? memory_text("%s", source->prelude)
+                                   : memory_text(GL_GLSL "#define VIEW %d\n", (int)view);
+}
+
+// True for a direction, as in a cube map's lookup: texture(iChannel0, vec3(...)).
+static bool is_direction(const struct glsl *code, const struct glsl_token *t)
+{
+    static const char *const words[] = {"vec3", "reflect", "refract", "normalize", NULL};
+    if (glsl_is_any(code, t, words))
+        return glsl_is_sign(glsl_next(code, t + 1), ",)");
+    if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
+        return false;
+    const struct glsl_token *v = t - 1; // or a variable of this type
+    while (v >= code->statement &&
+           !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
+        v--;
+    return v >= code->statement && glsl_is(code, v - 1, "vec3");
+}
+
+// The channel that is read as a cube map, or NULL.
+static const struct glsl_token *find_cube_map(const struct glsl *code)
+{
+    static const char *const lookups[] = {"texture", "textureLod", NULL};
+    const struct glsl_token *t = code->statement;
+    while (t->kind != GLSL_END &&
+           !(inputs_channel(code, t) >= 0 && t[-1].sign == '(' && t[1].sign == ',' &&
+             (glsl_is(code, t - 2, "textureCube") ||
+              (glsl_is_any(code, t - 2, lookups) && is_direction(code, t + 2)))))
+        t++;
+    return t->kind != GLSL_END ? t : NULL;
+}
+
+bool dialect_refuses(const struct shader_source *source, const char *log, bool linking)
+{
+    const struct glsl *code = &source->code;
+    const struct glsl_token *cube = find_cube_map(code), *image = glsl_find(code, "mainImage");
+    const struct input *input;
+    if (glsl_mentions(code, "gl_Position") > 0)
+        return !refuse_vertex(source);
+    if (cube != NULL)
+        return !shader_refuse(source, cube->line,
+                              "%.*s is read as a cube map: cube maps are not offered: a picture of "
+                              "--channel is read at a vec2",
+                              GLSL_TEXT(code, cube));
+    for (int i = 0; source->dialect != DIALECT_COURSE && (input = inputs_row(i)) != NULL; i++) {
+        bool lacks = !inputs_offers(source, input) && strstr(log, input->name) != NULL;
+        const struct glsl_token *token = lacks ? glsl_find(code, input->name) : NULL;
+        if (token != NULL)
+            return !inputs_refuse(source, input, token->line);
+    }
+    bool toy = source->dialect == DIALECT_SHADERTOY;
+    if (toy && image != NULL && strstr(log, "mainImage") != NULL)
+        return !refuse_image(source, image);
+    return !toy && (linking || strstr(log, "Missing main()") != NULL) &&
+           glsl_mentions(code, "main") == 0 &&
+           !report("%s: draws no picture, because it has no main: write void main(), or mainImage "
+                   "as in Shadertoy, or begin with #include \"main.glsl\" as the chapters do",
+                   source->files[0]);
+}
+
+// True if the code may write a colour, perhaps through a macro.
+static bool writes(const struct glsl *code)
+{
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END;
+         t = t->sign == '(' ? glsl_next(code, t) : t + 1) // a parameter is no output
+        if (glsl_is(code, t, "out"))
+            return true;
+    for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++)
+        if (t->directive && t->live && glsl_is(code, t, "out"))
+            return true;
+    return glsl_mentions(code, "gl_FragColor") + glsl_mentions(code, "gl_FragData") > 0;
+}
+
+// Warn that nothing sets a uniform, and say how to give it a value. The first warning is kept.
+static void warn(struct shader_source *source, const struct declared *at)
+{
+    static const char *const types[][3] = {{"float", "1.0", "1 in [0, 4]"},
+                                           {"int", "1", "1 in [0, 4]"},
+                                           {"bool", "true", "true"},
+                                           {"vec2", "vec2(1.0)", "1 in [0, 4]"},
+                                           {"vec3", "vec3(1.0)", "1 in [0, 4]"},
+                                           {"vec4", "vec4(1.0)", "1 in [0, 4]"}};
+    const struct input *input = inputs_find(at->word);
+    size_t i = 0;
+    while (i < COUNT(types) && !glsl_is(at->code, at->type, types[i][0]))
+        i++;
+    char *why;
+    if (at->kind == DECLARED_BLOCK)
+        why = memory_text("the members of the block %s are 0: nothing sets them; declare variables "
+                          "with a value instead",
+                          at->word);
+    else if (input == NULL && i < COUNT(types) && at->name[1].sign != '[')
+        why = memory_text("uniform %s %s is 0: nothing sets it; give it a value: uniform %s %s = "
+                          "%s; // %s",
+                          types[i][0], at->word, types[i][0], at->word, types[i][1], types[i][2]);
+    else
+        why = memory_text("uniform %.*s %s is 0: %s", GLSL_TEXT(at->code, at->type), at->word,
+                          input != NULL ? input->text
+                                        : "nothing sets it; give it a value where it is declared");
+    shader_refuse(source, at->name->line, "warning: %s", why);
+    if (source->unset != NULL)
+        free(why);
+    else
+        source->unset = why;
+}
+
+static void warn_of_unset(struct shader_source *source)
+{
+    struct declared at = {.code = &source->code};
+    while (declared_next(&at)) {
+        const struct input *input = inputs_find(at.word);
+        bool set =
+            input != NULL && input->meaning != INPUT_SILENT && input->meaning != INPUT_POSITION;
+        bool unset = at.kind == DECLARED_UNIFORM && !set && at.value == NULL;
+        bool block = at.kind == DECLARED_BLOCK && !glsl_is(at.code, at.type - 1, "in");
+        if ((block || unset) && declared_is_read(&at) && !parameter_declared(source, at.name))
+            warn(source, &at);
+    }
+}
+
+bool dialect_accepts(struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    if (source->dialect != DIALECT_COURSE && source->unset == NULL)
+        warn_of_unset(source);
+    if (source->dialect != DIALECT_WHOLE)
+        return true;
+    struct declared shown = translate_output(code);
+    if (shown.kind != DECLARED_NONE && shown.name->certain && !declared_is_read(&shown))
+        return shader_refuse(source, shown.name->line,
+                             "out %.*s %s: never gets a value: write %s = vec4(...); in main",
+                             GLSL_TEXT(code, shown.type), shown.word, shown.word);
+    return writes(code) ||
+           report("%s: writes no colour: declare out vec4 FragColor; and give it a value in main",
+                  source->files[0]);
+}

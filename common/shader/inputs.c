@@ -1,0 +1,312 @@
+#include "shader/inputs.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+#include "shader/source.h"
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+
+#define SHARE                                                                                      \
+    "0.5 * harnessPosition / vec2(iResolution.x / iResolution.y, 1.0) + 0.5" // of the picture's
+                                                                             // size
+#define SOUND "there is no sound here"
+#define SELF  "there is no earlier picture here"
+
+// The table.
+// clang-format off
+#define FLOAT(name, meaning)   {name, "float", INPUT_##meaning, 0, ""}
+#define INT(name, meaning)     {name, "int", INPUT_##meaning, 0, ""}
+#define VEC2(name, meaning)    {name, "vec2", INPUT_##meaning, 0, ""}
+#define VEC3(name, meaning)    {name, "vec3", INPUT_##meaning, 0, ""}
+#define VEC4(name, meaning)    {name, "vec4", INPUT_##meaning, 0, ""}
+#define CHANNEL(name, channel) {name, "sampler2D", INPUT_CHANNEL, channel, ""}
+#define POSITION(name, value)     {name, "vec2", INPUT_POSITION, 0, value}
+#define SILENT(name, why)      {name, "sampler2D", INPUT_SILENT, 0, why}
+
+enum { COURSE_BEGIN = 6, TOY_END = 12, COURSE_END = 22 }; // of the rows
+
+static const struct input rows[] = {
+    // Shadertoy
+    FLOAT("iFrameRate", RATE), CHANNEL("iChannel0", 0), CHANNEL("iChannel1", 1),
+    CHANNEL("iChannel2", 2), CHANNEL("iChannel3", 3),
+    {"iChannelResolution", "vec3[4]", INPUT_CHANNEL_SIZE, -1, ""},
+    // Shadertoy and the course
+    VEC3("iResolution", SIZE), FLOAT("iTime", TIME), FLOAT("iTimeDelta", STEP),
+    INT("iFrame", FRAME), VEC4("iMouse", MOUSE), VEC4("iDate", DATE),
+    // The course
+    VEC3("iCameraPosition", EYE), VEC3("iCameraRight", RIGHT), VEC3("iCameraUp", UP),
+    VEC3("iCameraForward", FORWARD), FLOAT("focalLength", FOCAL), FLOAT("iOrthoView", ORTHO),
+    VEC2("iPixelOffset", DRAW), VEC2("iPixelJitter", DRAW), INT("iSample", DRAW),
+    INT("iSamples", DRAW),
+    // Old names of Shadertoy
+    FLOAT("iGlobalTime", TIME),
+    {"iChannelTime", "float[4]", INPUT_REFUSED, 0, "there are no films and sounds here"},
+    {"iSampleRate", "float", INPUT_REFUSED, 0, SOUND},
+    // The Book of Shaders, glslViewer, glsl.app
+    VEC2("u_resolution", SIZE), FLOAT("u_time", TIME), VEC2("u_mouse", POINTER),
+    FLOAT("u_delta", STEP), VEC4("u_date", DATE), INT("u_frame", FRAME), CHANNEL("u_tex0", 0),
+    CHANNEL("u_tex1", 1), CHANNEL("u_tex2", 2), CHANNEL("u_tex3", 3),
+    {"u_tex0Resolution", "vec2", INPUT_CHANNEL_SIZE, 0, ""},
+    {"u_tex1Resolution", "vec2", INPUT_CHANNEL_SIZE, 1, ""},
+    {"u_tex2Resolution", "vec2", INPUT_CHANNEL_SIZE, 2, ""},
+    {"u_tex3Resolution", "vec2", INPUT_CHANNEL_SIZE, 3, ""}, POSITION("v_texcoord", SHARE),
+    // GLSL Sandbox, twigl, veda, KodeLife
+    VEC2("resolution", SIZE), FLOAT("time", TIME), VEC2("mouse", POINTER_SHARE),
+    FLOAT("frame", FRAME), VEC4("date", DATE),
+    POSITION("surfacePosition", "0.5 * harnessPosition"),
+    CHANNEL("texture0", 0), CHANNEL("texture1", 1), CHANNEL("texture2", 2),
+    CHANNEL("texture3", 3), SILENT("backbuffer", SELF), SILENT("prevFrame", SELF),
+    SILENT("prevPass", SELF), SILENT("spectrum", SOUND), SILENT("samples", SOUND),
+    {"volume", "float", INPUT_SILENT, 0, SOUND}, {"sound", "float", INPUT_SILENT, 0, SOUND},
+    SILENT("midi", "there is no MIDI here"),
+    // Bonzomatic
+    FLOAT("fGlobalTime", TIME), VEC2("v2Resolution", SIZE), FLOAT("fFrameTime", STEP),
+    {"texFFT", "sampler1D", INPUT_SILENT, 0, SOUND},
+    {"texFFTSmoothed", "sampler1D", INPUT_SILENT, 0, SOUND},
+    {"texFFTIntegrated", "sampler1D", INPUT_SILENT, 0, SOUND}, SILENT("texPreviousFrame", SELF),
+    POSITION("out_texcoord", SHARE),
+    // Three.js, p5.js and ISF
+    FLOAT("uTime", TIME), VEC2("uResolution", SIZE), VEC2("uMouse", POINTER),
+    FLOAT("millis", TIME), POSITION("vUv", SHARE), POSITION("vTexCoord", SHARE),
+    POSITION("vTextureCoord", SHARE), POSITION("isf_FragNormCoord", SHARE),
+    VEC2("RENDERSIZE", SIZE),
+    FLOAT("TIME", TIME), FLOAT("TIMEDELTA", STEP), INT("FRAMEINDEX", FRAME), VEC4("DATE", DATE),
+    // The report's engine
+    POSITION("FragCoord", "harnessPosition"), FLOAT("Time", TIME), VEC3("Ex", RIGHT),
+    VEC3("Ey", UP),
+    VEC3("Ez", FORWARD), VEC3("CamPos", EYE), FLOAT("fovValue", FOCAL),
+    FLOAT("FacteurLargeur", ASPECT), FLOAT("OrthoView", ORTHO), FLOAT("CustomToggle", ZERO),
+    FLOAT("CustomInt", ZERO)
+};
+// clang-format on
+
+const struct input *inputs_row(int index)
+{
+    return index < COUNT(rows) ? &rows[index] : NULL;
+}
+
+const struct input *inputs_find(const char *name)
+{
+    for (int i = 0; i < COUNT(rows); i++)
+        if (strcmp(rows[i].name, name) == 0)
+            return &rows[i];
+    return NULL;
+}
+
+bool inputs_is_course(const struct input *input)
+{
+    return input >= rows + COURSE_BEGIN && input < rows + COURSE_END;
+}
+
+bool inputs_is_shadertoy(const struct input *input)
+{
+    return input < rows + TOY_END;
+}
+
+// The length of the longest part that two names share, in any case.
+static int common_length(const char *one, const char *other)
+{
+    int best = 0;
+    for (const char *a = one; *a != '\0'; a++)
+        for (const char *b = other; *b != '\0'; b++) {
+            int length = 0;
+            while (a[length] != '\0' &&
+                   tolower((unsigned char)a[length]) == tolower((unsigned char)b[length]))
+                length++;
+            best = length > best ? length : best;
+        }
+    return best;
+}
+
+const struct input *inputs_nearest(const char *name)
+{
+    const struct input *best = inputs_find("FragCoord");
+    int length = 3; // less is no resemblance
+    for (int i = COURSE_END; i < COUNT(rows); i++) {
+        int common = common_length(name, rows[i].name);
+        if (common > length && rows[i].meaning < INPUT_SILENT) {
+            best = &rows[i];
+            length = common;
+        }
+    }
+    return best;
+}
+
+bool inputs_type(const char *type, int length, struct shader_input *into)
+{
+    static const char *const names[] = {"float", "vec2", "vec3", "vec4", "int"};
+    for (int i = 0; i < COUNT(names); i++)
+        if (strlen(names[i]) == (size_t)length && strncmp(type, names[i], (size_t)length) == 0) {
+            into->components = i < 4 ? i + 1 : 1;
+            into->integer = i == 4;
+            return true;
+        }
+    return false;
+}
+
+struct shader_input inputs_default(const struct input *input)
+{
+    struct shader_input in = {.input = input};
+    inputs_type(input->type, (int)strcspn(input->type, "["), &in);
+    return in;
+}
+
+bool inputs_is_own(const struct shader_input *in)
+{
+    struct shader_input own = inputs_default(in->input);
+    return inputs_is_shadertoy(in->input) &&
+           (in->input->meaning >= INPUT_VALUES ||
+            (own.components == in->components && own.integer == in->integer));
+}
+
+void inputs_add(struct shader_source *source, struct shader_input input)
+{
+    for (int i = 0; i < source->input_count; i++)
+        if (source->inputs[i].input == input.input)
+            return;
+    source->inputs = memory_row(source->inputs, source->input_count, sizeof *source->inputs);
+    source->inputs[source->input_count++] = input;
+}
+
+bool inputs_reads(const struct gl *gl, GLuint program, const struct shader_source *source,
+                  enum input_meaning first, enum input_meaning last)
+{
+    for (int i = 0; i < source->input_count; i++) {
+        const struct input *input = source->inputs[i].input;
+        if (input->meaning >= first && input->meaning <= last &&
+            gl->GetUniformLocation(program, input->name) >= 0)
+            return true;
+    }
+    return false;
+}
+
+bool inputs_offers(const struct shader_source *source, const struct input *input)
+{
+    const char *const *channels = source->request.channels;
+    if (input->meaning != INPUT_CHANNEL && input->meaning != INPUT_CHANNEL_SIZE)
+        return input->meaning != INPUT_REFUSED;
+    for (int i = 0; i < 4; i++)
+        if (((channels != NULL && channels[i] != NULL) || source->channel[i] > 0) &&
+            (i == input->channel || input->channel < 0))
+            return true;
+    return false;
+}
+
+// ---- Messages ----
+
+int inputs_channel(const struct glsl *code, const struct glsl_token *t)
+{
+    char name[16];
+    snprintf(name, sizeof name, "%.*s", GLSL_TEXT(code, t));
+    const struct input *input = t->kind == GLSL_WORD && !t->macro ? inputs_find(name) : NULL;
+    return input != NULL && input->meaning == INPUT_CHANNEL ? input->channel : -1;
+}
+
+// What the text reads a channel without a picture as: "the keyboard", "a buffer"; NULL if unknown.
+static const char *kind_of_channel(const struct shader_source *source, int channel)
+{
+    static const struct {
+        const char *was, *words;
+    } names[] = {{"buffer", "a buffer, the picture of another pass"},
+                 {"keyboard", "the keyboard"},
+                 {"cubemap", "a cube map"},
+                 {"volume", "a volume"},
+                 {"mic", "a sound"},
+                 {"music", "a sound"},
+                 {"musicstream", "a sound"},
+                 {"video", "a film"},
+                 {"webcam", "a film"}};
+    const struct glsl *code = &source->code;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+        if (strcmp(source->was[channel], names[i].was) == 0)
+            return names[i].words;
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
+        if (inputs_channel(code, t) != channel || t[-1].sign != '(' || t[1].sign != ',')
+            continue;
+        const struct glsl_token *end = glsl_partner(code, t - 1);
+        bool fetch = glsl_is(code, t - 2, "texelFetch");
+        for (const struct glsl_token *word = t + 2; word < end; word++) {
+            const char *text = code->text + word->begin;
+            long number = word->kind == GLSL_NUMBER ? strtol(text, NULL, 10) : 0;
+            if ((word->kind == GLSL_WORD && strncmp(text, "KEY", 3) == 0) || number == 256 ||
+                (fetch && number > 7))
+                return names[1].words;
+        }
+        if (fetch)
+            return names[0].words;
+    }
+    return NULL;
+}
+
+bool inputs_refuse(const struct shader_source *source, const struct input *input, int line)
+{
+    if (input->meaning != INPUT_CHANNEL && input->meaning != INPUT_CHANNEL_SIZE)
+        return shader_refuse(source, line, "%s is not offered: %s: compute the value in the shader",
+                             input->name, input->text);
+    int channel = input->channel < 0 ? 0 : input->channel;
+    const char *was = kind_of_channel(source, channel);
+    if (was != NULL)
+        return shader_refuse(source, line, "%s is read as %s, which is not offered here",
+                             input->name, was);
+    if (GL_IS_ES)
+        return shader_refuse(source, line, "%s has no picture: this page reads none of yours",
+                             input->name);
+    return shader_refuse(
+        source, line,
+        "%s has no picture: give --channel %d=FILE.png; a buffer, a film or a sound "
+        "is not offered",
+        input->name, channel);
+}
+
+// ---- The vertex shader ----
+
+// Its own FragCoord, the position on the screen, is called harnessPosition here. Each position that
+// the source reads is computed from it, with the number of components that the source declares.
+void inputs_vertex(const struct shader_source *source, char **before, char **behind)
+{
+    static const char *const types[] = {"float", "vec2", "vec3", "vec4"};
+    static const char *const values[] = {"(%s).x", "%s", "vec3(%s, 0.0)", "vec4(%s, 0.0, 1.0)"};
+    FILE *declarations = memory_open(before), *main = memory_open(behind);
+    fputs("#define iResolution harnessResolution\n", declarations);
+    fputs("#undef FragCoord\n#undef main\nvoid main()\n{\n    harnessMain();\n", main);
+    for (int i = 0; i < source->input_count; i++) {
+        const struct shader_input *in = &source->inputs[i];
+        if (in->input->meaning != INPUT_POSITION)
+            continue;
+        fprintf(declarations, "out %s %s;\n", types[in->components - 1], in->input->name);
+        fprintf(main, "    %s = ", in->input->name);
+        fprintf(main, values[in->components - 1], in->input->text);
+        fputs(";\n", main);
+    }
+    fputs("#define FragCoord harnessPosition\n#define main harnessMain\n", declarations);
+    fputs("}\n", main);
+    memory_close(declarations);
+    memory_close(main);
+}
+
+// ---- Values ----
+
+void inputs_set(const struct gl *gl, const struct shader_source *source, const GLint *location,
+                float value[INPUT_VALUES][4])
+{
+    for (int i = 0; i < source->input_count; i++) {
+        const struct shader_input *in = &source->inputs[i];
+        if (in->input->meaning >= INPUT_VALUES)
+            continue;
+        GLint at = location[i];
+        const float *v = value[in->input->meaning];
+        if (in->integer)
+            gl->Uniform1i(at, (GLint)v[0]);
+        else if (in->components == 1)
+            gl->Uniform1f(at, v[0]);
+        else if (in->components == 2)
+            gl->Uniform2f(at, v[0], v[1]);
+        else if (in->components == 3)
+            gl->Uniform3f(at, v[0], v[1], v[2]);
+        else
+            gl->Uniform4f(at, v[0], v[1], v[2], v[3]);
+    }
+}

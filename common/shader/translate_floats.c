@@ -1,0 +1,135 @@
+#include "shader/translate.h"
+
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+
+struct floats {
+    const struct glsl *code;
+    struct edits edits;
+    bool *whole; // for each name: an int, a vector of ints, or a function that returns one
+    bool *takes; // for each name: a function that takes one
+};
+
+static bool is_whole_type(const struct glsl *code, const struct glsl_token *t)
+{
+    static const char *const words[] = {"int",   "uint",  "ivec2", "ivec3", "ivec4",
+                                        "uvec2", "uvec3", "uvec4", NULL};
+    return glsl_is_any(code, t, words);
+}
+
+static bool is_float_type(const struct glsl *code, const struct glsl_token *t)
+{
+    static const char *const words[] = {"float", "vec2", "vec3", "vec4",
+                                        "mat2",  "mat3", "mat4", NULL};
+    return glsl_is_any(code, t, words);
+}
+
+// Learn which names are integers.
+static void learn(struct floats *f)
+{
+    static const char *const functions[] = {"texelFetch", "textureSize", "layout", NULL};
+    const struct glsl *code = f->code;
+    const struct glsl_token *function = NULL; // the last one whose parameters begin
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
+        if (t->depth == 0 && t->kind == GLSL_WORD && t[1].sign == '(')
+            function = t;
+        if (glsl_is_any(code, t, functions))
+            f->takes[t->name] = true;
+        if (!is_whole_type(code, t))
+            continue;
+        f->whole[t->name] = true;
+        if (t->depth == 1 && function != NULL && t < glsl_next(code, function + 1))
+            f->takes[function->name] = true;
+        const struct glsl_token *name = t[1].sign == '[' ? glsl_next(code, t + 1) : t + 1;
+        while (name->kind == GLSL_WORD && !is_float_type(code, name) &&
+               !is_whole_type(code, name)) {
+            f->whole[name->name] = true;
+            const struct glsl_token *end = glsl_skip(code, name + 1, ",;)}");
+            name = end->sign == ',' ? end + 1 : end;
+        }
+    }
+}
+
+// Give the integers from a token to another a point.
+static void add_points(struct floats *f, const struct glsl_token *from, const struct glsl_token *to)
+{
+    for (const struct glsl_token *t = from; t < to; t = glsl_next(f->code, t)) {
+        const char *number = f->code->text + t->begin;
+        if (t->kind == GLSL_NUMBER && strspn(number, "0123456789") == (size_t)t->length)
+            edits_add(&f->edits, t->begin + t->length, 0, ".");
+    }
+}
+
+// True for a statement that declares, sets or returns an integer.
+static bool is_whole_statement(const struct floats *f, const struct glsl_token *t, bool returns)
+{
+    bool whole = glsl_is(f->code, t, "case") || (returns && glsl_is(f->code, t, "return"));
+    for (; !whole && t->kind != GLSL_END && !glsl_is_sign(t, "=;{}("); t = glsl_next(f->code, t))
+        whole = t->kind == GLSL_WORD && f->whole[t->name];
+    return whole;
+}
+
+// Convert the text between two tokens. Returns true if it has an integer type.
+//   whole    all of it has
+//   splits   a comma separates expressions; states  it consists of statements
+//   returns  the function around it returns an integer
+static bool convert(struct floats *f, const struct glsl_token *from, const struct glsl_token *to,
+                    bool whole, bool splits, bool states, bool returns)
+{
+    static const char *const same[] = {"min", "max", "abs", "sign", "clamp", NULL};
+    static const char *const heads[] = {"for", "if", "while", NULL};
+    const struct glsl *code = f->code;
+    const struct glsl_token *begin = from;
+    bool any = false, group = whole,
+         statement = whole || (states && is_whole_statement(f, from, returns));
+    for (const struct glsl_token *t = from; t < to; t = glsl_next(code, t)) {
+        bool pair = glsl_is_sign(t, "&|") && t[1].sign == t->sign;
+        bool ends = glsl_is_sign(t, ";{}");
+        if (t->kind == GLSL_WORD)
+            group |= f->whole[t->name];
+        if (glsl_is_sign(t, "([{")) {
+            const struct glsl_token *word = t - 1, *close = glsl_partner(code, t);
+            bool call = t->sign == '(' && word->kind == GLSL_WORD;
+            bool own = call && glsl_is_any(code, word, heads);
+            bool type = call && is_float_type(code, word);
+            bool hands =
+                t->depth == 0 && t->sign == '{' ? is_whole_statement(f, begin, false) : returns;
+            bool loop = call && glsl_is(code, word, "for");
+            bool inner = convert(f, t + 1, close < to ? close : to,
+                                 t->sign == '[' || (call && f->takes[word->name]),
+                                 t->sign == '{' || own || type, t->sign == '{' || loop, hands);
+            group |= inner && t->sign == '(' && (!call || glsl_is_any(code, word, same));
+        }
+        if (ends || pair || glsl_is_sign(t, "?:") || (splits && t->sign == ',')) {
+            if (!group && !statement)
+                add_points(f, begin, t);
+            any |= group;
+            begin = glsl_next(code, t);
+            group = whole;
+            if (ends)
+                statement = whole || (states && is_whole_statement(f, begin, returns));
+        }
+    }
+    if (!group && !statement)
+        add_points(f, begin, to);
+    return any || group;
+}
+
+char *translate_floats(const char *text)
+{
+    struct glsl code;
+    glsl_read(&code, text);
+    struct floats f = {.code = &code,
+                       .whole = memory_zeros((size_t)code.name_count, sizeof *f.whole),
+                       .takes = memory_zeros((size_t)code.name_count, sizeof *f.takes)};
+    learn(&f);
+    convert(&f, code.statement, code.statement + code.statement_count, false, true, true, false);
+    char *result = edits_apply(&f.edits, text);
+    free(f.whole);
+    free(f.takes);
+    glsl_free(&code);
+    return result;
+}

@@ -1,0 +1,115 @@
+#include "shader/translate.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+
+#define SIZE_LIMIT (256 * 1024) // bytes that are inserted before arrays stay as they are
+
+enum { VALUE_SIZE = 4096 }; // bytes of a value, its end included
+
+struct zeros {
+    const struct glsl *code;
+    struct edits *edits;
+    char **structure; // for each name: the zero of the structure of that name, or NULL
+};
+
+static bool is_plain(const struct glsl_token *t)
+{
+    return t->kind == GLSL_WORD && !t->macro;
+}
+
+// Write the zero of a type, "float(0)" or a structure's; of an array
+// "float[2](float(0),float(0))". Returns false if there is none.
+//   size  the bracket behind the name, or what else is there
+static bool zero_of(const struct zeros *all, const struct glsl_token *type,
+                    const struct glsl_token *size, char text[VALUE_SIZE])
+{
+    static const char *const words[] = {
+        "float", "int",   "uint",  "bool",  "vec2",  "vec3",  "vec4", "ivec2", "ivec3", "ivec4",
+        "uvec2", "uvec3", "uvec4", "bvec2", "bvec3", "bvec4", "mat2", "mat3",  "mat4",  NULL};
+    const struct glsl *code = all->code;
+    char one[VALUE_SIZE];
+    if (glsl_is_any(code, type, words))
+        snprintf(one, sizeof one, "%.*s(0)", GLSL_TEXT(code, type));
+    else if (is_plain(type) && all->structure[type->name] != NULL && all->edits->size < SIZE_LIMIT)
+        snprintf(one, sizeof one, "%s", all->structure[type->name]);
+    else
+        return false;
+    if (size->sign != '[') {
+        strcpy(text, one);
+        return true;
+    }
+    bool plain = size[1].kind == GLSL_NUMBER && size[2].sign == ']' && size[3].sign != '[';
+    long count = plain ? strtol(code->text + size[1].begin, NULL, 10) : 0;
+    if (count < 1 || count > 255 || all->edits->size > SIZE_LIMIT ||
+        count * (long)(strlen(one) + 1) + type->length > VALUE_SIZE / 2)
+        return false;
+    int used = snprintf(text, VALUE_SIZE, "%.*s[%ld](", GLSL_TEXT(code, type), count);
+    for (long i = 0; i < count; i++)
+        used += snprintf(text + used, (size_t)(VALUE_SIZE - used), "%s%c", one,
+                         i + 1 < count ? ',' : ')');
+    return true;
+}
+
+// Learn the zero of a structure: its members are types, names and sizes, or it has none.
+static void learn(struct zeros *all, const struct glsl_token *name)
+{
+    const struct glsl *code = all->code;
+    const struct glsl_token *end = glsl_partner(code, name + 1), *type = NULL;
+    char member[VALUE_SIZE], value[VALUE_SIZE];
+    int used = snprintf(value, sizeof value, "%.*s", name->length < 256 ? name->length : 0,
+                        code->text + name->begin);
+    bool done = used > 0 && name->certain && end > name + 2 && all->structure[name->name] == NULL;
+    for (const struct glsl_token *t = name + 2, *after; done && t < end; t = after + 1) {
+        while (type == NULL && glsl_is_precision(code, t))
+            t++;
+        type = type != NULL ? type : t++;
+        after = t[1].sign == '[' ? glsl_next(code, t + 1) : t + 1;
+        done = is_plain(t) && !t->parted && !after->parted && glsl_is_sign(after, ",;") &&
+               zero_of(all, type, t + 1, member) && (size_t)used + strlen(member) < VALUE_SIZE - 2;
+        used += done ? snprintf(value + used, sizeof value - (size_t)used, "%c%s",
+                                t > name + 4 ? ',' : '(', member)
+                     : 0;
+        type = after->sign == ',' ? type : NULL;
+    }
+    free(all->structure[name->name]); // of two with one name, neither
+    all->structure[name->name] = done ? memory_text("%s)", value) : NULL;
+}
+
+static void zero_variable(const struct zeros *all, const struct declared *at)
+{
+    char text[VALUE_SIZE];
+    if (at->value == NULL && glsl_is_sign(at->end, ",;") && is_plain(at->name) &&
+        !at->end->parted && !at->name[1].parted && at->type[1].sign != '[' &&
+        zero_of(all, at->type, at->name + 1, text))
+        edits_add(all->edits, at->end[-1].begin + at->end[-1].length, 0, "=%s", text);
+}
+
+void translate_zeros(const struct glsl *code, struct edits *edits, bool old)
+{
+    struct zeros all = {code, edits, memory_zeros((size_t)code->name_count, sizeof(char *))};
+    const struct glsl_token *main = glsl_find_definition(code, "main");
+    if (glsl_mentions(code, "main") != 1)
+        main = NULL;
+    int begin = main != NULL ? glsl_next(code, main + 1)->begin + 1 : 0;
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++)
+        if (glsl_is(code, t, "struct") && is_plain(t + 1) && t[2].sign == '{')
+            learn(&all, t + 1);
+    struct declared at = {.code = code};
+    char text[VALUE_SIZE];
+    if (old && main != NULL)
+        edits_add(edits, begin, 0, "harnessColour=vec4(0);");
+    while (declared_next(&at))
+        if (at.kind == DECLARED_VARIABLE)
+            zero_variable(&all, &at);
+        else if (at.kind == DECLARED_OUT && main != NULL && at.name < main && at.name->certain &&
+                 is_plain(at.name) && glsl_is_sign(at.name + 1, ",;") &&
+                 zero_of(&all, at.type, at.name + 1, text))
+            edits_add(edits, begin, 0, "%s=%s;", at.word, text);
+    for (int i = 0; i < code->name_count; i++)
+        free(all.structure[i]);
+    free(all.structure);
+}

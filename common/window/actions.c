@@ -1,0 +1,190 @@
+#include "window/actions.h"
+
+#include <math.h>
+#include <stddef.h>
+#include <stdio.h>
+
+#include "picture/comparison.h"
+#include "report.h"
+#include "window/field.h"
+#include "window/full_screen.h"
+#include "window/handle.h"
+#include "window/pointer.h"
+#include "window/projection.h"
+#include "window/ray.h"
+#include "window/selection.h"
+
+#define SPEED 2.0f // scene units per second
+
+static void quit(struct window *window)
+{
+    glfwSetWindowShouldClose(window->handle, GLFW_TRUE);
+}
+
+static void shoot(struct window *window)
+{
+    window->shooting = true;
+}
+
+// Switch one of the window's flags.
+static void toggle(struct window *window, int offset)
+{
+    bool *flag = (bool *)((char *)window + offset);
+    *flag = !*flag;
+}
+
+static void restart(struct window *window, int camera)
+{
+    window->inputs.time = window->start->time;
+    if (camera)
+        window->inputs.camera = window->start->camera;
+    window->stale = true;
+}
+
+static void select_next(struct window *window, int by)
+{
+    const struct renderer *renderer = window->renderer;
+    const struct parameter *parameter = window_selected(window);
+    int count = comparison_parameter_count(renderer), index = 0;
+    if (parameter == NULL || window_nudge_handle(window, 0, -by))
+        return;
+    while (comparison_parameter(renderer, index) != parameter)
+        index++;
+    // With Shift too, by one: ten rows at once would only confuse.
+    window_select(window,
+                  comparison_parameter(renderer, (index + (by > 0 ? 1 : count - 1)) % count));
+}
+
+static void change(struct window *window, int presses)
+{
+    struct parameter *parameter = window_selected(window);
+    if (window_nudge_handle(window, presses, 0) || parameter == NULL)
+        return;
+    parameter_change(parameter, presses);
+    window_parameter_changed(window);
+}
+
+static void reset(struct window *window)
+{
+    struct parameter *parameter = window_selected(window);
+    if (parameter == NULL)
+        return;
+    parameter_reset(parameter);
+    window_parameter_changed(window);
+}
+
+// Go to the ray's first step; without a ray, reset the parameter.
+static void go_first(struct window *window)
+{
+    if (!window_step_to(window, false))
+        reset(window);
+}
+
+static void go_last(struct window *window)
+{
+    window_step_to(window, true);
+}
+
+// A view that the shader does not have is refused in the overlay, where the reader is looking.
+static void show_view(struct window *window, int view)
+{
+    bool shown = renderer_set_view(window->renderer, (enum shader_view)view);
+    window->stale = true;
+    if (!shown || !window->broken)
+        snprintf(window->panel.error, sizeof window->panel.error, "%s", shown ? "" : report_last());
+}
+
+#define FLAG(name)                                                                                 \
+    .change = toggle, .amount = offsetof(struct window, name),                                     \
+    .shifted = offsetof(struct window, name)
+
+static const struct {
+    void (*act)(struct window *window); // or, with an argument,
+    void (*change)(struct window *window, int amount);
+    int key;
+    int amount, shifted; // the argument, and with Shift
+    bool repeats;
+} bindings[] = {
+    {.key = GLFW_KEY_BACKSPACE, .act = quit},
+    {.key = GLFW_KEY_P, .act = shoot},
+    {.key = GLFW_KEY_F11, .act = window_toggle_full_screen},
+    {.key = GLFW_KEY_TAB, .act = window_toggle_orthographic},
+    {.key = GLFW_KEY_DELETE, .act = reset},
+    {.key = GLFW_KEY_HOME, .act = go_first},
+    {.key = GLFW_KEY_END, .act = go_last},
+    {.key = GLFW_KEY_X, .act = window_deselect_ray},
+    {.key = GLFW_KEY_ENTER, .act = window_next_handle},
+    {.key = GLFW_KEY_ESCAPE, FLAG(paused)},
+    {.key = GLFW_KEY_H, FLAG(panel.folded)},
+    {.key = GLFW_KEY_K, FLAG(panel.helps)},
+    {.key = GLFW_KEY_O, FLAG(panel.right)},
+    {.key = GLFW_KEY_T, FLAG(panel.rolled)},
+    {NULL, restart, GLFW_KEY_R, false, true, false},
+    {NULL, select_next, GLFW_KEY_UP, -1, -10, true},
+    {NULL, select_next, GLFW_KEY_DOWN, 1, 10, true},
+    {NULL, change, GLFW_KEY_LEFT, -1, -10, true},
+    {NULL, change, GLFW_KEY_RIGHT, 1, 10, true},
+    {NULL, window_step, GLFW_KEY_E, 1, 1, true},
+    {NULL, window_step, GLFW_KEY_Q, -1, -1, true},
+    {NULL, window_step, GLFW_KEY_PAGE_DOWN, 1, 1, true}, // on a presenter's remote control
+    {NULL, window_step, GLFW_KEY_PAGE_UP, -1, -1, true},
+    {NULL, show_view, GLFW_KEY_1, SHADER_PICTURE, SHADER_PICTURE, false},
+    {NULL, show_view, GLFW_KEY_2, SHADER_NORMALS, SHADER_NORMALS, false},
+    {NULL, show_view, GLFW_KEY_3, SHADER_DEPTH, SHADER_DEPTH, false},
+    {NULL, show_view, GLFW_KEY_4, SHADER_STEPS, SHADER_STEPS, false},
+    {NULL, show_view, GLFW_KEY_5, SHADER_SLICE, SHADER_SLICE, false},
+    {NULL, show_view, GLFW_KEY_6, SHADER_PLOT, SHADER_PLOT, false},
+};
+
+static void press_key(struct window *window, const struct window_event *event)
+{
+    for (size_t i = 0; i < sizeof bindings / sizeof *bindings; i++)
+        if (bindings[i].key == event->amount && (bindings[i].repeats || !event->repeated)) {
+            if (bindings[i].act != NULL)
+                bindings[i].act(window);
+            else
+                bindings[i].change(window,
+                                   event->shifted ? bindings[i].shifted : bindings[i].amount);
+            window->dirty = true;
+            window->title.due = 0.0;
+        }
+}
+
+static void move(struct window *window, const double movement[3])
+{
+    float direction[3], longest = 0.0f;
+    for (int axis = 0; axis < 3; axis++) {
+        direction[axis] = (float)movement[axis];
+        longest = fmaxf(longest, fabsf(direction[axis]));
+    }
+    camera_move(&window->inputs.camera, direction, SPEED * longest);
+}
+
+static void act(struct window *window, struct window_event *event)
+{
+    if (event->kind == EVENT_KEY)
+        press_key(window, event);
+    else if (event->kind == EVENT_TYPED)
+        window_field_type(window, event->amount);
+    else if (!window_pointer_input(window, event)) {
+        if (event->kind == EVENT_MOVE)
+            move(window, event->movement);
+        else
+            window_zoom(window, event->movement[0]);
+        window->moved = window->dirty = true;
+        window->title.due = event->kind == EVENT_MOVE ? window->title.due : 0.0;
+    }
+}
+
+// The events are carried out in their order: after Shift and R, a drag in the same turn turns the
+// camera again.
+void window_act(struct window *window)
+{
+    struct window_input *input = &window->input;
+    window_input_count(input);
+    for (int i = 0; i < input->events; i++)
+        act(window, &input->event[i]);
+    window_pointer_rest(window);
+    window->dirty |= input->damaged;
+    window_input_forget(input);
+}

@@ -1,0 +1,10 @@
+// actions.h - carries out what keyboard and pointer ask for.
+#ifndef WINDOW_ACTIONS_H
+#define WINDOW_ACTIONS_H
+
+#include "window/state.h"
+
+// Carry out the input since the last turn.
+void window_act(struct window *window);
+
+#endif

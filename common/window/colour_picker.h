@@ -1,0 +1,27 @@
+// colour_picker.h - the colour picker of the selected parameter.
+#ifndef WINDOW_COLOUR_PICKER_H
+#define WINDOW_COLOUR_PICKER_H
+
+#include "window/state.h"
+
+// Open the picker for the selected colour, and close it.
+void window_picker_open(struct window *window);
+void window_picker_close(struct window *window);
+
+// True if the open picker covers a position, in units of the overlay.
+bool window_picker_covers(const struct window *window, const float unit[2]);
+
+// True if a press belongs to the open picker. A press beside it closes the picker, and does nothing
+// else unless it is on a row of the panel.
+bool window_picker_claims(struct window *window, const struct window_event *press);
+
+// Handle a press on the picker and the drag that follows it.
+void window_picker_input(struct window *window, const struct window_event *event);
+
+// Set what the panel shows of the picker.
+void window_picker_fill(struct window *window, struct panel *panel);
+
+// Close a picker whose colour is no longer shown. To be called once per turn.
+void window_picker_update(struct window *window);
+
+#endif

@@ -1,0 +1,23 @@
+// draw.h - frames, title bar and overlay.
+#ifndef WINDOW_DRAW_H
+#define WINDOW_DRAW_H
+
+#include "window/state.h"
+
+// Show chapter, view and parameter in the title bar.
+void window_retitle(struct window *window);
+
+// True if the picture on the screen depends on the time.
+bool window_uses_time(const struct window *window);
+
+// True if the picture on the screen is coarse and has been at rest for long enough.
+//   now  of glfwGetTime
+bool window_sharpens(const struct window *window, double now);
+
+// Draw a frame with its overlay: the picture if it is stale, otherwise some rows of the sharp
+// picture if that is due.
+//   now  of glfwGetTime
+// Returns false, reported.
+bool window_draw(struct window *window, double now);
+
+#endif

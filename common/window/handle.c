@@ -1,0 +1,119 @@
+#include "window/handle.h"
+
+#include <math.h>
+
+#include "picture/pen.h"
+#include "window/selection.h"
+
+#define REACH 14.0 // units of the overlay around a handle where a press grabs it
+#define NUDGE 0.01 // of the picture's height, for each press of an arrow key
+
+static bool are_shown(const struct window *window)
+{
+    bool hidden = window->panel.folded && !window->panel.in_page;
+    return !hidden && !shader_shows_ray(window->renderer->view);
+}
+
+// Find the position of a handle, in units of the overlay. Returns false if it cannot be seen.
+static bool locate(const struct window *window, const struct handle *handle, float unit[2])
+{
+    float scale = window->panel.overlay.scale;
+    unit[0] = handle->pixel[0] / scale;
+    unit[1] = ((float)window->inputs.height - handle->pixel[1]) / scale;
+    return handle->seen && are_shown(window) &&
+           !panel_rows_hold(&window->panel.rows, unit[0], unit[1]);
+}
+
+int window_handle_at(const struct window *window, const float unit[2])
+{
+    double nearest = REACH;
+    float at[2];
+    int found = -1;
+    for (int i = 0; i < window->handles.count; i++) {
+        if (!locate(window, &window->handles.item[i], at))
+            continue;
+        double distance = hypot((double)(at[0] - unit[0]), (double)(at[1] - unit[1]));
+        if (distance > nearest)
+            continue;
+        nearest = distance;
+        found = i;
+    }
+    return found;
+}
+
+static void focus(struct window *window, int handle)
+{
+    window->dirty |= handle != window->handles.focused;
+    window->handles.focused = handle;
+    if (handle >= 0)
+        window_select(window, window->handles.item[handle].parameter);
+}
+
+bool window_handle_claims(struct window *window, const struct window_event *press)
+{
+    int handle = window_handle_at(window, press->unit);
+    focus(window, handle);
+    for (int i = 0; i < 2 && handle >= 0; i++)
+        window->handles.offset[i] = (double)window->handles.item[handle].pixel[i] - press->pixel[i];
+    return handle >= 0;
+}
+
+void window_handle_input(struct window *window, const struct window_event *event)
+{
+    if (event->kind != EVENT_DRAG)
+        return;
+    for (int i = 0; i < 2; i++)
+        window->handles.target[i] = event->pixel[i] + window->handles.offset[i];
+    window->handles.moving = true;
+}
+
+void window_next_handle(struct window *window)
+{
+    int next = window->handles.focused + 1;
+    focus(window, next < window->handles.count && are_shown(window) ? next : -1);
+}
+
+bool window_nudge_handle(struct window *window, int right, int up)
+{
+    if (window->handles.focused < 0 || !are_shown(window))
+        return false;
+    const struct handle *handle = &window->handles.item[window->handles.focused];
+    const int direction[2] = {right, up};
+    for (int i = 0; i < 2; i++)
+        window->handles.target[i] =
+            (double)handle->pixel[i] + NUDGE * window->inputs.height * direction[i];
+    window->handles.moving = true;
+    return true;
+}
+
+bool window_place_handles(struct window *window)
+{
+    struct handle *item = window->handles.item;
+    bool shown = are_shown(window);
+    int count = shown ? handles_find(window->renderer, &window->inputs, item) : 0;
+    window->handles.count = count;
+    if (shown && window->handles.focused >= count)
+        window->handles.focused = -1;
+    if (window->handles.moving && count > 0 && window->handles.focused >= 0 &&
+        handles_drag(window->renderer, &window->inputs, item, window->handles.focused,
+                     window->handles.target))
+        window_parameter_changed(window);
+    window->handles.moving = false;
+    return count >= 0;
+}
+
+void window_draw_handles(struct window *window)
+{
+    static const struct overlay_colour core = {{36, 110, 214, 255}};
+    struct overlay *overlay = &window->panel.overlay;
+    float at[2];
+    for (int i = 0; i < window->handles.count; i++) {
+        if (!locate(window, &window->handles.item[i], at))
+            continue;
+        bool focused = i == window->handles.focused;
+        float more = focused ? 3.0f : 0.0f;
+        overlay_line(overlay, at, at, 14.0f + more, PEN_DARK);
+        overlay_line(overlay, at, at, 12.0f + more, PEN_BRIGHT);
+        overlay_line(overlay, at, at, 7.0f + more, focused ? PEN_HERE : core);
+    }
+}

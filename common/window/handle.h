@@ -1,0 +1,31 @@
+// handle.h - handles: points of the picture that the pointer drags, or the arrow keys move once one
+// of them is focused.
+#ifndef WINDOW_HANDLE_H
+#define WINDOW_HANDLE_H
+
+#include "window/state.h"
+
+// The handle at a position, in units of the overlay; -1: none that the panel does not cover.
+int window_handle_at(const struct window *window, const float unit[2]);
+
+// True if a press grabs a handle, which it focuses. A press beside them focuses none.
+bool window_handle_claims(struct window *window, const struct window_event *press);
+
+// Drag the grabbed handle.
+void window_handle_input(struct window *window, const struct window_event *event);
+
+// Focus the next handle, or none after the last one.
+void window_next_handle(struct window *window);
+
+// Move the focused handle by this many key presses to the right and up. Returns false if none is
+// focused.
+bool window_nudge_handle(struct window *window, int right, int up);
+
+// Find where the handles are, and move the one that is dragged or nudged. To be called once per
+// turn, before the picture is drawn. Returns false, reported.
+bool window_place_handles(struct window *window);
+
+// Add them to the overlay's frame.
+void window_draw_handles(struct window *window);
+
+#endif

@@ -1,0 +1,14 @@
+// pointer.h - which part of the window owns the pointer.
+#ifndef WINDOW_POINTER_H
+#define WINDOW_POINTER_H
+
+#include "window/state.h"
+
+// Handle an event of the pointer. Returns false for any other event, and for the wheel beside the
+// panel.
+bool window_pointer_input(struct window *window, struct window_event *event);
+
+// To be called after the events of a turn.
+void window_pointer_rest(struct window *window);
+
+#endif

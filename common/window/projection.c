@@ -1,0 +1,77 @@
+#include "window/projection.h"
+
+#include <math.h>
+
+#include "picture/slice.h"
+
+#define ZOOM          1.1 // focal length or slice, for each notch of the wheel
+#define FOCAL_MINIMUM 0.2 // of a shader that declares no focalLength
+#define FOCAL_MAXIMUM 10.0
+#define TRANSITION    0.5 // seconds from one projection to the other
+
+void window_zoom(struct window *window, double notches)
+{
+    struct renderer *renderer = window->renderer;
+    struct parameter *parameter = parameters_find(&renderer->parameters, "focalLength");
+    double factor = pow(ZOOM, notches);
+    if (shader_shows_ray(renderer->view))
+        window->inputs.zoom =
+            (float)fmin(fmax((double)window->inputs.zoom * factor, (double)SLICE_ZOOM_MINIMUM),
+                        (double)SLICE_ZOOM_MAXIMUM);
+    else if (parameter != NULL)
+        parameter->value[0] =
+            fmin(fmax(parameter->value[0] * factor, parameter->minimum), parameter->maximum);
+    else
+        renderer->focal_length = (float)fmin(
+            fmax((double)renderer->focal_length * factor, FOCAL_MINIMUM), FOCAL_MAXIMUM);
+}
+
+// The value that Tab changes, and its ends; NULL if there is none.
+static double *orthographic_of(struct window *window, double end[2])
+{
+    struct renderer *renderer = window->renderer;
+    struct parameter *parameter = parameters_find(&renderer->parameters, "orthographic");
+    end[0] = parameter != NULL ? parameter->minimum : 0.0;
+    end[1] = parameter != NULL ? parameter->maximum : 1.0;
+    if (parameter != NULL)
+        return &parameter->value[0];
+    bool read = inputs_reads(renderer->gl, renderer->program[renderer->view], &renderer->fragment,
+                             INPUT_ORTHO, INPUT_ORTHO);
+    return read ? &renderer->orthographic : NULL;
+}
+
+bool window_has_orthographic(struct window *window)
+{
+    double end[2];
+    return orthographic_of(window, end) != NULL;
+}
+
+void window_toggle_orthographic(struct window *window)
+{
+    double end[2];
+    const double *value = orthographic_of(window, end);
+    if (value == NULL)
+        return;
+    double from = window->transition.on ? window->transition.target : *value;
+    window->transition.target = from > 0.5 * (end[0] + end[1]) ? end[0] : end[1];
+    window->transition.on = true;
+}
+
+bool window_continue_transition(struct window *window, double seconds)
+{
+    double end[2];
+    double *value = window->transition.on ? orthographic_of(window, end) : NULL;
+    window->transition.on = value != NULL;
+    if (value == NULL)
+        return false;
+    // A bool or an int has no values between its ends.
+    const struct parameter *parameter =
+        parameters_find(&window->renderer->parameters, "orthographic");
+    double left = window->transition.target - *value;
+    double step = seconds / TRANSITION * (end[1] - end[0]);
+    bool arrives = fabs(left) <= step || (parameter != NULL && parameter->type != PARAMETER_FLOAT);
+    *value = arrives ? window->transition.target : *value + copysign(step, left);
+    window->transition.on = !arrives;
+    window->title.due = 0.0;
+    return true;
+}

@@ -1,0 +1,21 @@
+// projection.h - focal length, and the transition between perspective and orthographic view.
+#ifndef WINDOW_PROJECTION_H
+#define WINDOW_PROJECTION_H
+
+#include "window/state.h"
+
+// Change the focal length, or in the views slice and plot their zoom, by notches of the wheel.
+void window_zoom(struct window *window, double notches);
+
+// True if the shader has both projections: it has a parameter named orthographic, or it is a
+// complete shader that reads OrthoView.
+bool window_has_orthographic(struct window *window);
+
+// Begin the transition to the other projection; during a transition, go back.
+void window_toggle_orthographic(struct window *window);
+
+// Continue the transition. Returns true if this has changed the picture.
+//   seconds  since the last turn
+bool window_continue_transition(struct window *window, double seconds);
+
+#endif

@@ -1,0 +1,33 @@
+// ray.h - the selected ray and its playback.
+#ifndef WINDOW_RAY_H
+#define WINDOW_RAY_H
+
+#include "window/state.h"
+
+// Select the ray of a pixel, as the camera sees it now.
+void window_select_ray(struct window *window, const int pixel[2]);
+
+void window_deselect_ray(struct window *window);
+
+// Handle a click on the picture: select the ray of its pixel, or deselect it if it is selected.
+//   pixel  from the picture's bottom left, with its fraction
+void window_click_ray(struct window *window, const double pixel[2]);
+
+// Keep the selected ray when the picture gets another size: its pixel is then the one at the ray's
+// position on the screen. A ray beside a picture that has become narrower is deselected.
+//   width, height  of the new size, pixels
+void window_resize_ray(struct window *window, int width, int height);
+
+// Step along the selected ray. If none is selected and the shader keeps a trace, select the ray of
+// the middle pixel first.
+//   by  steps forwards, or backwards if negative
+void window_step(struct window *window, int by);
+
+// Go to the selected ray's first or last step. Returns false if no ray is selected.
+bool window_step_to(struct window *window, bool last);
+
+// March the selected ray with this frame's parameters and time. A ray whose pixel is no longer in
+// the window is deselected.
+void window_follow_ray(struct window *window);
+
+#endif

@@ -1,0 +1,59 @@
+#include "window/screenshot.h"
+
+#include <stdio.h>
+
+#include "picture/image.h"
+#include "picture/comparison.h"
+#include "platform.h"
+#include "report.h"
+
+#define LAST 9999 // number of a screenshot
+
+bool window_screenshot_due(const struct window *window)
+{
+    return window->shooting && (window->pace.resolution.level == 0 ||
+                                window->sharpening.rows == window->sharpening.inputs.height);
+}
+
+// The first unused name. Returns false, reported, if there is none.
+static bool find_name(const struct window *window, char path[256])
+{
+    struct platform_file there;
+    int number = 1;
+    do
+        snprintf(path, 256, "%.200s-%04d.png", window->start->stem, number);
+    while (platform_look(path, &there) && ++number <= LAST);
+    return number <= LAST ||
+           report("%s: all names up to this one are used: move some screenshots away", path);
+}
+
+// The labels and the divider of a comparison, as in a written picture. An overlay that is kept has
+// them already.
+static void add_labels(struct window *window)
+{
+    struct renderer *renderer = window->renderer;
+    struct overlay *overlay = &window->panel.overlay;
+    if (renderer->comparison == NULL || window->start->overlay_kept)
+        return;
+    comparison_gather(renderer, overlay, window->inputs.width, window->inputs.height,
+                      overlay->scale);
+    renderer->overlay = overlay;
+}
+
+void window_screenshot(struct window *window)
+{
+    struct image image = {0};
+    char path[256];
+    bool sharpened = window->pace.resolution.level > 0;
+    window->shooting = false;
+    add_labels(window);
+    bool drawn = sharpened ? renderer_sharp_picture(window->renderer, &image)
+                           : renderer_picture(window->renderer, &window->inputs, &image);
+    if (drawn && find_name(window, path) && image_write_png(&image, path)) {
+        printf("%s: written, %dx%d\n", path, image.width, image.height);
+        fflush(stdout);
+    }
+    image_free(&image);
+    // Its drawing has replaced the picture on the screen.
+    window->stale |= !sharpened;
+}

@@ -1,0 +1,13 @@
+// screenshot.h - screenshots.
+#ifndef WINDOW_SCREENSHOT_H
+#define WINDOW_SCREENSHOT_H
+
+#include "window/state.h"
+
+// True if a screenshot was requested and the picture is sharp, or quick to draw.
+bool window_screenshot_due(const struct window *window);
+
+// Write the screenshot. A failure is reported and ends nothing.
+void window_screenshot(struct window *window);
+
+#endif

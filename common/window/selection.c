@@ -1,0 +1,43 @@
+#include "window/selection.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#include "picture/comparison.h"
+
+struct parameter *window_selected(const struct window *window)
+{
+    const struct renderer *renderer = window->renderer;
+    struct parameter *parameter;
+    for (int i = 0; (parameter = comparison_parameter(renderer, i)) != NULL; i++)
+        if (strcmp(parameter->name, window->parameter) == 0 &&
+            (comparison_parameter_side(renderer, parameter) == 1) == window->second)
+            return parameter;
+    return comparison_parameter(renderer, 0);
+}
+
+void window_select(struct window *window, const struct parameter *parameter)
+{
+    snprintf(window->parameter, sizeof window->parameter, "%s", parameter->name);
+    window->second = comparison_parameter_side(window->renderer, parameter) == 1;
+    window->dirty = true;
+    window->title.due = 0.0;
+}
+
+struct parameter *window_grabbed(const struct window *window, int *first, int *behind)
+{
+    struct parameter *parameter = window_selected(window);
+    int part = window->grab.part;
+    if (parameter == NULL || part >= parameter->components)
+        return NULL;
+    *first = part < 0 ? 0 : part;
+    *behind = part < 0 ? parameter->components : part + 1;
+    return parameter;
+}
+
+void window_parameter_changed(struct window *window)
+{
+    window->transition.on = false;
+    window->moved = window->stale = window->dirty = true;
+    window->title.due = 0.0;
+}

@@ -1,0 +1,157 @@
+#!/bin/bash
+# export.sh - --print-shader=shadertoy: each shader as one file that Shadertoy would take, and
+# that draws the same picture here, by Shadertoy's form of --shader.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+
+open_scratch
+unset DISPLAY WAYLAND_DISPLAY
+small=(-s 160x90)
+
+# What Shadertoy puts around a shader, in the places where it matters.
+wrap() { # FILE
+    cat <<'GLSL'
+#version 300 es
+precision highp float;
+precision highp int;
+precision mediump sampler3D;
+out vec4 outColor;
+uniform vec3 iResolution;
+uniform float iTime, iTimeDelta, iFrameRate, iChannelTime[4], iSampleRate;
+uniform vec3 iChannelResolution[4];
+uniform int iFrame;
+uniform vec4 iMouse, iDate;
+uniform sampler2D iChannel0, iChannel1, iChannel2, iChannel3;
+void mainImage(out vec4 c, in vec2 f);
+#line 1
+GLSL
+    cat "$1"
+    printf 'void main() { vec4 c = vec4(0.0, 0.0, 0.0, 1.0); mainImage(c, gl_FragCoord.xy); outColor = vec4(c.rgb, 1.0); }\n'
+}
+
+# prints PROGRAM OPTION...: leaves $scratch/toy.frag. valid: what was printed passes the validator as ES.
+prints() { "$@" --print-shader=shadertoy >"$scratch/toy.frag" 2>"$scratch/err"; }
+valid() {
+    local status
+    wrap "$scratch/toy.frag" >"$scratch/wrapped.frag"
+    command -v glslangValidator >/dev/null || return 0
+    glslangValidator -S frag "$scratch/wrapped.frag" >"$scratch/log" && return
+    status=$?
+    echo "# the validator ends with $status, for $(wc -c <"$scratch/toy.frag") bytes"
+    grep ERROR "$scratch/log" | sed 's/^/# /'
+    return 1
+}
+
+# same PROGRAM OPTION...: the exported file's picture is the shader's own. Only the size and the time
+# are given again: the rest is in the file.
+same() {
+    local program=$1 numbers
+    shift
+    "$program" "$@" "${small[@]}" -t 1 -o "$scratch/own.png" 2>&1 | sed 's/^/# /'
+    "$BUILD/00_first_scene" -f "$scratch/toy.frag" "${small[@]}" -t 1 -o "$scratch/toy.png" 2>&1 | sed 's/^/# /'
+    numbers=$("$BUILD/tests/compare" "$scratch/own.png" "$scratch/toy.png") || { echo "# $numbers"; return 1; }
+    worst=$(printf '%s\n' "$worst" "${numbers#F2 }" | sort -n | tail -n 1)
+}
+worst=0
+
+# refused_textures PROGRAM OPTION...: that nothing was printed is said in one line, which names each texture that the
+# shader reads; and it reads some.
+refused_textures() {
+    [ ! -s "$scratch/toy.frag" ] && [ "$(wc -l <"$scratch/err")" = 1 ] && "$@" --list >"$scratch/parts" &&
+        grep -q '^texture ' "$scratch/parts" && sed '1,/^texture /d' "$scratch/parts" | while read -r _ file _; do
+        grep -qF "$file" "$scratch/err" || exit 1
+    done
+}
+
+passes() { # NAME PROGRAM OPTION...: true where a file was printed that passes
+    local name=$1
+    shift
+    if prints "$@"; then
+        check "$name passes as Shadertoy's" valid
+    else
+        check "$name reads textures: refused" refused_textures "$@" || sed 's/^/# /' "$scratch/err"
+        return 1
+    fi
+}
+exported() { # NAME PROGRAM OPTION...
+    passes "$@" && check "$1 looks the same" same "${@:2}"
+}
+
+# An exported file has no coarse pass, and a picture of steps shows it: compared is the chapter without the pass.
+for program in "$BUILD"/[0-9][0-9]_*; do
+    if [ ! -x "$program" ] || [ ! -f "$program" ]; then continue; fi
+    options=()
+    "$program" --list | grep -q '^coarsePass ' && options=(-p coarsePass=false)
+    exported "$(basename "$program")" "$program" ${options[@]+"${options[@]}"}
+done
+for file in chapters/first_steps/[!e]*.frag; do
+    exported "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
+done
+exported 'parameters of every type' "$BUILD/01_normal_colouring" -p biased=true -p maxSteps=40 -p focalLength=1.5 -p normalStep=1e-2
+exported 'a colour' "$BUILD/02_lighting" -p lampColour=0.5,1,0
+exported 'a camera' "$BUILD/01_normal_colouring" -c 0,1,5,10,-10
+
+{
+    cat chapters/01_normal_colouring.frag
+    printf 'vec3 part() { return vec3(gl_FragCoord.xy + iPixelOffset, VIEW); }\n'
+} | sed 's/return SKY;/return part() * 0.001;/; s/^vec3 rayColour/vec3 part();\n&/' >"$scratch/part.frag"
+exported 'the place of a pixel, asked for by the shader itself' "$BUILD/01_normal_colouring" -f "$scratch/part.frag"
+
+exported 'a chapter with a coarse pass, which the file has not' "$BUILD/01_normal_colouring" -f tests/shaders/coarse.frag -p coarsePass=false
+# Only the validator for what is drawn nowhere else; under Wine, where a start is long, one chapter's.
+for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
+    case ${SYSTEM-}$file in Windows*/03_*) ;; Windows*) continue ;; esac
+    passes "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
+done
+
+# Whole files in words that the chapters do not use.
+printf '%s\n' '#version 330 core // comments with main, in and out' 'smooth in vec2 FragCoord; in highp float Time;' \
+    'in vec3 Ex, Ey, Ez, CamPos; in float fovValue, FacteurLargeur, OrthoView, CustomToggle, CustomInt;' \
+    'layout(location = 0) out mediump vec4 toy;' 'void grow(in float a, inout float b, out float c) { b += a; c = b; }' \
+    'void mainImage(out vec4 a, in vec2 b) { a = b.xyxy; }' \
+    'void main(void) { vec4 c; float a = fovValue, b; grow(a, a, b); c = vec4(a + OrthoView + CustomToggle + CustomInt, FragCoord, b);' \
+    'toy = vec4(c.xyz * 0.3 + 0.1 * Ex + 0.2 * Ey - 0.1 * Ez + CamPos * 0.01 + Time * 0.01 + FacteurLargeur * 0.1, 0.0); }' >"$scratch/whole.frag"
+exported 'every input of a whole file' "$BUILD/01_normal_colouring" -f "$scratch/whole.frag"
+printf '%s\n' '# version 330' 'precision mediump float;' 'layout(location = 1) in vec2 FragCoord; flat in int CustomInt, CustomToggle;' \
+    'uniform float iTime; uniform float radius = 0.5; uniform sampler2D none;' 'layout(location = 1) out vec4 other; layout(location = 0) out vec4 shown;' \
+    'void main() { shown = vec4(FragCoord * 0.37, radius + iTime * 0.1 + float(CustomInt + CustomToggle), 1.0); other = vec4(1.0); }' >"$scratch/placed.frag"
+exported 'locations, values and inputs in other words' "$BUILD/01_normal_colouring" -f "$scratch/placed.frag"
+printf '#version 120\nvarying vec2 FragCoord; void main() { gl_FragColor = vec4(FragCoord * 0.37, 0.5, 1.0); }\n' >"$scratch/old.frag"
+exported 'gl_FragColor' "$BUILD/01_normal_colouring" -f "$scratch/old.frag"
+printf '#version 330 core\nvoid main() { gl_FragDepth = 0.0; }\n' >"$scratch/none.frag"
+none() { ! "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/none.frag" >"$scratch/toy.frag" 2>"$scratch/err" && [ ! -s "$scratch/toy.frag" ] && grep -q 'none.frag: no output' "$scratch/err"; }
+check 'a file without an output is refused' none
+printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); } // toy\n' >"$scratch/given.frag"
+stays() { "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/given.frag" | cmp -s - "$scratch/given.frag"; }
+check "Shadertoy's form stays as it is" stays
+printf '#include "%s"\nuniform sampler2D a; // "granite.png" sRGB repeat: stone\nuniform sampler3D n; // "noise.png" linear repeat 64: noise\n' \
+    01_normal_colouring.frag >"$scratch/stone.frag"
+reads_both() {
+    ! prints "$BUILD/01_normal_colouring" -f "$scratch/stone.frag" && refused_textures "$BUILD/01_normal_colouring" -f "$scratch/stone.frag" &&
+        grep -q 'stone.frag: reads shaders/textures/granite.png, shaders/textures/noise.png: Shadertoy takes no files' "$scratch/err"
+}
+check 'a shader of the course that reads textures is refused, with their names' reads_both
+printf '%s\n' '#version 330 core' 'uniform sampler2D iChannel0; uniform vec3 iChannelResolution[4];' 'in vec2 FragCoord; out vec4 c;' \
+    'void main() { c = texture(iChannel0, 0.3 * FragCoord) * min(iChannelResolution[0].x, 1.0); }' >"$scratch/channel.frag"
+channel=(--channel "0=shaders/textures/granite.png")
+same_channel() {
+    "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" "${small[@]}" -o "$scratch/own.png" &&
+        "$BUILD/01_normal_colouring" -f "$scratch/toy.frag" "${channel[@]}" "${small[@]}" -o "$scratch/toy.png" &&
+        "$BUILD/tests/compare" "$scratch/own.png" "$scratch/toy.png" >/dev/null
+}
+passes 'a whole file with a channel' "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" &&
+    check 'and looks the same' same_channel
+named() {
+    local name=$scratch/$'two\nlines.frag'
+    cp chapters/01_normal_colouring.frag "$name"
+    "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$name" >"$scratch/toy.frag" && head -n 1 "$scratch/toy.frag" | grep -q '^// two?lines.frag for' &&
+        ! grep -q '^lines' "$scratch/toy.frag"
+}
+if [ "${SYSTEM-}" = Windows ]; then
+    skip 'a line end in the name of a shader stays in its comment' 'no name has one there'
+else
+    check 'a line end in the name of a shader stays in its comment' named
+fi
+echo "# the worst picture: F2 $worst"
+plan

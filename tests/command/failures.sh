@@ -1,0 +1,406 @@
+#!/bin/bash
+# failures.sh - what cannot be done: one clear line on standard error, the right exit status (1 if it could not be done,
+# 2 if the command line is wrong, 3 if no window can be opened), and no file half-written. Here is one case of each kind,
+# as a process; tests/command/options.c and tests/unit (source, dialect, sampler, parameter, image) have the others.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+
+open_scratch
+chmod 755 "$scratch"
+out=$scratch/out         # where the pictures go
+shaders=$scratch/shaders # shader files that are wrong
+mkdir "$out" "$shaders"
+chapter=$root/$BUILD/03_shadows
+unset DISPLAY WAYLAND_DISPLAY
+windows() { [ "${SYSTEM-}" = Windows ]; }
+copy_program() { # FOLDER
+    if windows; then
+        cp build/windows/03_shadows.exe build/windows/*.dll "$1"
+        printf '#!/bin/sh\nexec %s "%s" "$@"\n' "${loader-}" "$1/03_shadows.exe" >"$1/03_shadows" && chmod +x "$1/03_shadows"
+    else
+        cp "$chapter" "$1"
+    fi
+}
+
+# ---- How one run is judged ----
+
+# The output folder contains one old file, which must not change, and nothing else.
+fill() {
+    find "$out" -mindepth 1 -delete
+    printf 'an old file' >"$out/old.png"
+}
+
+# The names in the output folder, in one line; old.png is listed only if it is unchanged.
+listing() {
+    (cd "$out" && [ "$(cat old.png)" = 'an old file' ] && find . -mindepth 1 | sort | tr '\n' ' ')
+}
+
+# run COMMAND...: sets status, error (the messages) and said (their number of lines).
+run() {
+    "$@" >"$scratch/stdout" 2>"$scratch/stderr"
+    status=$?
+    error=$(cat "$scratch/stderr")
+    said=$(grep -c '' "$scratch/stderr")
+}
+
+# Print why the last run is not a proper failure, or nothing if it is.
+complaint() { # STATUS PATTERN LINES
+    [ "$status" = "$1" ] || echo "status $status, not $1;"
+    [ "$3" = many ] || [ "$said" = 1 ] || echo "$said lines on standard error;"
+    [ "$said" -ge 1 ] || echo 'nothing on standard error;'
+    grep -q -i -e "$2" "$scratch/stderr" || echo "no '$2' in the message;"
+    if grep -q 'Sanitizer\|runtime error' "$scratch/stderr"; then echo 'a message of a sanitizer;'; fi
+    [ -s "$scratch/stdout" ] && echo 'text on standard output;'
+    [ "$(listing)" = "$expected_listing" ] || echo "the folder contains $(listing);"
+}
+
+# refuse NAME STATUS PATTERN COMMAND...: the command must fail with one line that has the pattern.
+# refuse_at_length: with any number of lines, like the errors of a shader.
+refuse() { judge one "$@"; }
+refuse_at_length() { judge many "$@"; }
+expected_listing='./old.png '
+judge() {
+    local lines=$1 name=$2 wanted=$3 pattern=$4 why
+    shift 4
+    run "$@"
+    why=$(complaint "$wanted" "$pattern" "$lines")
+    if [ -z "$why" ]; then ok "$name"; else not_ok "$name" "$(echo "$why" "$error" | tr '\n' ' ')"; fi
+    [ -z "$why" ] || [ -n "${keep-}" ] || fill
+}
+
+# succeed NAME COMMAND...: status 0 and nothing on standard error.
+succeed() {
+    local name=$1
+    shift
+    run "$@"
+    if [ "$status" = 0 ] && [ "$said" = 0 ]; then
+        ok "$name"
+    else
+        not_ok "$name" "status $status $(tr '\n' ' ' <"$scratch/stderr")"
+    fi
+}
+
+# Beginning and end of a PNG.
+is_picture() { # FILE
+    [ "$(head -c 4 "$1" | tail -c 3)" = PNG ] && [ "$(tail -c 8 "$1" | head -c 4)" = IEND ] &&
+        [ ! -L "$1" ]
+}
+
+small=(-s 16x9)
+to=(-o "$out/new.png" "${small[@]}")
+fill
+
+# ---- The command line and parameters ----
+
+refuse 'a value out of its range' 2 "--size" "$chapter" -o "$out/new.png" --size 99999x99999
+refuse 'an unknown option' 2 "'--colour'" "$chapter" "${to[@]}" --colour red
+# The march of the middle pixel has a last step, beyond which none can be shown.
+last_step=$("$chapter" "${small[@]}" --probe 8,4 | awk -F, '/^[0-9]/ { n = $1 } END { print n }')
+refuse 'a step just beyond the last one' 1 "the march of pixel 8,4 has $((last_step + 1)) steps" \
+    "$chapter" "${to[@]}" -v slice --step $((last_step + 1))
+refuse 'an unknown parameter' 2 'lampHeigth.*lampHeight' "$chapter" "${to[@]}" -p lampHeigth=2
+refuse 'a parameter that is wrong, without a display' 2 'lampHeigth' "$chapter" -p lampHeigth=2
+for action in --list --print-shader=shadertoy; do
+    refuse "an unknown parameter of $action" 2 'lampHeigth' "$chapter" $action -p lampHeigth=2
+done
+refuse 'a parameter of a whole file' 2 'sun' "$root/$BUILD/00_first_scene" "${to[@]}" -p sun=1
+
+# ---- Shader files ----
+
+good=$root/chapters/01_normal_colouring.frag
+whole=$root/chapters/00_first_scene.frag
+refuse 'a missing shader' 1 'nowhere.frag.*No such file' "$chapter" "${to[@]}" -f "$shaders/nowhere.frag"
+refuse 'a missing shader of --list' 1 'nowhere.frag' "$chapter" --list -f "$shaders/nowhere.frag"
+printf 'void mainImage(out vec4 c, in vec2 f) { c = texture(iChannel1, f); }\n' >"$shaders/toy.frag"
+refuse 'a channel that a shader does not mention' 2 '--channel 0=.*iChannel0' \
+    "$chapter" "${to[@]}" --channel 0=shaders/textures/granite.png --channel 1=shaders/textures/granite.png -f "$shaders/toy.frag"
+cp shaders/textures/noise.png "$out/stone.png"
+expected_listing='./old.png ./stone.png ' keep=1
+refuse 'a picture over one that the run reads' 1 "stone.png, which this run reads" \
+    "$chapter" --channel 1="$out/stone.png" -f "$shaders/toy.frag" -o "$out/stone.png"
+printf '#include "03_shadows.frag"\nuniform sampler2D stone; // "granite.png" sRGB repeat: grey\n' >"$shaders/stone.frag"
+refuse 'a picture over one that was put in' 1 "stone.png, which this run reads" \
+    "$chapter" --texture stone="$out/stone.png" -f "$shaders/stone.frag" -o "$out/stone.png"
+same_noise() { cmp -s shaders/textures/noise.png "$out/stone.png"; }
+check 'and it is still there' same_noise
+expected_listing='./old.png ' keep=''
+fill
+if [ "$BUILD" = build ]; then # a sanitizer takes more memory, and speaks itself
+    echo 'void mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }' >"$shaders/grey.frag"
+    "$chapter" -f "$shaders/grey.frag" -s 4096x4096 -o "$scratch/large.png"
+    # How much a driver takes by itself is its own affair: a little more than the least with which a small picture
+    # is drawn.
+    limit=1600000
+    little() { (ulimit -v "$limit" && exec "$chapter" -f "$shaders/stone.frag" "$@"); }
+    while little -s 16x16 -o "$scratch/small.png" >/dev/null 2>&1 && [ "$limit" -gt 200000 ]; do
+        limit=$((limit - 50000))
+    done
+    limit=$((limit + 70000))
+    refuse 'a picture without memory for it' 1 'stone.frag:2: sampler stone: .*large.png: .*not enough memory' \
+        little "${to[@]}" --texture stone="$scratch/large.png"
+fi
+refuse 'a view of a whole file' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"
+printf '#include "part.glsl"\n#include "main.glsl"\n' >"$shaders/i.frag"
+printf '// a comment\nfloat halved(float x)\n{\n    return 0.5 * y;\n}\n' >"$shaders/part.glsl"
+refuse_at_length 'an undeclared name in an included file' 1 'part.glsl:4.*y' "$chapter" "${to[@]}" -f "$shaders/i.frag"
+if windows; then
+    skip 'an error in a file with a line end in its name' 'no name has one there'
+else
+    sed 's/FragColor = /FragColour = /' "$whole" >"$shaders/"$'new\nline.frag'
+    refuse_at_length 'an error in a file with a line end in its name' 1 'new?line.frag:[0-9]*.*FragColour' \
+        "$chapter" "${to[@]}" -f "$shaders"/$'new\nline.frag'
+fi
+refuse '--root without shaders' 1 '--root' "$chapter" "${to[@]}" --root "$shaders"
+mkdir "$scratch/alone"
+copy_program "$scratch/alone"
+refuse 'a program far from its shaders' 1 '--root' "$scratch/alone/03_shadows" "${to[@]}"
+mkdir -p "$scratch/empty root/shaders"
+: >"$scratch/empty root/shaders/screen.vert"
+refuse 'a project with an empty vertex shader' 1 'screen.vert.*empty' \
+    "$chapter" "${to[@]}" --root "$scratch/empty root" -f "$whole"
+
+# ---- Where the picture goes ----
+
+refuse 'the output is checked before any work' 1 'folder.*nowhere' \
+    "$chapter" "${small[@]}" -o "$out/nowhere/new.png" -f "$shaders/i.frag"
+
+# A picture never takes the place of what the run reads: itself, by a link, a hard link, an include, in a row.
+printf '#include "part.png"\n' >"$out/read.png"
+cat "$good" >"$out/part.png"
+ln -s read.png "$out/link.png"
+ln "$out/part.png" "$out/hard.png"
+ln "$out/part.png" "$out/row-1.png"
+expected_listing='./hard.png ./link.png ./old.png ./part.png ./read.png ./row-1.png '
+kept() { cmp -s "$out/part.png" "$good" && [ -L "$out/link.png" ] && grep -q part "$out/read.png"; }
+for name in read part link hard row-%d; do
+    frames=()
+    [ "$name" = row-%d ] && frames=(--frames 3)
+    keep=1 refuse "an output that is read: $name" 1 "which this run reads" \
+        "$chapter" "${small[@]}" "${frames[@]}" -f "$out/read.png" -o "$out/$name.png"
+    check "an output that is read: $name: it is unchanged" kept
+done
+expected_listing='./old.png '
+fill
+cp -R "$root/shaders" "$scratch/library"
+mkdir "$scratch/course" && mv "$scratch/library" "$scratch/course/shaders"
+ln -s "$scratch/course/shaders/screen.vert" "$out/vertex.png"
+expected_listing='./old.png ./vertex.png '
+refuse 'an output that is the vertex shader' 1 'screen.vert, which this run reads' \
+    "$chapter" "${small[@]}" --root "$scratch/course" -f "$good" -o "$out/vertex.png"
+expected_listing='./old.png '
+fill
+
+# ---- Contexts ----
+
+# The cache of shaders on a full disk, which can be tried only by a user who may mount.
+mkdir "$scratch/home"
+full_cache() {
+    # shellcheck disable=SC2016 # for the inner shell
+    "${alone[@]}" bash -c 'mount -t tmpfs -o size=64k none "$0" && { cat /dev/zero >"$0/fill"; "$@"; }' \
+        "$scratch/home" env MESA_SHADER_CACHE_DIR="$scratch/home" "$chapter" "${to[@]}" 2>&1 |
+        grep -v 'No space left' >&2
+    return "${PIPESTATUS[0]}"
+}
+for how in -m -rm; do
+    alone=(unshare "$how")
+    ! windows && "${alone[@]}" mount -t tmpfs none "$scratch/home" 2>/dev/null && break
+    alone=()
+done
+if [ ${#alone[@]} = 0 ]; then
+    skip 'a full disk under the cache of shaders' 'this user may not mount'
+else
+    refuse 'a full disk under the cache of shaders' 1 'MESA_SHADER_CACHE_DISABLE' full_cache
+fi
+
+if windows; then
+    for name in 'a window without a display' 'glfw without a display'; do
+        skip "$name" 'Windows always has one'
+    done
+else
+    refuse 'a window without a display' 3 'display' "$chapter"
+    refuse 'glfw without a display' 1 'glfw' "$chapter" "${to[@]}" -b glfw
+fi
+refuse 'a window through egl' 3 'egl' "$chapter" -b egl
+refuse 'a window through osmesa' 3 'osmesa' "$chapter" -b osmesa
+mkdir "$scratch/none"
+no_egl=(env "__EGL_VENDOR_LIBRARY_DIRS=$scratch/none")
+too_old=(env MESA_GL_VERSION_OVERRIDE=3.2)
+if "$chapter" --version -b egl >/dev/null 2>&1; then
+    refuse 'an EGL that cannot start' 1 'egl' "${no_egl[@]}" "$chapter" "${to[@]}" -b egl
+    refuse 'an EGL that cannot start, --version' 1 'egl' "${no_egl[@]}" "$chapter" --version -b egl
+    refuse 'egl: a driver that refuses 3.3' 1 'egl' "${too_old[@]}" "$chapter" "${to[@]}" -b egl
+else
+    skip 'an EGL that cannot start' 'no EGL on this machine'
+fi
+if "$chapter" --version -b osmesa >/dev/null 2>&1; then
+    refuse 'osmesa: a driver that refuses 3.3' 1 'osmesa' "${too_old[@]}" "$chapter" "${to[@]}" -b osmesa
+    "$chapter" "${small[@]}" -o "$scratch/first.png"
+    succeed 'an EGL that cannot start: the next backend takes over' \
+        "${no_egl[@]}" "$chapter" "${to[@]}"
+    check 'and makes the same picture' cmp -s "$scratch/first.png" "$out/new.png"
+    fill
+else
+    skip 'osmesa: a driver that refuses 3.3' 'no OSMesa on this machine'
+fi
+says=refuse
+windows && says=refuse_at_length # Wine's own library of OpenGL says something first
+$says 'an unknown driver' 1 'driver' env GALLIUM_DRIVER=nonsense "$chapter" "${to[@]}"
+tried='egl.*osmesa.*glfw'
+grep -q -e '-DHAVE_OSMESA' "$BUILD/flags" || tried='egl.*glfw' # what make did not find is not tried
+windows && tried='glfw'
+refuse 'no backend at all' 1 "$tried" "${too_old[@]}" "$chapter" "${to[@]}"
+if windows || open_display; then
+    refuse 'glfw: a driver that refuses 3.3' 1 '3\.3.*glfw' "${too_old[@]}" "$chapter" "${to[@]}" -b glfw
+    refuse 'a window: a driver that refuses 3.3' 3 '3\.3' "${too_old[@]}" "$chapter"
+    succeed 'glfw renders into a file' "$chapter" "${to[@]}" -b glfw
+    fill
+    close_display
+    unset DISPLAY
+else
+    skip 'glfw: a driver that refuses 3.3' 'no Xvfb on this machine, or it did not start'
+fi
+
+# ---- Standard output ----
+
+if [ -e /dev/full ]; then
+    to_full() { "$chapter" "$@" >/dev/full; }
+    for action in --list --help --print-shader --version '--probe 3,3'; do
+        # shellcheck disable=SC2086 # options are words
+        refuse "$action to a full disk" 1 'standard output' to_full "${small[@]}" $action
+    done
+else
+    skip '--list to a full disk' 'no /dev/full on this machine'
+fi
+to_closed() { "$chapter" "$@" >&-; }
+refuse '--list with standard output closed' 1 'standard output' to_closed --list
+# A pipe whose reader has exited, as `head` does, is not an error, and there is no message. The signal that would end
+# the program is ignored here, because Windows has none.
+mkfifo "$scratch/left"
+# shellcheck disable=SC2094 # both ends: neither waits for the other
+to_left() (trap '' PIPE && exec 5<>"$scratch/left" 6>"$scratch/left" 5>&- && exec "$chapter" "$@" >&6)
+for action in --list --help --print-shader --version; do
+    run to_left $action
+    check "$action to a reader who has exited prints no message" [ "$status $said" = '1 0' ]
+done
+
+# ---- Interrupted ----
+
+# Background jobs of a script ignore SIGINT; under job control they do not, unless this script ignores
+# it: then timeout receives it and passes it on.
+hearing=()
+command -v timeout >/dev/null && hearing=(timeout 300)
+interrupted() { # FILE ARGUMENT...: once the program has written that file
+    local file=$1 job end=$((SECONDS + 60))
+    shift
+    set -m
+    ${hearing[@]+"${hearing[@]}"} "$chapter" "$@" >/dev/null 2>&1 &
+    job=$!
+    set +m
+    until [ -e "$file" ] || [ $SECONDS -ge $end ]; do sleep 0.05; done
+    sleep 0.2 # so that it renders the next one; it cannot finish that
+    kill -INT "$job"
+    # While Wine still starts a program it loses the signal: there Ctrl+C is pressed until it was heard.
+    while windows && sleep 1 && kill -INT "$job" 2>/dev/null; do :; done
+    wait "$job" 2>/dev/null
+    status=$?
+}
+wanted=130
+windows && wanted=0 # so Wine ends any program at Ctrl+C; Windows with 0xC000013A. A program that did not end would leave a file
+# Two pictures: when the first is there, the program renders the second, whose 60,000 rounds of 32 sines for each of
+# 64 million samples take hours. llvmpipe ends any loop after 65,535 rounds.
+cat >"$shaders/slow.frag" <<'SLOW'
+#define TWICE(x) x x
+void mainImage(out vec4 c, vec2 p)
+{
+    vec4 sum = vec4(p, p);
+    int rounds = iFrame > 0 ? 60000 : 0;
+    for (int i = 0; i < rounds; i++) {
+        TWICE(TWICE(TWICE(sum = fract(sum + sin(sum.yzwx + float(i)));)))
+    }
+    c = iFrame > 0 ? sum : vec4(1.0);
+}
+SLOW
+interrupted "$out/0.png" -s 1000x1000 -a 8 -f "$shaders/slow.frag" --frames 2 -o "$out/%d.png"
+if [ "$status" = $wanted ] && [ "$(listing)" = './0.png ./old.png ' ]; then
+    ok 'SIGINT while it renders leaves no file'
+else
+    not_ok 'SIGINT while it renders leaves no file' "status $status, $(listing)"
+fi
+fill
+
+# While the file is written: the signal comes as soon as the folder contains a second name. A picture
+# of noise takes long to write.
+cat >"$shaders/noise.frag" <<'NOISE'
+#version 330 core
+out vec4 colour;
+void main()
+{
+    uvec2 cell = uvec2(gl_FragCoord.xy);
+    uint bits = (cell.x * 1664525u + cell.y) * 22695477u;
+    bits = (bits ^ (bits >> 15)) * 2246822519u;
+    colour = vec4(uvec4(bits, bits >> 8, bits >> 16, bits >> 24) & 255u) / 255.0;
+}
+NOISE
+interrupted_writing() {
+    local job names
+    set -m
+    ${hearing[@]+"${hearing[@]}"} "$chapter" -s 2000x2000 -f "$shaders/noise.frag" -o "$out/old.png" >/dev/null 2>&1 &
+    job=$!
+    set +m
+    hit=
+    shopt -s nullglob dotglob
+    while kill -0 "$job" 2>/dev/null; do
+        names=("$out"/*)
+        if [ ${#names[@]} -gt 1 ]; then
+            kill -INT "$job" 2>/dev/null && hit=1
+            break
+        fi
+    done
+    shopt -u nullglob dotglob
+    wait "$job" 2>/dev/null
+    [ -z "$(find "$out" -mindepth 1 ! -name old.png)" ] &&
+        { is_picture "$out/old.png" || [ -n "$(listing)" ]; }
+}
+for _ in 1 2 3 4 5 6; do
+    fill
+    if ! interrupted_writing; then
+        hit=0
+        break
+    fi
+    [ -n "$hit" ] && break
+done
+case $hit in
+1) ok 'SIGINT while it writes leaves the old file or the new one' ;;
+0) not_ok 'SIGINT while it writes leaves the old file or the new one' "$(ls -A "$out")" ;;
+*) skip 'SIGINT while it writes' 'the file was always whole before the signal came' ;;
+esac
+fill
+
+# ---- What must work ----
+
+cp "$good" "$shaders/a name with blanks é.frag"
+succeed 'a name with spaces' "$chapter" "${to[@]}" -f "$shaders/a name with blanks é.frag"
+fill
+
+# prints NAME PATTERN ARGUMENT...: status 0, the pattern on standard output, nothing on standard error.
+prints() {
+    local name=$1 pattern=$2
+    shift 2
+    run "$chapter" "$@"
+    if [ "$status" = 0 ] && [ "$said" = 0 ] && grep -q -e "$pattern" "$scratch/stdout"; then
+        ok "$name"
+    else
+        not_ok "$name" "status $status $error"
+    fi
+}
+prints '--version names the driver' '03_shadows.*OpenGL' --version
+prints '--list prints the parameters, with a value that was set' 'lampHeight.*7\.5' --list -p lampHeight=7.5
+prints '--help is printed whatever else is impossible' '--output' --help -f /nowhere.frag
+
+"$chapter" "${to[@]}" 2>/dev/null
+ln -s "$chapter" "$scratch/called"
+(cd / && exec "$scratch/called" "${small[@]}" -o "$scratch/called.png")
+check 'through a link to the program, from another folder' cmp -s "$out/new.png" "$scratch/called.png"
+
+plan

@@ -1,0 +1,201 @@
+#!/bin/bash
+# others.sh - shaders that were written for other programs, the report's engine and Shadertoy: their inputs, textures,
+# samples and films, and texts that no reader expects. tests/command/dialects.sh draws a shader of each kind.
+#
+# A shader that reads its inputs draws white where they have the right values, and black elsewhere.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+
+open_scratch
+unset DISPLAY WAYLAND_DISPLAY
+program=$BUILD/01_normal_colouring
+size=(-s 48x27)
+
+# draw NAME OPTION...: render $scratch/NAME.frag into NAME.png; its messages are in $said.
+draw() {
+    local name=$1
+    shift
+    said=$("$program" -f "$scratch/$name.frag" "${size[@]}" -o "$scratch/$name.png" "$@" 2>&1)
+}
+same() { cmp -s "$scratch/$1.png" "$scratch/$2.png"; }
+
+# is_white NAME TITLE [OPTION...] <TEXT: the picture is white, and there is no message.
+is_white() {
+    local name=$1 title=$2
+    shift 2
+    cat >"$scratch/$name.frag"
+    if draw "$name" "$@" && [ -z "$said" ] && same "$name" white; then ok "$title"; else not_ok "$title" "$(tr '\n' ' ' <<<"$said")"; fi
+}
+
+# refused NAME PATTERN TITLE <TEXT: status 1, a message with the pattern, and no picture.
+refused() {
+    cat >"$scratch/$1.frag"
+    draw "$1"
+    local status=$?
+    if [ "$status" = 1 ] && [[ $said =~ $2 ]] && [ ! -e "$scratch/$1.png" ]; then ok "$3"; else not_ok "$3" "status $status: $(tr '\n' ' ' <<<"$said")"; fi
+}
+
+head='void mainImage(out vec4 c, vec2 p)'
+printf '%s { c = vec4(1.0); }\n' "$head" >"$scratch/white.frag"
+printf '%s { c = vec4(0.0); }\n' "$head" >"$scratch/black.frag"
+check 'two pictures to compare with' eval 'draw white && draw black && ! same white black'
+
+# ---- Inputs ----
+
+is_white report "the inputs of the report's engine" -c 1,2,3,90,0 -t 1.5 <<'GLSL'
+#version 330 core
+in float Time, fovValue, FacteurLargeur, OrthoView, CustomToggle, CustomInt; in vec2 FragCoord;
+in vec3 CamPos, Ex, Ey, Ez; // right, up, forward
+out vec4 c;
+bool near(vec3 a, vec3 b) { return length(a - b) < 1e-5; }
+void main() {
+    c = vec4(Time == 1.5 && near(CamPos, vec3(1, 2, 3)) && near(Ex, vec3(0, 0, 1)) && near(Ey, vec3(0, 1, 0)) &&
+        near(Ez, vec3(1, 0, 0)) && fovValue > 0.0 && abs(FacteurLargeur - 48.0 / 27.0) < 1e-5 && OrthoView == 0.0 &&
+        CustomToggle == 0.0 && CustomInt == 0.0 && near(vec3(FragCoord, 0), vec3((2.0 * gl_FragCoord.xy - vec2(48, 27)) / 27.0, 0)));
+}
+GLSL
+is_white inputs "Shadertoy's inputs for a file: no mouse and no clock" -t 1.5 <<GLSL
+$head {
+    c = vec4(iResolution == vec3(48, 27, 1) && iTime == 1.5 && iTimeDelta == 0.0 && iFrame == 0 && iFrameRate == 60.0 &&
+        iMouse == vec4(0) && iDate == vec4(1970, 0, 1, 1.5) &&
+        fract(p) == vec2(0.5) && p == gl_FragCoord.xy && all(lessThan(p, iResolution.xy)));
+}
+GLSL
+is_white numbers 'not a number is black, and 1e9 white' -t 1.5 <<<"$head { c = vec4(1e9) + (p.x < 0.0 ? sqrt(-iTime) : 0.0); }"
+as_written() { # TEXT: drawn like the same scene without changes
+    printf '%s' "$1" >"$scratch/changed.frag"
+    draw changed && [ -z "$said" ] && same changed scene
+}
+scene="$head
+{
+    float t = length(p / iResolution.y); // a scene
+    c = vec4(t, 0.5, 0.2, 1.0);
+}
+"
+printf '%s' "$scene" >"$scratch/scene.frag" && draw scene
+check "Windows' line ends" as_written "${scene//$'\n'/$'\r\n'}"
+check 'a byte-order mark' as_written $'\357\273\277'"$scene"
+check 'tabs' as_written "${scene//    /$'\t'}"
+check 'comments in Latin-1 and UTF-8' as_written $'// caf\xe9, \xc3\xa9t\xc3\xa9, \xe2\x88\x9e : c\'est une "scene"\n'"$scene"
+
+# A discarded pixel is black, whatever the previous picture was: of two frames, the second is discarded entirely.
+discards() {
+    printf '#version 330 core\nin float Time; out vec4 c; void main() { if (Time > 0.5) discard; c = vec4(1.0); }\n' >"$scratch/discard.frag"
+    "$program" -f "$scratch/discard.frag" "${size[@]}" --frames 2 --fps 1 -o "$scratch/discard-%d.png" && same discard-0 white && same discard-1 black
+}
+check 'a pixel that a shader discards is black' discards
+rate() {
+    printf '%s { c = vec4(iFrameRate == 25.0); }\n' "$head" >"$scratch/rate.frag"
+    "$program" -f "$scratch/rate.frag" "${size[@]}" --frames 2 --fps 25 -o "$scratch/rate-%d.png" && same rate-0 white && same rate-1 white
+}
+check 'iFrameRate is the rate of a film, from its first picture on' rate
+piped() {
+    said=$("$program" -f <(cat "$scratch/rate.frag") -o "$scratch/piped.png" 2>&1)
+    [ $? = 1 ] && [[ $said =~ a\ pipe,\ which\ can\ be\ read\ only\ once ]]
+}
+[ "${SYSTEM-}" = Windows ] || [ ! -e /dev/fd ] || check 'a shader from a pipe is refused, with the reason' piped
+
+# ---- Textures from --channel: upright, repeated, and read as numbers; the upper row of this one is white ----
+
+echo "$head { c = vec4(step(1.0, p.y)); }" >"$scratch/rows.frag"
+"$program" -f "$scratch/rows.frag" -s 2x2 -o "$scratch/rows.png"
+reads='texture(iChannel0, vec2(0.2, 0.75)).rgb == vec3(1) && texture(iChannel0, vec2(0.7, 0.25)).rgb == vec3(0) &&
+    texture(iChannel0, vec2(-7.2, 5.75)).r == 1.0 && texture(iChannel0, vec2(9.7, -2.75)).r == 0.0 &&
+    abs(texture(iChannel0, vec2(0.5)).r - 0.5) < 0.003 && abs(textureLod(iChannel0, vec2(0.1), 1.0).r - 0.5) < 0.003 &&
+    iChannelResolution[0] == vec3(2, 2, 1) && iChannelResolution[3] == vec3(64, 4096, 1) && iChannelResolution[1] == vec3(0) &&
+    texture(iChannel3, vec2(0.0)).r < 2.0'
+channels=(--channel "0=$scratch/rows.png" --channel "3=shaders/textures/noise.png")
+is_white channel "the channels of Shadertoy's dialect" "${channels[@]}" <<<"$head { c = vec4($reads); }"
+is_white channel_whole 'the channels of a whole file' "${channels[@]}" <<GLSL
+#version 330 core
+uniform sampler2D iChannel0, iChannel3; uniform vec3 iChannelResolution[4];
+out vec4 c;
+void main() { c = vec4($reads); }
+GLSL
+
+# ---- Texts that no reader expects ----
+
+# Reading takes time in proportion to the text. A suite that hangs is ended.
+crowd() { # FORMAT: white, after 30,000 such lines with numbers for %d
+    local i
+    { for i in {1..30000}; do printf '%s\n' "${1//%d/$i}"; done; cat "$scratch/white.frag"; } >"$scratch/crowd.frag"
+    draw crowd && same crowd white
+}
+check 'thirty thousand uniforms' crowd 'uniform float u%d;'
+check 'thirty thousand #ifdef' crowd $'#ifdef A%d\nfloat a%d;\n#endif'
+
+malformed() { # DIALECT BEGINNING
+    local name=malformed_$1
+    refused "$name" 'never closed: write \*/ at its end$' "$1: a comment without end" < <(printf '%s\n/*' "$2"; cat "$scratch/white.frag")
+    refused "$name" 'larger than 1 MiB: is it a shader\?$' "$1: 10 MB" < <(printf '%s\n' "$2"; head -c 10000000 /dev/zero | tr '\0' ' ')
+    refused "$name" 'an array of 2000000000 elements: ' "$1: a huge array" < <(printf '%s\nfloat big[ 2000000000 ];\n' "$2")
+    refused "$name" '\.\.\.$' "$1: 100000 parentheses, and only the beginning of them" < <(printf '%s\nfloat deep = %s1.0%s;\n' "$2" "$deep" "$close")
+    refused "$name" 'and [0-9]* more$' "$1: no more than 20 errors" < <(printf '%s\n' "$2"; for i in {1..99}; do echo "float e$i = none$i;"; done)
+    refused "$name" 'does not|never|error' "$1: noise" < <(printf '%s\n' "$2"; head -c 3000 "$program" | tr -d '\0')
+}
+deep=$(printf '%100000s' '' | tr ' ' '(') close=$(tr '(' ')' <<<"$deep")
+malformed course '#include "main.glsl"'
+malformed whole '#version 330 core'
+malformed toy "$head {}"
+# A sum of so many terms uses up the stack of some drivers' compilers; others draw it.
+endures() {
+    printf '%s { c = vec4(p.x%s); }\n' "$head" "$(printf '%40000s' '' | sed 's/ /+p.x/g')" >"$scratch/sum.frag"
+    (ulimit -s 4096; draw sum; [ $? = 1 ] && [[ $said =~ sum.frag:\ the\ graphics\ driver\ crashed\ over\ it ]] && [ "$(grep -c '' <<<"$said")" = 1 ]) || draw sum
+}
+check 'a sum of 40000 terms' endures
+
+# What hides its size from a reader ends at the memory that a driver may have, which is asked for at once, or the
+# process, of which a little is filled sooner. The sanitizer ends a program that gets none in words of its own.
+bomb() { draw bomb; [ $? = 1 ] && [[ $said =~ bomb.frag:\ the\ graphics\ driver\ crashed\ over\ it,\ or\ wants\ more ]] && [ "$(grep -c '' <<<"$said")" = 1 ]; }
+if [ "$BUILD" = build ]; then
+    printf '%s\n' 'const int N = 300000000;' 'float a[N * 4];' "$head { c = vec4(a[int(p.x)]); }" >"$scratch/bomb.frag"
+    check 'constants that hide a huge array' bomb
+    { echo '#define A0 p.x'; for i in {1..40}; do echo "#define A$i A$((i - 1)) + A$((i - 1))"; done
+        echo "$head { c = vec4(A40); }"; } >"$scratch/bomb.frag"
+    limited() { (ulimit -v 1000000; bomb); }
+    check 'macros that grow without end' limited
+fi
+
+# ---- make play ----
+
+mkdir "$scratch/project" && cp -r Makefile .make chapters shaders "$scratch/project" && ln -s "$root/$BUILD" "$scratch/project/build"
+play() { (cd "$scratch/project" && FILE=${1-} .make/play.sh "${@:2}" >"$scratch/out" 2>"$scratch/err"); }
+copies() { play '' -o "$scratch/play.png" "${size[@]}" && cmp -s "$scratch/project/chapters/play.frag" chapters/first_steps/play.frag; }
+check 'make play makes chapters/play.frag' copies
+keeps() {
+    echo '// mine' >>"$scratch/project/chapters/play.frag"
+    play '' -o "$scratch/play.png" "${size[@]}" && tail -n 1 "$scratch/project/chapters/play.frag" | grep -q mine
+}
+check 'make play keeps what is there' keeps
+opens() { play "$scratch/scene.frag" -o "$scratch/opened.png" "${size[@]}" && same opened scene; }
+check 'make play FILE opens a file' opens
+missing() { ! play nowhere.frag && grep -q 'nowhere.frag: no such file' "$scratch/err" && [ ! -e "$scratch/project/nowhere.frag" ]; }
+check 'make play FILE says that a file is missing' missing
+
+# Where no window can be opened the scripts render files instead, and say so; what needs no window needs none.
+runs() { (cd "$scratch/project" && .make/run.sh "$@" >"$scratch/out" 2>"$scratch/err"); }
+gallery() { # NAME
+    [ "$(cat "$scratch/out")" = "$(printf 'No window can be opened here: rendering into files instead.\n  build/gallery/%s.png' "$1")" ] &&
+        [ "$(grep -c '' "$scratch/err")" = 1 ] && [ -s "$root/$BUILD/gallery/$1.png" ]
+}
+check 'make play on a display that is gone renders a file' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' play '' \"\${size[@]}\" && gallery play"
+check 'make run on a display that is gone renders a file' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
+check 'make run on a compositor that is gone renders a file' \
+    eval "DISPLAY='' WAYLAND_DISPLAY=nowhere XDG_RUNTIME_DIR=\$scratch CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
+check 'make run without a display measures' eval "DISPLAY='' WAYLAND_DISPLAY='' runs --benchmark 1 \"\${size[@]}\" && grep -q '^shader  *00_' \"\$scratch/out\""
+refuses() { runs -p nothing=1; [ $? = 2 ] && [ ! -s "$scratch/out" ] && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
+check 'make run refuses an unknown parameter' refuses
+
+# ---- The course's own, printed ----
+
+# What --print-shader writes is the chapter again: the same picture, its parameters, every view.
+printed() { # OPTION...
+    "$program" --print-shader >"$scratch/printed.frag" &&
+        "$program" "${size[@]}" -o "$scratch/chapter.png" "$@" && draw printed "$@" && [ -z "$said" ] &&
+        same chapter printed
+}
+check 'a printed chapter is the chapter' printed -p biased=true
+check 'with its views' printed -v steps
+
+plan

@@ -1,0 +1,212 @@
+#!/bin/bash
+# sequence.sh - --frames: the pictures of a film are the pictures of its times, an interruption leaves only whole files,
+# and make film gives them to ffmpeg.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+
+open_scratch
+unset DISPLAY WAYLAND_DISPLAY
+program=$BUILD/00_first_scene
+small=(-s 64x36)
+out=$scratch/out
+mkdir "$out"
+
+clear_out() { find "$out" -mindepth 1 -delete; }
+names() { (cd "$out" && find . -type f | sed 's|^\./||' | sort | tr '\n' ' '); }
+
+# ---- The pictures ----
+
+row() {
+    "$program" "${small[@]}" -t 1 --frames 3 --fps 4 -o "$out/f-%03d.png" >"$scratch/said" 2>&1 &&
+        [ "$(names)" = 'f-000.png f-001.png f-002.png ' ] && [ ! -s "$scratch/said" ]
+}
+check 'three pictures, and no message without a terminal' row
+each() {
+    local number time
+    for number in 0 1 2; do
+        time=$(echo "$number" | awk '{ print 1 + $1 / 4 }')
+        "$program" "${small[@]}" -t "$time" -o "$scratch/one.png" && cmp -s "$scratch/one.png" "$out/f-00$number.png" || return 1
+    done
+}
+check 'each is the picture of its time, to the bit' each
+differ() { ! cmp -s "$out/f-000.png" "$out/f-002.png"; }
+check 'the first and the last differ' differ
+
+cat >"$scratch/inputs.frag" <<'GLSL'
+void mainImage(out vec4 c, vec2 p)
+{
+    float k = float(iFrame);
+    bool right = abs(iTime - 2.0 - 0.1 * k) < 1e-5 && abs(iDate.w - iTime) < 1e-5 &&
+                 abs(iTimeDelta - (iFrame > 0 ? 0.1 : 0.0)) < 1e-6;
+    c = vec4(right ? vec3(0.2 * k) : vec3(1.0, 0.0, 0.0), 1.0);
+}
+GLSL
+inputs() {
+    local number
+    "$program" "${small[@]}" -f "$scratch/inputs.frag" -t 2 --frames 5 --fps 10 -o "$out/i-%d.png" || return 1
+    for number in 0 1 2 3 4; do
+        printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(vec3(%s), 1.0); }\n' "0.2 * $number.0" >"$scratch/grey.frag"
+        "$program" "${small[@]}" -f "$scratch/grey.frag" -o "$scratch/grey.png" && cmp -s "$scratch/grey.png" "$out/i-$number.png" || return 1
+    done
+}
+check 'iFrame, iTimeDelta, iTime and iDate follow' inputs
+
+clear_out
+default_fps() {
+    "$program" "${small[@]}" --frames 26 -o "$out/%d.png" && "$program" "${small[@]}" -t 1 -o "$scratch/one.png" &&
+        cmp -s "$scratch/one.png" "$out/25.png"
+}
+check '25 a second by default' default_fps
+settings() {
+    "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 --frames 1 -o "$out/s%d.png" &&
+        "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 -o "$scratch/one.png" &&
+        cmp -s "$scratch/one.png" "$out/s0.png"
+}
+check 'samples, view and parameters as for one picture' settings
+slices() { "$BUILD/01_normal_colouring" "${small[@]}" -v slice --probe 30,18 --frames 2 -o "$out/v%d.png"; }
+check 'the slice of a chosen ray' slices
+walks() { # from the first step to the last, while the time does not change
+    local ray=(-v slice --probe '30,18')
+    clear_out
+    "$BUILD/01_normal_colouring" "${small[@]}" "${ray[@]}" --step walk --frames 20 -o "$out/w%d.png" >"$scratch/said" &&
+        "$BUILD/01_normal_colouring" "${small[@]}" "${ray[@]}" --step 0 -o "$scratch/first.png" >"$scratch/march" &&
+        "$BUILD/01_normal_colouring" "${small[@]}" "${ray[@]}" -o "$scratch/whole.png" >/dev/null &&
+        last=$(awk -F, '/^[0-9]/ { n = $1 } END { print n }' "$scratch/march") &&
+        "$BUILD/01_normal_colouring" "${small[@]}" "${ray[@]}" --step "$last" -o "$scratch/last.png" >/dev/null &&
+        cmp -s "$scratch/first.png" "$out/w0.png" && cmp -s "$scratch/last.png" "$out/w19.png" &&
+        ! cmp -s "$out/w0.png" "$out/w10.png" && ! cmp -s "$out/w10.png" "$out/w19.png"
+}
+check 'a film walks along a ray from its first step to its last' walks
+
+few_files() { # far fewer files than there are pictures may be open at once
+    clear_out
+    (ulimit -n 40 && "$program" -s 16x9 --frames 60 -o "$out/%d.png") && [ "$(names | wc -w)" = 60 ]
+}
+if [ "${SYSTEM-}" = Windows ]; then
+    skip 'a row of pictures leaves no file open' 'ulimit limits no program of Windows'
+else
+    check 'a row of pictures leaves no file open' few_files
+fi
+
+# ---- Names and numbers ----
+
+refused() { # NAME STATUS PATTERN OPTION...
+    local name=$1 wanted=$2 pattern=$3 status
+    shift 3
+    clear_out
+    "$program" "${small[@]}" "$@" >"$scratch/said" 2>&1
+    status=$?
+    if [ "$status" = "$wanted" ] && [ "$(grep -c '' "$scratch/said")" = 1 ] &&
+        grep -q -e "$pattern" "$scratch/said" && [ -z "$(names)" ]; then
+        ok "$name"
+    else
+        not_ok "$name" "status $status: $(cat "$scratch/said")"
+    fi
+}
+# tests/unit/numbers.c has the names, tests/command/options.c the numbers and what can be combined.
+refused 'a name without a number' 2 'must contain one %d' --frames 2 -o "$out/frame.png"
+refused 'a time too far' 2 'the last time' --frames 100000 --fps 0.001 -t 1e9 -o "$out/%d.png"
+refused 'a missing folder' 1 'nowhere' --frames 2 -o "$out/nowhere/%d.png"
+taken() {
+    clear_out
+    mkdir "$out/1.png"
+    ! "$program" "${small[@]}" --frames 3 -o "$out/%d.png" 2>"$scratch/said" && grep -q '1\.png' "$scratch/said" && [ -z "$(names)" ]
+}
+check 'a name that is taken by a folder, before any picture' taken
+rmdir "$out/1.png"
+
+# ---- Interrupted ----
+
+# Every file is a whole picture, and there is no other.
+whole() {
+    local file
+    for file in "$out"/* "$out"/.[!.]*; do
+        [ -e "$file" ] || continue
+        case $file in *.png) "$BUILD/tests/compare" "$file" "$file" >/dev/null || return 1 ;; *) return 1 ;; esac
+    done
+}
+# A shell starts what runs beside it with SIGINT ignored, and nohup all of it with SIGHUP ignored.
+heed=(env '--default-signal=INT,HUP')
+"${heed[@]}" true 2>/dev/null || heed=()
+interrupted() { # SIGNAL [STATUS]
+    clear_out
+    ${heed[@]+"${heed[@]}"} "$program" -s 320x180 --frames 5000 -o "$out/%05d.png" &
+    local child=$! tries=2400 status
+    while [ ! -e "$out/00003.png" ] && [ $tries -gt 0 ]; do sleep 0.05; tries=$((tries - 1)); done
+    kill -"$1" $child
+    wait $child 2>/dev/null
+    status=$?
+    [ $status = "${2-$((128 + $(kill -l "$1")))}" ] && [ -e "$out/00003.png" ] && [ ! -e "$out/04999.png" ] && whole
+}
+if [ "${SYSTEM-}" = Windows ]; then # which has Ctrl+C alone; Wine ends any program at it with 0
+    for name in 'a signal in the midst leaves whole pictures' 'a lost terminal too'; do skip "$name" 'Windows has no such signal'; done
+    check 'and Ctrl+C' interrupted INT 0
+else
+    check 'a signal in the midst leaves whole pictures' interrupted TERM
+    check 'a lost terminal too' interrupted HUP
+    if [ ${#heed[@]} != 0 ]; then check 'and Ctrl+C' interrupted INT; else skip 'and Ctrl+C' 'env has no --default-signal'; fi
+fi
+
+clear_out
+if command -v script >/dev/null && script -qec true /dev/null >/dev/null 2>&1; then
+    progress() {
+        # Wine's console moves a cursor: one right is a blank.
+        script -qec "$program -s 64x36 --frames 3 -o $out/%d.png" /dev/null </dev/null |
+            sed $'s/\e\\[1C/ /g; s/\e\\[[?0-9]*[A-Za-z]//g' >"$scratch/terminal"
+        grep -q '0 of 3 pictures' "$scratch/terminal" && grep -q '2 of 3 pictures' "$scratch/terminal"
+    }
+    check 'a terminal shows how many pictures are done' progress
+else
+    skip 'a terminal shows how many pictures are done' 'no script on this machine'
+fi
+
+# ---- make film ----
+
+mkdir "$scratch/project" "$scratch/bin" && cp -r .make chapters shaders "$scratch/project" &&
+    mkdir "$scratch/project/build" && ln -s "$root/$program" "$scratch/project/build/00_first_scene"
+film() { (cd "$scratch/project" && CHAPTER=00 FRAMES=3 FPS=${2-10} PATH=$1 .make/film.sh -s 65x37 >"$scratch/said" 2>"$scratch/err"); }
+if command -v ffmpeg >/dev/null; then
+    films() { film "$PATH" && [ -s "$scratch/project/build/film/00_first_scene.mp4" ] && [ -s "$scratch/project/build/film/00_first_scene.gif" ]; }
+    check 'make film makes an MP4 and a GIF' films
+    # Players want an even size, halved colour, and the table of contents first.
+    playable() {
+        local mp4=$scratch/project/build/film/00_first_scene.mp4
+        [ "$(ffprobe -v error -show_entries stream=width,height,pix_fmt,nb_frames,color_space -of csv=p=0 "$mp4")" = '64,36,yuv420p,bt709,3' ] &&
+            [ "$(ffprobe -v trace "$mp4" 2>&1 | grep -oE "type:'(moov|mdat)'" | head -n 1)" = "type:'moov'" ]
+    }
+    check 'an MP4 that players take, of an odd size too' playable
+fi
+mkdir "$scratch/few" && for tool in sh basename tr sed; do ln -s "$(command -v $tool)" "$scratch/few"; done
+none() { ! film "$scratch/few" && grep -q 'ffmpeg is not installed: install it.*--frames 3' "$scratch/err" && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
+check 'make film says what to do without ffmpeg' none
+# An ffmpeg that only writes its arguments.
+# shellcheck disable=SC2016 # its own words
+printf '#!/bin/sh\nfor last; do :; done\nls build/film/00_first_scene/frame-0002.png >/dev/null || exit 1\necho "$@" >"$last"\n' >"$scratch/bin/ffmpeg"
+chmod +x "$scratch/bin/ffmpeg"
+asks() {
+    film "$scratch/bin:$PATH" && grep -q 'frame-%04d.png.*yuv420p' "$scratch/project/build/film/00_first_scene.mp4" &&
+        grep -q 'framerate 10 .*paletteuse' "$scratch/project/build/film/00_first_scene.gif" &&
+        grep -q '00_first_scene.gif' "$scratch/said"
+}
+check 'make film gives the pictures to ffmpeg twice' asks
+slower() { film "$scratch/bin:$PATH" 100 && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif"; }
+check 'a GIF of at most 50 pictures a second' slower
+# One that stops halfway.
+# shellcheck disable=SC2016 # its own words
+printf '#!/bin/sh\nfor last; do :; done\necho half >"$last"\nexit 255\n' >"$scratch/bin/ffmpeg"
+keeps() {
+    ! film "$scratch/bin:$PATH" && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif" &&
+        ! grep -q half "$scratch/project/build/film/"*.* && [ "$(find "$scratch/project/build/film" -maxdepth 1 -type f | wc -l)" = 2 ]
+}
+check 'a film that stops halfway leaves the old one' keeps
+views() {
+    ln -sf "$root/$BUILD/01_normal_colouring" "$scratch/project/build/01_normal_colouring"
+    (cd "$scratch/project" && CHAPTER=01 FRAMES=6 FPS=10 VIEW=plot PATH=$scratch/bin:$PATH .make/film.sh -s 64x36 >"$scratch/said" 2>"$scratch/err")
+    # Its pictures are there, whatever ffmpeg makes of them.
+    "$BUILD/01_normal_colouring" -s 64x36 -v plot --step 0 -o "$scratch/first.png" &&
+        cmp -s "$scratch/first.png" "$scratch/project/build/film/01_normal_colouring/frame-0000.png"
+}
+check 'make film shows a view, and lets its ray walk' views
+
+plan

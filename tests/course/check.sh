@@ -1,0 +1,125 @@
+#!/bin/bash
+# check.sh - `make check`: it accepts a solution of an exercise, refuses the chapter's unsolved
+# shader in its place, and says what is wrong in one line.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+
+accepted() { EXERCISE=$1 FILE=$2 FILES='' .make/check.sh >"$scratch/answer.$1" 2>&1; }
+
+# Refused: one line says why it does not run, or four lines say where it differs and what to look at.
+refused() { # EXERCISE FILE
+    ! accepted "$1" "$2" || return 1
+    grep -q ': wrong: does not run: ' "$scratch/answer.$1" && return
+    [ "$(wc -l <"$scratch/answer.$1")" = 4 ] &&
+        grep -q ': wrong: .*most around [0-9]*,[0-9]*, \(in\|at\) the .*: see build/' "$scratch/answer.$1" &&
+        grep -q "^  look at yours: build/.* --shader $2" "$scratch/answer.$1" &&
+        [ "$(grep -c 'colour: [0-9]*, [0-9]*, [0-9]*$' "$scratch/answer.$1")" = 2 ]
+}
+
+open_scratch
+awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2) "_" $2 }' \
+    tests/pictures/images.txt | sort >"$scratch/exercises"
+sed -n 's/^\([0-9][0-9]_[0-9]*\) .*/\1/p' tests/course/checks.txt | sort -u | comm -13 "$scratch/exercises" - >"$scratch/unknown"
+check 'tests/course/checks.txt names exercises that exist' [ ! -s "$scratch/unknown" ]
+# answers.sh checks all exercises, for a release.
+for exercise in 00_2 03_2 10_7 11_2 12_2 13_2; do
+    check "$exercise: the solution is right" accepted $exercise chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag
+    check "$exercise: the unsolved chapter is refused" refused $exercise chapters/"${exercise%_*}"_*.frag
+done
+
+# A folder outside the project, as a lecturer has it: files of several students, some of one name.
+handed_in="$scratch/handed in"
+mkdir -p "$handed_in/ada" "$handed_in/ben"
+# The same picture with other rays: the first march has another direction.
+cat >"$handed_in/ben/rays.frag" <<'END'
+#include "main.glsl"
+#include "march.glsl"
+#define rayColour painted
+#include "solutions/03_shadows_2.frag"
+#undef rayColour
+vec3 rayColour(Ray ray)
+{
+    march(Ray(ray.origin, -ray.direction), 0.0, 1.0, 0.001, 64);
+    return painted(ray);
+}
+END
+cp chapters/solutions/03_shadows_2.frag "$handed_in/ada/my lamp.frag"
+cp chapters/solutions/03_shadows_1.frag "$handed_in/ada/mine.frag"
+echo '#include "03_shadows.frag"' >"$handed_in/ben/mine.frag"
+echo 'float sceneDistance(vec3 p) { return 1 +; }' >"$handed_in/ben/broken.frag"
+: >"$handed_in/ben/empty file.frag"
+cat >"$handed_in/endless.frag" <<'END'
+#version 330 core
+in vec2 FragCoord;
+out vec4 FragColor;
+void main()
+{
+    float x = FragCoord.x;
+    for (int i = 0; i >= 0; i = i > 9000 ? 0 : i + 1)
+        for (int k = 0; k >= 0; k = k > 9000 ? 0 : k + 1)
+            x += sin(x + FragCoord.y);
+    FragColor = vec4(x);
+}
+END
+
+says() { # WORDS
+    grep -q -e "$1" "$scratch/answer.03_2" || { sed 's/^/# /' "$scratch/answer.03_2"; return 1; }
+}
+one_is() { # FILE WORDS
+    ! accepted 03_2 "$handed_in/$1" && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says "$2"
+}
+check "a picture that is right with rays that are not is refused" \
+    one_is ben/rays.frag 'picture is right, its rays are not: pixel '
+build/03_shadows -f chapters/solutions/03_shadows_2.frag --print-shader=shadertoy >"$handed_in/toy.frag"
+check "a right picture of a file that records no rays says so" one_is toy.frag 'rays are not: none is recorded'
+check "a file that does not compile is refused with its line" \
+    one_is ben/broken.frag 'does not run: .*broken.frag:1'
+check "an empty file, with a space in its name, is refused" \
+    one_is 'ben/empty file.frag' 'does not run: .*empty file.frag: empty'
+check 'a missing file is refused' one_is absent.frag 'no such file'
+
+# The maximum draws the same lens as the exact distance; the steps tell them apart.
+bound() {
+    sed 's|exact; // true|exact; // false|' chapters/solutions/04_hue_colour_4.frag >"$scratch/bound.frag"
+    ! accepted 04_4 "$scratch/bound.frag" && grep -q 'most around ' "$scratch/answer.04_4"
+}
+check "a bound is refused where an exact distance is asked for" bound
+
+table() { # EXERCISE PATTERN
+    EXERCISE=$1 FILE='' FILES=$2 .make/check.sh >"$scratch/answer.03_2" 2>&1
+}
+of_class() {
+    table 03_2 "$handed_in/*/*.frag"
+    [ $? = 1 ] && says '^right  .*ada/my lamp.frag ' && says '^wrong  .*rays.frag ' &&
+        says '^wrong  .*broken.frag ' && says '^wrong  .*empty file.frag ' && says '^1 of 6 right$'
+}
+check "a folder outside the project gives a table" of_class
+of_one_name() {
+    local pictures
+    pictures=$(grep -o 'build/check/.*difference.png' "$scratch/answer.03_2")
+    [ "$(sort -u <<<"$pictures" | wc -l)" = 2 ] &&
+        while IFS= read -r picture; do [ -s "$picture" ] || return 1; done <<<"$pictures"
+}
+check "files of one name leave pictures of their own" of_one_name
+listed() {
+    table 03_2 "chapters/solutions/03_shadows_1.frag chapters/solutions/03_shadows_3.f*"
+    [ $? = 1 ] && says '^0 of 2 right$' && [ ! -e build/check/03_2"$handed_in" ]
+}
+check "several names with spaces between them; earlier pictures are gone" listed
+nobody() { table 03_2 "$handed_in/eve/*.frag"; [ $? = 2 ] && says 'no file has such a name'; }
+check "a pattern that fits no file is refused" nobody
+endless() {
+    CHECK_LIMIT=1 table 00_1 "$handed_in/endless.frag"
+    [ $? = 1 ] && says '^wrong .*does not end: no picture after 1 s'
+}
+check "a file that never ends is refused" endless
+asks_wrong() { # EXERCISE WORDS
+    EXERCISE=$1 FILE=x FILES='' .make/check.sh >"$scratch/answer.03_2" 2>&1
+    [ $? = 2 ] && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says "$2"
+}
+check "no exercise is given" asks_wrong '' 'which exercise'
+check "an exercise of no chapter" asks_wrong 99_1 'there are 00_1 '
+check "an exercise without a solution" asks_wrong 03_99 "there are 00_1 .* 03_4 04_1 .* $(tail -n 1 "$scratch/exercises") engine_1 .*engine_4$"
+check "a name that cannot be an exercise's" asks_wrong shadows 'such as 03_2'
+plan

@@ -1,0 +1,99 @@
+#!/bin/bash
+# claims.sh [PAGE...] - what a page says of two pictures that it compares is what `make compare` says of them: the
+# share of the pixels that differ, to its last digit, or that none does. With arguments only those pages, such as 03.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+
+open_scratch
+
+# The blocks of a page that compare pictures, each with the paragraph above it and what follows up to the next heading,
+# the next numbered experiment or a dozen lines on, in lines 'draw COMMAND', 'compare A B', 'none' (no pixel is said
+# to differ) and 'claim NUMBERS'. A block that first writes a shader of the reader's own is left out.
+blocks_of() { # PAGE
+    awk '
+        function end() {
+            if (many > 0 && lines !~ /\n(sed|cp) /) {
+                print lines
+                if (tolower(region) ~ /no pixel differs|same picture/) print "none"
+                print "claim" numbers(region)
+            }
+            many = 0; lines = ""; region = ""
+        }
+        function numbers(text, all, n, i, line, found) {
+            n = split(text, all, "\n")
+            for (i = 1; i <= n; i++) {
+                line = all[i]
+                gsub(/`[^`]*`|\$[^$]*\$|2 of 255/, "", line)
+                if (line !~ / %/ && line !~ /^\|/) continue
+                while (match(line, /[0-9]+(\.[0-9]+)?/)) {
+                    found = found " " substr(line, RSTART, RLENGTH)
+                    line = substr(line, RSTART + RLENGTH)
+                }
+            }
+            return found
+        }
+        /^```sh/ { end(); block = 1; region = above; left = 13; next }
+        block && /^```/ { block = 0; next }
+        block && /^build\/.*--output/ { lines = lines "\ndraw " $0; next }
+        block && /^make compare PICTURES=/ { gsub(/.*=.|.$/, ""); lines = lines "\ncompare " $0; many++; next }
+        block { lines = lines "\n" $0; next }
+        /^#|^\*\*[0-9]+\./ || left == 0 { end() }
+        { region = region "\n" $0; left -= /./ }
+        /^$/ { last = 1; next }
+        { above = last ? $0 : above "\n" $0; last = 0 }
+        END { end() }' "$1" | grep -E '^(draw|compare|none|claim)'
+}
+
+# agrees SHARE NUMBER...: one of the numbers is the share, in per cent, rounded to its own last digit.
+agrees() {
+    awk 'BEGIN {
+        for (i = 2; i < ARGC; i++) {
+            half = (match(ARGV[i], /\./) ? 10 ^ -(length(ARGV[i]) - RSTART) : 1) / 2 + 1e-9
+            if (ARGV[i] - ARGV[1] <= half && ARGV[1] - ARGV[i] <= half) exit 0
+        }
+        exit 1 }' "$@"
+}
+
+# judge PAGE NONE NUMBER...: each comparison that the block makes.
+judge() {
+    local page=$1 none=$2 a b said
+    shift 2
+    while read -r a b; do
+        said=$(build/tests/compare --words "$scratch/${a//\//_}" "$scratch/${b//\//_}" 2>&1)
+        case $said in
+        *'no pixel differs') check "$page says that $a and $b are alike" [ "$none" = yes ] ;;
+        *' % of the pixels differ'*)
+            said=${said%% %*}
+            [ $# = 0 ] || check "$page says that $a and $b differ in $said %" agrees "${said#less than }" "$@"
+            ;;
+        *) not_ok "$page compares $a and $b" "$said" ;;
+        esac
+    done <"$scratch/compared"
+}
+
+for page in docs/[0-9][0-9]_*.md; do
+    name=${page#docs/}
+    [[ $# = 0 || " $* " == *" ${name%%_*} "* ]] || continue
+    none=no
+    : >"$scratch/compared"
+    while read -r what line; do
+        case $what in
+        draw)
+            read -r -a words <<<"$line"
+            file=$scratch/${words[-1]//\//_}
+            "${words[@]::${#words[@]}-1}" "$file" >/dev/null || not_ok "$name: $line"
+            ;;
+        compare) echo "$line" >>"$scratch/compared" ;;
+        none) none=yes ;;
+        claim)
+            # shellcheck disable=SC2086 # numbers
+            judge "${name%.md}" $none $line
+            none=no
+            : >"$scratch/compared"
+            ;;
+        esac
+    done < <(blocks_of "$page")
+done
+check 'pages compare pictures' [ "$tap_count" -gt 0 ]
+plan

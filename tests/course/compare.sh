@@ -1,0 +1,41 @@
+#!/bin/bash
+# compare.sh - `make compare`: one line says how much two pictures differ.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+
+open_scratch
+draw() { build/02_lighting -s 128x72 -o "$scratch/$1.png" "${@:2}" >/dev/null; }
+draw one && draw same && draw hair -p ambient=0.012,0.02,0.0353 && draw other -p falloff=false
+build/02_lighting -s 64x36 -o "$scratch/small.png"
+draw shifted -p ambient=0.013,0.0215,0.037
+echo 'this is no picture at all' >"$scratch/text.png"
+
+# says STATUS WORDS NAME...: the pictures NAME.png compared.
+says() {
+    local status=$1 words=$2 pictures='' said file
+    shift 2
+    for file in "$@"; do pictures+=" $scratch/$file.png"; done
+    said=$(PICTURES=$pictures .make/compare.sh 2>&1)
+    if [ $? != "$status" ] || [ "$(wc -l <<<"$said")" != 1 ] || ! grep -qx -e "$words" <<<"$said"; then
+        echo "# $said"
+        return 1
+    fi
+}
+shown() { [ -s build/compare.png ]; }
+says 1 '[0-9.]* % of the pixels differ by more than 2 of 255, at most by [0-9]*, most around [0-9]*,[0-9]*: see build/compare.png' one other
+check 'two pictures differ' [ $? = 0 ]
+check 'their difference is a picture' shown
+check 'two equal pictures' says 0 'the pictures are the same: no pixel differs' one same
+check 'the old difference is gone' eval '! shown'
+check 'a rounding error is not a difference' says 0 'the pictures are the same: no pixel differs by more than 2 of 255, at most by 1' one hair
+check 'a small difference of a whole part is one' says 1 'no pixel differs by more than [12] of 255, but a whole part does, most around .*: see build/compare.png' one shifted
+check 'two sizes' says 2 'make: pictures of different size cannot be compared: 128x72 and 64x36' one small
+check 'a text file' says 2 "make: .*text.png: cannot be read: Not a PNG file: save it again as a PNG" one text
+check 'a missing file' says 2 "make: .*absent.png: cannot be read: No such file or directory" one absent
+check 'one picture' says 2 'make: which two pictures? .*' one
+check 'three pictures' says 2 'make: which two pictures? .*' one one one
+asks() { make -s compare PICTURES="$scratch/$1.png $scratch/$2.png" >"$scratch/said" 2>&1; }
+check 'make compares' asks one other
+check 'a text file is an error' eval '! asks one text'
+plan

@@ -1,0 +1,627 @@
+#!/bin/bash
+# docs.sh [PAGE...] - the pages, or those given, agree with the project: listings, links, pictures, parameters, commands and
+# solutions exist and agree with the sources; and the tool that writes the listings refuses mistakes.
+# shellcheck disable=SC2016 # the backticks are Markdown's
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+
+open_scratch
+shopt -s nullglob
+pages=(README.md docs/*.md)
+chapters=()
+for source in chapters/[0-9][0-9]_*.c; do
+    stem=${source#chapters/}
+    chapters+=("${stem%.c}")
+done
+
+# judge NAME COMPLAINTS: ok if there are no complaints.
+judge() {
+    if [ -z "$2" ]; then ok "$1"; else not_ok "$1" "$(tr '\n' ';' <<<"$2")"; fi
+}
+
+# ---- What a page contains ----
+
+# Its prose, 'LINE:text': without fenced blocks and, unless the second argument is 'code', without
+# inline code.
+prose_of() { # PAGE [code]
+    awk -v keep="${2-}" '
+        /^ *```/ { fenced = !fenced; next }
+        fenced { next }
+        { if (keep == "") gsub(/`[^`]*`/, ""); print FNR ":" $0 }' "$1"
+}
+
+# Its fenced lines, a line that ends in \ joined to the next, and its inline code, one a line.
+code_of() { # PAGE
+    awk '
+        /^ *```/ { fenced = !fenced; next }
+        fenced && /\\$/ { sub(/\\$/, ""); printf "%s ", $0; next }
+        fenced { print; next }
+        { n = split($0, part, "`"); for (i = 2; i < n; i += 2) print part[i] }' "$1"
+}
+
+# The targets of its links and pictures, 'LINE:target'; other sites left out.
+links_of() { # PAGE
+    prose_of "$1" | awk '{
+        line = $0; sub(/:.*/, "", line)
+        text = $0
+        while (match(text, /\]\([^)]*\)/)) {
+            print line ":" substr(text, RSTART + 2, RLENGTH - 3)
+            text = substr(text, RSTART + RLENGTH)
+        }
+        text = $0
+        while (match(text, /(src|href)="[^"]*"/)) {
+            target = substr(text, RSTART, RLENGTH); gsub(/^[a-z]*="|"$/, "", target)
+            print line ":" target
+            text = substr(text, RSTART + RLENGTH)
+        }
+    }' | grep -v -E '^[0-9]+:(https?|mailto):'
+}
+
+# The anchors that GitHub makes of its headings.
+anchors_of() { # PAGE
+    prose_of "$1" code | sed 's/^[0-9]*://' | awk '/^#+ / {
+        sub(/^#+ +/, ""); sub(/ +$/, "")
+        $0 = tolower($0)
+        gsub(/[][!"#$%&\047()*+,.\/:;<=>?@\\^`{|}~]/, "")
+        gsub(/ /, "-")
+        print $0 (seen[$0]++ ? "-" (seen[$0] - 1) : "")
+    }'
+}
+
+# The anchors of the project's own pages are found once.
+has_anchor() { # PAGE ANCHOR
+    local kept=$scratch/anchors.${1//\//,}
+    [[ $1 != "$scratch"* && -e $kept ]] || anchors_of "$1" >"$kept"
+    grep -q -x -F -e "$2" "$kept"
+}
+
+# ---- What is wrong with a page: each prints one line for each mistake ----
+
+bad_links() { # PAGE
+    local line target path file folder=.
+    [[ $1 != */* ]] || folder=${1%/*}
+    links_of "$1" | while IFS=: read -r line target; do
+        path=${target%%#*}
+        file=$1
+        [ -z "$path" ] || file=$folder/$path
+        if [ ! -e "$file" ]; then
+            echo "$1:$line: $target does not exist"
+        elif [[ $target == *#* && $file == *.md ]] && ! has_anchor "$file" "${target#*#}"; then
+            echo "$1:$line: $target: no heading has this anchor"
+        fi
+    done
+}
+
+listed_pictures=" engine_5 $(awk '!/^#/ && NF >= 2 { printf "%s ", $1 ($2 == "-" ? "" : "-" $2) }' tests/pictures/images.txt)"
+
+bad_pictures() { # PAGE
+    local line target name
+    grep -n '!\[\](' "$1" | sed "s|^|$1:|; s|\$|: the picture has no words|"
+    links_of "$1" | grep -E '\.(png|jpg|svg)(#|$)' | while IFS=: read -r line target; do
+        name=${target##*/}
+        [[ $target == *figures/*.svg ]] && [ -e "docs/figures/${name%.svg}.c" ] && continue
+        [[ $target == *tests/references/*.png && $listed_pictures == *" ${name%.png} "* ]] ||
+            echo "$1:$line: $target is not a picture of tests/pictures/images.txt"
+    done
+}
+
+# GitHub's Markdown takes the backslash of \, \; \! \: \{ \} \| \\ before the formula is read: they
+# are safe in a block that begins with ```math alone.
+bad_formulas() { # PAGE
+    prose_of "$1" | awk -v page="$1" '
+        {
+            line = $0; sub(/:.*/, "", line)
+            text = $0; sub(/^[0-9]*:/, "", text)
+            n = split(text, part, /\$\$?/)
+            for (i = 1; i <= n; i++) {
+                if (open && part[i] ~ /\\[,;!:{}|\\]|\\operatorname|\\newcommand|\\def[^a-z]/)
+                    print page ":" line ": GitHub does not render this formula: " part[i]
+                if (i < n)
+                    open = !open
+            }
+        }
+        END { if (open) print page ": a formula has no end" }'
+}
+
+# Five lines in French below their heading.
+bad_summary() { # PAGE
+    awk '
+        /^#+ L.essentiel *$/ { found = 1; next }
+        found == 1 && NF && /^#/ { exit }
+        found == 1 && NF { lines++ }
+        found == 1 && !NF && lines { exit }
+        END { if (lines != 5) print "the part below the heading of the essentials has " lines + 0 " lines" }' "$1"
+}
+
+unnamed_parameters() { # STEM
+    "$BUILD/$1" --list | awk -v page="docs/$1.md" '
+        NR == FNR { if (FNR > 1 && NF) name[$1]; next }
+        { while (match($0, /[A-Za-z0-9_]+/)) { word[substr($0, RSTART, RLENGTH)]; $0 = substr($0, RSTART + RLENGTH) } }
+        END { for (n in name) if (!(n in word)) print n " is not in " page }' - "docs/$1.md"
+}
+
+# Each exercise has a grade, a folded hint and a folded solution, and the line that checks it where a solution
+# runs; there are at least three.
+bad_exercises() { # PAGE
+    local name
+    name=$(basename "$1" .md)
+    awk -v number="${name%%_*}" -v solutions="$(echo chapters/solutions/"$name"_*.{frag,diff})" '
+        function judge(    k) {
+            if (!exercise)
+                return
+            k = exercise; gsub(/[^0-9]/, "", k)
+            if (!hint || !solution)
+                print "exercise " exercise " has no " (hint ? "solution" : "hint")
+            if (solutions ~ "_" k "[.](frag|diff)" && !checked)
+                print "exercise " exercise " has no line make check EXERCISE=" number "_" k
+        }
+        /^## / { judge(); exercise = 0; here = /^## Exercises/ }
+        here && $0 ~ "^make check EXERCISE=" number "_" (exercise + 0) " " { checked = 1 }
+        here && /^\*\*[0-9]+\./ {
+            judge(); count++; exercise = substr($1, 3); hint = solution = checked = 0
+            if ($0 !~ /^\*\*[0-9]+\. [(](easy|medium|hard)[)] [^*]*[.?!]\*\*/)
+                print "exercise " exercise " does not begin **K. (easy|medium|hard) Title.**"
+        }
+        here && /<summary>Hint</ { hint = 1 }
+        here && /<summary>Solution</ { solution = 1 }
+        END { judge(); if (count < 3) print "there are " count + 0 " exercises" }' "$1"
+}
+
+# What is folded is an answer, a hint or a solution, and its tags are on lines of their own between empty lines; a
+# prediction and an experiment are followed by their answer.
+bad_folds() { # PAGE
+    awk '
+        function judge() { if (asked) print asked ": has no folded answer"; asked = "" }
+        /^ *```/ { fenced = !fenced }
+        fenced { last = $0; next }
+        /<\/?(details|summary)/ {
+            if (/^<details><summary>(Answer|Hint|Solution)<\/summary>$/ && !open) {
+                open = FNR
+                if (/Answer/) asked = ""
+            } else if (/^<\/details>$/ && open && last == "") open = 0
+            else print "line " FNR ": no fold as they are on all pages: " $0
+            last = $0
+            next
+        }
+        open == FNR - 1 && open && $0 != "" { print "line " FNR ": no empty line below the summary" }
+        open { last = $0; next }
+        /^#/ { judge(); experiments = /^## Experiments/ }
+        /^\*Predict\.\*/ || (experiments && /^\*\*[0-9]+\./) { judge(); asked = "line " FNR }
+        { last = $0 }
+        END { judge(); if (open) print "line " open ": a fold has no end" }' "$1"
+}
+
+# The parts of a page, in their order, and a story that an evening has room for.
+bad_form() { # PAGE
+    local wanted=''
+    grep -q '^### In short$' "$1" || echo "has no part In short"
+    grep -q '^<!-- time -->$' "$1" || echo "has no reading time"
+    wanted='From formula to code,What changed,Parameters,Experiments,Exercises,Proofs,What the report does,Pitfalls,Sources,'
+    ! grep -q '^## What the workshop does$' "$1" || wanted=${wanted/report/workshop}
+    ! grep -q '^## What the article does$' "$1" || wanted=${wanted/report/article}
+    [[ $1 != */00_* ]] || wanted='Experiments,Exercises,'
+    awk -v wanted="$wanted" '
+        /^ *```/ { fenced = !fenced }
+        !fenced && /^## / {
+            title = substr($0, 4)
+            if (next_part == "") next_part = substr(wanted, 1, index(wanted, ",") - 1)
+            if (index(title, next_part) == 1 && next_part != "") {
+                wanted = substr(wanted, length(next_part) + 2); next_part = ""
+            }
+        }
+        END { if (wanted != "") print "lacks, or has out of order: " wanted }' "$1"
+    awk -f .make/words.awk "$1" | awk '$1 > 4000 { print "its story has " $1 " words; 4000 is the most" }'
+}
+
+# matches PAGE READER PATTERN [i]: the first lines of what READER prints of the page that match; i ignores case.
+matches() { "$2" "$1" | grep "-E${4-}" -e "$3" | sed "s|^|$1:|" | head -n 3; }
+lines_of() { grep -n '' "$1"; }
+
+# What an unfinished merge leaves; another notation for lengths and products than that of all pages; short options, which
+# mean nothing to a new reader; phrases that are wrong English, which pages may only mention in quotes.
+bad_merges() { matches "$1" lines_of '^[0-9]+:(<<<<<<<|>>>>>>>) '; }
+bad_notation() { matches "$1" lines_of '\\(langle|rangle|lVert|rVert|Vert|\|)'; }
+bad_options() { matches "$1" code_of '(^|[ /])build/[0-9][^|>]* -[a-z]( |$)|^-[a-z] '; }
+bad_phrases() { matches "$1" prose_of "(^|[^'])\\b(in place of|under an angle|anew|as it were|(as|by|for|of|to) who) " i; }
+
+# French words in a page's brackets that the glossary lacks.
+untranslated() { # PAGE
+    prose_of "$1" | grep -o '([*][^*]*[*]' | sed 's/^([*]//; s/[*]$//; s/, /\n/g' | awk -F ' *[|] *' -v page="$1" '
+        function words(text) { # a plural is the word too
+            gsub(/[-*,()]/, " ", text)
+            text = " " text " "
+            gsub(/s? +/, " ", text)
+            return text
+        }
+        NR == FNR { french[FNR] = words($3); terms = FNR; next }
+        {
+            found = 0
+            for (i = 1; i <= terms && !found; i++)
+                found = index(french[i], words($0))
+            if (!found) print page ": (" $0 ") is not in docs/glossary.md"
+        }' docs/glossary.md -
+}
+
+# The glossary's terms, in order and each once, each with its French name and its place.
+bad_glossary() { # PAGE
+    awk -F ' *[|] *' '
+        /^## Symbols/ { exit }
+        /^[|] / && !/^[|] (English|---)/ {
+            term = tolower($2); gsub(/[^a-z0-9]+/, " ", term)
+            if (term "" <= last) print $2 ": out of order, or twice"
+            if ($3 !~ /^[*]..*[*]$/) print $2 ": has no French name"
+            if ($5 == "" || $6 !~ /^\[([0-9][0-9]|engine)\]\(/) print $2 ": is not said, or without its place"
+            last = term; count++
+        }
+        END { if (count < 100) print "there are " count + 0 " terms" }' "$1"
+}
+
+# Each lab of the guide has what a lab is made of; none of the first six is left out.
+bad_labs() { # PAGE
+    awk '
+        function judge(i) {
+            for (i = 1; lab && i <= 4; i++)
+                if (!(part[i] in has)) print lab ": has no part " part[i]
+            split("", has)
+        }
+        BEGIN { split("*Predict.* *Show.* *Work.* *Exit_question.*", part, " ") }
+        { gsub(/Exit question/, "Exit_question") }
+        /^##/ { judge(); lab = "" }
+        /^### Lab / {
+            lab = $0
+            if ($3 + 0 != last + 1 && ($3 + 0 <= last || last < 6)) print "lab " last " is followed by " $3
+            last = $3 + 0
+        }
+        /^- / { has[$2] = 1 }
+        END { judge(); if (last < 6) print "the last lab is " last + 0 }' "$1"
+}
+
+# A page shows two pictures beside each other, a wrong one and the right one, in a window.
+lacks_pair() { # PAGE
+    code_of "$1" | grep -qE '^build/[0-9].* --compare( |$)' || echo "$1: no command has --compare"
+}
+
+# Shaders that belong to a chapter and that its page never names.
+unnamed_shaders() { # STEM
+    local file number=${1%%_*} text
+    text=$(<"docs/$1.md")
+    for file in chapters/{solutions,experiments,figures}/"$number"_*.frag \
+        $([ "$number" != 00 ] || echo chapters/first_steps/[!e]*.frag); do
+        [[ $text == *"$file"* ]] || echo "$file is not in docs/$1.md"
+    done
+}
+
+targets=" $(sed -n 's/^\([a-z][-a-z0-9]*\):.*/\1/p' Makefile | tr '\n' ' ')"
+
+# A command is tried by its own program, with --list in place of the picture: that reads all options,
+# the shader and the values of its parameters. A shader that the page itself writes, 'my.frag', is
+# replaced by the chapter's own. A command that ends in '# refused' must be refused.
+bad_commands() { # PAGE
+    local command target
+    code_of "$1" | grep -E '(^|[;&|(] *)(build/[0-9]|make [a-z]|[A-Z]+=)' | sed 's/ && /\n/g; s/[;|].*//' |
+        while IFS= read -r command; do
+            case $command in
+            [A-Z]*=*) # a variable that later commands use; what comes after one would be run
+                [[ $command =~ ^[A-Z_]+=[^\ ]*\ *$ || $command =~ ^[A-Z_]+=\'[^\']*\'\ *$ || $command =~ ^[A-Z_]+=\"[^\"]*\"\ *$ ]] ||
+                    { echo "$1: $command: a variable in front of a command" && continue; }
+                eval "$command"
+                ;;
+            make\ [a-z]*)
+                target=${command#make }
+                [[ $targets == *" ${target%% *} "* ]] || echo "$1: $command: no such target"
+                ;;
+            build/[0-9]*'# refused'*)
+                ! try_command "${command%% #*}" >/dev/null 2>&1 || echo "$1: $command: not refused"
+                ;;
+            build/[0-9]*)
+                target=${command%%[<>]*}
+                try_command "${target%% #*}" >"$scratch/said" 2>&1 ||
+                    echo "$1: $command: $(head -n 1 "$scratch/said")"
+                ;;
+            esac
+        done
+}
+
+try_command() { # COMMAND
+    local -a words=() given=()
+    eval "words=($1)" || return 1
+    local program=$BUILD/${words[0]#build/} word="" before=""
+    [ -x "$program" ] || { echo "no such program" && return 1; }
+    for word in "${words[@]:1}"; do
+        if [[ $before == -f || $before == --shader ]] && [[ $word == *.frag && $word != */* ]]; then
+            word=chapters/${program##*/}.frag
+        fi
+        given+=("$word")
+        before=$word
+    done
+    case " ${given[*]} " in
+    *\ --help\ * | *\ --version\ * | *\ --print-shader\ *) "$program" "${given[@]}" ;;
+    *) "$program" "${given[@]}" --list ;;
+    esac
+}
+
+# The last line that a page shows of a probe is the one that its command prints. After several
+# commands their last lines follow in the same order.
+bad_outputs() { # PAGE
+    local command shown
+    awk '
+        /^ *```/ { fenced = !fenced; if (/```sh/) shown = asked = 0; next }
+        fenced && /^ *build\/.* --probe / {
+            sub(/^ */, "")
+            if (shown) shown = asked = 0
+            command[++asked] = $0
+        }
+        fenced && /^ *# .*; colour: / && sub(/^ */, "") && shown < asked { print command[++shown]; print }' "$1" |
+        while IFS= read -r command && IFS= read -r shown; do
+            eval "set -- $(sed -E 's/ (-o|--output) +[^ ]+//; s/ *[|] *tail -n 1$//' <<<"$command")" # a test leaves no picture behind
+            command=$BUILD/${1#build/}
+            shift
+            same_line "$("$command" "$@" 2>&1 | tail -n 1)" "$shown" || echo "$command $*: does not print '$shown'"
+        done
+}
+
+# Two last lines of a probe: a colour may be one off on another driver.
+same_line() { # A B
+    [ "${1%colour: *}" = "${2%colour: *}" ] && awk -v a="${1##*: }" -v b="${2##*: }" 'BEGIN {
+        n = split(a, x, ", "); split(b, y, ", ")
+        for (i = 1; i <= n; i++) if ((x[i] - y[i]) ^ 2 > 1) exit 1
+    }'
+}
+
+# ---- The pages ----
+
+check_pages() {
+    local page stem
+    for page in "${pages[@]}"; do
+        judge "$page: listings and tables are those of the sources" \
+            "$(.make/listings.sh --check "$page" 2>&1)"
+        judge "$page: links, pictures and anchors exist" "$(bad_links "$page")"
+        judge "$page: pictures are references that are tested" "$(bad_pictures "$page")"
+        judge "$page: has no mark of an unfinished merge" "$(bad_merges "$page")"
+        judge "$page: GitHub renders its formulas" "$(bad_formulas "$page")"
+        judge "$page: commands are accepted by their programs" "$(bad_commands "$page")"
+        judge "$page: probes print the last line that the page shows" "$(bad_outputs "$page")"
+        judge "$page: lengths and products have the notation of all pages" "$(bad_notation "$page")"
+        judge "$page: options are spelt out" "$(bad_options "$page")"
+        judge "$page: has no phrase that is always wrong" "$(bad_phrases "$page")"
+    done
+    for stem in "${chapters[@]}"; do
+        if [ ! -e "docs/$stem.md" ]; then
+            not_ok "docs/$stem.md" "the chapter has no page"
+            continue
+        fi
+        judge "docs/$stem.md: has its five lines in French" "$(bad_summary "docs/$stem.md")"
+        judge "docs/$stem.md: its French terms are in the glossary" "$(untranslated "docs/$stem.md")"
+        judge "docs/$stem.md: names every parameter" "$(unnamed_parameters "$stem")"
+        judge "docs/$stem.md: shows two pictures beside each other" "$(lacks_pair "docs/$stem.md")"
+        judge "docs/$stem.md: names every shader of its chapter" "$(unnamed_shaders "$stem")"
+        judge "docs/$stem.md: its exercises have checks, hints and solutions" "$(bad_exercises "docs/$stem.md")"
+        judge "docs/$stem.md: its folds have the form of all pages, and each question has its answer" \
+            "$(bad_folds "docs/$stem.md")"
+        judge "docs/$stem.md: has the parts of a page, and a story of at most 4000 words" "$(bad_form "docs/$stem.md")"
+    done
+}
+
+# ---- The checks themselves: each must see a mistake ----
+
+# refuses NAME TEXT CHECK: a page of this text makes the check complain.
+refuses() {
+    mkdir -p "$scratch/docs"
+    printf '%b' "$2" >"$scratch/docs/page.md"
+    check "a page is refused for $1" test -n "$("$3" "$scratch/docs/page.md")"
+}
+
+accepts() {
+    mkdir -p "$scratch/docs"
+    printf '%b' "$2" >"$scratch/docs/page.md"
+    check "a page is accepted for $1" test -z "$("$3" "$scratch/docs/page.md")"
+}
+
+check_checks() {
+    local probe='build/01_normal_colouring --probe 320,180'
+    refuses 'a link to nothing' 'see [this](gone.md)\n' bad_links
+    refuses 'an anchor without heading' '# One two\n[a](#one-two) [b](#one-three)\n' bad_links
+    refuses 'a picture that no test renders' '![a](../tests/references/gone.png)\n' bad_pictures
+    refuses 'a picture without words' '![](../tests/references/03_shadows.png)\n' bad_pictures
+    refuses 'a figure without a program' '![a](figures/gone.svg)\n' bad_pictures
+    local task='**1. (easy) A.** b\n\n' ask='*Predict.* Why?\n\n' folds
+    folds=$(printf '<details><summary>%s</summary>\\n\\na\\n\\n</details>\\n\\n' Hint Solution)
+    local exercises="## Exercises\n\n$task$folds${task/1/2}$folds${task/1/3}$folds"
+    accepts 'exercises with hints and solutions' "$exercises" bad_exercises
+    refuses 'an exercise without a solution' "${exercises/Solution/Hint}" bad_exercises
+    refuses 'an exercise without a grade' "${exercises/(easy) /}" bad_exercises
+    accepts 'a question with its answer' "$ask${folds/Hint/Answer}" bad_folds
+    refuses 'a question without an answer' "$ask$folds" bad_folds
+    refuses 'an experiment without an answer' "## Experiments\n\n**1. A.** b\n" bad_folds
+    refuses 'a fold without end' "${folds%</details>*}" bad_folds
+    refuses 'a fold of another kind' "${folds/Hint/Clue}" bad_folds
+    refuses 'a fold without its empty line' "${folds/<\/summary>\\n/<\/summary>}" bad_folds
+    refuses 'a story without end' "# a\n$(seq 4002 | tr '\n' ' ')\n## Parameters\n" bad_form
+    refuses 'parts out of order' "$(sed 's/^## Proofs/## Lemmas/' docs/01_normal_colouring.md)" bad_form
+    refuses 'angle brackets for a product' '$\\langle a, b \\rangle$\n' bad_notation
+    refuses 'a phrase that is always wrong' 'a mean in place of a sum\n' bad_phrases
+    accepts 'the same in quotes' "say 'instead of', not 'in place of'\n" bad_phrases
+    refuses 'a short option' "\`build/${chapters[0]} -t 2\`\n" bad_options
+    refuses 'a French term that the glossary lacks' 'the ray (*rayon*), the **word** (*mot, rayon*)\n' untranslated
+    refuses 'a term twice' "$(sed '/^| acne /p' docs/glossary.md)" bad_glossary
+    refuses 'a term without a French name' "$(sed 's/ [*]cellule[*] / /' docs/glossary.md)" bad_glossary
+    refuses 'a lab without a question' "$(sed '0,/Exit question/s//Question/' docs/teaching.md)" bad_labs
+    refuses 'a lab too few' "$(sed '/^### Lab 3/d' docs/teaching.md)" bad_labs
+    refuses 'the mark of a merge' 'a\n<<<<<<< HEAD\nb\n' bad_merges
+    refuses 'a formula that GitHub changes' 'so $a \\\\, b$ is\n' bad_formulas
+    refuses 'a summary of four lines' "## L'essentiel\n\n> a\n> b\n> c\n> d\n\ntext\n" bad_summary
+    refuses 'a missing program' '`build/99_nothing`\n' bad_commands
+    refuses 'an unknown view' \
+        "\`build/${chapters[0]} # a comment\` then \`build/${chapters[0]} --view colours\`\n" bad_commands
+    refuses 'a missing shader' "\`build/${chapters[0]} -f chapters/gone.frag\`\n" bad_commands
+    refuses 'an unknown parameter' "\`build/${chapters[0]} -p gone=1\`\n" bad_commands
+    refuses 'a command that is accepted although it is marked as refused' "\`build/${chapters[0]} # refused\`\n" bad_commands
+    check 'a colour may be one off' same_line '# hit; colour: 1, 20, 3' '# hit; colour: 2, 20, 2'
+    check 'not two' eval "! same_line '# hit; colour: 1, 20, 3' '# hit; colour: 1, 20, 5'"
+    refuses 'an output that the command does not print' "\`\`\`\n$probe\n# hit; evaluations of the scene: 0; colour: 1, 2, 3\n\`\`\`\n" bad_outputs
+    refuses 'an unknown target' '`make nonsense`\n' bad_commands
+    refuses 'a variable in front of a command' '`NONE=1 make test`\n' bad_commands
+    printf '# A `b`: c, d!\n## A b c d\n' >"$scratch/docs/page.md"
+    check "anchors are GitHub's" test "$(anchors_of "$scratch/docs/page.md" | tr '\n' ' ')" = \
+        'a-b-c-d a-b-c-d-1 '
+}
+
+# ---- The tool that writes the listings ----
+
+write_source() {
+    cat >"$scratch/source.glsl" <<'END'
+// The first comment.
+const float EDGE = 1.0; // a brace { in a comment
+
+struct Pair {
+    float a; // ;
+};
+
+float once(vec3 p);
+EVERY(EDGE)
+
+// What once is.
+float once(vec3 p)
+{
+    return p.x;
+}
+
+float twice(float x) { return 2.0 * x; }
+vec3 twice(vec3 x) { return 2.0 * x; }
+END
+}
+
+# lists NAME EXPECTED: this text is written below a marker.
+lists() { # NAME EXPECTED
+    local page=$scratch/list.md name=${1% with-comment}
+    printf 'before `%s`\n<!-- code: %s %s -->\nafter\n' "${name/\*/source.glsl}" "$scratch/source.glsl" "$1" >"$page"
+    .make/listings.sh "$page" >/dev/null || return 1
+    [ "$(sed -n '3,$p' "$page")" = "$(printf '```glsl\n%s\n```\nafter' "$2")" ] &&
+        .make/listings.sh --check "$page" # what was written agrees with itself
+}
+
+# fails PAGE PATTERN OPTION...: status 1, the message matches, and the page is untouched.
+fails() {
+    local page=$1 pattern=$2
+    shift 2
+    cp "$page" "$page.before"
+    ! .make/listings.sh "$@" "$page" >/dev/null 2>"$scratch/said" &&
+        grep -q -e "$pattern" "$scratch/said" && cmp -s "$page" "$page.before"
+}
+
+rewrites() { # PAGE
+    [ "$(.make/listings.sh "$1")" = "$1: listings rewritten" ]
+}
+
+check_tool() {
+    local page=$scratch/tool.md source=$scratch/source.glsl
+    write_source
+    check 'a listing: a function, not its prototype' lists once $'float once(vec3 p)\n{\n    return p.x;\n}'
+    check 'a listing: with the comment above' lists 'once with-comment' \
+        $'// What once is.\nfloat once(vec3 p)\n{\n    return p.x;\n}'
+    check 'a listing: a constant' lists EDGE 'const float EDGE = 1.0; // a brace { in a comment'
+    check 'a listing: a struct' lists Pair $'struct Pair {\n    float a; // ;\n};'
+    check 'a listing: a whole file' lists '*' "$(cat "$source")"
+
+    printf '<!-- code: %s gone -->\n' "$source" >"$page"
+    check 'an unknown name fails' fails "$page" ':1: .*source.glsl: defines no gone'
+    printf '\n<!-- code: %s twice -->\n' "$source" >"$page"
+    check 'a name that is defined twice fails' fails "$page" ':2: .*defines twice more than once'
+    printf '<!-- code: %s once -->\n' "$scratch/gone.glsl" >"$page"
+    check 'a missing file fails' fails "$page" 'cannot be read'
+    printf '<!-- code: %s -->\n' "$source" >"$page"
+    check 'a malformed marker fails' fails "$page" 'malformed'
+    printf '<!-- code: %s once -->\n```glsl\nfloat\n' "$source" >"$page"
+    check 'a fence without end fails' fails "$page" 'no end'
+    printf '<!-- code: %s once -->\n```glsl\nstale\n```\n`once`\n' "$source" >"$page"
+    check 'a stale listing fails --check' fails "$page" ':1: differs' --check
+    check 'a stale listing is rewritten' rewrites "$page"
+    check 'a rewritten listing passes --check' .make/listings.sh --check "$page"
+    sed -i.before 's/return p.x/return p.y/' "$source"
+    check 'a source that changed fails --check' fails "$page" ':1: differs' --check
+
+    printf '<!-- parameters: 01_normal_colouring -->\n| stale |\n' >"$page"
+    check 'a stale table of parameters fails --check' fails "$page" ':1: differs' --check
+    check 'a stale table of parameters is rewritten' rewrites "$page"
+    check 'a table of parameters names them' grep -q '^| `hitThreshold` |' "$page"
+    printf '<!-- parameters: 99_nothing -->\n' >"$page"
+    check 'a table of no program fails' fails "$page" 'make first'
+
+    # 1100 words of story and 150 of proofs; what is folded, and a listing, would be 5 minutes more each.
+    local thousand
+    thousand=$(seq 1000 | tr '\n' ' ')
+    printf '<!-- time -->\n**Time.** stale\n\n## 1. a\n\n%s\n\n<details><summary>Answer</summary>\n\n%s\n\n</details>\n\n```\n%s\n```\n\n## Exercises\n\n%s\n\n## Proofs\n\n%s\n' \
+        "$(seq 1100 | tr '\n' ' ')" "$thousand" "$thousand" "$thousand" "$(seq 150 | tr '\n' ' ')" >"$page"
+    check 'a stale reading time fails --check' fails "$page" ':1: differs' --check
+    check 'a stale reading time is rewritten' rewrites "$page"
+    check 'a reading time is that of its words' grep -q -x \
+        '[*][*]Time[.][*][*] The story takes about 10 minutes to read, the proofs 5 more[.]' "$page"
+}
+
+# ---- That listings are used ----
+
+# unused NAME PATTERN TEXT: a page of this text is refused, with these words.
+unused() {
+    printf '%b' "$3" >"$scratch/used.md"
+    .make/listings.sh "$scratch/used.md" >/dev/null 2>&1
+    ! .make/listings.sh --check "$scratch/used.md" >"$scratch/said" 2>&1
+    check "a page is refused for $1" grep -q -e "$2" "$scratch/said"
+}
+
+used() { # TEXT
+    printf '%b' "$1" >"$scratch/used.md"
+    .make/listings.sh "$scratch/used.md" >/dev/null && .make/listings.sh --check "$scratch/used.md"
+}
+
+# The same for functions and structs that no page shows.
+unlisted() { # MARKER...
+    printf '<!-- code: %s -->\n' "$@" >"$scratch/used.md"
+    awk -v library="$scratch/source.glsl" -f .make/source.awk -f .make/listings_used.awk \
+        "$scratch/used.md" 2>&1 | grep 'is on no page'
+}
+
+check_use() {
+    local source=$scratch/source.glsl
+    write_source
+    unused 'a listing that its text never names' ':1: .* never names: `once`' \
+        "<!-- code: $source once -->\n\nThat was once, in \`oncemore\`.\n"
+    unused 'a listing that only a block names' 'never names: `once`' \
+        "<!-- code: $source once -->\n\n\`\`\`sh\n\`once\`\n\`\`\`\n"
+    unused 'a whole file that its text never names' 'never names: `source.glsl`' \
+        "<!-- code: $source * -->\n\n\`once\`\n"
+    check 'a listing that its text names passes' used \
+        "As \`once(p)\` says:\n\n<!-- code: $source once -->\n\n[all](x) of \`$source\`:\n\n<!-- code: $source * -->\n"
+    unused 'a copy of a source by hand' ':2: a copy by hand of shaders/march.glsl:5' \
+        'text\n```glsl\nstruct Hit {\n  bool found;\n\n};\n```\n'
+    check 'a block of two lines is not a copy' used 'text\n```glsl\nstruct Hit {\n};\n```\n'
+    check 'lines in another order are not a copy' used \
+        'text\n```glsl\n};\nstruct Hit {\n};\nstruct Hit {\n```\n'
+    check 'a function and a struct that no page shows are found' test "$(unlisted "$source EDGE" |
+        sed 's/.*: the //' | tr '\n' ',')" = \
+        "$(printf '%s is on no page,' 'struct Pair' 'function once' 'function twice' 'function twice')"
+    check 'prototypes and constants need no page' test -z "$(unlisted "$source once" "$source Pair" "$source twice")"
+}
+
+if [ $# != 0 ]; then
+    pages=("$@") chapters=()
+    for page; do
+        [[ $page != docs/[0-9][0-9]_* ]] || chapters+=("$(basename "$page" .md)")
+    done
+    check_pages
+    plan
+    exit
+fi
+check_pages
+judge "docs/engine.md: its exercises have checks, hints and solutions" "$(bad_exercises docs/engine.md)"
+judge "docs/engine.md: each question has its answer" "$(bad_folds docs/engine.md)"
+judge "docs/engine.md: its French terms are in the glossary" "$(untranslated docs/engine.md)"
+judge "docs/glossary.md: terms in order, with French names and places" "$(bad_glossary docs/glossary.md)"
+judge "docs/teaching.md: each lab has its prediction, its demonstration, its work and its question" \
+    "$(bad_labs docs/teaching.md)"
+judge "every function and struct of the library that teaches is on a page" \
+    "$(.make/listings.sh --check 2>&1 | grep 'is on no page')"
+check_checks
+check_tool
+check_use
+plan

@@ -1,0 +1,2 @@
+const float two = 2.0;
+const vec2 wrong = 1.0 +;

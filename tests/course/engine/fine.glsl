@@ -1,0 +1,5 @@
+// The half of x.
+float half_of(float x)
+{
+    return 0.5 * x;
+}

@@ -1,0 +1,127 @@
+#!/bin/bash
+# figures.sh - each diagram of docs/figures/ is what its program draws, describes it in words,
+# and is in a page.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+
+open_scratch
+
+# Another machine's cos, log and pow may differ in their last bit, and turn a second decimal, which is
+# a hundredth of a pixel: everything else is the same, and no number is farther off.
+alike() { # A B
+    awk -v most=0.0101 '
+    function numbers_of(text, number,    count) {
+        count = 0
+        while (match(text, /-?[0-9]+([.][0-9]+)?/)) {
+            number[++count] = substr(text, RSTART, RLENGTH)
+            text = substr(text, RSTART + RLENGTH)
+        }
+        return count
+    }
+    function words_of(text) { gsub(/-?[0-9]+([.][0-9]+)?/, "#", text); return text }
+    NR == FNR { kept[FNR] = $0; lines = FNR; next }
+    {
+        count = numbers_of($0, here)
+        apart = words_of($0) != words_of(kept[FNR])
+        numbers_of(kept[FNR], there)
+        for (i = 1; i <= count && !apart; i++)
+            apart = here[i] - there[i] > most || there[i] - here[i] > most
+        if (apart) { print "# line " FNR ": " kept[FNR] "\n# is now: " $0; bad = 1; exit }
+    }
+    END { exit bad || FNR != lines }' "$1" "$2"
+}
+
+drawn() { # NAME
+    "$BUILD/docs/figures/$1" >"$scratch/$1.svg" && alike "docs/figures/$1.svg" "$scratch/$1.svg"
+}
+
+# Every element is closed in its turn, every value is in quotes, and '&' only begins an entity.
+well_formed() { # FILE
+    awk '
+    function wrong(why) { print "# line " FNR ": " why; bad = 1; exit }
+    {
+        rest = $0
+        if (rest ~ /&/ && rest !~ /^([^&]|&(#[0-9]+|[a-z]+);)*$/) wrong("a bare &")
+        while (match(rest, /<[^>]*>/)) {
+            if (substr(rest, 1, RSTART - 1) ~ /[<>]/) wrong("a stray bracket")
+            tag = substr(rest, RSTART + 1, RLENGTH - 2)
+            rest = substr(rest, RSTART + RLENGTH)
+            name = tag
+            sub(/^\//, "", name)
+            sub(/[ \/].*/, "", name)
+            if (tag ~ /^\//) {
+                if (depth == 0 || open[depth--] != name) wrong("</" name "> closes nothing")
+                continue
+            }
+            if (tag !~ /^[a-z]+( [a-zA-Z][a-zA-Z0-9-]*=("[^"<]*"|\047[^\047<]*\047))* *\/?$/) wrong("no element: <" tag ">")
+            if (tag !~ /\/$/) open[++depth] = name
+        }
+        if (rest ~ /[<>]/) wrong("a stray bracket")
+    }
+    END { if (!bad && (FNR == 0 || depth != 0)) { print "# " open[depth] " is not closed"; bad = 1 }; exit bad }' "$1"
+}
+
+# A title, a description of a sentence at least, numbers that are numbers, XML that can be read, and
+# in it a drawing.
+sound() { # FILE
+    grep -q '<title id="title">[^<]\{12,\}</title>' "$1" &&
+        grep -q '<desc id="description">[^<]\{80,\}</desc>' "$1" &&
+        ! grep -q -i '"[^"]*\<\(nan\|-nan\|inf\)\>[^"]*"' "$1" && well_formed "$1" &&
+        [ "$(grep -o '<\(line\|circle\|path\|polygon\|polyline\|rect\)' "$1" | wc -l)" -gt 8 ] &&
+        [ "$(grep -o '\(stroke\|fill\)="#[0-9a-f]*"' "$1" | sort -u | wc -l)" -ge 4 ]
+}
+
+shown() { # NAME
+    grep -q "](figures/$1\.svg)" docs/*.md
+}
+
+count=0
+for source in docs/figures/*.c; do
+    name=$(basename "$source" .c)
+    [ "$name" = svg ] && continue
+    count=$((count + 1))
+    check "$name.svg is what its program draws: make figures" drawn "$name"
+    check "$name.svg is sound, with its words" sound "docs/figures/$name.svg"
+    check "$name.svg is in a page" shown "$name"
+done
+check "there are figures" [ $count -ge 13 ]
+check "normal_error.svg, which measures rounding, is the same to the byte" \
+    cmp docs/figures/normal_error.svg "$scratch/normal_error.svg"
+alone() {
+    local file
+    for file in docs/figures/*.svg; do
+        [ -e "${file%.svg}.c" ] || { echo "# $file has no program"; return 1; }
+    done
+}
+check "every figure has its program" alone
+
+# The table of errata.md that names a counterpart of each of the report's figures: its rows, FIGURE then
+# the files that it links to.
+counterparts() { # PAGE
+    awk -F ' *[|] *' '/^## / { here = /report.s figures/ } here && $2 ~ /^[0-9]+$/ {
+        row = $2
+        while (match($4, /\]\([^)#]*/)) {
+            row = row " " substr($4, RSTART + 2, RLENGTH - 2)
+            $4 = substr($4, RSTART + RLENGTH)
+        }
+        print row
+    }' "$1"
+}
+
+complete() { # PAGE
+    local number files file row=0
+    while read -r number files; do
+        row=$((row + 1))
+        if [ "$number" != "$row" ] || [ -z "$files" ]; then
+            echo "# row $row: $number $files"
+            return 1
+        fi
+        for file in $files; do
+            [ -s "docs/$file" ] || { echo "# figure $number: no $file"; return 1; }
+        done
+    done < <(counterparts "$1")
+    [ "$row" = 11 ] || { echo "# $row of 11 figures"; return 1; }
+}
+check "each of the report's figures, 1 to 11, has its counterpart" complete docs/errata.md
+plan

@@ -1,0 +1,162 @@
+#!/bin/bash
+# house.sh - the arrows of docs/architecture.md: what the rooms of common/ may know of each other.
+#
+# Two independent looks: at the includes of the sources, and at the symbols that the objects ask of each
+# other.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+open_scratch
+# shellcheck disable=SC2154 # open_scratch sets scratch
+
+# From the ground up. A room knows itself and those below it.
+rooms='ground context shader picture window command top browser'
+
+# room_of, in awk: of a path in common/. Files directly in common/ are the ground, except for those that use all rooms; the platform
+# is a part of it.
+room_of='
+function room_of(path) {
+    sub(/^common\//, "", path)
+    if (path ~ /\// && path !~ /^platform\//)
+        return substr(path, 1, index(path, "/") - 1)
+    return path ~ /^chapter(\.|$)/ ? "top" : "ground"
+}'
+
+# The arrows "FROM TO" of standard input that lead to a higher room, or to none.
+upwards() {
+    awk -v rooms="$rooms" "$room_of"'
+        BEGIN { n = split(rooms, name, " "); for (i = 1; i <= n; i++) rank[name[i]] = i }
+        !(room_of($1) in rank) || !(room_of($2) in rank) || rank[room_of($2)] > rank[room_of($1)]'
+}
+
+# check_empty NAME FILE: a file of what should not be.
+check_empty() {
+    check "$1" [ ! -s "$2" ] || sed 's/^/# /' "$2"
+}
+
+# ---- By includes ----
+
+find common -name '*.[ch]' | sort >"$scratch/files"
+# shellcheck disable=SC2016 # awk's own
+xargs awk '/^#include "/ { split($0, part, "\""); print FILENAME, "common/" part[2] }' \
+    <"$scratch/files" >"$scratch/includes"
+check 'the sources of common/ include each other' [ "$(wc -l <"$scratch/includes")" -gt 50 ]
+while read -r from to; do
+    [ -e "$to" ] || echo "$from includes $to"
+done <"$scratch/includes" >"$scratch/lost"
+check_empty 'in common/ each include names a file from common/ on' "$scratch/lost"
+upwards <"$scratch/includes" >"$scratch/up"
+check_empty 'no include leads upwards' "$scratch/up"
+
+# A module is a header and the sources that include it first: two modules never need each other.
+awk '
+    !($1 in module) { module[$1] = $1 ~ /\.h$/ ? $1 : $2 }
+    { from[NR] = $1; to[NR] = $2 }
+    END {
+        for (i = 1; i <= NR; i++) {
+            a = module[from[i]]
+            if (a != to[i])
+                print a, to[i]
+        }
+    }' "$scratch/includes" | sort -u >"$scratch/modules"
+tsort "$scratch/modules" >/dev/null 2>"$scratch/circle"
+check_empty 'no circle of modules' "$scratch/circle"
+
+# ---- By symbols ----
+
+# What an object needs and another defines. nm -P: name, kind, ...; macOS puts a _ before each name.
+# An object without a source is one of an earlier day, or of what this machine has no library for.
+grep '\.c$' "$scratch/files" | while read -r file; do
+    [ ! -e "$BUILD/${file%.c}.o" ] || nm -P -g "$BUILD/${file%.c}.o" | awk -v module="${file%.c}" '{ print $2, $1, module }'
+done | awk '
+    $1 == "U" { asks[++n] = $2 " " $3 }
+    $1 != "U" { home[$2] = $3 }
+    END {
+        for (i = 1; i <= n; i++) {
+            split(asks[i], ask, " ")
+            if (ask[1] in home && home[ask[1]] != ask[2])
+                print ask[2], home[ask[1]]
+        }
+    }' | sort -u >"$scratch/calls"
+check 'the objects of common/ ask for each other' [ "$(wc -l <"$scratch/calls")" -gt 50 ]
+upwards <"$scratch/calls" >"$scratch/up"
+check_empty 'no call leads upwards' "$scratch/up"
+tsort "$scratch/calls" >/dev/null 2>"$scratch/circle"
+check_empty 'no circle of calls' "$scratch/circle"
+
+# ---- Systems ----
+
+# Code for one system is in common/platform/, except for what one backend or the table of OpenGL needs.
+platform='^common/platform/[a-z_]*\.c:'
+
+# systems_in FILE...: the lines that ask which system this is.
+systems_in() {
+    grep -HnE '^[[:blank:]]*#.*\<(_WIN(32|64)|__(APPLE|MACH|linux|unix|FreeBSD|MINGW32|MINGW64|CYGWIN)__|__unix)\>' "$@"
+}
+
+# headers_in FILE...: the lines that include a header which C11 does not have.
+headers_in() {
+    grep -HnE '^[[:blank:]]*#[[:blank:]]*include <(sys/|mach|unistd|fcntl|signal|pthread|dirent|dlfcn|ftw|libgen|poll|pwd|spawn|strings|termios|windows|io\.|GL/)' "$@"
+}
+
+printf '#if defined(__APPLE__) || 0\n#ifdef _WIN32\n#  ifndef __linux__\n// #ifdef\n' >"$scratch/asks.c"
+check 'a question for the system is seen' [ "$(systems_in "$scratch/asks.c" | wc -l)" = 3 ]
+# shellcheck disable=SC2046 # no name of a source has a blank
+systems_in $(find common chapters docs shaders tests -name '*.[ch]' | sort) | grep -v "$platform" >"$scratch/systems"
+check_empty 'no file but those of the platform asks which system it is on' "$scratch/systems"
+# shellcheck disable=SC2046 # nor has one of common/
+headers_in $(<"$scratch/files") | grep -v "$platform" |
+    grep -v '^common/context/osmesa\.c:[0-9]*:#include <dlfcn\.h>$' >"$scratch/headers"
+check_empty "a system's headers are included by the platform alone" "$scratch/headers"
+check 'a header of a system is seen' [ "$(headers_in common/platform/posix.c | wc -l)" -gt 2 ]
+
+# A type, a constant or a function that differed from Khronos' would be declared twice.
+agrees() {
+    printf '#define GL_GLEXT_PROTOTYPES\n#include <GL/glcorearb.h>\n#include "context/gl.h"\n%s\n%s\n%s\n' \
+        '#define DECLARE(type, name, arguments) type gl##name arguments;' \
+        'GL_FUNCTIONS(DECLARE)' 'GL_TIMER_FUNCTIONS(DECLARE)' >"$scratch/both.c"
+    cc -std=c11 -pedantic-errors -Werror -Icommon -fsyntax-only "$scratch/both.c"
+}
+check "our types, constants and functions of OpenGL are Khronos'" agrees
+
+# ---- Shaders ----
+
+# GLSL leaves smoothstep undefined where its first edge is not below the second.
+falling() {
+    grep -HnoE 'smoothstep\((-?[0-9.]+), (-?[0-9.]+),' "$@" | awk -F '[(,]' '$2 + 0 >= $3 + 0'
+}
+
+printf 'a = smoothstep(1.0, 0.5, x) + smoothstep(-0.5, 0.5, x);\n' >"$scratch/falls.glsl"
+check 'a smoothstep with falling edges is seen' [ "$(falling "$scratch/falls.glsl" | wc -l)" = 1 ]
+# shellcheck disable=SC2046 # no name of a shader has a blank
+falling $(find shaders chapters -name '*.glsl' -o -name '*.frag' | sort) >"$scratch/falling"
+check_empty 'no smoothstep of a shader has falling edges' "$scratch/falling"
+
+# asin and acos of Mesa 22.3 err by up to 0.0004 (build/tests/shaders/precision prints by how much this driver's
+# do), and no specification of GLSL bounds their error. atan(y, x) of two lengths errs by 3e-6 there.
+find shaders chapters -maxdepth 1 \( -name '*.glsl' -o -name '*.frag' \) -exec grep -nE '^[^/]*[^a-zA-Z]a(sin|cos)\(' {} + >"$scratch/arcs"
+check_empty 'no chapter leans on asin or acos' "$scratch/arcs"
+
+# Other functions leave some arguments undefined: each library function that calls one of these is tried at its edges
+# on the graphics processor. What reads a picture, or draws a view or a figure, is not: references hold that.
+edgy() {
+    awk 'FNR == 1 { name = "" }
+        /^[A-Za-z][A-Za-z0-9]* [a-z][A-Za-z0-9]*\(/ { name = /sampler2D/ ? "" : $2; sub(/\(.*/, "", name) }
+        { sub(/\/\/.*/, "") }
+        /^}/ { name = "" }
+        name != "" && /(^|[^a-zA-Z])(atan|pow|asin|acos|log2?|inversesqrt|normalize)\(/ && !seen[name]++ { print name }' "$@"
+}
+
+printf 'float bare(float x)\n{\n    return log(x);\n}\n// log(x)\nfloat even(float x)\n{\n    return exp(x);\n}\n' >"$scratch/edgy.glsl"
+check 'a logarithm is seen' [ "$(edgy "$scratch/edgy.glsl")" = bare ]
+# shellcheck disable=SC2046 # no name of a shader has a blank
+edgy $(find shaders -name '*.glsl' | grep -vE '/(coarse|figure|places|plot|signs|slice|views).glsl$' | sort) | while read -r name; do
+    grep -q "[^A-Za-z]$name(" tests/shaders/edges.frag || echo "$name"
+done >"$scratch/untried"
+check_empty 'every function of the library with an undefined argument is in tests/shaders/edges.frag' "$scratch/untried"
+
+# ---- Size ----
+
+find common -maxdepth 1 -type f >"$scratch/flat"
+check 'at most 14 files lie flat in common/' [ "$(wc -l <"$scratch/flat")" -le 14 ]
+plan

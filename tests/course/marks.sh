@@ -1,0 +1,51 @@
+#!/bin/bash
+# marks.sh - `make marks`: the table of a class whose folders have blanks, accents and quotes, the copies in it, and
+# the questions that it refuses. What check.sh says of one file is tested in check.sh.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+open_scratch
+class="$scratch/hand in"
+hand_in() { # STUDENT FILE: its text comes from standard input
+    mkdir -p "$class/$1"
+    cat >"$class/$1/$2"
+}
+right=chapters/solutions/00_first_scene_2.frag
+{ cat $right; echo '#define MINE'; } | hand_in "Zoë \"O'Neil\"" '00-2 <my> ball.frag'
+{ cat chapters/solutions/00_first_scene_3.frag; echo '#define MINE'; } | hand_in "Zoë \"O'Neil\"" 00_3.frag
+hand_in '=cmd()' 00_2.frag <chapters/00_first_scene.frag
+{ echo '/* all mine * */'; sed 's/; *$/ ; \/\/ mine/' $right; } | hand_in copy 00_2.frag
+echo '#include "solutions/00_first_scene_2.frag"' | hand_in include 00_2.frag
+echo 'one fault' | hand_in twin 00_2.frag
+echo 'one /* */ fault // here' | hand_in 'the other twin' 00_2.frag
+hand_in nameless ball.frag <$right
+
+marks() { FILES=$1 EXERCISES=$2 CSV=${3-$scratch/marks.csv} .make/marks.sh >"$scratch/said" 2>&1; }
+row() { grep -q -e "$1" "$scratch/marks.csv" || { sed 's/^/# /' "$scratch/marks.csv"; return 1; }; }
+check 'a class is marked' marks "$class/*/*.frag" '00_2 00_3'
+check 'a row has a mark and a remark for each exercise' row "^\"Zoë \"\"O'Neil\"\"\",right,\"as the solution.*\",right,\"as the solution.*\"$"
+check 'a wrong solution, of a folder that a spreadsheet would take for a formula' row "^\"'=cmd()\",wrong,\".* differ .*\",missing,\"\"$"
+check 'the published solution, however its blanks and comments are changed' row '^"copy",copied,"the published solution; '
+check 'the published solution, included' row '^"include",copied,"the published solution; '
+check 'the same text twice' row '^"twin",copied,"one text: the other twin, twin; does not run: '
+check 'and nothing else' [ "$(wc -l <"$scratch/marks.csv")" = 7 ]
+check 'a file whose name has no exercise is named' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3: not marked' "$scratch/said"
+check 'the marks are added up' grep -q '^6 students: 2 right, 1 wrong, 4 copied$' "$scratch/said"
+pictures() {
+    grep -q '<td>00_3<td>right' build/marks/index.html &&
+        grep -o 'src="[^"]*' build/marks/index.html >"$scratch/pictures" &&
+        while read -r picture; do [ -s "build/marks/${picture#src=?}" ] || { echo "# no $picture"; return 1; }; done <"$scratch/pictures"
+}
+check 'the page shows pictures that there are' pictures
+one_folder() { cp "$class/copy/00_2.frag" "$scratch/ada_00_2.frag" && marks "$scratch/*.frag" 00_2 && row '^"ada",copied,'; }
+check 'in one folder, the name of the file is that of the student' one_folder
+refuses() { # WORDS FILES EXERCISES CSV
+    marks "${@:2}"
+    [ $? = 2 ] && [ "$(wc -l <"$scratch/said")" = 1 ] && grep -q -e "$1" "$scratch/said"
+}
+check 'no exercise' refuses 'which exercises' x ''
+check 'an exercise without a solution' refuses 'EXERCISES: 00_9: no solution' x '00_2 00_9'
+check 'no file' refuses 'which files' '' 00_2
+check 'a pattern that fits no file' refuses 'no file has such a name' "$class/eve/*" 00_2
+check 'a table that cannot be written' refuses 'CSV=/: cannot be written' "$class/*/*.frag" 00_2 /
+plan

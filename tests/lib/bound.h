@@ -1,0 +1,42 @@
+// bound.h - the marches of a chapter against the fewest evaluations that could do, the one
+// from probes of the GPU, the other from the scene in double precision.
+#ifndef TESTS_BOUND_H
+#define TESTS_BOUND_H
+
+#include "lib/cover.h"
+#include "lib/gpu.h"
+#include "lib/mirror.h"
+
+struct bound_case {
+    const char *stem;
+    const struct mirror_scene *scene; // its distance in double
+    double threshold, spread;         // a hit at t is nearer than threshold + spread t
+};
+
+extern const struct bound_case bound_cases[];
+extern const int bound_case_count;
+
+// Sums over rays.
+struct bound_sums {
+    int rays, march;      // evaluations of the march
+    int least, most;      // what would do, between these
+    int shader;           // the same as shaders/cover.glsl computes it
+    int astray;           // rays for which it is not between them
+    int below;            // rays whose march takes fewer than the least
+    double smallest;      // march / least of one ray
+    double lipschitz;     // the largest change of the distance between samples, per scene unit
+    int given_up, differ; // rays whose steps ran out; whose steps differ from the probe's
+};
+
+// Look at rays of the chapter's first picture, 640x360: those that shaders/cover.glsl chooses.
+//   every  1: all of them; n: each nth
+//   sums   takes misses, then hits
+// Fails the test, or ends the program, if it cannot be drawn.
+void bound_measure(const struct bound_case *of, int every, struct bound_sums sums[2]);
+
+// March one ray on the GPU, in tests/shaders/cover.frag, by its parameters there.
+//   answer  takes the steps of the march, and the fewest that could do, by shaders/cover.glsl
+// Fails the test where it cannot be drawn.
+void bound_ask(double slope, double gap, double far, double threshold, int answer[2]);
+
+#endif

@@ -1,0 +1,47 @@
+// boundary.h - for tests of figures in the plane: a boundary, piece by piece, and how far
+// it is, searched for in double precision.
+#ifndef TESTS_BOUNDARY_H
+#define TESTS_BOUNDARY_H
+
+#include <stdbool.h>
+
+#define BOUNDARY_MOST 48 // pieces
+
+struct d2 {
+    double x, y;
+};
+
+// A piece of a boundary: a segment from a to b, or an arc of the ellipse around a with half axes b,
+// from angle from to angle to. Of it the part from low to high, shares of its length, belongs to
+// the boundary.
+struct piece {
+    bool arc;
+    struct d2 a, b;
+    double from, to, low, high;
+};
+
+struct boundary {
+    struct piece piece[BOUNDARY_MOST];
+    int count;
+};
+
+// The point of a piece at the share u of what belongs to the boundary.
+struct d2 boundary_at(const struct piece *piece, double u);
+
+// Each adds to a boundary: a segment; an arc of an ellipse or of a circle, from angle to angle in
+// radians; the sides of a closed polygon.
+void boundary_add_segment(struct boundary *of, struct d2 a, struct d2 b);
+void boundary_add_ellipse(struct boundary *of, struct d2 centre, struct d2 axes, double from,
+                          double to);
+void boundary_add_arc(struct boundary *of, double x, double y, double radius, double from,
+                      double to);
+void boundary_add_polygon(struct boundary *of, const double (*corner)[2], int count);
+
+// The distance to the nearest point: of each piece the nearest of 16 samples, and from there by
+// golden section.
+double boundary_distance(struct d2 p, const struct boundary *of);
+
+// How often a polygon, followed all along, turns round p: by the sum of the angles.
+double boundary_winding(struct d2 p, const double (*corner)[2], int count);
+
+#endif

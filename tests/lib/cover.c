@@ -1,0 +1,97 @@
+#include "lib/cover.h"
+
+#include <math.h>
+
+static double empty(const struct cover_sample *sample)
+{
+    return fmax(sample->d, 0.0);
+}
+
+// The fewest of the intervals (t_i - d_i, t_j + d_j), j = i + gap, from begin to goal: each time
+// the one that reaches farthest among those that begin in what is covered.
+static int fewest(const struct cover_sample *sample, int count, int gap, double goal)
+{
+    double covered = sample[0].t;
+    int taken = 0;
+    while (covered < goal) {
+        double reach = covered;
+        for (int i = 0; i + gap < count; i++)
+            if (sample[i].t - empty(&sample[i]) <= covered)
+                reach = fmax(reach, sample[i + gap].t + empty(&sample[i + gap]));
+        if (reach <= covered)
+            return COVER_NEVER;
+        covered = reach;
+        taken++;
+    }
+    return taken;
+}
+
+struct cover_count cover_of(const struct cover_sample *sample, int count, bool hit)
+{
+    const struct cover_sample *end = &sample[count - 1];
+    double goal = hit ? end->t - empty(end) : end->t;
+    int least = fewest(sample, count, count > 1 ? 1 : 0, goal);
+    int most = fewest(sample, count, 0, goal), last = hit ? 1 : 0;
+    return (struct cover_count){.least = least == COVER_NEVER ? least : least + last,
+                                .most = most == COVER_NEVER ? most : most + last};
+}
+
+// ---- A plane ----
+
+int cover_plane_march(double height, double slope, double far, double threshold, bool *hit)
+{
+    double t = 0.0;
+    int steps = 0;
+    *hit = false;
+    while (!*hit && t < far) {
+        double d = height - slope * t;
+        steps++;
+        *hit = d < threshold;
+        t += *hit ? 0.0 : d;
+    }
+    return steps;
+}
+
+// With e = d + slope (c - t) the distance at what is covered, the best place is where t - d = c:
+// there d = e / (1 + slope), and what is covered next has the distance e (1 - slope) / (1 + slope).
+int cover_plane_least(double height, double slope, double far, double threshold)
+{
+    bool hit;
+    int steps = cover_plane_march(height, slope, far, threshold, &hit);
+    double rate = (1.0 - slope) / (1.0 + slope);
+    double end = hit ? height * pow(1.0 - slope, steps - 1) : height - slope * far;
+    // For a hit, to where its own interval begins: there the distance is end (1 + slope).
+    double goal = hit ? (1.0 + slope) * end : end;
+    if (slope == 0.0)
+        return (int)ceil(far / (2.0 * height));
+    return (int)fmax(ceil(log(goal / height) / log(rate)), 0.0) + (hit ? 1 : 0);
+}
+
+double cover_plane_ratio(double slope)
+{
+    return slope == 0.0 ? 2.0 : (log1p(-slope) - log1p(slope)) / log1p(-slope);
+}
+
+// ---- A ball ----
+
+int cover_ball_march(double gap, double reach)
+{
+    int steps = 0;
+    for (double t = -reach; t < reach; steps++)
+        t += hypot(t, 1.0 + gap) - 1.0;
+    return steps;
+}
+
+// t - (hypot(t, b) - 1) = c solved for t: with k = 1 - c, b^2 = 2 k t + k^2. From c = 1 on every
+// place of the ray begins there, however far.
+int cover_ball_least(double gap, double reach)
+{
+    double covered = -reach, b = 1.0 + gap;
+    int count = 0;
+    for (; covered < reach; count++) {
+        double k = 1.0 - covered;
+        double t = k > 0.0 ? fmin((b * b - k * k) / (2.0 * k), reach) : reach;
+        covered = t + hypot(t, b) - 1.0;
+    }
+    return count;
+}

@@ -1,0 +1,50 @@
+// cover.h - the fewest evaluations of a distance on a ray that show an interval to be
+// empty: docs/benchmark.md, in double precision.
+#ifndef TESTS_COVER_H
+#define TESTS_COVER_H
+
+#include <limits.h>
+#include <stdbool.h>
+
+#define COVER_NEVER INT_MAX
+
+// One evaluation: the distance d at t says that nothing stands between t - d and t + d.
+struct cover_sample {
+    double t, d;
+};
+
+// The least number of evaluations, between two bounds.
+struct cover_count {
+    int least; // no choice of places on the ray needs fewer, if the distance is 1-Lipschitz
+    int most;  // the least number of the given samples: enough for certain
+};
+
+// How many evaluations cover a ray from its first sample to its last.
+//   sample  t ascending, count >= 1; a negative d counts as 0
+//   hit     what is found at the last sample is part of the answer: one evaluation is made there
+// COVER_NEVER stands for `most` where the samples do not suffice.
+//
+// Between two samples a 1-Lipschitz distance has t - d from the first one's on and t + d up to the
+// second one's, so all intervals of the gap lie in the one between these two: `least` is the least
+// number of such wide intervals.
+struct cover_count cover_of(const struct cover_sample *sample, int count, bool hit);
+
+// What holds for a distance that changes at one rate along the ray, d = height - slope t: -1 <
+// slope < 1, a plane that is approached (slope > 0) or left.
+
+// The number of evaluations of a march from t = 0 until d is below threshold, or t at or over far.
+int cover_plane_march(double height, double slope, double far, double threshold, bool *hit);
+
+// The least number for the same answer.
+int cover_plane_least(double height, double slope, double far, double threshold);
+
+// What the one over the other tends to: ln((1 - slope) / (1 + slope)) / ln(1 - slope), 2 for slope
+// 0.
+double cover_plane_ratio(double slope);
+
+// The same past a ball of radius 1, the ray missing its centre by 1 + gap, from -reach to reach
+// around the closest point, threshold 0.
+int cover_ball_march(double gap, double reach);
+int cover_ball_least(double gap, double reach);
+
+#endif

@@ -1,0 +1,41 @@
+// enlarge.h - what filters make of pictures at a lower resolution, and what they cost.
+#ifndef TESTS_ENLARGE_H
+#define TESTS_ENLARGE_H
+
+#include "picture/enlarge.h"
+#include "lib/compare.h"
+#include "lib/gpu.h"
+
+// A chapter's picture as it is drawn, 640x360.
+struct enlarge_scene {
+    const char *shader;
+    struct camera camera;
+};
+
+enum { ENLARGE_SCENES = 5 };
+extern const struct enlarge_scene enlarge_scenes[ENLARGE_SCENES];
+
+// How far an enlarged picture is from the full one.
+struct enlarge_error {
+    struct image_difference difference;
+    double rms; // over all channels, of 255
+};
+
+// Draw a target's picture through a filter, at a size. Fails the test, or ends the program, where
+// that cannot be; the caller frees the floats, 4 a pixel, bottom row first.
+float *enlarge_numbers(enum enlarge_filter filter, const struct target *from, int width,
+                       int height);
+
+// The same with an enlarger of the caller's, to be closed with enlarge_close.
+float *enlarge_numbers_with(struct enlarge *enlarge, enum enlarge_filter filter,
+                            const struct target *from, int width, int height);
+
+// Draw the scene in full and at 1/divisor of each side, and compare the enlarged one.
+//   error  takes one for each filter
+void enlarge_measure(const struct enlarge_scene *scene, double divisor,
+                     struct enlarge_error error[ENLARGE_FILTERS]);
+
+// Print errors and costs, for build/tests/measure. Returns an exit status.
+int enlarge_print(void);
+
+#endif

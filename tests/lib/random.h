@@ -1,0 +1,17 @@
+// random.h - shaders/random.glsl in C, and random numbers from rand(), which a test seeds.
+#ifndef TESTS_RANDOM_H
+#define TESTS_RANDOM_H
+
+#include "lib/mirror.h"
+
+// What pixelRandom(dimension) gives in a pixel of the picture, 0,0 bottom left, for one of its
+// samples.
+double random_of(int x, int y, int sample, int dimension);
+
+// Uniformly distributed: a number in a range; a point whose coordinates are all in the range; a
+// direction of length 1.
+double random_in(double low, double high);
+struct d3 random_point(double low, double high);
+struct d3 random_direction(void);
+
+#endif

@@ -1,0 +1,302 @@
+#include "lib/session.h"
+
+#include <unistd.h>
+
+#include "../common/chapter.h"
+#include "lib/compare.h"
+#include "lib/gpu.h"
+#include "lib/mirror.h"
+#include "lib/scratch.h"
+#include "lib/system.h"
+#include "window/window.h"
+
+enum { ARGUMENTS = 32, KEPT = 4 };
+
+static struct {
+    struct chapter chapter;
+    struct run *run; // NULL while none is open
+    char line[4096], *argument[ARGUMENTS + 1];
+    struct said {
+        FILE *file;   // what it prints, or reports; NULL while none is open
+        long fetched; // bytes of that
+        int stream;   // where it goes else
+    } said[2];
+    char text[65536];
+    struct image kept[KEPT];
+    int shots;
+} session;
+
+// ---- What is printed ----
+
+static void listen(void)
+{
+    fflush(stdout);
+    for (int i = 0; i < 2; i++) {
+        session.said[i] = (struct said){system_open_scratch(), 0, dup(i + 1)};
+        dup2(fileno(session.said[i].file), i + 1);
+    }
+}
+
+static void hush(void)
+{
+    fflush(stdout);
+    for (int i = 0; i < 2; i++) {
+        dup2(session.said[i].stream, i + 1);
+        close(session.said[i].stream);
+        fclose(session.said[i].file);
+        session.said[i].file = NULL;
+    }
+}
+
+const char *session_said(int stream)
+{
+    struct said *said = &session.said[stream - 1];
+    fflush(stdout);
+    fseek(said->file, said->fetched, SEEK_SET);
+    session.text[fread(session.text, 1, sizeof session.text - 1, said->file)] = '\0';
+    said->fetched = ftell(said->file);
+    return session.text;
+}
+
+// Fail where it is heard.
+static void give_up(const char *format, ...) __attribute__((format(printf, 1, 2)));
+static void give_up(const char *format, ...)
+{
+    char text[8192];
+    va_list values;
+    va_start(values, format);
+    vsnprintf(text, sizeof text, format, values);
+    va_end(values);
+    if (session.said[0].file != NULL)
+        hush();
+    fail_msg("%s", text);
+}
+
+// ---- A window ----
+
+int session_setup(void **unused)
+{
+    user_reset();
+    session.shots = 0;
+    setenv("DISPLAY", ":of-the-test", 1);
+    return scratch_setup(unused);
+}
+
+int session_teardown(void **unused)
+{
+    if (session.run != NULL)
+        chapter_close(session.run);
+    session.run = NULL;
+    if (session.said[0].file != NULL) {
+        session_said(2); // of a test that has failed too
+        hush();
+        fputs(session.text, stderr);
+    }
+    for (int i = 0; i < KEPT; i++)
+        image_free(&session.kept[i]);
+    memset(session.kept, 0, sizeof session.kept);
+    return scratch_teardown(unused);
+}
+
+static void open_window(const char *stem, const char *options, va_list values)
+{
+    char *word, *rest = session.line;
+    int count = 0;
+    int used = snprintf(rest, sizeof session.line, "%s --root %s ", stem, gpu_project_root());
+    vsnprintf(rest + used, sizeof session.line - (size_t)used, options, values);
+    while ((word = strtok(count == 0 ? rest : NULL, " ")) != NULL && count < ARGUMENTS)
+        session.argument[count++] = word;
+    session.argument[count] = NULL;
+    session.chapter = (struct chapter){.stem = stem, .title = stem, .shows = ""};
+    assert_true(mirror_camera(gpu_project_root(), stem, &session.chapter.camera));
+    listen();
+    int status = chapter_open(&session.run, &session.chapter, count, session.argument);
+    if (status != 0 || chapter_window(session.run) == NULL)
+        give_up("%s %s: status %d, no window: %s", stem, options, status, session_said(2));
+    session_turn();
+    session_turn();
+}
+
+void session_open(const char *stem, const char *options, ...)
+{
+    va_list values;
+    va_start(values, options);
+    open_window(stem, options, values);
+    va_end(values);
+}
+
+void session_open_bare(const char *stem, const char *options, ...)
+{
+    va_list values;
+    va_start(values, options);
+    open_window(stem, options, values);
+    va_end(values);
+    session_key(GLFW_KEY_H);
+}
+
+void session_close(void)
+{
+    chapter_close(session.run);
+    session.run = NULL;
+    session_said(2);
+    hush();
+    assert_string_equal(session.text, "");
+}
+
+void session_turn(void)
+{
+    user.now += 1.0 / 60.0;
+    assert_true(window_turn(chapter_window(session.run)));
+}
+
+void session_wait(double seconds)
+{
+    for (double end = user.now + seconds; user.now < end;)
+        session_turn();
+}
+
+bool session_run(void)
+{
+    return window_run(chapter_window(session.run));
+}
+
+static void press(int key, int modifiers)
+{
+    user_key(key, modifiers);
+    session_turn();
+}
+
+void session_key(int key)
+{
+    press(key, 0);
+}
+
+void session_shift_key(int key)
+{
+    press(key, GLFW_MOD_SHIFT);
+}
+
+void session_click(double x, double y)
+{
+    user_click(x, y, GLFW_MOUSE_BUTTON_LEFT);
+    session_turn();
+    session_turn();
+    user.now += 1.0; // the next click is none of a double one
+}
+
+bool session_titled(const char *text)
+{
+    return strstr(user.title, text) != NULL;
+}
+
+void session_assert_title(const char *text)
+{
+    if (!session_titled(text))
+        give_up("the title is '%s', without '%s'", user.title, text);
+}
+
+// ---- What is shown ----
+
+// Fails the test unless a picture is what a chapter writes; frees it.
+static void assert_written(const char *stem, const char *options, struct image *image)
+{
+    char line[4096], said[4096];
+    const char *path = scratch_path("wanted.png");
+    struct image wanted;
+    struct image_difference difference;
+    snprintf(line, sizeof line, "%s --output %s", options, path);
+    if (system_run(stem, line, said, sizeof said) != 0 || !image_read_png(&wanted, path))
+        give_up("%s %s: %s", stem, line, said);
+    bool compared = image_compare(&wanted, image, &difference);
+    image_free(&wanted);
+    image_free(image);
+    if (!compared || difference.f2 > 0.0)
+        give_up("not %s %s: %g of the pixels differ", stem, options, difference.f2);
+}
+
+void session_assert_shown(const char *stem, const char *options, ...)
+{
+    char line[2048];
+    struct image image;
+    va_list values;
+    va_start(values, options);
+    vsnprintf(line, sizeof line, options, values);
+    va_end(values);
+    user_look(&image);
+    assert_written(stem, line, &image);
+}
+
+void session_shoot(struct image *image)
+{
+    char root[4096], name[256], written[280];
+    session_said(1);
+    snprintf(name, sizeof name, "%s-%04d.png", session.chapter.stem, ++session.shots);
+    snprintf(written, sizeof written, "%s: written", name);
+    if (getcwd(root, sizeof root) == NULL || chdir(scratch_path("")) != 0)
+        give_up("no folder for screenshots");
+    session_key(GLFW_KEY_P);
+    for (double end = user.now + 10.0; strstr(session_said(1), written) == NULL;) {
+        if (user.now > end)
+            give_up("%s: not written", name);
+        session_turn();
+    }
+    assert_int_equal(chdir(root), 0);
+    if (!image_read_png(image, scratch_path(name)))
+        give_up("%s: cannot be read", name);
+}
+
+void session_assert_screenshot(const char *stem, const char *options)
+{
+    struct image image;
+    session_shoot(&image);
+    assert_written(stem, options, &image);
+}
+
+void session_keep(int number)
+{
+    image_free(&session.kept[number]);
+    user_look(&session.kept[number]);
+}
+
+static int apart(const unsigned char *a, const unsigned char *b)
+{
+    int most = 0;
+    for (int i = 0; i < 3; i++)
+        most = abs(a[i] - b[i]) > most ? abs(a[i] - b[i]) : most;
+    return most;
+}
+
+double session_off(int number, const int part[4])
+{
+    const struct image *kept = &session.kept[number];
+    const int all[4] = {0, 0, kept->width, kept->height};
+    int box[4];
+    const int *in = part != NULL ? part : all;
+    return (double)session_bounds(number, in, box) / in[2] / in[3];
+}
+
+int session_bounds(int number, const int in[4], int box[4])
+{
+    const struct image *kept = &session.kept[number];
+    struct image shown;
+    int off = 0, right = 0, bottom = 0;
+    user_look(&shown);
+    assert_true(shown.width == kept->width && shown.height == kept->height);
+    box[0] = kept->width;
+    box[1] = kept->height;
+    for (int y = in[1]; y < in[1] + in[3]; y++)
+        for (int x = in[0]; x < in[0] + in[2]; x++) {
+            int at = 3 * (y * kept->width + x);
+            if (apart(kept->pixel + at, shown.pixel + at) <= 2)
+                continue;
+            off++;
+            box[0] = x < box[0] ? x : box[0];
+            box[1] = y < box[1] ? y : box[1];
+            right = x >= right ? x + 1 : right;
+            bottom = y + 1;
+        }
+    box[2] = right - box[0];
+    box[3] = bottom - box[1];
+    image_free(&shown);
+    return off;
+}

@@ -1,0 +1,79 @@
+// solid.h - for tests of solids: a surface, piece by piece, and what
+// tests/shaders/solids.frag says of a solid, in double precision against the nearest point of its
+// surface.
+#ifndef TESTS_SOLID_H
+#define TESTS_SOLID_H
+
+#include <stdbool.h>
+
+#include "lib/mirror.h"
+
+// The functions of the shader. It asks each at so many points, and at a second point beside each.
+enum {
+    CYLINDER,
+    HEX_PRISM,
+    CAPPED_CONE,
+    CAPSULE,
+    EXTRUDED_RING,
+    EXTRUDED_ELBOW,
+    TURNED_DISC,
+    TURNED_RECTANGLE,
+    TURNED_BOWL,
+    TURNED_CIRCLE,
+    TORUS,
+    TWISTED
+};
+enum { SOLID_ITEMS = 2048, SOLID_SLOTS = 2, SOLID_GRID = 24, SOLID_MOST = 16 };
+
+// A piece of a surface: a parallelogram origin + u side + v other, u and v in [0, 1]; or, where
+// turned, a segment or an arc of the half-plane x >= 0, turned about the y axis: u along it, v once
+// around.
+struct patch {
+    bool turned, arc;
+    struct d3 origin, side, other;          // of a parallelogram
+    double from[2], to[2];                  // of a segment: its ends
+    double centre[2], radius;               // of an arc, from angle from[0] to angle to[0]
+    struct d3 grid[SOLID_GRID][SOLID_GRID]; // points of it
+};
+
+// A solid: its surface, and what lies inside.
+struct solid {
+    const char *name;
+    int function;
+    float number[4];
+    double thickness; // of a stroke around the surface, which is then a sheet
+    bool (*inside)(const struct solid *solid, struct d3 p);
+    bool exact_outside, exact_inside;
+    int count;
+    struct patch patch[SOLID_MOST];
+};
+
+struct tally {
+    int inside, outside;
+    double worst;    // |f - truth| where exact, in units of the slack
+    double least[2]; // f / truth: inside, outside
+    double steepest; // |f(p) - f(q)| / |p - q|
+};
+
+// Each adds to a surface: a parallelogram; a segment of the half-plane x >= 0, turned; the part
+// with x >= 0 of a circle around (x, 0), turned.
+void solid_add_flat(struct solid *solid, struct d3 origin, struct d3 side, struct d3 other);
+void solid_add_turned(struct solid *solid, double x0, double y0, double x1, double y1);
+void solid_add_turned_circle(struct solid *solid, double x, double radius);
+
+// What the shader says: SOLID_SLOTS points with their distances for each of SOLID_ITEMS. Freed by
+// the caller.
+float *solid_call(const struct solid *solid);
+
+// What a distance may be off by: a few roundings of numbers no larger than the point and the solid,
+// and what the search leaves.
+double solid_slack(struct d3 p);
+
+// False: nothing is inside a sheet.
+bool solid_never(const struct solid *solid, struct d3 p);
+
+// Hold the shader against the surface at each point: a lower bound on either side and of slope 1 at
+// most; exact where the solid says so. Prints how far; fails the test where it is not.
+struct tally solid_check(struct solid *solid);
+
+#endif

@@ -1,0 +1,22 @@
+// stars.h - the stars of shaders/night.glsl in double precision: where each stands and how
+// bright it is.
+#ifndef TESTS_STARS_H
+#define TESTS_STARS_H
+
+#include "lib/mirror.h"
+
+enum { STAR_RINGS = 64, STAR_COUNT = 8 * STAR_RINGS * STAR_RINGS };
+
+struct star {
+    struct d3 place; // length 1, in the stars' frame
+    double light;    // in the library's unit times steradians, for green
+    double share;    // of all stars that are brighter
+};
+
+// All stars, sorted by z. Owned by the module.
+const struct star *stars_all(void);
+
+// What a pixel of a width sees of them in a direction: the sum over all stars.
+double stars_light(struct d3 direction, double width);
+
+#endif

@@ -1,0 +1,92 @@
+# shellcheck shell=bash
+# tap.sh - what the shell suites share. Sourced from the project's root:
+#
+#   . tests/lib/tap.sh
+#   open_scratch
+#   check "name" COMMAND...     one TAP line: ok when the command succeeds
+#   plan                        the last line; fails when a line was 'not ok'
+#
+# Sets BUILD, scratch (a folder that goes at the end) and what the programs need from the
+# environment: software rendering, readable sanitizers.
+
+export LC_ALL=C
+BUILD=${BUILD:-build}
+root=$PWD # for the suite that sources this
+export root
+scratch=
+display_server=
+tap_count=0
+tap_failed=0
+
+export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
+# 99 tells a sanitizer's end from the program's own status 1.
+export ASAN_OPTIONS="${ASAN_OPTIONS:-intercept_tls_get_addr=0}:exitcode=99"
+export UBSAN_OPTIONS="${UBSAN_OPTIONS:+$UBSAN_OPTIONS:}exitcode=99:print_stacktrace=1"
+export LSAN_OPTIONS="${LSAN_OPTIONS:-suppressions=$root/tests/lib/lsan.supp:print_suppressions=0}"
+
+open_scratch() {
+    scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-test.XXXXXX") || exit 1
+    trap close_scratch EXIT
+    trap 'exit 1' HUP INT TERM
+}
+
+close_scratch() {
+    close_display
+    [ -n "$scratch" ] && chmod -R u+rwx "$scratch" && rm -rf "$scratch"
+}
+
+# ok NAME, not_ok NAME [REASON], skip NAME REASON: one TAP line each.
+ok() {
+    tap_count=$((tap_count + 1))
+    printf 'ok %d - %s\n' "$tap_count" "$1"
+}
+
+not_ok() {
+    tap_count=$((tap_count + 1))
+    tap_failed=$((tap_failed + 1))
+    printf 'not ok %d - %s%s\n' "$tap_count" "$1" "${2:+: $2}"
+}
+
+skip() {
+    tap_count=$((tap_count + 1))
+    printf 'ok %d - %s # SKIP %s\n' "$tap_count" "$1" "$2"
+}
+
+# check NAME COMMAND...: the command is the test.
+check() {
+    local name=$1
+    shift
+    if "$@"; then
+        ok "$name"
+    else
+        not_ok "$name"
+        return 1
+    fi
+}
+
+plan() {
+    printf '1..%d\n' "$tap_count"
+    [ "$tap_failed" = 0 ]
+}
+
+# A display of this suite's own, on a number that is free. Sets DISPLAY. -noreset: without it a
+# server that resets between two clients refuses some of them.
+open_display() {
+    command -v Xvfb >/dev/null || return 1
+    mkfifo "$scratch/display" || return 1
+    Xvfb -displayfd 3 -screen 0 1280x1024x24 -noreset -nolisten tcp \
+        3>"$scratch/display" >/dev/null 2>&1 &
+    display_server=$!
+    local number=
+    read -r -t 10 number <"$scratch/display"
+    [ -n "$number" ] || return 1
+    export DISPLAY=":$number"
+    unset WAYLAND_DISPLAY
+}
+
+close_display() {
+    [ -n "$display_server" ] || return 0
+    kill "$display_server" 2>/dev/null
+    wait "$display_server" 2>/dev/null
+    display_server=
+}

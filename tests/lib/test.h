@@ -1,0 +1,50 @@
+// test.h - a program of tests, by cmocka, and what each of them includes:
+//
+//   TEST(a_ray_has_length_1)
+//   {
+//       assert_true(...);
+//   }
+//
+//   TESTS(gpu_setup, gpu_teardown)
+//
+// The tests run in the order in which they stand. The environment's ONE_TEST, such as
+// a_ray_has_length_1, is the only one that runs; '*' in it matches any letters.
+#ifndef TESTS_TEST_H
+#define TESTS_TEST_H
+
+#include <math.h>
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <cmocka.h>
+
+// A test; its body knows 'void **state'. The second form has a setup and a teardown of cmocka, or
+// NULL.
+#define TEST(name) TEST_WITH(name, NULL, NULL)
+#define TEST_WITH(name, setup, teardown)                                                           \
+    static void name(void **state);                                                                \
+    __attribute__((constructor)) static void add_##name(void)                                      \
+    {                                                                                              \
+        test_add(__LINE__, &(struct CMUnitTest){#name, name, setup, teardown, NULL});              \
+    }                                                                                              \
+    static void name(__attribute__((unused)) void **state)
+
+// The program: all tests of the file, with a setup and a teardown of them all, or NULL.
+#define TESTS(setup, teardown)                                                                     \
+    int main(void)                                                                                 \
+    {                                                                                              \
+        return test_run(setup, teardown);                                                          \
+    }
+
+// For these macros alone.
+//   line  of the file, which orders the tests
+void test_add(int line, const struct CMUnitTest *test);
+int test_run(CMFixtureFunction setup, CMFixtureFunction teardown);
+
+#endif

@@ -1,0 +1,400 @@
+#include "lib/user.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "context/context.h"
+
+// GLFW says more than is needed here. NOLINTBEGIN(misc-unused-parameters)
+#pragma GCC diagnostic ignored "-Wunused-parameter"
+#define GL_SCISSOR_BOX 0x0C10
+
+struct user user;
+
+struct GLFWwindow {
+    struct context context; // without a window of the system
+    GLuint framebuffer, texture;
+    int width, height;    // of the texture, pixels
+    double drawn, waited; // pixels; of these the program waited for so many
+};
+
+struct GLFWcursor {
+    int shape;
+};
+
+struct GLFWmonitor {
+    int left;
+    GLFWvidmode mode;
+};
+
+static struct GLFWwindow the;
+static struct GLFWmonitor monitors[] = {{0, {.width = 640, .height = 480, .refreshRate = 60}},
+                                        {640, {.width = 800, .height = 600, .refreshRate = 60}}};
+static GLFWmonitor *const monitor_list[] = {&monitors[0], &monitors[1]};
+
+void user_reset(void)
+{
+    user = (struct user){.size = {320, 200}, .density = 1, .place = {40, 30}};
+}
+
+// ---- What the user does ----
+
+void user_press(int key, int modifiers)
+{
+    user.calls.key(&the, key, 0, GLFW_PRESS, modifiers);
+}
+
+void user_release(int key)
+{
+    user.calls.key(&the, key, 0, GLFW_RELEASE, 0);
+}
+
+void user_key(int key, int modifiers)
+{
+    user_press(key, modifiers);
+    user_release(key);
+}
+
+void user_type(const char *text)
+{
+    for (const char *c = text; *c != '\0'; c++)
+        user.calls.letter(&the, (unsigned char)*c);
+}
+
+void user_point(double x, double y)
+{
+    user.pointer[0] = x;
+    user.pointer[1] = y;
+    user.calls.pointed(&the, x, y);
+}
+
+void user_button(int button, int action)
+{
+    user.calls.button(&the, button, action, 0);
+}
+
+void user_click(double x, double y, int button)
+{
+    user_point(x, y);
+    user_button(button, GLFW_PRESS);
+    user_button(button, GLFW_RELEASE);
+}
+
+void user_drag(double x, double y, double right, double down)
+{
+    user_point(x, y);
+    user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
+    user_point(x + 0.5 * right, y + 0.5 * down);
+    user_point(x + right, y + down);
+    user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);
+}
+
+void user_wheel(double notches)
+{
+    user.calls.wheel(&the, 0.0, notches);
+}
+
+void user_resize(int width, int height)
+{
+    user.size[0] = width;
+    user.size[1] = height;
+    user.calls.damage(&the);
+}
+
+// ---- What the window shows ----
+
+// The picture of the window, which has no framebuffer of its own, is a texture of its size.
+static void bind(GLenum target, GLuint framebuffer)
+{
+    const struct gl *gl = &the.context.gl;
+    if (framebuffer != 0) {
+        gl->BindFramebuffer(target, framebuffer);
+        return;
+    }
+    int width = user.density * user.size[0], height = user.density * user.size[1];
+    gl->BindFramebuffer(target, the.framebuffer);
+    if (width == the.width && height == the.height)
+        return;
+    the.width = width;
+    the.height = height;
+    gl->GenTextures(1, &the.texture); // what a size before left goes with the context
+    gl->BindTexture(GL_TEXTURE_2D, the.texture);
+    gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
+    gl->BindTexture(GL_TEXTURE_2D, 0);
+    gl->FramebufferTexture2D(target, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, the.texture, 0);
+}
+
+// A picture is drawn in tiles, and nothing else within a scissor box of many pixels.
+static void draw(GLenum mode, GLint first, GLsizei count)
+{
+    GLboolean (*is_enabled)(GLenum) = (GLboolean(*)(GLenum))the.context.driver->find("glIsEnabled");
+    GLint box[4];
+    the.context.gl.GetIntegerv(GL_SCISSOR_BOX, box);
+    if (is_enabled(GL_SCISSOR_TEST))
+        the.drawn += (double)box[2] * box[3];
+    the.context.gl.DrawArrays(mode, first, count);
+}
+
+static void finish(void)
+{
+    user.now += user.pixel_seconds * (the.drawn - the.waited);
+    the.waited = the.drawn;
+    the.context.gl.Finish();
+}
+
+void user_look(struct image *image)
+{
+    const struct gl *gl = &the.context.gl;
+    float *values = malloc(4 * sizeof *values * (size_t)the.width * (size_t)the.height);
+    if (values == NULL || !image_create(image, the.width, the.height))
+        abort();
+    gl->BindFramebuffer(GL_READ_FRAMEBUFFER, the.framebuffer);
+    gl->ReadPixels(0, 0, the.width, the.height, GL_RGBA, GL_FLOAT, values);
+    image_store(image, values, 0, the.height);
+    free(values);
+}
+
+GLFWglproc glfwGetProcAddress(const char *name)
+{
+    if (strcmp(name, "glBindFramebuffer") == 0)
+        return (GLFWglproc)bind;
+    if (strcmp(name, "glDrawArrays") == 0)
+        return (GLFWglproc)draw;
+    if (strcmp(name, "glFinish") == 0)
+        return (GLFWglproc)finish;
+    return (GLFWglproc)the.context.driver->find(name);
+}
+
+// ---- The window ----
+
+GLFWwindow *glfwCreateWindow(int width, int height, const char *title, GLFWmonitor *monitor,
+                             GLFWwindow *share)
+{
+    memset(&the, 0, sizeof the);
+    if (!context_open_offscreen(&the.context, CONTEXT_EGL) &&
+        !context_open_offscreen(&the.context, CONTEXT_OSMESA))
+        return NULL;
+    the.context.gl.GenFramebuffers(1, &the.framebuffer);
+    user.size[0] = width;
+    user.size[1] = height;
+    user.open = true;
+    snprintf(user.title, sizeof user.title, "%s", title);
+    return &the;
+}
+
+void glfwDestroyWindow(GLFWwindow *window)
+{
+    context_close(&window->context);
+    user.open = false;
+}
+
+void glfwMakeContextCurrent(GLFWwindow *window)
+{
+}
+
+GLFWwindow *glfwGetCurrentContext(void)
+{
+    return user.open ? &the : NULL;
+}
+
+int glfwGetError(const char **description)
+{
+    *description = "the test's window could not be opened";
+    return GLFW_API_UNAVAILABLE;
+}
+
+int glfwInit(void)
+{
+    return GLFW_TRUE;
+}
+
+void glfwTerminate(void)
+{
+    user.hints = 0;
+}
+
+void glfwDefaultWindowHints(void)
+{
+}
+
+void glfwWindowHint(int hint, int value)
+{
+    if (user.hints == USER_HINTS)
+        abort();
+    user.hint[user.hints][0] = hint;
+    user.hint[user.hints++][1] = value;
+}
+
+void glfwInitHint(int hint, int value)
+{
+    glfwWindowHint(hint, value);
+}
+
+void glfwSwapInterval(int interval)
+{
+}
+
+void glfwSwapBuffers(GLFWwindow *window)
+{
+    user.frames++;
+}
+
+void glfwGetWindowSize(GLFWwindow *window, int *width, int *height)
+{
+    *width = user.size[0];
+    *height = user.size[1];
+}
+
+void glfwGetFramebufferSize(GLFWwindow *window, int *width, int *height)
+{
+    *width = user.density * user.size[0];
+    *height = user.density * user.size[1];
+}
+
+int glfwGetWindowAttrib(GLFWwindow *window, int attribute)
+{
+    return attribute == GLFW_FOCUSED ? !user.unfocused : attribute == GLFW_ICONIFIED && user.hidden;
+}
+
+void glfwSetWindowTitle(GLFWwindow *window, const char *title)
+{
+    snprintf(user.title, sizeof user.title, "%s", title);
+}
+
+int glfwWindowShouldClose(GLFWwindow *window)
+{
+    return user.ended;
+}
+
+void glfwSetWindowShouldClose(GLFWwindow *window, int value)
+{
+    user.ended = value != GLFW_FALSE;
+}
+
+// ---- Monitors: two, side by side ----
+
+GLFWmonitor **glfwGetMonitors(int *count)
+{
+    *count = 2;
+    return (GLFWmonitor **)monitor_list;
+}
+
+GLFWmonitor *glfwGetPrimaryMonitor(void)
+{
+    return monitor_list[0];
+}
+
+GLFWmonitor *glfwGetWindowMonitor(GLFWwindow *window)
+{
+    return user.full ? monitor_list[0] : NULL;
+}
+
+const GLFWvidmode *glfwGetVideoMode(GLFWmonitor *monitor)
+{
+    return &monitor->mode;
+}
+
+void glfwGetMonitorPos(GLFWmonitor *monitor, int *x, int *y)
+{
+    *x = monitor->left;
+    *y = 0;
+}
+
+void glfwGetWindowPos(GLFWwindow *window, int *x, int *y)
+{
+    *x = user.place[0];
+    *y = user.place[1];
+}
+
+void glfwSetWindowMonitor(GLFWwindow *window, GLFWmonitor *monitor, int x, int y, int width,
+                          int height, int rate)
+{
+    user.full = monitor != NULL;
+    user.place[0] = x + (monitor != NULL ? monitor->left : 0);
+    user.place[1] = y;
+    user_resize(width, height);
+}
+
+// ---- Time and events ----
+
+double glfwGetTime(void)
+{
+    return user.now;
+}
+
+void glfwPollEvents(void)
+{
+    user.waits++;
+    if (user.wait != NULL)
+        user.wait();
+}
+
+void glfwWaitEventsTimeout(double timeout)
+{
+    user.now += timeout;
+    glfwPollEvents();
+}
+
+void *glfwGetWindowUserPointer(GLFWwindow *window)
+{
+    return user.calls.pointer;
+}
+
+void glfwSetWindowUserPointer(GLFWwindow *window, void *pointer)
+{
+    user.calls.pointer = pointer;
+}
+
+// glfwSet...Callback: each keeps a function and returns the one before.
+#define KEEP(name, type, member)                                                                   \
+    type glfwSet##name##Callback(GLFWwindow *window, type callback)                                \
+    {                                                                                              \
+        type before = user.calls.member;                                                           \
+        user.calls.member = callback;                                                              \
+        return before;                                                                             \
+    }
+KEEP(Key, GLFWkeyfun, key)
+KEEP(Char, GLFWcharfun, letter)
+KEEP(MouseButton, GLFWmousebuttonfun, button)
+KEEP(CursorPos, GLFWcursorposfun, pointed)
+KEEP(CursorEnter, GLFWcursorenterfun, entered)
+KEEP(Scroll, GLFWscrollfun, wheel)
+KEEP(WindowFocus, GLFWwindowfocusfun, focus)
+KEEP(WindowRefresh, GLFWwindowrefreshfun, damage)
+#undef KEEP
+
+void glfwGetCursorPos(GLFWwindow *window, double *x, double *y)
+{
+    *x = user.pointer[0];
+    *y = user.pointer[1];
+}
+
+void glfwSetInputMode(GLFWwindow *window, int mode, int value)
+{
+    user.captured = value == GLFW_CURSOR_DISABLED;
+}
+
+GLFWcursor *glfwCreateStandardCursor(int shape)
+{
+    static struct GLFWcursor cursors[GLFW_VRESIZE_CURSOR - GLFW_ARROW_CURSOR + 1];
+    cursors[shape - GLFW_ARROW_CURSOR].shape = shape;
+    return &cursors[shape - GLFW_ARROW_CURSOR];
+}
+
+void glfwSetCursor(GLFWwindow *window, GLFWcursor *cursor)
+{
+    user.cursor = cursor != NULL ? cursor->shape : 0;
+}
+
+// A French keyboard's labels, by the American ones.
+const char *glfwGetKeyName(int key, int scancode)
+{
+    static const char *const labels[][2] = {{"A", "q"}, {"Q", "a"}, {"W", "z"},
+                                            {"Z", "w"}, {"M", ","}, {"2", "\xc3\xa9"}};
+    for (size_t i = 0; i < sizeof labels / sizeof *labels; i++)
+        if (labels[i][0][0] == key)
+            return labels[i][1];
+    return NULL;
+}
+// NOLINTEND(misc-unused-parameters)

@@ -1,0 +1,197 @@
+# shellcheck shell=bash disable=SC2034,SC2154
+# window.sh - start a program in a window of a display, press keys, take and compare screenshots. Sourced after
+# tap.sh; sets the display up.
+
+chapter=01_normal_colouring
+still='-s 320x200 -c 1.65,1.6,3.4,-26,-23.5'
+program='' window='' manager='' shots=0 picture='' stem=''
+
+# ---- Tools ----
+
+# eventually COMMAND...: wait until the command succeeds. After a minute it gives up, keeps a screenshot
+# beside the suite's output and makes every later wait fail at once; the check that it belongs to, or the next one, ends the suite.
+gave_up=''
+eventually() { [ -z "$gave_up" ] && { within 60 "$@" || give_up "$@"; }; }
+give_up() {
+    gave_up="gave up waiting for '$*'"
+    echo "# gave up waiting for '$*'; keys go to '$(xdotool getwindowfocus getwindowname 2>&1)'"
+    import -window root "${TEST_RESULTS:-$scratch}/$(basename "$0" .sh)-gave-up.png"
+    return 1
+}
+within() { # SECONDS COMMAND...: the last try comes after the deadline
+    local deadline=$((SECONDS + $1)) late=''
+    shift
+    until "$@"; do
+        [ -z "$late" ] || return 1
+        [ "$SECONDS" -lt "$deadline" ] || late=1
+        sleep 0.05
+    done
+}
+# As in tap.sh, but a wait without success ends the suite: what follows would have nothing to look at.
+check() { # NAME COMMAND...
+    local name=$1
+    shift
+    if [ -z "$gave_up" ] && "$@" && [ -z "$gave_up" ]; then
+        ok "$name"
+        return
+    fi
+    not_ok "$name" "$gave_up"
+    [ -z "$gave_up" ] || bail_out
+    return 1
+}
+bail_out() {
+    close_window
+    plan
+    exit 1
+}
+
+title() { xdotool getwindowname "$window" 2>/dev/null; }
+titled() { [[ $(title) == *"$1"* ]]; }
+shows() { eventually titled "$1" || { echo "# the title is: $(title)"; return 1; }; }
+says() { grep -qF -e "$2" "$scratch/run/$1"; }
+alive() { kill -0 "$program" 2>/dev/null; }
+key() { xdotool key --delay 20 "$@"; }
+
+find_window() {
+    keep_managed
+    window=$(wmctrl -lp 2>/dev/null | awk -v pid="$program" '$3 == pid { print $1; exit }')
+    [ -n "$window" ]
+}
+
+# openbox announces itself to others (wmctrl -m) before it has read its theme and fonts, and a window that asks to be
+# shown in between is never shown. Its own command at the end of its start tells that it is ready.
+manage() {
+    rm -f "$scratch/managed"
+    openbox --config-file "$scratch/openbox.xml" --startup "touch '$scratch/managed'" >/dev/null 2>&1 &
+    manager=$!
+    eventually [ -e "$scratch/managed" ] || echo '# openbox did not start'
+}
+# Without a window manager no window is listed, and what a dead one leaves behind ends a program in GLFW 3.3.
+keep_managed() { kill -0 "$manager" 2>/dev/null || { echo '# openbox died' && manage; }; }
+
+# Start STEM OPTION... in a window, with its own folder for what it writes.
+start() {
+    stem=$1 shots=0
+    shift
+    rm -rf "$scratch/run"
+    mkdir "$scratch/run"
+    keep_managed
+    park
+    (cd "$scratch/run" && exec "$root/$BUILD/$stem" "$@" >out 2>err) &
+    program=$!
+    opens
+}
+
+# Put the pointer into the corner of the screen, where no window opens: over a panel it would open a tooltip.
+park() { xdotool mousemove 1279 1023; }
+
+# Its window is there, has the focus and shows something. The window manager may take the focus back once.
+opens() {
+    eventually find_window || {
+        echo "# no window of process $program, $(sed -n 's/^State:[[:blank:]]*//p' "/proc/$program/status" 2>&1): $(wmctrl -lp 2>&1 | tr '\n' ' ')"
+        return 1
+    }
+    eventually focus && eventually drawn
+}
+focus() { xdotool windowfocus "$window" 2>/dev/null && focused; }
+focused() { [ "$(xdotool getwindowfocus 2>/dev/null)" = $((window)) ]; }
+unfocused() { ! focused; }
+
+# The first frame is there: the pixels in the middle are no longer all of one colour.
+drawn() {
+    [ "$(import -window "$window" -crop 200x100+60+40 -format %k info: 2>/dev/null)" -gt 1 ] 2>/dev/null
+}
+
+# Press P and wait for the file: $picture.
+shoot() {
+    shots=$((shots + 1))
+    picture=$scratch/run/$(printf '%s-%04d.png' "$stem" "$shots")
+    key p
+    eventually says out "$(basename "$picture"): written"
+}
+
+# shoot_as NAME: a screenshot, kept under a name.
+shoot_as() { shoot && cp "$picture" "$scratch/$1.png"; }
+same() { cmp -s "$scratch/$1.png" "$scratch/$2.png"; }
+differ() { ! same "$1" "$2"; }
+
+# Render NAME OPTION...: what the command line makes of it.
+render() {
+    local name=$1
+    shift
+    # shellcheck disable=SC2086 # options are words
+    "$BUILD/$chapter" $still "$@" -o "$scratch/$name.png" >"$scratch/table"
+}
+matches() { build/tests/compare "$scratch/$1.png" "$scratch/$2.png" >"$scratch/numbers" || {
+    echo "# $1 and $2: $(cat "$scratch/numbers")"
+    return 1
+}; }
+
+# The program ended by itself with status 0.
+ended() { ! alive; }
+ends_well() {
+    eventually ended || { kill "$program"; return 1; }
+    wait "$program"
+}
+
+close_window() {
+    alive && kill "$program" 2>/dev/null
+    wait "$program" 2>/dev/null
+}
+
+# look NAME: what the window shows, kept under a name. Without a window import would wait for a click.
+look() { [ -n "$window" ] && import -window "$window" "$scratch/$1.png"; }
+
+# How many of a million pixels differ, by more than a driver's rounding, between two kept pictures or the same
+# part of both; between what the window shows and a kept one.
+apart() { # A B [WxH+X+Y]
+    build/tests/compare ${3:+--part "$3"} "$scratch/$1.png" "$scratch/$2.png" | awk '/^F2/ { printf "%d\n", $2 * 10000 + 0.5 }'
+}
+off() { look screen && apart screen "$@"; }
+shown() { [ "$(off "$1")" = 0 ]; }
+part_shown() { # NAME WxH+X+Y [PIXELS]: the window shows that part of a kept picture, but for so many in a million
+    [ "$(off "$1" "$2")" -le "${3:-0}" ]
+}
+
+# Hold a key until the picture is another. A busy machine may see press and release at once: then the key
+# is held for longer.
+walk() { # KEY
+    local hold
+    shoot_as here || return
+    for hold in 0.15 1 5; do
+        xdotool keydown "$1" sleep $hold keyup "$1" && shoot_as there && differ here there && return
+    done
+    return 1
+}
+
+backspace() { key BackSpace && ends_well; }
+
+# ---- Set-up ----
+
+export LP_NUM_THREADS=2 # what is heavy here is heavy on any machine
+
+for tool in Xvfb openbox xdotool wmctrl import; do
+    if ! command -v $tool >/dev/null; then
+        skip 'the interactive window' "no $tool on this machine: make setup"
+        plan
+        exit
+    fi
+done
+open_scratch
+if ! open_display; then
+    skip 'the interactive window' 'Xvfb did not start'
+    plan
+    exit
+fi
+# Without buttons and keys of its own: it would hold a press back until it has looked at it, and a key that
+# is pressed after it would be seen first.
+echo '<openbox_config xmlns="http://openbox.org/3.4/rc"><keyboard/><mouse/></openbox_config>' >"$scratch/openbox.xml"
+manage
+
+# ---- A reader's own shader ----
+
+mine=$scratch/mine.frag
+good=$(cat chapters/$chapter.frag)
+save() { # TEXT: as an editor does it, beside and renamed
+    printf '%s\n' "$1" >"$mine.new" && mv "$mine.new" "$mine"
+}

@@ -1,0 +1,193 @@
+#!/bin/bash
+# images.sh [PICTURE...] - every picture of tests/pictures/images.txt against its reference; the chapters' own
+# pictures through every backend, and the backends against each other. With arguments only those pictures, such
+# as 03_shadows or 03_shadows-steps, each through every backend. Solutions of exercises are left to
+# CI=1; CHAPTERS_ONLY=1 draws the chapters' own pictures alone.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+
+failures=build/test-failures
+# A picture that measures the rounding of the machine on which it is drawn: two right ones need not be
+# alike. It is only drawn here; its numbers are in measure.c.
+measured=01_normal_colouring-normal-error
+
+# Draw what each backend has to draw: a chapter's own pictures by the chapter's program, as people start it, all
+# others in one process, build/tests/draw, whose code is the programs'. Leaves NAME.BACKEND.png and, of the
+# others, a line of numbers each; says which one is drawn, so that run.sh sees that the suite goes on.
+draw_by_program() { # NAME BACKEND
+    local options
+    options=$(sed -n "s/^$1 - //p" "$scratch/list")
+    # shellcheck disable=SC2086 # options are words
+    "$BUILD/$1" $options -b "$2" -o "$scratch/$1.$2.png" >/dev/null 2>"$scratch/$1.$2.err" ||
+        rm -f "$scratch/$1.$2.png"
+}
+draw_rest() { # BACKEND PART: every second one
+    awk -v part="$2" '$2 != "-" && n++ % 2 == part { print $1 "-" $2 }' "$scratch/list" |
+        "$BUILD/tests/draw" "$1" "$scratch" 2>"$scratch/$1.$2.errors" |
+        while read -r said; do
+            printf '%s\n' "$said" >&3
+            printf '# drawn by %s: %s\n' "$1" "${said#* }"
+        done 3>"$scratch/$1.$2.numbers"
+}
+
+# One picture through one backend, against its reference: prints a result.
+judge() { # NAME BACKEND
+    local actual=$scratch/$1.$2.png reference=tests/references/$1.png said same='' numbers kept
+    if [ ! -e "$reference" ]; then
+        echo "not ok $1, $2: $reference is missing: make references"
+        return
+    fi
+    said=$(grep -h " $1 " "$scratch/$2".[01].numbers 2>/dev/null)
+    case $said in
+    same*) same=1 numbers=${said#* * } ;;
+    other*) numbers=${said#* * } ;;
+    *)
+        if [ ! -s "$actual" ]; then
+            echo "not ok $1, $2: $(head -n 3 "$scratch/$1.$2.err" "$scratch/$2".[01].errors 2>/dev/null | tr '\n' ' ')"
+            return
+        fi
+        numbers=$(build/tests/compare "$reference" "$actual" 2>&1) && same=1
+        ;;
+    esac
+    if [ -n "$same" ] || { [ "$1" = $measured ] && [ -n "$numbers" ]; }; then
+        echo "ok $1, $2: $numbers"
+        return
+    fi
+    kept=$failures/$1.$2
+    mkdir -p "$failures"
+    cp "$reference" "$kept.expected.png"
+    cp "$actual" "$kept.actual.png"
+    build/tests/compare "$reference" "$actual" "$kept.difference.png" >/dev/null 2>&1
+    echo "not ok $1, $2: $numbers: see $kept.{expected,actual,difference}.png"
+}
+
+# The program writes equal pixels as equal files.
+judge_backends() { # NAME FIRST OTHER...
+    local name=$1 first=$2 other
+    shift 2
+    for other in "$@"; do
+        if [ ! -e "$scratch/$name.$first.png" ] || [ ! -e "$scratch/$name.$other.png" ]; then
+            echo "not ok $name: $first and $other: not both were rendered"
+            return
+        fi
+        if ! cmp -s "$scratch/$name.$first.png" "$scratch/$name.$other.png"; then
+            echo "not ok $name: $first and $other differ:" \
+                "$(build/tests/compare "$scratch/$name.$first.png" "$scratch/$name.$other.png" 2>&1)"
+            return
+        fi
+    done
+    echo "ok $name: $first $* agree in every pixel"
+}
+
+if [ "${1-}" = --draw ]; then # called by xargs below
+    set -f
+    scratch=$2
+    "${@:3}"
+    exit 0
+fi
+
+open_scratch
+
+# Which pictures.
+grep -v '^ *\(#\|$\)' tests/pictures/images.txt | while read -r stem variant options; do
+    name=$stem
+    [ "$variant" = - ] || name=$stem-$variant
+    for wanted in "${@:-$name}"; do
+        [ "$wanted" = "$name" ] || continue
+        case $#${CI-},${CHAPTERS_ONLY-},$variant in 0,,solution-* | *,1,[!-]*) continue ;; esac
+        printf '%s %s %s\n' "$stem" "$variant" "$options"
+    done
+done >"$scratch/list"
+count=$(grep -c . "$scratch/list")
+check "tests/pictures/images.txt lists what is asked for" [ "$count" -ge "$(($# > 0 ? $# : 1))" ]
+[ "$count" -gt 0 ] || { plan; exit; }
+stem=$(cut -d ' ' -f 1 "$scratch/list" | tail -n 1)
+
+# Which backends.
+open_display || no_display='no Xvfb on this machine, or it did not start'
+backends=()
+for backend in egl osmesa glfw; do
+    if [ $backend = glfw ] && [ -n "${no_display-}" ]; then
+        skip "pictures through glfw" "$no_display"
+    elif "$BUILD/$stem" --version -b $backend >"$scratch/version" 2>&1; then
+        backends+=("$backend")
+    else
+        skip "pictures through $backend" "$(head -n 1 "$scratch/version")"
+    fi
+done
+
+check "at least one backend renders" [ ${#backends[@]} -gt 0 ] || { plan; exit; }
+all=("${backends[@]}") # of the backends that draw all pictures
+[ $# != 0 ] || all=("${backends[0]}")
+# Two at a time: with one thread each they disturb each other least.
+export LP_NUM_THREADS=1
+{
+    for backend in "${all[@]}"; do
+        printf '%s\n' "draw_rest $backend 0" "draw_rest $backend 1"
+    done
+    for backend in "${backends[@]}"; do
+        awk -v backend="$backend" '$2 == "-" { print "draw_by_program", $1, backend }' "$scratch/list"
+    done
+} | xargs -P 2 -L 1 "$0" --draw "$scratch"
+export -n LP_NUM_THREADS
+while read -r name variant _; do
+    through=("${backends[@]}")
+    [ "$variant" = - ] || name=$name-$variant through=("${all[@]}")
+    rm -f "$failures/$name".*
+    for backend in "${through[@]}"; do
+        judge "$name" "$backend"
+    done
+    [ ${#through[@]} = 1 ] || judge_backends "$name" "${through[@]}"
+done <"$scratch/list" >"$scratch/results"
+while read -r line; do
+    case $line in
+    ok*) ok "${line#ok }" ;;
+    *) not_ok "${line#not ok }" ;;
+    esac
+done <"$scratch/results"
+
+awk '/ largest [0-9]/ { all++; none += !/ differ / } END { printf "# %d pictures, %d with no pixel different\n", all, none }' \
+    "$scratch/results"
+
+# A reference that no line makes is a picture that nothing tests.
+if [ $# = 0 ]; then
+    unlisted=
+    for file in tests/references/*.png; do
+        name=$(basename "$file" .png)
+        [ "$name" != engine_5 ] || continue # drawn by docs/engine.md's program, for tests/course/first_steps.sh
+        awk -v name="$name" '!/^ *#/ && NF > 1 { if (($2 == "-" ? $1 : $1 "-" $2) == name) found = 1 }
+            END { exit !found }' tests/pictures/images.txt || unlisted="$unlisted $name"
+    done
+    if [ -z "$unlisted" ]; then
+        ok "every reference has its line in tests/pictures/images.txt"
+    else
+        not_ok "every reference has its line in tests/pictures/images.txt" "not listed:$unlisted"
+    fi
+fi
+
+# A picture is a function of its options alone.
+here=$PWD
+render() { # FILE ARGUMENT...
+    local file=$1
+    shift
+    "$here/$BUILD/$program" -s 160x90 "$@" -o "$file" 2>"$scratch/err" ||
+        { sed 's/^/# /' "$scratch/err"; return 1; }
+}
+
+program=$stem
+with_threads() {
+    LP_NUM_THREADS=1 render "$scratch/a.png" && LP_NUM_THREADS=3 render "$scratch/b.png" &&
+        cmp -s "$scratch/a.png" "$scratch/b.png"
+}
+check "the same picture by one thread and by three" with_threads
+
+# The camera turns by half a radian a second: once around in 4 pi seconds.
+program=00_first_scene
+comes_round() {
+    render "$scratch/t0.png" -t 0 && render "$scratch/t3.png" -t 12.566370614 &&
+        build/tests/compare "$scratch/t0.png" "$scratch/t3.png" >/dev/null
+}
+check "chapter 00: after 4 pi seconds the camera is back" comes_round
+
+plan

@@ -1,0 +1,116 @@
+// panorama.c - the clouds of chapter 20 are its panorama, turned; and no seam is drawn where the
+// panorama ends, but the hardware's way draws one.
+#include "lib/test.h"
+#include "picture/image.h"
+#include "lib/gpu.h"
+#include "lib/mirror.h"
+
+#define CHAPTER "20_clouds_and_weather"
+
+enum { WIDTH = 640, HEIGHT = 360 };
+
+static const double rise = 0.56;
+
+// Draw a shader that includes the chapter, with the starting camera and so many pans further.
+static float *numbers_of(const char *text, double pan)
+{
+    struct renderer_inputs inputs = gpu_inputs(WIDTH, HEIGHT, 1);
+    inputs.camera = gpu_camera(CHAPTER);
+    inputs.camera.pan += (float)pan;
+    assert_true(gpu_load_text(text));
+    return gpu_numbers(&inputs);
+}
+
+#define RENAMED                                                                                    \
+    "#include \"main.glsl\"\n#define rayColour chapterColour\n"                                    \
+    "#include \"20_clouds_and_weather.frag\"\n#undef rayColour\n"
+
+// Straight lines between four texels, as the picture's numbers stand in the file.
+static double texel_at(const struct image_bytes *image, double u, double v, int channel)
+{
+    double x = u * image->width - 0.5, y = (1.0 - v) * image->height - 0.5, i = floor(x);
+    double j = floor(y), sum = 0.0;
+    for (int k = 0; k < 4; k++) {
+        int column = ((int)i + k % 2 + 4 * image->width) % image->width, row = (int)j + k / 2;
+        double share = (k % 2 ? x - i : 1.0 - x + i) * (k / 2 ? y - j : 1.0 - y + j);
+        sum += share * image->value[3 * (row * image->width + column) + channel] / 255.0;
+    }
+    return sum;
+}
+
+// Between 9 and 16 degrees over the horizon a pixel is smaller than a texel: what is read is level
+// 0. The weights of the driver have 8 bits: three steps of 1/256.
+TEST(test_clouds_are_the_panorama_turned)
+{
+    struct image_bytes image = {0};
+    char path[4200], why[IMAGE_WHY];
+    snprintf(path, sizeof path, "%s/shaders/textures/clouds_fair.png", gpu.root);
+    assert_true(image_read_bytes(&image, path, 3, 1 << 22, why));
+    float *values = numbers_of(
+        RENAMED
+        "vec3 rayColour(Ray ray) { Cloud c = cloudPanorama(cloudsFair, ray.direction, 0.38, "
+        "2.0 * pixelSpread()); return vec3(c.cover, c.above, 0.5 + 0.5 * c.side); }\n",
+        0.0);
+    struct camera camera;
+    camera = gpu_camera(CHAPTER);
+    int count = 0;
+    double worst = 0.0, spread = 0.0;
+    for (int y = 0; y < HEIGHT; y += 3)
+        for (int x = 0; x < WIDTH; x += 7) {
+            struct d3 d = mirror_screen_ray(&camera, MIRROR_FOCAL_LENGTH,
+                                            mirror_screen_x(x + 0.5, WIDTH, HEIGHT),
+                                            mirror_screen_y(y + 0.5, HEIGHT) + rise)
+                              .direction;
+            double height = atan2(d.y, hypot(d.x, d.z));
+            if (height < 0.157 || height > 0.28)
+                continue;
+            double u = atan2(d.z, d.x) / (2.0 * MIRROR_PI) + 0.38;
+            for (int c = 0; c < 3; c++) {
+                double right = texel_at(&image, u, sqrt(2.0 * height / MIRROR_PI), c);
+                worst = fmax(worst, fabs((double)values[4 * (y * WIDTH + x) + c] - right));
+                spread = fmax(spread, right);
+            }
+            count++;
+        }
+    free(values);
+    free(image.value);
+    print_message("# %d places of the panorama: worst %.4f\n", count, worst);
+    assert_true(count > 500 && spread > 0.9 && worst < 3.0 / 256.0);
+}
+
+// The largest mean difference, over the rows of the sky, of a column to the next: at the seam, and
+// at all others within so many columns of it.
+static void steps_at(const float *values, int seam, double *across, double *beside)
+{
+    *across = *beside = 0.0;
+    for (int x = seam - 60; x < seam + 60; x++) {
+        double sum = 0.0;
+        for (int y = 120; y < HEIGHT; y++)
+            for (int c = 0; c < 3; c++)
+                sum += fabs((double)values[4 * (y * WIDTH + x) + c] -
+                            (double)values[4 * (y * WIDTH + x + 1) + c]) /
+                       (3.0 * (HEIGHT - 120));
+        double *largest = abs(x - seam) <= 2 ? across : beside;
+        *largest = fmax(*largest, sum);
+    }
+}
+
+// Three degrees to the right of where the panorama ends, it ends three degrees to the left of the
+// middle: 360 tan(3 degrees) pixels.
+TEST(test_no_seam_is_drawn)
+{
+    double across, beside;
+    int seam = WIDTH / 2 - 1 - (int)(HEIGHT * tan(3.0 * MIRROR_PI / 180.0) + 0.5);
+    float *values = numbers_of("#include \"20_clouds_and_weather.frag\"\n", 3.0);
+    steps_at(values, seam, &across, &beside);
+    free(values);
+    print_message("# mended: %.4f across the seam, %.4f beside it\n", across, beside);
+    assert_true(across <= beside);
+    values = numbers_of("#include \"experiments/20_seam.frag\"\n", 3.0);
+    steps_at(values, seam, &across, &beside);
+    free(values);
+    print_message("# the hardware's: %.4f across the seam, %.4f beside it\n", across, beside);
+    assert_true(across > 2.0 * beside);
+}
+
+TESTS(gpu_setup, gpu_teardown)

@@ -1,0 +1,300 @@
+// clouds.c - shaders/clouds.glsl against double precision: the layer over a round Earth,
+// places in the panorama, an overcast sky, weather; and the panoramas themselves at their seam.
+#include "lib/test.h"
+#include "picture/image.h"
+#include "lib/gpu.h"
+#include "lib/mirror.h"
+
+#define SHADER "tests/shaders/clouds.frag"
+
+enum { HIT, PLACE, DIRECTION, OVERCAST, WEATHER, MORE, OVER, LIGHT, MIDDLE, SUN, RAIN };
+enum { WIDE = 128, HIGH = 64 };
+
+static const double earth = 6371.0;
+
+// ---- The layer ----
+
+// By halving: how far the ray has come when it stands so high over the ground.
+static double hit_by_halving(double height, double climb, double altitude)
+{
+    double low = 0.0, high = 20000.0;
+    // Behind the lowest point of the ray its height grows.
+    if (climb < 0.0)
+        low = -(earth + height) * climb;
+    for (int i = 0; i < 200; i++) {
+        double t = 0.5 * (low + high), x = t * sqrt(1.0 - climb * climb);
+        double up = earth + height + t * climb;
+        // hypot(x, up) - earth without its rounding: x^2 + (up^2 - earth^2) over the sum of roots.
+        double over = (x * x + (up - earth) * (up + earth)) / (hypot(x, up) + earth);
+        *(over < altitude ? &low : &high) = t;
+    }
+    return 0.5 * (low + high);
+}
+
+// The stable form keeps the digits of a float, 6e-8 a rounding and some roundings in a row; the
+// root as it is written in books loses them overhead, the more so the lower the layer.
+TEST(test_layer_is_where_the_ray_meets_it)
+{
+    static const float layers[][4] = {
+        {0.0f, 1.2f}, {0.0f, 8.0f}, {0.1f, 0.6f}, {2.0f, 12.0f}, {0.0f, 0.01f}};
+    for (int k = 0; k < 5; k++) {
+        float *values = gpu_call(SHADER, 256, 1, HIT, layers[k]);
+        double worst = 0.0, plain = 0.0;
+        for (int i = 0; i < 256; i++) {
+            const float *v = values + 4 * i;
+            double right = hit_by_halving((double)layers[k][0], (double)v[0], (double)layers[k][1]);
+            worst = fmax(worst, fabs((double)v[1] / right - 1.0));
+            plain = fmax(plain, fabs((double)v[2] / right - 1.0));
+        }
+        free(values);
+        print_message("# layer %.2f km over an eye at %.2f km: worst relative error %.2g, of the "
+                      "book's root %.2g\n",
+                      (double)layers[k][1], (double)layers[k][0], worst, plain);
+        assert_true(worst < 1e-6);
+        assert_true(plain > 30.0 * worst);
+    }
+}
+
+// Straight up it is the difference of heights; level from the ground the root of 2 R a + a^2. What
+// the page says of a layer 1.2 km up is printed.
+TEST(test_layer_at_its_ends)
+{
+    static const double degrees[] = {0.5, 1.0, 2.0, 5.0, 30.0};
+    for (int i = 0; i < 5; i++) {
+        double y = sin(degrees[i] * MIRROR_PI / 180.0), round = hit_by_halving(0.0, y, 1.2);
+        print_message("# %4.1f degrees: flat %6.1f km, round %5.1f km\n", degrees[i], 1.2 / y,
+                      round);
+        assert_true(round < 1.2 / y);
+    }
+    assert_true(fabs(hit_by_halving(0.0, 1.0, 1.2) - 1.2) < 1e-9);
+    assert_true(fabs(hit_by_halving(0.0, 0.0, 1.2) - sqrt(2.0 * earth * 1.2 + 1.44)) < 1e-6);
+}
+
+// From a step aside a place of the layer is seen in the direction that its own vector has.
+TEST(test_the_middle_sees_the_same_place)
+{
+    const float eye[4] = {0.8f, 0.1f, -0.5f, 1.2f};
+    float *directions = gpu_call(SHADER, WIDE, HIGH, DIRECTION, eye);
+    float *seen = gpu_call(SHADER, WIDE, HIGH, MIDDLE, eye);
+    for (int i = 0; i < WIDE * HIGH; i++) {
+        struct d3 d = d3_unit(d3_of(directions + 4 * i)), from = d3_of(eye);
+        double t = hit_by_halving(from.y, d.y, (double)eye[3]);
+        struct d3 right = d3_unit(d3_add(from, d3_times(t, d)));
+        assert_true(d3_length(d3_sub(right, d3_of(seen + 4 * i))) < 2e-6);
+    }
+    free(directions);
+    free(seen);
+}
+
+// Clouds see a sun that the ground has lost: the ray that grazes the Earth makes the angle acos(R /
+// (R
+// + a)) with the level at the cloud. The series sqrt(2 a / R) is right to a share of 5/12 a / R,
+// and the sum in place of the sine's to h^2 / 2 of it.
+TEST(test_clouds_see_the_sun_longer)
+{
+    for (float a = 0.5f; a < 13.0f; a *= 2.0f) {
+        const float altitude[4] = {a};
+        float *values = gpu_call(SHADER, 513, 1, SUN, altitude);
+        double dip = acos(earth / (earth + (double)a));
+        for (int i = 0; i < 513; i++) {
+            double h = asin((double)values[4 * i]), got = (double)values[4 * i + 1];
+            assert_true(got <= 1.0);
+            if (fabs(h) < 0.2)
+                assert_true(fabs(got - sin(h + dip)) < 0.025 * dip + 0.6 * dip * dip);
+        }
+        free(values);
+    }
+}
+
+// ---- The panorama ----
+
+static double turn_apart(double a, double b)
+{
+    double d = a - b;
+    return fabs(d - floor(d + 0.5));
+}
+
+TEST(test_places_are_angles)
+{
+    const float width[4] = {0.002f};
+    float *directions = gpu_call(SHADER, WIDE, HIGH, DIRECTION, width);
+    float *places = gpu_call(SHADER, WIDE, HIGH, PLACE, width);
+    double worst = 0.0, reach = 0.0;
+    for (int i = 0; i < WIDE * HIGH; i++) {
+        struct d3 d = d3_unit(d3_of(directions + 4 * i));
+        const float *v = places + 4 * i;
+        double level = hypot(d.x, d.z), height = atan2(d.y, level), w = (double)width[0];
+        worst = fmax(worst, turn_apart((double)v[0], atan2(d.z, d.x) / (2.0 * MIRROR_PI)));
+        worst = fmax(worst, fabs((double)v[1] - sqrt(2.0 * height / MIRROR_PI)));
+        // Half a pixel to each side, by differences: along the horizon, and up.
+        double u = w / level / (2.0 * MIRROR_PI);
+        double up = sqrt(2.0 * (height + 0.5 * w) / MIRROR_PI) -
+                    sqrt(2.0 * fmax(height - 0.5 * w, 0.0) / MIRROR_PI);
+        reach = fmax(reach, fabs((double)v[2] / u - 1.0));
+        reach = fmax(reach, fabs((double)v[3] / up - 1.0));
+        assert_true(v[0] >= -0.50001f && v[0] <= 0.50001f && v[1] >= 0.0f && v[1] <= 1.00001f);
+    }
+    free(directions);
+    free(places);
+    print_message("# panorama: places off by %.2g, footprints by a share of %.2g\n", worst, reach);
+    assert_true(worst < 2e-6 && reach < 2e-3);
+}
+
+// The largest difference of a channel between two columns.
+static int column_step(const struct image_bytes *image, int left, int right)
+{
+    int largest = 0;
+    for (int y = 0; y < image->height; y++)
+        for (int c = 0; c < 3; c++) {
+            int a = image->value[3 * (y * image->width + left) + c];
+            int b = image->value[3 * (y * image->width + right) + c];
+            largest = abs(a - b) > largest ? abs(a - b) : largest;
+        }
+    return largest;
+}
+
+// Where the panorama begins and ends its columns differ no more than beside.
+TEST(test_panoramas_close)
+{
+    static const char *const names[] = {"fair", "storm"};
+    for (int k = 0; k < 2; k++) {
+        char path[4200], why[IMAGE_WHY];
+        struct image_bytes image = {0};
+        snprintf(path, sizeof path, "%s/shaders/textures/clouds_%s.png", gpu.root, names[k]);
+        assert_true(image_read_bytes(&image, path, 3, 1 << 22, why));
+        int seam = column_step(&image, image.width - 1, 0), beside = 0;
+        for (int x = 1; x <= 8; x++) {
+            int left = column_step(&image, x - 1, x);
+            int right = column_step(&image, image.width - 1 - x, image.width - x);
+            beside = left > beside ? left : beside;
+            beside = right > beside ? right : beside;
+        }
+        print_message("# clouds_%s: %d of 255 across the seam, %d beside it\n", names[k], seam,
+                      beside);
+        assert_true(seam <= beside && seam > 0);
+        free(image.value);
+    }
+}
+
+// ---- Clouds ----
+
+TEST(test_clouds_over_clouds)
+{
+    const float none[4] = {0.0f};
+    float *values = gpu_call(SHADER, WIDE, HIGH, OVER, none);
+    for (int i = 0; i < 4 * WIDE * HIGH; i++)
+        assert_true(fabsf(values[i]) < 1e-6f);
+    free(values);
+}
+
+// At every hour, in every direction, the light of a cloud is positive, and none where there is no
+// cloud. The article's colour is negative with the sun below -31.9 degrees.
+TEST(test_clouds_are_never_darker_than_black)
+{
+    for (int hour = 0; hour < 24; hour++) {
+        const float numbers[4] = {(float)hour};
+        float *values = gpu_call(SHADER, WIDE, HIGH, LIGHT, numbers);
+        for (int i = 0; i < WIDE * HIGH; i++) {
+            const float *v = values + 4 * i;
+            for (int c = 0; c < 3; c++) {
+                assert_true(v[c] >= 0.0025f * v[3] * 0.99f);
+                assert_true(v[c] <= 1.3f); // sunlight 0.3 and the lining's four times
+            }
+        }
+        free(values);
+    }
+    assert_true(0.95 + 1.8 * sin(-31.9 * MIRROR_PI / 180.0) < 0.0);
+    assert_true(0.95 + 1.8 * sin(-31.8 * MIRROR_PI / 180.0) > 0.0);
+}
+
+// ---- Weather ----
+
+// 3 : 1, and the sum over the half-sphere, weighted with the cosine to the level surface, is pi
+// times the white. By the midpoint rule in y = sin h: the solid angle is 2 pi dy.
+TEST(test_overcast_sky_keeps_its_light)
+{
+    const float white[4] = {0.7f, 1.0f, 2.0f};
+    float *values = gpu_call(SHADER, 256, 1, OVERCAST, white);
+    for (int c = 0; c < 3; c++) {
+        double sum = 0.0;
+        for (int i = 0; i < 256; i++)
+            sum += 2.0 * MIRROR_PI / 256.0 * (double)values[4 * i + 3] * (double)values[4 * i + c];
+        assert_true(fabs(sum / (MIRROR_PI * (double)white[c]) - 1.0) < 1e-5);
+        // Linear in y: 0 and 1 lie half a step out.
+        double first = (double)values[c], last = (double)values[4 * 255 + c];
+        double step = (last - first) / 255.0;
+        assert_true(fabs((last + 0.5 * step) / (first - 0.5 * step) - 3.0) < 1e-4);
+    }
+    free(values);
+}
+
+TEST(test_weather_runs_from_fair_to_bad)
+{
+    const float none[4] = {0.0f};
+    float *shares = gpu_call(SHADER, 501, 1, WEATHER, none);
+    float *more = gpu_call(SHADER, 501, 1, MORE, none);
+    const float *bad = shares, *fair = shares + 4 * 500;
+    assert_true(bad[0] == 0.0f && bad[1] == 1.0f && bad[2] == 1.0f && bad[3] < 0.02f);
+    assert_true(fair[0] == 1.0f && fair[1] == 0.0f && fair[2] == 0.0f && fair[3] == 1.0f);
+    assert_true(more[1] == 1.0f && more[4 * 500 + 1] == 0.0f);
+    assert_true(more[0] > 4.0f * more[4 * 500]);
+    // 46,000 times a white wall's light across the sun's rays: nothing of its disc is seen in the
+    // bad sky.
+    assert_true(more[2] < 1e-6f && more[4 * 500 + 2] == 1.0f);
+    for (int i = 0; i <= 500; i += 50) {
+        const float *v = shares + 4 * i, *w = more + 4 * i;
+        print_message("# weather %.2f: fair %.2f, storm %.2f, overcast %.2f, sun %.3f, haze %.3f, "
+                      "rain %.2f\n",
+                      0.5 + i / 1000.0, (double)v[0], (double)v[1], (double)v[2], (double)v[3],
+                      (double)w[0], (double)w[1]);
+    }
+    for (int i = 1; i <= 500; i++) {
+        const float *v = shares + 4 * i, *before = v - 4;
+        assert_true(v[0] >= before[0] && v[1] <= before[1] && v[2] <= before[2]);
+        assert_true(v[3] >= before[3] && more[4 * i] <= more[4 * i - 4]);
+        assert_true(more[4 * i + 1] <= more[4 * i - 3]);
+        assert_true(more[4 * i + 2] >= more[4 * i - 2] && more[4 * i + 2] <= v[3]);
+        assert_true(v[0] + v[1] >= 0.99f); // never without clouds
+    }
+    free(shares);
+    free(more);
+}
+
+// Streaks fill a small share of the picture, and move.
+TEST(test_rain_falls)
+{
+    const float first[4] = {0.0f, 90.0f}, later[4] = {0.1f, 90.0f};
+    float *a = gpu_call(SHADER, 160, 90, RAIN, first), *b = gpu_call(SHADER, 160, 90, RAIN, later);
+    double sum = 0.0, moved = 0.0;
+    for (int i = 0; i < 160 * 90; i++) {
+        assert_true(a[4 * i] >= 0.0f && a[4 * i] <= 1.0f);
+        sum += (double)a[4 * i] / (160 * 90);
+        moved += fabs((double)(a[4 * i] - b[4 * i])) / (160 * 90);
+    }
+    free(a);
+    free(b);
+    print_message("# rain: mean %.3f, change %.3f\n", sum, moved);
+    assert_true(sum > 0.005 && sum < 0.1 && moved > 0.5 * sum);
+}
+
+// A picture of few pixels has as much rain as one of many, for a streak is a pixel wide at least,
+// and the fainter. Over eight moments what is cut off at the picture's rim is a thousandth.
+TEST(test_rain_keeps_its_light)
+{
+    static const int rows[] = {72, 108, 180, 360, 720};
+    double mean[5] = {0.0};
+    for (int i = 0; i < 5; i++) {
+        int width = rows[i] * 16 / 9;
+        for (int moment = 0; moment < 8; moment++) {
+            const float when[4] = {0.37f * (float)moment, (float)rows[i]};
+            float *v = gpu_call(SHADER, width, rows[i], RAIN, when);
+            for (int j = 0; j < width * rows[i]; j++)
+                mean[i] += (double)v[4 * j] / (8.0 * width * rows[i]);
+            free(v);
+        }
+        print_message("# rain, %d rows: mean %.5f\n", rows[i], mean[i]);
+        assert_true(fabs(mean[i] / mean[0] - 1.0) < 0.002);
+    }
+}
+
+TESTS(gpu_setup, gpu_teardown)

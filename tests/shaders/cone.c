@@ -1,0 +1,222 @@
+// cone.c - shaders/cone.glsl and the interval of a tetrahedron, as the GPU computes them along
+// random rays, against the same walks in double precision.
+#include "lib/test.h"
+#include "lib/gpu.h"
+#include "lib/mirror.h"
+
+#define SHADER "tests/shaders/symmetry.frag"
+#define FAR    12.0
+
+enum { RAYS = 20, ITEMS_WIDE = 256, SLOTS = 4, ROWS = 32, ITEMS = ITEMS_WIDE * ROWS };
+enum { BALL, PLANE, PYRAMID };
+
+// What one ray gave.
+struct ray_result {
+    struct mirror_ray ray;
+    double spread_of_pixel, march_t;
+    double t;
+    bool found;
+    int steps, first_steps; // of marchCone, and of the march before it
+    double entry, leave, share;
+    int marches;
+};
+
+static float *call(int scene, float threshold, float spread, float most_steps)
+{
+    return gpu_call(SHADER, ITEMS_WIDE * SLOTS, ROWS, RAYS,
+                    (const float[4]){(float)scene, threshold, spread, most_steps});
+}
+
+static struct ray_result result_of(const float *values, int item)
+{
+    const float *v = values + (size_t)4 * SLOTS * (size_t)item;
+    return (struct ray_result){.ray = {d3_of(v), d3_of(v + 4)},
+                               .spread_of_pixel = (double)v[3],
+                               .march_t = (double)v[7],
+                               .t = (double)v[8],
+                               .found = v[9] != 0.0f,
+                               .steps = (int)v[10],
+                               .first_steps = (int)v[11],
+                               .entry = (double)v[12],
+                               .leave = (double)v[13],
+                               .share = (double)v[14],
+                               .marches = (int)v[15]};
+}
+
+static double distance_of(int scene, struct d3 p)
+{
+    return scene == BALL ? mirror_sphere(p, 1.0) : p.y;
+}
+
+// ---- marchCone ----
+
+TEST(test_without_spread_it_is_march)
+{
+    for (int scene = BALL; scene <= PYRAMID; scene++) {
+        float *values = call(scene, 0.001f, 0.0f, 200.0f);
+        int found = 0;
+        for (int i = 0; i < ITEMS; i++) {
+            struct ray_result r = result_of(values, i);
+            assert_true(r.t == r.march_t && r.steps == r.first_steps && r.marches == 3);
+            found += r.found;
+        }
+        free(values);
+        assert_true(found > ITEMS / 10 && found < ITEMS);
+    }
+}
+
+struct walk {
+    double t;
+    int steps;
+    bool found;
+    double nearest_call; // how close the decision of a step was: |distance - threshold - spread t|
+};
+
+static struct walk walk_cone(int scene, struct mirror_ray ray, double threshold, double spread)
+{
+    struct walk walk = {.nearest_call = HUGE_VAL};
+    while (walk.t < FAR && walk.steps < 200 && !walk.found) {
+        double distance = distance_of(scene, mirror_at(ray, walk.t));
+        double over = distance - threshold - spread * walk.t;
+        walk.steps++;
+        walk.nearest_call = fmin(walk.nearest_call, fabs(over));
+        walk.found = over < 0.0;
+        walk.t += walk.found ? 0.0 : distance;
+    }
+    return walk;
+}
+
+static void check_cone(int scene, float threshold, float spread)
+{
+    float *values = call(scene, threshold, spread, 200.0f);
+    int decided = 0, hits = 0;
+    double worst = 0.0;
+    for (int i = 0; i < ITEMS; i++) {
+        struct ray_result r = result_of(values, i);
+        struct walk walk = walk_cone(scene, r.ray, (double)threshold, (double)spread);
+        if (walk.nearest_call < 1e-5 || fabs(walk.t - FAR) < 1e-4)
+            continue; // rounding decides
+        decided++;
+        hits += walk.found;
+        assert_true(r.found == walk.found && r.steps == walk.steps);
+        worst = fmax(worst, fabs(r.t - walk.t));
+    }
+    free(values);
+    print_message("# scene %d, threshold %g, spread %g: %d rays decided, %d hits, t off by at most "
+                  "%.1g\n",
+                  scene, (double)threshold, (double)spread, decided, hits, worst);
+    assert_true(decided > ITEMS * 9 / 10 && hits > ITEMS / 10 && worst < 0.001);
+}
+
+TEST(test_it_stops_where_the_footprint_begins)
+{
+    for (int scene = BALL; scene <= PLANE; scene++) {
+        check_cone(scene, 0.001f, 0.01f);
+        check_cone(scene, 0.01f, 0.0f);
+        check_cone(scene, 0.0001f, 0.0625f);
+    }
+}
+
+TEST(test_steps_run_out)
+{
+    float *values = call(BALL, 0.0001f, 0.0001f, 5.0f);
+    int given_up = 0;
+    for (int i = 0; i < ITEMS; i++) {
+        struct ray_result r = result_of(values, i);
+        assert_true(r.steps <= 5);
+        given_up += !r.found && r.t < FAR;
+    }
+    free(values);
+    assert_true(given_up > ITEMS / 10);
+}
+
+// The picture here is 32 pixels high, and tests look with a focal length of 1 or 2.
+TEST(test_a_pixel_spreads_as_the_screen_says)
+{
+    for (int k = 0; k < 3; k++) {
+        gpu.renderer.focal_length = (float)(1 << k);
+        float *values = call(BALL, 0.001f, 0.0f, 1.0f);
+        double spread = result_of(values, 77).spread_of_pixel;
+        free(values);
+        // Half a pixel of the screen, 1 / ROWS of its half height 1, seen from focal_length away.
+        double half_pixel = 0.5 * (mirror_screen_y(18.0, ROWS) - mirror_screen_y(17.0, ROWS));
+        assert_true(fabs(spread * (1 << k) / half_pixel - 1.0) < 1e-6);
+    }
+    gpu.renderer.focal_length = 1.0f;
+}
+
+// ---- coneReaching ----
+
+// The smallest share over the steps, by the same steps; over a plane there is a second way.
+static double walked_share(int scene, struct mirror_ray ray, double threshold, double spread)
+{
+    double t = 0.0, smallest = 1.0;
+    for (int steps = 0; steps < 200 && t < FAR && smallest > 0.2; steps++) {
+        double distance = distance_of(scene, mirror_at(ray, t));
+        smallest = fmin(smallest, distance / (threshold + spread * t));
+        t += distance;
+    }
+    return fmax((smallest - 0.2) / 0.8, 0.0);
+}
+
+// Does the ray meet the ball, and how close does it pass, less the radius?
+static double clearance(struct mirror_ray ray)
+{
+    double nearest = fmax(-d3_dot(ray.origin, ray.direction), 0.0);
+    return d3_length(mirror_at(ray, nearest)) - 1.0;
+}
+
+TEST(test_share_of_the_light)
+{
+    const double threshold = 0.01, spread = 0.03;
+    float *values = call(BALL, (float)threshold, (float)spread, 200.0f);
+    int free_rays = 0, blocked = 0, grey = 0;
+    double worst = 0.0;
+    for (int i = 0; i < ITEMS; i++) {
+        struct ray_result r = result_of(values, i);
+        double expected =
+            walked_share(BALL, r.ray, (double)(float)threshold, (double)(float)spread);
+        double clear = clearance(r.ray);
+        worst = fmax(worst, fabs(r.share - expected));
+        if (clear > threshold + spread * FAR)
+            assert_true(r.share == 1.0);
+        if (clear < 0.0)
+            assert_true(r.share == 0.0);
+        free_rays += r.share == 1.0;
+        blocked += r.share == 0.0;
+        grey += r.share > 0.0 && r.share < 1.0;
+    }
+    free(values);
+    print_message("# %d free, %d blocked, %d grey, off by at most %.1g\n", free_rays, blocked, grey,
+                  worst);
+    assert_true(free_rays > 100 && blocked > 100 && grey > 100 && worst < 0.002);
+}
+
+// ---- tetrahedronInterval ----
+
+static bool is_inside(struct d3 p)
+{
+    return p.x + p.y - p.z < 0.75 && p.x - p.y + p.z < 0.75 && -p.x + p.y + p.z < 0.75 &&
+           -p.x - p.y - p.z < 0.75;
+}
+
+// A ray's points are inside from the entry to the exit and nowhere else.
+TEST(test_interval_contains_what_is_inside)
+{
+    float *values = call(BALL, 0.001f, 0.0f, 1.0f);
+    int hits = 0;
+    for (int i = 0; i < ITEMS; i++) {
+        struct ray_result r = result_of(values, i);
+        hits += r.entry < r.leave;
+        for (int k = 0; k < 200; k++) {
+            double t = FAR * (k + 0.5) / 200.0;
+            bool claimed = t > r.entry && t < r.leave;
+            if (fabs(t - r.entry) > 1e-4 && fabs(t - r.leave) > 1e-4)
+                assert_true(claimed == is_inside(mirror_at(r.ray, t)));
+        }
+    }
+    free(values);
+    assert_true(hits > ITEMS / 10 && hits < ITEMS - ITEMS / 10);
+}
+
+TESTS(gpu_setup, gpu_teardown)

@@ -1,0 +1,79 @@
+// dome.c - the whole sky of chapters 20 and 21 over 24 hours, as it is shown: nowhere black, by day
+// without a spot at the zenith, and darker and darker through dusk.
+#include "lib/test.h"
+#include "lib/chapter.h"
+
+// A column of the picture is an hour and an azimuth, a row is a height above the horizon.
+enum { AZIMUTHS = 10, HOURS = CHAPTER_WIDTH / AZIMUTHS };
+
+#define DIRECTION                                                                                  \
+    "float hour = 24.0 * floor(pixel.x / 10.0) / 64.0, turn = radians(36.0 * mod(pixel.x, "        \
+    "10.0)), "                                                                                     \
+    "high = radians(0.25 * (pixel.y + 0.5));"                                                      \
+    "vec3 d = vec3(cos(high) * cos(turn), sin(high), cos(high) * sin(turn));"
+
+static double shown(const float *values, int hour, int azimuth, int row)
+{
+    const float *at = values + 4 * (row * CHAPTER_WIDTH + hour * AZIMUTHS + azimuth);
+    return fmax((double)at[0], fmax((double)at[1], (double)at[2]));
+}
+
+// The mean of a ring, or of some of them.
+static double mean_of(const float *values, int hour, int from, int to)
+{
+    double sum = 0.0;
+    for (int row = from; row < to; row++)
+        for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++)
+            sum += shown(values, hour, azimuth, row);
+    return sum / (AZIMUTHS * (to - from));
+}
+
+static void judge(const char *what, const float *values, int sunset, int night)
+{
+    double darkest = 1.0, spot = 0.0, rise = 0.0;
+    for (int hour = 0; hour < HOURS; hour++)
+        for (int row = 0; row < CHAPTER_HEIGHT; row++)
+            for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++) {
+                double here = shown(values, hour, azimuth, row);
+                darkest = fmin(darkest, here);
+                if (row >= 320 && hour > 16 &&
+                    hour < 48) // from 80 degrees on, 5 degrees lower; no star
+                    spot = fmax(spot, here / (mean_of(values, hour, row - 20, row - 19) + 0.02));
+            }
+    for (int hour = sunset; hour < night; hour++)
+        rise = fmax(rise, mean_of(values, hour + 1, 0, CHAPTER_HEIGHT) -
+                              mean_of(values, hour, 0, CHAPTER_HEIGHT));
+    print_message(
+        "# %s: darkest %.1f of 255, a spot overhead %.2f times its ring, dusk brighter than "
+        "22 minutes before by at most %.4f\n",
+        what, 255.0 * darkest, spot, rise);
+    assert_true(darkest > 1.0 / 255.0 && spot < 1.65 && rise < 0.01);
+}
+
+TEST(the_sky_of_chapter_20_at_every_hour)
+{
+    float *values =
+        chapter_numbers("20_clouds_and_weather", DIRECTION
+                        "Lights now = lightsAt(hour); vec3 s = skyWithClouds(d, now, 0.003);"
+                        "return encodeSRGB(filmOfLargest(exposed(s, now.stops), 1.3, 6.0));");
+    judge("chapter 20", values, 47, 50); // from 17.6 h to 18.75 h
+    free(values);
+}
+
+TEST(the_sky_of_chapter_21_at_every_hour)
+{
+    for (int weather = 0; weather < 3; weather++) {
+        char body[900], what[64];
+        snprintf(body, sizeof body,
+                 DIRECTION "theHour = hour; theWeather = %.2f; Hour now = hourNow(); float open;"
+                           "vec3 s = nightFilm(daylightFilm(skyLight(d, now, false, open)));"
+                           "return encodeSRGB(filmOfLargest(exposed(s, now.stops), 1.3, 8.0));",
+                 0.5 + 0.25 * weather);
+        snprintf(what, sizeof what, "chapter 21, weather %.2f", 0.5 + 0.25 * weather);
+        float *values = chapter_numbers("21_a_landscape", body);
+        judge(what, values, 49, 52); // from 18.4 h to 19.5 h
+        free(values);
+    }
+}
+
+TESTS(gpu_setup, gpu_teardown)

@@ -1,0 +1,380 @@
+// glass.c - shaders/glass.glsl, fresnel.glsl and caustic.glsl: what a surface mirrors and
+// bends, rays through a ball against their analytical path, what a straight ray loses, the light
+// behind a ball.
+#include "lib/test.h"
+#include "lib/glass.h"
+#include "lib/gpu.h"
+#include "lib/random.h"
+
+#define SHADER "tests/shaders/glass.frag"
+
+enum {
+    FRESNEL,
+    BALL = 2,
+    STRAIGHT,
+    CAUSTIC,
+    COLOUR,
+    PRISM,
+    ABSORBED,
+    WAVES,
+    DEPTH,
+    BEAM,
+    INSIDE,
+    FOOT
+};
+
+// ---- A surface ----
+
+TEST(the_mirrored_share_is_fresnel_s)
+{
+    static const float etas[] = {1.0f / 1.333f, 1.0f / 1.5168f, 1.0f / 1.7283f,
+                                 1.333f,        1.5168f,        2.4f};
+    double worst = 0.0;
+    for (size_t k = 0; k < sizeof etas / sizeof *etas; k++) {
+        const float numbers[4] = {etas[k]};
+        float *values = gpu_call(SHADER, 513, 1, FRESNEL, numbers);
+        for (int i = 0; i < 513; i++)
+            worst = fmax(worst, fabs((double)values[4 * i + 1] -
+                                     glass_fresnel((double)values[4 * i], (double)etas[k])));
+        free(values);
+    }
+    print_message("# Fresnel: worst %.2g\n", worst);
+    assert_true(worst < 2e-4); // beside the critical angle its slope is infinite
+}
+
+// What goes one way through a surface goes the other way too.
+TEST(both_sides_mirror_the_same)
+{
+    for (double c = 0.02; c < 1.0; c += 0.02) {
+        double behind = sqrt(1.0 - (1.0 - c * c) / (1.5 * 1.5));
+        assert_true(fabs(glass_fresnel(c, 1.0 / 1.5) - glass_fresnel(behind, 1.5)) < 1e-12);
+    }
+}
+
+// The header's numbers.
+TEST(schlick_is_off_by_what_is_said)
+{
+    static const double cases[][2] = {{1.333, 0.060}, {1.5, 0.036}};
+    for (int k = 0; k < 2; k++) {
+        double n = cases[k][0], worst = 0.0, straight = pow((n - 1.0) / (n + 1.0), 2.0);
+        for (double c = 0.0; c <= 1.0; c += 1e-3)
+            worst = fmax(worst, fabs(glass_schlick(c, straight) - glass_fresnel(c, 1.0 / n)));
+        assert_true(worst < cases[k][1] && worst > 0.95 * cases[k][1]);
+    }
+}
+
+// ---- Through a ball ----
+
+static double ball(struct d3 p)
+{
+    return d3_length(p) - 1.0;
+}
+
+struct through {
+    double inside; // way from surface to surface
+    struct d3 left;
+    bool done;
+};
+
+// In at offset from the axis, out again: by the march, in double.
+static struct through ball_marched(double offset, double turn, double index, double threshold,
+                                   double start)
+{
+    struct mirror_ray ray = {d3(offset * cos(turn), offset * sin(turn), 3.0), d3(0.0, 0.0, -1.0)};
+    const double outside[2] = {0.0, 9.0};
+    struct through way = {0.0, d3(0.0, 0.0, 0.0), false};
+    double t;
+    struct d3 bent;
+    if (!glass_march(ball, ray, 1.0, outside, threshold, 4096, &t))
+        return way;
+    struct d3 p = mirror_at(ray, t), n = d3_unit(p);
+    if (!glass_refract(ray.direction, n, 1.0 / index, &bent))
+        return way;
+    ray = glass_leaving(p, n, bent, start);
+    if (!glass_march(ball, ray, -1.0, outside, threshold, 4096, &way.inside))
+        return way;
+    n = d3_unit(mirror_at(ray, way.inside));
+    way.done = glass_refract(ray.direction, d3_times(-1.0, n), index, &way.left);
+    return way;
+}
+
+// The analytical path: turned by 2 (i - j) towards the axis, 2 cos(j) inside.
+static double ball_error(struct through way, double offset, double turn, double index)
+{
+    double i = asin(offset), j = asin(offset / index), bend = 2.0 * (i - j);
+    struct d3 left = d3(-sin(bend) * cos(turn), -sin(bend) * sin(turn), -cos(bend));
+    return fmax(d3_length(d3_sub(way.left, left)), fabs(way.inside - 2.0 * cos(j)));
+}
+
+TEST(ten_thousand_rays_go_through_a_ball)
+{
+    const double threshold = 1e-9, index = 1.5168;
+    double worst = 0.0;
+    for (int i = 0; i < 10000; i++) {
+        double offset = 0.9999 * sqrt(random_of(i, 0, 0, 0)), turn = 6.0 * random_of(i, 1, 0, 0);
+        struct through way = ball_marched(offset, turn, index, threshold, 2.5 * threshold);
+        assert_true(way.done);
+        worst = fmax(worst, ball_error(way, offset, turn, index));
+    }
+    print_message("# 10,000 rays: worst %.2g\n", worst);
+    assert_true(worst < 1e-6);
+}
+
+// From half a threshold off the surface every march inside ends where it starts.
+TEST(a_start_too_near_is_stranded)
+{
+    const double threshold = 1e-4;
+    int stranded[2] = {0, 0};
+    for (int i = 0; i < 1000; i++)
+        for (int k = 0; k < 2; k++) {
+            struct through way =
+                ball_marched(0.001 * i, 0.0, 1.5168, threshold, (k == 0 ? 0.5 : 2.5) * threshold);
+            stranded[k] += way.inside < 10.0 * threshold;
+        }
+    assert_true(stranded[0] == 1000 && stranded[1] == 0);
+}
+
+static double half_space(struct d3 p)
+{
+    return p.y;
+}
+
+// Over a flat face each step makes the height larger by 1 + sin: a ray that leaves flat runs out of
+// steps.
+TEST(a_flat_leave_runs_out_of_steps)
+{
+    const double threshold = 0.0004, start = 2.5 * threshold, to_height_1[2] = {0.0, 1e9};
+    for (int i = 1; i < 40; i++) {
+        double angle = 0.25 * i * MIRROR_PI / 180.0, t;
+        struct mirror_ray ray = {d3(0.0, start, 0.0), d3(cos(angle), sin(angle), 0.0)};
+        glass_march(half_space, ray, 1.0, to_height_1, threshold, 80, &t);
+        double height = start + t * sin(angle);
+        assert_true(fabs(height / (start * pow(1.0 + sin(angle), 80.0)) - 1.0) < 1e-9);
+        assert_true((height > 1.0) ==
+                    (sin(angle) > pow(1.0 / start, 1.0 / 80.0) - 1.0)); // 5.2 degrees
+    }
+}
+
+TEST(the_library_goes_the_same_way)
+{
+    const float numbers[4] = {1.5168f, 0.0001f, 2.5f};
+    float *values = gpu_call(SHADER, 500, 16, BALL, numbers);
+    double worst = 0.0;
+    for (int i = 0; i < 500 * 16; i++) {
+        double offset = (i % 500 + 0.5) / 512.0, turn = 0.4 * (i / 500);
+        struct through way = {(double)values[4 * i + 3], d3_of(values + 4 * i), true};
+        assert_true(way.inside > 0.0);
+        worst = fmax(worst, ball_error(way, offset, turn, (double)numbers[0]));
+    }
+    free(values);
+    print_message("# the library: worst %.2g\n", worst);
+    assert_true(worst < 0.02); // the threshold over the cosine, at the rim
+}
+
+// Rays march from the middle of a slab to its face: the first that does not get out is at asin(1 /
+// n).
+TEST(nothing_gets_out_beyond_the_critical_angle)
+{
+    static const float indices[] = {1.333f, 1.5168f, 1.7283f};
+    for (size_t k = 0; k < sizeof indices / sizeof *indices; k++) {
+        double critical = asin(1.0 / (double)indices[k]) * 180.0 / MIRROR_PI, first = 0.0;
+        const float numbers[4] = {indices[k], 30.0f};
+        float *values = gpu_call(SHADER, 2000, 1, INSIDE, numbers);
+        for (int i = 0; i < 2000; i++) {
+            double angle = (double)values[4 * i], way = 0.5 / cos(angle * MIRROR_PI / 180.0);
+            assert_true(fabs((double)values[4 * i + 3] - way) < 0.001);
+            bool total = values[4 * i + 1] == 0.0f;
+            assert_true(total == (values[4 * i + 2] == 1.0f));
+            first = total && first == 0.0 ? angle : first;
+        }
+        free(values);
+        print_message("# index %.4f: total from %.2f degrees on, by the formula %.2f\n",
+                      (double)indices[k], first, critical);
+        assert_true(fabs(first - critical) < 0.02);
+    }
+}
+
+// ---- What is left of the light ----
+
+TEST(ways_inside_multiply)
+{
+    const float none[4] = {0.0f};
+    float *values = gpu_call(SHADER, 256, 1, ABSORBED, none);
+    const double absorption[3] = {0.2, 1.0, 3.0};
+    for (int i = 0; i < 256; i++)
+        for (int c = 0; c < 3; c++)
+            assert_true(fabs((double)values[4 * i + c] - exp(-absorption[c] * (0.01 * i + 0.5))) <
+                        1e-5);
+    free(values);
+}
+
+TEST(a_straight_ray_meets_both_surfaces)
+{
+    double share = 0.0, inside = 0.0;
+    for (int shape = 0; shape < 2; shape++) {
+        const float numbers[4] = {(float)shape, 1.5f, 0.004f};
+        float *values = gpu_call(SHADER, 250, 1, STRAIGHT, numbers);
+        for (int i = 0; i < 250; i++) {
+            const float *v = values + 4 * i;
+            double c = shape == 1 ? cos((double)v[3]) : sqrt(1.0 - (double)v[3] * (double)v[3]);
+            double way = shape == 1 ? 1.0 / c : 2.0 * c, passes = 1.0 - glass_fresnel(c, 1.0 / 1.5);
+            inside = fmax(inside, fabs((double)v[1] - way));
+            share = fmax(share, c > 0.3 ? fabs((double)v[0] - passes * passes) : 0.0);
+        }
+        free(values);
+    }
+    print_message("# straight: share %.2g, way %.2g\n", share, inside);
+    assert_true(share < 0.003 && inside < 0.01);
+}
+
+// ---- The light behind a ball ----
+
+// All the light within 0.96 of the radius comes out, less what is mirrored, whatever the plane;
+// what passes farther out is the share that the header says.
+TEST(no_light_is_lost_behind_a_ball)
+{
+    static const float cases[][2] = {
+        {1.05f, 0.02f}, {1.3f, 0.02f}, {2.0f, 0.02f}, {1.45f, 0.2f}}; // plane, blur
+    double truth = 0.0, whole = 0.0;
+    for (int i = 0; i < 4000; i++) {
+        double b = (i + 0.5) / 4000.0,
+               passes = 1.0 - glass_fresnel(sqrt(1.0 - b * b), 1.0 / 1.5168);
+        whole += 2.0 * b / 4000.0 * passes * passes;
+        truth += b < 0.96 ? 2.0 * b / 4000.0 * passes * passes : 0.0;
+    }
+    assert_true(fabs(1.0 - truth / whole - 0.037) < 0.0005);
+    for (size_t k = 0; k < sizeof cases / sizeof *cases; k++) {
+        const float numbers[4] = {1.5168f, cases[k][0], cases[k][1]};
+        float *values = gpu_call(SHADER, 2048, 1, CAUSTIC, numbers);
+        double sum = 0.0;
+        for (int i = 0; i < 2048; i++)
+            sum += 2.0 * (double)values[4 * i] * (double)values[4 * i + 1] * 3.0 / 2048.0;
+        free(values);
+        print_message("# z = %.2f: %.4f of %.4f\n", (double)cases[k][0], sum, truth);
+        assert_true(fabs(sum - truth) < 0.005 * truth);
+    }
+}
+
+// Beside the ball, and under it, no ray has come out yet: each leaves behind 0.98 radius.
+TEST(no_light_comes_before_it_has_left_the_ball)
+{
+    for (int k = 1; k < 10; k++) {
+        const float numbers[4] = {1.5168f, 0.1f * (float)k, 0.02f};
+        float *values = gpu_call(SHADER, 2048, 1, CAUSTIC, numbers);
+        for (int i = 0; i < 2048; i++)
+            assert_true(values[4 * i + 1] == 0.0f);
+        free(values);
+    }
+}
+
+// Rays traced one by one and counted in rings: where in its ring of b light falls is not known, and
+// the rings of r here are as wide as one of b at the edge.
+TEST(the_light_behind_a_ball_is_that_of_many_rays)
+{
+    enum { RINGS = 12, RAYS = 200000 };
+    const float numbers[4] = {1.5168f, 1.2f, 0.02f};
+    float *values = gpu_call(SHADER, 2048, 1, CAUSTIC, numbers);
+    double light[RINGS] = {0.0}, seen[RINGS] = {0.0};
+    for (int i = 0; i < RAYS; i++) {
+        double b = 0.96 * (i + 0.5) / RAYS, j = asin(b / 1.5168), turn = 2.0 * (asin(b) - j);
+        double passes = 1.0 - glass_fresnel(sqrt(1.0 - b * b), 1.0 / 1.5168);
+        // Where it leaves the ball, and on from there.
+        double angle = asin(b) - turn, y = sin(angle), z = cos(angle);
+        double r = fabs(y - (1.2 - z) * tan(turn));
+        int ring = (int)(r / 0.075);
+        if (ring < RINGS)
+            light[ring] += 2.0 * b * 0.96 / RAYS * passes * passes;
+    }
+    for (int i = 0; i < 2048; i++) {
+        int ring = (int)((double)values[4 * i] / 0.075);
+        if (ring < RINGS)
+            seen[ring] += 2.0 * (double)values[4 * i] * (double)values[4 * i + 1] * 3.0 / 2048.0;
+    }
+    free(values);
+    for (int k = 0; k < RINGS; k++) {
+        print_message("# ring %d: %.4f of %.4f\n", k, seen[k], light[k]);
+        assert_true(fabs(seen[k] - light[k]) < 0.02);
+    }
+}
+
+// ---- Depths ----
+
+// Nothing of the surface is nearer than a shape claims, inside and outside: then no two points
+// differ by more than the way between them. 4096 points against 2341.
+TEST(the_tumbler_bounds_the_depth)
+{
+    const float numbers[4] = {2.0f};
+    float *values = gpu_call(SHADER, 64, 64, DEPTH, numbers);
+    static float cloud[128 * 128 * 4];
+    float *others = gpu_call(SHADER, 128, 128, DEPTH, numbers);
+    int inside = 0;
+    for (int i = 0; i < 128 * 128 * 4; i++)
+        cloud[i] = others[i];
+    free(others);
+    for (int i = 0; i < 64 * 64; i++) {
+        inside += values[4 * i + 3] < 0.0f;
+        for (int k = 0; k < 128 * 128; k += 7) {
+            double way = d3_length(d3_sub(d3_of(values + 4 * i), d3_of(cloud + 4 * k)));
+            assert_true(fabs((double)(values[4 * i + 3] - cloud[4 * k + 3])) <= way + 1e-5);
+        }
+    }
+    free(values);
+    assert_true(inside > 300);
+}
+
+// And the depth is not less than that: from inside, the surface is met that far along the slope.
+// Where the slope is no unit vector two pieces of the surface are equally near.
+TEST(the_depth_is_exact_inside)
+{
+    static const float shapes[] = {0.0f, 1.0f, 2.0f, 4.0f};
+    for (size_t k = 0; k < sizeof shapes / sizeof *shapes; k++) {
+        const float numbers[4] = {shapes[k]};
+        float *values = gpu_call(SHADER, 64, 64, FOOT, numbers);
+        int inside = 0;
+        double worst = 0.0;
+        for (int i = 0; i < 64 * 64; i++) {
+            const float *v = values + 4 * i;
+            if (v[0] >= 0.0f || fabs((double)v[2] - 1.0) > 1e-3)
+                continue;
+            inside++;
+            worst = fmax(worst, fabs((double)v[1]));
+        }
+        free(values);
+        print_message("# shape %g: %d points inside, worst %.2g\n", (double)shapes[k], inside,
+                      worst);
+        assert_true(inside > 200 && worst < 2e-3);
+    }
+}
+
+// A block of two halves that touch claims a surface between them.
+TEST(a_union_has_a_wall_where_its_parts_touch)
+{
+    const float numbers[4] = {3.0f};
+    float *values = gpu_call(SHADER, 64, 64, DEPTH, numbers);
+    double worst = 0.0;
+    for (int i = 0; i < 64 * 64; i++) {
+        struct d3 p = d3_of(values + 4 * i);
+        double depth = -mirror_box(p, d3(1.0, 0.5, 0.5)), claimed = -(double)values[4 * i + 3];
+        if (depth <= 0.0)
+            continue;
+        assert_true(claimed <= depth + 1e-6); // a lower bound all the same
+        worst = fmax(worst, depth - claimed);
+    }
+    free(values);
+    assert_true(worst > 0.4);
+}
+
+// ---- The white furnace ----
+
+TEST(clear_glass_in_a_white_world_is_white)
+{
+    struct glass_rest before = {1.0, 1.0}, rest;
+    for (int surfaces = 4; surfaces <= 20; surfaces += 4) {
+        rest = glass_furnace(surfaces);
+        assert_true(rest.mean < before.mean);
+        before = rest;
+    }
+    assert_true(rest.mean < 0.015 && rest.pixels < 0.02); // go round and round in an edge
+}
+
+TESTS(gpu_setup, gpu_teardown)

@@ -1,0 +1,396 @@
+// land.c - shaders/land.glsl and water.glsl in double precision: noise on the plane as a slice of
+// noise in space, slopes and the step that closes a gap, the mean of the waves over a pixel, the
+// light of all glitter; and the land of chapter 21: its bounds compared with a search for the
+// nearest land, and the share of the sun that it hides.
+#include "lib/test.h"
+#include "lib/chapter.h"
+#include "lib/noise.h"
+#include "lib/random.h"
+
+#define SHADER "tests/shaders/land.frag"
+
+enum { NOISE, RIDGED, HILL, WAY, WAVES, GLITTER };
+
+// ---- The library ----
+
+static struct noise plane_noise(double x, double z)
+{
+    return noise_value(d3(x, 0.0, z));
+}
+
+TEST(noise_on_the_plane_is_a_slice_of_noise_in_space)
+{
+    const float from[4] = {-3.0f, 5.0f, 0.0f, 0.0f};
+    double worst = 0.0;
+    float *values = gpu_call(SHADER, 128, 128, NOISE, from);
+    float *folded = gpu_call(SHADER, 128, 128, RIDGED, from);
+    for (int i = 0; i < 128 * 128; i++) {
+        struct noise right = plane_noise(-3.0 + i % 128 / 16.0, 5.0 + (double)(i / 128) / 16.0);
+        double side = right.value > 0.5 ? -2.0 : 2.0;
+        worst = fmax(worst, fabs((double)values[4 * i] - right.value));
+        worst = fmax(worst, fabs((double)values[4 * i + 1] - right.gradient.x));
+        worst = fmax(worst, fabs((double)values[4 * i + 2] - right.gradient.z));
+        worst = fmax(worst, fabs((double)folded[4 * i] - (1.0 - fabs(2.0 * right.value - 1.0))));
+        if (fabs(right.value - 0.5) > 1e-5)
+            worst = fmax(worst, fabs((double)folded[4 * i + 1] - side * right.gradient.x));
+    }
+    free(values);
+    free(folded);
+    print_message("# noise on the plane: worst %.2g\n", worst);
+    assert_true(worst < 1e-5);
+}
+
+static double bump(double x, double z, double a, double b, double height)
+{
+    double w = fmax(1.0 - x * x / (a * a) - z * z / (b * b), 0.0);
+    return height * w * w;
+}
+
+TEST(a_hill_is_not_steeper_than_its_bound)
+{
+    const float numbers[4] = {3.0f, 2.0f, 1.5f, 0.0f};
+    float *values = gpu_call(SHADER, 128, 128, HILL, numbers);
+    double steepest = 0.0, worst = 0.0;
+    for (int i = 0; i < 128 * 128; i++) {
+        double x = i % 128 / 16.0 - 4.0, z = (double)(i / 128) / 16.0 - 4.0, h = 1e-5;
+        double gx = (bump(x + h, z, 3.0, 2.0, 1.5) - bump(x - h, z, 3.0, 2.0, 1.5)) / (2.0 * h);
+        double gz = (bump(x, z + h, 3.0, 2.0, 1.5) - bump(x, z - h, 3.0, 2.0, 1.5)) / (2.0 * h);
+        worst = fmax(worst, fabs((double)values[4 * i] - bump(x, z, 3.0, 2.0, 1.5)));
+        worst = fmax(worst, hypot((double)values[4 * i + 1] - gx, (double)values[4 * i + 2] - gz));
+        steepest = fmax(steepest, hypot(gx, gz));
+    }
+    free(values);
+    double bound = 8.0 * sqrt(3.0) / 9.0 * 1.5 / 2.0;
+    print_message("# hill: worst %.2g; steepest %.4f, bound %.4f\n", worst, steepest, bound);
+    assert_true(worst < 1e-4 && steepest <= bound && steepest > 0.99 * bound);
+}
+
+TEST(the_gap_closes_where_it_is_said)
+{
+    double worst = 0.0;
+    for (int k = 0; k < 3; k++) {
+        const float growth[4] = {k == 0 ? 0.0f : k == 1 ? 0.3f : 5.0f, 0.0f, 0.0f, 0.0f};
+        float *values = gpu_call(SHADER, 64, 16, WAY, growth);
+        for (int i = 0; i < 64 * 16; i++) {
+            double way = (double)values[4 * i + 2];
+            double closed = (double)values[4 * i + 1] * way + 0.5 * (double)growth[0] * way * way;
+            worst = fmax(worst, fabs(closed / (double)values[4 * i] - 1.0));
+        }
+        free(values);
+    }
+    print_message("# way to close a gap: worst relative error %.2g\n", worst);
+    assert_true(worst < 2e-6);
+}
+
+// Below the ground the result is negative, as the gap is. Where the root has no real value, it is
+// clamped to almost 0.
+TEST(below_the_ground_the_way_is_negative)
+{
+    const float growth[4] = {5.0f, 1.0f, 0.0f, 0.0f};
+    float *values = gpu_call(SHADER, 64, 16, WAY, growth);
+    int clamped = 0;
+    for (int i = 0; i < 64 * 16; i++) {
+        double gap = (double)values[4 * i], slope = (double)values[4 * i + 1];
+        double way = (double)values[4 * i + 2];
+        assert_true(way < 0.0 && isfinite(way));
+        if (slope * slope + 10.0 * gap < 0.0) {
+            assert_true(fabs(way * slope / (2.0 * gap) - 1.0) < 3e-4); // sqrt(1e-9) / slope
+            clamped++;
+        }
+    }
+    free(values);
+    print_message("# below the ground: %d of %d roots are clamped\n", clamped, 64 * 16);
+    assert_true(clamped > 100 && clamped < 64 * 16 - 100);
+}
+
+// ---- Waves ----
+
+static const double wave_x[4] = {1.0, -2.0, 3.0, 0.5}, wave_z[4] = {0.5, 1.5, -1.0, 2.0},
+                    steep[4] = {0.1, 0.2, 0.05, 0.15};
+
+// The slope of the four waves along x.
+static double wave_slope(double x, double z)
+{
+    double sum = 0.0;
+    for (int i = 0; i < 4; i++)
+        sum += steep[i] * wave_x[i] / hypot(wave_x[i], wave_z[i]) *
+               cos(wave_x[i] * x + wave_z[i] * z + i);
+    return sum;
+}
+
+TEST(a_pixel_sees_the_mean_of_its_waves)
+{
+    // The pixel's Gaussian as a sum over 81 x 81 places; its axes have a twelfth of their square as
+    // variance.
+    const float axes[4] = {1.5f, 0.5f, -0.4f, 1.2f};
+    float *values = gpu_call(SHADER, 24, 24, WAVES, axes);
+    double worst = 0.0;
+    for (int i = 0; i < 24 * 24; i += 7) {
+        double mean = 0.0, weights = 0.0;
+        for (int k = 0; k < 81 * 81; k++) {
+            double a = (k % 81 - 40) / 8.0, b = (double)(k / 81 - 40) / 8.0;
+            double weight = exp(-0.5 * (a * a + b * b)), s = 1.0 / sqrt(12.0);
+            mean += weight * wave_slope(i % 24 / 8.0 + s * (1.5 * a - 0.4 * b),
+                                        (double)(i / 24) / 8.0 + s * (0.5 * a + 1.2 * b));
+            weights += weight;
+        }
+        worst = fmax(worst, fabs((double)values[4 * i] - mean / weights));
+    }
+    // What the mean has lost, and what is left, are together the variance of all places.
+    double all = 0.0, left = 0.0;
+    for (int i = 0; i < 4; i++) {
+        double a = wave_x[i] * 1.5 + wave_z[i] * 0.5, b = -wave_x[i] * 0.4 + wave_z[i] * 1.2;
+        all += 0.25 * steep[i] * steep[i];
+        left += 0.25 * steep[i] * steep[i] * exp(-(a * a + b * b) / 12.0);
+    }
+    print_message("# waves: mean worst %.2g; variance lost %.6f, all %.6f\n", worst,
+                  (double)values[2], all);
+    assert_true(worst < 2e-6 && fabs((double)values[2] + left - all) < 1e-6);
+    free(values);
+}
+
+TEST(glitter_neither_makes_nor_loses_light)
+{
+    // Over all directions of the upper half the light times the cosine adds up to pi times the
+    // light's own on the level.
+    for (int k = 0; k < 2; k++) {
+        const float numbers[4] = {k == 0 ? 0.8f : 0.5f, 1.0f, 0.004f, 0.0f};
+        float *values = gpu_call(SHADER, 256, 256, GLITTER, numbers);
+        double sum = 0.0;
+        for (int i = 0; i < 256 * 256; i++)
+            sum += (double)values[4 * i] * (double)values[4 * i + 3];
+        sum *= 2.0 * MIRROR_PI / (256.0 * 256.0);
+        free(values);
+        double right = MIRROR_PI * (double)numbers[0];
+        print_message("# glitter at %.1f: %.4f of %.4f\n", (double)numbers[0], sum, right);
+        assert_true(fabs(sum / right - 1.0) < 0.02);
+    }
+}
+
+// ---- The land of chapter 21 ----
+
+static const double cells = 0.08, gain = 0.42, lacunarity = 2.1, foot = 0.4, ridges = 3.6,
+                    hill_slope = 0.45;
+enum { OCTAVES = 4 };
+
+static double hills(double x, double z)
+{
+    double h = bump(x - 4.0, z - 46.0, 43.0, 25.5, 7.4);
+    h = fmax(h, bump(x + 25.0, z - 24.0, 24.0, 24.5, 7.0));
+    h = fmax(h, bump(x - 64.0, z - 90.0, 58.0, 42.0, 6.4));
+    h = fmax(h, bump(x - 19.0, z - 22.0, 13.0, 12.5, 3.6));
+    return h - 3.0;
+}
+
+static double shore(double x, double z)
+{
+    double a = x + 1.45, b = 1.2 * (z - 0.5);
+    return 0.26 - 0.17 * sqrt(a * a + b * b + 0.04);
+}
+
+// The sums over the first octaves, and with the rest of the weights.
+static void detail(double x, double z, int count, double *least, double *most)
+{
+    double u = cells * x + 31.2, v = cells * z + 9.9, weight = 1.0 - gain, sum = 0.0, rest = 1.0;
+    double first = 1.0;
+    for (int i = 0; i < count; i++) {
+        double ridge = 1.0 - fabs(2.0 * plane_noise(u, v).value - 1.0);
+        first = i == 0 ? ridge : first;
+        sum += weight * ridge;
+        rest -= weight;
+        weight *= gain;
+        double next = lacunarity * (0.8 * u - 0.6 * v) + 17.17;
+        v = lacunarity * (0.6 * u + 0.8 * v) + 29.73;
+        u = next;
+    }
+    *least = first * sum;
+    *most = first * (sum + (count < OCTAVES ? rest : 0.0));
+}
+
+static double land(double x, double z)
+{
+    double base = hills(x, z), least, most;
+    detail(x, z, OCTAVES, &least, &most);
+    return fmax(base + ridges * fmax(base - foot, 0.0) * most, shore(x, z));
+}
+
+// The largest of all bounds, for all directions.
+static double land_distance(struct d3 p)
+{
+    double base = hills(p.x, p.z), high = ridges * fmax(base - foot, 0.0);
+    double under = fmin(p.y, foot + (p.y - foot) / (1.0 + ridges));
+    double d = (under - base) / (0.65 + hill_slope), slope = 0.0, weight = 1.0 - gain;
+    for (int i = 0; i < OCTAVES; i++) {
+        double least, most;
+        detail(p.x, p.z, i + 1, &least, &most);
+        slope += (i == 0 ? 1.0 + weight : weight) * 3.75 * cells * pow(lacunarity, i);
+        weight *= gain;
+        double s = 0.65 + hill_slope + ridges * hill_slope * most + high * slope;
+        double g = 2.0 * ridges * hill_slope * slope, gap = p.y - base - high * most;
+        d = fmax(d, 2.0 * gap / (s + sqrt(fmax(s * s + 2.0 * g * gap, 1e-9))));
+    }
+    return fmin(d, (p.y - shore(p.x, p.z)) / 1.03);
+}
+
+// A place over the land, up to three units above it.
+static struct d3 random_place(void)
+{
+    double x = rand() % 4 ? random_in(-40.0, 40.0) : random_in(-4.0, 2.0);
+    double z = rand() % 4 ? random_in(0.0, 80.0) : random_in(-2.0, 3.0);
+    return d3(x, fmax(land(x, z), 0.0) + random_in(0.0, 3.0), z);
+}
+
+TEST(the_largest_bound_is_1_lipschitz)
+{
+    enum { PAIRS = 100000 };
+    double most = 0.0, slopes = 0.0;
+    srand(21);
+    for (int i = 0; i < PAIRS; i++) {
+        struct d3 p = random_place(), v = random_direction();
+        struct d3 q = d3_add(p, d3_times(1e-3, v));
+        most = fmax(most, fabs(land_distance(p) - land_distance(q)) / 1e-3);
+        double level = hypot(v.x, v.z);
+        slopes = fmax(slopes, fabs(land(p.x, p.z) - land(q.x, q.z)) / (1e-3 * level));
+    }
+    print_message(
+        "# %d pairs: the distance changes by at most %.4f of the way; the land is no steeper "
+        "than %.2f, where the bound at the top is 14.8\n",
+        PAIRS, most, slopes);
+    assert_true(most <= 1.0 + 1e-6 && slopes < 14.8);
+}
+
+TEST(no_land_is_nearer_than_the_distance)
+{
+    enum { PLACES = 300, AROUND = 48, STEPS = 40 };
+    double nearest = 1e9;
+    srand(22);
+    for (int i = 0; i < PLACES; i++) {
+        struct d3 p = random_place();
+        double d = land_distance(p);
+        for (int k = 0; d > 0.0 && k < AROUND * STEPS; k++) {
+            double turn = 2.0 * MIRROR_PI * (k % AROUND) / AROUND,
+                   far = d * (k / AROUND + 1) / STEPS;
+            double height = land(p.x + far * cos(turn), p.z + far * sin(turn));
+            double low = p.y - sqrt(fmax(d * d - far * far, 0.0)); // of the ball over that place
+            nearest = fmin(nearest, low - height);
+        }
+    }
+    print_message(
+        "# %d balls of the distance: the land stays below each of them by at least %.2g\n", PLACES,
+        nearest);
+    assert_true(nearest > -1e-9);
+}
+
+// ---- Functions of chapter 21, asked one by one ----
+
+#define CHAPTER "21_a_landscape"
+
+static const double highest = 18.8, disc = 0.0047;
+
+// From the valley, x to the right and z ahead, to the world and back.
+static struct d3 turned(struct d3 p)
+{
+    return d3(0.4226 * p.x - 0.9063 * p.z, p.y, -0.9063 * p.x - 0.4226 * p.z);
+}
+
+static struct d3 sun_at(double hour)
+{
+    double h = 15.0 * (hour - 12.0) * MIRROR_PI / 180.0, p = 43.6 * MIRROR_PI / 180.0,
+           d = 10.0 * MIRROR_PI / 180.0;
+    return d3(cos(p) * sin(d) - sin(p) * cos(d) * cos(h),
+              sin(p) * sin(d) + cos(p) * cos(d) * cos(h), -cos(d) * sin(h));
+}
+
+// The smallest of gap / way of a ray from a point, over the land of the first octave, by small
+// steps; to where the ray first meets the land.
+static double skyline(struct d3 p, struct d3 direction)
+{
+    double least = 1e9;
+    for (double s = 0.02; s < 60.0 && least > 0.0 && p.y + s * direction.y < highest;
+         s += fmax(0.002 * s, 0.002)) {
+        struct d3 q = turned(d3_add(p, d3_times(s, direction)));
+        double base = hills(q.x, q.z), part, whole;
+        detail(q.x, q.z, 1, &part, &whole);
+        double land = fmax(base + ridges * fmax(base - foot, 0.0) * part, shore(q.x, q.z));
+        least = fmin(least, (q.y - land) / s);
+    }
+    return least;
+}
+
+// Each over the bound that the march builds on: hills, shore and heights, over all the valley.
+TEST(no_land_is_steeper_or_higher_than_is_said)
+{
+    float *values = chapter_numbers(
+        CHAPTER, "vec2 q = vec2(-60.0, -20.0) + vec2(0.3, 0.45) * pixel;"
+                 "vec2 r = vec2(-4.0, -3.0) + 0.0125 * pixel;"
+                 "return 0.5 * vec3(length(hills(q).yz) / HILL_SLOPE,"
+                 "length(shore(r).yz) / SHORE_SLOPE, landAt(q, 12.0).x / HIGHEST);");
+    double most[3] = {0.0, 0.0, 0.0};
+    for (int i = 0; i < 4 * CHAPTER_WIDTH * CHAPTER_HEIGHT; i++)
+        if (i % 4 < 3)
+            most[i % 4] = fmax(most[i % 4], 2.0 * (double)values[i]);
+    free(values);
+    print_message(
+        "# hills reach %.4f of their slope, the shore %.4f, the land %.4f of its height\n", most[0],
+        most[1], most[2]);
+    assert_true(most[0] <= 1.0 && most[1] <= 1.0 && most[2] <= 1.0);
+    assert_true(most[0] > 0.99 && most[1] > 0.98 && most[2] > 0.9);
+}
+
+// Is the land out of the way of a point of the disc? r and a from its middle, a from the right.
+static bool sees(struct d3 p, struct d3 light, double r, double a)
+{
+    struct d3 right = d3_unit(d3_cross(light, d3(0.0, 1.0, 0.0))), up = d3_cross(right, light);
+    struct d3 aside = d3_add(d3_times(r * cos(a), right), d3_times(r * sin(a), up));
+    return skyline(p, d3_unit(d3_add(light, aside))) > 0.0;
+}
+
+// The share of the disc that small steps find free, by rays to all parts of it.
+static double free_share(struct d3 p, struct d3 light)
+{
+    enum { RINGS = 4, TURNS = 12 };
+    double sum = 0.0;
+    for (int i = 0; i < RINGS * TURNS; i++)
+        sum += sees(p, light, disc * sqrt((i / TURNS + 0.5) / RINGS),
+                    2.0 * MIRROR_PI * (i % TURNS + 0.5) / TURNS);
+    return sum / (RINGS * TURNS);
+}
+
+// The quick share on the mountain against rays to the whole disc, where the ends of the disc do not
+// agree, in the shadow's rim; elsewhere against one end.
+TEST(the_sun_sets_behind_land_by_shares)
+{
+    float *values = chapter_numbers(
+        CHAPTER, "vec2 q = vec2(-12.0, 24.0) + vec2(0.04, 0.05) * pixel, xz = fromValley(q); "
+                 "vec4 h = landAt(q, 4.0);"
+                 "vec3 n = normalize(vec3(-fromValley(h.yz), 1.0)).xzy, light = "
+                 "sunDirection(18.0, LATITUDE, declination);"
+                 "Place place = Place(vec3(xz.x, h.x, xz.y), n, vec3(0.0), 0.0, true);"
+                 "return vec3(lightSeen(place, light, 0.02), h.x / HIGHEST, dot(n, light));");
+    struct d3 light = sun_at(18.0);
+    double off[2] = {0.0, 0.0}, hard = 0.0; // elsewhere, in the rim
+    int count[2] = {0, 0}, wrong = 0;
+    for (int i = 0; i < CHAPTER_WIDTH * CHAPTER_HEIGHT; i += 23) {
+        if (values[4 * i + 1] <= 0.0f || values[4 * i + 2] <= 0.1f) // in the lake, turned away
+            continue;
+        double x = -12.0 + 0.04 * (i % CHAPTER_WIDTH), z = 24.0 + 0.05 * (i / CHAPTER_WIDTH),
+               share = (double)values[4 * i];
+        struct d3 at = turned(d3(x, highest * (double)values[4 * i + 1] + 0.06, z));
+        bool top = sees(at, light, disc, 0.5 * MIRROR_PI),
+             rim = top != sees(at, light, disc, -0.5 * MIRROR_PI);
+        double right = rim ? free_share(at, light) : (double)top;
+        off[rim] += fabs(share - right);
+        hard += rim ? fabs(round(right) - right) : 0.0;
+        wrong += fabs(share - right) > 0.5;
+        count[rim]++;
+    }
+    free(values);
+    print_message("# the sun over the land: at %d places in the shadow's rim the share is off by "
+                  "%.4f on average, a hard shadow by %.4f; at %d others by %.4f; at %d by more "
+                  "than a half\n",
+                  count[1], off[1] / count[1], hard / count[1], count[0], off[0] / count[0], wrong);
+    assert_true(count[0] > 2000 && count[1] >= 8);
+    assert_true(off[0] < 0.0075 * count[0] && off[1] < 0.45 * count[1]);
+}
+
+TESTS(gpu_setup, gpu_teardown)

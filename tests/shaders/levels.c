@@ -1,0 +1,95 @@
+// levels.c - the level at which a texture is read, against the mean over what the pixel
+// covers.
+#include "lib/test.h"
+#include "lib/levels.h"
+
+static int setup(void **state)
+{
+    return gpu_setup(state) == 0 && levels_open() ? 0 : -1;
+}
+
+// The largest difference between two readings, which are freed; without end where one is missing.
+static double apart(float *a, float *b)
+{
+    double largest = HUGE_VAL;
+    if (a != NULL && b != NULL) {
+        largest = 0.0;
+        for (int i = 0; i < 4 * 1024; i++)
+            largest = fmax(largest, fabs((double)a[i] - (double)b[i]));
+    }
+    free(a);
+    free(b);
+    return largest;
+}
+
+// Between a footprint of n x n texels and a level.
+static double off_level(double n, double level)
+{
+    return apart(levels_read(LEVELS_SIDES, n, n, 1.0, 1.0),
+                 levels_read(LEVELS_LEVEL, level, 0.0, 1.0, 1.0));
+}
+
+// At powers of two, where it is a whole level. Half a level off changes some place by more than
+// 0.02: nothing here is the same at all levels.
+TEST(test_level_is_the_logarithm_of_the_texels)
+{
+    for (int level = 0; level <= 6; level++) {
+        assert_true(off_level(exp2(level), level) < 0.002);
+        assert_true(off_level(exp2(level), level + 0.5) > 0.02);
+        assert_true(level == 0 || off_level(exp2(level), level - 0.5) > 0.02);
+    }
+    assert_true(off_level(0.25, 0.0) < 0.002); // near by it is level 0
+}
+
+// Without a level a pixel shows one place of all that it covers: its error grows to the picture's
+// own spread. With the level it is at most 0.67 of that from 4 texels on, 0.55 from 8, a
+// quarter from 32. Four times the footprint is worse than the right one at every distance; so is a
+// quarter of it from 8 on: only half, which is sharper, is better, for level L blurs over 2^L
+// texels and more.
+TEST(test_level_is_nearer_to_what_is_covered)
+{
+    double last = 0.0;
+    for (double n = 1.0; n <= 64.0; n *= 2.0) {
+        double none = levels_error(n, n, 0.0, 1.0), right = levels_error(n, n, 1.0, 1.0);
+        assert_true(none >= 0.0 && right >= 0.0);
+        assert_true(none > last || n == 1.0);
+        assert_true(right <= none * (n >= 32.0 ? 0.25 : n >= 8.0 ? 0.55 : n >= 4.0 ? 0.67 : 1.0));
+        assert_true(levels_error(n, n, 4.0, 1.0) > 1.2 * right);
+        assert_true(n < 8.0 || levels_error(n, n, 0.25, 1.0) > 1.2 * right);
+        last = none;
+    }
+}
+
+// A texel of level L is a box of w = 2^L texels, of variance w^2 / 12 on each axis; the straight
+// lines between texels are a tent, of variance w^2 / 6. Together that is the pixel's own n^2 / 12
+// where w is n / sqrt(3): there the error is least.
+TEST(test_best_level_is_where_the_variances_agree)
+{
+    for (double n = 6.0; n <= 48.0; n *= 2.0) {
+        double best = levels_error(n, n, 1.0 / sqrt(3.0), 1.0);
+        assert_true(best < 0.95 * levels_error(n, n, 1.0, 1.0));
+        assert_true(best < 0.8 * levels_error(n, n, 0.4, 1.0));
+        for (double factor = 0.4; factor < 1.2; factor += 0.1)
+            assert_true(best < 1.15 * levels_error(n, n, factor, 1.0));
+    }
+}
+
+// On a floor the footprint is long and narrow, and one level serves both sides: from 4 x 8 texels
+// on it is nearer than none, below that it blurs more than it helps.
+TEST(test_level_helps_on_a_floor)
+{
+    for (double sine = 0.5; sine >= 0.0625; sine *= 0.5)
+        for (double n = 4.0; n <= 16.0; n *= 2.0)
+            assert_true(levels_error(n, n / sine, 1.0, sine) <
+                        0.9 * levels_error(n, n / sine, 0.0, sine));
+}
+
+// What footprintOn passes is the longer side: the same as its sides by hand.
+TEST(test_footprint_of_a_floor_is_width_over_sine)
+{
+    for (double sine = 1.0; sine >= 0.0625; sine *= 0.5)
+        assert_true(apart(levels_read(LEVELS_FLOOR, 3.0, 3.0, 1.0, sine),
+                          levels_read(LEVELS_SIDES, 3.0, 3.0 / sine, 1.0, sine)) < 0.002);
+}
+
+TESTS(setup, gpu_teardown)

@@ -1,0 +1,36 @@
+#version 330 core
+// For precision.c: what this driver makes of the built-in functions. Time chooses the function; x and y
+// the number.
+
+in float Time;
+out vec4 FragColor;
+
+void main()
+{
+    int function = int(Time);
+    float u = (gl_FragCoord.x + 1024.0 * (gl_FragCoord.y - 0.5)) / 4096.0, v = 2.0 * u - 1.0; // v from -1 to 1
+    vec2 pair = vec2(u, 0.0);
+    if (function == 0)
+        pair = vec2(3.14159265 * v, sin(3.14159265 * v));
+    else if (function == 1)
+        pair = vec2(3.14159265 * v, cos(3.14159265 * v));
+    else if (function == 2)
+        pair = vec2(1.5 * v, tan(1.5 * v));
+    else if (function == 3)
+        pair = vec2(v, asin(v));
+    else if (function == 4)
+        pair = vec2(v, acos(v));
+    else if (function == 5)
+        pair = vec2(20.0 * v, atan(20.0 * v));
+    else if (function == 6)
+        pair = vec2(20.0 * v, exp(20.0 * v));
+    else if (function == 7)
+        pair = vec2(20.0 * u, log(20.0 * u));
+    else if (function == 8)
+        pair = vec2(u, pow(u, 2.4));
+    else if (function == 9)
+        pair = vec2(20.0 * u, sqrt(20.0 * u));
+    else
+        pair = vec2(20.0 * u, inversesqrt(20.0 * u));
+    FragColor = vec4(pair, 0.0, 0.0);
+}

@@ -1,0 +1,260 @@
+// transform.c - shaders/transform.glsl: rigid maps and scaling stay exact, and linear maps are
+// safe by their largest stretch.
+#include "lib/test.h"
+#include "lib/gpu.h"
+#include "lib/matrix.h"
+
+#define SHADER "tests/shaders/transform.frag"
+
+enum {
+    TURNED_BOX,
+    SCALED_BOX,
+    SQUEEZED_BALL,
+    TORUS,
+    TWIST = 10,
+    BEND,
+    MATRICES = 20,
+    TURN,
+    STRETCH
+};
+enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS, SLOTS = 4 };
+
+static const struct d3 half = {0.75, 0.5, 1.25}, shift = {0.5, -0.25, 1.0};
+
+// The numbers of ITEMS items, each of 4 slots of 4 floats; the caller frees them.
+static float *ask(int function, float a, float b, float c)
+{
+    return gpu_call(SHADER, WIDE * SLOTS, ROWS, function, (const float[4]){a, b, c});
+}
+
+// ---- Isometries ----
+
+// The distance to a box given by its middle, its axes and half sizes, from its closest point.
+static double brute_turned_box(struct d3 p, const struct m3 *axes)
+{
+    struct d3 from = d3_sub(p, shift), closest = shift;
+    double local[3], size[3] = {half.x, half.y, half.z}, depth = INFINITY;
+    for (int i = 0; i < 3; i++) {
+        local[i] = d3_dot(from, axes->column[i]);
+        depth = fmin(depth, size[i] - fabs(local[i]));
+        double clamped = fmax(-size[i], fmin(size[i], local[i]));
+        closest = d3_add(closest, d3_times(clamped, axes->column[i]));
+    }
+    return depth > 0.0 ? -depth : d3_length(d3_sub(p, closest));
+}
+
+TEST(test_a_moved_and_turned_box_is_exact)
+{
+    static const float angles[][3] = {
+        {0.0f, 0.0f, 0.0f}, {0.7f, 0.0f, 0.0f}, {0.5f, -0.7f, 0.3f}, {2.5f, 1.2f, -3.0f}};
+    double worst = 0.0;
+    for (int k = 0; k < 4; k++) {
+        const float *a = angles[k];
+        struct m3 axes = m3_rotation((double)a[0], (double)a[1], (double)a[2]);
+        float *values = ask(TURNED_BOX, a[0], a[1], a[2]);
+        int inside = 0;
+        for (int i = 0; i < ITEMS; i++) {
+            const float *v = values + 16 * i;
+            double truth = brute_turned_box(d3_of(v), &axes);
+            worst = fmax(worst, fabs((double)v[3] - truth));
+            inside += truth < 0.0;
+        }
+        free(values);
+        assert_true(inside > 100 && inside < ITEMS / 2);
+    }
+    print_message("# a moved and turned box, 4 x %d points: off by at most %.2g\n", ITEMS, worst);
+    assert_true(worst < 4e-6);
+}
+
+TEST(test_rotations_are_orthonormal)
+{
+    double worst = 0.0;
+    for (int k = 0; k < 40; k++) {
+        double a = 0.37 * k - 7.0, b = 0.91 * k - 3.0, c = 1.7 - 0.53 * k;
+        float *v = ask(TURN, (float)a, (float)b, (float)c);
+        struct m3 got = {{d3_of(v), d3_of(v + 4), d3_of(v + 8)}};
+        struct m3 truth = m3_rotation((double)(float)a, (double)(float)b, (double)(float)c);
+        free(v);
+        for (int i = 0; i < 3; i++) {
+            worst = fmax(worst, d3_length(d3_sub(got.column[i], truth.column[i])));
+            struct d3 back = m3_apply_transposed(&got, m3_apply(&got, truth.column[i]));
+            worst = fmax(worst, d3_length(d3_sub(back, truth.column[i])));
+        }
+        worst = fmax(worst, fabs(m3_determinant(&got) - 1.0));
+    }
+    print_message("# 40 rotations: off by at most %.2g; R^T R = 1 and det R = 1 as well\n", worst);
+    assert_true(worst < 2e-5);
+    float *x = ask(TURN, (float)(MIRROR_PI / 2.0), 0.0f, 0.0f); // about x: y goes to z
+    assert_true(d3_length(d3_sub(d3_of(x + 4), d3(0.0, 0.0, 1.0))) < 1e-6);
+    free(x);
+}
+
+// The rotation by angles in degrees, as the library has it.
+static struct m3 turned(double a, double b, double c)
+{
+    double k = MIRROR_PI / 180.0;
+    float *v = ask(TURN, (float)(k * a), (float)(k * b), (float)(k * c));
+    struct m3 matrix = {{d3_of(v), d3_of(v + 4), d3_of(v + 8)}};
+    free(v);
+    return matrix;
+}
+
+// The angle of the rotation that is left when the report's 'inverse' follows the rotation.
+static double residual(double a, double b, double c)
+{
+    double trace = 0.0;
+    struct m3 there = turned(a, b, c), back = turned(-a, -b, -c);
+    for (int i = 0; i < 3; i++) {
+        struct d3 axis = d3(i == 0, i == 1, i == 2);
+        trace += d3_dot(axis, m3_apply(&back, m3_apply(&there, axis)));
+    }
+    return acos(fmax(-1.0, fmin(1.0, 0.5 * (trace - 1.0)))) * 180.0 / MIRROR_PI;
+}
+
+// The same for small angles, by docs/05_transforms.md: products of two.
+static double estimated(double a, double b, double c)
+{
+    return sqrt(b * c * b * c + a * c * a * c + a * b * a * b) * MIRROR_PI / 180.0;
+}
+
+TEST(test_negated_angles_are_no_inverse)
+{
+    double left = residual(30.0, 40.0, 20.0), worse = residual(90.0, 90.0, 0.0);
+    print_message("# left by negated angles: %.1f degrees at (30, 40, 20), %.1f at (90, 90, 0)\n",
+                  left, worse);
+    assert_true(fabs(left - 26.1) < 0.05 && fabs(worse - 120.0) < 1e-4);
+    double small = residual(5.0, 5.0, 5.0), estimate = estimated(5.0, 5.0, 5.0);
+    print_message("# at (5, 5, 5): %.3f degrees, estimated %.3f; at (30, 40, 20) estimated %.1f\n",
+                  small, estimate, estimated(30.0, 40.0, 20.0));
+    assert_true(fabs(small / estimate - 1.0) < 0.05);
+    assert_true(fabs(estimated(30.0, 40.0, 20.0) - 27.3) < 0.05);
+    // The angle of a cosine that is 1 but for a float's rounding.
+    assert_true(residual(30.0, 0.0, 0.0) < 0.05 && residual(0.0, 0.0, -70.0) < 0.05);
+    // The printed matrix: a term of row 1, column 2 is missing.
+    double k = MIRROR_PI / 180.0;
+    struct m3 printed = turned(30.0, 40.0, 20.0);
+    double missing = -cos(30.0 * k) * sin(20.0 * k);
+    printed.column[1].x -= missing;
+    print_message("# the printed matrix at (30, 40, 20): determinant %.3f, largest stretch %.3f\n",
+                  m3_determinant(&printed), m3_largest_stretch(&printed));
+    assert_true(fabs(m3_largest_stretch(&printed) - 1.160) < 0.001);
+}
+
+// ---- Scaling and linear maps ----
+
+TEST(test_scaling_is_exact_with_the_factor_outside)
+{
+    static const float factors[] = {0.25f, 0.5f, 3.0f};
+    for (int k = 0; k < 3; k++) {
+        double factor = (double)factors[k], worst = 0.0, without = 0.0;
+        float *values = ask(SCALED_BOX, factors[k], 0.0f, 0.0f);
+        for (int i = 0; i < ITEMS; i++) {
+            const float *v = values + 16 * i;
+            double truth = brute_box(d3_of(v), d3_times(factor, half)), f = (double)v[3];
+            worst = fmax(worst, fabs(f - truth));
+            if (truth > 0.01)
+                without = fmax(without, f / factor / truth);
+        }
+        free(values);
+        print_message(
+            "# scaled by %.2f: off by at most %.2g; without the factor %.2f times as far\n", factor,
+            worst, without);
+        assert_true(worst < 4e-6 && fabs(without * factor - 1.0) < 0.01);
+    }
+}
+
+// The distance to the spheroid 4 x^2 + y^2 + z^2 = 1, in the half plane of x and rho: the nearest
+// of many points of the ellipse, then a ternary search between its neighbours.
+static double brute_spheroid(struct d3 p)
+{
+    enum { COUNT = 200 };
+    double x = fabs(p.x), rho = hypot(p.y, p.z), step = 0.5 * MIRROR_PI / COUNT, at = 0.0;
+    double best = INFINITY;
+    for (int i = 0; i <= COUNT; i++) {
+        double away = hypot(x - 0.5 * cos(i * step), rho - sin(i * step));
+        at = away < best ? i * step : at;
+        best = fmin(best, away);
+    }
+    double low = at - step, high = at + step;
+    for (int i = 0; i < 60; i++) {
+        double a = low + (high - low) / 3.0, b = high - (high - low) / 3.0;
+        bool nearer = hypot(x - 0.5 * cos(a), rho - sin(a)) < hypot(x - 0.5 * cos(b), rho - sin(b));
+        high = nearer ? b : high;
+        low = nearer ? low : a;
+    }
+    best = hypot(x - 0.5 * cos(low), rho - sin(low));
+    return 4.0 * x * x + rho * rho < 1.0 ? -best : best;
+}
+
+TEST(test_the_largest_singular_value_makes_a_linear_map_safe)
+{
+    float *values = ask(SQUEEZED_BALL, 0.0f, 0.0f, 0.0f);
+    double largest = 0.0;
+    for (int i = 0; i < ITEMS; i++) {
+        const float *v = values + 16 * i;
+        double truth = brute_spheroid(d3_of(v));
+        if (truth > 0.001)
+            largest = fmax(largest, (double)v[3] / truth);
+        else if (truth < -0.001)
+            assert_true((double)v[3] >= truth - 1e-6);
+    }
+    free(values);
+    print_message("# M = diag(2, 1, 1): %.4f of the distance at most; %.4f undivided\n", largest,
+                  2.0 * largest);
+    assert_true(largest <= 1.0001 && largest > 0.98);
+}
+
+TEST(test_largest_stretch_agrees_with_squaring)
+{
+    float *values = ask(MATRICES, 0.5f, 1.0f, -2.0f);
+    double worst = 0.0;
+    for (int i = 0; i < ITEMS; i++) {
+        const float *v = values + 16 * i;
+        struct m3 m = {{d3_of(v), d3_of(v + 4), d3_of(v + 8)}};
+        worst = fmax(worst, fabs((double)v[12] / m3_largest_stretch(&m) - 1.0));
+        assert_true(fabs((double)v[13] - 1.0) < 1e-3); // of a rotation
+    }
+    free(values);
+    print_message("# largestStretch of %d matrices: relative error %.2g\n", ITEMS, worst);
+    assert_true(worst < 2e-4);
+}
+
+// ---- The torus ----
+
+// The nearest point of the middle circle, by search: its distance less the tube.
+static double brute_torus(struct d3 p, double radius, double tube)
+{
+    double best = INFINITY, at = 0.0, width = 0.1;
+    for (int i = 0; i < 64; i++) {
+        double angle = 2.0 * MIRROR_PI * i / 64.0;
+        double away = d3_length(d3_sub(p, d3(radius * cos(angle), 0.0, radius * sin(angle))));
+        at = away < best ? angle : at;
+        best = fmin(best, away);
+    }
+    for (int round = 0; round < 40; round++, width *= 0.6)
+        for (int side = -1; side <= 1; side += 2) {
+            double angle = at + side * width;
+            double away = d3_length(d3_sub(p, d3(radius * cos(angle), 0.0, radius * sin(angle))));
+            at = away < best ? angle : at;
+            best = fmin(best, away);
+        }
+    return best - tube;
+}
+
+TEST(test_torus_is_exact)
+{
+    float *values = ask(TORUS, 1.0f, 0.26f, 0.0f);
+    double worst = 0.0;
+    int inside = 0;
+    for (int i = 0; i < ITEMS; i++) {
+        const float *v = values + 16 * i;
+        double truth = brute_torus(d3_of(v), 1.0, (double)0.26f);
+        worst = fmax(worst, fabs((double)v[3] - truth));
+        inside += truth < 0.0;
+    }
+    free(values);
+    print_message("# torus, %d points, %d inside: off by at most %.2g\n", ITEMS, inside, worst);
+    assert_true(worst < 2e-6 && inside > 30);
+}
+
+TESTS(gpu_setup, gpu_teardown)

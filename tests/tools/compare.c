@@ -1,0 +1,150 @@
+// compare [--words | --part WxH+X+Y] A.png B.png [DIFFERENCE.png] - are two pictures the same one?
+// With --part that part of both, X and Y from the top left.
+// compare --pack A.png B.png - store A as B, in as few bytes as libpng can. A file B that already
+// has these pixels is left as it is.
+//
+// Prints the two numbers that decide, the largest difference, how many pixels differ at all, and
+// the place that differs most, in pixels as --probe counts them; with --words a sentence for a
+// student. Exit status: 0 within tolerance (--pack: stored), 1 outside (--pack: B was left as it
+// is), 2 when it could not compare or store.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include <png.h>
+
+#include "platform.h"
+#include "report.h"
+#include "lib/compare.h"
+
+enum { SAME = 0, DIFFERENT = 1, NOT_COMPARED = 2 };
+
+// Cut a picture down to the part that is asked for, where any is. Returns false, reported.
+static bool cut(struct image *image, const char *text)
+{
+    int width, height, left, top;
+    struct image part = {0};
+    if (text == NULL)
+        return true;
+    if (sscanf(text, "%dx%d+%d+%d", &width, &height, &left, &top) != 4 || width < 1 || height < 1 ||
+        left < 0 || top < 0 || width > image->width - left || height > image->height - top)
+        return report("--part %s: no part of a picture of %dx%d", text, image->width,
+                      image->height);
+    if (!image_create(&part, width, height))
+        return false;
+    for (int y = 0; y < height; y++)
+        memcpy(part.pixel + 3 * (size_t)y * (size_t)width,
+               image->pixel + 3 * ((size_t)(top + y) * (size_t)image->width + (size_t)left),
+               3 * (size_t)width);
+    image_free(image);
+    *image = part;
+    return true;
+}
+
+static int compare(const struct image *a, const struct image *b, bool words, const char *picture)
+{
+    struct image_difference difference;
+    if (!image_compare(a, b, &difference))
+        return NOT_COMPARED;
+    char sentence[256];
+    if (words)
+        puts(image_difference_words(&difference, sentence));
+    else
+        image_print_difference(&difference);
+    if (picture != NULL) {
+        struct image shown = {0};
+        bool written = image_difference_picture(a, b, &shown) && image_write_png(&shown, picture);
+        image_free(&shown);
+        if (!written)
+            return NOT_COMPARED;
+    }
+    return image_same(&difference) ? SAME : DIFFERENT;
+}
+
+// The best compression and, for each row, the filter that suits it: 26 % fewer bytes than
+// image_write_png, in many times its time.
+static bool encode(const struct image *image, FILE *stream)
+{
+    png_struct *png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
+    png_info *info = png != NULL ? png_create_info_struct(png) : NULL;
+    if (info == NULL || setjmp(png_jmpbuf(png))) {
+        png_destroy_write_struct(&png, &info);
+        return false;
+    }
+    png_init_io(png, stream);
+    png_set_compression_level(png, 9);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_ALL_FILTERS);
+    png_set_IHDR(png, info, (png_uint_32)image->width, (png_uint_32)image->height, 8,
+                 PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT,
+                 PNG_FILTER_TYPE_DEFAULT);
+    png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+    png_write_info(png, info);
+    for (int y = 0; y < image->height; y++)
+        png_write_row(png, image->pixel + 3 * (size_t)y * (size_t)image->width);
+    png_write_end(png, info);
+    png_destroy_write_struct(&png, &info);
+    return true;
+}
+
+static bool has_pixels(const char *path, const struct image *image)
+{
+    struct image_bytes stored;
+    char why[IMAGE_WHY];
+    size_t pixels = (size_t)image->width * (size_t)image->height;
+    if (!image_read_bytes(&stored, path, 3, pixels, why))
+        return false;
+    bool same = stored.width == image->width && stored.height == image->height &&
+                memcmp(stored.value, image->pixel, 3 * pixels) == 0;
+    free(stored.value);
+    return same;
+}
+
+static int pack(const char *from, const char *to)
+{
+    struct image image = {0};
+    char target[PLATFORM_PATH], why[PLATFORM_WHY], *data = NULL;
+    size_t size = 0;
+    if (!image_read_png(&image, from))
+        return NOT_COMPARED;
+    bool same = has_pixels(to, &image), stored = false;
+    if (!same && !platform_target(to, target, why)) {
+        report("%s: cannot be written: %s", to, why);
+    } else if (!same) {
+        FILE *stream = platform_open_text(&data, &size);
+        bool encoded = stream != NULL && encode(&image, stream);
+        if (stream != NULL && !platform_close_text(stream))
+            encoded = false;
+        int error = encoded ? platform_replace(target, data, size) : 0;
+        stored = encoded && error == 0;
+        if (!stored)
+            report("%s: cannot be written: %s", to, encoded ? platform_why(error) : "no memory");
+    }
+    free(data);
+    image_free(&image);
+    return same ? DIFFERENT : stored ? SAME : NOT_COMPARED;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc == 4 && strcmp(argv[1], "--pack") == 0)
+        return pack(argv[2], argv[3]);
+    bool words = argc > 1 && strcmp(argv[1], "--words") == 0;
+    argv += words;
+    argc -= words;
+    const char *part = argc > 2 && strcmp(argv[1], "--part") == 0 ? argv[2] : NULL;
+    argv += part != NULL ? 2 : 0;
+    argc -= part != NULL ? 2 : 0;
+    if (argc != 3 && argc != 4) {
+        fprintf(stderr, "usage: compare [--words | --part WxH+X+Y] A.png B.png [DIFFERENCE.png]\n"
+                        "       compare --pack A.png B.png\n");
+        return NOT_COMPARED;
+    }
+    struct image a = {0}, b = {0};
+    int status = NOT_COMPARED;
+    if (image_read_png(&a, argv[1]) && image_read_png(&b, argv[2]) && cut(&a, part) &&
+        cut(&b, part))
+        status = compare(&a, &b, words, argc == 4 ? argv[3] : NULL);
+    image_free(&a);
+    image_free(&b);
+    return status;
+}

@@ -1,0 +1,165 @@
+// draw [BACKEND [FOLDER]] - pictures of tests/pictures/images.txt, many in one context, against
+// their references.
+//
+// Each line of standard input is NAME [ROOT]: a picture, and the project's folder whose shaders
+// draw it,
+// "." where none is given. Answers each with a line, as soon as it is known: 'same' or 'other',
+// NAME and what compare prints of it; or 'none' and NAME where there is no picture, with a reason
+// on standard error. With FOLDER each picture is left there as NAME.BACKEND.png.
+//
+// A picture is made of its options as the programs make it.
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "command/run.h"
+#include "memory.h"
+#include "report.h"
+#include "lib/compare.h"
+#include "lib/mirror.h"
+
+enum { WORDS = 64, LINE = 4096 };
+
+// The line of a picture in tests/pictures/images.txt, its stem and its options cut into words of
+// it.
+struct listed {
+    char line[LINE], stem[LINE];
+    char *word[WORDS]; // a command line, NULL at its end
+    int count;
+};
+
+static bool read_line(struct listed *listed, const char *name)
+{
+    static const char blank[] = " \t\n";
+    char own[2 * LINE];
+    char *rest, *stem = strtok_r(listed->line, blank, &rest);
+    const char *variant = stem != NULL ? strtok_r(NULL, blank, &rest) : NULL;
+    if (variant == NULL || stem[0] == '#')
+        return false;
+    bool first = strcmp(variant, "-") == 0;
+    snprintf(own, sizeof own, "%s%s%s", stem, first ? "" : "-", first ? "" : variant);
+    if (strcmp(own, name) != 0)
+        return false;
+    snprintf(listed->stem, sizeof listed->stem, "%s", stem);
+    while (listed->count < WORDS - 1 &&
+           (listed->word[listed->count] = strtok_r(NULL, blank, &rest)) != NULL)
+        listed->count++;
+    listed->word[listed->count] = NULL;
+    return true;
+}
+
+// Find a picture. The command line begins as that of a program that writes it.
+static bool find_picture(struct listed *listed, const char *name, char *output)
+{
+    FILE *file = fopen("tests/pictures/images.txt", "r");
+    bool found = false;
+    while (file != NULL && !found && fgets(listed->line, LINE, file) != NULL) {
+        listed->count = 0;
+        listed->word[listed->count++] = "draw";
+        listed->word[listed->count++] = "-o";
+        listed->word[listed->count++] = output;
+        found = read_line(listed, name);
+    }
+    if (file != NULL)
+        fclose(file);
+    return found || report("tests/pictures/images.txt: has no %s", name);
+}
+
+// In the project's folder, as the options name their files.
+static bool draw(const struct context *context, struct run *run, struct image *image)
+{
+    struct renderer *renderer = &run->picture[0].renderer;
+    struct renderer_inputs inputs = run_still_inputs(&run->options);
+    struct renderer_eye eye;
+    bool probes = run->options.has_overlay && run->options.probe_count > 0;
+    struct probe *probe = probes ? memory_zeros(1, sizeof *probe) : NULL;
+    snprintf(run->root, sizeof run->root, ".");
+    bool done =
+        run_find_shader(run) && run_read_shaders(run) == RUN_DONE && run_compile(run, &context->gl);
+    if (done)
+        run_start_ray(&run->options, renderer, &inputs, &eye);
+    done =
+        done &&
+        (!probes || renderer_probe(renderer, &inputs, inputs.pixel[0], inputs.pixel[1], probe)) &&
+        run_draw(run, &inputs, probe, image);
+    free(probe);
+    return done;
+}
+
+// The title of a chapter, as its program has it.
+static bool find_title(const char *stem, char title[LINE])
+{
+    char path[PLATFORM_PATH], line[LINE];
+    snprintf(path, sizeof path, "chapters/%.200s.c", stem);
+    FILE *file = fopen(path, "r");
+    bool found = false;
+    while (file != NULL && !found && fgets(line, sizeof line, file) != NULL)
+        found = sscanf(line, " .title = \"%4000[^\"]\"", title) == 1;
+    if (file != NULL)
+        fclose(file);
+    return found || report("%s: has no title", path);
+}
+
+// The picture with the shaders of a folder.
+static bool draw_in(const struct context *context, const char *name, const char *root,
+                    struct image *image)
+{
+    static struct listed listed;
+    char title[LINE];
+    struct camera camera;
+    struct run run = {0};
+    char here[PLATFORM_PATH], output[] = "picture.png";
+    if (!find_picture(&listed, name, output) || !find_title(listed.stem, title) ||
+        !mirror_camera(".", listed.stem, &camera) ||
+        !run_parse(&run, listed.stem, title, &camera, listed.count, listed.word))
+        return false;
+    bool alone = run.options.frames == 0;
+    bool moved = alone && getcwd(here, sizeof here) != NULL && chdir(root) == 0;
+    bool done = moved ? draw(context, &run, image) : report("%s: not drawn in %s", name, root);
+    run_close(&run);
+    return (!moved || chdir(here) == 0) && done;
+}
+
+// Draw, compare, answer.
+static void answer(const struct context *context, const char *name, const char *root,
+                   const char *backend, const char *folder)
+{
+    struct image drawn = {0}, stored = {0};
+    struct image_difference difference;
+    char path[2 * PLATFORM_PATH];
+    bool done = draw_in(context, name, root, &drawn);
+    if (done && folder != NULL) {
+        snprintf(path, sizeof path, "%s/%s.%s.png", folder, name, backend);
+        done = image_write_png(&drawn, path);
+    }
+    snprintf(path, sizeof path, "tests/references/%s.png", name);
+    if (done && image_read_png(&stored, path) && image_compare(&stored, &drawn, &difference)) {
+        printf("%s %s ", image_same(&difference) ? "same" : "other", name);
+        image_print_difference(&difference);
+    } else {
+        printf("none %s\n", name);
+    }
+    fflush(stdout);
+    image_free(&drawn);
+    image_free(&stored);
+}
+
+int main(int argc, char **argv)
+{
+    struct context context = {0};
+    enum context_backend backend = CONTEXT_ANY;
+    char line[LINE], *rest;
+    if ((argc > 1 && !context_backend_from_name(argv[1], &backend)) ||
+        !context_open_offscreen(&context, backend))
+        return RUN_NOT_DONE;
+    while (fgets(line, sizeof line, stdin) != NULL) {
+        const char *name = strtok_r(line, " \n", &rest);
+        const char *root = name != NULL ? strtok_r(NULL, " \n", &rest) : NULL;
+        if (name != NULL)
+            answer(&context, name, root != NULL ? root : ".", argc > 1 ? argv[1] : "",
+                   argc > 2 ? argv[2] : NULL);
+    }
+    context_close(&context);
+    return RUN_DONE;
+}

@@ -1,0 +1,104 @@
+// judge - the words of judge.h for a shell.
+//
+//   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png  place, share, what is wrong: a line each
+//   judge rays WITH PLACES RIGHT MINE  what is wrong; files of what --probe prints
+//   judge ray PROBE                    a march in words, from such a file
+//   judge right SHARE...               the sentence for a right answer, of its pictures' shares
+//
+// Exit status: 0 right, 1 wrong, 2 when it could not judge.
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "report.h"
+#include "shader/text_file.h"
+#include "lib/compare.h"
+#include "lib/judge.h"
+
+enum { RIGHT = 0, WRONG = 1, NOT_JUDGED = 2 };
+
+static int say(const char *words)
+{
+    if (words[0] != '\0')
+        puts(words);
+    return words[0] != '\0' ? WRONG : RIGHT;
+}
+
+static int judge_files(const char *with, char **path)
+{
+    struct image right = {0}, mine = {0}, shown = {0};
+    int status = NOT_JUDGED;
+    if (image_read_png(&right, path[0]) && image_read_png(&mine, path[1])) {
+        if (right.width != mine.width || right.height != mine.height)
+            report("%s: is no picture of %dx%d", path[1], right.width, right.height);
+        else if (image_create(&shown, right.width, right.height)) {
+            const char *words = judge_picture(with, right.width, right.height, right.pixel,
+                                              mine.pixel, shown.pixel);
+            printf("%s\n%.9f\n", judge_place(), judge_share());
+            status = say(words);
+            if (status == WRONG && !image_write_png(&shown, path[2]))
+                status = NOT_JUDGED;
+        }
+    }
+    image_free(&shown);
+    image_free(&right);
+    image_free(&mine);
+    return status;
+}
+
+// The whole of a file, which the caller frees; NULL, reported.
+static char *read_text(const char *path)
+{
+    enum { MOST = 1 << 22 };
+    char why[TEXT_FILE_WHY] = "not enough memory";
+    FILE *file = text_file_open(path, why);
+    char *text = file != NULL ? malloc(MOST) : NULL;
+    if (text == NULL)
+        report("%s: cannot be read: %s", path, why);
+    else
+        text[fread(text, 1, MOST - 1, file)] = '\0';
+    if (file != NULL)
+        fclose(file);
+    return text;
+}
+
+static int judge_texts(const char *with, const char *places, const char *right, const char *mine)
+{
+    char *a = read_text(right), *b = read_text(mine);
+    int status = a != NULL && b != NULL ? say(judge_rays(with, places, a, b)) : NOT_JUDGED;
+    free(a);
+    free(b);
+    return status;
+}
+
+static int tell_ray(const char *path)
+{
+    char *text = read_text(path);
+    if (text != NULL)
+        say(judge_ray(text));
+    free(text);
+    return text != NULL ? RIGHT : NOT_JUDGED;
+}
+
+int main(int argc, char **argv)
+{
+    const char *what = argc > 1 ? argv[1] : "";
+    if (argc == 6 && strcmp(what, "picture") == 0)
+        return judge_files(argv[2], argv + 3);
+    if (argc == 6 && strcmp(what, "rays") == 0)
+        return judge_texts(argv[2], argv[3], argv[4], argv[5]);
+    if (argc == 3 && strcmp(what, "ray") == 0)
+        return tell_ray(argv[2]);
+    if (argc > 2 && strcmp(what, "right") == 0) {
+        double most = 0.0;
+        for (int i = 2; i < argc; i++)
+            most = fmax(most, strtod(argv[i], NULL));
+        puts(judge_right(argc - 2, most));
+        return RIGHT;
+    }
+    fprintf(stderr,
+            "usage: judge picture WITH RIGHT.png MINE.png DIFFERENCE.png | rays WITH PLACES "
+            "RIGHT MINE | ray PROBE | right SHARE...\n");
+    return NOT_JUDGED;
+}

@@ -1,0 +1,346 @@
+// measure.c - build/tests/measure NAME prints a table of numbers that the pages quote.
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "platform.h"
+#include "lib/bound.h"
+#include "lib/checkers.h"
+#include "lib/enlarge.h"
+#include "lib/filter.h"
+#include "lib/glass.h"
+#include "lib/gloss.h"
+#include "lib/levels.h"
+#include "lib/measure.h"
+#include "lib/occlusion.h"
+#include "lib/report_pictures.h"
+#include "lib/sky_table.h"
+#include "lib/speed.h"
+
+static int print_normal(void)
+{
+    static const double steps[] = {1e-7, 1e-6, 1e-5, 1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 0.1, 0.3};
+    printf("# worst error of the normal of the unit ball at z = 10 in 32-bit floats, degrees\n");
+    printf("step,central,central_truncation,forward,forward_truncation,rounding_bound\n");
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+        struct normal_error e = measure_normal(steps[i]);
+        printf("%g,%.3g,%.3g,%.3g,%.3g,%.3g\n", steps[i], e.central, e.central_truncation,
+               e.forward, e.forward_truncation, e.rounding);
+    }
+    return 0;
+}
+
+static int print_plane(void)
+{
+    static const double angles[] = {90.0, 60.0, 45.0, 30.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5};
+    static const int limits[] = {60, 64, 128, 256};
+    printf(
+        "# moves to a plane from height 1, threshold 0.001; one evaluation more is a step count\n");
+    printf("degrees,moves,formula\n");
+    for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++)
+        printf("%g,%d,%d\n", angles[i], measure_plane_moves(angles[i], 0.001),
+               measure_plane_formula(angles[i], 0.001));
+    printf("# under this angle, in degrees, so many evaluations do not reach it\n");
+    printf("evaluations,threshold_0.01,threshold_0.001,threshold_0.0005\n");
+    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++)
+        printf("%d,%.2f,%.2f,%.2f\n", limits[i], measure_plane_limit(limits[i], 0.01),
+               measure_plane_limit(limits[i], 0.001), measure_plane_limit(limits[i], 0.0005));
+    return 0;
+}
+
+static int print_sphere(void)
+{
+    printf("# moves past a ball of radius 1, from 3 before the closest point to 3 behind\n");
+    printf("miss,threshold,moves,formula\n");
+    for (double delta = 1e-2; delta > 5e-6; delta /= 10.0)
+        printf("%g,%g,%d,%.1f\n", delta, delta / 10.0, measure_ball_moves(delta, delta / 10.0),
+               MIRROR_PI * sqrt(2.0 / delta));
+    for (double threshold = 1e-2; threshold > 5e-6; threshold /= 10.0)
+        printf("0,%g,%d,%.1f\n", threshold, measure_ball_moves(0.0, threshold),
+               sqrt(2.0 / threshold));
+    return 0;
+}
+
+static int print_rate(void)
+{
+    printf("# e_(n+1) / e_n near a transversal hit on a ball\n");
+    printf("cosine,ratio,1 - cosine\n");
+    for (int i = 1; i < 10; i++)
+        printf("%.1f,%.4f,%.1f\n", 0.1 * i, measure_rate(0.1 * i), 1.0 - 0.1 * i);
+    return 0;
+}
+
+static int print_foot(void)
+{
+    printf("# normal at the foot of the hit against where the ray meets a ball: worst, degrees\n");
+    printf("radius,threshold,measured,arccos(r / (r + threshold)),sqrt(2 threshold / r)\n");
+    static const double cases[][2] = {{1.0, 5e-4},  {0.52, 5e-4}, {0.27, 5e-4},
+                                      {0.16, 5e-4}, {1.0, 1e-2},  {1.0, 1e-5}};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        double radius = cases[i][0], threshold = cases[i][1], degrees = 180.0 / MIRROR_PI;
+        printf("%g,%g,%.2f,%.2f,%.2f\n", radius, threshold, measure_foot(radius, threshold),
+               acos(radius / (radius + threshold)) * degrees,
+               sqrt(2.0 * threshold / radius) * degrees);
+    }
+    return 0;
+}
+
+static int print_threshold(void)
+{
+    static const double thresholds[] = {0.0001, 0.001, 0.01, 0.05, 0.1, 0.2};
+    double exact = measure_outline_theory(0.0);
+    printf("# outline of a ball of radius 1 seen from 5, 640x360: radius %.3f pixels\n", exact);
+    printf("threshold,grown_by,expected\n");
+    for (size_t i = 0; i < sizeof thresholds / sizeof thresholds[0]; i++) {
+        printf("%g,%.3f,%.3f\n", thresholds[i], measure_outline(thresholds[i]) - exact,
+               measure_outline_theory(thresholds[i]) - exact);
+    }
+    return 0;
+}
+
+static int print_acne(void)
+{
+    static const double offsets[] = {0.0, 0.25, 0.5, 0.75, 1.0, 1.25, 1.5, 2.0, 4.0, 10.0};
+    printf("# share of the stage's lit pixels in their own shadow, chapter 03\n");
+    printf("offset_in_thresholds,share\n");
+    for (size_t i = 0; i < sizeof offsets / sizeof offsets[0]; i++) {
+        printf("%g,%.4f\n", offsets[i], measure_acne(offsets[i]));
+    }
+    return 0;
+}
+
+static void print_bound_row(const char *stem, const char *rays, const struct bound_sums *sum)
+{
+    printf("%s,%s,%d,%.2f,%.2f,%.2f,%.2f,%.2f,%.4f\n", stem, rays, sum->rays,
+           (double)sum->march / sum->rays, (double)sum->least / sum->rays,
+           (double)sum->most / sum->rays, (double)sum->march / sum->least, sum->smallest,
+           sum->lipschitz);
+}
+
+// Rays from height 1: under an angle towards a plane, beside it (0), or away from it.
+static void print_bound_planes(void)
+{
+    static const double angles[] = {60.0, 45.0, 30.0, 10.0, 5.0, 0.0, -5.0, -10.0, -30.0, -60.0};
+    printf("# a ray of length 10000 and a plane, threshold 1e-9\n");
+    printf("degrees,march,least,march / least,formula\n");
+    for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++) {
+        bool hit;
+        double slope = sin(angles[i] * MIRROR_PI / 180.0);
+        int march = cover_plane_march(1.0, slope, 1e4, 1e-9, &hit);
+        int least = cover_plane_least(1.0, slope, 1e4, 1e-9);
+        printf("%g,%d,%d,%.2f,%.2f\n", angles[i], march, least, (double)march / least,
+               cover_plane_ratio(slope));
+    }
+}
+
+static int print_bound(void)
+{
+    print_bound_planes();
+    printf("# evaluations of a march, and the fewest that could do: between least and most\n");
+    printf("chapter,end,rays,march,least,most,march / least,of one ray,slope\n");
+    for (int i = 0; i < bound_case_count; i++) {
+        struct bound_sums sum[2];
+        bound_measure(&bound_cases[i], 1, sum);
+        print_bound_row(bound_cases[i].stem, "hit", &sum[1]);
+        print_bound_row(bound_cases[i].stem, "miss", &sum[0]);
+    }
+    return 0;
+}
+
+static void print_shadow_row(const char *scene, const char *formula,
+                             const struct shadow_error *error)
+{
+    printf("%s,%s,%.3f,%.3f,%.3f\n", scene, formula, error->mean, error->mean_size, error->worst);
+}
+
+// The wall of the page's worked point: its edge stands 0.4 over the floor and 0.43 away.
+static bool wall_blocks(struct d3 direction, const void *unused)
+{
+    (void)unused;
+    return 0.43 * direction.y + 0.4 * direction.z < 0.0;
+}
+
+static void print_wall(void)
+{
+    double up = 29.0 * MIRROR_PI / 180.0, turn = 214.0 * MIRROR_PI / 180.0, spread = 0.04;
+    struct d3 sun = d3(cos(up) * cos(turn), sin(up), cos(up) * sin(turn));
+    double sine = (0.43 * sun.y + 0.4 * sun.z) / hypot(0.43, 0.4);
+    double clear = sine / sqrt(1.0 - sine * sine) / spread;
+    double share = 0.5 + (asin(clear) + clear * sqrt(1.0 - clear * clear)) / MIRROR_PI;
+    printf("# 0.43 before a wall 0.4 high: clear %.3f, seen %.4f; of 2000 x 2000 places %.4f\n",
+           clear, share, shadow_share(wall_blocks, NULL, sun, spread, 2000));
+}
+
+static int print_shadows(void)
+{
+    static const enum shadow_formula in_scene[] = {SHADOW_HARD, SHADOW_MOST, SHADOW_LEAST,
+                                                   SHADOW_TWICE, SHADOW_SIGNED};
+    struct shadow_error error;
+    print_wall();
+    printf("# share of the sun that is seen: formula less truth; a sun of radius 0.04, 29 degrees "
+           "high\n");
+    printf("scene,formula,mean,mean of its size,worst\n");
+    for (int obstacle = 0; obstacle < SHADOW_OBSTACLES; obstacle++)
+        for (int formula = 0; formula < SHADOW_FORMULAS; formula++) {
+            error = shadow_error_of((enum shadow_obstacle)obstacle, (enum shadow_formula)formula);
+            print_shadow_row(shadow_obstacle_names[obstacle], shadow_formula_names[formula],
+                             &error);
+        }
+    struct shadow_error scene[5];
+    measure_shadow_scene(scene);
+    for (int i = 0; i < 5; i++)
+        print_shadow_row("chapter 13", shadow_formula_names[in_scene[i]], &scene[i]);
+    return 0;
+}
+
+// The share of the light that each highlight sends back, by the angle to the eye and over all
+// angles.
+static int print_gloss(void)
+{
+    static const double roughnesses[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};
+    printf(
+        "# share of the light that is sent back, all mirrors sending all: GGX; Blinn and Phong\n");
+    printf(
+        "roughness,straight,at 60 degrees,at 80 degrees,mean,exponent,straight,at 60 degrees,at 80 "
+        "degrees,mean,(n + 8) / (8 pi),no factor\n");
+    for (size_t i = 0; i < sizeof roughnesses / sizeof roughnesses[0]; i++) {
+        double r = roughnesses[i], n = gloss_exponent(r), steep = cos(80.0 * MIRROR_PI / 180.0);
+        printf("%g,%.3f,%.3f,%.3f,%.3f,%.3g,%.3f,%.3f,%.3f,%.3f,%.3f,%.3f\n", r,
+               gloss_albedo(gloss_ggx, r, r, 1.0), gloss_albedo(gloss_ggx, r, r, 0.5),
+               gloss_albedo(gloss_ggx, r, r, steep), gloss_mean_albedo(gloss_ggx, r, r), n,
+               gloss_albedo(gloss_blinn_phong, n, r, 1.0),
+               gloss_albedo(gloss_blinn_phong, n, r, 0.5),
+               gloss_albedo(gloss_blinn_phong, n, r, steep),
+               gloss_mean_albedo(gloss_blinn_phong, n, r), gloss_albedo(gloss_usual, n, r, 1.0),
+               gloss_albedo(gloss_bare, n, r, 1.0));
+    }
+    return 0;
+}
+
+// Each way to colour a pixel of squares against the mean of 64 x 64 samples of that pixel.
+static int print_checkers(void)
+{
+    static const char *const ways[] = {"middle of the pixel", "footprint of the ray", "fwidth"};
+    printf("# squares of the experiment 11_checkers: of 255, root mean square off the mean over "
+           "the pixel\n");
+    printf("orthographic,way,off\n");
+    for (int v = 0; v < 3; v++)
+        for (int way = 0; way < 3; way++) {
+            const struct checkers_view *view = &checkers_views[v];
+            double *share = checkers_shown(view, way), squares = 0.0;
+            int count = 0;
+            for (int y = 1; y < CHECKERS_HEIGHT; y += 5)
+                for (int x = 2; x < CHECKERS_WIDTH; x += 11) {
+                    double low[2], high[2];
+                    if (checkers_hidden(view, x, y) || !checkers_rectangle(view, x, y, low, high))
+                        continue;
+                    double off = share[y * CHECKERS_WIDTH + x] - checkers_of_pixel(view, x, y);
+                    squares += off * off;
+                    count++;
+                }
+            free(share);
+            printf("%g,%s,%.2f\n", view->orthographic, ways[way], 255.0 * sqrt(squares / count));
+        }
+    return 0;
+}
+
+static int print_levels(void)
+{
+    static const double factors[] = {0.0, 0.25, 0.5, 1.0, 2.0, 4.0};
+    if (!levels_open())
+        return 1;
+    printf("# granite.png read with a factor times the footprint, against the mean over it: root "
+           "mean square, of 1\n");
+    printf("texels,sine,none,1/4,1/2,1,2,4\n");
+    for (double sine = 1.0; sine > 0.05; sine /= 4.0)
+        for (double n = 1.0; n <= 32.0; n *= 2.0) {
+            printf("%g,%g", n, sine);
+            for (size_t i = 0; i < sizeof factors / sizeof factors[0]; i++)
+                printf(",%.3f", levels_error(n, n / sine, factors[i], sine));
+            printf("\n");
+        }
+    return 0;
+}
+
+// The means of few samples against that of 256.
+static int print_filters(void)
+{
+    printf("# a fan of fine rays, 64 x 64 pixels: root mean square off 256 samples of the same "
+           "filter, of 1\n");
+    printf("samples");
+    for (int way = 0; way < FILTER_WAYS; way++)
+        printf(",%s", filter_way_names[way]);
+    printf("\n");
+    for (int side = 1; side <= 8; side++) {
+        printf("%d", side * side);
+        for (int way = 0; way < FILTER_WAYS; way++)
+            printf(",%.3f", filter_error((enum filter_way)way, side));
+        printf("\n");
+    }
+    return 0;
+}
+
+// ---- The command line ----
+
+static const struct measurement {
+    const char *name, *what;
+    bool needs_gpu;
+    int (*print)(void);
+} measurements[] = {
+    {"normal", "error of the normal against the step of its differences", false, print_normal},
+    {"plane", "steps to a plane against the angle", false, print_plane},
+    {"sphere", "steps past a ball", false, print_sphere},
+    {"rate", "how fast a march nears a hit", false, print_rate},
+    {"foot", "normal at the foot of a hit against where the ray meets the surface", false,
+     print_foot},
+    {"threshold", "what a threshold adds to an outline", true, print_threshold},
+    {"acne", "share of lit pixels in their own shadow against the offset", true, print_acne},
+    {"bound", "evaluations of a march against the fewest that could do", true, print_bound},
+    {"shadows", "soft shadows by one march, against what is seen of the sun", true, print_shadows},
+    {"occlusion", "the sky that is seen by five taps, against the truth", true, occlusion_print},
+    {"glass", "shares that glass mirrors; what is dark after so many surfaces", true, glass_print},
+    {"gloss", "share of the light that a highlight sends back", false, print_gloss},
+    {"filters", "error of a pixel's mean against the number and the places of its samples", false,
+     print_filters},
+    {"checkers", "squares averaged over a pixel, three ways, against samples", true,
+     print_checkers},
+    {"levels", "error of a texture against the footprint that its level is chosen by", true,
+     print_levels},
+    {"sky", "a sky from tables and by other ways, against the integral", true, sky_table_print},
+    {"enlarge", "filters that enlarge a picture: their errors and costs", true, enlarge_print},
+    {"report", "three pictures of the report, drawn again, beside its engine", true, report_print},
+};
+enum { MEASUREMENTS = sizeof measurements / sizeof *measurements };
+
+static int usage(FILE *file)
+{
+    fputs("Usage: measure NAME\n", file);
+    for (int i = 0; i < MEASUREMENTS; i++)
+        fprintf(file, "  %-9s  %s\n", measurements[i].name, measurements[i].what);
+    fputs("  speed A.frag B.frag [WxH]\n"
+          "             CPU time of two shaders, their frames in turn, and of a cold compilation;\n"
+          "             A.frag@X,Y,Z,PAN,TILT places the camera\n",
+          file);
+    return file == stdout ? 0 : 2;
+}
+
+int main(int argc, char **argv)
+{
+    const struct measurement *wanted = measurements;
+    if (argc < 2)
+        return usage(stdout);
+    bool speed = strcmp(argv[1], "speed") == 0;
+    while (wanted < measurements + MEASUREMENTS && strcmp(argv[1], wanted->name) != 0)
+        wanted++;
+    if (wanted == measurements + MEASUREMENTS && !speed)
+        return usage(stderr);
+    if (!speed && !wanted->needs_gpu)
+        return wanted->print();
+    // A cold start is one without the driver's own store of compiled shaders.
+    if (speed)
+        platform_set("MESA_SHADER_CACHE_DISABLE", "true", true);
+    int status = !gpu_open() ? 1 : speed ? speed_print(argc, argv) : wanted->print();
+    gpu_close();
+    return status;
+}

@@ -1,0 +1,62 @@
+// probe.c - the colour that --probe prints is the picture's. tests/unit/trace.c tests the steps of
+// the table, tests/unit/numbers.c how it is printed.
+#include "lib/test.h"
+#include "lib/gpu.h"
+#include "lib/mirror.h"
+
+enum { WIDTH = 640, HEIGHT = 360 };
+
+static struct probe probe; // too large for the stack
+
+static void load_chapter(const char *stem, struct renderer_inputs *inputs)
+{
+    *inputs = (struct renderer_inputs){.width = WIDTH, .height = HEIGHT, .samples = 1};
+    inputs->camera = gpu_open_chapter(stem);
+}
+
+// At some pixels the probe's colour is the picture's, to the bit, whatever bands and samples that
+// is made of; in the slice view the one that the picture has.
+static void check_colours(const struct renderer_inputs *inputs, enum shader_view view)
+{
+    struct image image = {0};
+    assert_true(renderer_set_view(&gpu.renderer, view));
+    assert_true(renderer_picture(&gpu.renderer, inputs, &image));
+    if (view == SHADER_PICTURE && gpu.renderer.fragment.dialect == DIALECT_COURSE)
+        assert_true(renderer_set_view(&gpu.renderer, SHADER_SLICE));
+    for (int i = 0; i < 40; i++) {
+        int x = i * 7919 % image.width, y = i * 6271 % image.height;
+        assert_true(renderer_probe(&gpu.renderer, inputs, x, y, &probe));
+        assert_int_equal(probe.recorded, gpu.renderer.fragment.dialect == DIALECT_COURSE);
+        assert_memory_equal(probe.colour,
+                            image.pixel + 3 * ((image.height - 1 - y) * image.width + x), 3);
+    }
+    image_free(&image);
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+}
+
+TEST(test_colour_is_the_picture_s)
+{
+    static const char *const stems[] = {"03_shadows", "06_sierpinski_symmetry",
+                                        "08_orthographic_view", "09_sky_and_sunset",
+                                        "00_first_scene"};
+    struct renderer_inputs inputs;
+    for (int i = 0; i < 5; i++) {
+        load_chapter(stems[i], &inputs);
+        inputs.width = 150 + i;
+        inputs.height = 85;
+        inputs.samples = 1 + i % 3;
+        inputs.time = i;
+        check_colours(&inputs, SHADER_PICTURE);
+        if (gpu.renderer.fragment.dialect == DIALECT_COURSE)
+            check_colours(&inputs, i == 3 ? SHADER_STEPS : SHADER_NORMALS);
+    }
+    inputs = (struct renderer_inputs){.width = 16384, .height = 300, .samples = 1}; // two bands
+    assert_true(gpu_load("chapters/first_steps/1_screen.frag"));
+    check_colours(&inputs, SHADER_PICTURE);
+    assert_true(gpu_load_text("void mainImage(out vec4 c, vec2 p)\n"
+                              "{ c = vec4(fract(sin(p.x * 12.9 + p.y * 78.2) * 43758.5)); }\n"));
+    inputs = gpu_inputs(61, 47, 3);
+    check_colours(&inputs, SHADER_PICTURE);
+}
+
+TESTS(gpu_setup, gpu_teardown)

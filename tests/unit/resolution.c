@@ -1,0 +1,151 @@
+// resolution.c - the resolution of a window's picture, under a clock that is made up.
+#include "lib/test.h"
+#include "window/resolution.h"
+
+enum { FRAMES = 60 };
+static const double pixels = 960.0 * 540.0;
+
+// What a frame takes at a level: so much for itself, so much for each pixel, times what the clock
+// is off by.
+struct machine {
+    double fixed, cost, beside;
+};
+
+static double frame_seconds(const struct machine *machine, int level)
+{
+    return machine->fixed + machine->cost * pixels / pow(2.0, 0.5 * level);
+}
+
+static int draw_frame(struct resolution *resolution, const struct machine *machine, double off)
+{
+    int level = resolution_choose(resolution, pixels, machine->beside);
+    double here = pixels / pow(2.0, 0.5 * level);
+    resolution_learn(resolution, off * frame_seconds(machine, level) / here);
+    return level;
+}
+
+// Numbers from -1 to 1, the same in every run.
+static double chance(void)
+{
+    static uint32_t state = 1;
+    state = state * 1664525u + 1013904223u;
+    return (double)(state >> 8) / (double)(1u << 23) - 1.0;
+}
+
+TEST(sides_follow_the_level)
+{
+    assert_int_equal(resolution_side(0, 961), 961);
+    assert_int_equal(resolution_side(4, 961), 481);
+    assert_int_equal(resolution_side(8, 960), 240);
+    assert_int_equal(resolution_side(RESOLUTION_COARSEST, 1), 1);
+    for (int level = 0; level < RESOLUTION_COARSEST; level++) {
+        double more = resolution_divisor(level + 1) / resolution_divisor(level);
+        assert_true(fabs(more - 1.189207115) < 1e-6);
+    }
+    assert_true(fabs(resolution_divisor(RESOLUTION_COARSEST) - 8.0) < 1e-12);
+}
+
+// Whatever frames take, as long as it stays: the level goes in one direction, then it stays, at a
+// time between the limits, or at an end.
+TEST(it_comes_to_rest)
+{
+    for (double full = 1e-3; full < 20.0; full *= 1.07)
+        for (int begin = 0; begin <= RESOLUTION_COARSEST; begin += 3)
+            for (int i = 0; i < 9; i++) {
+                struct machine machine = {0.01 * (i % 3), full / pixels, 0.012 * (double)(i / 3)};
+                struct resolution resolution = {.level = begin};
+                resolution_guess(&resolution, 3.0 * machine.cost * (chance() + 1.0));
+                draw_frame(&resolution, &machine, 1.0);
+                int last = draw_frame(&resolution, &machine, 1.0), way = 0;
+                for (int frame = 0; frame < FRAMES; frame++) {
+                    int level = draw_frame(&resolution, &machine, 1.0);
+                    int step = (level > last) - (level < last);
+                    assert_true(step * way >= 0);
+                    way = step != 0 ? step : way;
+                    assert_true(frame < 20 || step == 0);
+                    last = level;
+                }
+                double seconds = frame_seconds(&machine, last) + (last > 0 ? machine.beside : 0.0);
+                assert_true(seconds <= RESOLUTION_SLOW || last == RESOLUTION_COARSEST);
+                double finer =
+                    sqrt(2.0) * frame_seconds(&machine, last) + (last > 1 ? machine.beside : 0.0);
+                assert_true(last == 0 || finer >= RESOLUTION_QUICK * (1.0 - 1e-9));
+            }
+}
+
+// A clock that trembles by 14 % moves the level once at most, and then in one direction.
+TEST(a_clock_that_trembles_makes_no_flicker)
+{
+    for (double full = 0.02; full < 5.0; full *= 1.03) {
+        struct machine machine = {0.0, full / pixels, 0.01};
+        struct resolution resolution = {0};
+        resolution_guess(&resolution, machine.cost);
+        int low = RESOLUTION_COARSEST, high = 0, way = 0, last = -1;
+        for (int frame = 0; frame < 400; frame++) {
+            int level = draw_frame(&resolution, &machine, 1.0 + 0.14 * chance());
+            int step = last < 0 ? 0 : (level > last) - (level < last);
+            assert_true(step * way >= 0);
+            way = step != 0 ? step : way;
+            low = frame < 3 || level > low ? low : level;
+            high = frame < 3 || level < high ? high : level;
+            last = level;
+        }
+        assert_true(high - low <= 1);
+    }
+}
+
+// One frame among three that takes ten times as long, or no time, is no matter.
+TEST(a_single_slow_frame_changes_nothing)
+{
+    struct machine machine = {0.0, 0.4 / pixels, 0.01};
+    struct resolution resolution = {0};
+    resolution_guess(&resolution, machine.cost);
+    draw_frame(&resolution, &machine, 1.0);
+    draw_frame(&resolution, &machine, 1.0);
+    int level = draw_frame(&resolution, &machine, 1.0);
+    assert_in_range(level, 1, RESOLUTION_COARSEST - 1);
+    for (int frame = 0; frame < FRAMES; frame++) {
+        double off = frame % 3 != 0 ? 1.0 : frame % 2 == 0 ? 10.0 : 0.0;
+        assert_int_equal(draw_frame(&resolution, &machine, off), level);
+    }
+}
+
+// A change that lasts is followed in its second frame; the guess of a new program by the first.
+TEST(a_change_that_lasts_is_followed)
+{
+    struct machine quick = {0.0, 0.03 / pixels, 0.01}, slow = {0.0, 1.2 / pixels, 0.01};
+    struct resolution resolution = {0};
+    resolution_guess(&resolution, slow.cost);
+    int coarse = draw_frame(&resolution, &quick, 1.0);
+    assert_true(coarse > 6);
+    for (int frame = 0; frame < 5; frame++)
+        assert_int_equal(draw_frame(&resolution, &quick, 1.0), 0);
+    assert_int_equal(draw_frame(&resolution, &slow, 1.0), 0);
+    assert_int_equal(draw_frame(&resolution, &slow, 1.0), 0);
+    for (int frame = 0; frame < 5; frame++)
+        assert_int_equal(draw_frame(&resolution, &slow, 1.0), coarse);
+}
+
+// Windows of all sizes: the filter is chosen by what it takes, once, under a clock that trembles by
+// 15 %, with one time among five ten times as long.
+TEST(the_filter_does_not_flicker)
+{
+    for (double edge = 0.002; edge < 0.2; edge *= 1.05) {
+        struct enlarging enlarging = {0};
+        int changes = 0;
+        for (int frame = 0; frame < 200; frame++) {
+            bool before = enlarging.plain;
+            double seconds = enlarging_choose(&enlarging, pixels);
+            double takes = enlarging.plain ? edge / ENLARGING_RATIO : edge;
+            changes += before != enlarging.plain;
+            assert_true(frame < 3 || fabs(seconds / takes - 1.0) < 0.151);
+            double off = (1.0 + 0.15 * chance()) * (frame % 5 == 3 ? 10.0 : 1.0);
+            enlarging_learn(&enlarging, off * takes / pixels);
+        }
+        assert_true(changes <= 1);
+        assert_true(edge > 0.015 || !enlarging.plain);
+        assert_true(edge < 0.024 || enlarging.plain);
+    }
+}
+
+TESTS(NULL, NULL)

@@ -1,0 +1,277 @@
+// shader_errors.c - a driver's errors in the author's own files and lines: logs of three
+// drivers as texts, then what the driver of this machine says to real mistakes.
+#include "lib/test.h"
+
+#include "context/context.h"
+#include "shader/compile.h"
+#include "lib/scratch.h"
+
+static struct {
+    struct context context;
+    bool has_context;
+} driver;
+
+static int set_up(void **state)
+{
+    scratch_setup(state);
+    scratch_write("root/shaders/lib.glsl", "// lib\n  float lib() { return x; }\n");
+    return 0;
+}
+
+static struct shader_source read_text(const char *text)
+{
+    struct shader_source source;
+    if (!shader_read(&source, scratch_write("root/main.frag", text), scratch_path("root")))
+        fail_msg("cannot be read: %s", text);
+    return source;
+}
+
+// ---- Logs ----
+
+// The lines that are compiled: 1, 2 the prelude, 3 the include, 4 and 5 lib.glsl, 6 main.frag:2.
+static const char course[] =
+    "#include \"lib.glsl\"\n\tfloat f() { return y; }\nint g() { return 2; }\n";
+
+// The log must be explained so; @ in expected stands for the path of the main file.
+static void assert_explained(const char *text, const char *log, const char *expected)
+{
+    struct shader_source source = read_text(text);
+    char wanted[4096] = "";
+    for (const char *c = expected; *c != '\0'; c++) {
+        size_t size = strlen(wanted);
+        if (*c == '@')
+            snprintf(wanted + size, sizeof wanted - size, "%s", source.files[0]);
+        else
+            snprintf(wanted + size, sizeof wanted - size, "%c", *c);
+    }
+    char *explained = shader_explain(&source, SHADER_PICTURE, log);
+    assert_non_null(explained);
+    assert_string_equal(explained, wanted);
+    free(explained);
+    shader_free(&source);
+}
+
+#define IN_PROJECT(name) TEST_WITH(name, set_up, scratch_teardown)
+
+IN_PROJECT(test_mesa)
+{
+    assert_explained(course, "0:5(24): error: `x' undeclared\n0:6(20): error: `y' undeclared\n",
+                     "shaders/lib.glsl:2: error: `x' undeclared\n    float lib() { return x; }\n"
+                     "@:2: error: `y' undeclared\n    float f() { return y; }\n");
+    assert_explained(course, "0:7(1): preprocessor error: #error why: not\n",
+                     "@:3: error: #error why: not\n    int g() { return 2; }\n");
+}
+
+IN_PROJECT(test_nvidia)
+{
+    assert_explained(
+        course,
+        "0(5) : error C1503: undefined variable \"x\"\r\n0(6) : error C1503: undefined "
+        "variable \"y\"\r\n",
+        "shaders/lib.glsl:2: error: C1503: undefined variable \"x\"\n"
+        "    float lib() { return x; }\n"
+        "@:2: error: C1503: undefined variable \"y\"\n    float f() { return y; }\n");
+}
+
+IN_PROJECT(test_others)
+{
+    assert_explained(course,
+                     "ERROR: 0:5: 'x' : undeclared identifier\nERROR: 0:6: 'y' : undeclared "
+                     "identifier\nERROR: 2 compilation errors.  No code generated.\n",
+                     "shaders/lib.glsl:2: error: 'x' : undeclared identifier\n"
+                     "    float lib() { return x; }\n"
+                     "@:2: error: 'y' : undeclared identifier\n    float f() { return y; }\n"
+                     "ERROR: 2 compilation errors.  No code generated.\n");
+    assert_explained(course, "WARNING: 0:6: odd\n",
+                     "@:2: warning: odd\n    float f() { return y; }\n");
+}
+
+// Two lines are in front of a whole file, the first for its #version; behind one for Shadertoy is
+// its main.
+IN_PROJECT(test_other_dialects)
+{
+    assert_explained("#version 330 core\nint f() { return 1.0; }\n", "0:4(11): error: bad\n",
+                     "@:2: error: bad\n    int f() { return 1.0; }\n");
+    assert_explained("\n#version 330 core\nx\n", "0:1(1): error: bad\n",
+                     "@:2: error: bad\n    #version 330 core\n");
+    assert_explained(
+        "#version 330 core\n#extension GL_NONE : require\n",
+        "0:3(12): error: extension `GL_NONE' unsupported\n",
+        "@:2: error: extension `GL_NONE' unsupported\n    #extension GL_NONE : require\n");
+    assert_explained("void mainImage(out vec4 c, vec2 p) {\n", "0:99(1): error: bad\n",
+                     "@:1: error: bad\n    void mainImage(out vec4 c, vec2 p) {\n");
+}
+
+IN_PROJECT(test_what_cannot_be_mapped_is_kept)
+{
+    assert_explained(course, "", "");
+    assert_explained(course, "\n \n", "");
+    const char *const kept[] = {"error: fragment shader lacks `main'\n",
+                                "0:1(1): error: prelude\n",
+                                "0:2(1): error: prelude\n",
+                                "0:0(0): error: nowhere\n",
+                                "0:9(1): error: beyond\n",
+                                "0:99999999999(1): error: beyond\n",
+                                "0(: error\n",
+                                "0:\n",
+                                "ERROR:\n",
+                                "0:5\n"};
+    for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
+        assert_explained(course, kept[i], kept[i]);
+    // A text that ends too early is blamed on the line after its last one.
+    assert_explained(course, "0:8(1): error: unexpected end of file\n",
+                     "@:3: error: unexpected end of file\n    int g() { return 2; }\n");
+}
+
+IN_PROJECT(test_repetition_and_warnings)
+{
+    assert_explained(course, "0:6(1): error: a\n0:6(1): error: a\n0:6(2): error: b\n",
+                     "@:2: error: a\n    float f() { return y; }\n@:2: error: b\n");
+    assert_explained(course, "0:5(1): warning: w\n0:6(1): error: a\n",
+                     "@:2: error: a\n    float f() { return y; }\n");
+    assert_explained(course, "0:6(1): warning: w\n",
+                     "@:2: warning: w\n    float f() { return y; }\n");
+}
+
+IN_PROJECT(test_unresolved_function)
+{
+    scratch_write("root/shaders/lib.glsl", "float far(vec3 p);\n// far(p)\nfloat near(vec3 p)\n{\n"
+                                           "    return far (p);\n}\n");
+    const char text[] = "#include \"lib.glsl\"\nfloat other = 2.0 * far(p);\n";
+    const char *const logs[] = {"error: unresolved reference to function `far'\n",
+                                "error C3002: call to undefined function \"float far(vec3);\"\n",
+                                "ERROR: Implementation of far(vf3; is not found\n"};
+    const char *const expected[] = {
+        "shaders/lib.glsl:5: error: unresolved reference to function `far'\n    return far (p);\n",
+        "shaders/lib.glsl:5: error: C3002: call to undefined function \"float far(vec3);\"\n"
+        "    return far (p);\n",
+        "shaders/lib.glsl:5: error: Implementation of far(vf3; is not found\n"
+        "    return far (p);\n"};
+    for (int i = 0; i < 3; i++)
+        assert_explained(text, logs[i], expected[i]);
+    assert_explained(text, "error: unresolved reference to function `nowhere'\n",
+                     "error: unresolved reference to function `nowhere'\n");
+}
+
+// ---- The driver of this machine ----
+
+static const char library_ok[] = "float lib(float x)\n{\n    return 2.0 * x;\n}\n";
+static const char main_ok[] = "#include \"lib.glsl\"\nout vec4 colour;\nvoid main()\n{\n"
+                              "    colour = vec4(lib(1.0));\n}\n";
+
+// Link a library and a main file; said receives what was reported.
+static GLuint link_files(const char *library, const char *text, const char **said)
+{
+    struct shader_source vertex;
+    scratch_write("root/shaders/lib.glsl", library);
+    scratch_write("root/shaders/screen.vert", "void main() { gl_Position = vec4(0.0); }\n");
+    assert_true(
+        shader_read(&vertex, scratch_path("root/shaders/screen.vert"), scratch_path("root")));
+    struct shader_source source = read_text(text);
+    capture_begin();
+    GLuint program = shader_link(&driver.context.gl, &vertex, &source, SHADER_PICTURE);
+    *said = capture_end();
+    shader_free(&source);
+    shader_free(&vertex);
+    return program;
+}
+
+static void assert_blamed(const char *library, const char *text, const char *where,
+                          const char *shown)
+{
+    const char *said;
+    if (!driver.has_context)
+        skip();
+    assert_int_equal(link_files(library, text, &said), 0);
+    const char *place = strstr(said, where);
+    if (strncmp(said, scratch_path("root/main.frag"), strlen(scratch_path("root/main.frag"))) != 0)
+        fail_msg("does not begin with the file: %s", said);
+    if (place == NULL || strstr(place, shown) == NULL)
+        fail_msg("'%s' or '%s' is missing in: %s", where, shown, said);
+    assert_int_equal(driver.context.gl.GetError(), GL_NO_ERROR);
+}
+
+IN_PROJECT(test_good_shader_links_in_silence)
+{
+    const char *said;
+    if (!driver.has_context)
+        skip();
+    GLuint program = link_files(library_ok, main_ok, &said);
+    assert_int_not_equal(program, 0);
+    assert_string_equal(said, "");
+    driver.context.gl.DeleteProgram(program);
+    // Mesa warns of this one.
+    program = link_files(
+        library_ok, "out vec4 colour;\nvoid main()\n{\n    vec4 c;\n    colour = c;\n}\n", &said);
+    assert_int_not_equal(program, 0);
+    assert_string_equal(said, "");
+    driver.context.gl.DeleteProgram(program);
+}
+
+IN_PROJECT(test_syntax_errors)
+{
+    assert_blamed("float lib(float x)\n{\n    return 2.0 * ;\n}\n", main_ok,
+                  "\nshaders/lib.glsl:3: error: ", "\n    return 2.0 * ;\n");
+    assert_blamed(
+        library_ok,
+        "#include \"lib.glsl\"\nout vec4 colour;\nvoid main()\n{\n    colour = = lib(1.0);\n}\n",
+        "/root/main.frag:5: error: ", "\n    colour = = lib(1.0);\n");
+}
+
+IN_PROJECT(test_undeclared_names)
+{
+    assert_blamed("float lib(float x)\n{\n\n    return 2.0 * z;\n}\n", main_ok,
+                  "\nshaders/lib.glsl:4: error: ", "\n    return 2.0 * z;\n");
+    assert_blamed(
+        library_ok,
+        "#include \"lib.glsl\"\nout vec4 colour;\nvoid main()\n{\n    colour = vec4(none);\n}\n",
+        "/root/main.frag:5: error: ", "\n    colour = vec4(none);\n");
+}
+
+IN_PROJECT(test_whole_files)
+{
+    assert_blamed(library_ok,
+                  "#version 330 core\n#include \"lib.glsl\"\nout vec4 colour;\nvoid main()\n{\n"
+                  "    colour = vec4(none);\n}\n",
+                  "/root/main.frag:6: error: ", "\n    colour = vec4(none);\n");
+}
+
+IN_PROJECT(test_signs_that_are_no_glsl)
+{
+    assert_blamed(library_ok,
+                  "#version 330 core\nout vec4 c; // é\nvoid main()\n{\n    float \xC3\xA9t;\n"
+                  "    c = vec4(1.0);\n}\n",
+                  "main.frag:5: error: only plain letters and signs, here is '\xC3\xA9'", "float");
+    assert_blamed(library_ok,
+                  "#version 330 core\nout vec4 c;\nvoid main()\n{\n    c =\xC2\xA0vec4(1.0);\n}\n",
+                  "main.frag:5: error: only plain letters and signs, here is a space that cannot "
+                  "break",
+                  "vec4");
+}
+
+IN_PROJECT(test_calls_that_link_to_nothing)
+{
+    assert_blamed("float gone(float x);\nfloat lib(float x)\n{\n    return gone(x);\n}\n", main_ok,
+                  "\nshaders/lib.glsl:4: error: ", "gone");
+    assert_blamed("float lib(float x);\n", main_ok, "/root/main.frag:5: error: ", "lib");
+    assert_blamed(library_ok, "#include \"lib.glsl\"\nfloat f() { return lib(1.0); }\n",
+                  "draws no picture, because it has no main", "mainImage");
+    assert_blamed(library_ok, "#version 330 core\nfloat f(float x) { return x; }\n",
+                  "draws no picture, because it has no main", "mainImage");
+}
+
+static int open_context(void **state)
+{
+    (void)state;
+    driver.has_context = context_open_offscreen(&driver.context, CONTEXT_ANY);
+    return 0;
+}
+
+static int close_context(void **state)
+{
+    (void)state;
+    context_close(&driver.context);
+    return 0;
+}
+
+TESTS(open_context, close_context)

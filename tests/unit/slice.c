@@ -1,0 +1,131 @@
+// slice.c - the frame of the slice view, and the number of steps that the steps view shows. The
+// references hold what a slice draws.
+#include "lib/test.h"
+#include "picture/slice.h"
+#include "lib/gpu.h"
+#include "lib/mirror.h"
+#include "lib/scratch.h"
+
+enum { WIDTH = 640, HEIGHT = 360 };
+
+// ---- The number of steps ----
+
+// Nothing within 0.5 of anywhere: step k stands at 0.5 k, and ends at the column's own limit.
+static const char equal_steps[] = "#include \"main.glsl\"\n"
+                                  "#include \"march.glsl\"\n"
+                                  "Ray pixelRay(vec2 screen)\n"
+                                  "{\n"
+                                  "    float column = screen.x * iResolution.y * 0.5 +\n"
+                                  "                   iResolution.x * 0.5 - 0.5;\n"
+                                  "    return Ray(vec3(column, 0.0, 0.0), vec3(0.0, 0.0, -1.0));\n"
+                                  "}\n"
+                                  "float sceneDistance(vec3 p) { return 0.5; }\n"
+                                  "vec3 rayColour(Ray ray)\n"
+                                  "{\n"
+                                  "    float far = 0.5 * ray.origin.x + 0.25;\n"
+                                  "    march(ray, 0.0, far, 0.001, 1000);\n"
+                                  "    return vec3(0.0);\n"
+                                  "}\n";
+
+// The colour of n steps in the steps view is learnt from the columns of a scene where step n is
+// known; the table has that number for the same pixel of a chapter, and the slice draws that table.
+TEST(the_steps_view_agrees_with_the_table)
+{
+    struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
+    assert_true(gpu_load_text(equal_steps));
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_STEPS));
+    float *colours = gpu_numbers(&inputs);
+    inputs.camera = gpu_open_chapter("01_normal_colouring");
+    float *view = gpu_numbers(&inputs);
+    struct probe *probe = malloc(sizeof *probe);
+    assert_non_null(probe);
+    static const int pixel[][2] = {{320, 180}, {340, 140}, {250, 60}, {274, 180}, {10, 300}};
+    for (size_t i = 0; i < sizeof pixel / sizeof *pixel; i++) {
+        assert_true(renderer_probe(&gpu.renderer, &inputs, pixel[i][0], pixel[i][1], probe));
+        int shown = probe->steps < 64 ? probe->steps : 64;
+        const float *seen = view + 4 * (pixel[i][1] * WIDTH + pixel[i][0]);
+        const float *expected = colours + 4 * (HEIGHT / 2 * WIDTH + shown - 1);
+        assert_memory_equal(seen, expected, 4 * sizeof(float));
+    }
+    free(probe);
+    free(view);
+    free(colours);
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+}
+
+// ---- The frame ----
+
+static struct slice_frame frame_of(enum probe_end end, const float *t, const float *distance,
+                                   int steps, float zoom)
+{
+    struct probe *probe = calloc(1, sizeof *probe);
+    assert_non_null(probe);
+    probe->steps = steps;
+    probe->end = end;
+    for (int i = 0; i < steps; i++) {
+        probe->step[i].t = t[i];
+        probe->step[i].distance = distance[i];
+    }
+    struct slice_frame frame = slice_frame_of(probe, WIDTH, HEIGHT, zoom);
+    free(probe);
+    return frame;
+}
+
+static void assert_shows(struct slice_frame frame, double from, double to)
+{
+    double right = (double)frame.left + WIDTH * (double)frame.unit;
+    assert_true((double)frame.left <= from && right >= to);
+    double tick = (double)frame.digits[0] / pow(10.0, frame.digits[1]);
+    assert_true(fabs(tick - (double)frame.tick) <= 1e-6 * tick);
+    double ticks = (right - (double)frame.left) / (double)frame.tick;
+    assert_true(ticks > 3.0 && ticks < 9.0);
+}
+
+TEST(the_frame_shows_the_march)
+{
+    const float hit_t[] = {0.0f, 3.0f, 4.0f}, hit[] = {3.0f, 1.0f, 1e-4f};
+    assert_shows(frame_of(PROBE_HIT, hit_t, hit, 3, 1.0f), 0.0, 4.2);
+    const float miss_t[] = {0.0f, 2.0f, 4.0f, 12.0f, 30.0f},
+                miss[] = {2.0f, 0.1f, 8.0f, 18.0f, 40.0f};
+    struct slice_frame frame = frame_of(PROBE_PASSED, miss_t, miss, 5, 1.0f);
+    assert_shows(frame, 0.0, 2.2);
+    assert_true((double)frame.left + WIDTH * (double)frame.unit < 12.0);
+    for (int i = 0; i <= 100; i++) {
+        double zooms = (double)SLICE_ZOOM_MAXIMUM / (double)SLICE_ZOOM_MINIMUM;
+        float zoom = SLICE_ZOOM_MINIMUM * (float)pow(zooms, i / 100.0);
+        assert_shows(frame_of(PROBE_PASSED, miss_t, miss, 5, zoom), 2.0, 2.0);
+    }
+    // A ray that leaves a surface, as a shadow ray does: the circles grow, and the last is shown.
+    const float leave_t[] = {0.0f, 0.002f, 0.006f, 1.0f, 3.5f},
+                leave[] = {0.002f, 0.004f, 0.994f, 2.5f, 4.0f};
+    assert_shows(frame_of(PROBE_PASSED, leave_t, leave, 5, 1.0f), 0.0, 3.4);
+    // No march, one that ends where it starts, and distances that are no numbers.
+    assert_shows(frame_of(PROBE_NO_MARCH, NULL, NULL, 0, 1.0f), 0.0, 1.0);
+    const float zero[] = {0.0f}, nan[] = {NAN};
+    assert_shows(frame_of(PROBE_HIT, zero, zero, 1, 1.0f), 0.0, 0.5);
+    assert_shows(frame_of(PROBE_GAVE_UP, zero, nan, 1, 1.0f), 0.0, 0.5);
+    assert_shows(frame_of(PROBE_GAVE_UP, nan, nan, 1, 1.0f), 0.0, 0.5);
+    // No zoom is a zoom of 1; a march that ends beyond 1e9 shows 1 unit around 0.
+    assert_shows(frame_of(PROBE_HIT, hit_t, hit, 3, 0.0f), 0.0, 4.2);
+    const float far_t[] = {0.0f, 2e9f}, far[] = {2e9f, 1e-4f};
+    frame = frame_of(PROBE_HIT, far_t, far, 2, 2.0f);
+    assert_float_equal(WIDTH * frame.unit, 0.55f, 1e-5f);
+    assert_float_equal(frame.left, -0.05f, 1e-6f);
+}
+
+// Between two ticks of 1, 10 or 100 there are five lines, of 2 or 20 four, of 5 or 50 five.
+TEST(the_lines_are_round_parts_of_a_tick)
+{
+    static const float parts[10] = {[1] = 5.0f, [2] = 4.0f, [5] = 5.0f};
+    for (float end = 0.01f; end < 5e3f; end *= 1.3f) {
+        const float t[] = {0.0f, end}, distance[] = {end, 1e-4f};
+        struct slice_frame frame = frame_of(PROBE_HIT, t, distance, 2, 1.0f);
+        int first = frame.digits[0];
+        while (first >= 10)
+            first /= 10;
+        assert_true(first == 1 || first == 2 || first == 5);
+        assert_float_equal(frame.tick / frame.line, parts[first], 1e-4f);
+    }
+}
+
+TESTS(gpu_setup, gpu_teardown)

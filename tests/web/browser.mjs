@@ -1,0 +1,203 @@
+// browser.mjs - what the tests of the browser share: a server of a folder, Chromium on Mesa's software
+// renderer, a page with one program, waits for a state, and TAP.
+//
+// Nothing here waits for a clock. What must happen is waited for; what must not happen has had its chance after
+// so many frames of the page.
+import {execFile} from 'node:child_process';
+import fs from 'node:fs';
+import {chromium} from '../../build/node/node_modules/playwright-core/index.mjs';
+import {folderServer} from '../../docs/web/serve.mjs';
+
+const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>test</title><link rel="icon" href="data:,">
+<style>body { margin: 0 } canvas { display: block; width: 320px; height: 180px; touch-action: none }</style>
+<canvas id="canvas" tabindex="0" aria-label="picture"></canvas><div id="below" style="height: 3000px"></div>`;
+
+// ---- TAP ----
+
+let count = 0, failed = 0;
+
+export function check(name, right, ...more) {
+    count++;
+    if (!right) failed++;
+    console.log(`${right ? 'ok' : 'not ok'} ${count} - ${name}`);
+    if (!right && more.length > 0) console.log(`# ${more.map((x) => typeof x === 'string' ? x : JSON.stringify(x)).join(' ')}`);
+    if (!right && name.endsWith(process.env.WEB_UNTIL ?? '\n')) process.exit(1); // for a mistake that is made on purpose
+    return right;
+}
+
+// To be called while the browsers still live, for they are counted.
+export function finish() {
+    console.log(`# ${(processors() + process.cpuUsage().user / 1e6).toFixed(0)} s of processors`);
+    console.log(`1..${count}`);
+    process.exitCode = failed > 0 ? 1 : 0;
+}
+
+// ---- The server ----
+
+// What is tested: the programs alone, and the site. Mistakes that are made on purpose are in a copy.
+export const WEB = process.env.WEB_FOLDER || 'build/web', SITE = process.env.SITE_FOLDER || 'build/site';
+
+// Serve a folder on this machine alone; /test.html is a page with a canvas. Returns its address and what ends it.
+export async function serve(folder) {
+    const server = folderServer(folder, {'/test.html': PAGE});
+    await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
+    return {at: `http://127.0.0.1:${server.address().port}`, close: () => server.close()};
+}
+
+// ---- The browser ----
+
+export const PATIENCE = Number(process.env.WEB_PATIENCE || 180e3); // milliseconds until a state that does not come counts as missing
+
+//   angle  what draws: 'gl-egl' is Mesa, 'swiftshader' Chromium's own
+export function launch(angle = 'gl-egl') {
+    return chromium.launch({
+        executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
+        headless: true,
+        timeout: PATIENCE,
+        env: {...process.env, LIBGL_ALWAYS_SOFTWARE: '1', GALLIUM_DRIVER: 'llvmpipe'},
+        args: [...(angle === 'none' ? ['--disable-gpu'] : ['--use-gl=angle', `--use-angle=${angle}`]), '--no-sandbox', '--ignore-gpu-blocklist', '--enable-unsafe-swiftshader', '--force-color-profile=srgb'],
+    });
+}
+
+// In a page: load a program for its canvas, keep what it says and draws, and count how often WebGL's functions are
+// called.
+export async function loadProgram() {
+    window.calls = {};
+    for (const name of ['drawArrays', 'blitFramebuffer', 'readPixels']) {
+        const own = WebGL2RenderingContext.prototype[name];
+        window.calls[name] = 0;
+        WebGL2RenderingContext.prototype[name] = function (...values) {
+            window.calls[name]++;
+            return own.apply(this, values);
+        };
+    }
+    const {Program} = await import('/program.js');
+    window.lines = [];
+    window.pictures = [];
+    window.events = [];
+    window.program = await Program.load(document.getElementById('canvas'), {
+        onLine: (text, isError) => window.lines.push(isError ? `! ${text}` : text),
+        onPicture: (data, name) => {
+            const canvas = document.createElement('canvas');
+            canvas.width = data.width;
+            canvas.height = data.height;
+            canvas.getContext('2d').putImageData(data, 0, 0);
+            window.pictures.push({name, url: canvas.toDataURL('image/png')});
+        },
+        onEnd: () => window.events.push('end'),
+        onLost: () => window.events.push('lost'),
+        onFound: () => window.events.push('found'),
+    });
+}
+
+// A page, and what its console and its scripts complain of.
+//   context  playwright's options of a context
+//   before   is evaluated in the page before any script of it
+export async function blankPage(browser, {context = {}, before = () => {}} = {}) {
+    const page = await browser.newPage({viewport: {width: 640, height: 500}, ...context});
+    page.setDefaultTimeout(PATIENCE);
+    const said = [];
+    page.on('console', (message) => { if (message.type() === 'error') said.push(message.text()); });
+    page.on('pageerror', (error) => said.push(error.message));
+    await page.addInitScript(before);
+    return {page, said};
+}
+
+// A page with one program, window.program, that has started nothing. The program's own lines are in window.lines,
+// its pictures in window.pictures, how often WebGL's functions were called in window.calls.
+export async function openPage(browser, at, options = {}) {
+    const opened = await blankPage(browser, options);
+    await opened.page.goto(`${at}/test.html`);
+    await opened.page.evaluate(loadProgram);
+    return opened;
+}
+
+// Draw a picture into a file, as a row of tests/pictures/images.txt asks. Returns {status, picture, lines}.
+export const draw = (page, stem, line) => page.evaluate(async ([stem, line]) => {
+    window.lines.length = window.pictures.length = 0;
+    const status = await window.program.start(stem, `${line} --output picture.png`);
+    return {status, picture: window.pictures[0], lines: window.lines};
+}, [stem, line]);
+
+// ---- Waits ----
+
+export const state = (page) => page.evaluate(() => window.program.state());
+
+// Start a chapter and wait until it has drawn. Returns its exit status.
+export async function start(page, stem, line = '') {
+    const status = await page.evaluate(([stem, line]) => window.program.start(stem, line), [stem, line]);
+    if (status === 0) await until(page, (now) => now.rate > 0 || !now.runs);
+    return status;
+}
+
+// Wait until the program's state is what is asked of it. Returns the last state: the caller judges it.
+export async function until(page, right) {
+    const begun = Date.now();
+    for (;;) {
+        const now = await state(page);
+        if (right(now) || Date.now() - begun > PATIENCE) return now;
+        await frames(page, 2);
+    }
+}
+
+// Let so many frames of the page pass.
+export const frames = (page, count) => page.evaluate((count) => new Promise((done) => {
+    const turn = () => count-- > 0 ? requestAnimationFrame(turn) : done();
+    turn();
+}), count);
+
+// Wait until a paused program has drawn everything: nothing in so many frames of the page, which
+// are longer than the rest after which a picture is sharpened.
+export const rest = (page) => page.evaluate((patience) => new Promise((done) => {
+    const begun = performance.now();
+    let still = 0, before = -1;
+    const turn = () => {
+        const now = window.calls.drawArrays + window.calls.blitFramebuffer;
+        still = now === before ? still + 1 : 0;
+        before = now;
+        if (still < 45 && performance.now() - begun < patience) requestAnimationFrame(turn);
+        else done();
+    };
+    turn();
+}), PATIENCE);
+
+// ---- Files and processes ----
+
+// Seconds of processor time of all processes that descend from this one and have not ended.
+export function processors() {
+    const all = fs.readdirSync('/proc').filter((name) => /^\d+$/.test(name)).flatMap((name) => {
+        try {
+            const text = fs.readFileSync(`/proc/${name}/stat`, 'utf8');
+            const field = text.slice(text.lastIndexOf(')') + 2).split(' ');
+            return [{process: Number(name), parent: Number(field[1]), seconds: (Number(field[11]) + Number(field[12])) / 100}];
+        } catch {
+            return []; // it has just ended
+        }
+    });
+    const ours = new Set([process.pid]);
+    for (let size = 0; size !== ours.size;) {
+        size = ours.size;
+        for (const one of all) if (ours.has(one.parent)) ours.add(one.process);
+    }
+    ours.delete(process.pid);
+    return all.reduce((sum, one) => sum + (ours.has(one.process) ? one.seconds : 0), 0);
+}
+
+// Write a picture that a page has drawn.
+export function keep(picture, file) {
+    fs.writeFileSync(file, Buffer.from(picture.url.split(',')[1], 'base64'));
+}
+
+// Hold a picture against its reference by build/tests/compare, while others are drawn. Returns {same, says}.
+export function compare(name, file) {
+    return new Promise((done) => execFile('build/tests/compare', [`tests/references/${name}.png`, file],
+        (error, output, errors) => done({same: !error, says: (output + errors).trim()})));
+}
+
+// The rows of tests/pictures/images.txt: {stem, name, line}.
+export function pictures() {
+    return fs.readFileSync('tests/pictures/images.txt', 'utf8').split('\n').filter((line) => /^[0-9]/.test(line)).map((line) => {
+        const [stem, variant, ...options] = line.trim().split(/\s+/);
+        return {stem, name: variant === '-' ? stem : `${stem}-${variant}`, line: options.join(' ')};
+    });
+}

@@ -1,0 +1,352 @@
+// chapter.mjs - the live chapter in a page: what is there before the click, its controls, the ray, the editor with its
+// keeping and its link, commands beside the text, exercises, a telephone.
+import {execFileSync, spawnSync} from 'node:child_process';
+import fs from 'node:fs';
+import path from 'node:path';
+import {check, finish, launch, PATIENCE, serve, WEB} from './browser.mjs';
+
+const STEM = '03_shadows', FILE = `chapters/${STEM}.frag`, ANSWER = 'chapters/exercises/03_2/my.frag';
+const command = (line, more = '') => `<div class="command"><pre><code>build/${STEM} ${line}</code></pre><button type="button" class="run" data-stem="${STEM}" data-line="${line}" ${more}>Run</button></div>`;
+const PAIR = ['--size 320x180 --output right.png', '--size 320x180 --set shadowOffset=0.5 --output wrong.png'];
+const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width,initial-scale=1">
+<title>03 Shadows</title><link rel="icon" href="data:,"><link rel="stylesheet" href="live.css">
+<style>body { max-width: 760px; margin: auto; padding: 0 16px } pre { overflow: auto }</style><script type="module" src="live.js"></script>
+<main><h1>03 Shadows</h1><live-chapter stem="${STEM}"><img src="poster.png" alt="Shadows on a stage" width="640" height="360"></live-chapter>
+${command('--view normals')}${command('--probe 397,87')}${command('--probe 397,87', 'data-tail="1"')}${command('--probe 397,87', 'data-head="1"')}${command('--output dark.png --size 64x36')}${command('--nonsense')}
+<p>In the text <span class="command"><code>build/${STEM} --time 3</code><button type="button" class="run" data-stem="${STEM}" data-line="--time 3">Run</button></span>.</p>
+<form class="check" data-exercise="03-2" data-stem="${STEM}"><button>Check</button></form>
+${command(PAIR[0], `data-other="${PAIR[1]}"`)}</main></html>`;
+
+const server = await serve(WEB), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
+
+// A page of its own, with what it asks for and what it complains of.
+async function open(options = {}, fragment = '', context = null) {
+    context ??= await browser.newContext({viewport: {width: 1280, height: 800}, permissions: ['clipboard-read', 'clipboard-write'], ...options});
+    const page = await context.newPage(), asked = [];
+    page.setDefaultTimeout(PATIENCE); // a limit for what hangs: a machine with other work takes its time
+    page.on('console', (message) => { if (message.type() === 'error') said.push(message.text()); });
+    page.on('pageerror', (error) => said.push(error.message));
+    page.on('request', (request) => asked.push(path.basename(new URL(request.url()).pathname)));
+    await page.route('**/live.html*', (route) => route.fulfill({contentType: 'text/html', body: PAGE}));
+    await page.route('**/poster.png', (route) => route.fulfill({path: 'tests/references/03_shadows-smooth.png'}));
+    await page.goto(`${server.at}/live.html${fragment}`);
+    return {page, asked, context};
+}
+
+const first = (page) => page.locator('live-chapter').first();
+const on = '.live-on';
+const state = (page) => page.evaluate(() => document.querySelector('.live-on').program.state());
+const value = async (page, name) => (await state(page)).parameters.find((p) => p.name === name).value[0];
+const press = (page, name) => page.locator(on).getByRole('button', {name, exact: true}).click();
+
+// Wait until the program's state is what is asked; the caller's check is the last word.
+async function comes(page, right, ...values) {
+    await page.waitForFunction(([right, values]) => {
+        const program = document.querySelector('.live-on')?.program;
+        return program?.call('live_runs') && new Function('s', 'v', `return ${right}`)(program.state(), values);
+    }, [right, values]).catch(() => {});
+    return state(page);
+}
+
+async function run(page) {
+    await first(page).locator('.live-start').click();
+    await page.waitForSelector('.live-window');
+    return comes(page, 's.rate > 0');
+}
+
+// ---- Before and after the click ----
+
+const {page, asked, context} = await open();
+await page.waitForSelector('.live-start');
+check('before the click there is the poster, and nothing of the program is loaded', asked.sort().join() === 'live.css,live.html,live.js,poster.png', asked);
+// Nothing comes from the script that runs it before the chapter's text is asked for.
+const together = page.waitForRequest(`**/${STEM}.frag`, {timeout: PATIENCE / 3}).then(() => true, () => false);
+await page.route('**/stage.js', async (route) => { await together; await route.continue(); });
+const begun = Date.now();
+let now = await run(page);
+check('the click asks for the chapter\'s text together with the program', await together);
+await page.unroute('**/stage.js');
+console.log(`# from the click to the first picture and its rate ${Date.now() - begun} ms`);
+check('the click runs the chapter, in the size that it asks for', now.runs && now.size[0] > 600 && Math.abs(now.size[0] / now.size[1] - 16 / 9) < 0.02, now.size);
+check('no editor, no solution and no exercise was loaded', !asked.some((name) => /editor|exercises|solution|_\d\.frag/.test(name)), asked);
+check('the keyboard is the page\'s until the picture is touched', await page.evaluate(() => document.activeElement === document.body));
+
+// ---- Controls ----
+
+const lamp = page.locator('.live-row', {hasText: 'lampHeight'});
+check('each value has its help with the unit', (await lamp.locator('.live-help').textContent()) === 'height of the lamp above the stage; in scene units');
+check('and a row for each', await page.locator('.live-row').count() === now.parameters.length);
+await lamp.locator('input[type=range]').fill('2');
+check('a slider sets its value', await value(page, 'lampHeight') === 2);
+await lamp.locator('input[type=number]').fill('3.25');
+await lamp.locator('input[type=number]').press('Enter');
+check('so does a number', await value(page, 'lampHeight') === 3.25);
+await lamp.getByRole('button').click();
+check('and it goes back', await value(page, 'lampHeight') === 4.6);
+const shadows = page.locator('.live-row', {hasText: 'check whether the light is visible from the surface'}).locator('input');
+await shadows.uncheck();
+check('a box switches', await value(page, 'shadows') === 0);
+await press(page, 'Reset all');
+check('all go back', await value(page, 'shadows') === 1);
+const steps = page.locator('.live-row', {hasText: 'hitThreshold'}).locator('input[type=range]');
+await steps.fill(String(Math.log(0.01)));
+check('a slider of ratios counts in them', Math.abs(await value(page, 'hitThreshold') - 0.01) < 0.001, await value(page, 'hitThreshold'));
+await press(page, 'Reset all');
+await press(page, 'steps');
+check('a view is chosen', (await state(page)).view === 'steps' && await page.locator('.live-views [aria-pressed=true]').textContent() === 'steps');
+await press(page, 'picture');
+await press(page, 'Pause');
+await page.locator('.live-time').fill('7.5');
+await page.locator('.live-time').press('Enter');
+check('the clock is stopped and set', (await state(page)).paused && (await state(page)).time === 7.5);
+await comes(page, 's.divisor === 1');
+check('and does not go on', (await state(page)).time === 7.5);
+
+// ---- A ray ----
+
+await page.locator('.live-canvas').click({position: {x: 400, y: 260}});
+now = await comes(page, 's.probe');
+await page.waitForFunction((steps) => document.querySelectorAll('.live-table tbody tr').length === steps, now.probe.steps);
+check('a click shows the ray\'s steps', now.probe.steps > 1 && (await page.locator('.live-table tbody tr').last().locator('td').first().textContent()) === String(now.probe.steps - 1));
+await press(page, 'First step');
+check('the first step is shown', (await comes(page, 's.shown === 1')).shown === 1);
+await press(page, 'Forward');
+check('then the second', (await comes(page, 's.shown === 2')).shown === 2);
+await page.waitForFunction(() => document.querySelector('.live-at')?.sectionRowIndex === 1);
+await page.locator('.live-table tbody tr').nth(3).locator('td').first().click();
+check('a row of the table is its step', (await comes(page, 's.shown === 4')).shown === 4);
+await press(page, 'Back one step');
+check('and back', (await comes(page, 's.shown === 3')).shown === 3);
+await press(page, 'Slice');
+check('its slice is shown', (await comes(page, 's.view === "slice"')).view === 'slice');
+await press(page, 'Slice');
+await press(page, 'Deselect');
+check('it is deselected', (await comes(page, 's.pixel[0] < 0')).pixel[0] === -1 && await page.locator('.live-table').isHidden());
+
+// ---- The editor ----
+
+const words = () => page.locator('.live-error').textContent();
+const eye = (await state(page)).camera;
+await press(page, 'Edit');
+await page.waitForSelector('.cm-content');
+check('the editor holds the file', (await page.locator('.cm-content').textContent()).startsWith(text.split('\n')[0]));
+check('its includes have tabs', await page.getByRole('tab', {name: 'march.glsl'}).count() === 1);
+await page.locator('.cm-content').click();
+await page.keyboard.press('Control+End');
+await page.keyboard.type('float wasd() { return vec3(1.0); }');
+await page.waitForSelector('.live-error:not([hidden])');
+const line = text.split('\n').length;
+check('an error has its line', (await words()).includes(`${FILE}:${line}: error:`), await words());
+check('which is marked, in the tab too', await page.locator('.cm-lint-marker-error').count() === 1 && await page.locator('.live-faulty').count() === 1);
+now = await state(page);
+check('and is in sight', await page.evaluate(() => { const box = document.querySelector('.live-error').getBoundingClientRect(); return box.height > 0 && box.top >= document.querySelector('.live-canvas').getBoundingClientRect().bottom - 1 && box.bottom <= innerHeight + 1; }));
+check('typing moves nothing', now.camera.every((x, i) => x === eye[i]) && now.view === 'picture', eye, now.camera);
+check('the picture is in sight above the text', await page.evaluate(() => { const box = document.querySelector('.live-canvas').getBoundingClientRect(); return box.top >= 0 && box.bottom < innerHeight; }));
+
+// It is kept, though it is broken: the picture that is shown then is the course's.
+await page.reload();
+await page.waitForSelector('.live-start');
+await run(page);
+await page.waitForSelector('.live-error:not([hidden])');
+check('a reload keeps a broken edit, its error and a picture', (await words()).includes('error') && (await state(page)).runs);
+// A context that is lost with it comes back likewise.
+await lamp.locator('input[type=number]').fill('3.25');
+await lamp.locator('input[type=number]').press('Enter');
+await page.evaluate(() => new Promise((found) => {
+    const canvas = document.querySelector('.live-canvas'), taken = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+    canvas.addEventListener('webglcontextlost', () => setTimeout(() => taken.restoreContext()), {once: true});
+    canvas.addEventListener('webglcontextrestored', found, {once: true});
+    taken.loseContext();
+}));
+now = await comes(page, 's.error !== "" && s.rate > 0');
+check('so does a context that was lost, with the values', now.runs && now.error !== '' && await value(page, 'lampHeight') === 3.25, now.error);
+check('and says whose it is', (await page.locator('.live-changes').textContent()).startsWith(`With your changes in ${FILE}.`));
+await press(page, 'Edit');
+await page.waitForSelector('.cm-content');
+await press(page, 'Reset this file');
+await page.waitForSelector('.live-error', {state: 'hidden'});
+check('the file goes back, and with it the error', await page.locator('.live-changes').isHidden() && await page.evaluate(() => Object.keys(localStorage).length) === 0);
+await page.locator('.cm-content').click();
+await page.keyboard.press('Control+Home');
+await page.keyboard.type('uniform float mine; // 3 in [0, 9]: of my own\n');
+await page.waitForSelector('.live-row code:text-is("mine")');
+check('a uniform that is typed has a slider', await value(page, 'mine') === 3);
+const [download] = await Promise.all([page.waitForEvent('download'), press(page, 'Download my.frag')]);
+check('my.frag is the text', download.suggestedFilename() === 'my.frag' && fs.readFileSync(await download.path(), 'utf8') === `uniform float mine; // 3 in [0, 9]: of my own\n${text}`);
+await press(page, 'Copy a link');
+await page.waitForFunction(() => location.hash.startsWith('#edit='));
+const link = await page.evaluate(() => location.hash);
+const friend = await open({}, link);
+await friend.page.waitForSelector('.live-start');
+check('a link loads nothing by itself', !friend.asked.includes('stage.js'));
+await run(friend.page);
+check('it shows the edit to a friend', await value(friend.page, 'mine') === 3);
+check('and keeps nothing there', await friend.page.evaluate(() => Object.keys(localStorage).length) === 0);
+await friend.context.close();
+const torn = await open({}, link.slice(0, 60));
+await run(torn.page);
+check('a broken link is reported, and the chapter runs', (await torn.page.locator('.live-notice').textContent()).includes('cannot be read'));
+await torn.context.close();
+await press(page, 'Undo all');
+await page.waitForSelector('.live-changes', {state: 'hidden'});
+check('what is undone is gone from the address too', await page.evaluate(() => location.hash) === '');
+await press(page, 'Edit');
+
+// ---- Beside the text ----
+
+const buttons = page.locator('button.run');
+await buttons.nth(0).click();
+await page.waitForSelector('.live-beside.live-window');
+check('a command opens its program below it', (await state(page)).view === 'normals' && await page.evaluate(() => document.querySelector('.command').nextElementSibling.matches('.live-beside.live-on')));
+check('and the one at the head has its poster again', await first(page).locator('.live-start').isVisible() && await first(page).locator('canvas').count() === 0);
+await press(page, 'Close');
+check('closed it is gone, and its button has the keyboard', await page.locator('.live-beside').count() === 0 && await page.evaluate(() => document.activeElement === document.querySelector('button.run')));
+await buttons.nth(1).click();
+const printed = page.locator('.live-printed');
+await printed.waitFor();
+check('the output of a command is below it', /^step,t,distance.*# hit; steps: 9/s.test(await printed.textContent()), await printed.textContent());
+await buttons.nth(2).click();
+await printed.nth(1).waitFor();
+check('or its last lines', /^# hit; steps: 9;[^\n]*$/.test(await printed.nth(1).textContent()));
+await buttons.nth(3).click();
+await printed.nth(2).waitFor();
+check('or its first', /^step,t,distance[^\n]*$/.test(await printed.nth(2).textContent()), await printed.nth(2).textContent());
+await buttons.nth(4).click();
+await page.waitForSelector('.live-result canvas');
+check('a picture that it writes is shown', await page.locator('.live-result canvas').evaluate((c) => c.width === 64 && c.height === 36));
+await buttons.nth(5).click();
+await page.waitForSelector('.live-wrong');
+check('its error is reported as the program does', (await page.locator('.live-wrong').textContent()).includes('--nonsense'));
+check('what was printed before is still there', await printed.count() === 4);
+await buttons.nth(6).click();
+await page.waitForSelector('.live-beside.live-window');
+check('one in the text opens below its paragraph', await page.evaluate(() => document.querySelector('main > p').nextElementSibling.matches('.live-on')));
+
+// ---- Exercises ----
+
+const verdict = page.locator('.live-verdict');
+const judged = async (text) => {
+    await page.evaluate(async ([file, text]) => {
+        document.querySelector('.live-verdict')?.replaceChildren();
+        await document.querySelector('.live-on').stage.changes.change(file, text);
+    }, [ANSWER, text]);
+    await page.locator('form.check > button').click();
+    await page.waitForSelector('.live-verdict strong');
+    return verdict.textContent();
+};
+await page.locator('form.check > button').click();
+await page.waitForSelector('.live-open');
+check('a reader without changes is told so, and no solution is loaded', !asked.some((name) => /_2\.frag/.test(name)));
+await page.locator('.live-open').click();
+await page.waitForSelector('form + .live-beside.live-window .cm-content');
+check('and gets the editor there', true);
+const solution = fs.readFileSync(`chapters/solutions/${STEM}_2.frag`, 'utf8');
+check('the solution is right, in the words of make check', await judged(solution) === 'Right: as the solution in 3 pictures: no pixel differs by more than 2 of 255.', await verdict.textContent());
+const wrong = await judged(`${text}\n`);
+check('the chapter is wrong, in its words', /^Wrong: 0\.21 % of the pixels differ by more than 2 of 255, at most by \d+, most around 428,131, at the middle right\./.test(wrong), wrong);
+check('with the picture of the difference', await page.locator('.live-two canvas').count() === 2);
+check('a mistake has its line', /^Wrong: does not run: my\.frag:1: error: /.test(await judged('nonsense')), await verdict.textContent());
+check('the program beside it goes on', (await state(page)).runs);
+await page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [ANSWER, text]);
+
+// ---- Two pictures compared ----
+
+const comparison = page.locator('button.run[data-other]'), compared = page.locator('.live-beside .live-result .live-verdict');
+const comparedNow = async () => {
+    await comparison.click();
+    await page.waitForFunction(() => document.querySelector('button.run[data-other]').getAttribute('aria-busy') === null && document.querySelector('.live-beside .live-verdict'));
+    return compared.locator('p').first().textContent();
+};
+for (const line of PAIR) execFileSync(`build/${STEM}`, [...line.split(' ').slice(0, -1), `build/web-test/${line.split(' ').at(-1)}`]);
+const native = spawnSync('build/tests/compare', ['--words', 'build/web-test/right.png', 'build/web-test/wrong.png'], {encoding: 'utf8'}).stdout.trim();
+const inPage = await comparedNow();
+check('two pictures are compared in the words of make compare', /^[1-9].* % of the pixels differ/.test(native) && inPage === `${native}.`, inPage, native);
+check('both are shown with their difference', await compared.locator('canvas').evaluateAll((all) => all.map((c) => `${c.width}x${c.height}`).join()) === '320x180,320x180,320x180');
+check('and what runs goes on', (await state(page)).runs && await page.locator('.live-result .live-two figcaption').first().textContent() === 'right.png');
+const edit = (text) => page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [FILE, text]);
+await edit(text.replace('rayColour(Ray ray)\n{', 'rayColour(Ray ray)\n{\n    return vec3(0.5);'));
+check('with a reader\'s changes, which is said', await comparedNow() === 'the pictures are the same: no pixel differs.' && await compared.getByText(`With your changes in ${FILE}.`).isVisible(), await compared.textContent());
+await buttons.nth(2).click();
+check('so is it of what a command prints', await page.locator('.live-result > p', {hasText: `With your changes in ${FILE}.`}).waitFor().then(() => true, () => false));
+await first(page).locator('.live-start').click();
+await page.waitForSelector('live-chapter:first-of-type.live-window');
+await edit('nonsense');
+check('a change that does not load is reported with its line', /^They cannot be compared: right\.png does not run: chapters\/03_shadows\.frag:1: error: /.test(await comparedNow()), await compared.textContent());
+await edit(text);
+await page.locator('.live-result').filter({has: page.locator('.live-verdict')}).getByRole('button', {name: 'Close'}).click();
+check('closed it leaves the keyboard to its button', await compared.count() === 0 && await comparison.evaluate((one) => document.activeElement === one));
+
+// ---- On paper ----
+
+await press(page, 'Close');
+await first(page).locator('.live-start').click();
+await page.waitForSelector('.live-window');
+await page.emulateMedia({media: 'print'});
+check('on paper a program that runs is its poster', await first(page).locator('img').isVisible() && await page.locator(':is(.live-canvas, .live-controls, .live-status, button):visible').count() === 0);
+await page.emulateMedia({media: 'screen'});
+
+// ---- A file of one's own ----
+
+const toy = 'void mainImage(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, 0.5, 1.0); }\n';
+// On a busy machine the browser may say late that the canvas is seen again: a ray that is chosen before that stays.
+await page.waitForFunction(() => document.querySelector('.live-on').program.near);
+const seen = (near) => page.evaluate((near) => {
+    const {program} = document.querySelector('.live-on');
+    program.near = near;
+    program.show();
+}, near);
+await seen(false);
+check('a page can run a text of its own', await page.evaluate((toy) => document.querySelector('live-chapter').play('play.frag', toy), toy) === 0);
+await page.evaluate(() => document.querySelector('.live-on').stage.call('live_pixel', 5, 5));
+await seen(true);
+check('it says why it has no ray', (await comes(page, 's.why')).why.startsWith('no march'));
+await page.evaluate(() => document.querySelector('live-chapter').run(''));
+check('and any chapter is exported', (await page.evaluate(() => document.querySelector('live-chapter').exported())).includes('void mainImage'));
+
+// ---- What axe-core says ----
+
+await page.addScriptTag({path: 'build/node/node_modules/axe-core/axe.min.js'});
+const audit = () => page.evaluate(async () => (await window.axe.run(document)).violations.map(({id, nodes}) => `${id}: ${nodes.map((n) => n.target).join(' ')}`));
+await press(page, 'Select the middle pixel');
+await page.waitForSelector('.live-table tbody tr');
+const violations = await audit();
+check('axe-core finds nothing', violations.length === 0, violations);
+await context.close();
+
+// ---- Reduced motion ----
+
+const calm = await open({reducedMotion: 'reduce'});
+now = await run(calm.page);
+check('with reduced motion the first picture is paused, and the page says so', now.paused && now.time === 0 && await calm.page.locator('.live-still').isVisible());
+await press(calm.page, 'Resume');
+check('until the reader starts it', (await comes(calm.page, 's.time > 0.1')).time > 0.1 && !(await state(calm.page)).paused && await calm.page.locator('.live-still').isHidden());
+await calm.context.close();
+
+// ---- A telephone ----
+
+const phone = await open({viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2});
+now = await run(phone.page);
+check('on 390 pixels nothing is to be scrolled sideways', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
+check('values and ray are folded', await phone.page.locator('details[open]').count() === 0);
+const from = (await state(phone.page)).camera;
+await phone.page.getByRole('button', {name: 'Move', exact: true}).tap();
+const pad = await phone.page.getByRole('button', {name: 'Move forwards'}).boundingBox();
+const touch = await phone.context.newCDPSession(phone.page);
+await touch.send('Input.dispatchTouchEvent', {type: 'touchStart', touchPoints: [{x: pad.x + pad.width / 2, y: pad.y + pad.height / 2}]});
+now = await comes(phone.page, 'Math.abs(s.camera[2] - v[2]) > 0.05', ...from);
+await touch.send('Input.dispatchTouchEvent', {type: 'touchEnd', touchPoints: []});
+check('the pad moves the eye while it is held', Math.abs(now.camera[2] - from[2]) > 0.05, from, now.camera);
+check('its buttons are large enough for a thumb', pad.height >= 44 && pad.width >= 44, pad);
+await phone.page.locator('.live-canvas').tap({position: {x: 200, y: 130}});
+now = await comes(phone.page, 's.probe');
+check('a tap marches a ray', now.probe?.steps > 0);
+await phone.page.waitForSelector('.live-table tbody tr');
+check('its table opens, and does not widen the page', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
+await phone.page.getByRole('button', {name: 'Values', exact: true}).tap();
+check('nor do the values', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
+await phone.context.close();
+
+check('no error in the console', said.length === 0, said);
+finish();
+await browser.close();
+server.close();

@@ -1,0 +1,186 @@
+// faults.mjs - errors that readers have found in a page of the site: what the wheel and the keys scroll, a
+// draft for each exercise, two tabs, odd addresses, a context that is lost, the search, a browser without WebGL 2, paper.
+import {blankPage, check, finish, frames, launch, serve, SITE} from './browser.mjs';
+
+const server = await serve(SITE), browser = await launch();
+const PHONE = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2};
+
+async function open(name, context = {viewport: {width: 1440, height: 900}}, more = {}) {
+    const opened = await blankPage(browser, {context, ...more});
+    await opened.page.goto(`${server.at}/${name}`);
+    return opened;
+}
+const runs = (page) => page.waitForFunction(() => document.querySelector('.live-window')?.program?.state().rate > 0);
+const scrolled = (page, from) => page.waitForFunction((from) => scrollY > from + 50, from).then(() => true, () => false);
+
+// ---- What the page has until the picture is touched ----
+
+const both = await browser.newContext({viewport: {width: 1440, height: 900}}); // of two tabs
+let {page, said} = await blankPage(both);
+await page.goto(`${server.at}/00_first_scene.html`);
+await page.locator('.live-start').first().click();
+await runs(page);
+const box = await page.locator('.live-canvas').boundingBox();
+await page.mouse.move(box.x + box.width / 2, box.y + 40);
+let from = await page.evaluate(() => scrollY);
+await page.mouse.wheel(0, 200);
+check('the wheel scrolls the page over a program that has just started', await scrolled(page, from));
+for (const key of ['Space', 'PageDown']) {
+    await page.evaluate(() => scrollTo(0, 0));
+    await page.keyboard.press(key);
+    check(`so does ${key}`, await scrolled(page, 0));
+}
+await page.evaluate(() => scrollTo(0, 0));
+await page.locator('.live-canvas').click();
+check('a click gives the picture the keyboard', await page.evaluate(() => document.activeElement.className === 'live-canvas'));
+
+// ---- A context that is lost ----
+
+await page.evaluate(() => new Promise((found) => {
+    const canvas = document.querySelector('.live-canvas'), taken = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
+    canvas.addEventListener('webglcontextlost', () => setTimeout(() => taken.restoreContext(), 300), {once: true});
+    canvas.addEventListener('webglcontextrestored', found, {once: true});
+    taken.loseContext();
+    document.querySelector('.live-on').program.call('live_turn'); // a turn that the loss overtakes
+}));
+await runs(page);
+await frames(page, 40);
+check('nothing is said over the picture once a lost context is back', await page.locator('.live-notice').isHidden(), await page.locator('.live-notice').textContent());
+check('no error in the console', said.length === 0, said);
+
+// ---- An answer to each exercise ----
+
+const answer = (number) => page.locator(`form.check[data-exercise="00-${number}"]`);
+await answer(1).locator('.answer').click();
+await page.waitForSelector('.live-beside .cm-content');
+await page.evaluate(() => { const {changes} = document.querySelector('.live-on').stage; return changes.change(changes.editor.name, 'nonsense'); });
+check('an exercise has its own text in the editor, named as make check names it', await page.evaluate(() => document.querySelector('[role=tab]').textContent) === 'my.frag' && await page.getByRole('button', {name: 'Download my.frag'}).count() === 1);
+await answer(2).locator('button').first().click();
+await page.waitForFunction(() => document.querySelectorAll('.live-open').length > 0);
+check('another exercise has nothing of it', (await answer(2).locator('.live-verdict').textContent()).startsWith('You have not changed'));
+await answer(1).locator('button').first().click();
+await page.waitForFunction(() => /Wrong/.test(document.querySelector('form[data-exercise="00-1"] .live-verdict')?.textContent));
+check('while its own check judges it', /^Wrong: does not run: my\.frag:1:/.test(await answer(1).locator('.live-verdict').textContent()), await answer(1).locator('.live-verdict').textContent());
+
+// A change that never ends takes the context with it.
+await page.evaluate(() => {
+    window.taken = document.querySelector('.live-canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+    window.taken.loseContext();
+});
+await page.waitForSelector('.live-notice:not([hidden])');
+check('a reader whose change stops the driver can undo it there', await page.locator('.live-notice').getByRole('button', {name: 'Undo all'}).isVisible());
+await page.evaluate(() => window.taken.restoreContext());
+await page.waitForSelector('.live-notice', {state: 'hidden'});
+
+// ---- Two tabs ----
+
+const other = await both.newPage();
+await other.goto(`${server.at}/00_first_scene.html`);
+await other.evaluate(() => {
+    const key = Object.keys(localStorage).find((one) => one.startsWith('ray marching'));
+    localStorage.setItem(key, JSON.stringify({'chapters/exercises/00_1/my.frag': '// of the other tab\n'}));
+});
+await page.waitForFunction(() => /Another tab/.test(document.body.innerText));
+check('a change in another tab is reported', true);
+await page.getByRole('button', {name: 'Take the other text'}).click();
+await page.waitForFunction(() => document.querySelector('.cm-content').textContent.includes('of the other tab'));
+check('and taken over when the reader says so', await page.getByText('Another tab has changed').isHidden());
+await both.close();
+
+// ---- Addresses ----
+
+for (const hash of ['#100%', '#edit=%%%']) {
+    ({page, said} = await open(`00_first_scene.html${hash}`));
+    check(`${hash} in the address ends nothing`, said.length === 0 && await page.locator('.theme').textContent() === 'Auto' && await page.evaluate(() => document.querySelector('.sections .here, .sections a') !== null), said);
+    await page.close();
+}
+
+// ---- The button on the poster ----
+
+({page} = await open('00_first_scene.html', {viewport: {width: 1440, height: 900}, colorScheme: 'light'}));
+const start = page.locator('.live-start').first();
+await start.hover();
+const contrast = await start.evaluate((one) => {
+    const light = (colour) => colour.match(/[\d.]+/g).slice(0, 3).map((x) => x / 255).map((x) => x <= 0.04045 ? x / 12.92 : ((x + 0.055) / 1.055) ** 2.4).reduce((sum, x, i) => sum + x * [0.2126, 0.7152, 0.0722][i], 0);
+    const [a, b] = [getComputedStyle(one).color, getComputedStyle(one).backgroundColor].map(light);
+    return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
+});
+check('the button is read below the pointer', contrast > 4.5, contrast);
+const [picture, button] = [await page.locator('.live-screen').first().boundingBox(), await start.boundingBox()];
+check('and is in a corner of the picture', button.x + button.width < picture.x + picture.width / 3 && button.y > picture.y + picture.height * 0.75, picture, button);
+check('what is pressed has the letters of the text', await page.evaluate(() => new Set(['.live-start', '.run', 'main p'].map((one) => getComputedStyle(document.querySelector(one)).fontFamily)).size) === 1);
+await page.close();
+
+// ---- The search ----
+
+({page, said} = await open('00_first_scene.html', PHONE));
+const search = async (words) => {
+    await page.getByRole('searchbox').fill(words);
+    await page.waitForFunction(() => !document.querySelector('.results').hidden);
+    return page.locator('.results a').evaluateAll((all) => all.map((one) => one.textContent));
+};
+let results = await search('shadow');
+check('a word of a page\'s title finds that page first', /^03 Shadows/.test(results[0]), results.slice(0, 3));
+const list = await page.locator('.results').boundingBox();
+check('the list is within the telephone', list.x >= 0 && list.x + list.width <= 390, list);
+const cut = await page.evaluate(() => {
+    const texts = [...document.querySelectorAll('.results a > small:last-child')].map((one) => one.textContent);
+    const index = document.createElement('script');
+    return new Promise((done) => {
+        window.searchIndex = (pages) => done(texts.filter((text) => {
+            const words = text.replace(/^… | …$/g, ''), all = ` ${pages.flatMap(([, , sections]) => sections.map((one) => one[2])).join(' ')} `;
+            return !all.includes(` ${words} `);
+        }));
+        index.src = document.querySelector('.search input').dataset.index;
+        document.head.append(index);
+    });
+});
+check('no word of an excerpt is cut', cut.length === 0, cut);
+await page.reload();
+results = await search('shadoow');
+check('a mistyped word is understood', results.length > 3 && /shadow/i.test(results[0]), results.slice(0, 3));
+results = await search('sdf torus');
+check('of several words not all must be there, and sdf is a signed distance', results.length > 3 && /torus/i.test(results[0]), results.slice(0, 3));
+check('no error in the console', said.length === 0, said);
+await page.close();
+
+// ---- A browser without WebGL 2 ----
+
+({page} = await open('00_first_scene.html', {}, {before: () => {
+    const own = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind === 'webgl2' ? null : own.call(this, kind, ...more); };
+}}));
+await page.locator('.live-start').first().click();
+check('without WebGL 2 the page says what it has', await page.locator('.live-said').textContent() === 'This browser has no WebGL 2, so no program can run here; all text and pictures are shown.');
+await page.close();
+
+// ---- Loading ----
+
+({page} = await open('01_normal_colouring.html', {viewport: {width: 1440, height: 900}}, {before: () => {
+    window.shift = 0;
+    new PerformanceObserver((list) => { for (const one of list.getEntries()) if (!one.hadRecentInput) window.shift += one.value; }).observe({type: 'layout-shift', buffered: true});
+}}));
+await page.evaluate(() => document.fonts.ready);
+await frames(page, 30);
+const shift = await page.evaluate(() => window.shift);
+console.log(`# layout shift of 01: ${shift.toFixed(4)}`);
+check('nothing moves while a page loads', shift < 0.02, shift);
+const policy = await page.evaluate(() => new Promise((told) => {
+    document.addEventListener('securitypolicyviolation', (event) => told(event.violatedDirective), {once: true});
+    const script = document.createElement('script');
+    script.textContent = 'window.injected = true';
+    document.head.append(script);
+}));
+check('a script that the site does not have is not run', policy.startsWith('script-src') && await page.evaluate(() => window.injected === undefined));
+await page.emulateMedia({media: 'print'});
+const sizes = await page.evaluate(() => ['figcaption', 'main > p:not(.note)'].map((one) => parseFloat(getComputedStyle(document.querySelector(one)).fontSize)));
+check('on paper captions are smaller than the text', sizes[0] < sizes[1] && Math.abs(sizes[1] - 14) < 0.2, sizes);
+await page.emulateMedia({media: 'screen'});
+const bleeding = await page.evaluate(() => [...document.querySelectorAll('main > .listing')].filter((one) => one.getBoundingClientRect().width > document.querySelector('main > p:not(.note)').getBoundingClientRect().width + 1
+    && one.querySelector('code').textContent.split('\n').every((line) => line.length <= 84)).length);
+check('a listing of short lines is as wide as the text', bleeding === 0, bleeding);
+await page.close();
+
+finish();
+await browser.close();
+server.close();

@@ -1,0 +1,72 @@
+// figures.mjs [PATTERN] - the interactive figures of every chapter's page: each runs where it is, and a point of it answers,
+// in turn to the mouse at 1440 pixels and to a finger at 390. How long that takes is printed but not judged. PATTERN picks pages.
+import fs from 'node:fs';
+import {blankPage, check, finish, launch, PATIENCE, serve, SITE} from './browser.mjs';
+
+const pattern = new RegExp(process.argv[2] || '');
+const MOST = process.env.ALL ? Infinity : 2; // figures of a page
+const names = fs.readdirSync(SITE).filter((name) => /^\d\d_\w+\.html$/.test(name) && pattern.test(name)).sort();
+const server = await serve(SITE), browser = await launch(), waits = [];
+
+const state = (page) => page.evaluate(() => {
+    const at = document.querySelector('.live-drawn'), now = at?.program?.state();
+    if (!now?.runs) return null;
+    const {left, top, width, height} = at.querySelector('.live-canvas').getBoundingClientRect();
+    return {values: JSON.stringify(now.parameters.map(({value}) => value)), middle: [left + width / 2, top + height / 2],
+        points: now.handles.map(({x, y}) => [left + x * width, top + y * height])};
+});
+async function comes(page, right) {
+    for (const begun = Date.now(); ;) {
+        const now = await state(page);
+        if (now && right(now) || Date.now() - begun > PATIENCE) return now;
+        await page.evaluate(() => new Promise(requestAnimationFrame));
+    }
+}
+
+// Run a figure, and drag its first point a little towards the middle. Returns what was wrong, '' for nothing.
+async function answers(page, figure, phone) {
+    await figure.evaluate((one) => { for (let fold = one; (fold = fold.parentElement.closest('details'));) fold.open = true; one.scrollIntoView({block: 'center', behavior: 'instant'}); });
+    await figure.locator('.live-start')[phone ? 'tap' : 'click']();
+    let now = await comes(page, ({points}) => points.length > 0);
+    if (!now?.points.length) return 'no point';
+    await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
+    now = await state(page);
+    const [x, y] = now.points[0], to = [x + (now.middle[0] > x ? 24 : -24), y + (now.middle[1] > y ? 16 : -16)];
+    const begun = performance.now();
+    if (phone) {
+        const fingers = await page.context().newCDPSession(page);
+        for (const [type, ...at] of [['touchStart', [x, y]], ['touchMove', to], ['touchEnd']]) await fingers.send('Input.dispatchTouchEvent', {type, touchPoints: at.map(([x, y]) => ({x, y}))});
+    } else {
+        await page.mouse.move(x, y);
+        await page.mouse.down();
+        await page.mouse.move(...to);
+        await page.mouse.up();
+    }
+    const before = now.values;
+    now = await comes(page, ({values}) => values !== before);
+    waits.push(performance.now() - begun);
+    return now.values === before ? 'its point does not move' : '';
+}
+
+for (const name of names) {
+    const wrong = [];
+    let count = 0;
+    for (const phone of [false, true]) {
+        const {page, said} = await blankPage(browser, {context: phone ? {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true} : {viewport: {width: 1440, height: 900}}});
+        await page.goto(`${server.at}/${name}`);
+        const figures = page.locator('.hands');
+        count = await figures.count();
+        for (let i = phone ? 1 : 0; i < Math.min(count, MOST); i += 2) {
+            const why = await answers(page, figures.nth(i), phone);
+            if (why) wrong.push(`${await figures.nth(i).getAttribute('line')}: ${why}`);
+        }
+        wrong.push(...said);
+        await page.close();
+    }
+    check(`${name}: at least two figures answer to the hand`, count >= 2 && wrong.length === 0, count, wrong);
+}
+waits.sort((a, b) => a - b);
+if (waits.length > 0) console.log(`# from the press to the new value: median ${waits[waits.length >> 1].toFixed(0)} ms, at most ${waits.at(-1).toFixed(0)} ms, of ${waits.length}; ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]} programs want the processors`);
+finish();
+await browser.close();
+server.close();

@@ -1,0 +1,205 @@
+// hands.mjs - pages that answer to the hand: a picture that lives where it is, the points of an interactive figure by
+// mouse, finger and keys, numbers in sentences, guesses, the telephone, the front page. At 1440 and at 390 pixels.
+import {blankPage, check, finish, launch, PATIENCE, serve, SITE} from './browser.mjs';
+
+const server = await serve(SITE), browser = await launch();
+const DESK = {viewport: {width: 1440, height: 900}}, PHONE = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2};
+
+async function open(name, context = DESK) {
+    const opened = await blankPage(browser, {context});
+    await opened.page.goto(`${server.at}/${name}`);
+    return opened;
+}
+const state = (page) => page.evaluate(() => document.querySelector('.live-window')?.program?.state() ?? null);
+async function comes(page, right, ...values) {
+    await page.waitForFunction(([right, values]) => {
+        const state = document.querySelector('.live-drawn')?.program?.state();
+        return state?.runs && new Function('s', 'v', `return ${right}`)(state, values);
+    }, [right, values], {timeout: PATIENCE}).catch(() => {});
+    return state(page);
+}
+// Where a point of the figure is on the screen.
+async function handle(page, name) {
+    const box = await page.locator('.live-canvas').boundingBox(), {x, y} = (await state(page)).handles.find((one) => one.name === name);
+    return [box.x + x * box.width, box.y + y * box.height];
+}
+const value = async (page, name) => (await state(page)).parameters.find((one) => one.name === name).value;
+
+// ---- A picture that lives where it is ----
+
+let {page, said} = await open('01_normal_colouring.html', {...DESK, bypassCSP: true}); // the tests evaluate texts
+const picture = page.locator('.in-place:has(img[src*="slice-silhouette"])');
+await picture.scrollIntoViewIfNeeded();
+const before = await picture.locator('.live-screen').boundingBox();
+await page.evaluate(() => { // is the still picture there until the first frame?
+    window.seen = [];
+    const at = document.querySelector('.in-place:has(img[src*="slice-silhouette"])'), look = () => {
+        window.seen.push(at.classList.contains('live-drawn') || getComputedStyle(at.querySelector('.live-screen > img')).display !== 'none');
+        if (!at.classList.contains('live-drawn')) requestAnimationFrame(look);
+    };
+    look();
+});
+const begun = Date.now();
+await picture.locator('img').click();
+await page.waitForSelector('.live-drawn');
+console.log(`# from the touch to the first frame, with the module: ${Date.now() - begun} ms`);
+let now = await comes(page, 's.probe');
+check('a picture lives where it is, with its view and its ray', now.view === 'slice' && now.paused && Math.abs(now.pixel[0] / now.size[0] - 340 / 640) < 0.01, now.view, now.pixel, now.size);
+const after = await picture.locator('.live-screen').boundingBox();
+check('in the same place and size', ['x', 'y', 'width', 'height'].every((side) => Math.abs(before[side] - after[side]) < 2), before, after);
+check('the still picture stays until the first frame', await page.evaluate(() => window.seen.length > 1 && window.seen.every(Boolean)));
+const other = page.locator('.in-place:has(img[src*="normals"])').first();
+await other.scrollIntoViewIfNeeded();
+await other.locator('.live-start').click();
+await page.waitForFunction(() => document.querySelector('.live-drawn img')?.src.includes('normals'));
+check('the program of the page moves to the next one, and the first is a picture again', await page.locator('.live-canvas').count() === 1 && await picture.locator('img').isVisible());
+check('no error in the console', said.length === 0, said);
+await page.close();
+
+// ---- The points of a figure ----
+
+const FIGURE = '.hands';
+for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
+    ({page, said} = await open('index.html', {...context, bypassCSP: true}));
+    const figure = page.locator(FIGURE).first(), phone = context === PHONE;
+    await figure.scrollIntoViewIfNeeded();
+    check(`${name}: a figure says that its points are dragged`, await figure.locator('.live-start').textContent() === 'Drag the points');
+    await figure.locator('.live-start')[phone ? 'tap' : 'click']();
+    now = await comes(page, 's.handles.length > 2');
+    await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
+    const [x, y] = await handle(page, 'ball'), old = await value(page, 'ball');
+    const fingers = phone && await page.context().newCDPSession(page), touch = (type, ...at) => fingers.send('Input.dispatchTouchEvent', {type, touchPoints: at.map(([x, y]) => ({x, y}))});
+    const scroll = await page.evaluate(() => scrollY);
+    if (phone) {
+        await touch('touchStart', [x + 8, y + 8]);
+        for (let i = 1; i <= 6; i++) await touch('touchMove', [x + 8, y + 8 + 7 * i]);
+        await touch('touchEnd');
+    } else {
+        await page.mouse.move(x, y);
+        await page.mouse.down();
+        await page.mouse.move(x + 20, y + 42, {steps: 6});
+        await page.mouse.up();
+    }
+    now = await comes(page, 's.parameters.find((p) => p.name === "ball").value[1] < v[0] - 0.05', old[1]);
+    const [, moved] = await handle(page, 'ball');
+    check(`${name}: a point follows ${phone ? 'the finger' : 'the mouse'}`, Math.abs(moved - y - 42) < 4, y, moved);
+    check(`${name}: and the page does not scroll`, await page.evaluate(() => scrollY) === scroll);
+    if (phone) {
+        const box = await page.locator('.live-canvas').boundingBox(), from = [box.x + 12, box.y + box.height - 12], all = JSON.stringify((await state(page)).parameters);
+        await touch('touchStart', from);
+        for (let i = 1; i <= 12; i++) await touch('touchMove', [from[0], from[1] - 20 * i]);
+        await touch('touchEnd');
+        await page.waitForFunction((scroll) => scrollY > scroll + 50, scroll).catch(() => {});
+        check(`${name}: a swipe beside the points scrolls the page, and moves nothing`, await page.evaluate(() => scrollY) > scroll + 50 && JSON.stringify((await state(page)).parameters) === all);
+    }
+    await page.evaluate(() => document.activeElement.blur());
+    await page.locator('.live-canvas').focus();
+    await page.keyboard.press('Tab');
+    await page.keyboard.press('Shift+Tab');
+    now = await comes(page, 's.handles.some((one) => one.focused)');
+    const focused = now.handles.find((one) => one.focused)?.name, stood = await value(page, focused);
+    await page.keyboard.press('ArrowRight');
+    now = await comes(page, 's.parameters.find((p) => p.name === v[0]).value[0] > v[1]', focused, stood[0]);
+    check(`${name}: with the keyboard a point is focused, and the arrow keys move it`, (await value(page, focused))[0] > stood[0], focused, stood);
+    for (let i = 0; i < 2; i++) await page.keyboard.press('Enter'); // the ball is the last one: then there is none, then the first
+    now = await comes(page, 's.handles.some((one) => one.focused && one.name !== v[0])', focused);
+    check(`${name}: Enter goes to the next`, ![undefined, focused].includes(now.handles.find((one) => one.focused)?.name));
+    check(`${name}: nothing to scroll sideways`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    check(`${name}: no error in the console`, said.length === 0, said);
+    await page.close();
+}
+
+// ---- Numbers in sentences ----
+
+({page, said} = await open('03_shadows.html', {...DESK, bypassCSP: true}));
+await page.evaluate(() => {
+    const line = document.createElement('p');
+    line.innerHTML = 'With <code class="scrub">lampHeight=2</code>.';
+    document.querySelector('live-chapter').after(line);
+    return import('./live.js').then((live) => live.scrub(line.firstElementChild));
+});
+const code = page.locator('code.scrub').first();
+let box = await code.boundingBox();
+await page.mouse.move(box.x + 40, box.y + 8);
+await page.mouse.down();
+now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] === 2');
+check('a number that is touched is set in the nearest picture', (await value(page, 'lampHeight'))[0] === 2);
+await page.mouse.move(box.x + 100, box.y + 8, {steps: 5});
+await page.mouse.up();
+now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] > 2.5');
+const height = (await value(page, 'lampHeight'))[0];
+check('dragged sideways it grows, in the sentence and in the picture', height > 2.5 && await code.textContent() === `lampHeight=${Number(height.toPrecision(3))}`, height, await code.textContent());
+await page.keyboard.press('ArrowLeft');
+now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] < v[0]', height);
+check('so it does by the arrow keys', (await value(page, 'lampHeight'))[0] < height && Number(await code.getAttribute('aria-valuenow')) < height);
+await page.evaluate(() => scrollTo({top: 4000, behavior: 'instant'}));
+await page.evaluate(() => document.querySelector('code.scrub').focus({preventScroll: true}));
+await page.keyboard.press('ArrowRight');
+await page.waitForSelector('.live-afloat');
+box = await page.locator('.live-canvas').boundingBox();
+check('a picture that is scrolled away comes into sight while its number moves', box.y >= 0 && box.y + box.height <= 900, box);
+check('no error in the console', said.length === 0, said);
+await page.close();
+
+// ---- Predict first ----
+
+({page, said} = await open('00_first_scene.html', DESK));
+const guess = page.locator('form.guess').first(), answer = page.locator('form.guess ~ details').first();
+await answer.locator('summary').click();
+check('an answer asks for a guess before it opens', !await answer.evaluate((one) => one.open) && /Guess first/.test(await guess.locator('output').textContent()));
+await guess.getByLabel('the one that just misses').check();
+await guess.getByRole('button').click();
+check('then it opens and says whether that is right', await answer.evaluate((one) => one.open) && await answer.locator('.guessed').textContent() === 'Your guess: the one that just misses. That is right.', await answer.textContent());
+await page.reload();
+check('the guess is kept', await answer.locator('.guessed').textContent() === 'Your guess: the one that just misses. That is right.');
+const counted = page.locator('form.guess[data-kind=number]').first();
+await counted.locator('input').fill('3');
+await counted.getByRole('button').click();
+check('of a number it says how near it was', await page.getByText('Your guess: 3. It is 1: you were off by a factor of 3.0.').isVisible());
+const second = page.locator('form.guess:not([data-kind])').first();
+await second.evaluate((form) => { let next = form; while (!next.matches('details')) next = next.nextElementSibling; next.id = 'second'; });
+await page.locator('#second summary').click();
+await page.locator('#second summary').click();
+check('who presses twice needs no guess', await page.locator('#second').evaluate((one) => one.open));
+check('no error in the console', said.length === 0, said);
+await page.close();
+
+// ---- A telephone ----
+
+({page, said} = await open('01_normal_colouring.html', {...PHONE, bypassCSP: true}));
+await page.locator('.live-start').first().tap();
+await comes(page, 's.rate > 0');
+const icons = await page.locator('.live-iconed').evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({top, height, width}) => [Math.round(top), height, width]));
+check('the controls are one row of drawings, large enough for a thumb', icons.length === 9 && new Set(icons.map(([top]) => top)).size === 1 && icons.every(([, height, width]) => height >= 44 && width >= 32), icons);
+await page.locator('.live-canvas').tap({position: {x: 190, y: 120}});
+await page.waitForSelector('.live-slice:not([hidden])');
+await page.waitForFunction(() => document.querySelector('.live-slice').width > 0);
+const [canvas, slice] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-slice').boundingBox()];
+check('the slice of the ray opens below the picture', slice.y > canvas.y + canvas.height && slice.y < canvas.y + canvas.height + 80 && slice.width > 340, canvas, slice);
+const orange = await page.locator('.live-slice').evaluate((one) => [...one.getContext('2d').getImageData(one.width / 4, one.height / 4, 1, 1).data]);
+check('and is drawn, while the picture is the picture', orange[0] > orange[2] && (await state(page)).view === 'picture', orange);
+await page.getByRole('button', {name: 'Move', exact: true}).tap();
+check('the arrows come with Move', await page.getByRole('button', {name: 'Move forwards'}).isVisible());
+check('no error in the console', said.length === 0, said);
+await page.close();
+
+// ---- The front page ----
+
+({page, said} = await open('index.html', DESK));
+await page.waitForFunction(() => document.querySelector('img[data-film]').currentSrc.endsWith('day.webp'));
+check('the front page has a film of a day, once it is there', true);
+await page.locator('a.begin').click();
+await page.waitForSelector('.live-window.live-editing .cm-content');
+check('its button begins a ball, with its text', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
+const [left, right] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-editor').boundingBox()];
+check('which is beside the picture', right.x >= left.x + left.width, left, right);
+check('no error in the console', said.length === 0, said);
+await page.close();
+({page} = await open('index.html', {...DESK, reducedMotion: 'reduce'}));
+await page.waitForLoadState('load');
+check('who wants little motion has a picture', await page.evaluate(() => !document.querySelector('img[data-film]').src.endsWith('day.webp')));
+await page.close();
+
+finish();
+await browser.close();
+server.close();

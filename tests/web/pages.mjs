@@ -1,0 +1,137 @@
+// pages.mjs - the site's files, without a browser: every page is there, no link is dead, no formula
+// failed, nothing comes from elsewhere or lies there unused, every command has its button or its reason, no page is too heavy.
+import {execFileSync} from 'node:child_process';
+import fs from 'node:fs';
+import os from 'node:os';
+import path from 'node:path';
+import zlib from 'node:zlib';
+import {check, finish, SITE} from './browser.mjs';
+
+const walk = (folder) => fs.readdirSync(folder, {withFileTypes: true}).flatMap((one) => one.isDirectory() ? walk(`${folder}/${one.name}`) : [`${folder}/${one.name}`]);
+const files = new Set(walk(SITE).map((file) => path.relative(SITE, file)));
+const pages = [...files].filter((name) => name.endsWith('.html')).sort();
+const plain = (html) => html.replace(/<[^>]*>/g, '').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&quot;', '"').replaceAll('&#39;', '\'').replaceAll('&amp;', '&');
+const text = new Map(pages.map((name) => [name, fs.readFileSync(`${SITE}/${name}`, 'utf8')]));
+const top = pages.filter((name) => !name.includes('/'));
+check('there are pages', top.length >= 30, top.length);
+const lacking = fs.readdirSync('docs').filter((name) => name.endsWith('.md') && name !== 'README.md' && !text.has(name.replace(/md$/, 'html')));
+check('every page of docs/ is one of the site', lacking.length === 0, lacking);
+
+// ---- Links and what a page loads ----
+
+const ids = new Map([...text].map(([name, html]) => [name, new Set([...html.matchAll(/\sid="([^"]*)"/g)].map((match) => plain(match[1])))]));
+const dead = [], foreign = [], doubled = [];
+for (const [name, html] of text) {
+    const all = [...html.matchAll(/\sid="([^"]*)"/g)].map((match) => match[1]);
+    if (new Set(all).size !== all.length) doubled.push(`${name}: ${all.find((id, i) => all.indexOf(id) !== i)}`);
+    for (const [, tag, attributes] of html.matchAll(/<(\w[\w-]*)((?:\s[\w-]+(?:="[^"]*")?)*)\s*\/?>/g)) {
+        for (const [, attribute, value] of attributes.matchAll(/\s(href|src|data-index|poster)="([^"]*)"/g)) {
+            const address = plain(value);
+            if (/^(data|mailto):/.test(address)) continue;
+            if (/^[a-z]+:|^\/\//i.test(address)) {
+                if (tag !== 'a') foreign.push(`${name}: ${address}`);
+                continue;
+            }
+            const [file, id] = address.split('#');
+            const target = file === '' ? name : path.join(path.dirname(name), file.split('?')[0]);
+            if (!files.has(target) || (id && ids.has(target) && !ids.get(target).has(decodeURIComponent(id)))) dead.push(`${name}: ${address}`);
+        }
+    }
+}
+for (const name of [...files].filter((name) => name.endsWith('.css')))
+    for (const [, address] of fs.readFileSync(`${SITE}/${name}`, 'utf8').matchAll(/url\(["']?([^"')]+)/g))
+        if (!address.startsWith('data:') && !files.has(path.join(path.dirname(name), address.split(/[?#]/)[0]))) dead.push(`${name}: ${address}`);
+check('no link is dead', dead.length === 0, dead.length, dead.slice(0, 8));
+check('no page loads anything from elsewhere', foreign.length === 0, foreign.slice(0, 8));
+check('no page has two places of one name', doubled.length === 0, doubled.slice(0, 8));
+
+const said = [...files].filter((name) => /\.(html|js|css|json|txt|frag|glsl)$/.test(name)).map((name) => fs.readFileSync(`${SITE}/${name}`, 'utf8')).join('');
+const idle = [...files].filter((name) => !said.includes(path.basename(name)) && name !== 'fonts/LICENSE.txt');
+check('nothing lies there that nothing asks for', idle.length === 0, idle.length, idle.slice(0, 8));
+
+// ---- Formulas ----
+
+const failed = [...text].filter(([, html]) => /<merror|temml-error|katex-error|class="math (inline|display)"/.test(html)).map(([name]) => name);
+check('no formula failed', failed.length === 0, failed);
+const formulas = [...text.values()].reduce((sum, html) => sum + html.split('<math').length - 1, 0);
+check('and there are formulas', formulas > 3000, formulas);
+
+// ---- Figures ----
+
+// A picture may load nothing: each letter of a figure is in a font within it, upright, slanted or bold as it is drawn.
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'web_pages-')), charsets = new Map();
+function charsetOf(data) {
+    if (!charsets.has(data)) {
+        fs.writeFileSync(`${folder}/font.woff2`, data, 'base64');
+        charsets.set(data, execFileSync('fc-query', ['-f', '%{charset}', `${folder}/font.woff2`], {encoding: 'utf8'}).split(' ')
+            .map((range) => range.split('-').map((code) => parseInt(code, 16))));
+    }
+    return charsets.get(data);
+}
+const holds = (ranges, letter) => (ranges ?? []).some(([first, last = first]) => letter.codePointAt(0) >= first && letter.codePointAt(0) <= last);
+const decoded = (words) => plain(words).replace(/&#(\d+);/g, (_, code) => String.fromCodePoint(code));
+const svgs = [...files].filter((name) => /^pictures\/.*\.svg$/.test(name)), homeless = [];
+for (const name of svgs) {
+    const svg = fs.readFileSync(`${SITE}/${name}`, 'utf8'), faces = {};
+    for (const [, family, style, data] of svg.matchAll(/@font-face\{font-family:"([^"]*)";(?:font-(?:style|weight):(\w+);)?src:url\(data:font\/woff2;base64,([^)]*)\)/g))
+        faces[family === 'Course Signs' ? 'signs' : style ?? 'upright'] = charsetOf(data);
+    for (const [, text] of svg.matchAll(/<text[^>]*>(.*?)<\/text>/g)) {
+        let upright = text;
+        for (const [whole, style, words] of text.matchAll(/<tspan font-(?:style|weight)='(\w+)'>([^<]*)<\/tspan>/g)) {
+            upright = upright.replace(whole, '');
+            for (const letter of decoded(words)) if (!holds(faces[style], letter) && !holds(faces.signs, letter)) homeless.push(`${name}: ${style} ${letter}`);
+        }
+        for (const letter of decoded(upright)) if (!holds(faces.upright, letter) && !holds(faces.signs, letter)) homeless.push(`${name}: ${letter}`);
+    }
+    if (!/prefers-color-scheme: dark/.test(svg) || !svg.includes('svg{font-family:"Course Heros","Course Signs"')) homeless.push(name);
+}
+fs.rmSync(folder, {recursive: true});
+check('every figure has its letters within it, and a dark theme', svgs.length > 15 && homeless.length === 0, svgs.length, homeless.slice(0, 8));
+
+// ---- Commands ----
+
+// Read from the sources, not from what the builder made of them: each command of a shell block is
+// in the page, in a block with a button, a form or a reason.
+const squeezed = (words) => words.replace(/\s+/g, ' ').trim();
+const mute = [];
+let commands = 0;
+for (const name of top.filter((name) => fs.existsSync(`docs/${name.replace(/html$/, 'md')}`))) {
+    const blocks = (text.get(name) + (text.get(name.replace('.html', '-proofs.html')) ?? '')).split('<div class="command">').slice(1).map((html) => {
+        const [listing, rest] = [html.slice(0, html.indexOf('</pre>')), html.slice(html.indexOf('</pre>'), html.indexOf('</div>'))];
+        return {shown: squeezed(plain(listing)), answered: /<button[^>]*class="run"|<form class="check"|class="reason"/.test(rest)};
+    });
+    const source = fs.readFileSync(`docs/${name.replace(/html$/, 'md')}`, 'utf8');
+    for (const [, block] of source.matchAll(/^[ >]*```sh\n([\s\S]*?)^[ >]*```/gm)) {
+        for (const line of block.replace(/\\\n/g, '\\ ').split('\n').map((line) => squeezed(line)).filter((line) => /^(make|build\/)/.test(line))) {
+            commands++;
+            if (!blocks.some((one) => one.answered && one.shown.includes(line))) mute.push(`${name}: ${line}`);
+        }
+    }
+}
+check('every command has a button or a reason', commands > 400 && mute.length === 0, commands, mute.slice(0, 8));
+
+// A question that has another wording takes words: then its line in guesses.txt says nothing any more.
+const right = fs.readFileSync('docs/web/guesses.txt', 'utf8').split('\n').filter((line) => line && !line.startsWith('#')).map((line) => line.split('|')[0].trim());
+const asked = [...new Set(right)].filter((stem) => ((text.get(`${stem}.html`) ?? '').match(/<form class="guess" data-kind/g) ?? []).length !== right.filter((one) => one === stem).length);
+check('every line of guesses.txt has its question', right.length > 10 && asked.length === 0, asked);
+
+// ---- Weight ----
+
+const packed = (data) => zlib.gzipSync(data, {level: 9}).length;
+const weight = (name) => packed(fs.readFileSync(`${SITE}/${name}`));
+const weights = top.map((name) => {
+    const loaded = [...text.get(name).matchAll(/<(?:script|link)[^>]*\s(?:src|href)="([^"]*\.(?:js|css))"/g)].map((match) => match[1]);
+    return {name, raw: Buffer.byteLength(text.get(name)), sent: weight(name) + loaded.reduce((sum, file) => sum + weight(file), 0)};
+}).sort((a, b) => b.sent - a.sent);
+const fonts = [...files].filter((name) => name.endsWith('.woff2')).reduce((sum, name) => sum + fs.statSync(`${SITE}/${name}`).size, 0);
+const kilo = (bytes) => (bytes / 1000).toFixed(0);
+console.log(`# the heaviest pages, with script and style, compressed: ${weights.slice(0, 3).map((one) => `${one.name} ${kilo(one.sent)} KB`).join(', ')}; all fonts ${kilo(fonts)} KB more, once`);
+const texts = [...weights].sort((a, b) => b.raw - a.raw);
+console.log(`# not compressed, the text alone: ${texts.slice(0, 3).map((one) => `${one.name} ${kilo(one.raw)} KB`).join(', ')}`);
+check('no page has more than 150 KB of text, not compressed', texts[0].raw <= 150e3, texts[0]);
+check('nor does one weigh more with script and style, compressed', weights[0].sent <= 150e3, weights[0]);
+const module = ['harness.wasm', 'harness.js', 'program.js', 'stage.js', 'live.js', 'values.js', 'ray.js', 'course.json'].filter((name) => files.has(name));
+const sum = module.reduce((total, name) => total + weight(name), 0);
+console.log(`# what a click on Run loads: ${kilo(sum)} KB compressed`);
+check('what a click on Run loads is at most 290 KB, compressed', sum <= 290e3, sum);
+finish();

@@ -1,0 +1,323 @@
+// program.mjs - the program in a page: keys, mouse and fingers, a hidden page, a lost context, and WebGL's peculiarities.
+import {execFileSync} from 'node:child_process';
+import fs from 'node:fs';
+import {check, finish, frames, launch, openPage, rest, serve, start, state, until, WEB} from './browser.mjs';
+
+const server = await serve(WEB), browser = await launch();
+const {page, said} = await openPage(browser, server.at);
+const canvas = page.locator('#canvas');
+const parameter = (now, name) => now.parameters.find((p) => p.name === name).value;
+
+// What the canvas shows, by the browser's own screenshot: the mean of its bytes, and whether a part is black.
+async function shown(of = page) {
+    const png = await of.locator('#canvas').screenshot();
+    return of.evaluate(async (data) => {
+        const picture = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+        const context = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
+        context.drawImage(picture, 0, 0);
+        const bytes = context.getImageData(0, 0, picture.width, picture.height).data;
+        let sum = 0;
+        for (let i = 0; i < bytes.length; i += 4) sum += bytes[i] + bytes[i + 1] + bytes[i + 2];
+        return {mean: sum / (0.75 * bytes.length), width: picture.width, height: picture.height};
+    }, png.toString('base64'));
+}
+
+const calls = () => page.evaluate(() => ({...window.calls}));
+
+// ---- Command lines ----
+
+check('a wrong option is refused with status 2', await start(page, '03_shadows', '--nonsense') === 2);
+check('with one line of the program', (await page.evaluate(() => window.lines.filter((line) => line.startsWith('! ')))).length === 1);
+check('an unknown chapter is refused', await start(page, '77_nothing') === 2);
+await page.evaluate(() => { window.lines.length = 0; });
+check('--help ends with status 0', await start(page, '03_shadows', '--help') === 0);
+check('and prints what the program prints', (await page.evaluate(() => window.lines.join('\n'))).trim() ===
+    execFileSync('build/03_shadows', ['--help'], {encoding: 'utf8'}).replaceAll('build/03_shadows', '03_shadows').trim());
+check('quotes stand around a word', await start(page, '03_shadows', `--set "lampHeight=2.5" --size '320x180'`) === 0);
+check('a value of the command line is the parameter\'s', parameter(await state(page), 'lampHeight')[0] === 2.5);
+
+// The table of a probe, number by number.
+const probe = (text) => text.trim().split('\n').map((line) => line.split(/[ ,;:]+/));
+let worst = 0, compared = 0;
+for (const [stem, place] of [['01_normal_colouring', '340,140'], ['03_shadows', '320,180'], ['12_textures', '300,120'], ['16_fewer_steps', '200,150']]) {
+    await page.evaluate(() => { window.lines.length = 0; });
+    await start(page, stem, `--probe ${place}`);
+    const here = probe((await page.evaluate(() => window.lines)).join('\n'));
+    const there = probe(execFileSync(`build/${stem}`, ['--probe', place], {encoding: 'utf8', env: {...process.env, LIBGL_ALWAYS_SOFTWARE: '1'}}));
+    check(`${stem}: the table of a ray has the same shape`, here.length === there.length && here.every((line, i) => line.length === there[i].length), here.at(-1), there.at(-1));
+    there.forEach((line, i) => line.forEach((word, k) => {
+        const [a, b] = [Number(here[i]?.[k]), Number(word)];
+        if (Number.isNaN(b)) return;
+        compared++;
+        worst = Math.max(worst, Math.abs(a - b) / Math.max(1, Math.abs(b)));
+    }));
+}
+console.log(`# ${compared} numbers of probes, the worst differs by ${worst.toExponential(1)} of itself, or of 1`);
+check('the probe\'s numbers are those of the program', compared > 200 && worst < 5e-6, worst);
+
+// ---- The window ----
+
+check('a chapter starts', await start(page, '03_shadows') === 0);
+let now = await state(page);
+check('it takes the canvas\'s size', now.size[0] === 320 && now.size[1] === 180, now.size);
+check('the picture is there', (await shown()).mean > 20, await shown());
+const attributes = await page.evaluate(() => document.getElementById('canvas').getContext('webgl2').getContextAttributes());
+check('the canvas has neither antialiasing nor alpha nor depth', !attributes.antialias && !attributes.alpha && !attributes.depth, attributes);
+
+await canvas.focus();
+await page.keyboard.press('Escape');
+check('Escape pauses', (await until(page, (s) => s.paused)).paused);
+await page.keyboard.press('Digit4');
+check('4 shows the steps', (await until(page, (s) => s.view === 'steps')).view === 'steps');
+await page.keyboard.press('Digit1');
+check('1 shows the picture', (await until(page, (s) => s.view === 'picture')).view === 'picture');
+
+const eye = (await state(page)).camera;
+await page.keyboard.down('KeyW');
+await until(page, (s) => Math.abs(s.camera[2] - eye[2]) > 0.05);
+await page.keyboard.up('KeyW');
+await rest(page);
+now = await state(page);
+check('W moves the eye', Math.hypot(...now.camera.slice(0, 3).map((x, i) => x - eye[i])) > 0.05, eye, now.camera);
+const moved = now.camera;
+await page.evaluate(() => document.activeElement.blur());
+await page.keyboard.press('KeyW');
+await page.keyboard.press('Digit4');
+await frames(page, 20);
+now = await state(page);
+check('keys without the focus are the page\'s', now.view === 'picture' && now.camera.every((x, i) => x === moved[i]), now.view, now.camera);
+
+// Keys that belong to the browser are not taken from it.
+await canvas.focus();
+const taken = await page.evaluate(() => ['KeyW,ctrl', 'KeyR,ctrl', 'Tab', 'F5', 'F11', 'KeyW'].map((word) => {
+    const [code, ctrl] = word.split(',');
+    const event = new KeyboardEvent('keydown', {code, key: code, ctrlKey: ctrl !== undefined, cancelable: true});
+    document.getElementById('canvas').dispatchEvent(event);
+    document.getElementById('canvas').dispatchEvent(new KeyboardEvent('keyup', {code, key: code}));
+    return event.defaultPrevented;
+}));
+check('Ctrl+W, Ctrl+R, Tab and the function keys stay the browser\'s', taken.join() === 'false,false,false,false,false,true', taken);
+await page.keyboard.press('Tab');
+check('Tab leaves the canvas', await page.evaluate(() => document.activeElement.id !== 'canvas'));
+
+await canvas.focus();
+const before = (await state(page)).camera;
+await page.mouse.move(200, 90);
+await page.mouse.down();
+await page.mouse.move(240, 100, {steps: 5});
+await page.mouse.up();
+now = await until(page, (s) => s.camera[3] !== before[3]);
+check('a drag turns the eye', now.camera[3] !== before[3] && now.camera[4] !== before[4], before, now.camera);
+await page.mouse.click(160, 110);
+now = await until(page, (s) => s.probe !== undefined);
+check('a click marches the ray of its pixel', now.probe?.steps > 0 && now.pixel.join() === '160,69', now.pixel, now.probe?.steps);
+
+// ---- The wheel ----
+
+await page.evaluate(() => document.activeElement.blur());
+await page.mouse.move(160, 90);
+await page.mouse.wheel(0, 120);
+await page.waitForFunction((before) => window.scrollY > 0 || window.program.state().parameters.find((p) => p.name === 'focalLength').value[0] !== before, parameter(await state(page), 'focalLength')[0]).catch(() => {});
+check('without the focus the wheel scrolls the page', await page.evaluate(() => window.scrollY) > 0);
+await page.waitForFunction(() => { window.scrollTo(0, 0); return window.scrollY === 0; });
+await frames(page, 20); // a wheel's smooth scrolling has an end
+await page.waitForFunction(() => { window.scrollTo(0, 0); return window.scrollY === 0; });
+await canvas.focus();
+const length = parameter(await state(page), 'focalLength')[0];
+await page.mouse.wheel(0, -300);
+now = await until(page, (s) => parameter(s, 'focalLength')[0] > length);
+check('with it the wheel is the program\'s', parameter(now, 'focalLength')[0] > length && await page.evaluate(() => window.scrollY) === 0, length);
+
+// ---- Fingers ----
+
+const phone = await openPage(browser, server.at, {context: {hasTouch: true, isMobile: true, viewport: {width: 390, height: 700}, deviceScaleFactor: 2}});
+const fingers = await phone.page.context().newCDPSession(phone.page);
+const touch = (type, ...points) => fingers.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
+await start(phone.page, '03_shadows');
+now = await state(phone.page);
+check('a phone\'s canvas has its screen\'s pixels', now.size.join() === '640,360', now.size);
+await phone.page.evaluate(() => window.program.call('live_pause', 1));
+await rest(phone.page);
+const turned = (await state(phone.page)).camera;
+await touch('touchStart', [100, 90]);
+for (let x = 105; x <= 150; x += 5) await touch('touchMove', [x, 90]);
+await touch('touchEnd');
+now = await until(phone.page, (s) => s.camera[3] !== turned[3]);
+check('a finger that is drawn over the picture turns the eye', now.camera[3] !== turned[3] && now.pixel[0] < 0, turned, now.camera, now.pixel);
+await rest(phone.page);
+const spread = await state(phone.page);
+await touch('touchStart', [150, 90], [170, 90]);
+for (let x = 0; x <= 60; x += 6) await touch('touchMove', [150 - x, 90], [170 + x, 90]);
+now = await until(phone.page, (s) => parameter(s, 'focalLength')[0] !== parameter(spread, 'focalLength')[0]);
+check('two that part come nearer', parameter(now, 'focalLength')[0] > parameter(spread, 'focalLength')[0]);
+for (let x = 60; x >= 0; x -= 6) await touch('touchMove', [150 - x, 90], [170 + x, 90]);
+await touch('touchEnd');
+await rest(phone.page);
+const nearer = parameter(now, 'focalLength')[0];
+now = await state(phone.page);
+check('two that meet go back', parameter(now, 'focalLength')[0] < nearer, nearer, parameter(now, 'focalLength'));
+check('and choose no ray', now.pixel[0] < 0, now.pixel);
+check('and the eye does not turn', now.camera.every((x, i) => x === spread.camera[i]), spread.camera, now.camera);
+await touch('touchStart', [160, 110]);
+await touch('touchEnd');
+now = await until(phone.page, (s) => s.probe !== undefined);
+check('a tap marches the ray of its pixel', now.probe?.steps > 0 && Math.abs(now.pixel[0] - 320) <= 1 && Math.abs(now.pixel[1] - 139) <= 1, now.pixel);
+check('the page has not moved under them', await phone.page.evaluate(() => window.scrollY === 0 && visualViewport.scale === 1));
+check('no error in the phone\'s console', phone.said.length === 0, phone.said);
+await phone.page.close();
+
+await page.evaluate(() => window.program.call('live_set', 'lampHeight', 0, 1e9));
+const lamp = (await state(page)).parameters.find((p) => p.name === 'lampHeight');
+check('a value that the page sets is kept within its range', lamp.value[0] === lamp.maximum, lamp.value);
+
+// ---- WebGL's traps ----
+
+// An overlay alone is drawn again over a picture that is only copied. A browser has emptied the canvas by then.
+await page.evaluate(() => window.program.call('live_pause', 1));
+await rest(page);
+const whole = (await shown()).mean;
+await page.evaluate(() => window.program.call('live_key', 72, 1, 0)); // H: the panel
+await rest(page);
+const listed = (await shown()).mean;
+await page.evaluate(() => window.program.call('live_key', 72, 1, 0));
+await rest(page);
+const again = (await shown()).mean;
+check('an overlay that is drawn again leaves the picture', Math.abs(again - whole) < 1 && again > 20 && listed > 0.2 * whole, whole, listed, again);
+
+// What a picture costs is known only once a pixel of it is read: WebGL's finish waits for nothing.
+// A chosen ray reads pixels of its own, so it is let go.
+await page.evaluate(() => window.program.call('live_pixel', -1, -1));
+await rest(page);
+const drawnAt = await calls();
+await page.evaluate(() => window.program.call('live_pause', 0));
+await page.waitForFunction((at) => window.calls.drawArrays > at + 12, drawnAt.drawArrays);
+const drawn = await calls();
+for (const name in drawn) drawn[name] -= drawnAt[name];
+check('each picture is waited for by reading a pixel', drawn.readPixels >= 0.3 * drawn.drawArrays, drawn);
+
+// ---- A page that nobody sees ----
+
+const hide = (hidden) => page.evaluate((hidden) => {
+    Object.defineProperty(document, 'hidden', {value: hidden, configurable: true});
+    document.dispatchEvent(new Event('visibilitychange'));
+    return [performance.now() / 1000, window.program.state().time];
+}, hidden);
+const [hiddenAt, hiddenTime] = await hide(true), drawnThen = await calls();
+await frames(page, 45);
+check('a hidden page draws nothing', (await calls()).drawArrays === drawnThen.drawArrays, drawnThen, await calls());
+check('and its time does not go on', (await state(page)).time === hiddenTime);
+const [shownAt] = await hide(false);
+now = await until(page, (s) => s.time > hiddenTime);
+const shownFor = (await page.evaluate(() => performance.now() / 1000)) - shownAt;
+// Up to a turn had passed since the last one when the page was hidden.
+check('what it was hidden for is not made up', now.time - hiddenTime < shownFor + 0.5 * (shownAt - hiddenAt), hiddenTime, now.time, hiddenAt, shownAt, shownFor);
+await page.evaluate(() => window.scrollTo(0, 2000));
+await page.waitForFunction(() => !window.program.visible).catch(() => {});
+const away = await calls();
+await frames(page, 25);
+check('one that is scrolled away draws nothing either', (await calls()).drawArrays === away.drawArrays);
+await page.evaluate(() => window.scrollTo(0, 0));
+await page.waitForFunction(() => window.program.visible);
+
+// ---- A context that is taken away ----
+
+const take = async () => {
+    await page.evaluate(() => {
+        window.events.length = 0;
+        window.taken = document.getElementById('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+        window.taken.loseContext();
+    });
+    await page.waitForFunction(() => window.events.includes('lost'));
+};
+const giveBack = async () => {
+    await page.evaluate(() => window.taken.restoreContext());
+    await page.waitForFunction(() => window.events.includes('found'));
+    await rest(page);
+    return state(page);
+};
+await page.evaluate(() => {
+    window.program.call('live_pause', 1);
+    window.program.call('live_set', 'lampHeight', 0, 2);
+});
+await rest(page);
+const kept = await state(page), keptMean = (await shown()).mean;
+await take();
+check('a lost context is reported', await page.evaluate(() => window.program.lost));
+now = await giveBack();
+check('it is made again with its values, its eye and its time', now.runs && parameter(now, 'lampHeight')[0] === 2 && now.time === kept.time && now.camera.every((x, i) => x === kept.camera[i]), now.error);
+check('and its picture', Math.abs((await shown()).mean - keptMean) < 1, keptMean, await shown());
+
+// Two pictures, the divider dragged to the left.
+await start(page, '00_first_scene', '--time 1 --shader chapters/experiments/00_factor.frag --compare --set factor=1.5');
+await page.evaluate(() => {
+    window.program.call('live_pause', 1);
+    window.program.call('live_set', 'factor (right)', 0, 0.3);
+});
+await page.mouse.move(160, 60);
+await page.mouse.down();
+await page.mouse.move(60, 60, {steps: 4});
+await page.mouse.up();
+await rest(page);
+const both = await state(page), bothMean = (await shown()).mean;
+await take();
+now = await giveBack();
+check('so are both of two pictures', JSON.stringify(now.parameters) === JSON.stringify(both.parameters) && parameter(now, 'factor (right)')[0] === 0.3, now.parameters, now.error);
+check('with their divider', Math.abs((await shown()).mean - bothMean) < 0.1, bothMean, await shown());
+
+// ---- Other people's files ----
+
+const drawText = (name, shader) => page.evaluate(async ([name, shader]) => {
+    window.program.write(name, shader);
+    window.pictures.length = window.lines.length = 0;
+    const status = await window.program.start('00_first_scene', `--shader '${name}' --output picture.png --size 64x36`);
+    return {status, drawn: window.pictures.length, lines: window.lines};
+}, [name, shader]);
+for (const [name, shader] of Object.entries({
+    'a file with a low precision is drawn': '#version 300 es\nprecision mediump float;\nin vec2 FragCoord;\nin float Time;\nuniform float iTime;\nuniform vec3 iResolution;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, Time + iTime + iResolution.x, 1.0); }\n',
+    'a file of the desktop is drawn': '#version 330 core\nin vec2 FragCoord;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, 0.0, 1.0); }\n',
+    'a Shadertoy text is drawn': 'precision lowp float;\nvoid mainImage(out vec4 c, in vec2 p) { float t; c = vec4(p / iResolution.xy, t, 1.0); }\n',
+    'one that asks for GL_ES is drawn': 'void mainImage(out vec4 c, in vec2 p) {\n#ifdef GL_ES\nc = vec4(0, 1, 0, 1);\n#else\nc = nothing;\n#endif\n}\n',
+})) {
+    const got = await drawText(`x ${name}.frag`, shader);
+    check(name, got.status === 0 && got.drawn === 1, got.lines);
+}
+const implicit = await drawText('x_implicit.frag', 'void mainImage(out vec4 c, in vec2 p) {\n    int n = 1;\n    float x = n;\n    c = vec4(x);\n}\n');
+check('what ES refuses is reported with its line', implicit.status === 1 && /x_implicit\.frag:3/.test(implicit.lines.join('\n')), implicit.lines);
+check('no error in the console', said.length === 0, said);
+
+// ---- A device whose float targets do not blend ----
+
+const poor = await openPage(browser, server.at, {before: () => {
+    const own = WebGL2RenderingContext.prototype.getExtension, all = WebGL2RenderingContext.prototype.getSupportedExtensions;
+    WebGL2RenderingContext.prototype.getExtension = function (name) { return name === 'EXT_float_blend' ? null : own.call(this, name); };
+    WebGL2RenderingContext.prototype.getSupportedExtensions = function () { return all.call(this).filter((name) => name !== 'EXT_float_blend'); };
+    const image = WebGL2RenderingContext.prototype.texImage2D;
+    window.forms = [];
+    WebGL2RenderingContext.prototype.texImage2D = function (...values) { window.forms.push(values[2]); return image.apply(this, values); };
+}});
+await start(poor.page, '03_shadows');
+now = await state(poor.page);
+const forms = await poor.page.evaluate(() => window.forms);
+check('without EXT_float_blend targets are made of half floats, and the page can ask for it', now.halves && forms.includes(0x881A) && !forms.includes(0x8814), now.halves, forms);
+check('and the picture is there', (await shown(poor.page)).mean > 20);
+check('with it they are floats', !kept.halves);
+
+const none = await openPage(browser, server.at, {before: () => {
+    const own = HTMLCanvasElement.prototype.getContext;
+    HTMLCanvasElement.prototype.getContext = function (kind, ...values) { return kind === 'webgl2' ? null : own.call(this, kind, ...values); };
+}});
+check('without WebGL 2 there is no window: status 3', await start(none.page, '03_shadows') === 3);
+check('and one line says why', (await none.page.evaluate(() => window.lines.join('\n'))).includes('this browser has no WebGL 2'));
+
+// ---- Size ----
+
+// What the first picture of any chapter loads, and with the texts of all chapters: gzip's bytes.
+const packed = (files) => files.reduce((sum, file) => sum + Number(execFileSync('bash', ['-c', `gzip -9c '${file}' | wc -c`], {encoding: 'utf8'})), 0);
+const module = packed(['harness.wasm', 'harness.js', 'program.js', 'course.json'].map((name) => `${WEB}/${name}`));
+const chapters = packed(fs.readdirSync(`${WEB}/course/chapters`).filter((name) => /\.(frag|glsl)$/.test(name)).map((name) => `${WEB}/course/chapters/${name}`));
+console.log(`# the module takes ${module} bytes compressed, the texts of all chapters ${chapters} more, one by one`);
+check('wasm, script and data of the module take at most 280 KB compressed', module <= 280e3, module);
+
+finish();
+await browser.close();
+server.close();

@@ -1,0 +1,52 @@
+// speed.mjs - what a frame costs in a browser against the program's own, by the time of processors, which other
+// programs hardly touch; and, printed but not judged, how long a reader waits for a first picture.
+import {execFileSync} from 'node:child_process';
+import fs from 'node:fs';
+import {blankPage, check, finish, launch, loadProgram, openPage, processors, serve, WEB} from './browser.mjs';
+
+const server = await serve(WEB), browser = await launch();
+const {page} = await openPage(browser, server.at);
+const bench = (frames) => page.evaluate((frames) => window.program.start('03_shadows', `--benchmark ${frames}`), frames);
+const own = () => Number(/frame, median +([0-9.]+)/.exec(execFileSync('build/03_shadows', ['--benchmark', '40'], {encoding: 'utf8', env: {...process.env, LIBGL_ALWAYS_SOFTWARE: '1'}}))[1]);
+
+// ---- A frame ----
+
+// What a benchmark does besides its frames is in both of two, and falls out of their difference. The processor's
+// speed changes while other programs run: the three shares of time interleave.
+const FEW = 5, MANY = 85;
+await bench(FEW);
+let here = 0, there = 0;
+for (let round = 0; round < 3; round++) {
+    const begun = processors();
+    await bench(FEW);
+    const between = processors();
+    await bench(MANY);
+    here += (processors() - between - (between - begun)) / (3 * (MANY - FEW));
+    there += own() / 3000;
+}
+const ratio = here / there;
+console.log(`# a frame of 03_shadows, 640x360: ${(1000 * here).toFixed(1)} ms of processors in the browser, ${(1000 * there).toFixed(1)} in the program: ${ratio.toFixed(2)} times`);
+check('a frame takes at most 1.5 times what it takes in the program', ratio <= 1.5, ratio);
+
+// ---- The first picture ----
+
+const waits = [];
+for (let i = 0; i < 5; i++) {
+    const fresh = await blankPage(browser);
+    await fresh.page.goto(`${server.at}/test.html`);
+    waits.push(await fresh.page.evaluate(`(async () => {
+        const begun = performance.now();
+        await (${loadProgram})();
+        await window.program.start('03_shadows', '');
+        while (window.calls.blitFramebuffer + window.calls.drawArrays === 0) await new Promise(requestAnimationFrame);
+        return performance.now() - begun;
+    })()`));
+    await fresh.page.close();
+}
+waits.sort((a, b) => a - b);
+console.log(`# from a click to the first picture of 03_shadows: ${waits.map((x) => x.toFixed(0)).join(', ')} ms, of which 500 are allowed; ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]} programs want the processors`);
+check('there is a first picture', waits.every((x) => x > 0));
+
+finish();
+await browser.close();
+server.close();

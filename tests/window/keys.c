@@ -1,0 +1,290 @@
+// keys.c - what a window shows after a key, as the command line draws it: views, parameters,
+// panel, screenshots, full screen, sizes.
+#include "context/context.h"
+#include "lib/compare.h"
+#include "lib/scratch.h"
+#include "lib/session.h"
+
+#define CHAPTER "01_normal_colouring"
+
+SESSION_TEST(the_window_opens_on_its_picture)
+{
+    session_open(CHAPTER, SESSION_STILL);
+    session_assert_title(CHAPTER " - ");
+    session_assert_title(" - picture - focalLength = 2");
+    session_keep(0);
+    session_key(GLFW_KEY_K);
+    assert_true(session_off(0, NULL) > 0.06);
+    session_key(GLFW_KEY_K);
+    assert_true(session_off(0, NULL) <= 0.0);
+    session_key(GLFW_KEY_H);
+    session_assert_shown(CHAPTER, SESSION_STILL);
+    assert_true(session_off(0, (const int[]){8, 8, 120, 90}) > 0.2);
+    session_key(GLFW_KEY_H);
+    assert_true(session_off(0, (const int[]){8, 8, 120, 90}) < 0.03);
+    session_key(GLFW_KEY_BACKSPACE);
+    assert_true(user.ended);
+    session_close();
+}
+
+// The list of keys has the labels of the keyboard, once there is one.
+SESSION_TEST(a_french_keyboard_has_its_labels)
+{
+    scratch_write("flat.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.3); }");
+    user.unfocused = true;
+    session_open(CHAPTER, "--size 640x360 --shader %s", scratch_path("flat.frag"));
+    session_key(GLFW_KEY_K);
+    session_keep(0);
+    session_turn();
+    const int below[4] = {0, 290, 640, 70};
+    assert_true(session_off(0, below) <= 0.0);
+    user.unfocused = false;
+    session_turn();
+    assert_true(session_off(0, below) > 0.0006);
+}
+
+SESSION_TEST(keys_change_the_view)
+{
+    static const char *const names[] = {"picture", "normals", "depth", "steps", "slice", "plot"};
+    session_open_bare(CHAPTER, SESSION_STILL);
+    for (int i = 5; i >= 0; i--) {
+        char title[32];
+        snprintf(title, sizeof title, " - %s - ", names[i]);
+        session_key(GLFW_KEY_1 + i);
+        session_assert_title(title);
+        session_assert_shown(CHAPTER, SESSION_STILL " --view %s", names[i]);
+    }
+    session_key(GLFW_KEY_5);
+    session_keep(0);
+    user_wheel(1.0);
+    session_turn();
+    assert_true(session_off(0, NULL) > 0.01);
+    user_wheel(-1.0);
+    session_turn();
+    assert_true(session_off(0, NULL) <= 0.0);
+    session_assert_title("focalLength = 2");
+}
+
+SESSION_TEST(keys_change_parameters)
+{
+    static const struct {
+        int key;
+        bool shift;
+        const char *title;
+    } steps[] = {{GLFW_KEY_DOWN, false, "normalStep = 0.001"},
+                 {GLFW_KEY_RIGHT, false, "normalStep = 0.002"},
+                 {GLFW_KEY_RIGHT, true, "normalStep = 0.5"},
+                 {GLFW_KEY_HOME, false, "normalStep = 0.001"},
+                 {GLFW_KEY_LEFT, false, "normalStep = 0.0005"},
+                 {GLFW_KEY_DELETE, false, "normalStep = 0.001"},
+                 {GLFW_KEY_UP, false, "focalLength = 2"},
+                 {GLFW_KEY_RIGHT, false, "focalLength = 2.1"}};
+    session_open_bare(CHAPTER, SESSION_STILL);
+    for (size_t i = 0; i < sizeof steps / sizeof *steps; i++) {
+        (steps[i].shift ? session_shift_key : session_key)(steps[i].key);
+        session_assert_title(steps[i].title);
+        if (steps[i].shift)
+            session_assert_shown(CHAPTER, SESSION_STILL " --set normalStep=0.5");
+    }
+    session_key(GLFW_KEY_DELETE);
+    user_wheel(1.0);
+    session_turn();
+    session_assert_title("focalLength = 2.2");
+    session_assert_shown(CHAPTER, SESSION_STILL " --set focalLength=2.2");
+    session_key(GLFW_KEY_DELETE);
+    session_key(GLFW_KEY_TAB); // there is no orthographic parameter
+    session_assert_shown(CHAPTER, SESSION_STILL);
+}
+
+SESSION_TEST(a_screenshot_is_the_picture)
+{
+    session_open(CHAPTER, SESSION_STILL);
+    for (int i = 0; i < 2; i++) // a name that is taken is left
+        session_assert_screenshot(CHAPTER, SESSION_STILL);
+    session_close();
+    struct image shot, shown;
+    struct image_difference difference;
+    session_open(CHAPTER, SESSION_STILL " --overlay"); // kept in it
+    user_look(&shown);
+    session_shoot(&shot);
+    assert_true(image_compare(&shot, &shown, &difference) && difference.f2 < 0.01);
+    image_free(&shot);
+    image_free(&shown);
+    session_key(GLFW_KEY_H); // the screenshot's overlay must not stay in the window's picture
+    session_assert_shown(CHAPTER, SESSION_STILL);
+    session_close();
+}
+
+// A camera that is led about is that of the command line; a drag is 0.15 degree a pixel.
+SESSION_TEST(the_camera_is_led)
+{
+    session_open_bare(CHAPTER, SESSION_STILL);
+    user_drag(100, 100, 60, -40);
+    session_turn();
+    session_assert_shown(CHAPTER, "--size 320x200 --camera 1.65,1.6,3.4,-17,-17.5");
+    session_key(GLFW_KEY_M);
+    assert_true(user.captured);
+    session_key(GLFW_KEY_M);
+    assert_false(user.captured);
+    user_press(GLFW_KEY_SPACE, 0);
+    user.now += 0.05; // 2 units a second
+    user_release(GLFW_KEY_SPACE);
+    session_turn();
+    session_assert_shown(CHAPTER, "--size 320x200 --camera 1.65,1.7,3.4,-17,-17.5");
+    session_shift_key(GLFW_KEY_R);
+    session_assert_shown(CHAPTER, SESSION_STILL);
+}
+
+SESSION_TEST(time_runs_and_is_held)
+{
+    session_open_bare("00_first_scene", "--size 160x100");
+    session_keep(0);
+    session_wait(0.5);
+    assert_true(session_off(0, NULL) > 0.01);
+    session_assert_title(" 60 fps");
+    session_key(GLFW_KEY_ESCAPE);
+    session_assert_title("(paused)");
+    session_keep(0);
+    session_wait(0.5);
+    assert_true(session_off(0, NULL) <= 0.0);
+    session_key(GLFW_KEY_4); // the steps, which a whole file has not
+    session_assert_title(" - picture");
+    assert_non_null(strstr(session_said(2), "steps"));
+    assert_true(session_off(0, NULL) > 0.01); // said in the overlay too,
+    session_key(GLFW_KEY_1);
+    assert_true(session_off(0, NULL) <= 0.0); // until the next view
+    session_key(GLFW_KEY_R);
+    session_assert_shown("00_first_scene", "--size 160x100 --time 0");
+    session_keep(0);
+    session_key(GLFW_KEY_ESCAPE);
+    session_wait(0.5);
+    assert_true(session_off(0, NULL) > 0.01);
+    session_key(GLFW_KEY_E); // it keeps no trace: there is no ray
+    session_close();
+}
+
+// Red is OrthoView of a whole file.
+SESSION_TEST(tab_leads_to_the_other_projection)
+{
+    scratch_write("whole.frag", "#version 330 core\nin float OrthoView;\nout vec4 FragColor;\n"
+                                "void main() { FragColor = vec4(OrthoView, 0.0, 0.0, 1.0); }");
+    session_open_bare("00_first_scene", "--size 16x10 --shader %s", scratch_path("whole.frag"));
+    struct image image;
+    int red[3];
+    for (int i = 0; i < 3; i++) {
+        user_look(&image);
+        red[i] = image.pixel[0];
+        image_free(&image);
+        if (i == 0)
+            session_key(GLFW_KEY_TAB);
+        session_wait(i == 0 ? 0.2 : 0.5);
+    }
+    assert_true(red[0] == 0 && red[1] > 0 && red[1] < 255 && red[2] == 255);
+}
+
+// ---- Sizes ----
+
+SESSION_TEST(f11_fills_the_monitor_below_the_window)
+{
+    session_open_bare(CHAPTER, SESSION_STILL);
+    user.place[0] = 700;
+    session_key(GLFW_KEY_F11);
+    session_turn();
+    assert_true(user.full && user.size[0] == 800 && user.size[1] == 600);
+    session_assert_shown(CHAPTER, "--size 800x600 --camera 1.65,1.6,3.4,-26,-23.5");
+    session_key(GLFW_KEY_F11);
+    session_turn();
+    assert_false(user.full);
+    assert_true(user.place[0] == 700 && user.place[1] == 30);
+    session_assert_shown(CHAPTER, SESSION_STILL);
+}
+
+// Windows and macOS keep GLFW from returning while the window's edge is dragged: no turn is
+// given.
+SESSION_TEST(a_size_is_shown_at_once)
+{
+    session_open_bare(CHAPTER, SESSION_STILL);
+    static const int sizes[][2] = {{400, 260}, {240, 300}};
+    for (int i = 0; i < 2; i++) {
+        user_resize(sizes[i][0], sizes[i][1]);
+        session_assert_shown(CHAPTER, "--size %dx%d --camera 1.65,1.6,3.4,-26,-23.5", sizes[i][0],
+                             sizes[i][1]);
+    }
+    user_resize(0, 0); // as iconified on Windows
+    session_turn();
+    user_resize(320, 200);
+    session_turn();
+    session_assert_shown(CHAPTER, SESSION_STILL);
+}
+
+SESSION_TEST(a_dense_display_has_all_its_pixels)
+{
+    user.density = 2;
+    session_open_bare(CHAPTER, "--size 160x100 --camera 1.65,1.6,3.4,-26,-23.5");
+    session_assert_shown(CHAPTER, SESSION_STILL);
+    session_click(85, 35);
+    assert_non_null(strstr(session_said(1), "ray of pixel 170,129"));
+    session_close();
+}
+
+// A coarse pass begins the march of the picture and of its slice.
+SESSION_TEST(two_passes_are_one_picture)
+{
+    session_open_bare(CHAPTER, SESSION_STILL " --shader tests/shaders/coarse.frag");
+    session_assert_shown(CHAPTER, SESSION_STILL " --shader tests/shaders/coarse.frag");
+    session_key(GLFW_KEY_5);
+    session_assert_shown(CHAPTER, SESSION_STILL " --shader tests/shaders/coarse.frag --view slice");
+}
+
+// ---- The loop ----
+
+static void end_later(void)
+{
+    if (user.now > 10.0)
+        user_press(GLFW_KEY_BACKSPACE, 0);
+}
+
+// A window that stands still draws nothing, and waits for a tenth of a second at a time.
+SESSION_TEST(a_still_window_rests)
+{
+    session_open(CHAPTER, SESSION_STILL);
+    session_wait(1.0);
+    int frames = user.frames;
+    user.wait = end_later;
+    assert_true(session_run());
+    assert_int_equal(user.frames, frames + 1);
+    assert_in_range(user.waits, 80, 100);
+}
+
+// The value of a hint that was given, the last one; -1: it was not.
+static int hinted(int hint)
+{
+    int value = -1;
+    for (int i = 0; i < user.hints; i++)
+        value = user.hint[i][0] == hint ? user.hint[i][1] : value;
+    return value;
+}
+
+// What a window is asked for.
+SESSION_TEST(hints_are_those_of_a_mac)
+{
+    session_open(CHAPTER, SESSION_STILL);
+    static const int hints[][2] = {{GLFW_COCOA_MENUBAR, 1},
+                                   {GLFW_CONTEXT_VERSION_MAJOR, 3},
+                                   {GLFW_CONTEXT_VERSION_MINOR, 3},
+                                   {GLFW_OPENGL_FORWARD_COMPAT, 1},
+                                   {GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE},
+                                   {GLFW_SCALE_TO_MONITOR, 1},
+                                   {GLFW_VISIBLE, 1}};
+    for (size_t i = 0; i < sizeof hints / sizeof *hints; i++)
+        assert_int_equal(hinted(hints[i][0]), hints[i][1]);
+    session_close();
+    struct context hidden;
+    assert_true(context_open_offscreen(&hidden, CONTEXT_GLFW));
+    assert_int_equal(hinted(GLFW_COCOA_MENUBAR), 0); // no icon in the Dock
+    assert_int_equal(hinted(GLFW_OPENGL_FORWARD_COMPAT), 1);
+    assert_int_equal(hinted(GLFW_VISIBLE), 0);
+    context_close(&hidden);
+}
+
+TESTS(NULL, NULL)

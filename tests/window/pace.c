@@ -1,0 +1,165 @@
+// pace.c - a window whose picture takes long: it is coarser while something moves and sharpens at
+// rest. The clock goes on by so much for each pixel as the test says.
+#include "lib/compare.h"
+#include "lib/scratch.h"
+#include "lib/session.h"
+
+#define CHAPTER "01_normal_colouring"
+#define LARGE   "--size 480x300 --camera 1.65,1.6,3.4,-26,-23.5"
+
+enum { WIDTH = 480, HEIGHT = 300 };
+static const int above[4] = {0, 0, WIDTH, HEIGHT / 4}, below[4] = {0, 225, WIDTH, HEIGHT / 4};
+
+// A second for the whole picture.
+static void make_heavy(void)
+{
+    user.pixel_seconds = 1.0 / WIDTH / HEIGHT;
+}
+
+// Keep the sharp picture under 0.
+static void open_sharp(const char *options)
+{
+    session_open_bare(CHAPTER, LARGE "%s", options);
+    session_assert_shown(CHAPTER, LARGE "%s", options);
+    session_keep(0);
+    make_heavy();
+}
+
+static void disturb(void)
+{
+    session_key(GLFW_KEY_RIGHT);
+    session_key(GLFW_KEY_LEFT);
+}
+
+static bool sharp(const int part[4])
+{
+    return session_off(0, part) <= 0.0;
+}
+
+// Turn until the upper part is sharp and the lower one is not.
+static void turn_to_half(void)
+{
+    for (int i = 0; i < 200 && !sharp(above); i++)
+        session_turn();
+    assert_true(sharp(above) && !sharp(below));
+}
+
+SESSION_TEST(what_is_heavy_is_coarse_and_sharpens_from_the_top)
+{
+    open_sharp("");
+    for (int i = 0; i < 3; i++)
+        disturb();
+    assert_true(!sharp(above) && !sharp(below));
+    double begun = user.now;
+    disturb();
+    assert_true(user.now - begun < 0.25); // 0.08 s a picture, and what the turns take
+    for (int i = 0; i < 10; i++) {        // it rests for 0.3 s before it sharpens
+        session_turn();
+        assert_false(sharp(above));
+    }
+    turn_to_half();
+    disturb(); // begins anew
+    assert_true(!sharp(above));
+    turn_to_half();
+    begun = user.now;
+    session_key(GLFW_KEY_H); // answered while it sharpens, and interrupts nothing
+    assert_true(user.now - begun < 0.25);
+    assert_true(session_off(0, (const int[]){8, 8, 130, 20}) > 0.1);
+    session_key(GLFW_KEY_H);
+    assert_true(sharp(above));
+    session_wait(2.0);
+    assert_true(sharp(NULL));
+    int frames = user.frames;
+    session_wait(1.0);
+    assert_int_equal(user.frames, frames);
+    session_close();
+}
+
+// The grey that the window shows.
+static int grey(void)
+{
+    struct image image;
+    user_look(&image);
+    int value = image.pixel[0];
+    image_free(&image);
+    return value;
+}
+
+// The selected pixel is scaled with the picture: otherwise another ray would be marched. The grey
+// tells how far its second step is from a plane on the right.
+SESSION_TEST(a_coarse_picture_marches_the_selected_ray)
+{
+    scratch_write("marched.frag",
+                  "#include \"main.glsl\"\n#include \"camera.glsl\"\n#include \"march.glsl\"\n"
+                  "#include \"marched.glsl\"\n"
+                  "uniform float unused; // 1 in [0, 2]: its change draws a new picture\n"
+                  "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
+                  "float sceneDistance(vec3 p) { return 4.0 - p.x; }\n"
+                  "vec3 rayColour(Ray ray)\n{\n"
+                  "    march(ray, 0.0, 100.0, 0.01, 64);\n"
+                  "    return vec3(0.1 * marchedStep(1).y + 1e-6 * unused);\n}\n");
+    session_open_bare(CHAPTER, "--size 480x300 --camera 0,0,0,0,0 --shader %s",
+                      scratch_path("marched.frag"));
+    int middle = grey();
+    session_click(330, 60); // draws the picture again, because it shows the ray
+    int selected = grey();
+    make_heavy();
+    for (int i = 0; i < 3; i++)
+        disturb();
+    assert_true(middle - selected > 10);
+    assert_in_range(grey(), selected - 2, selected + 2);
+    session_close();
+}
+
+SESSION_TEST(a_screenshot_waits_for_the_sharp_picture)
+{
+    open_sharp("");
+    disturb();
+    session_assert_screenshot(CHAPTER, LARGE);
+    session_close();
+}
+
+// All rows are of one time, though it takes many turns; then the time goes on.
+SESSION_TEST(a_screenshot_is_of_one_time)
+{
+    scratch_write("moving.frag",
+                  "void mainImage(out vec4 c, vec2 p) { c = vec4(fract(iTime), 1.0, 0.0, 1.0); }");
+    session_open_bare(CHAPTER, "--size 480x300 --shader %s", scratch_path("moving.frag"));
+    make_heavy();
+    session_wait(0.5);
+    struct image image;
+    session_shoot(&image);
+    for (int i = 0; i < 3 * image.width * image.height; i++)
+        assert_int_equal(image.pixel[i], image.pixel[i % 3]);
+    image_free(&image);
+    session_keep(0);
+    session_wait(0.5);
+    assert_true(session_off(0, NULL) > 0.5);
+    session_close();
+}
+
+SESSION_TEST(a_coarse_pair_has_its_divider_in_place)
+{
+    scratch_write("left.frag",
+                  "void mainImage(out vec4 c, vec2 p) { c = vec4(1.0, 0.0, 0.0, 1.0); }");
+    scratch_write("right.frag",
+                  "void mainImage(out vec4 c, vec2 p) { c = vec4(0.0, fract(iTime), 1.0, 1.0); }");
+    session_open_bare(CHAPTER, "--size 480x300 --shader %s --compare %s --divider 0.4",
+                      scratch_path("left.frag"), scratch_path("right.frag"));
+    make_heavy();
+    session_wait(0.5);
+    session_keep(0);
+    struct image image;
+    user_look(&image);
+    for (int x = 4; x < WIDTH; x++) {
+        const unsigned char *pixel = image.pixel + 3 * (100 * WIDTH + x);
+        if (abs(x - 192) > 12)
+            assert_true((pixel[0] == 255) == (x < 192) && (pixel[2] == 255) == (x >= 192));
+    }
+    image_free(&image);
+    session_wait(0.5);
+    assert_true(session_off(0, (const int[]){204, 40, 270, 200}) > 0.3);
+    session_close();
+}
+
+TESTS(NULL, NULL)

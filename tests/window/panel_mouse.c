@@ -1,0 +1,259 @@
+// panel_mouse.c - the panel by mouse: rows, typed numbers, a colour's picker, its place; the title
+// bar tells what they changed. tests/window/input.c has what a field takes and when a picker
+// closes.
+#include "lib/scratch.h"
+#include "lib/session.h"
+
+#define CHAPTER "01_normal_colouring"
+
+// At scale 1 the rows begin 46 pixels from the top, 12 each; under the selected one stand range and
+// unit, of a vector its parts too.
+static const char rows[] =
+    "uniform float size; // 5 in [0, 10], units: how large the thing is\n"
+    "uniform float fine; // 0.01 in [0.0001, 1] step *10, units: spans decades\n"
+    "uniform bool lit; // true: whether there is light\n"
+    "uniform vec3 tint; // 0.5 in [0, 1], linear RGB: the colour of all\n"
+    "#include \"main.glsl\"\n#include \"camera.glsl\"\n#include \"lighting.glsl\"\n"
+    "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
+    "float sceneDistance(vec3 p) { return 1.0 + fine * size; }\n"
+    "vec3 rayColour(Ray ray) { return lit ? encodeSRGB(tint) : vec3(0.0); }\n";
+
+static void open_rows(int scale)
+{
+    scratch_write("rows.frag", rows);
+    session_open(CHAPTER, "--size %dx%d --overlay=%d --shader %s", scale * 480, scale * 270, scale,
+                 scratch_path("rows.frag"));
+}
+
+// The value that the title shows.
+static double value(void)
+{
+    const char *at = strstr(user.title, " = ");
+    assert_non_null(at);
+    return atof(at + 3);
+}
+
+static void point(double x, double y)
+{
+    user_point(x, y);
+    session_turn();
+}
+
+static void drag(double x, double y, double right, double down)
+{
+    user_drag(x, y, right, down);
+    session_turn();
+}
+
+static void wheel(double notches)
+{
+    user_wheel(notches);
+    session_turn();
+}
+
+static void double_click(double x, double y)
+{
+    for (int i = 0; i < 2; i++)
+        user_click(x, y, GLFW_MOUSE_BUTTON_LEFT);
+    session_turn();
+    session_turn();
+    user.now += 1.0;
+}
+
+static void type(const char *text, int key)
+{
+    user_type(text);
+    session_key(key);
+    session_turn();
+}
+
+SESSION_TEST(a_row_changes_its_value)
+{
+    open_rows(1);
+    session_assert_title("size = 5");
+    drag(60, 50, 60, 0);
+    assert_true(value() > 5.5);
+    double dragged = value();
+    drag(120, 50, -60, 0);
+    assert_true(value() > 4.99 && value() < 5.01 && dragged < 10.0);
+    drag(60, 50, 10, 0);
+    user_click(60, 50, GLFW_MOUSE_BUTTON_RIGHT);
+    session_turn();
+    session_assert_title("size = 5");
+    wheel(1.0);
+    session_assert_title("size = 5.1");
+    wheel(-1.0);
+    session_assert_title("size = 5");
+    session_click(60, 74);
+    session_assert_title("fine = 0.01");
+    drag(60, 62, 40, 0); // by decades
+    assert_true(value() > 0.015 && value() < 0.1);
+    session_click(60, 86);
+    session_assert_title("lit = false");
+    session_click(60, 74);
+    session_assert_title("lit = true");
+    session_click(60, 98);
+    session_assert_title("tint = 0.5,0.5,0.5");
+    drag(60, 110, 40, 0);
+    assert_true(strstr(user.title, "tint = 0.5,0.") != NULL && !session_titled("0.5,0.5,0.5"));
+    session_close();
+}
+
+SESSION_TEST(numbers_are_typed)
+{
+    open_rows(1);
+    session_click(60, 50);
+    session_keep(0);
+    const int row[4] = {150, 49, 8, 6}; // a field is dark to the end of its row
+    double_click(60, 50);
+    assert_true(session_off(0, row) > 0.9);
+    type("7.25", GLFW_KEY_ENTER);
+    session_assert_title("size = 7.25");
+    double_click(60, 50);
+    type("3", GLFW_KEY_ESCAPE);
+    session_assert_title("size = 7.25");
+    assert_false(session_titled("paused"));
+    double_click(60, 50);
+    type("99", GLFW_KEY_ENTER);
+    session_assert_title("size = 7.25");
+    assert_non_null(strstr(session_said(2), "out of range"));
+    session_key(GLFW_KEY_ESCAPE);
+    double_click(60, 50);
+    user_type("4");
+    session_click(400, 200); // a press in the picture leaves the field
+    session_assert_title("size = 7.25");
+    assert_non_null(strstr(session_said(1), "ray of pixel 400,69"));
+    session_close();
+}
+
+// The picture is the colour itself, which comes first.
+static const char colour[] =
+    "uniform vec3 tint; // 0.5 in [0, 1], linear RGB: the colour of all\n"
+    "#include \"main.glsl\"\n#include \"camera.glsl\"\n#include \"lighting.glsl\"\n"
+    "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
+    "float sceneDistance(vec3 p) { return 1.0; }\n"
+    "vec3 rayColour(Ray ray) { return encodeSRGB(tint); }\n";
+
+SESSION_TEST(a_colour_is_picked)
+{
+    scratch_write("colour.frag", colour);
+    for (int scale = 1; scale <= 2; scale++) {
+        const int s = scale, beside[4] = {s * 197, s * 44, s * 283, s * 226};
+        int box[4];
+        session_open(CHAPTER, "--size %dx%d --overlay=%d --shader %s", s * 480, s * 270, s,
+                     scratch_path("colour.frag"));
+        session_keep(0);
+        session_click(s * 97, s * 50); // the colour's own colour
+        point(s * 400, s * 250);
+        session_bounds(0, beside, box);
+        assert_int_equal(box[2], s * 104);
+        assert_int_equal(box[3], s * 86);
+        const int left = box[0], top = box[1];
+        session_click(left + 7 * s, top + 7 * s);
+        session_assert_title("tint = 1,1,1");
+        drag(left + 40 * s, top + 40 * s, s * 160, s * -80); // beyond its square
+        session_assert_title("tint = 1,0");
+        session_click(left + 91 * s, top + 31 * s); // on its bar
+        session_assert_title("tint = 0");
+        assert_non_null(strstr(user.title, ",1"));
+        session_key(GLFW_KEY_ESCAPE);
+        session_keep(0);
+        session_click(s * 97, s * 50);
+        session_click(s * 400, s * 250);
+        assert_true(session_off(0, beside) <= 0.0);
+        session_close();
+    }
+}
+
+// A panel is darker than the white picture behind it.
+static void assert_panel(int x, int y, bool there)
+{
+    struct image image;
+    user_look(&image);
+    double sum = 0.0;
+    for (int i = 0; i < 50; i++)
+        sum += image.pixel[3 * (y * image.width + x + i)];
+    image_free(&image);
+    assert_true((sum / 50.0 < 128.0) == there);
+}
+
+SESSION_TEST(the_panel_moves_folds_and_helps)
+{
+    open_rows(1);
+    session_keep(0);
+    point(60, 50);
+    session_wait(2.0);
+    assert_true(session_off(0, NULL) > 0.001); // help for the row
+    user.calls.entered(NULL, GLFW_FALSE);      // the pointer leaves the window
+    session_wait(0.5);
+    assert_true(session_off(0, (const int[]){0, 44, 480, 226}) <= 0.0);
+    user_click(60, 98, GLFW_MOUSE_BUTTON_LEFT);
+    for (int i = 0; i < 3; i++) {
+        user_drag(60, 110 + 12 * i, 200, 0); // white
+        session_turn();
+    }
+    point(400, 200);
+    assert_panel(20, 100, true);
+    session_key(GLFW_KEY_O);
+    assert_panel(20, 100, false);
+    assert_panel(400, 100, true);
+    session_click(360, 62); // where it is touched as before
+    session_assert_title("fine = ");
+    session_key(GLFW_KEY_T);
+    point(100, 200);
+    assert_panel(400, 100, false);
+    assert_panel(400, 16, true);
+    session_key(GLFW_KEY_T);
+    session_key(GLFW_KEY_O);
+    assert_panel(20, 100, true);
+    drag(60, 16, 230, 0); // by its title, past the middle
+    point(240, 200);
+    assert_panel(400, 100, true);
+    drag(400, 16, -170, 0);
+    point(400, 200);
+    assert_panel(20, 100, true);
+    int x = 250; // the mark of the title is at its right end
+    do {
+        session_click(x -= 10, 20);
+        point(400, 200);
+        session_keep(1);
+    } while (x > 150 && session_off(0, (const int[]){20, 100, 50, 1}) <= 0.5);
+    assert_true(x > 150);
+}
+
+// ---- Shadertoy's mouse ----
+
+// The shader shows iMouse: the window shows what the same numbers in its place show.
+static void assert_mouse(const char *mouse)
+{
+    char text[512];
+    const char *const names[] = {"mouse.frag", "wanted.frag"};
+    for (int i = 0; i < 2; i++) {
+        snprintf(text, sizeof text,
+                 "void mainImage(out vec4 c, vec2 p) {\n vec4 m = %s;\n"
+                 " c = p.x < 60.0 ? vec4(m.x / 320.0, m.y / 200.0, sign(m.z) * 0.5 + 0.5, 1.0)\n"
+                 " : vec4(abs(m.zw) / 320.0, sign(m.w) * 0.5 + 0.5, 1.0); }\n",
+                 i == 0 ? "iMouse" : mouse);
+        scratch_write(names[i], text);
+    }
+    if (!user.open)
+        session_open_bare(CHAPTER, "--size 320x200 --shader %s", scratch_path("mouse.frag"));
+    session_assert_shown(CHAPTER, "--size 320x200 --shader %s", scratch_path("wanted.frag"));
+}
+
+SESSION_TEST(shadertoy_s_mouse_is_set)
+{
+    assert_mouse("vec4(0.0)");
+    user_point(100, 80);
+    user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
+    session_turn();
+    assert_mouse("vec4(100.0, 120.0, 100.0, 120.0)");
+    point(160, 150); // held: the place of the press, its last number negative from the next turn on
+    assert_mouse("vec4(160.0, 50.0, 100.0, -120.0)");
+    user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);
+    point(30, 30);
+    assert_mouse("vec4(160.0, 50.0, -100.0, -120.0)");
+    session_close();
+}
+
+TESTS(NULL, NULL)

@@ -1,0 +1,121 @@
+#!/bin/bash
+# window.sh - one window on a real X server, with real events: what tests/window/*.c, which play the user and the
+# clock of a GLFW of their own, cannot see. No clock judges: what is asked for is waited for, each wait for at most a
+# minute, and the first that fails ends the suite.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+. tests/lib/window.sh
+
+save "$good"
+# shellcheck disable=SC2086 # options are words
+if ! start $chapter $still --shader "$mine"; then
+    sed 's/^/# /' "$scratch/run/err"
+    echo "# window ${window:-none}; all windows:"
+    wmctrl -lp 2>&1 | sed 's/^/# /'
+    not_ok 'a window opens'
+    close_window
+    plan
+    exit
+fi
+ok 'a window opens'
+check 'the title names file, view and parameter' titled 'mine.frag - '
+first() { key h && shoot_as first && render expected && matches expected first && eventually shown first; }
+check 'the window and its screenshot are what -o writes with the same options' first
+views() { key 2 && shows ' - normals - ' && render view -v normals && eventually shown view && key 1 && shows ' - picture - '; }
+check 'a key shows the normals' views
+drag() {
+    xdotool mousemove --window "$window" 100 100 mousedown 1 mousemove_relative 60 0 \
+        mousemove_relative -- 0 -40 mouseup 1 &&
+        shoot_as dragged && render wanted -c 1.65,1.6,3.4,-17,-17.5 && matches wanted dragged
+}
+check 'dragging right and up turns right and up, 0.15 degree a pixel' drag
+wheel() { xdotool mousemove --window "$window" 100 100 click 4 && shows 'focalLength = 2.2' && xdotool click 5 && shows 'focalLength = 2'; }
+check 'the wheel zooms, and back' wheel
+# Where the system puts the captured pointer in the middle just then, a first move can be lost on its way.
+swings() { xdotool mousemove_relative 30 0 && shoot_as captured && differ before captured; }
+captured() { key m && xdotool mousemove_relative 4 0 && shoot_as before && eventually swings; }
+check 'M captures the pointer: it looks without a button' captured
+freed() { key m && shoot_as freed && xdotool mousemove_relative 20 20 && shoot_as still && same freed still; }
+check 'M again frees it' freed
+check 'W moves' walk w
+rests() { shoot_as rest && same there rest; }
+check 'and its release stops' rests
+# Show the desktop: the window loses the focus while the key is down, and never hears of its release.
+forgets() {
+    xdotool keydown w sleep 0.1 && wmctrl -k on && eventually unfocused && xdotool keyup w && wmctrl -k off &&
+        xdotool windowactivate "$window" && eventually focused && shoot_as a && shoot_as b && same a b
+}
+check 'lost focus releases the keys that are held' forgets
+returns() { key shift+r && shoot_as again && same first again; }
+check 'Shift+R brings the camera back' returns
+
+# ---- Size ----
+
+size_is() { [ "$(xdotool getwindowgeometry "$window" | awk '/Geometry/ { print $2 }')" = "$1" ]; }
+rectangle() { xdotool getwindowgeometry "$window" | grep -E 'Position|Geometry'; }
+rectangle_is() { [ "$(rectangle)" = "$1" ]; }
+moved_from() { ! rectangle_is "$1"; }
+full_screen() {
+    local before
+    before=$(rectangle)
+    key F11 && eventually size_is 1280x1024 && key F11 && eventually rectangle_is "$before"
+}
+check 'F11 fills the screen, and again gives position and size back' full_screen
+goes() { # X Y: there by the window manager
+    local before
+    before=$(rectangle)
+    xdotool windowmove "$window" "$1" "$2" && eventually moved_from "$before"
+}
+uncovered() { goes -200 50 && goes 300 300 && eventually shown first; } # what lies beyond the edge of the screen is lost
+check 'what was covered is shown again' uncovered
+resize() { wmctrl -i -r "$window" -e 0,-1,-1,300,300 && eventually size_is 300x300 && render wanted -s 300x300 && eventually shown wanted; }
+check 'another size keeps the aspect' resize
+
+# ---- A save ----
+
+reloaded() {
+    save "${good/const vec3 SKY = vec3(/const vec3 SKY = 0.5 * vec3(}" && eventually says out ': reloaded' &&
+        render wanted -s 300x300 -f "$mine" && eventually shown wanted
+}
+check 'a saved shader is loaded again' reloaded
+check 'nothing was reported' [ ! -s "$scratch/run/err" ]
+asked() { wmctrl -i -c "$window" && ends_well; }
+check 'a close request closes the window with status 0' asked
+
+# ---- What else a system has of its own ----
+
+if ! command -v setxkbmap >/dev/null; then
+    skip 'a French keyboard' 'no setxkbmap on this machine'
+else
+    setxkbmap fr
+    # shellcheck disable=SC2086 # options are words
+    start $chapter $still && key h
+    frenchwalk() { walk z && xdotool keydown w sleep 0.15 keyup w && shoot_as a && same there a; }
+    check 'AZERTY: Z, in the place of W, moves; W, in the place of Z, does not' frenchwalk
+    digit() { xdotool key eacute && shows ' - normals - ' && key Down && shows 'normalStep'; }
+    check 'AZERTY: the key of 2 shows the normals' digit
+    setxkbmap us
+    check 'Backspace closes the window with status 0' backspace
+fi
+
+# Where coordinates are pixels, as on Windows and X11, the window itself is larger.
+xprop -root -format RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
+start $chapter -s 160x100 -c 1.65,1.6,3.4,-26,-23.5 && key h
+check 'a window on a display of 192 dots an inch is twice as wide and high' eventually shown expected
+check 'Backspace closes it' backspace
+xprop -root -remove RESOURCE_MANAGER
+
+printf '%s\n' '#include "main.glsl"' 'uniform sampler2D stone; // "granite.png" sRGB repeat: a picture' \
+    'uniform highp sampler3D cloud; // "noise.png" linear repeat 64: a volume' \
+    'Ray pixelRay(vec2 s) { return Ray(vec3(s, 0.7), vec3(0.0, 0.0, -1.0)); }' 'float sceneDistance(vec3 p) { return 1.0; }' \
+    'vec3 rayColour(Ray r) { return mix(textureGrad(stone, r.origin.xy, vec2(0.01, 0.0), 0.3 * r.origin.xy).rgb, textureLod(cloud, r.origin, 1.5).rgb, 0.5); }' \
+    >"$scratch/both.frag"
+hidden_window() {
+    "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -o "$scratch/egl.png" &&
+        "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -b glfw -o "$scratch/glfw.png" && same egl glfw
+}
+check 'a hidden window reads the same textures as none, to the bit' hidden_window
+
+close_window
+plan

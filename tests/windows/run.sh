@@ -1,0 +1,127 @@
+#!/bin/bash
+# run.sh [PART...|NAME...] - `make test-windows`: the programs and the tests that were built for Windows, run by Wine in a
+# virtual display, over the software renderer. Parts: units, pictures, suites and windows; own and zip, and all others, are
+# suites by name. Where none is named, the chapters' own pictures, the failures and what only Windows has; with ALL=1
+# everything. The suites are those of `make test`: they find programs in build/wine/ that hand their words on to those
+# for Windows, and a driver for each of them, GLFW's. tests/run runs them and adds up, without what Wine's server and Xvfb
+# take; a test that is skipped must be listed in tests/lib/skipped.txt.
+set -u
+# Wine needs a certain place in memory, and where the kernel scatters what a program has, one start in some thousand finds
+# its heap there and ends. Here nothing is scattered, if that may be asked for.
+if [ -z "${SCATTERED-}" ] && setarch -R true 2>/dev/null; then
+    SCATTERED=no exec setarch -R "$0" "$@"
+fi
+cd "$(dirname "$0")/../.." || exit 1
+export LC_ALL=C.UTF-8
+
+loader=/usr/lib/wine/wine64
+[ -x "$loader" ] || loader=$(command -v wine) || { echo 'make: test-windows: no Wine on this machine' >&2; exit 1; }
+export loader
+# At each start Wine looks for the time zone in its list of all: this one is the first.
+export TZ=AFT-4:30
+export WINEPREFIX=$PWD/build/windows/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=' # not installed first
+export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe PROJECT_ROOT=$PWD CMOCKA_MESSAGE_OUTPUT=TAP
+export BUILD=build/wine SYSTEM=Windows
+unset WAYLAND_DISPLAY LOCPATH
+
+at_once=$PWD/build/wine/exit_at_once.so
+export at_once SKIPPED=windows
+end_wine() { wineserver -k 2>/dev/null; wineserver -w; }
+
+# ---- One suite: what tests/run asks for ----
+
+# Wine's desktop belongs to one display: a suite that opens another must find no Wine at work. It has one of its own.
+own_wine() { # NAME
+    local copy=$WINEPREFIX-$1
+    rm -rf "$copy" && cp -RPl "$WINEPREFIX" "$copy" && export WINEPREFIX=$copy # a drive there is a link to all of the disk
+}
+
+if [ "${1-}" = --suite ]; then
+    unit=$(echo build/windows/tests/*/"$2".exe)
+    script=$(echo tests/[!l]*/"$2".sh) # not of tests/lib/
+    case $2 in window | zip | images | failures) own_wine "$2" || exit; trap end_wine EXIT ;; esac
+    # One of its many programs may end badly without a word: there Wine says what it knows.
+    [ "$2" != export ] || export WINEDEBUG=err+all,fixme-all
+    case $2 in
+    own | zip) "tests/windows/$2.sh" ;;
+    *)
+        if [ -e "$unit" ]; then
+            BUILD=build/windows WINEDEBUG=err+all,fixme-all LD_PRELOAD="$at_once" "$loader" "$unit"
+        else
+            "$script"
+        fi
+        ;;
+    esac
+    exit
+fi
+
+# ---- A display, and a Wine for all but the suites of windows ----
+
+rm -rf build/wine && mkdir -p build/wine/tests
+cc -shared -fPIC -o build/wine/exit_at_once.so tests/windows/exit_at_once.c || exit 1
+
+finish() {
+    [ -z "$suites" ] || kill "$suites" 2>/dev/null
+    for WINEPREFIX in "$WINEPREFIX"*; do end_wine; done
+    kill "$server" 2>/dev/null
+}
+suites=
+mkfifo build/wine/display
+Xvfb -displayfd 3 -screen 0 1280x1024x24 -noreset -nolisten tcp 3>build/wine/display >/dev/null 2>&1 &
+server=$!
+trap finish EXIT
+trap 'exit 1' HUP INT TERM
+number=
+read -r -t 30 number <build/wine/display
+[ -n "$number" ] || { echo 'make: test-windows: Xvfb did not start' >&2; exit 1; }
+export DISPLAY=:$number
+
+# Some suites take the display away, without which Windows never is.
+for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe build/windows/tests/compare.exe; do
+    name=${program#build/windows/}
+    # shellcheck disable=SC2016 # for that shell
+    printf '#!/bin/sh\nDISPLAY=${DISPLAY-%s} LD_PRELOAD=%s exec %s "%s" "$@"\n' "$DISPLAY" "$at_once" "$loader" "$PWD/$program" >"build/wine/${name%.exe}"
+    chmod +x "build/wine/${name%.exe}"
+done
+cp build/windows/flags build/wine/flags
+"$loader" wineboot -i >/dev/null 2>&1
+# Without gamepads: their library leaves a thread behind when GLFW closes it. What a batch file starts hears nothing of
+# WINEDLLOVERRIDES.
+cat >build/wine/overrides.reg <<'END_OF_REGISTRY'
+REGEDIT4
+
+[HKEY_CURRENT_USER\Software\Wine\DllOverrides]
+"xinput1_4"=""
+"xinput1_3"=""
+"xinput1_2"=""
+"xinput1_1"=""
+"xinput9_1_0"=""
+END_OF_REGISTRY
+"$loader" regedit build/wine/overrides.reg >/dev/null 2>&1
+end_wine
+wineserver -p 2>/dev/null # it stays between two programs
+
+# The suites of a part. What takes longest comes first; a program's start under Wine is more waiting than work.
+units() { for file in build/windows/tests/*/*.exe; do basename "$file" .exe; done; }
+named() { # PART|NAME
+    case $1 in
+    windows) echo window ;;
+    units) units ;;
+    pictures) echo images ;;
+    suites) printf '%s\n' export failures sequence ;;
+    all) printf '%s\n' images export sequence window zip failures sky_table night "$(units)" own ;;
+    *) echo "$1" ;;
+    esac
+}
+if [ $# = 0 ] && [ -z "${ALL-}" ]; then
+    export CHAPTERS_ONLY=1
+    set -- images failures own
+fi
+for part in "${@:-all}"; do named "$part"; done | awk '!seen[$0]++' >build/wine/suites
+# shellcheck disable=SC2046 # words
+TEST_LIMIT=1800 tests/run $(sed 's,^,windows/,' build/wine/suites) &
+suites=$!
+wait "$suites"
+status=$?
+suites=
+[ "$status" = 0 ]

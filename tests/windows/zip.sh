@@ -1,0 +1,176 @@
+#!/bin/bash
+# zip.sh - the archive of `make windows-zip`: its bytes, its size, its licences, what its programs ask of Windows;
+# then what somebody does who has it alone, in a folder with blanks, accents and letters outside the code page. Called by
+# run.sh.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+. tests/lib/window.sh
+export LC_ALL=C.UTF-8 # bash hands names on as they are
+: "${loader:?run.sh sets it}" "${at_once:?}"
+
+zip=build/ray-marching-windows.zip
+limit=6000000 # bytes, without the site
+wine() { LD_PRELOAD=$at_once "$loader" "$@"; }
+windows_path() { printf 'Z:%s' "${1//\//\\}"; }
+
+# ---- The file ----
+
+packs() { .make/windows_zip.sh >"$scratch/said"; }
+check 'the programs are packed' packs || { plan; exit; }
+again() { cp $zip "$scratch/first.zip" && sleep 2 && packs && cmp "$scratch/first.zip" $zip; } # times in a zip are even seconds
+check 'packed again it has the same bytes' again
+cp $zip "$scratch/small.zip"
+zip -q -d "$scratch/small.zip" 'ray-marching/site/*' >/dev/null 2>&1
+small_enough() { local bytes; bytes=$(wc -c <"$scratch/small.zip") && echo "# $bytes bytes" && [ "$bytes" -le $limit ]; }
+check "without the site it takes at most $limit bytes" small_enough
+
+folder="$scratch/Cours d’été – мир 漢字 é"
+mkdir "$folder"
+unzip -q $zip -d "$folder" || not_ok 'it can be unpacked'
+course=$folder/ray-marching
+
+# ---- What is in it ----
+
+# What every Windows 10 has, and our own library.
+known='^(KERNEL32|USER32|GDI32|SHELL32|ADVAPI32|WINMM|OPENGL32|api-ms-win-crt-[a-z0-9-]+|harness)\.dll$'
+asks() {
+    local file
+    for file in "$course"/*.exe "$course"/*.dll; do
+        x86_64-w64-mingw32-objdump -p "$file" | sed -n 's/.*DLL Name: //p' >"$scratch/asked"
+        grep -q . "$scratch/asked" || { echo "# $file: asks for nothing"; return 1; }
+        ! grep -vE "$known" "$scratch/asked" | sed "s|^|# ${file##*/} asks for |" | grep . || return 1
+    done
+}
+check "a program asks for libraries of Windows' own and for ours" asks
+licensed() {
+    local name words file missing=0
+    while IFS='|' read -r name words; do
+        file=$course/$name
+        { [ -s "$file" ] && grep -q -e "$words" "$file"; } || { echo "# $name: not there, or without '$words'"; missing=1; }
+    done
+    return $missing
+}
+check 'the licence of all that it holds is there' licensed <<'END_OF_LICENCES'
+LICENSE.txt|Copyright
+licences/cglm.txt|Recep Aslantas
+licences/dejavu.txt|Bitstream
+licences/glfw.txt|Camilla L
+licences/libpng.txt|PNG Reference Library
+licences/mingw-w64.txt|ZPL\|Zope
+licences/stb_truetype.txt|Sean Barrett
+licences/zlib.txt|Jean-loup Gailly
+END_OF_LICENCES
+named() {
+    grep -ohE '[a-z0-9_]+\.(exe|bat)' "$course/README.txt" | sort -u | while read -r name; do
+        [ -e "$course/$name" ] || { echo "# $name: not there"; return 1; }
+    done
+}
+check 'the programs that its README names are there' named
+whole() {
+    local file
+    git ls-files chapters shaders | grep -E '\.(frag|glsl|vert|png)$' | while read -r file; do
+        cmp "$file" "$course/$file" || return 1
+    done
+}
+check 'what the programs read is there' whole
+
+# ---- Programs ----
+
+draws() { # each chapter's picture, small, is what it is on this machine
+    local file stem
+    for file in "$course"/[0-9]*.exe; do
+        stem=$(basename "$file" .exe)
+        if ! "build/$stem" -s 64x36 -o "$scratch/wanted.png" || ! (cd / && wine "$file" -s 64x36 -o "$folder/drawn.png") ||
+            ! build/tests/compare "$scratch/wanted.png" "$folder/drawn.png" >"$scratch/numbers"; then
+            echo "# $stem: $(cat "$scratch/numbers")"
+            return 1
+        fi
+    done
+    [ "$(find "$course" -name '[0-9]*.exe' | wc -l)" = "$(find chapters -maxdepth 1 -name '[0-9]*.c' | wc -l)" ]
+}
+check 'every chapter draws its picture' draws
+# As README.txt says, from the folder itself.
+# shellcheck disable=SC1003 # as Windows' shell would hand it on
+in_terminal() { (cd "$course" && wine cmd /c '.\03_shadows.exe --size 64x36 --output build/a.png' && wine cmd /c '.\compare.exe --words build/a.png build\a.png') >"$scratch/said" 2>&1 </dev/null &&
+    grep -q 'no pixel differs' "$scratch/said"; }
+check "a page's command and its comparison in a terminal" in_terminal || sed 's/^/# /' "$scratch/said"
+
+# ---- An exercise ----
+
+# checks STATUS PATTERN WORD...: what check.bat says. Not by call: Wine's cmd then ends with 0 or 1 alone.
+checks() {
+    local wanted=$1 pattern=$2 status
+    shift 2
+    (cd "$course" && wine cmd /c check.bat "$@" </dev/null) 2>&1 | tr -d '\r' >"$scratch/said"
+    status=${PIPESTATUS[0]}
+    [ "$status" = "$wanted" ] && LC_ALL=C grep -aq -e "$pattern" "$scratch/said" && return
+    echo "# status $status, not $wanted"
+    sed 's/^/# /' "$scratch/said"
+    return 1
+}
+# words FILE: the verdict and the two rays, without names of files.
+words() { LC_ALL=C sed -nE 's/.*: ((right|wrong): .*)/\1/; s/: see .*//; /^(right|wrong): /p; /^ +(your pixel|the solution)/p' "$1"; }
+# as_here STATUS PATTERN: of 03_2, and the words are those of make check on this machine.
+as_here() {
+    checks "$@" 03_2 "$(windows_path "$mine")" || return
+    EXERCISE=03_2 FILE=$mine CHECK_FOLDER=$scratch/check .make/check.sh >"$scratch/here" 2>&1
+    diff <(words "$scratch/here") <(words "$scratch/said") >"$scratch/differ" && grep -aq . <(words "$scratch/said") && return
+    sed 's/^/# /' "$scratch/differ"
+    return 1
+}
+mine="$folder/ma réponse.frag"
+cp chapters/solutions/03_shadows_2.frag "$mine"
+check 'check.bat: a right answer, in the words of make check' as_here 0 ': right: as the solution in '
+sed 's/p + offset \* toLight/p + offset * normal/' chapters/solutions/03_shadows_2.frag >"$mine"
+check 'check.bat: a wrong answer, and two rays' as_here 1 "the solution's: .*hit"
+# The picture is right, but its first march goes elsewhere.
+printf '#include "main.glsl"\n#include "march.glsl"\n#define rayColour painted\n#include "solutions/03_shadows_2.frag"\n#undef rayColour\n%s\n' \
+    'vec3 rayColour(Ray ray) { march(Ray(ray.origin, -ray.direction), 0.0, 1.0, 0.001, 64); return painted(ray); }' >"$mine"
+check 'check.bat: rays that are wrong' as_here 1 'its rays are not: pixel '
+sed 's/p + offset \* toLight/p + offset * toLigth/' chapters/solutions/03_shadows_2.frag >"$mine"
+check 'check.bat: an answer that does not compile' checks 1 'réponse.frag:[0-9]*: error.*toLigth' 03_2 "$(windows_path "$mine")"
+check 'check.bat: an unknown exercise' checks 2 '03_9: there is no such exercise' 03_9 "$(windows_path "$mine")"
+check 'check.bat: a missing file' checks 2 'there is no such file' 03_2 nowhere.frag
+without_file() { checks 2 'check.bat EXERCISE FILE' 03_2 && ! grep -q 'any key' "$scratch/said"; } # which nobody dropped
+check 'check.bat: an exercise and no file' without_file
+
+# ---- A shader of one's own ----
+
+searched() { window=$(wmctrl -l | grep -E -e "$1" | cut -d ' ' -f 1) && [ -n "$window" ]; }
+play() { # NAME [FILE]: opens a window of that name whose picture is there
+    title="$1 - ([0-9]+ fps - )?picture" # a rate where it is measured
+    shift
+    rm -f "$scratch/said"
+    (cd "$folder" && exec env LD_PRELOAD="$at_once" "$loader" cmd /c call "$(windows_path "$course/play.bat")" "$@" </dev/null >"$scratch/said" 2>&1) &
+    program=$!
+    eventually searched "$title" && eventually focus && eventually drawn && return
+    sed 's/^/# /' "$scratch/said"
+    return 1
+}
+has_words() { grep -q -e "$1" "$scratch/said"; }
+
+plays_own() { play play.frag && [ -e "$course/chapters/play.frag" ] && eventually searched 'play.frag - Notepad' && searched "$title"; }
+check 'play.bat: a shader that was made for it, and an editor' plays_own
+wine taskkill /f /im notepad.exe >/dev/null 2>&1
+# An editor that goes just as it is given the keyboard can leave Wine with no window for keys, though X has ours in focus:
+# only what the window manager tells a program to take, as at a click, is taken then. So it is asked until the window heard.
+closes() {
+    ended && return
+    searched "$title" && xdotool windowactivate "$window" && key BackSpace
+    ended
+}
+ends() { eventually closes && wait "$program"; }
+check 'play.bat: ends well' ends
+cp chapters/first_steps/play.frag "$mine"
+check 'play.bat: a file of any name' play 'ma réponse.frag' "$(windows_path "$mine")"
+build/01_normal_colouring --shader chapters/first_steps/play.frag -s 960x540 -o "$scratch/right.png" >/dev/null
+sed 's/sdSphere(p, radius)/sdSphere(p, radios)/' chapters/first_steps/play.frag >"$mine"
+says_error() { eventually has_words 'réponse.frag:[0-9]*: error.*radios' && eventually searched 'réponse.frag - error: see terminal'; }
+check 'play.bat: a saved error is reported' says_error
+cp chapters/first_steps/play.frag "$mine"
+# Beside the panel: once it is sharp, it is what this machine draws.
+mended() { eventually has_words 'réponse.frag: reloaded' && eventually searched "$title" && eventually part_shown right 300x280+330+120; }
+check 'play.bat: the next one is shown' mended
+check 'play.bat: ends well again' ends
+plan
