@@ -21,7 +21,7 @@ uniform float moonRadius;     // 2.6 in [0.1, 8] step *1.1, degrees: radius of t
 uniform bool  lightKept;      // true: an enlarged moon sends as much light as the true one; false: its surface is as bright as the true one's
 uniform float relief;         // 1.5 in [0, 6] step 0.5: factor by which the moon's slopes are exaggerated
 uniform float exposure;       // 2 in [-16, 8] step 0.5, stops: added to the exposure of the hour
-uniform float softness;       // 0.6 in [0.2, 1] step 0.05: exponent applied to the light before it is shown; 1 changes nothing
+uniform float softness;       // 0.6 in [0.2, 1] step 0.05: exponent applied to the light before it is shown, at dusk and at night; 1 changes nothing
 uniform float latitude;       // 43.6 in [-89, 89] step 5, degrees: of the observer
 uniform int   maxSteps;       // 90 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.005 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
@@ -94,7 +94,9 @@ struct Hour {
     float hour;       // solar time
     vec3  sun, moon;  // the directions to them
     vec3  moonlight;  // on a perpendicular surface; 0 while the moon is down
+    vec3  sunlight;   // the same of the sun
     float zenith;     // the light of the sky overhead
+    float day;        // 0 until the sun is up, 1 when it stands high
 };
 
 Hour hourNow()
@@ -103,7 +105,8 @@ Hour hourNow()
     vec3 sun = sunDirection(hour, latitude, DECLINATION);
     vec3 toMoon = moonDirection(hour, latitude, DECLINATION, age);
     vec3 light = moonlight(-dot(toMoon, sun)) * smoothstep(-0.1, 0.1, toMoon.y);
-    return Hour(hour, sun, toMoon, light, zenithLight(sun.y));
+    vec3 sunlight = 10.0 * transmittance(RAYLEIGH + 0.03, airMass(max(sun.y, 0.0))) * smoothstep(0.0, 0.02, sun.y);
+    return Hour(hour, sun, toMoon, light, sunlight, zenithLight(sun.y), smoothstep(0.0, 0.3, sun.y));
 }
 
 // The light that the air scatters from a sun above or below the horizon: by day that of chapter 09;
@@ -193,6 +196,7 @@ vec3 shoreLight(vec3 p, bool marched, Hour now)
     vec3 round = normalize(vec3(q.x, max(q.y - 2.7, 0.0), q.z)), normal = dome ? round : vec3(0.0, 1.0, 0.0);
     vec3 colour = dome ? vec3(0.5, 0.52, 0.56) : vec3(0.05, 0.06, 0.045) * (marched ? 0.4 : 1.0);
     vec3 received = (0.6 + 0.4 * normal.y) * now.zenith * vec3(0.7, 0.9, 1.3) + lambert(normal, now.moon) * now.moonlight;
+    received += lambert(normal, now.sun) * now.sunlight;
     return colour * received + (dome ? lampLight(p) : 0.0) * vec3(5.7e-5, 2.2e-5, 6e-6);
 }
 
@@ -216,11 +220,12 @@ vec3 behindLake(Ray ray, vec3 sky, Hour now)
 }
 
 // Light as it is shown: exposed for the hour, then raised to a power, because no screen shows eight
-// decades.
+// decades. The light of a day has two, so by day the picture gets neither the power nor the stops
+// that bring out the shore at dusk.
 vec3 shown(vec3 light, Hour now)
 {
-    vec3 x = exposed(light, nightStops(now.zenith + 0.1 * now.moonlight.y) + exposure);
-    x *= pow(max(max(x.r, max(x.g, x.b)), 1e-6), softness - 1.0);
+    vec3 x = exposed(light, nightStops(now.zenith + 0.1 * now.moonlight.y) + exposure - 2.5 * now.day);
+    x *= pow(max(max(x.r, max(x.g, x.b)), 1e-6), mix(softness, 1.0, now.day) - 1.0);
     return encodeSRGB(filmOfLargest(x, 1.4, 60.0));
 }
 
