@@ -134,17 +134,24 @@ const GUESSES = read(new URL('guesses.txt', import.meta.url)).split('\n').filter
 });
 
 // What a question takes: the fields of its form, and what is right.
-function fieldsOf({kind, right} = {}) {
+function fieldsOf({kind, right} = {}, pictures) {
     const choice = (text, i) => `<label><input type="radio" name="guess" value="${i}"> ${escaped(text.replace(/^\*/, ''))}</label>`;
     if (kind === 'choice') return {data: ` data-kind="choice" data-right="${right.findIndex((one) => one.startsWith('*'))}"`, fields: right.map(choice).join(' ')};
     if (kind === 'number') return {data: ` data-kind="number" data-right="${right[0]}"`, fields: '<label>Your guess: <input type="number" step="any" name="guess"></label>'};
+    if (kind === 'tap') {
+        const img = `<img ${pictureOf(`../tests/references/${right[0]}.png`, pictures)} alt="" loading="lazy" decoding="async">`;
+        return {
+            data: ` data-kind="tap" data-right="${right[1]}"`,
+            fields: `<button type="button" class="tap" aria-label="Point at the place in the picture; the arrow keys move the mark">${img}<i hidden></i></button><input type="hidden" name="guess">`,
+        };
+    }
     return {data: '', fields: '<label>Your guess: <input name="guess" maxlength="200" autocomplete="off"></label>'};
 }
 
 // Predict first: the form between a question and its answer, which a command may stand before.
-const guesses = (html, stem) => html.replace(/(<p><em>Predict\.<\/em>)((?:(?!<\/p>).)*)(<\/p>)(?=\s*(?:<div class="commands">(?:(?!<details>|<h\d|<p>).)*)?<details>)/gs, (whole, begin, question, end) => {
+const guesses = (html, stem, pictures) => html.replace(/(<p><em>Predict\.<\/em>)((?:(?!<\/p>).)*)(<\/p>)(?=\s*(?:<div class="commands">(?:(?!<details>|<h\d|<p>).)*)?<details>)/gs, (whole, begin, question, end) => {
     const words = plain(question.replace(/<[^>]*>/g, '')).replace(/\s+/g, ' ').trim();
-    const {data, fields} = fieldsOf(GUESSES.find((one) => one.page === stem && words.startsWith(one.words)));
+    const {data, fields} = fieldsOf(GUESSES.find((one) => one.page === stem && words.startsWith(one.words)), pictures);
     return `${begin}${question}${end}<form class="guess"${data}>${fields} <button type="submit">Keep my guess</button> <output></output></form>`;
 });
 
@@ -202,7 +209,7 @@ function wordy(table) {
 }
 
 // A picture is a link to its own file, so that it can be seen larger.
-const enlarged = (html) => html.replace(/(<live-chapter[^>]*>)?(<img src="([^"]*)"[^>]*>)/g, (whole, live, img, source) => live ? whole : `<a class="picture" href="${source}">${img}</a>`);
+const enlarged = (html) => html.replace(/(<live-chapter[^>]*>|<button type="button" class="tap"[^>]*>)?(<img src="([^"]*)"[^>]*>)/g, (whole, inside, img, source) => inside ? whole : `<a class="picture" href="${source}">${img}</a>`);
 
 // In a table of pictures, the cells share the width; a table of numbers scrolls if it is wider than the page.
 const tables = (html) => html.replace(/<table>(.*?)<\/table>/gs, (whole, inside) => {
@@ -222,7 +229,7 @@ const links = (html, sources) => html.replace(/<a href="source:([^"#]*)(#[^"]*)?
 //   pictures  receives the pictures that it shows: name in the site -> file
 export function bodyOf(html, {stem, sources, pictures}) {
     html = inline(blocks(formulas(html), sources));
-    if (stem) html = guesses(scrubs(html, parametersOf(stem)), stem);
+    if (stem) html = guesses(scrubs(html, parametersOf(stem)), stem, pictures);
     html = links(images(stem ? live(html, stem, pictures) : html, pictures), sources);
     html = tables(html).replaceAll(' />', '>');
     // Headings above the first section do not belong to one: they look small, but no level is skipped.

@@ -7,9 +7,19 @@
         try { localStorage[KEY] = JSON.stringify({...kept(), [number]: guess}); } catch {} // the browser keeps nothing
     }
 
+    // How far a point of a picture is from a rectangle, in widths of the picture.
+    function outside([x, y], [left, top, right, bottom], height) {
+        return Math.hypot(Math.max(left - x, 0, x - right), height * Math.max(top - y, 0, y - bottom));
+    }
+
     // How near a guess is, in words.
-    //   kind, right  as guesses.txt has them; of a choice the place of the right one
-    function judged(kind, guess, right) {
+    //   kind, right  as guesses.txt has them; of a choice the index of the right one
+    //   height       of the picture that is tapped, in widths
+    function judged(kind, guess, right, height) {
+        if (kind === 'tap') {
+            const off = outside(guess.split(' ').map(Number), right.split(' ').map(Number), height);
+            return off === 0 ? 'That is right.' : `You were off by ${Math.max(1, Math.round(100 * off))} % of the picture's width.`;
+        }
         if (kind === 'choice') return guess === right ? 'That is right.' : 'That is not right.';
         if (kind !== 'number') return 'Compare it with the answer.';
         const [mine, its] = [guess, right].map(Number), factor = Math.max(mine / its, its / mine);
@@ -24,18 +34,42 @@
     }
 
     function show(form, guess) {
-        const {kind, right} = form.dataset, said = document.createElement('p');
-        const words = kind === 'choice' ? form.querySelector(`[value="${guess}"]`).parentNode.textContent.trim() : guess;
+        const {kind, right} = form.dataset, said = document.createElement('p'), img = form.querySelector('img');
+        const words = kind === 'choice' ? form.querySelector(`[value="${guess}"]`).parentNode.textContent.trim() : kind === 'tap' ? 'the mark' : guess;
         said.className = 'guessed';
-        said.textContent = `Your guess: ${words}. ${judged(kind, guess, right)}`;
+        said.textContent = `Your guess: ${words}. ${judged(kind, guess, right, img ? img.height / img.width : 1)}`;
         answerOf(form).querySelector('.guessed')?.remove();
         answerOf(form).querySelector('summary').after(said);
     }
 
+    // A tap, or the arrow keys, put the mark on a point of the picture.
+    function mark(form, x, y) {
+        const at = form.querySelector('.tap i'), inside = (v) => Math.min(Math.max(v, 0), 1).toFixed(3);
+        form.elements.guess.value = `${inside(x)} ${inside(y)}`;
+        at.hidden = false;
+        [at.style.left, at.style.top] = [x, y].map((v) => `${100 * inside(v)}%`);
+    }
+    function takeTaps(form, tap) {
+        const point = () => (form.elements.guess.value || '0.5 0.5').split(' ').map(Number);
+        tap.addEventListener('click', (event) => {
+            const box = tap.getBoundingClientRect(); // a key clicks at no point
+            if (event.detail) mark(form, (event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height);
+            else mark(form, ...point());
+        });
+        tap.addEventListener('keydown', (event) => {
+            const move = {ArrowLeft: [-0.02, 0], ArrowRight: [0.02, 0], ArrowUp: [0, -0.02], ArrowDown: [0, 0.02]}[event.key];
+            if (!move) return;
+            event.preventDefault();
+            mark(form, ...point().map((v, k) => v + move[k]));
+        });
+    }
+
     document.querySelectorAll('form.guess').forEach((form, number) => {
-        const answer = answerOf(form), told = form.querySelector('output'), before = kept()[number];
+        const answer = answerOf(form), told = form.querySelector('output'), before = kept()[number], tap = form.querySelector('.tap');
         let asked = false;
+        if (tap) takeTaps(form, tap);
         if (before !== undefined) {
+            if (tap) mark(form, ...before.split(' ').map(Number));
             form.elements.guess.value = before;
             show(form, before);
         }
@@ -54,7 +88,7 @@
             event.preventDefault();
             asked = true;
             told.textContent = 'Guess first. If you press Answer again, it opens without a guess.';
-            form.querySelector('input').focus();
+            form.querySelector('input:not([type=hidden]), .tap').focus();
         });
     });
 })();
