@@ -24,10 +24,10 @@ uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distanc
 const float LATITUDE = 43.6;              // degrees
 const float DECLINATION = 2.0;            // of the sun, degrees: at the end of March
 const vec3  PINE = vec3(29.0, 2.4, -47.0); // its foot
-const vec3  HILL = vec3(33.0, -28.0, -48.0); // the centre of the ball whose top it is
+const vec3  HILL = vec3(31.5, -12.8, -48.0); // the centre of the ball whose top the largest rock is
 
 // Bounding boxes of the land and of the pine, including their mirror images.
-const vec3 LAND_LOW = vec3(10.0, -4.0, -61.0), LAND_HIGH = vec3(47.0, 4.0, -35.0);
+const vec3 LAND_LOW = vec3(11.5, -4.2, -58.5), LAND_HIGH = vec3(47.0, 4.2, -38.0);
 const vec3 PINE_LOW = vec3(21.0, -12.0, -52.0), PINE_HIGH = vec3(33.5, 12.0, -42.0);
 
 // The light without sun and moon, 2e-4 cd/m^2: airglow and stars.
@@ -62,28 +62,33 @@ float zigzag(float x)
     return 4.0 * abs(fract(x) - 0.5) - 1.0;
 }
 
-// The pine: a leaning trunk, and a crown of three flat domes, cut off at the bottom. A lower bound.
+// The pine: a leaning trunk that forks, and a crown of four flat domes, cut off at the bottom. A
+// lower bound.
 float pineDistance(vec3 p)
 {
     vec3 q = p - PINE;
-    q.x += (0.3 - 0.02 * q.y) * q.y;
-    float trunk = max(length(q.xz) - 0.45 + 0.035 * q.y, max(q.y - 6.6, -2.0 - q.y));
-    vec3 c = q - vec3(-0.4, 6.7, 0.0), flat1 = c * vec3(1.0, 1.9, 1.0);
-    float domes = length(flat1 - vec3(0.2, 0.4, 0.0)) - 3.7;
-    domes = min(domes, length(flat1 - vec3(-3.3, -0.6, 0.4)) - 2.2);
-    domes = min(domes, length(flat1 - vec3(3.1, -0.2, -0.3)) - 2.3);
-    float leaf = 0.13 * zigzag(0.83 * c.x + 0.5 * c.y + 0.6 * c.z);
-    return min(0.75 * trunk, max(0.4 * (domes - leaf), 0.55 * (leaf - 0.5 - c.y)));
+    q.x += (0.34 - 0.025 * q.y) * q.y;
+    float trunk = max(length(q.xz) - 0.4 + 0.035 * q.y, max(q.y - 7.0, -2.0 - q.y));
+    vec2 fork = vec2(abs(q.x + 0.1) - 0.95 * (q.y - 3.7), q.z);
+    trunk = min(trunk, max(0.72 * length(fork) - 0.14, max(q.y - 6.6, 3.7 - q.y)));
+    vec3 c = q - vec3(0.0, 6.2, 0.0), flat1 = c * vec3(1.0, 2.1, 1.0);
+    float domes = length(flat1 - vec3(0.5, 3.1, 0.0)) - 2.3;
+    domes = min(domes, length(flat1 - vec3(-1.7, 1.7, -0.8)) - 2.0);
+    domes = min(domes, length(flat1 - vec3(-3.6, -0.4, 0.6)) - 1.9);
+    domes = min(domes, length(flat1 - vec3(3.2, 0.6, -0.2)) - 2.2);
+    float leaf = 0.16 * zigzag(1.13 * c.x + 0.4 * c.y + 0.9 * c.z) + 0.06 * zigzag(2.7 * c.x - 1.3 * c.y + 1.9 * c.z);
+    return min(0.75 * trunk, 0.36 * (domes - leaf));
 }
 
-// Three round hills with a rough surface. A lower bound.
+// Three rocks: each is the part of a ball within a cone, so that its sides are steep at the water.
+// A lower bound.
 float landDistance(vec3 p)
 {
-    float land = length(p - HILL) - 31.0;
-    land = min(land, length(p - vec3(24.0, -4.2, -45.0)) - 6.0);
-    land = min(land, length(p - vec3(13.0, -1.9, -47.0)) - 2.5);
-    float rock = 0.3 * zigzag(0.13 * p.x + 0.06 * p.y + 0.05 * p.z) + 0.13 * zigzag(0.41 * p.x - 0.2 * p.y + 0.3 * p.z);
-    return 0.65 * (land + rock);
+    float land = max(length(p - HILL) - 16.0, length(p.xz - HILL.xz) - 8.6 + 0.9 * p.y);
+    land = min(land, max(length(p - vec3(42.0, -5.0, -47.5)) - 6.5, length(p.xz - vec2(42.0, -47.5)) - 3.8 + 0.9 * p.y));
+    land = min(land, length(p - vec3(14.6, -0.6, -44.0)) - 1.8);
+    float rock = 0.4 * zigzag(0.13 * p.x + 0.17 * p.y + 0.05 * p.z) + 0.24 * zigzag(0.43 * p.x - 0.36 * p.y + 0.3 * p.z);
+    return 0.5 * (land + rock);
 }
 
 // Above the water the islet, below it the mirror image, displaced by the waves. Water shows the
@@ -138,7 +143,7 @@ Place placeAlong(Ray ray)
 vec3 isletLight(vec3 p, vec3 sun)
 {
     p.y = abs(p.y);
-    bool leaf = p.y > PINE.y + 5.2;
+    bool leaf = p.y > PINE.y + 5.1;
     vec3 normal = normalize(leaf ? (p - PINE - vec3(-1.4, 6.0, 0.0)) * vec3(1.0, 3.0, 1.0) : p - HILL);
     vec3 colour = leaf ? vec3(0.04, 0.06, 0.03) : vec3(0.11, 0.1, 0.075);
     return colour * ((0.6 + 0.4 * normal.y) * tableAmbient(sun) + lambert(normal, sun) * tableSunlight(sun));
