@@ -245,7 +245,7 @@ IN_PROJECT(test_texts_without_sense)
     struct shader_source source;
     const char *said;
     assert_false(read_text(&source, "// nothing\n/* but\n */\n", &said));
-    assert_non_null(strstr(said, "main.frag: holds nothing but comments"));
+    assert_non_null(strstr(said, "main.frag: contains only comments"));
 }
 
 IN_PROJECT(test_inputs_and_textures)

@@ -244,8 +244,7 @@ IN_PROJECT(test_signs_that_are_no_glsl)
                   "main.frag:5: error: only plain letters and signs, here is '\xC3\xA9'", "float");
     assert_blamed(library_ok,
                   "#version 330 core\nout vec4 c;\nvoid main()\n{\n    c =\xC2\xA0vec4(1.0);\n}\n",
-                  "main.frag:5: error: only plain letters and signs, here is a space that cannot "
-                  "break",
+                  "main.frag:5: error: only plain letters and signs, here is a no-break space",
                   "vec4");
 }
 
