@@ -517,8 +517,8 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
     return done;
 }
 
-// Add the pictures of --channel, and those that the text names. Shadertoy reads a picture so unless
-// told otherwise.
+// Add the pictures of --channel, and those that the text names. As in Shadertoy, a picture repeats
+// unless the text says otherwise.
 static bool add_channels(struct samplers *samplers, struct shader_source *source)
 {
     const char *const *channels = source->request.channels;

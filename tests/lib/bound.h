@@ -34,9 +34,10 @@ struct bound_sums {
 // Fails the test, or ends the program, if it cannot be drawn.
 void bound_measure(const struct bound_case *of, int every, struct bound_sums sums[2]);
 
-// March one ray on the GPU, in tests/shaders/cover.frag, with the parameters that file declares.
-//   answer  takes the steps of the march, and the fewest that could do, by shaders/cover.glsl
-// Fails the test where it cannot be drawn.
+// March one ray on the GPU, in tests/shaders/cover.frag, with the parameters that this file
+// declares.
+//   answer  receives the steps of the march, and the fewest possible steps, by shaders/cover.glsl
+// Fails the test if the ray cannot be drawn.
 void bound_ask(double slope, double gap, double far, double threshold, int answer[2]);
 
 #endif

@@ -150,7 +150,8 @@ static struct course course_of(const struct coarse_scene *scene,
     return course;
 }
 
-// A ray that meets the scene finds it, and no ray does that passes it farther away than the margin.
+// A ray that meets the scene finds it, and a ray that passes it farther away than the margin
+// does not.
 static void check_rays(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                        const float *picture, int row)
 {

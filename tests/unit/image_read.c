@@ -1,5 +1,5 @@
-// image_read.c - PNGs: every kind is read, and files that are no PNG, broken or too large are
-// refused. cmocka needs the four above.
+// image_read.c - PNGs: every kind is read, and a file is refused if it is not a PNG, is broken or
+// is too large.
 #include "lib/test.h"
 #include "picture/image.h"
 #include "lib/image.h"

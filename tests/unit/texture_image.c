@@ -1,5 +1,5 @@
 // texture_image.c - the pictures that shaders read, before the driver receives them: slices, and
-// the levels compared with double precision. cmocka needs the four above.
+// the levels compared with double precision.
 #include "lib/test.h"
 #include "picture/texture.h"
 #include "lib/mirror.h"

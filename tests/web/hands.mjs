@@ -160,7 +160,7 @@ const second = page.locator('form.guess:not([data-kind])').first();
 await second.evaluate((form) => { let next = form; while (!next.matches('details')) next = next.nextElementSibling; next.id = 'second'; });
 await page.locator('#second summary').click();
 await page.locator('#second summary').click();
-check('who presses twice needs no guess', await page.locator('#second').evaluate((one) => one.open));
+check('the answer opens at the second click, without a guess', await page.locator('#second').evaluate((one) => one.open));
 check('no error in the console', said.length === 0, said);
 await page.close();
 
