@@ -94,9 +94,9 @@ struct Hour {
     float hour;       // solar time
     vec3  sun, moon;  // the directions to them
     vec3  moonlight;  // on a perpendicular surface; 0 while the moon is down
-    vec3  sunlight;   // the same of the sun
+    vec3  sunlight;   // likewise for the sun
     float zenith;     // the light of the sky overhead
-    float day;        // 0 until the sun is up, 1 when it stands high
+    float day;        // 0 until the sun is up, 1 when it is high
 };
 
 Hour hourNow()
@@ -220,7 +220,7 @@ vec3 behindLake(Ray ray, vec3 sky, Hour now)
 }
 
 // Light as it is shown: exposed for the hour, then raised to a power, because no screen shows eight
-// decades. The light of a day has two, so by day the picture gets neither the power nor the stops
+// decades. Daylight spans two, so by day the picture gets neither the power nor the stops
 // that bring out the shore at dusk.
 vec3 shown(vec3 light, Hour now)
 {

@@ -1,7 +1,7 @@
-// clouds.glsl - clouds round the whole sky, from a panorama or from a layer over a round Earth, what light
-// they send, and what the weather does to sun and sky.
+// clouds.glsl - clouds all around the sky, from a panorama or from a layer over a round Earth; the light that they
+// send; and the effect of the weather on sun and sky.
 //
-// Lengths are kilometres. docs/20_clouds_and_weather.md proves what is claimed here.
+// Lengths are kilometres. docs/20_clouds_and_weather.md proves the claims made here.
 #include "repetition.glsl" // cellRandom
 #include "sky.glsl"        // glow
 
@@ -10,15 +10,15 @@ const float QUARTER_TURN = 1.5707963;
 
 // ---- A layer over a round Earth ----
 
-// How far a ray goes until it leaves a sphere round the Earth's centre.
-//   height    of the eye over the ground, km, in [0, altitude)
+// The distance along a ray until it leaves a sphere around the Earth's centre.
+//   height    of the eye above the ground, km, in [0, altitude)
 //   climb     the direction's y, in [-1, 1]
-//   altitude  of the sphere over the ground, km, > height
-//   returns   km: altitude - height straight up, about sqrt(2 EARTH_RADIUS altitude) level from the ground
+//   altitude  of the sphere above the ground, km, > height
+//   returns   km: altitude - height straight up, about sqrt(2 EARTH_RADIUS altitude) horizontally from the ground
 //   formula   c / (b + s) where b >= 0, else s - b; b = (R + height) climb, c = (altitude - height) (2 R +
-//             altitude + height), s = sqrt(b^2 + c): the positive root of t^2 + 2 b t - c. Nothing is taken
-//             away from its like: the error is a few units of the last place. Exact; whether the ground hides
-//             the place is not asked
+//             altitude + height), s = sqrt(b^2 + c): the positive root of t^2 + 2 b t - c. No two nearly equal numbers
+//             are subtracted: the error is a few units in the last place. Exact; it is not checked whether the ground
+//             hides the point
 float layerHit(float height, float climb, float altitude)
 {
     float b = (EARTH_RADIUS + height) * climb;
@@ -27,9 +27,9 @@ float layerHit(float height, float climb, float altitude)
     return b >= 0.0 ? c / (b + s) : s - b;
 }
 
-// The direction in which an eye at the middle of the panorama sees what a ray meets on a layer: with it the
-// clouds overhead move when the eye does, and those at the horizon hardly.
-//   eye       from the middle, km: x and z along the ground, y over it; small beside the altitude
+// The direction in which an eye at the centre of the panorama sees the point where a ray meets a layer. With it, the
+// clouds overhead move when the eye does, and those at the horizon hardly do.
+//   eye       from the centre, km: x and z along the ground, y above it; small compared with the altitude
 //   direction, altitude  as of layerHit
 //   returns   length 1
 vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
@@ -39,10 +39,10 @@ vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
 
 // ---- A panorama ----
 
-// Where a direction lies in a panorama of the upper half of the sky.
+// The position of a direction in a panorama of the upper half of the sky.
 //   direction  length 1; below the horizon as at it
-//   returns    u, turns from north over east, in [-1/2, 1/2], with a jump at the south; v, the root of the
-//              height over the horizon, a quarter turn being 1
+//   returns    u, turns from north through east, in [-1/2, 1/2], with a jump at the south; v, the root of the height
+//              above the horizon, where a quarter turn is 1
 vec2 panoramaPlace(vec3 direction)
 {
     float level = length(direction.xz);
@@ -51,32 +51,31 @@ vec2 panoramaPlace(vec3 direction)
                 sqrt(atan(max(direction.y, 0.0), max(level, 1e-20)) / QUARTER_TURN));
 }
 
-// How far a pixel reaches in a panorama, in u and in v: the slopes of panoramaPlace. They know nothing of the
-// jump.
+// How far a pixel reaches in a panorama, in u and in v: the slopes of panoramaPlace. They ignore the jump.
 //   width  angle of a pixel, radians
-//   formula  width / (2 pi cos h), width / (pi v), h the height; near the zenith and the horizon, where one of
-//            the two has no end, as a pixel's width away
+//   formula  width / (2 pi cos h), width / (pi v), h the height; near the zenith and the horizon, where one of the two
+//            is infinite, the value one pixel's width away
 vec2 panoramaFootprint(vec3 direction, float width)
 {
     float level = max(length(direction.xz), width), v = panoramaPlace(direction).y;
     return width / (2.0 * QUARTER_TURN) * vec2(0.5 / level, 1.0 / max(v, sqrt(width / QUARTER_TURN)));
 }
 
-// What is known of the clouds in a direction. All three count what the cloud covers alone, so they can be
-// filtered, added and weighted.
+// The clouds in a direction. All three values refer only to the part that the cloud covers, so they can be filtered,
+// added and weighted.
 struct Cloud {
-    float cover; // share of what is behind that is hidden, in [0, 1]
-    float above; // of a light overhead, how much reaches what is seen of the cloud, in [0, cover]
-    float side;  // light from the right less light from the left, in [-cover, cover]
+    float cover; // share of the background that is hidden, in [0, 1]
+    float above; // share of a light overhead that reaches the visible side of the cloud, in [0, cover]
+    float side;  // light from the right minus light from the left, in [-cover, cover]
 };
 
 // The clouds of a panorama.
 //   panorama  cover, above, 1/2 + side / 2; repeats in u
 //   turned    turns by which the clouds have drifted, from east to north
 //   others    as of panoramaFootprint
-// High up a texel is half a degree high and narrow, so the footprint is at least a large part of that. At the
-// zenith a pixel reaches all around, and a mip level that coarse would average the whole panorama, clouds at the horizon
-// included: in u a pixel counts for at most twice its texels in v, for a panorama 6.4 times as wide as high.
+// High up, a texel is half a degree high and narrow, so the footprint is at least a large part of that. At the zenith a
+// pixel reaches all around, and a mip level that coarse would average the whole panorama, including clouds at the
+// horizon. So in u a pixel counts as at most twice its texels in v, for a panorama 6.4 times as wide as high.
 Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float width)
 {
     vec2 place = panoramaPlace(direction), reach = panoramaFootprint(direction, max(width, 0.006 * place.y * place.y));
@@ -87,13 +86,13 @@ Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float widt
 
 // The clouds of a thin layer over a round Earth.
 //   layer     its cover, seen from below; repeats in u, to the north, and in v, to the east
-//   eye       over the ground, km; x and z grow with the way of the eye and against that of the wind
+//   eye       above the ground, km; x and z grow as the eye moves, and against the wind
 //   direction, altitude  as of layerHit; below the horizon as at it
 //   period    of the picture, km
 //   width     angle of a pixel, radians
 //   formula   the picture at eye + t direction, t of layerHit, averaged over width t / sin of the angle at which
-//             the ray meets the sphere, which is direction.y + t / EARTH_RADIUS, nearly; above = 9/10 cover and
-//             side = 0, for what is so thin is lit through
+//             the ray meets the sphere, nearly direction.y + t / EARTH_RADIUS; above = 9/10 cover and side = 0, because
+//             such a thin layer is lit through
 Cloud cloudLayer(sampler2D layer, vec3 eye, vec3 direction, float altitude, float period, float width)
 {
     float climb = max(direction.y, 0.0), t = layerHit(eye.y, climb, altitude);
@@ -103,8 +102,8 @@ Cloud cloudLayer(sampler2D layer, vec3 eye, vec3 direction, float altitude, floa
     return Cloud(cover, 0.9 * cover, 0.0);
 }
 
-// One cloud before another.
-//   near, far  the far one counts where the near one leaves a way
+// One cloud in front of another.
+//   near, far  the far one counts where the near one lets light through
 Cloud cloudOver(Cloud near, Cloud far)
 {
     float left = 1.0 - near.cover;
@@ -119,7 +118,7 @@ Cloud cloudShare(Cloud cloud, float share)
 
 // ---- Light ----
 
-// The sine of the sun's height as clouds have it, who see farther round the Earth.
+// The sine of the sun's height as seen by clouds, which see farther around the Earth.
 //   sinHeight  of the sun from the ground
 //   altitude   of the clouds, km
 //   formula    sin(h + sqrt(2 altitude / EARTH_RADIUS)), h small
@@ -128,16 +127,15 @@ float cloudSunHeight(float sinHeight, float altitude)
     return min(sinHeight + sqrt(2.0 * altitude / EARTH_RADIUS), 1.0);
 }
 
-// What clouds send to the eye, times their cover.
+// The light that clouds send to the eye, times their cover.
 //   direction  of the ray, length 1
 //   sun        direction of the light, length 1
-//   sunlight   of it on a white surface across its rays, linear
-//   skylight   of the whole sky on a level white surface
+//   sunlight   of it on a white surface perpendicular to its rays, linear
+//   skylight   of the whole sky on a horizontal white surface
 //   formula    skylight (cover + 3 above) / 4 + sunlight (x^2 X + y^2 Y + z^2 Z + lining), (x, y, z) the
-//              direction to the sun, right, up and away from the eye, whose squares add up to 1; X, Y, Z the
-//              light from that one of two opposite sides on which the sun stands; lining = 2 glow(0.7)
-//              (4 cover (1 - cover) + above / 8), for thin vapour sends light on nearly straight. A model by
-//              eye
+//              direction to the sun, right, up and away from the eye, whose squares add up to 1; X, Y, Z the light from
+//              the one of two opposite sides on which the sun is; lining = 2 glow(0.7) (4 cover (1 - cover) + above /
+//              8), because thin vapour scatters light nearly straight on. A model by eye
 // Source: the squares as weights, J. Mitchell, G. McTaggart, C. Green, 'Shading in Valve's Source engine',
 // SIGGRAPH 2006.
 vec3 cloudLight(Cloud cloud, vec3 direction, vec3 sun, vec3 sunlight, vec3 skylight)
@@ -154,8 +152,8 @@ vec3 cloudLight(Cloud cloud, vec3 direction, vec3 sun, vec3 sunlight, vec3 skyli
 
 // ---- Weather ----
 
-// How much of the fair panorama, of the storm's, and of an overcast sky there is, in [0, 1]. The storm comes up
-// behind the fair clouds before they go.
+// The shares of the fair panorama, of the storm's, and of an overcast sky, in [0, 1]. The storm appears behind the fair
+// clouds before they go.
 //   weather  1 fair, 0.5 bad
 float fairShare(float weather)
 {
@@ -172,7 +170,7 @@ float overcastShare(float weather)
     return 1.0 - smoothstep(0.5, 0.85, weather);
 }
 
-// The share of the light of sun and moon that arrives through what the weather puts before them.
+// The share of the light of sun and moon that arrives through the clouds of this weather.
 //   weather  as above
 //   formula  exp(-4 overcastShare)
 float sunLeft(float weather)
@@ -180,8 +178,8 @@ float sunLeft(float weather)
     return exp(-4.0 * overcastShare(weather));
 }
 
-// The share of the disc of sun or moon that is seen through it. Cloud scatters straight light to all sides long before it
-// swallows it: in bad weather there is light, and no disc.
+// The visible share of the disc of sun or moon. Cloud scatters light to all sides long before it absorbs it: in bad
+// weather there is light, and no disc.
 //   formula  exp(-16 overcastShare)
 float discLeft(float weather)
 {
@@ -190,8 +188,8 @@ float discLeft(float weather)
 
 // The light of an overcast sky in a direction: three times as bright overhead as at the horizon.
 //   sinHeight  the direction's y; below the horizon as at it
-//   white      what such a sky sends on by a level white surface
-//   formula    9/7 white (1 + 2 y) / 3: a level surface gets pi white from all of it together
+//   white      the light of a horizontal white surface under such a sky
+//   formula    9/7 white (1 + 2 y) / 3: a horizontal surface receives pi white from all of it together
 // Source: P. Moon, D. E. Spencer, 'Illumination from a non-uniform sky', Illuminating Engineering 37 (1942);
 // CIE S 011 (ISO 15469), sky type 16.
 vec3 overcastSky(float sinHeight, vec3 white)
@@ -199,17 +197,17 @@ vec3 overcastSky(float sinHeight, vec3 white)
     return 3.0 / 7.0 * white * (1.0 + 2.0 * max(sinHeight, 0.0));
 }
 
-// What an overcast sky sends on by a level white surface: a fifth of what falls on the clouds, by eye, a
-// little blue.
-//   clear  what the clear sky and its sun send on together
+// The light of a horizontal white surface under an overcast sky: a fifth of the light on top of the clouds, by eye, and
+// a little blue.
+//   clear  the light of the same surface under the clear sky and its sun
 vec3 overcastWhite(vec3 clear)
 {
     return vec3(0.17, 0.19, 0.22) * dot(clear, vec3(0.21, 0.72, 0.07));
 }
 
-// What haze and rain take of the light, per kilometre.
+// The share of the light that haze and rain remove, per kilometre.
 //   weather  as of fairShare
-//   formula  0.02 in fair weather, growing to 0.1 in bad: Koschmieder's visual range, 3.9 over it, is 200 km
+//   formula  0.02 in fair weather, growing to 0.1 in bad: Koschmieder's visual range, 3.9 divided by this, is 200 km
 //            and 39 km
 float hazeDensity(float weather)
 {
@@ -222,9 +220,9 @@ float rainShare(float weather)
     return 1.0 - smoothstep(0.5, 0.68, weather);
 }
 
-// How much of a pixel falling drops fill, drawn out to streaks by the time that the shutter is open: two
-// sheets of rain, one further away than the other. A streak is a pixel wide or wider; the wider, the fainter, so that
-// a picture of few pixels has as much rain as one of many.
+// The share of a pixel that falling drops fill, drawn out to streaks while the shutter is open: two sheets of rain, one
+// behind the other. A streak is at least a pixel wide; the wider, the fainter, so that a picture of few pixels has as
+// much rain as one of many.
 //   screen  y from -1 to 1, x from -aspect to aspect
 //   time    seconds
 //   pixel   height of a pixel, in the units of screen

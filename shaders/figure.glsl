@@ -21,7 +21,7 @@ const vec3 BLUE = vec3(0.184, 0.435, 0.753), SKY = vec3(0.812, 0.878, 0.961), TE
 
 vec3 sheetColour = PAPER; // what has been drawn so far
 
-// The sheet is seen from straight above, whatever the camera.
+// The sheet is seen straight from above, whatever the camera.
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(screen, 1.0), vec3(0.0, 0.0, -1.0));

@@ -1,10 +1,10 @@
-// land.glsl - mountains from noise: a ground of height h(x, z), how steep it is, and how far a ray may go over it.
+// land.glsl - mountains from noise: a ground of height h(x, z), its slope, and how far a ray may advance above it.
 //
-// Heights and places are scene units. A ground is given by its height (x) and its gradient (yz).
-// docs/21_a_landscape.md proves what is claimed here.
+// Heights and positions are in scene units. A ground is given by its height (x) and its gradient (yz).
+// docs/21_a_landscape.md proves the claims made here.
 #include "noise.glsl"
 
-// Value noise on the plane: the slice y = 0 of valueNoise, at half its price.
+// Value noise on the plane: the slice y = 0 of valueNoise, at half the cost.
 //   p        scene units
 //   returns  value in [0, 1) up to rounding, about 1e-6; gradient, which is never longer than VALUE_STRETCH
 vec3 groundNoise(vec2 p)
@@ -51,11 +51,11 @@ vec3 higherGround(vec3 a, vec3 b)
     return a.x > b.x ? a : b;
 }
 
-// How far it is at least to where a gap has closed, if it closes by at most slope + growth s after a way s.
-//   gap      between the ray and the ground now; negative below the ground, and so is what is returned
-//   slope    how much of the gap a unit of the way can take here, > 0
-//   growth   of that slope, per unit of the way, >= 0
-//   returns  scene units: the s with slope s + growth s^2 / 2 = gap; a lower bound of the way
+// A lower bound of the distance at which a gap has closed, if it closes by at most slope + growth s at the distance s.
+//   gap      between the ray and the ground now; negative below the ground, and so is the result
+//   slope    how much the gap can close per unit of length here, > 0
+//   growth   of that slope, per unit of length, >= 0
+//   returns  scene units: the s with slope s + growth s^2 / 2 = gap; a lower bound of the distance
 //   formula  2 gap / (slope + sqrt(slope^2 + 2 growth gap))
 float wayToClose(float gap, float slope, float growth)
 {

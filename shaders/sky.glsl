@@ -24,7 +24,7 @@ float airMass(float sinHeight)
     return horizon / (sqrt(climb * climb + horizon) + climb);
 }
 
-// The share of the light that comes through the air, per channel.
+// The share of the light that passes through the air, per channel.
 //   depth    optical depth of the air overhead, >= 0
 //   mass     the multiple of it that the ray passes, >= 0
 //   formula  exp(-depth mass)
@@ -40,9 +40,9 @@ vec3 transmittance(vec3 depth, float mass)
 //   viewMass  air mass of the ray from the eye
 //   sunMass   air mass of the ray from the sun
 //   formula   v (exp(-depth s) - exp(-depth v)) / (v - s), v = viewMass, s = sunMass; where they
-//             differ by less than 0.02, s + 0.02 stands for v in the quotient: an error of at most
+//             differ by less than 0.02, s + 0.02 replaces v in the quotient: an error of at most
 //             about depth / 50 of the light
-//   It takes every slanted way to be v or s times the vertical one, at every height: exact over a flat
+//   It assumes that every slanting path is v or s times the vertical one, at every height: exact over a flat
 //   Earth, a model with the air masses of a round one.
 // Source: S. Chandrasekhar, 'Radiative transfer' (1950): the first order of a plane layer.
 vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
@@ -106,7 +106,7 @@ float daylight(float sinHeight)
 //   depth      optical depth of the air overhead, per channel, > 0
 //   formula    gain day^2 (0.6 + 0.4 c^2) scatteredLight + day transmittance glow, c the cosine of the
 //              angle to the sun; the gain, a colour by eye, stands for light scattered more than once
-//              and for ozone: the blue of the zenith at sunset is the gain's alone
+//              and for ozone: the blue of the zenith at sunset comes only from the gain
 vec3 sunlitSky(vec3 direction, vec3 sun, vec3 depth)
 {
     float view = airMass(direction.y), sunMass = airMass(sun.y), day = daylight(sun.y);

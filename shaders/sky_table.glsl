@@ -1,26 +1,27 @@
-// sky_table.glsl - the light of a clear sky, of the sun and of all the sky together, read from tables that a
-// program has computed: shaders/textures/air.c.
+// sky_table.glsl - the light of a clear sky, of the sun and of the whole sky together, read from tables that a program
+// has computed: shaders/textures/air.c.
 //
-// Light is linear, 1 is 4,000 cd/m^2, about the blue of a clear noon; light that falls on a surface is given as
-// what a white matt surface sends on. So it spans from 8, a white wall at noon, to 1e-8 by night: hourStops says how
-// to expose. y is up; directions have length 1; below the horizon the sky is what it is at the horizon.
+// Light is linear; 1 is 4,000 cd/m^2, about the blue of a clear noon. Light that falls on a surface is given as the
+// light that a white matt surface sends back. So it ranges from 8, a white wall at noon, to 1e-8 at night: hourStops
+// says how to expose. y is up; directions have length 1; below the horizon the sky is the same as at the horizon.
 //
-// Each texture is to be declared in the chapter as sRGB and clamp, for it holds light.
+// The chapter must declare each texture as sRGB and clamp, because it contains light.
 #include "sky.glsl"
 
-// Columns and rows of a table of the sky, in each of its three storeys, from the bottom: light that the air has scattered
-// once, that the dust has, and light that was scattered more often. The lowest sun that has a column, -16.3 degrees.
+// Columns and rows of a table of the sky, in each of its three storeys, from the bottom: light scattered once by air,
+// light scattered once by dust, and light scattered more than once. The lowest sun that has a column, -16.3 degrees.
 const vec2  SKY_TABLE = vec2(288.0, 160.0);
 const float LOWEST_SUN = -0.28;
 
-// How far the axes are drawn out round 0: of the sun's height (x) and of the direction's (y).
+// How far the axes are stretched around 0: that of the sun's height (x) and that of the direction's (y).
 const vec2 SKY_WIDTH = vec2(0.1, 0.06);
 
 // Columns and rows of the table of the sun, and how far it reaches, in radii of the sun.
 const float SUN_TABLE = 64.0;
 const float SUN_REACH = 12.0;
 
-// What a table's fourth number adds to the blue, in this share of the red's scale; the byte NO_BLUE adds nothing.
+// The amount that a table's fourth number adds to the blue, as a share of the red's scale; the byte NO_BLUE adds
+// nothing.
 const float BLUE_FINE = 0.06;
 const float NO_BLUE = 128.0 / 255.0;
 
@@ -29,9 +30,9 @@ const float DUST_FORWARD = 0.76;
 
 // ---- Where to look ----
 
-// Where the sine of a height lies in a table: drawn out round 0, where the sky changes fastest.
+// The position of the sine of a height in a table: stretched around 0, where the sky changes fastest.
 //   sine     in [-1, 1]
-//   k        in (0, 1): near 0 it is drawn out by 1 / k
+//   k        in (0, 1): near 0 it is stretched by 1 / k
 //   returns  in [-1, 1], with the sign of sine
 //   formula  the x with x (k + (1 - k) |x|) = sine
 float drawnOut(float sine, float k)
@@ -39,7 +40,7 @@ float drawnOut(float sine, float k)
     return sign(sine) * (sqrt(k * k + 4.0 * (1.0 - k) * abs(sine)) - k) / (2.0 * (1.0 - k));
 }
 
-// Column (x) and row (y) of the sky in a table: 0 the first one's middle, 1 the last one's.
+// Column (x) and row (y) of the sky in a table: 0 is the centre of the first one, 1 that of the last one.
 //   sun        sine of the sun's height; below LOWEST_SUN as at it
 //   direction  sine of its height; below 0 as at 0
 vec2 skyPlace(float sun, float direction)
@@ -48,22 +49,22 @@ vec2 skyPlace(float sun, float direction)
     return vec2((column - lowest) / (1.0 - lowest), drawnOut(max(direction, 0.0), SKY_WIDTH.y));
 }
 
-// x where it is far above 0, 0 where it is far below, smooth between.
+// x if it is far above 0, 0 if it is far below, smooth between.
 float beyond(float x)
 {
     return 0.5 * (x + sqrt(x * x + 0.0004));
 }
 
-// How much light the number 1 of a table is, in each storey.
+// The light that the number 1 of a table represents, in each storey.
 struct SkyScale {
     vec3 air, dust, more;
 };
 
-// The scale of a place: by day as thick air takes the light from the sun, blue the most, and the more the lower one
-// looks; in twilight less by half for each degree that the sun sinks. Light spans decades, and a byte does not.
+// The scale of a point: by day the light decreases as thick air removes it, blue the most, and more the lower one
+// looks; in twilight it is halved for each degree that the sun sinks. Light spans decades, and a byte does not.
 //   sun      sine of the sun's height
 //   row      of skyPlace, in [0, 1]
-//   formula  fitted; what it leaves over is in the table, and lies in [0, 1]
+//   formula  fitted; the remaining factor is in the table, and lies in [0, 1]
 SkyScale skyScale(float sun, float row)
 {
     float low = 1.0 / (max(sun, 0.0) + 0.068), foot = 1.0 / (1.0 + 114.0 * row * row);
@@ -79,9 +80,9 @@ SkyScale skyScale(float sun, float row)
     return SkyScale(exp2(air), exp2(dust), exp2(more));
 }
 
-// ---- How much goes which way ----
+// ---- How much is scattered in which direction ----
 
-// What molecules scatter into a direction, per steradian.
+// The share that molecules scatter into a direction, per steradian.
 //   c        cosine of the angle between the direction and the sun
 //   formula  3 / (16 pi) (1 + c^2); its integral over all directions is 1
 // Source: J. W. Strutt (Lord Rayleigh), Philosophical Magazine 41 (1871).
@@ -90,7 +91,7 @@ float phaseAir(float c)
     return 0.0596831 * (1.0 + c * c);
 }
 
-// The same of dust and droplets: mostly forwards.
+// The same for dust and droplets, which scatter mostly forwards.
 //   formula  (1 - g^2) / (4 pi) (1 + g^2 - 2 g c)^(-3/2), g = DUST_FORWARD; its integral is 1
 // Source: L. G. Henyey, J. L. Greenstein, Astrophysical Journal 93 (1941).
 float phaseDust(float c)
@@ -101,8 +102,8 @@ float phaseDust(float c)
 
 // ---- The sky ----
 
-// The cosine of the angle between a direction and the sun in the level plane, in [-1, 1]; 0 at the zenith, where there is
-// no such angle.
+// The cosine of the horizontal angle between a direction and the sun, in [-1, 1]; 0 at the zenith, where there is no
+// such angle.
 float levelCosine(vec3 direction, vec3 sun)
 {
     float size = length(direction.xz) * length(sun.xz);
@@ -115,18 +116,17 @@ float levelCosine(vec3 direction, vec3 sun)
 //   row      of skyPlace
 //   formula  ((1 + a) / 2)^p, p = 1 + (q - 1) (1 - 0.28 a), log2 q = 0.6 + 0.37 d - 2.75 row, at least 0, d the degrees
 //            by which the sun is below the horizon. By day p is 1, because the light without its phases is linear in a;
-//            in twilight the glow draws together, low down the most. At the zenith any share will do: both tables agree
-//            there
-// Fitted; by how much it errs is measured in docs/18_sky_from_tables.md.
+//            in twilight the glow contracts, most of all near the horizon. At the zenith any share will do: both tables
+//            agree there Fitted; docs/18_sky_from_tables.md measures its error.
 float sunwardShare(float a, float sun, float row)
 {
     float narrow = exp2(clamp(0.6 - 21.3 * sun - 2.75 * row, 0.0, 6.0)) - 1.0;
     return pow(0.5 + 0.5 * a, 1.0 + narrow * (1.0 - 0.28 * a));
 }
 
-// The same share of light that was scattered more than once, which comes from all sides and so depends less on where
-// the sun is.
-//   a        cosine of the angle to the sun in the level plane
+// The same share for light that was scattered more than once, which comes from all sides and so depends less on the
+// position of the sun.
+//   a        cosine of the horizontal angle to the sun
 //   sun      sine of its height
 //   formula  ((1 + a) / 2)^p, p = 1 + 3.7 (1 - row)^2 d / (d + 0.15), d = max(-sun, 0)
 float moreShare(float a, float sun, float row)
@@ -135,9 +135,9 @@ float moreShare(float a, float sun, float row)
     return pow(0.5 + 0.5 * a, 1.0 + 3.7 * high * high * deep / (deep + 0.15));
 }
 
-// The light of one storey of a table. A low sun's light is redder than the screen's red, its blue a little below 0, which
-// no colour of a picture holds; and near 0 a screen tells more blues apart than a byte. The fourth number has what is
-// missing.
+// The light of one storey of a table. The light of a low sun is redder than the screen's red, with a blue a little
+// below 0, which no colour of a picture can represent; and near 0 a screen distinguishes more blues than a byte. The
+// fourth number contains the missing part.
 //   place   of skyPlace
 //   storey  0 air, 1 dust, 2 more
 //   scale   of the storey
@@ -148,8 +148,8 @@ vec3 storeyLight(sampler2D table, vec2 place, float storey, vec3 scale)
     return scale * light.rgb + vec3(0.0, 0.0, BLUE_FINE * scale.r * (light.a - NO_BLUE));
 }
 
-// The light of a table in a direction that was scattered once: that of air and dust, each with the share that goes
-// this way.
+// The light of a table in a direction after one scattering: that of air and dust, each with the share that is scattered
+// in this direction.
 //   c  cosine of the angle to the sun
 vec3 onceLight(sampler2D table, vec2 place, float c, SkyScale scale)
 {
@@ -162,7 +162,7 @@ vec3 tableLight(sampler2D table, vec2 place, float c, SkyScale scale)
     return onceLight(table, place, c, scale) + storeyLight(table, place, 2.0, scale.more);
 }
 
-// The light of the clear sky, without the sun's disc: what the air of a round Earth scatters.
+// The light of the clear sky, without the sun's disc: the light that the air of a round Earth scatters.
 //   sunward, away  the tables sky_sunward.png and sky_away.png, sRGB clamp
 //   direction      of the ray, length 1
 //   sun            direction of the sun, length 1
@@ -181,9 +181,10 @@ vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 
 // ---- The sun ----
 
-// The sun's light on a surface across its rays, after the air: to be multiplied by the cosine of the angle to the
-// surface's normal.
-//   sun      direction of the sun; 0 once its middle is 0.7 degrees below the horizon, smoothly
+// The sun's light on a surface perpendicular to its rays, after the air: to be multiplied by the cosine of the angle to
+// the surface's normal.
+//   sun      direction of the sun; the light falls smoothly to 0 as the sun's centre sinks to 0.7 degrees below the
+//   horizon
 //   formula  light exp(-depth airMass), fitted to the integral; above 2 degrees within 7 % of the largest channel
 vec3 tableSunlight(vec3 sun)
 {
@@ -191,15 +192,15 @@ vec3 tableSunlight(vec3 sun)
     return vec3(11.5, 10.3, 9.9) * through * smoothstep(-0.012, 0.03, sun.y);
 }
 
-// The sun's disc and the halo round it, to be added to the sky.
+// The sun's disc and the halo around it, to be added to the sky.
 //   table      sun_halo.png, sRGB clamp
 //   direction  of the ray, length 1
 //   sun        direction of the sun, length 1
 //   radius     of the disc, radians: 0.00466 is the real one. A larger disc sends as much light in all
 //   returns    linear light: 46,000 times tableSunlight in the mean of a disc of the real radius
 //   formula    the table by |direction - sun| / radius and by the direction's height, times the light of a
-//              disc so large, and outside of it times 0.004 (1 + 0.054 x^2)^(-3/2), x the distance in radii: the
-//              dust's coarsest grains scatter so, by phaseDust with 0.98 for DUST_FORWARD
+//              disc of this size, and outside of it times 0.004 (1 + 0.054 x^2)^(-3/2), x the distance in radii: the
+//              dust's coarsest grains scatter like this, by phaseDust with 0.98 for DUST_FORWARD
 vec3 tableSun(sampler2D table, vec3 direction, vec3 sun, float radius)
 {
     float x = length(direction - sun) / radius, height = max(direction.y, 0.0);
@@ -210,9 +211,9 @@ vec3 tableSun(sampler2D table, vec3 direction, vec3 sun, float radius)
     return 15.0 * exp(-0.1 * airMass(height)) / (radius * radius) * profile * share;
 }
 
-// ---- All the sky together, and how to expose ----
+// ---- The whole sky together, and the exposure ----
 
-// The logarithm to base 2 of the light of all the sky on a level white surface.
+// The logarithm to base 2 of the light of the whole sky on a horizontal white surface.
 //   sun      sine of the sun's height
 //   formula  fitted to the integral: within 0.25 down to -18 degrees
 float skyBrightness(float sun)
@@ -221,7 +222,7 @@ float skyBrightness(float sun)
     return 0.03 - 0.37 / (high + 0.1) - deep * (83.5 - 42.0 * exp(-204.0 * deep * deep));
 }
 
-// The light of all the sky on a level white surface, without the sun's own.
+// The light of the whole sky on a horizontal white surface, without the sun's own.
 //   sun      direction of the sun, length 1
 //   formula  2^skyBrightness times a colour that is bluer at noon and in the blue hour than at sunset
 vec3 tableAmbient(vec3 sun)
@@ -232,18 +233,18 @@ vec3 tableAmbient(vec3 sun)
     return exp2(skyBrightness(sun.y)) * colour;
 }
 
-// By how many stops to expose at an hour, for exposed() of film.glsl. An eye and a camera follow the light, but not all
-// the way: what is darker by 1 stop is shown darker by 0.15.
+// The number of stops by which to expose at an hour, for exposed() of film.glsl. An eye and a camera follow the light,
+// but not all the way: light that is fainter by 1 stop is shown darker by 0.15.
 //   sinSunHeight  any sine
-//   returns       -1.7 at noon, 1.1 at sunset, 8.1 with the sun at -6 degrees, 18.4 by night
+//   returns       -1.7 at noon, 1.1 at sunset, 8.1 with the sun at -6 degrees, 18.4 at night
 //   formula       -2 - 0.85 log2(2^skyBrightness + 6e-8), the last the light of a night without a moon
 float hourStops(float sinSunHeight)
 {
     return -2.0 - 0.85 * log2(exp2(skyBrightness(max(sinSunHeight, -0.4))) + 6e-8);
 }
 
-// Light as a film for daylight takes it: white is what white paper is at noon, in the light of the sun alone, where
-// the screen's white would be bluer. Before exposed(), after all light is added.
+// Light as a daylight film records it: white is the colour of white paper at noon in sunlight alone, where the screen's
+// white would be bluer. Before exposed(), after all light is added.
 //   light    linear, >= 0
 //   formula  light over the colour of tableSunlight with the sun 48 degrees high, of brightness 1
 vec3 daylightFilm(vec3 light)

@@ -8,10 +8,10 @@
 #include "lighting.glsl"   // lambert, encodeSRGB
 
 uniform float ballRadius;   // 0.8 in [0.1, 2] step 0.05, scene units: radius of the ball
-uniform int   maxSteps;     // 256 in [1, 1024]: steps before a ray is given up
+uniform int   maxSteps;     // 256 in [1, 1024]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
-const float FAR = 40.0; // a ray that has travelled so far sees the sky
+const float FAR = 40.0; // a ray that has travelled this far shows the sky
 
 Ray pixelRay(vec2 screen)
 {

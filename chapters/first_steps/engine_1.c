@@ -153,6 +153,6 @@ int main(void)
             show(window, program);
         done = program != 0;
     }
-    glfwTerminate(); // also closes the window, and frees all that OpenGL made in it
+    glfwTerminate(); // also closes the window and frees its OpenGL objects
     return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -211,6 +211,6 @@ int main(int argc, char **argv)
         glBindVertexArray(corners);
         done = show(window, argv[1]);
     }
-    glfwTerminate(); // also closes the window, and frees all that OpenGL made in it
+    glfwTerminate(); // also closes the window and frees its OpenGL objects
     return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

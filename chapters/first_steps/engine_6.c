@@ -394,6 +394,6 @@ int main(int argc, char **argv)
                                         : write_picture(output, names[0], &camera));
     }
     eglTerminate(display);
-    glfwTerminate(); // also closes the window, and frees all that OpenGL made in it
+    glfwTerminate(); // also closes the window and frees its OpenGL objects
     return done ? EXIT_SUCCESS : EXIT_FAILURE;
 }

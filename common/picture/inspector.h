@@ -45,7 +45,7 @@ struct inspector_room inspector_place(const struct overlay *overlay,
                                       const struct inspector *inspector,
                                       const struct inspector_room *taken, float bottom);
 
-// Draw the steps of a march, with the current one in sight and marked, and its outcome. It has as
+// Draw the steps of a march, with the current one visible and marked, and its outcome. It has as
 // many lines as there is room for; nothing is drawn if there are fewer than two.
 void inspector_march(struct overlay *overlay, const struct inspector *inspector,
                      const struct inspector_room *room);

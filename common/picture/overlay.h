@@ -57,8 +57,8 @@ float overlay_scale_of(int height);
 //   scale          pixels in a unit, OVERLAY_SCALE_MINIMUM to OVERLAY_SCALE_MAXIMUM
 void overlay_begin(struct overlay *overlay, int width, int height, float scale);
 
-// Add a box, or one line of text in UTF-8, by its top left corner. A letter that the font lacks is
-// drawn as an empty frame.
+// Add a box, or one line of text in UTF-8, with its top left corner at a position. A letter that
+// the font lacks is drawn as an empty frame.
 void overlay_box(struct overlay *overlay, float left, float top, float width, float height,
                  struct overlay_colour colour);
 void overlay_text(struct overlay *overlay, float left, float top, const char *text,

@@ -163,8 +163,8 @@ static float height_of_panel(const struct panel_rows *rows)
     return height;
 }
 
-// Keep as many of the parameters' rows, from first to before end, as there is room for: the
-// selected one stays in sight with all that belongs to it. One more row says which are shown.
+// Keep as many of the parameters' rows, from first to before end, as fit: the selected one stays
+// visible with everything that belongs to it. One more row says which are shown.
 //   parameters  in all
 static void cut(struct panel_rows *rows, int first, int end, float bottom, int parameters)
 {

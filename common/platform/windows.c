@@ -227,7 +227,7 @@ static HANDLE create_beside(const char *target, wchar_t name[PLATFORM_PATH], DWO
     return handle;
 }
 
-// True when what is there may be replaced: who write-protects a file expects it to stay.
+// True if the existing file may be replaced: a user who write-protects a file expects it to stay.
 static bool may_replace(const char *path, const struct platform_file *file, char why[PLATFORM_WHY])
 {
     wchar_t wide[PLATFORM_PATH];

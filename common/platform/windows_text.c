@@ -55,7 +55,7 @@ FILE *platform_open_text(char **text, size_t *size)
     return kept[i].stream;
 }
 
-// What was written, with '\0' at the end; NULL if part of it is missing.
+// The text written, with '\0' at the end; NULL if part of it is missing.
 static char *contents(FILE *stream, size_t *size)
 {
     bool failed = fflush(stream) != 0 || ferror(stream) != 0;

@@ -144,8 +144,8 @@ static char *words_of(const struct glsl *code, const struct glsl_token *comment)
     return words;
 }
 
-// Find the comment in the line of a uniform. A space that cannot break is a blank, as a French
-// keyboard types it, but not in quotes; a control character becomes a question mark. Free words.
+// Find the comment in the line of a uniform. A no-break space, which a French keyboard types, is a
+// blank, but not in quotes; a control character becomes a question mark. Free words.
 static void begin(struct annotation *a, const struct shader_source *source,
                   const struct glsl_token *uniform, const char *what, const char *example)
 {
@@ -390,7 +390,7 @@ static bool add_parameter(struct parameters *parameters, const struct annotation
 {
     if (parameters_find(parameters, a->name) != NULL)
         return a->quiet || // the first one counts
-               refuse(a, "is declared twice: take one declaration out");
+               refuse(a, "is declared twice: remove one declaration");
     parameters->item = memory_row(parameters->item, parameters->count, sizeof *parameters->item);
     parameters->item[parameters->count++] = a->parameter;
     return true;
@@ -511,14 +511,14 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
     memcpy(a.sampler.name, a.name, sizeof a.name);
     for (int i = 0; i < samplers->count; i++)
         twice |= strcmp(samplers->item[i].name, a.name) == 0;
-    done = done && (!twice || refuse(&a, "is declared twice: take one declaration out")) &&
+    done = done && (!twice || refuse(&a, "is declared twice: remove one declaration")) &&
            find_file(&a, source, file) && add_sampler(samplers, &a.sampler);
     free(a.words);
     return done;
 }
 
-// Add the pictures of --channel, and those that the text names. Shadertoy reads a picture so unless
-// told otherwise.
+// Add the pictures of --channel, and those that the text names. As in Shadertoy, a picture repeats
+// unless the text says otherwise.
 static bool add_channels(struct samplers *samplers, struct shader_source *source)
 {
     const char *const *channels = source->request.channels;

@@ -122,7 +122,7 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
     char *first = shader_text(&stage, view), *second = shader_text(fragment, view), *log;
     enum shader_step step;
     // A recursive compiler runs out of stack on a long sum.
-    guard_begin("%.800s: the graphics driver crashed over it, or wants more than 4 GB for it: "
+    guard_begin("%.800s: the graphics driver crashed on it, or needs more than 4 GB for it: "
                 "split its longest statement, shorten its arrays and macros",
                 fragment->files[0]);
     const char *version = (const char *)gl->GetString(GL_VERSION);
@@ -130,7 +130,8 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
         guard_memory();
     GLuint program = shader_link_texts(gl, first, second, &step, &log);
     if (GL_IS_ES && program == 0 && step == SHADER_COMPILE_FRAGMENT && fragment->body != NULL) {
-        // The desktop accepts integers as floats. Of two errors, that of the author's text is told.
+        // The desktop accepts integers as floats. Of two errors, the one in the author's text is
+        // reported.
         char *floats = translate_floats(second), *other;
         program = shader_link_texts(gl, first, floats, &step, &other);
         free(floats);

@@ -64,7 +64,7 @@ static bool refuse_vertex(const struct shader_source *source)
                   source->files[0]);
 }
 
-// Refuse a file that is no fragment shader, in one line that says what it is.
+// Refuse a file that is not a fragment shader, in one line that says what it is.
 static bool check_kind(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -100,7 +100,7 @@ static bool check_sense(const struct shader_source *source)
     while (t->kind != GLSL_END && !(t->live && t->kind < GLSL_COMMENT))
         t++;
     if (t->kind == GLSL_END)
-        return report("%s: holds nothing but comments: a shader is code", source->files[0]);
+        return report("%s: contains only comments: a shader is code", source->files[0]);
     for (t = code->statement; t->kind != GLSL_END; t++) {
         const struct glsl_token *number = t + 1;
         if (t->sign == '[' && number->kind == GLSL_NUMBER && number[1].sign == ']' &&
@@ -121,7 +121,7 @@ static bool refuse_image(const struct shader_source *source, const struct glsl_t
                          "mainImage(out vec4 fragColor, in vec2 fragCoord)");
 }
 
-// Check that mainImage hands over its colour in an out, and that it writes no other.
+// Check that mainImage returns its colour in an out, and that it writes no other.
 static bool check_image(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -134,7 +134,7 @@ static bool check_image(const struct shader_source *source)
     const struct glsl_token *colour = glsl_skip(code, image + 2, ",)") - 1;
     return old == NULL || !old->certain ||
            shader_refuse(source, old->line,
-                         "gl_FragColor: mainImage hands its colour over in %.*s: write %.*s = ...",
+                         "gl_FragColor: mainImage returns its colour in %.*s: write %.*s = ...",
                          GLSL_TEXT(code, colour), GLSL_TEXT(code, colour));
 }
 

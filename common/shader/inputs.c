@@ -124,7 +124,7 @@ static int common_length(const char *one, const char *other)
 const struct input *inputs_nearest(const char *name)
 {
     const struct input *best = inputs_find("FragCoord");
-    int length = 3; // less is no resemblance
+    int length = 3; // fewer letters are no resemblance
     for (int i = COURSE_END; i < COUNT(rows); i++) {
         int common = common_length(name, rows[i].name);
         if (common > length && rows[i].meaning < INPUT_SILENT) {

@@ -151,7 +151,7 @@ static void put_foreign_character(const struct explanation *e, int line)
     while (length < 4 && ((unsigned char)code[length] & 0xC0) == 0x80)
         length++;
     if (strncmp(code, "\xC2\xA0", 2) == 0)
-        fputs("only plain letters and signs, here is a space that cannot break: ", e->text);
+        fputs("only plain letters and signs, here is a no-break space: ", e->text);
     else
         fprintf(e->text, "only plain letters and signs, here is '%.*s': ", length, code);
 }

@@ -176,7 +176,7 @@ static double changed(const struct parameter *parameter, double value, int press
                                         : value + parameter->step * presses;
     if (parameter->type == PARAMETER_INT) {
         next = round(next);
-        // A small factor must not hold a small number in place.
+        // A small factor must still change a small number.
         if (next == value && presses != 0)
             next += presses > 0 ? 1.0 : -1.0;
     } else

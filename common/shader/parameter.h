@@ -1,7 +1,7 @@
 // parameter.h - the annotated uniforms of a shader: declared once, in the shader that uses them.
 //
 //   uniform float sunElevation; // 40 in [-90, 90] step 1, degrees: height of the sun
-//   uniform int   maxSteps;     // 128 in [1, 512]: steps before a ray is given up
+//   uniform int   maxSteps;     // 128 in [1, 512]: steps after which a ray is abandoned
 //   uniform float normalStep;   // 0.001 in [1e-6, 0.1] step *2, scene units: ...
 //   uniform bool  biased;       // true: show 0.5 N + 0.5
 //   uniform vec3  lightColour;  // 1.0, 0.9, 0.5 in [0, 1], linear RGB: colour of the light

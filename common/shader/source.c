@@ -196,8 +196,8 @@ static bool report_cycle(const struct expansion *e, int file, const char *where)
     for (int i = first; i < e->depth && size < sizeof chain; i++)
         size += (size_t)snprintf(chain + size, sizeof chain - size, "%s -> ",
                                  e->source->files[e->open[i]]);
-    return report("%s: the file includes itself: %s%s: take one of these includes out", where,
-                  chain, e->source->files[file]);
+    return report("%s: the file includes itself: %s%s: remove one of these includes", where, chain,
+                  e->source->files[file]);
 }
 
 // Insert the file of an include, unless it is there already.
@@ -217,7 +217,7 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
         if (e->open[i] == file)
             return report_cycle(e, file, where);
     if (file == count && e->depth == DEPTH_LIMIT)
-        return report("%s: more than %d files within each other", where, DEPTH_LIMIT);
+        return report("%s: more than %d nested includes", where, DEPTH_LIMIT);
     return file < count || expand_file(e, file, where);
 }
 

@@ -57,7 +57,7 @@ char *text_file_read(const char *path, char why[TEXT_FILE_WHY])
     if (!failed)
         snprintf(why, TEXT_FILE_WHY, "%s",
                  size > TEXT_FILE_LIMIT ? "larger than 1 MiB: is it a shader?"
-                 : binary               ? "holds a zero byte: a shader is text, in UTF-8"
+                 : binary               ? "contains a zero byte: a shader is text, in UTF-8"
                                         : "empty");
     return NULL;
 }

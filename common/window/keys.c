@@ -56,7 +56,7 @@ static void add_label(const struct window *window, char key, char *text, size_t 
              label + 1);
 }
 
-// The labels of several keys, parted by blanks.
+// The labels of several keys, separated by blanks.
 static void fill_labels(const struct window *window, const char *keys, char *text, size_t size)
 {
     text[0] = '\0';

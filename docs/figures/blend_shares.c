@@ -1,5 +1,5 @@
-// blend_shares.c - two blends of two distances along a line: how deep they are, and the share of
-// the second one: cubic, quadratic, and the workshop's weight.
+// blend_shares.c - two blends of two distances along a line: their depth, and the share of the
+// second distance: cubic, quadratic, and the workshop's weight.
 #include <math.h>
 #include <stdio.h>
 
@@ -21,7 +21,7 @@ static double quadratic(double a, double b)
     return fmin(a, b) - h * h / (4.0 * k);
 }
 
-// Each of x = a - b, with a = x / 2 and b = -x / 2.
+// Each as a function of x = a - b, with a = x / 2 and b = -x / 2.
 static double cubic_share(double x)
 {
     double h = fmax(k - fabs(x), 0.0), lesser = h * h / (2.0 * k * k);

@@ -6,7 +6,8 @@
 
 static const double half[3] = {1.2, 0.8, 1.0};
 
-// A cut: where its corner x = y = 0 lies on the page, its height z, the height over the box.
+// A cut: the position of its corner x = y = 0 on the page, its height z, and the height above the
+// box.
 struct cut {
     double left, bottom, z;
     const char *title;
@@ -57,7 +58,7 @@ static void draw_regions(const struct cut *cut)
              "<tspan font-style='italic'>y</tspan>");
 }
 
-// The line of the points at the distance 0.5: straight, round, straight.
+// The line of points at the distance 0.5: straight, round, straight.
 static void draw_level(const struct cut *cut)
 {
     enum { ARC = 32 };

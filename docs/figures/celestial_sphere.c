@@ -1,4 +1,4 @@
-// celestial_sphere.c - the sun's way over the horizon of Toulouse in December, March and June:
+// celestial_sphere.c - the sun's path above the horizon of Toulouse in December, March and June:
 // circles about the celestial pole, by the formula of the page.
 #include <math.h>
 #include <stddef.h>
@@ -49,7 +49,7 @@ static void day(double declination, const char *name)
         piece(a, b, pen);
     }
     double noon[3], at[3], right = 0.0;
-    for (int i = 0; i < 90; i++) { // beside the place of the circle that is farthest to the right
+    for (int i = 0; i < 90; i++) { // beside the rightmost point of the circle
         sun_at(declination, -i, noon);
         page(noon, at);
         right = fmax(right, at[0]);

@@ -1,5 +1,5 @@
 // extrude_revolve.c - from the plane to space: the right-angled triangle of an extrusion, and two
-// turned discs, of which the part beyond the axis is not drawn and still counts.
+// discs that are rotated, whose part beyond the axis is not drawn but still counts.
 #include <math.h>
 #include <stddef.h>
 
@@ -7,7 +7,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-// ---- Extrusion: across, the distance to the figure; upwards, the place along the line ----
+// ---- Extrusion: horizontally, the distance to the figure; upwards, the position along the line
+// ----
 
 static void draw_extrusion(void)
 {
@@ -21,7 +22,7 @@ static void draw_extrusion(void)
     svg_line(wall, top, wall, 70.0, thin);
     svg_line(wall, top, 236.0, top, thin);
 
-    // Outside: over the edge both count.
+    // Outside: above the edge, both count.
     const double p[2] = {218.0, 82.0};
     svg_line(wall, top, p[0], p[1], (struct svg_pen){.stroke = SVG_ORANGE, .width = 2.4});
     svg_line(wall, p[1], p[0], p[1], (struct svg_pen){.stroke = SVG_INK, .width = 1.4});
@@ -43,7 +44,7 @@ static void draw_extrusion(void)
     svg_text(130.0, 344.0, 'm', 14.0, SVG_INK, "inside: the smaller depth");
 }
 
-// ---- Revolution: a disc of radius 1 around (centre, 0), turned about the axis ----
+// ---- Revolution: a disc of radius 1 around (centre, 0), rotated about the axis ----
 
 struct panel {
     double x, y, unit; // of the origin, in pixels
@@ -78,7 +79,7 @@ static void draw_turned(const struct panel *panel, double centre, double y)
     svg_path(POINTS, (const double(*)[2])point, (struct svg_pen){.stroke = SVG_BLUE, .width = 2.4});
     svg_line(panel->x, 56.0, panel->x, 306.0, (struct svg_pen){.stroke = SVG_INK, .width = 1.2});
 
-    // What is asked, and what it should be.
+    // The distance that is computed, and the right one.
     double p[2], asked = fabs(hypot(centre, y) - 1.0), tip = sqrt(1.0 - centre * centre);
     double answer = fabs(y - tip);
     to_page(panel, 0.0, y, p);

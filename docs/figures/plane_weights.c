@@ -1,6 +1,6 @@
-// plane_weights.c - how much each of two pictures counts as the normal turns from one axis to the
+// plane_weights.c - the weight of each of two pictures as the normal turns from one axis to the
 // next, and their sum: the workshop's weights, the same divided by their sum, a sharper power, and
-// the two planes that count most.
+// the two planes with the largest weights.
 #include <math.h>
 #include <stddef.h>
 
@@ -8,7 +8,7 @@
 
 enum { POINTS = 181, PLANES = 3 };
 
-// The weights of a normal, per axis; in the manner of one of four rows.
+// The weights of a normal, per axis, by the method of one of four rows.
 static void weights_of(int row, const double normal[PLANES], double weight[PLANES])
 {
     double sum = 0.0, least = 1.0;

@@ -1,4 +1,5 @@
-// projections.c - the report's figure 7: two equal boxes through one point and by parallel rays.
+// projections.c - the report's figure 7: two equal boxes, with rays through one point and with
+// parallel rays.
 #include <stdio.h>
 
 #include "svg.h"

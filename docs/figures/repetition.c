@@ -1,5 +1,5 @@
-// repetition.c - the report's figure 6: one circle drawn in one cell is seen in every cell; the
-// report's formula, which never shows the middle of a cell; and a circle off the middle, whose
+// repetition.c - the report's figure 6: one circle drawn in one cell appears in every cell; the
+// report's formula, which never shows the centre of a cell; and a circle off the centre, whose
 // distance is wrong.
 #include <math.h>
 

@@ -13,7 +13,7 @@ static const int sides[SIDES] = {1, 2, 3, 4, 6, 8, 12, 16};
 static const double pi = 3.14159265358979323846;
 
 // One estimate: the mean over side x side rays.
-//   curve  0 at random past an edge, 1 a ray in each cell past an edge, 2 the same under a smooth
+//   curve  0 at random past an edge, 1 a ray in each cell past an edge, 2 the same with a smooth
 //   light, 1 + x / 2
 static double estimate(int curve, int side, int attempt, double clear)
 {
@@ -30,7 +30,7 @@ static double estimate(int curve, int side, int attempt, double clear)
     return sum / (side * side);
 }
 
-// The root of the mean square over many points of the penumbra.
+// The root mean square over many points of the penumbra.
 static double error_of(int curve, int side)
 {
     double squares = 0.0;
@@ -43,7 +43,7 @@ static double error_of(int curve, int side)
     return sqrt(squares / TRIES);
 }
 
-// The slope of the line of least squares through the logarithms, from 4 rays on.
+// The slope of the least-squares line through the logarithms, from 4 rays on.
 static double slope_of(const double (*point)[2])
 {
     double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;

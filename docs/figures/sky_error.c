@@ -1,5 +1,5 @@
-// sky_error.c - the error of the share of the sky that is seen against the number of rays: beside a
-// ball on a floor, drawn at random over the whole disc, or one in each cell.
+// sky_error.c - the error of the visible share of the sky against the number of rays: beside a ball
+// on a floor, drawn at random over the whole disc, or one in each cell.
 #include <math.h>
 #include <stddef.h>
 
@@ -11,7 +11,7 @@ enum { SIDES = 7, TRIES = 3000, CURVES = 2 };
 static const int sides[SIDES] = {1, 2, 3, 4, 6, 8, 12};
 static const double pi = 3.14159265358979323846;
 
-// Does a ray from the floor, away from the foot of a ball of radius 1, reach the sky?
+// Does a ray from the floor, at a distance from the foot of a ball of radius 1, reach the sky?
 static double reaches(double u, double v, double away)
 {
     double x = sqrt(u) * cos(2.0 * pi * v), y = sqrt(1.0 - u);
@@ -19,7 +19,7 @@ static double reaches(double u, double v, double away)
     return along > 0.0 && square < 1.0 ? 0.0 : 1.0;
 }
 
-// One estimate, by side x side rays.
+// One estimate, from side x side rays.
 static double estimate(int curve, int side, int attempt, double away)
 {
     double sum = 0.0;
@@ -34,7 +34,7 @@ static double estimate(int curve, int side, int attempt, double away)
     return sum / (side * side);
 }
 
-// The root of the mean square over many places of the floor.
+// The root mean square over many points of the floor.
 static double error_of(int curve, int side)
 {
     double squares = 0.0;
@@ -46,7 +46,7 @@ static double error_of(int curve, int side)
     return sqrt(squares / TRIES);
 }
 
-// The slope of the line of least squares through the logarithms, from 4 rays on.
+// The slope of the least-squares line through the logarithms, from 4 rays on.
 static double slope_of(const double (*point)[2])
 {
     double n = SIDES - 1, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;

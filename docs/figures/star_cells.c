@@ -1,5 +1,5 @@
 // star_cells.c - a hemisphere of stars drawn as a disc: rings of equal width, cells of equal solid
-// angle, one star in each; beside it the number of cubes of a grid that the sphere meets.
+// angle, one star in each; beside it, the number of cubes of a grid that the sphere meets.
 #include <math.h>
 #include <stdint.h>
 
@@ -41,7 +41,7 @@ static void cells(void)
     svg_text(middle[0], 366.0, 'm', 14.0, SVG_INK, "one star in each cell of equal solid angle");
 }
 
-// Along the great circle from an axis through a corner of the cube to the middle of an edge.
+// Along the great circle from an axis through a corner of the cube to the midpoint of an edge.
 static void cubes(void)
 {
     struct svg_plot plot = {.left = 440.0,

@@ -124,7 +124,7 @@ double svg_plot_y(const struct svg_plot *plot, double y)
     return plot->top + plot->height * (1.0 - share(y, plot->y, plot->log_y));
 }
 
-// A power of ten as 10 with an exponent, small numbers of it plainly.
+// A power of ten as 10 with an exponent, or as a plain number if it is small.
 static void write_number(char *words, size_t size, double v, bool logarithm)
 {
     int exponent = (int)floor(log10(fmax(v, 1e-300)) + 0.5);

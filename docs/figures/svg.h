@@ -1,5 +1,5 @@
-// svg.h - the pen of the figures: a page of SVG on standard output, in pixels, y downwards, and a
-// plot on it, in numbers of its own, y upwards.
+// svg.h - drawing functions for the figures: a page of SVG on standard output, in pixels, y
+// downwards, and a plot on it, in its own numbers, y upwards.
 //
 // Every number is written with two decimals, so that a figure is the same file on every machine. A
 // curve that measures rounding needs a pen with one decimal for that.
@@ -8,8 +8,8 @@
 
 #include <stdbool.h>
 
-// Colours that a colour-blind reader tells apart, by lightness too. They stand on a ground of
-// paper, so that a figure reads alike in a light and in a dark theme.
+// Colours that a colour-blind reader can distinguish, also by lightness. They are on a
+// paper-coloured background, so that a figure looks the same in a light and in a dark theme.
 #define SVG_INK    "#0d1433"
 #define SVG_PALE   "#9aa0b5"
 #define SVG_ORANGE "#d9731a"
@@ -21,16 +21,16 @@
 
 // Begin and end the page.
 //   width, height       pixels
-//   title, description  what a reader who does not see it is told: what it is, and what is seen
+//   title, description  for a reader who cannot see the figure: what it is, and what it shows
 void svg_begin(double width, double height, const char *title, const char *description);
 void svg_end(void);
 
-// How a line is drawn and a shape filled.
+// The style of lines and shapes.
 struct svg_pen {
     const char *stroke; // colour; NULL none
     double width;       // pixels; 0 is 1.5
     const char *fill;   // colour; NULL none
-    const char *dash;   // as SVG's stroke-dasharray; NULL a whole line
+    const char *dash;   // as SVG's stroke-dasharray; NULL for a solid line
     double opacity;     // 0 is 1
     int decimals;       // of the points of a polygon or a path; 0 is 2
 };
@@ -61,21 +61,21 @@ double svg_plot_x(const struct svg_plot *plot, double x); // pixels
 double svg_plot_y(const struct svg_plot *plot, double y);
 
 // The frame with its ticks and words.
-//   x_step, y_step  from tick to tick; with log_x, log_y a tick stands at every power of ten
+//   x_step, y_step  from tick to tick; with log_x, log_y there is a tick at every power of ten
 void svg_plot_frame(const struct svg_plot *plot, double x_step, double y_step, const char *x_words,
                     const char *y_words);
 
-// A curve through points; what lies outside the plot is left out.
+// A curve through points; the parts outside the plot are left out.
 void svg_plot_curve(const struct svg_plot *plot, int count, const double (*point)[2],
                     struct svg_pen pen);
 
-// Where a function of the plot's two numbers is zero, as short lines, one a cell of a grid.
+// Where a function of the plot's two numbers is zero, as short lines, one per cell of a grid.
 void svg_plot_zero(const struct svg_plot *plot, double (*f)(double x, double y),
                    struct svg_pen pen);
 
-// A wrong formula beside the right one: two plots of a row, each with a ground and two lines of
+// A wrong formula beside the right one: two plots in a row, each with a background and two lines of
 // words.
-//   top    pixels, where the row begins; it is SVG_PAIR_ROW high on a page of 760
+//   top    pixels, the top of the row, which is SVG_PAIR_ROW high on a page of 760
 //   title  above both
 //   words  below the left plot, then below the right one
 //   x, y   the numbers at the edges of both

@@ -1,5 +1,5 @@
-// twist_bound.c - how much a twist stretches distances: the largest singular value of its
-// derivative.
+// twist_bound.c - the factor by which a twist stretches distances: the largest singular value of
+// its derivative.
 #include <math.h>
 #include <stddef.h>
 

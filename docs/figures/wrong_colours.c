@@ -1,5 +1,5 @@
-// wrong_colours.c - two formulas of the report about colour, as they stand there and mended: a
-// surface in a dim light, and the sky of a low sun.
+// wrong_colours.c - two of the report's formulas about colour, as printed and corrected: a surface
+// in a dim light, and the sky with a low sun.
 #include <math.h>
 #include <stdio.h>
 

@@ -1,5 +1,5 @@
-// wrong_rays.c - three statements about rays of the report, as they stand there and mended: the
-// basis of the eye, the end of a march, the parallel view.
+// wrong_rays.c - three of the report's statements about rays, as printed and corrected: the basis
+// of the eye, the end of a march, the parallel view.
 #include <math.h>
 
 #include "lib/mirror.h"
@@ -7,7 +7,7 @@
 
 static const struct svg_pen faint = {.stroke = SVG_INK, .width = 1.0, .dash = "4 4"};
 
-// A vector of the basis in words, and what follows on the line.
+// A vector of the basis in words, and the rest of the line.
 #define E(letter, after)                                                                           \
     "e<tspan font-size='10' dy='3'>" letter "</tspan><tspan dx='4' dy='-3'>" after "</tspan>"
 
@@ -16,14 +16,14 @@ static const char *colour_of(int side)
     return side == 0 ? SVG_ORANGE : SVG_BLUE;
 }
 
-// ---- 1.3: the eye looks along -z, a ball stands on the right, a box on the left; seen from above
+// ---- 1.3: the eye looks along -z, with a ball on the right and a box on the left; seen from above
 // ----
 
 static void pixel_ray(const struct svg_plot *plot, double towards, const char *colour)
 {
     struct d3 view = d3(0.0, 0.0, -1.0), ez = d3_times(towards, view);
     struct d3 ex = d3_unit(d3_cross(ez, d3(0.0, 1.0, 0.0)));
-    const double focal_length = 1.2, x = 0.8; // the pixel lies right of the middle
+    const double focal_length = 1.2, x = 0.8; // the pixel lies to the right of the middle
     struct d3 direction = d3_add(d3_times(x, ex), d3_times(towards * focal_length, ez));
     double ox = svg_plot_x(plot, 0.0), oy = svg_plot_y(plot, 0.0);
     svg_arrow(ox, oy, svg_plot_x(plot, 1.1 * ex.x), svg_plot_y(plot, -1.1 * ex.z),
@@ -57,7 +57,7 @@ static void mirrored(double top)
     }
 }
 
-// ---- 1.4: a ball of radius 3, 25 in front of the eye, and a ray that passes 2.5 beside its middle
+// ---- 1.4: a ball of radius 3, 25 in front of the eye, and a ray that passes 2.5 from its centre
 // ----
 
 static double ball_at(double t)

@@ -1,5 +1,5 @@
-// wrong_volumes.c - four formulas of the report's section 2, as they stand there and mended, in a
-// plane: a scaled ball, the inverse of a rotation, repetition, symmetry.
+// wrong_volumes.c - four formulas of the report's section 2, as printed and corrected, in a plane:
+// a scaled ball, the inverse of a rotation, repetition, symmetry.
 #include <math.h>
 #include <stdio.h>
 
@@ -10,7 +10,7 @@ static const struct svg_pen wrong = {.stroke = SVG_ORANGE, .width = 2.2};
 static const struct svg_pen right = {.stroke = SVG_BLUE, .width = 2.2};
 static const struct svg_pen faint = {.stroke = SVG_INK, .width = 1.0, .dash = "4 4"};
 
-// ---- 2.2: a ball of radius 1, shrunk to a half ----
+// ---- 2.2: a ball of radius 1, shrunk to half its size ----
 
 static double ball_wrong(double x, double y)
 {
@@ -58,7 +58,7 @@ static void scaled(double top)
     }
 }
 
-// ---- 2.2.2: a block, turned and turned back ----
+// ---- 2.2.2: a block, rotated and rotated back ----
 
 static void block(const struct svg_plot *plot, const struct m3 *back, const struct m3 *turn,
                   struct svg_pen pen)
@@ -82,7 +82,8 @@ static void block(const struct svg_plot *plot, const struct m3 *back, const stru
     }
 }
 
-// By how many degrees a turn that was undone by another still turns: its trace is 1 + 2 cos.
+// The angle, in degrees, that remains when one rotation is undone with another: the trace is 1 + 2
+// cos.
 static double left_over(const struct m3 *back, const struct m3 *turn, double degree)
 {
     double trace = m3_apply(back, turn->column[0]).x + m3_apply(back, turn->column[1]).y +
@@ -146,7 +147,7 @@ static void repeated(double top)
     }
 }
 
-// ---- 2.2.4: a ball and its image, the mirror meant at x = 0.4 ----
+// ---- 2.2.4: a ball and its image in the mirror, which should be at x = 0.4 ----
 
 static double mirrored(double x, double y, double offset)
 {

@@ -106,9 +106,9 @@ function commandBlock({text, command}, i, pieces) {
     return `<div class="command">${listing}<p class="reason"${said ? ' hidden' : ''}>For a terminal only: ${escaped(what.reason)}.</p></div>`;
 }
 
-const NARROW = 84; // letters of a listing's line that the text's width holds
+const NARROW = 84; // the number of letters of a listing that fit into a line of the text's width
 
-// A listing, below the name of its file; `sources` knows where the file and this place of it are shown.
+// A listing, below the name of its file; `sources` knows where the file and this part of it are shown.
 function listing(language, text, file, symbol, sources) {
     const code = `<pre><code>${coloured(text, language)}</code></pre>`;
     const kind = text.split('\n').some((line) => line.length > NARROW) ? 'listing broad' : 'listing';
@@ -133,7 +133,7 @@ const GUESSES = read(new URL('guesses.txt', import.meta.url)).split('\n').filter
     return {page, words, kind, right};
 });
 
-// What a question takes: the fields of its form, and what is right.
+// The answer to a question: the fields of its form, and the right values.
 function fieldsOf({kind, right} = {}, pictures) {
     const choice = (text, i) => `<label><input type="radio" name="guess" value="${i}"> ${escaped(text.replace(/^\*/, ''))}</label>`;
     if (kind === 'choice') return {data: ` data-kind="choice" data-right="${right.findIndex((one) => one.startsWith('*'))}"`, fields: right.map(choice).join(' ')};
@@ -148,7 +148,7 @@ function fieldsOf({kind, right} = {}, pictures) {
     return {data: '', fields: '<label>Your guess: <input name="guess" maxlength="200" autocomplete="off"></label>'};
 }
 
-// Predict first: the form between a question and its answer, which a command may stand before.
+// Predict first: the form between a question and its answer, which may be preceded by a command.
 const guesses = (html, stem, pictures) => html.replace(/(<p><em>Predict\.<\/em>)((?:(?!<\/p>).)*)(<\/p>)(?=\s*(?:<div class="commands">(?:(?!<details>|<h\d|<p>).)*)?<details>)/gs, (whole, begin, question, end) => {
     const words = plain(question.replace(/<[^>]*>/g, '')).replace(/\s+/g, ' ').trim();
     const {data, fields} = fieldsOf(GUESSES.find((one) => one.page === stem && words.startsWith(one.words)), pictures);
@@ -166,7 +166,7 @@ function parametersOf(stem, found = new Set(), seen = new Set(), file = `chapter
 }
 const scrubs = (html, parameters) => html.replace(/(?<!<pre>)<code>(\w+)=(-?\d+(?:\.\d+)?)<\/code>/g, (whole, name) => parameters.has(name) ? whole.replace('<code>', '<code class="scrub">') : whole);
 
-// Code in a line stays together, unless it is long: then an option stays so. A command has its button behind it.
+// Code in a line stays together, unless it is long: then each option stays together. A command has its button after it.
 const LONG_CODE = 24;
 const inline = (html) => html.replace(/(?<!<pre>)<code>([^<]*)<\/code>/g, (whole, code) => {
     const command = plain(code);
@@ -186,7 +186,7 @@ function pictureOf(source, pictures) {
     return `src="pictures/${name}" width="${width}" height="${height}"${width >= 600 ? ' class="wide"' : ''}`;
 }
 
-// A picture that a program has written lives where it is when it is touched.
+// A picture that a program has written runs in its place when it is touched.
 const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) => {
     const img = `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`;
     const {stem, line, probe, step} = commandOfPicture(path.basename(source)) ?? {};

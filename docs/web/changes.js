@@ -8,8 +8,8 @@ export class Changes {
     constructor(stage) {
         const {part} = stage;
         this.stage = stage;
-        this.files = {}; // what is not as it was at first
-        this.brought = new Map(); // texts that the course does not have, as they were at first
+        this.files = {}; // what has been changed from its first state
+        this.brought = new Map(); // texts that the course does not have, in their first state
         this.said = part('span');
         this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(this.named)));
         this.other = part('p', {className: 'live-other', hidden: true});
@@ -26,8 +26,8 @@ export class Changes {
         addEventListener('storage', (event) => { if (edits.isOurs(event) && this.begun) this.elsewhere(edits.kept()); });
     }
 
-    // Before the first start, load the changes in this page's address and those that the browser has kept.
-    //   at  the element that starts
+    // Before the first start, load the changes in this page's address and those that the browser has stored.
+    //   at  the element that is started
     // Returns the command line of the link, or null.
     async begin(at) {
         if (this.begun) return null;
@@ -47,15 +47,15 @@ export class Changes {
         return link?.stem === at.stem ? link.line : null;
     }
 
-    // The text that a file goes back to: the course's, of an answer the chapter's; null: there is none.
+    // The text to which a file can be reset: the course's, or for an answer the chapter's; null: there is none.
     async original(name) {
         const {program} = this.stage, exercise = edits.exerciseOf(name);
         const chapter = exercise && [...program.course].find((one) => one.startsWith(`chapters/${exercise.slice(0, 2)}_`));
         return this.brought.get(name) ?? program.original(chapter || name);
     }
 
-    // Have a reader's answer to an exercise where the program finds it.
-    //   text  to begin with; null: the chapter's, or the answer as far as it is
+    // Put a reader's answer to an exercise where the program finds it.
+    //   text  the first text; null: the chapter's, or the answer so far
     async draft(at, name, text = null) {
         await this.begin(at);
         if (text !== null) await this.change(name, text);
@@ -63,8 +63,8 @@ export class Changes {
         if (text !== null) this.editor?.renew(name);
     }
 
-    // Have a file that the course does not have, and nothing of one that had its name.
-    //   base  what Reset goes back to
+    // Add a file that the course does not have, and remove everything left of one with the same name.
+    //   base  the text to which Reset returns
     async bring(at, name, base, text) {
         await this.begin(at);
         this.brought.set(name, base);
@@ -72,7 +72,8 @@ export class Changes {
         this.editor?.renew(name);
     }
 
-    // Another tab has kept other texts. Those that are not shown here follow it; of the others the reader decides.
+    // Another tab has stored other texts. Files that are not shown here take them over; for the others, the reader
+    // decides.
     async elsewhere(all) {
         const shown = this.stage.state?.files ?? [], differ = Object.keys({...all, ...this.files}).filter((name) => all[name] !== this.files[name]);
         const take = async (names) => {
@@ -130,7 +131,7 @@ export class Changes {
         edits.show('');
     }
 
-    // Tell which files of the running shader are changed.
+    // Say which files of the running shader are changed.
     tell() {
         const running = this.stage.state?.files;
         this.named = Object.keys(this.files).filter((name) => !running || running.includes(PREFIX + name));

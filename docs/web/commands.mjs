@@ -12,9 +12,9 @@ const STEMS = fs.readdirSync('chapters').filter((name) => /^\d\d_.*\.c$/.test(na
 // With one of these options, --output names a picture that a window cannot show.
 const STILL = ['--probe', '--step', '--from', '--overlay', '--list', '--print-shader'];
 
-// The command line of every reference picture, by its file's name: {stem, line, probe, step} as tests/pictures/images.txt
-// has it. A window shows the ray of a pixel, in fractions of the picture, when it is told to; with --probe it would print.
-// A picture of several samples is live with one.
+// The command line of every reference picture, by its file's name: {stem, line, probe, step}, from
+// tests/pictures/images.txt. A window shows the ray of a pixel, in fractions of the picture, if it is told to; with
+// --probe it would print the ray. A picture of several samples is shown with one.
 const PICTURES = new Map(fs.readFileSync('tests/pictures/images.txt', 'utf8').split('\n').filter((line) => /^\d/.test(line)).map((row) => {
     const [stem, variant, ...words] = row.trim().split(/\s+/);
     const value = (name) => words.includes(name) ? words.splice(words.indexOf(name), 2)[1] : undefined;
@@ -33,7 +33,7 @@ export function pictureOf(name) {
 // An interactive figure's shader.
 export const isFigure = (line) => /(?:-f|--shader)[ =]chapters\/figures\//.test(line);
 
-// The words of a command as a shell reads them; a comment behind it ends it.
+// The words of a command as a shell reads them; a comment after it ends it.
 function wordsOf(command) {
     const words = [];
     for (const [word] of command.matchAll(/(?:'[^']*'|[^\s'])+/g)) {

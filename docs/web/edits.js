@@ -1,5 +1,5 @@
-// edits.js - a reader's changes to the course's files: kept in the browser, so that a reload loses nothing, and packed
-// into an address, so that a link shows them to somebody else.
+// edits.js - a reader's changes to the course's files: stored in the browser, so that a reload loses nothing, and
+// packed into an address, so that a link shows them to somebody else.
 const HERE = `ray marching: changes in ${new URL('.', import.meta.url).pathname}`;
 const MARK = '#edit=';
 const NAME = /^(chapters|shaders)\/[\w./-]+\.(frag|glsl)$/; // the files that may be changed
@@ -9,19 +9,19 @@ const LONGEST = 1 << 20; // the maximum length of an unpacked address
 export const draftOf = (exercise) => `chapters/exercises/${exercise}/my.frag`;
 export const exerciseOf = (name) => /^chapters\/exercises\/(\d\d_\d+)\/my\.frag$/.exec(name)?.[1];
 
-// Does a storage event say that another tab has kept something?
+// Does a storage event say that another tab has stored something?
 export const isOurs = (event) => event.key === HERE || event.key === null;
 
-// {NAME: TEXT} of what is kept.
+// {NAME: TEXT} of the stored files.
 export function kept() {
     try {
         return clean(JSON.parse(localStorage.getItem(HERE) || '{}'));
     } catch {
-        return {}; // the browser refuses to keep anything
+        return {}; // the browser refuses to store anything
     }
 }
 
-// Keep a file's text; null removes it. Returns false if the browser keeps nothing.
+// Store a file's text; null removes it. Returns false if the browser stores nothing.
 export function keep(name, text) {
     const all = kept();
     if (text === null) delete all[name];

@@ -1,5 +1,5 @@
-// find.js - the search in all pages: loaded with the first touch of its field, as the index is. A script of the old kind:
-// browsers run no modules from file://.
+// find.js - the search in all pages: loaded with the first touch of its field, like the index. This is a classic
+// script, because browsers run no modules from file://.
 (() => {
     const field = document.querySelector('.search input'), list = document.querySelector('.results'), found = document.querySelector('.found');
     const up = field.dataset.index.replace('search.js', '');
@@ -21,7 +21,7 @@
 
     // ---- Words ----
 
-    // Can a word become another by so many letters that are lost, added, changed or swapped with the next?
+    // Can a word become another one if this many letters are lost, added, changed or swapped with the next?
     function near(a, b, most) {
         if (Math.abs(a.length - b.length) > most) return false;
         let before = [], row = [...Array(b.length + 1).keys()];
@@ -36,7 +36,7 @@
         return row[b.length] <= most;
     }
 
-    // A word that stands nowhere, as the pages write it: the one that is used most of those that are near.
+    // A word that occurs nowhere is replaced with the most common one of the similar words, as the pages write it.
     function mended(word) {
         if (word.length < 4 || entries.some((entry) => entry.low.includes(word) || entry.head.includes(word))) return word;
         if (!vocabulary) {
@@ -51,11 +51,11 @@
 
     const begins = (text, at) => at === 0 || !/[\p{L}\p{N}]/u.test(text[at - 1]);
 
-    // How much a word tells: one that few sections have tells more.
+    // The weight of a word: a word in few sections has more.
     const rarity = (word) => Math.log(1 + entries.length / (1 + entries.filter((entry) => entry.low.includes(word) || entry.head.includes(word)).length));
 
-    // How well a section fits. The more of the words it has the better, in whatever order; a word counts most in the title
-    // of the page, then in a heading, then at the beginning of a word.
+    // How well a section fits. The more of the words it contains, in any order, the better; a word counts most in the
+    // title of the page, then in a heading, then at the beginning of a word.
     //   words  {word, rare}
     function scoreOf(entry, words) {
         let sum = 0, has = 0;
@@ -64,7 +64,7 @@
             const inPage = entry.page.indexOf(word), inHead = entry.head.indexOf(word), inText = entry.low.indexOf(word);
             if (inPage < 0 && inHead < 0 && inText < 0) continue;
             has++;
-            if (inPage >= 0 && begins(entry.page, inPage)) own += entry.first ? 60 + 60 * word.length / entry.page.length : 8; // in a short title it is most of it
+            if (inPage >= 0 && begins(entry.page, inPage)) own += entry.first ? 60 + 60 * word.length / entry.page.length : 8; // in a short title, the word is most of it
             if (inHead >= 0) own += begins(entry.head, inHead) ? 30 : 10;
             if (inText >= 0) own += Math.min(entry.low.split(word).length - 1, 6) + (begins(entry.low, inText) ? 3 : 0);
             sum += rare * own;
@@ -72,7 +72,7 @@
         return sum * 4 ** (has - words.length);
     }
 
-    // The words around the first that is found, none of them cut.
+    // The text around the first word that is found; no word is cut.
     function excerpt(entry, words) {
         const small = document.createElement('small'), at = words.map((word) => entry.low.indexOf(word)).find((i) => i >= 0) ?? 0;
         const from = at < 60 ? 0 : entry.text.indexOf(' ', at - 60) + 1, end = entry.text.length - from <= LENGTH ? entry.text.length : entry.text.lastIndexOf(' ', from + LENGTH);

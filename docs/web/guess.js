@@ -1,10 +1,10 @@
-// guess.js - Predict first: a question takes a guess before its answer opens, and says afterwards how near it was. The
-// guesses are kept on this device. A script of the old kind: browsers run no modules from file://.
+// guess.js - Predict first: a question takes a guess before its answer opens, and afterwards says how close it was. The
+// guesses are stored on this device. This is a classic script, because browsers run no modules from file://.
 (() => {
     const KEY = `guesses ${location.pathname.split('/').pop()}`;
     const kept = () => { try { return JSON.parse(localStorage[KEY]); } catch { return {}; } };
     function keep(number, guess) {
-        try { localStorage[KEY] = JSON.stringify({...kept(), [number]: guess}); } catch {} // the browser keeps nothing
+        try { localStorage[KEY] = JSON.stringify({...kept(), [number]: guess}); } catch {} // the browser stores nothing
     }
 
     // How far a point of a picture is from a rectangle, in widths of the picture.
@@ -12,8 +12,8 @@
         return Math.hypot(Math.max(left - x, 0, x - right), height * Math.max(top - y, 0, y - bottom));
     }
 
-    // How near a guess is, in words.
-    //   kind, right  as guesses.txt has them; of a choice the index of the right one
+    // How close a guess is, in words.
+    //   kind, right  as in guesses.txt; for a choice, the index of the right one
     //   height       of the picture that is tapped, in widths
     function judged(kind, guess, right, height) {
         if (kind === 'tap') {
@@ -52,7 +52,7 @@
     function takeTaps(form, tap) {
         const point = () => (form.elements.guess.value || '0.5 0.5').split(' ').map(Number);
         tap.addEventListener('click', (event) => {
-            const box = tap.getBoundingClientRect(); // a key clicks at no point
+            const box = tap.getBoundingClientRect(); // a click by a key has no position
             if (event.detail) mark(form, (event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height);
             else mark(form, ...point());
         });
@@ -82,7 +82,7 @@
             show(form, guess);
             answer.open = true;
         });
-        // The first press on an answer without a guess asks for one; the second opens it all the same.
+        // The first press on an answer without a guess asks for one; the second press opens it all the same.
         answer.querySelector('summary').addEventListener('click', (event) => {
             if (asked || answer.open || kept()[number] !== undefined) return;
             event.preventDefault();

@@ -7,7 +7,7 @@
 import {draftOf} from './edits.js';
 import {Scrub} from './scrub.js';
 
-let stage = null; // the one that runs, once it was asked for
+let stage = null; // the program that runs, once it was requested
 
 const part = (name, properties = {}, ...children) => {
     const made = Object.assign(document.createElement(name), properties);
@@ -18,7 +18,7 @@ const part = (name, properties = {}, ...children) => {
 // Request all the files that a program needs at once, instead of each only when another one names it.
 const PARTS = ['stage', 'program', 'harness'], DATA = ['harness.wasm', 'course.json'];
 
-//   text  the name of the shader that is asked for too; '' for none
+//   text  the name of the shader that is also requested; '' for none
 async function load(text) {
     const from = (name) => new URL(name, import.meta.url).href;
     document.head.append(...PARTS.map((name) => part('link', {rel: 'modulepreload', href: from(`${name}.js`)})),
@@ -27,7 +27,7 @@ async function load(text) {
     return Stage.load(part);
 }
 
-// Can this browser draw a program? It is asked once.
+// Can this browser draw a program? The check is made once.
 const draws = () => draws.said ??= Boolean(document.createElement('canvas').getContext('webgl2'));
 
 class LiveChapter extends HTMLElement {
@@ -39,7 +39,7 @@ class LiveChapter extends HTMLElement {
         this.button.addEventListener('click', () => this.run());
         this.screen = part('div', {className: 'live-screen'}, ...(poster ? [poster] : []), this.button);
         if (this.isInPlace) poster.addEventListener('click', () => this.run());
-        // A context that is made while a finger comes down would turn the tap into a long press.
+        // A context that is created while a finger comes down would turn the tap into a long press.
         this.screen.addEventListener('pointerenter', (event) => { if (event.pointerType === 'mouse') this.expect(); }, {once: true});
         if (poster) this.style.setProperty('--across', poster.classList.contains('wide') ? '100%' : `${poster.getAttribute('width')}px`);
         this.prepend(this.screen);
@@ -63,7 +63,7 @@ class LiveChapter extends HTMLElement {
     expect(line = this.getAttribute('line') || '') {
         if (!draws()) return null;
         stage ??= load(/(?:--shader|-f)[ =](\S+)/.exec(line)?.[1] ?? `chapters/${this.stem}.frag`);
-        stage.catch(() => { stage = null; }); // the click tries again, and says why not
+        stage.catch(() => { stage = null; }); // the click tries again, and shows the reason
         return stage;
     }
 
@@ -101,7 +101,7 @@ class LiveChapter extends HTMLElement {
     }
 
     // Put a text into the course's files as chapters/NAME and run it, in the editor. Returns the exit status.
-    //   base  what Reset goes back to
+    //   base  the text to which Reset returns
     //   stem  the chapter whose camera it begins with
     async play(name, base, text = base, stem = this.stem) {
         this.setAttribute('stem', stem);
@@ -123,7 +123,7 @@ class LiveChapter extends HTMLElement {
 
 customElements.define('live-chapter', LiveChapter);
 
-// A film takes its picture's place once the page is there, unless its reader wants little motion or little data.
+// A film replaces its picture once the page is loaded, unless its reader wants reduced motion or reduced data.
 addEventListener('load', () => {
     if (matchMedia('(prefers-reduced-motion: reduce)').matches || navigator.connection?.saveData) return;
     for (const img of document.querySelectorAll('img[data-film]')) img.src = img.dataset.film;
@@ -178,7 +178,7 @@ document.addEventListener('click', (event) => {
 });
 
 // A reader's answer to an exercise in the editor, below its form.
-//   text  to begin with; else the chapter's, or the answer as far as it is
+//   text  the first text; otherwise the chapter's, or the answer so far
 async function edit(form, text) {
     const chapter = chapterOf(form.querySelector('button'), form.dataset.stem), name = draftOf(form.dataset.exercise.replace('-', '_'));
     stage ??= load('');
@@ -187,7 +187,8 @@ async function edit(form, text) {
     if (await chapter.run(`--shader ${name}`) === 0) changes.toggle(true);
 }
 
-// Run what a number in a sentence sets; where the picture's shader does not have it, the chapter's own.
+// Run with the value that a number in a sentence sets; if the picture's shader does not have the parameter, run the
+// chapter's own shader.
 async function runIn(at, own = false) {
     await (own ? at.run('') : at.run());
 }

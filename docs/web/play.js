@@ -1,5 +1,5 @@
-// play.js - the page Play, a studio: sheets to begin with, drafts with names and pictures that this device keeps, files
-// that are dropped or chosen, a copy under another name, and one file for Shadertoy.
+// play.js - the page Play, a studio: sheets to begin with, drafts with names and pictures that this device stores,
+// files that are dropped or chosen, a copy under another name, and one file for Shadertoy.
 import {kept} from './edits.js';
 
 const box = document.querySelector('.drop'), chapter = box.querySelector('live-chapter'), said = box.querySelector('.said'), list = box.querySelector('.drafts');
@@ -17,17 +17,17 @@ const make = (name, properties = {}, ...children) => {
     return made;
 };
 
-// ---- What this device keeps ----
+// ---- What this device stores ----
 
-// {NAME: {base, stem, good, picture}}: the text that a draft began with, the chapter whose camera it has, the last text that
-// was drawn, and a small picture of it. Its changes edits.js keeps.
+// {NAME: {base, stem, good, picture}}: the text that a draft began with, the chapter whose camera it has, the last text
+// that was drawn, and a small picture of it. edits.js stores its changes.
 function drafts() { try { return JSON.parse(localStorage.getItem(KEY)) ?? {}; } catch { return {}; } }
 function keep(all) {
     try { localStorage.setItem(KEY, JSON.stringify(all)); } catch { say('This browser keeps no drafts: download what you want to keep.'); }
     show();
 }
 
-// What the program's file system and its messages can name.
+// A name that the program's file system and its messages can represent.
 const slug = (name) => name.replace(/\.\w+$/, '').replace(/[^\w-]+/g, '_').replace(/^_+|_+$/g, '') || 'shader';
 const fileOf = (name) => `chapters/${name}.frag`;
 const textOf = (name) => kept()[fileOf(name)] ?? drafts()[name].base;
@@ -66,7 +66,7 @@ async function forget(name) {
 
 // ---- Running ----
 
-// Run a draft: `base` is the text that Reset goes back to, `text` the one it has now.
+// Run a draft: `base` is the text to which Reset returns, `text` the present one.
 async function play(name, base, text = base, stem = STEM) {
     at = name;
     field.value = name.replaceAll('_', ' ');
@@ -85,7 +85,7 @@ async function take(file) {
     await play(slug(file.name), text);
 }
 
-// A draft whose last text was never drawn may hold up the browser: it can be undone before it runs.
+// A draft whose last text was never drawn may block the browser, so its text can be undone before it runs.
 function reopen(name) {
     const {base, stem, good} = drafts()[name], text = textOf(name), button = (words, run) => {
         const made = make('button', {type: 'button', textContent: words});
@@ -96,11 +96,11 @@ function reopen(name) {
     said.replaceChildren(`The last change of ${name} was not drawn. `, button('Go back to the previous text', good), ' ', button('Run it', text));
 }
 
-// Is the text of the open draft drawn?
+// Has the text of the open draft been drawn?
 const draws = () => at && drafts()[at] && chapter.classList.contains('live-drawn') && !chapter.program?.lost && chapter.program?.state().error === '';
 const note = (more) => { const all = drafts(); keep({...all, [at]: {...all[at], ...more, good: textOf(at)}}); };
 
-// A small picture of what is drawn: it is read in the turn that draws it.
+// A small picture of the canvas: it is read in the same turn in which it is drawn.
 function picture() {
     const {program} = chapter;
     if (document.hidden || !program.module._live_turn()) return;
@@ -156,7 +156,7 @@ box.querySelector('.live-start')?.addEventListener('click', async () => {
 });
 
 show();
-// The front page's button begins a ball.
+// The front page's button starts a ball.
 if (location.hash.startsWith('#new=')) {
     document.getElementById(location.hash.slice(1))?.click();
     history.replaceState(null, '', location.pathname); // a reload begins none

@@ -4,8 +4,8 @@ import loadHarness from './harness.js';
 
 const ROOT = '/course/';
 const PRESS = 1, RELEASE = 0, REPEAT = 2;
-const FINGER = 30; // of the page's units around a handle where a finger takes it
-const PIXELS = 1280 * 720; // of the drawing buffer at most: the harness goes below where a picture takes long
+const FINGER = 30; // of the page's units around a handle where a finger grabs it
+const PIXELS = 1280 * 720; // of the drawing buffer at most: the harness uses less if a picture takes long
 
 // GLFW's key codes by the position of the key. Tab and the function keys are left to the browser.
 const KEYS = {
@@ -46,10 +46,10 @@ export class Program {
     //   onLine(text, isError)   the program prints a line
     //   onPicture(data, name)   it writes a picture: ImageData
     //   onSize(width, height)   it asks for a window or a picture of that size
-    //   onDraw()                the first picture after a start is there
-    //   onEnd()                 no turn follows: state().error says why, or nothing
+    //   onDraw()                the first picture after a start has been drawn
+    //   onEnd()                 no further turn follows: state().error gives the reason, or nothing
     //   onLost()                the browser takes the graphics context away
-    //   onFound(fails)          it has given it back; whether what ran does not load any more
+    //   onFound(fails)          it has given it back; true if the program that ran no longer loads
     static async load(canvas, hooks = {}) {
         const program = new Program();
         program.canvas = canvas;
@@ -245,7 +245,7 @@ export class Program {
         this.hearPointer(modifiers);
     }
 
-    // The way from a finger to the handle that it takes, in the page's units; null: none is near.
+    // The distance and direction from a finger to the handle that it grabs, in the page's units; null: none is near.
     toHandle({clientX, clientY}) {
         const {left, top, width, height} = this.canvas.getBoundingClientRect();
         const ways = (this.state().handles ?? []).map(({x, y}) => [left + x * width - clientX, top + y * height - clientY]);
@@ -253,9 +253,10 @@ export class Program {
         return near && Math.hypot(...near) <= FINGER ? near : null;
     }
 
-    // One finger or the mouse drags and clicks, two fingers are the wheel. A finger that comes down is held back until
-    // it moves or goes up, because a second one may follow: two that are laid down and lifted are no click. The picture
-    // has the keyboard, and with it the wheel and all swipes, once the reader has clicked, tapped or dragged it.
+    // One finger or the mouse drags and clicks; two fingers act as the wheel. A finger that comes down is held back
+    // until it moves or goes up, because a second one may follow: two fingers that are put down and lifted are not a
+    // click. The picture gets the keyboard, and with it the wheel and all swipes, once the reader has clicked, tapped
+    // or dragged it.
     hearPointer(modifiers) {
         const {canvas, module} = this;
         const fingers = new Map(), locked = [0, 0];

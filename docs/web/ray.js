@@ -39,7 +39,7 @@ export class Ray {
     show({pixel, probe, why, shown, view}) {
         const chosen = pixel[0] >= 0;
         this.shown = shown;
-        if (chosen && !probe && !why) return; // the ray is marched again with the next frame; until then, keep what is shown
+        if (chosen && !probe && !why) return; // marched again with the next frame; until then, the old one is shown
         this.none.hidden = chosen;
         this.outcome.hidden = this.tools.hidden = !chosen;
         this.scroll.hidden = !probe?.recorded;

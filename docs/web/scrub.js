@@ -1,5 +1,5 @@
-// scrub.js - numbers in sentences: code such as `shadowOffset=0.25` that names a parameter is dragged sideways, or moved
-// by the arrow keys, and the picture nearest to it follows.
+// scrub.js - numbers in sentences: code such as `shadowOffset=0.25` that names a parameter can be dragged sideways, or
+// changed with the arrow keys, and the picture nearest to it follows.
 const WAY = 240; // of the page's units from a parameter's minimum to its maximum
 
 export class Scrub {
@@ -39,7 +39,7 @@ export class Scrub {
         this.code.onpointerup = this.code.onpointercancel = () => { this.code.onpointermove = null; };
     }
 
-    // The picture that follows: the one that runs where it has the parameter, else the nearest of the chapter.
+    // The picture that follows: the running one if it has the parameter, otherwise the nearest one of the chapter.
     picture() {
         const top = this.code.getBoundingClientRect().top, far = (one) => Math.abs(one.getBoundingClientRect().top - top) + (one.classList.contains('hands') ? 1e6 : 0);
         const on = document.querySelector('.live-window');
@@ -49,7 +49,7 @@ export class Scrub {
 
     parameter(at) { return at.program?.call('live_runs') && at.program.state().parameters.find(({name}) => name === this.name); }
 
-    // Set the parameter: a value of its range, so much further.
+    // Set the parameter to a value in its range, moved by this amount.
     async move(from, share) {
         const turn = ++this.turn;
         let at = this.picture();
@@ -69,7 +69,7 @@ export class Scrub {
         this.keepInSight(at);
     }
 
-    // A picture that is scrolled away floats over the page until the number is let go of.
+    // A picture that is scrolled out of view floats over the page until the number is released.
     keepInSight(at) {
         if (this.at && this.at !== at) this.at.classList.remove('live-afloat');
         this.at = at;

@@ -1,8 +1,8 @@
 // site.mjs OUT PAGE... - the pages of docs/ as a static site: `make site` calls it after the module is built.
-//   OUT   the folder, which is there
+//   OUT   the folder, which must exist
 //   PAGE  pages in the order of reading
-// Beside them it writes the front page, Play, the files that pages link to, what search.js reads, the pictures, and the
-// fonts. OUT.parts/ is for what comes between.
+// It also writes the front page, Play, the files that pages link to, the index of the search, the pictures, and the
+// fonts. OUT.parts/ is for intermediate files.
 import {createHash} from 'node:crypto';
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
@@ -58,7 +58,7 @@ async function pagesOf(names) {
     return pages;
 }
 
-// Below a chapter's program: a page speaks of a terminal, and its reader has none.
+// The note below a chapter's program, because a page speaks of a terminal, and its reader has none.
 const HERE_TOO = '<p class="note">You need no terminal on this page: <b>Run</b> carries out the command beside it, a picture comes to life when you touch it, and <b>Edit</b>, below it, opens its shader. '
     + '<a href="pages.html">How these pages work</a></p>';
 const hinted = (page) => page.stem ? page.body.replace(/<\/live-chapter>(?:\s*<div class="commands">.*?<\/button><\/div><\/div>)?/s, (program) => `${program}\n${HERE_TOO}`) : page.body;
@@ -145,7 +145,7 @@ function turn(pages, page) {
         + `${after ? `<a rel="next" href="${after.address}"><small>Next</small> ${numbered(short(after))}</a>` : ''}</nav>`;
 }
 
-// The policy of a page names the one script that stands in it.
+// The policy of a page names the one script that it contains.
 const hash = `sha256-${createHash('sha256').update(/<script>(.*?)<\/script>/s.exec(template)[1]).digest('base64')}`;
 
 function fill(values) {
@@ -196,7 +196,8 @@ function whereFrom() {
     return section.replaceAll('](docs/', '](').trim();
 }
 
-// What a reader may begin with on the page Play: its name, its file in chapters/, the reference picture that shows it.
+// The sheets with which a reader may begin on the page Play: the name, the file in chapters/, and the reference picture
+// that shows it.
 const STARTERS = [
     ['Ball', 'first_steps/play', '00_first_scene-step-5'], ['Rings', 'first_steps/2_distance', '00_first_scene-step-2'],
     ...[['Normals', '01_normal_colouring'], ['Lamps', '02_lighting'], ['Shadows', '03_shadows'], ['Colours', '04_hue_colour'], ['Fractal', '06_sierpinski_symmetry'],
@@ -215,7 +216,7 @@ const drop = (poster) => `<div class="drop"><div class="starters" role="group" a
     + '<button type="button" class="export" disabled>Export for Shadertoy</button> <span class="said" role="status"></span></p>'
     + `<live-chapter stem="01_normal_colouring" play><img ${poster}></live-chapter></div>`;
 
-// The landscape through its day: a still picture, whose film comes once the page is there.
+// The landscape over a day: a still picture, replaced by a film once the page is loaded.
 function film() {
     const [width, height] = [640, 360], name = '21_a_landscape.webp';
     pictures.set(name, 'tests/references/21_a_landscape-smooth.png').set('day.webp', `${HERE}day.webp`);

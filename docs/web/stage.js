@@ -10,7 +10,7 @@ const LOOK = 200; // milliseconds between two updates from the program's state
 const PRESS = 1, RELEASE = 0;
 const PAD = [['◀', 65, 'left'], ['▲', 87, 'forwards'], ['▼', 83, 'backwards'], ['▶', 68, 'right'], ['⤒', 32, 'up'], ['⤓', 67, 'down']];
 const RESTART = 82, SHIFT = 1, NEXT_HANDLE = 257;
-// What a narrow page shows of a button, within 24 by 24 units.
+// The drawing of a button on a narrow page, within 24 by 24 units.
 const ICONS = {
     'Pause': 'M8 5v14M16 5v14', 'Resume': 'M8 5l11 7-11 7z', 'Restart': 'M5 12a7 7 0 1 0 2-5M5 3v5h5', 'Views': 'M2 12q10-14 20 0q-10 14-20 0zM12 9a3 3 0 1 0 .1 0',
     'Values': 'M4 6h16M4 12h16M4 18h16M9 4v4M15 10v4M7 16v4', 'Ray': 'M12 3v6M12 15v6M3 12h6M15 12h6M12 11.5v1', 'Move': 'M12 3v18M3 12h18M9 6l3-3 3 3M9 18l3 3 3-3M6 9l-3 3 3 3M18 9l3 3-3 3',
@@ -43,7 +43,7 @@ export class Stage {
         return button;
     }
 
-    // A button that has a drawing too.
+    // A button that also has a drawing.
     icon(text, act, more = {}) {
         return this.name(this.button('', act, {...more, className: `live-iconed ${more.className ?? ''}`}), text);
     }
@@ -54,7 +54,7 @@ export class Stage {
     }
 
     // A button of a narrow page that shows and hides a part.
-    //   shows  is told to, or not, and says what it is now
+    //   shows  is called with the new state, and returns the present one
     toggle(text, shows) {
         const button = this.icon(text, () => button.setAttribute('aria-expanded', shows()), {className: 'live-toggle'});
         button.setAttribute('aria-expanded', 'false');
@@ -231,13 +231,13 @@ export class Stage {
         this.call('live_pixel', x, y);
     }
 
-    // The first frame is there: it takes the still picture's place. By then the ray has been marched.
+    // The first frame has been drawn: it replaces the still picture. By then the ray has been marched.
     drew() {
         if (this.shown?.step) this.call('live_step', Number(this.shown.step));
         this.at?.classList.add('live-drawn');
     }
 
-    // What a command line has printed and drawn, which stays where it was asked for.
+    // The printed and drawn results of a command line, which stay where they were requested.
     result(at, status) {
         const {part} = this;
         const result = part('div', {className: 'live-result'}, ...this.pictures);
@@ -322,7 +322,7 @@ export class Stage {
         return lines.join('\n') + '\n';
     }
 
-    // Of an interactive figure the keyboard has a point at once: Enter leads to the next.
+    // The keyboard immediately has a point of an interactive figure: Enter leads to the next one.
     takeHandle() {
         const {handles} = this.at?.hasHands ? this.program.state() : {};
         if (handles?.length > 0 && this.canvas.matches(':focus-visible') && !handles.some((one) => one.focused)) this.press(NEXT_HANDLE);
@@ -335,7 +335,7 @@ export class Stage {
         const state = this.state = this.program.state();
         if (this.views.childElementCount !== state.views.length)
             this.views.replaceChildren(...state.views.map((name, view) => this.button(name, () => this.call('live_view', view))));
-        // A text with a main of its own has no camera, no views and no trace of a ray; an interactive figure needs none.
+        // A text with its own main has no camera, no views and no trace of a ray; an interactive figure needs none.
         this.views.hidden = this.pad.hidden = this.mover.hidden = this.back.hidden = this.ray.element.hidden = state.views.length === 1 || this.at.hasHands;
         state.views.forEach((name, view) => this.views.children[view].setAttribute('aria-pressed', name === state.view));
         this.name(this.pause, state.paused ? 'Resume' : 'Pause');
@@ -346,7 +346,7 @@ export class Stage {
         const error = state.error.replaceAll('/course/', '');
         if (this.error.textContent !== error) this.error.textContent = error;
         this.error.hidden = error === '';
-        // What nothing sets is said where it is seen, until something is said that is worse.
+        // An input that nothing sets is reported where it is visible, until there is a worse message.
         if (error === '' && state.unset !== this.unset) this.note(state.unset);
         this.unset = state.unset;
         if (this.wrong && error === '') this.note(this.wrong.replaceAll('/course/', ''));

@@ -7,26 +7,26 @@
 
 // Kilometres. The density of the air falls by a factor of e with every LOW_SCALE of height up to
 // BEND, and with every HIGH_SCALE above it, where it is colder: within 15 % of the standard
-// atmosphere up to 55 km. One scale of 8.4 would hold 3 times too much air at 50 km, and twilight
-// comes from there. Dust falls off eight times as fast, by a factor of e with every 1.2 km; ozone
-// is densest at 25 km, and none is left 15 km above and below. The air ends at TOP; a share of
-// 3e-8 of it lies above. Sources: 'U.S. standard atmosphere' (1976); E. Bruneton, F. Neyret,
-// 'Precomputed atmospheric scattering', Computer Graphics Forum 27 (2008), for the height of the
-// dust and, in Bruneton's implementation of 2017, the profile of ozone.
+// atmosphere up to 55 km. With a single scale of 8.4 there would be 3 times too much air at 50 km,
+// from where twilight comes. Dust falls off eight times as fast, by a factor of e with every 1.2
+// km; ozone is densest at 25 km, and there is none 15 km above and below that. The air ends at TOP;
+// a share of 3e-8 of it lies above. Sources: 'U.S. standard atmosphere' (1976); E. Bruneton, F.
+// Neyret, 'Precomputed atmospheric scattering', Computer Graphics Forum 27 (2008), for the height
+// of the dust and, in Bruneton's implementation of 2017, the profile of ozone.
 static const double EARTH = 6371.0, TOP = 120.0;
 static const double LOW_SCALE = 9.6, HIGH_SCALE = 6.7, BEND = 9.0;
 
 // The thickness of the air overhead if all of it were as dense as at sea level, and of the dust.
 static const double AIR_COLUMN = 8.464, DUST_COLUMN = 1.2;
 
-// Of the sun as it is seen: 0.267 degrees.
+// Angular radius of the sun: 0.267 degrees.
 static const double SUN_RADIUS = 0.00466;
 
 enum { VIEW_STEPS = 120, SUN_STEPS = 80 };
 
 // Sources: sun: ASTM G-173 (2003), above the air; ozone: V. Gorshelev and others, 'High spectral
 // resolution ozone absorption cross-sections', Atmospheric Measurement Techniques 7 (2014), at 233
-// K; both as the means over 20 nm round the wavelength. The eye: CIE 1931.
+// K; both as the means over 20 nm around the wavelength. The eye: CIE 1931.
 const struct air_wave air_waves[AIR_WAVES] = {
     {1.437, 0.011, {0.0143, 0.0004, 0.0679}}, {1.710, 0.041, {0.1344, 0.0040, 0.6456}},
     {1.762, 0.121, {0.3483, 0.0230, 1.7471}}, {2.028, 0.299, {0.2908, 0.0600, 1.6692}},
@@ -41,14 +41,14 @@ const struct air_wave air_waves[AIR_WAVES] = {
 // molecules per square metre each, overhead.
 static const double OZONE = 300.0 * 2.687e20 * 1e-25;
 
-// Depth of the dust overhead at 550 nm, and the share of what it takes that it sends on. In
-// proportion to 1 / wavelength. A clear day: T. Angstrom's exponent 1.
+// Depth of the dust overhead at 550 nm, and the share of the removed light that it scatters. The
+// depth is proportional to 1 / wavelength. A clear day: T. Angstrom's exponent 1.
 static const double DUST = 0.03, DUST_KEPT = 0.92;
 
 // The mean cosine of the angle by which dust scatters.
 static const double FORWARD = 0.76;
 
-// 4,000 cd/m^2; 683 lumens a watt; the wavelengths' step.
+// 4,000 cd/m^2; 683 lumens per watt; the step of the wavelengths.
 static const double UNIT = 683.0 * 20.0 / 4000.0, PI = 3.14159265358979324;
 
 // Linear sRGB of X, Y, Z, IEC 61966-2-1.
@@ -73,7 +73,7 @@ static double dust_depth(int wave)
     return DUST * 0.55 / wave_length(wave);
 }
 
-// Add to a colour what light of a wavelength is on a screen.
+// Add to a colour the appearance of light of a wavelength on a screen.
 static void add_wave(int wave, double light, double colour[3])
 {
     for (int c = 0; c < 3; c++)
@@ -81,14 +81,14 @@ static void add_wave(int wave, double light, double colour[3])
             colour[c] += UNIT * SCREEN[c][k] * air_waves[wave].eye[k] * air_waves[wave].sun * light;
 }
 
-// ---- Amounts on a way, as shares of what is overhead ----
+// ---- Amounts along a path, as shares of the amounts overhead ----
 
 struct amount {
     double air, dust, ozone;
 };
 
-// e^-x for x >= 0: a table of 32 places for each 1/e, and five terms of the series for the rest.
-// Off by at most a share of 3e-10; 0 from 64 on.
+// e^-x for x >= 0: a table of 32 values for each factor of 1/e, and five terms of the series for
+// the rest. The relative error is at most 3e-10; 0 from 64 on.
 static double fade(double x)
 {
     enum { EACH = 32, COUNT = 64 * EACH };
@@ -104,7 +104,7 @@ static double fade(double x)
     return known[(int)place] * (1.0 - rest * (1.0 - rest * 0.5 * series));
 }
 
-// Of one kilometre at a height, upwards.
+// In one kilometre at a height, upwards.
 static struct amount density(double height)
 {
     double low = height < BEND ? height : BEND;
@@ -116,28 +116,28 @@ static struct amount density(double height)
                            .ozone = from < 15.0 ? (15.0 - from) * (1.0 / 225.0) : 0.0};
 }
 
-// Height above the sea at a distance along a ray that begins at radius with that sine of its
-// height. The difference of two large roots, without its loss of digits.
+// Height above the sea at a distance along a ray that begins at radius with this sine of its
+// height. The difference of two large roots, computed without its loss of digits.
 static double height_at(double radius, double sine, double distance)
 {
     double more = distance * (2.0 * radius * sine + distance);
     return radius - EARTH + more / (sqrt(radius * radius + more) + radius);
 }
 
-// How far it is to the top of the air.
+// The distance to the top of the air.
 static double way_out(double radius, double sine)
 {
     double b = radius * sine, c = (EARTH + TOP) * (EARTH + TOP) - radius * radius;
     return c > 0.0 ? c / (sqrt(b * b + c) + b) : 0.0;
 }
 
-// Simpson's rule for a ray that does not go down, in the third root of the distance: the steps are
+// Simpson's rule for a ray that does not go down, in the cube root of the distance: the steps are
 // short near the ray's beginning, where the air is thick.
 static struct amount amount_up(double radius, double sine)
 {
     double length = way_out(radius, sine);
     struct amount sum = {0.0, 0.0, 0.0};
-    for (int i = 1; i <= SUN_STEPS; i++) { // the first place has no weight
+    for (int i = 1; i <= SUN_STEPS; i++) { // the first point has no weight
         double q = (double)i / SUN_STEPS, weight = i == SUN_STEPS ? 1.0 : (i % 2 == 1 ? 4.0 : 2.0);
         weight *= length * q * q / SUN_STEPS;
         struct amount here = density(height_at(radius, sine, length * q * q * q));
@@ -149,8 +149,7 @@ static struct amount amount_up(double radius, double sine)
 }
 
 // The same for any ray that does not meet the Earth. One that goes down rises again beyond its
-// lowest place: what lies on it is twice what lies beyond that place, less what lies behind the
-// eye.
+// lowest point: its amount is twice the amount beyond that point, minus the amount behind the eye.
 static struct amount amount_along(double radius, double sine)
 {
     if (sine >= 0.0)
@@ -171,12 +170,12 @@ static double share_through(int wave, struct amount amount, double ozone)
 
 // ---- Light ----
 
-// The sun's light at a place, as shares of what there is above the air: the sun is a disc, and near
-// the edge of the Earth's shadow a part of it is seen. What is seen is cut into level strips, by
-// Gauss's rule of three places; a strip at x, from -1 to 1, has the share 3 (1 - x^2) / 4 of the
-// light, that of a disc as dark at its rim as a ball lit from the eye.
+// The sun's light at a point, as shares of the light above the air. The sun is a disc, and near the
+// edge of the Earth's shadow only a part of it is visible. The visible part is cut into horizontal
+// strips, with Gauss's rule of three points. A strip at x, from -1 to 1, has the share 3 (1 - x^2)
+// / 4 of the light, as for a disc as dark at its rim as a ball lit from the eye.
 //   sine  of the height of the sun's middle
-//   way   what lies between the place and the eye
+//   way   the amounts between the point and the eye
 static void add_sunlight(double radius, double sine, struct amount way, double ozone,
                          double share[AIR_WAVES])
 {
@@ -201,12 +200,12 @@ static void add_sunlight(double radius, double sine, struct amount way, double o
 
 // ---- Light that is scattered more than once ----
 
-// What a point of the air receives depends only on its height and on the sun's height there: turn
-// the Earth and all its air about the axis to the sun, and nothing changes. So a grid of these two
-// holds all the light that there is, for each wavelength.
+// The light that a point of the air receives depends only on its height and on the sun's height
+// there: rotate the Earth and all its air about the axis to the sun, and nothing changes. So a grid
+// over these two contains all the light, for each wavelength.
 enum { HEIGHTS = 32, SUNS = 96, ABOVE = 10, BELOW = 6, AROUND = 8, PATH_STEPS = 24, ORDERS = 4 };
 
-// What the ground sends back of the light that falls on it.
+// The share of the light on the ground that the ground reflects.
 static const double ALBEDO = 0.15;
 
 typedef double grid[HEIGHTS][SUNS][AIR_WAVES];
@@ -221,8 +220,8 @@ static double grid_height(int row)
     return TOP * q * q;
 }
 
-// The sine of the sun's height at a point counts from that of the horizon seen from there, which
-// is where the light changes fastest.
+// The sine of the sun's height at a point is measured from that of the horizon seen from there,
+// where the light changes fastest.
 static const double GRID_WIDTH = 0.08, GRID_LOWEST = -0.42, GRID_SPAN = 1.25;
 
 static double horizon(double height)
@@ -239,7 +238,7 @@ static double grid_sun(int row, int column)
     return sine < -1.0 ? -1.0 : (sine > 1.0 ? 1.0 : sine);
 }
 
-// A point between four of the grid.
+// A point between four points of the grid.
 struct corner {
     int row, column;
     double up, right; // shares of the next row and of the next column
@@ -340,10 +339,10 @@ static const double AROUND_COSINE[AROUND] = {
 
 // One order of scattering: from the light at all points, the light that they send to each point.
 //   from    the sunlight, or the mean light of the order before
-//   first   true of sunlight, which comes from one direction; what has been scattered is taken to
-//           come from all sides alike
-//   falls   the light of the order before on level ground, for the columns of row 0
-//   mean    the mean over all directions; falls_next is what falls on the ground
+//   first   true for sunlight, which comes from one direction; scattered light is assumed to come
+//           equally from all sides
+//   falls   the light of the previous order on horizontal ground, for the columns of row 0
+//   mean    the mean over all directions; falls_next is the light on the ground
 static void next_order(grid from, bool first, double falls[SUNS][AIR_WAVES], double ozone,
                        grid mean, double falls_next[SUNS][AIR_WAVES])
 {
@@ -380,8 +379,8 @@ static void next_order(grid from, bool first, double falls[SUNS][AIR_WAVES], dou
                         add_between(from, corner_at(path.height[j], path.dip[j], there), weight,
                                     sum);
                     }
-                    // Sum is 4 pi times what arrives from this direction, or, if the order
-                    // before is diffuse light, what arrives.
+                    // Sum is 4 pi times the light from this direction or, if the previous order is
+                    // diffuse light, that light itself.
                     double arrives = first ? 1.0 / (4.0 * PI) : 1.0;
                     if (path.lands) {
                         double there = (radius * sun + path.length * c) / EARTH;
@@ -446,7 +445,7 @@ void air_shares(double sun, double view, double azimuth, double ozone, struct ai
         double distance = length * q * q, step = length * (to * to - from * from);
         double height = height_at(EARTH, view, distance), radius = EARTH + height;
         struct amount here = density(height), way = passed;
-        // The sun stands higher by the angle that the ray has gone round the Earth.
+        // The sun is higher by the angle through which the ray has gone around the Earth.
         double sine = (EARTH * sun + distance * (view * sun + level)) / radius;
         double share[AIR_WAVES] = {0.0}, again[AIR_WAVES];
         way.air += 0.5 * step * here.air;
@@ -501,7 +500,7 @@ double air_drawn_back(double x, double k)
     return x * (k + (1.0 - k) * (x < 0.0 ? -x : x));
 }
 
-// 0 where x is far below 0, x where it is far above, smooth between.
+// 0 if x is far below 0, x if it is far above, smooth between.
 static double beyond(double x)
 {
     return 0.5 * (x + sqrt(x * x + 0.0004));
@@ -532,8 +531,8 @@ struct air_scale air_scale(double sun, double row)
     return scale;
 }
 
-// The light of a place in a table. A table is drawn from its top row down, and each place of the
-// top storey is asked for again in those below: it is kept.
+// The light of a point in a table. A table is drawn from its top row down, and each point of the
+// top storey is needed again in the storeys below, so it is stored.
 static struct air_light light_once(double sun, double row, double azimuth, double ozone, int column)
 {
     static struct {
@@ -568,7 +567,7 @@ void air_table(double u, double v, double azimuth, double ozone, double value[4]
     for (int c = 0; c < 3; c++)
         part[c] *= all;
     double blue = part[2] / one[2];
-    int byte = paint_byte(blue); // the one below; the fourth number has the rest
+    int byte = paint_byte(blue); // the one below; the fourth number contains the rest
     byte -= byte > 0 && paint_light(byte) > blue ? 1 : 0;
     value[0] = part[0] / one[0];
     value[1] = part[1] / one[1];
@@ -596,7 +595,7 @@ void air_sun_table(double u, double v, double value[3])
     double rim = x < 1.0 ? sqrt(1.0 - x * x) : 0.0, left = 1.0 - x * x / (SUN_REACH * SUN_REACH);
     air_sunlight(sine, colour);
     for (int c = 0; c < 3; c++) {
-        // The mean of the disc is 1 - DARK / 3 of its middle, and is to be the sun's light.
+        // The mean of the disc is 1 - DARK / 3 of its centre, and must equal the sun's light.
         double middle = colour[c] / (1.0 - DARK[c] / 3.0) / scale;
         value[c] = middle * (x <= 1.0 ? 1.0 - DARK[c] * (1.0 - rim) : mass / 38.0 * left * left);
     }

@@ -1,13 +1,14 @@
 // air.h - the light of a clear sky: sunlight that the air of a round Earth scatters, once or
-// several times. It draws nothing: the tables sky_sunward, sky_away and sun_halo are made of it.
+// several times. It draws nothing itself: the tables sky_sunward, sky_away and sun_halo are made
+// with it.
 //
-// Light is in the unit of the course's skies: 1 is 4,000 cd/m^2, and a lamp's light on a surface is
-// given as what a white matt surface across its rays sends on. Colours are linear sRGB. Heights are
-// given by their sine.
+// Light is in the unit of the course's skies: 1 is 4,000 cd/m^2. A lamp's light on a surface is
+// given as the light that a white matt surface perpendicular to its rays sends back. Colours are
+// linear sRGB. Heights are given by their sine.
 #ifndef AIR_H
 #define AIR_H
 
-// One wavelength, of 400 to 700 nm in steps of 20, and what belongs to it.
+// One wavelength, from 400 to 700 nm in steps of 20, and its properties.
 enum { AIR_WAVES = 16 };
 struct air_wave {
     double sun;    // W m^-2 nm^-1 above the air
@@ -16,22 +17,24 @@ struct air_wave {
 };
 extern const struct air_wave air_waves[AIR_WAVES];
 
-// What the air sends towards an eye at sea level. Multiply the first two kinds by phaseAir and
-// phaseDust of shaders/sky_table.glsl, which depend on the angle of scattering, and add.
+// The light that the air sends towards an eye at sea level. Multiply the first two kinds by
+// phaseAir and phaseDust of shaders/sky_table.glsl, which depend on the angle of scattering, and
+// add.
 struct air_light {
     double air[3];  // scattered once, by molecules
     double dust[3]; // scattered once, by dust and droplets
-    double more[3]; // scattered more than once, by either or by the ground: the same in each phase
+    double more[3]; // scattered more than once, by either or by the ground: independent of the
+                    // phase functions
 };
 
-// The scattered light of a direction: an integral along it of what is scattered at each point,
-// dimmed on the way there and on the way to the eye, added up over 16 wavelengths. The light that
-// has been scattered before it arrives at a point comes from a grid, which the first call computes
-// in some seconds: four orders of scattering, by air, dust and a ground of albedo 0.15, each taken
-// to arrive from all directions alike.
+// The scattered light of a direction: an integral along it of the light scattered at each point,
+// dimmed on its path to that point and from there to the eye, summed over 16 wavelengths. The light
+// that has been scattered before it arrives at a point comes from a grid, which the first call
+// computes in a few seconds: four orders of scattering, by air, dust and a ground of albedo 0.15,
+// each assumed to arrive equally from all directions.
 //   sun      sine of the sun's height, in [-1, 1]; no light comes through the Earth
 //   view     sine of the direction's height, in [0, 1]
-//   azimuth  cosine of the angle between the two in the level plane, in [-1, 1]: 1 below or above
+//   azimuth  cosine of the horizontal angle between the two, in [-1, 1]: 1 below or above
 //   the sun ozone    of 300 Dobson units: 1; 0 leaves it out
 struct air_light air_scattered(double sun, double view, double azimuth, double ozone);
 
@@ -41,19 +44,18 @@ struct air_shares {
 };
 void air_shares(double sun, double view, double azimuth, double ozone, struct air_shares *shares);
 
-// The sun's light on a surface across its rays, after the air; unrefracted.
+// The sun's light on a surface perpendicular to its rays, after the air; without refraction.
 //   sun      sine of its height; 0 where the Earth is in the way
 void air_sunlight(double sun, double colour[3]);
 
 // ---- The tables ----
 
 // A table has a column for each height of the sun and three storeys of rows, from the bottom: light
-// that the air has scattered once, that the dust has, and light that was scattered more often. In
-// each there is a row for each height of the direction.
-// shaders/sky_table.glsl reads it.
+// scattered once by air, light scattered once by dust, and light scattered more than once. In each
+// storey there is a row for each height of the direction. shaders/sky_table.glsl reads it.
 enum { AIR_COLUMNS = 288, AIR_ROWS = 160 };
 
-// Where a sine lies in a table: x from -1 to 1, drawn out round 0 by 1 / k.
+// The position of a sine in a table: x from -1 to 1, stretched around 0 by 1 / k.
 //   formula  the x with x (k + (1 - k) |x|) = sine
 double air_drawn_out(double sine, double k);
 
@@ -65,14 +67,14 @@ double air_drawn_back(double x, double k);
 #define AIR_VIEW_WIDTH 0.06
 #define AIR_LOWEST_SUN (-0.28)
 
-// The light of a low sun is redder than a screen's red: its blue is a little less than nothing,
-// which a colour of a picture cannot hold; and of a blue near nothing a screen shows steps that a
-// byte has not. So a fourth number, stored as it is, has what is missing, in this share of the
-// red's scale; the byte 128 is nothing.
+// The light of a low sun is redder than a screen's red: its blue is slightly negative, which a
+// colour of a picture cannot represent; and near 0 a screen distinguishes more blues than a byte.
+// So a fourth number, stored unchanged, contains the missing part, as a share of the red's scale;
+// the byte 128 is nothing.
 #define AIR_FINE 0.06
 
-// How much light a table's number 1 is: a smooth function of the sun's height and of the row, the
-// same in shaders/sky_table.glsl.
+// The light that a table's number 1 represents: a smooth function of the sun's height and of the
+// row, the same as in shaders/sky_table.glsl.
 //   sun   sine of its height
 //   row   of the direction's height: air_drawn_out of its sine, 0 to 1
 struct air_scale {
@@ -80,14 +82,14 @@ struct air_scale {
 };
 struct air_scale air_scale(double sun, double row);
 
-// A table's colour at a point of it, and what its blue misses, for paint_texture.
-//   azimuth  1 for the half of the sky that holds the sun, -1 for the other one
-//   ozone    1, or 0 for an air without, of whose light the table holds a quarter
+// A table's colour at a point, and the blue that it lacks, for paint_texture.
+//   azimuth  1 for the half of the sky that contains the sun, -1 for the other one
+//   ozone    1, or 0 for air without ozone, of whose light the table contains a quarter
 void air_table(double u, double v, double azimuth, double ozone, double value[4]);
 
-// The table of the sun: a column for each distance from its middle, in radii of the sun, from 0 to
-// SUN_REACH as the square of the column's place; a row for each height of what is seen, from 0
-// to 1, drawn out by SUN_ROW_WIDTH.
+// The table of the sun: a column for each distance from its centre, in radii of the sun, from 0 to
+// SUN_REACH, as the square of the column's position; a row for each height of the direction, from 0
+// to 1, stretched by SUN_ROW_WIDTH.
 enum { SUN_COLUMNS = 64, SUN_ROWS = 64 };
 #define SUN_REACH     12.0
 #define SUN_ROW_WIDTH 0.15

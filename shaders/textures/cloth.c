@@ -1,5 +1,5 @@
-// cloth.c - linen, dyed with indigo: the warp darker than the weft, both paler where they were
-// rubbed.
+// cloth.c - linen, dyed with indigo: the warp is darker than the weft, and both are paler where
+// they were rubbed.
 #include "weave.h"
 
 #include "paint.h"
@@ -9,7 +9,7 @@ static void cloth(double u, double v, double value[3])
     static const uint32_t indigo[6] = {0x070b1e, 0x141d45, 0x25366e, 0x3f5792, 0x6c86b6, 0xb3c1dc};
     struct weave weave = weave_at(u, v);
     uint32_t seed = weave.warp ? 31 : 32;
-    // Fibres wind round the thread.
+    // Fibres wind around the thread.
     double fibre = paint_noise(0.5 * weave.across + 32.0 * weave.along, weave.along, 4, 64,
                                seed + 8 * (uint32_t)weave.thread) -
                    0.5;

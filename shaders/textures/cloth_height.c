@@ -1,4 +1,4 @@
-// cloth_height.c - how high the threads of cloth.c lie: for bumps.
+// cloth_height.c - the heights of the threads of cloth.c, for bumps.
 #include "weave.h"
 
 #include "paint.h"

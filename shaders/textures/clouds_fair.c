@@ -1,4 +1,4 @@
-// clouds_fair.c - a panorama of fair weather: cumulus with flat feet and room between them.
+// clouds_fair.c - a panorama of fair weather: cumulus with flat bases and gaps between them.
 #include "cumulus.h"
 
 #include "paint.h"

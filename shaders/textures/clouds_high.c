@@ -1,5 +1,5 @@
-// clouds_high.c - a layer of cirrus seen from below: how much of the light it takes. Fibres along
-// u, bent by what carries them, in fields with room between.
+// clouds_high.c - a layer of cirrus seen from below: the share of the light that it blocks. Fibres
+// along u, bent by the wind, in fields with gaps between them.
 #include "paint.h"
 
 static void clouds_high(double u, double v, double value[3])

@@ -1,5 +1,5 @@
 // clouds_storm.c - a panorama of bad weather: columns that grow together over a dark base, and two
-// thunderheads in clearings of their own.
+// thunderheads, each in a clearing.
 #include "cumulus.h"
 
 #include "paint.h"

@@ -17,7 +17,7 @@ static struct {
     float ground[MAP * MAP];
 } table;
 
-// One less the square of the distance to the nearest of random points, one in each cell: round
+// One minus the square of the distance to the nearest of random points, one in each cell: round
 // heaps.
 static double heaps(const double p[3], int cells, uint32_t seed)
 {
@@ -62,7 +62,7 @@ static double mix(double a, double b, double share)
     return a + share * (b - a);
 }
 
-// The ground's noise, x and y in periods.
+// The ground's noise; x and y in periods.
 static double ground_at(double x, double y)
 {
     double i = floor(x * MAP), j = floor(y * MAP), u = x * MAP - i, v = y * MAP - j;
@@ -72,7 +72,7 @@ static double ground_at(double x, double y)
     return mix(mix(low[left], low[right], u), mix(high[left], high[right], u), v);
 }
 
-// Puffs, their mean about 0.6; in periods.
+// Puffs with a mean of about 0.6; in periods.
 static double puffs_at(double x, double y, double z)
 {
     double k = floor(z * SIDE), w = z * SIDE - k, slice[2];
@@ -89,8 +89,8 @@ static double puffs_at(double x, double y, double z)
 
 // ---- The field ----
 
-// How far inside a tower a place is, as a share of the field's depth. The head is ice:
-// thinner, and smooth.
+// How far inside a tower a point lies, as a share of the field's depth. The head is ice: thinner,
+// and smooth.
 static double inside_tower(const struct cumulus *field, const struct tower *tower,
                            const double p[2], double altitude, double *ice)
 {
@@ -102,7 +102,7 @@ static double inside_tower(const struct cumulus *field, const struct tower *towe
     return fmin(aside, 0.5 * (tower->top - altitude)) / field->depth;
 }
 
-// How far a place is from the way between the eye and a tower, in clearings.
+// The distance of a point from the line between the eye and a tower, in clearings.
 static double beside_the_way(const struct tower *tower, double x, double z)
 {
     if (tower->clearing <= 0.0)
@@ -113,7 +113,7 @@ static double beside_the_way(const struct tower *tower, double x, double z)
     return sqrt(north * north + east * east) / tower->clearing;
 }
 
-// The same of the ordinary columns, which keep away from towers.
+// The same for the ordinary columns, which keep away from towers.
 static double inside_column(const struct cumulus *field, double x, double z, double altitude)
 {
     double period = MAP_CELLS * field->cell, height = (altitude - field->base) / field->depth;
@@ -131,8 +131,8 @@ static double ceiling_of(const struct cumulus *field)
     return highest;
 }
 
-// Optical depth of a kilometre at a place; x and z along the ground, y up from the eye. The small
-// puffs may be left out: inside a cloud nobody sees them.
+// Optical depth of a kilometre at a point; x and z along the ground, y up from the eye. The small
+// puffs may be left out, because nobody sees them inside a cloud.
 static double thickness_at(const struct cumulus *field, double x, double y, double z,
                            bool small_too)
 {
@@ -156,8 +156,8 @@ static double thickness_at(const struct cumulus *field, double x, double y, doub
     return field->thickness * (1.0 - 0.8 * ice) * edge * foot;
 }
 
-// What is left of a light that comes through a cloud, scattered many times: a model by eye. The
-// second part is the law of a thick layer without absorption, 1 / (1 + depth (1 - g) 3/4).
+// The share of light that comes through a cloud after many scatterings: a model by eye. The second
+// part is the law of a thick layer without absorption, 1 / (1 + depth (1 - g) 3/4).
 static double diffused(double depth)
 {
     return 0.6 / (1.0 + 0.35 * depth + 0.05 * depth * depth) + 0.4 / (1.0 + 0.06 * depth);
@@ -179,8 +179,8 @@ static double light_from(const struct cumulus *field, const double p[3], double 
 
 // ---- The panorama ----
 
-// Cosine and sine of a part of a turn: a half, a quarter, an eighth, ..., each halved by the root,
-// are put together as the bits of u say.
+// Cosine and sine of a part of a turn: a half, a quarter, an eighth, ..., each halved with the
+// root, are combined as the bits of u say.
 static void turn(double u, double *cosine, double *sine)
 {
     double c = 1.0, s = 0.0, half_c = -1.0, half_s = 0.0, rest = 2.0 * (u - floor(u));
@@ -199,7 +199,8 @@ static void turn(double u, double *cosine, double *sine)
     *sine = s;
 }
 
-// Where a ray from the ground has risen so high, bend being the Earth's across the ray.
+// Where a ray from the ground has risen to this height; bend is the Earth's curvature along the
+// ray.
 static double reach(double climb, double bend, double height)
 {
     return 2.0 * height / (climb + sqrt(climb * climb + 2.0 * bend * height));
@@ -238,7 +239,7 @@ void cumulus_at(const struct cumulus *field, double u, double v, double value[3]
         inside = inside && idle < 6;
         t += inside ? fine : stride;
     }
-    double whole = 0.98; // what a ray that has been given up has lost
+    double whole = 0.98; // the loss of a ray that has been abandoned
     value[0] = fmin((1.0 - seen) / whole, 1.0);
     value[1] = above / whole;
     value[2] = 0.5 + 0.5 * side / whole;

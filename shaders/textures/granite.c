@@ -8,8 +8,8 @@ enum { LARGE = 22, SMALL = 50, FLAKES = 84 }; // grains across a period
 
 struct mineral {
     uint32_t scale[3]; // 0xRRGGBB, from its darkest to its lightest
-    double spread;     // how much grains differ from each other
-    double cleavage;   // how strongly the planes show along which it splits
+    double spread;     // how much the grains differ from each other
+    double cleavage;   // how strongly its cleavage planes show
     double cloud;      // how uneven it is inside
 };
 static const struct mineral rose = {{0x79645f, 0xaa948e, 0xd1c1ba}, 0.55, 0.34, 0.60},

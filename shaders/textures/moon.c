@@ -1,16 +1,16 @@
-// moon.c - the near side of a moon, to be read as numbers: how bright the ground is, in red, and
-// how steeply it rises to the right and upwards, in green and blue.
+// moon.c - the near side of a moon, to be read as numbers: the brightness of the ground in red, and
+// its slopes to the right and upwards in green and blue.
 //
-// The seas lie about where those of our Moon lie, and so do the craters that have a name. All else
-// is drawn by lot: small craters are many, large ones few.
+// The seas lie about where those of our Moon lie, and so do the craters that have a name.
+// Everything else is random: small craters are many, large ones few.
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 #include "paint.h"
 
-// The picture shows the disc as it is seen from far away, north up. Outside of it the ground fades
-// to a mean, so that the edges agree.
+// The picture shows the disc as seen from far away, north up. Outside the disc, the ground fades to
+// a mean, so that the edges agree.
 #define RADIUS 0.47 // of the disc, in widths of the picture
 #define BRIGHT 0.40 // the albedo that is stored as 1
 #define STEEP  0.30 // the slope that is stored as 1; its negative as 0
@@ -56,7 +56,7 @@ static double layer(double x, double y, int k, uint32_t seed)
     return low + t * (high - low);
 }
 
-// Octaves of value noise at k places a radius: -1 to 1, mean about 0.
+// Octaves of value noise with k cells per radius: -1 to 1, mean about 0.
 static double rough(struct place p, double k, int octaves, double gain, uint32_t seed)
 {
     double sum = 0.0, total = 0.0, strength = 1.0;
@@ -74,7 +74,7 @@ static double rough(struct place p, double k, int octaves, double gain, uint32_t
 
 // ---- The seas ----
 
-// Middle, on the disc, and radius of each basin that lava has filled; how dark it is.
+// Centre on the disc and radius of each basin that lava has filled; its darkness.
 static const double seas[][4] = {
     {-0.231, 0.545, 0.315, 1.00},  {0.273, 0.469, 0.175, 1.00},   {0.500, 0.155, 0.215, 1.10},
     {0.400, 0.300, 0.120, 1.05},   {0.835, 0.285, 0.125, 1.10},   {0.775, -0.080, 0.150, 1.00},
@@ -89,7 +89,7 @@ static const double seas[][4] = {
     {-0.097, 0.784, 0.030, 1.10},  {0.960, 0.010, 0.060, 0.80},   {0.620, 0.780, 0.030, 0.90},
     {0.935, 0.160, 0.045, 0.80}};
 
-// How deep a place lies in the seas, 0 to 1. The shores are warped by noise, and islands stand near
+// How deep inside the seas a point lies, 0 to 1. Noise warps the shores, and there are islands near
 // them.
 static double sea_at(struct place p, double *dark)
 {
@@ -116,7 +116,7 @@ struct crater {
     struct place middle;
     double radius; // in radii of the moon
     double fresh;  // 0 old and worn down, 1 young and bright
-    double rays;   // how far its rays go, in its own radii; 0: it has none
+    double rays;   // length of its rays, in its own radii; 0: it has none
     uint32_t name;
 };
 
@@ -136,8 +136,8 @@ static const struct {
              {0.060, -0.660, 0.0350, 0.05, 0.0},   {0.170, -0.660, 0.0330, 0.05, 0.0},
              {-0.620, -0.300, 0.0320, 0.10, 0.0},  {-0.440, -0.700, 0.0550, 0.05, 0.0}};
 
-// The share of a ray that a place lies in. A ray is a streak that leaves the crater in one
-// direction, so it is noise of that direction alone, torn into patches.
+// The share of a ray in which a point lies. A ray is a streak that leaves the crater in one
+// direction, so it is noise of that direction only, torn into patches.
 static double ray_at(const struct crater *crater, struct place p, double far)
 {
     double q = far / crater->radius;
@@ -184,7 +184,7 @@ static void dig(const struct crater *crater)
             if (q >= fmax(crater->rays, 2.2))
                 continue;
             float *height = &moon.height[row][column], *albedo = &moon.albedo[row][column];
-            // What was there before is filled in or thrown away.
+            // The earlier ground is filled in or thrown away.
             double keep = q < 1.0 ? 0.25 + 0.75 * paint_step(0.7, 1.0, q) : 1.0;
             *height = (float)(*height * keep + worn * bowl(q, crater->radius));
             double bright = crater->fresh * (q < 1.0 ? 0.55 + 0.25 * paint_step(0.5, 0.95, q)
@@ -224,13 +224,14 @@ static double lot(int i, uint32_t what)
     return paint_random(i, 5, what);
 }
 
-// The craters drawn by lot, the oldest first: the number of those larger than r falls as 1 / r^2.
-// Lava has covered the old ones in the seas.
+// The random craters, the oldest first: the number of those larger than r falls as 1 / r^2. Lava
+// has covered the old ones in the seas.
 static void by_lot(void)
 {
     for (int i = 0; i < CRATERS; i++) {
         double x = 2.0 * lot(i, 1) - 1.0, y = 2.0 * lot(i, 2) - 1.0;
-        // Places even on the ball: a disc of equal areas, thrown on its hemisphere.
+        // Points distributed uniformly over the ball: a disc of equal areas, projected onto its
+        // hemisphere.
         double square = x * x + y * y;
         if (square >= 1.0)
             continue;
@@ -263,7 +264,7 @@ static void draw(void)
     }
 }
 
-// What a map says at a row and a column of the picture; far outside of the disc a mean.
+// The value of a map at a row and a column of the picture; far outside the disc a mean.
 static double look_up(float map[SIDE][SIDE], double row, double column, double mean)
 {
     int i = (int)fmin(fmax(floor(row), 0.0), SIDE - 1.0);
@@ -273,7 +274,7 @@ static double look_up(float map[SIDE][SIDE], double row, double column, double m
     return mean + here * ((double)map[i][j] - mean);
 }
 
-// The mean of the four places of a pixel of the picture; dx, dy move them, in places.
+// The mean of the four points of a pixel of the picture; dx, dy move them, in points.
 static double mean_of(float map[SIDE][SIDE], double u, double v, double dx, double dy, double mean)
 {
     double sum = 0.0;
@@ -283,7 +284,7 @@ static double mean_of(float map[SIDE][SIDE], double u, double v, double dx, doub
     return sum;
 }
 
-// A number in [0, 1] as the byte that is nearest to it: the light that is stored as that byte.
+// A number in [0, 1] as the nearest byte: the light that is stored as that byte.
 static double as_stored(double number)
 {
     double value[3];

@@ -1,4 +1,4 @@
-// sky_away.png of an air without ozone, for an experiment of chapter 18. Read with sRGB and clamp.
+// sky_away.png for air without ozone, for an experiment of chapter 18. Read with sRGB and clamp.
 #include "air.h"
 #include "paint.h"
 

@@ -1,5 +1,4 @@
-// sky_sunward.png of an air without ozone, for an experiment of chapter 18. Read with sRGB and
-// clamp.
+// sky_sunward.png for air without ozone, for an experiment of chapter 18. Read with sRGB and clamp.
 #include "air.h"
 #include "paint.h"
 

@@ -1,16 +1,16 @@
 // noise.c - a volume of value noise: 64 slices of 64 x 64, one below the other.
 //
-// Random numbers stand at the corners of 16 x 16 x 16 cells, which repeat; in between they are
-// joined by a polynomial whose slope and curvature are 0 at the corners. A cell is 4 texels wide,
-// so that the straight lines between texels, which is all that a graphics card draws, keep close to
-// it.
+// There are random numbers at the corners of 16 x 16 x 16 cells, which repeat; between them, the
+// values follow a polynomial whose slope and curvature are 0 at the corners. A cell is 4 texels
+// wide, so that the linear interpolation between texels, which is all that a graphics card does,
+// stays close to it.
 #include "paint.h"
 
 #include <math.h>
 
 enum { SIDE = 64, CELLS = 16 };
 
-// The slices' numbers run downwards; within one, as in every texture, v runs upwards.
+// The numbers of the slices run downwards; within a slice, as in every texture, v runs upwards.
 static void noise(double u, double v, double value[3])
 {
     double row = (1.0 - v) * SIDE, slice = floor(row);

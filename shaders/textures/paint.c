@@ -103,7 +103,7 @@ static double outside(double x, int cell)
 
 struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32_t seed)
 {
-    // The nearest cells first: most of the others need not be asked.
+    // The nearest cells first: most of the others need not be evaluated.
     static const signed char around[25][2] = {
         {0, 0},  {1, 0},  {-1, 0},  {0, 1},  {0, -1}, {1, 1},  {-1, 1}, {1, -1},  {-1, -1},
         {2, 0},  {-2, 0}, {0, 2},   {0, -2}, {2, 1},  {2, -1}, {-2, 1}, {-2, -1}, {1, 2},
@@ -247,7 +247,7 @@ int paint_texture(int width, int height, int samples, enum paint_kind kind,
     png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);
     png_infop info = png != NULL ? png_create_info_struct(png) : NULL;
     unsigned char *row = malloc(4 * (size_t)width);
-    // libpng has said what is wrong.
+    // libpng has already reported the error.
     if (info == NULL || row == NULL || setjmp(png_jmpbuf(png)) != 0) {
         free(row);
         png_destroy_write_struct(&png, &info);

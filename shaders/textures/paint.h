@@ -1,9 +1,10 @@
-// paint.h - the pen of the textures: a picture from a function of a point, that repeats without a
-// seam, as PNG on standard output.
+// paint.h - drawing functions for the textures: a picture from a function of a point, which repeats
+// without a seam, as PNG on standard output.
 //
-// A texture is the same on every machine, to the last bit of each pixel: chance is an integer hash,
-// and of real arithmetic only what IEEE 754 rounds in one way is used, + - * / sqrt and floor. No
-// sin, pow or exp, whose last bit is each library's own.
+// A texture is the same on every machine, to the last bit of each pixel: random numbers come from
+// an integer hash, and real arithmetic uses only the operations that IEEE 754 rounds in one way, +
+// - * / sqrt and floor. sin, pow and exp are not used, because their last bit depends on the
+// library.
 //
 // u runs to the right and v upwards, both from 0 to 1; every pattern here has the period 1 in both.
 #ifndef PAINT_H
@@ -15,14 +16,14 @@
 
 enum paint_kind {
     PAINT_COLOUR,  // three numbers, linear light in [0, 1]; stored as sRGB
-    PAINT_NUMBER,  // one number in [0, 1]; stored as it is
-    PAINT_NUMBERS, // three numbers in [0, 1]; stored as they are
-    PAINT_FOUR     // a colour and a fourth number, which is stored as it is
+    PAINT_NUMBER,  // one number in [0, 1]; stored unchanged
+    PAINT_NUMBERS, // three numbers in [0, 1]; stored unchanged
+    PAINT_FOUR     // a colour and a fourth number, which is stored unchanged
 };
 
 // Draw a texture and write it. The file's top row is v = 1.
 //   samples  samples x samples points of a pixel are averaged
-//   at       the texture: fills in value at a point, as many numbers as its kind has
+//   at       the texture: fills in value at a point, with as many numbers as its kind has
 // Returns the program's exit status.
 int paint_texture(int width, int height, int samples, enum paint_kind kind,
                   void (*at)(double u, double v, double *value));
@@ -37,8 +38,9 @@ double paint_random(int i, int j, uint32_t seed);
 
 // ---- Real arithmetic ----
 
-// The exponential of x, by + - * / and floor alone, so the same everywhere: 2^n times a series of
-// the rest. Off by at most a share of 1e-14 where |x| <= 700; 0 below, as if x were 700 above.
+// The exponential of x, using only + - * / and floor, so it is the same everywhere: 2^n times a
+// series for the rest. The relative error is at most 1e-14 if |x| <= 700; 0 below that, and the
+// value of 700 above.
 double paint_exp(double x);
 
 // ---- Patterns ----
@@ -46,18 +48,18 @@ double paint_exp(double x);
 // From 0 to 1 as x goes from a to b, with slope and curvature 0 at both ends.
 double paint_step(double a, double b, double x);
 
-// Value noise in [0, 1): random numbers at the corners of columns x rows cells a period, joined by
-// paint_step.
+// Value noise in [0, 1): random numbers at the corners of columns x rows cells per period, joined
+// by paint_step.
 double paint_noise(double u, double v, int columns, int rows, uint32_t seed);
 
 // A sum of octaves of that noise, each twice as fine and half as strong as the one before, divided
 // by the sum of the strengths: in [0, 1).
 double paint_octaves(double u, double v, int columns, int rows, int octaves, uint32_t seed);
 
-// A point's grain, of columns x rows grains a period: each grain has a centre at a random place of
-// its cell and a size, and owns the points that are nearest to it, size considered.
+// The grain that contains a point, of columns x rows grains per period: each grain has a centre at
+// a random position in its cell and a size, and owns the points nearest to it, weighted by size.
 struct paint_grain {
-    uint32_t name; // a hash of the grain, for what it is made of
+    uint32_t name; // a hash of the grain, which determines its material
     double edge;   // how far the point is inside: 0 at the border, in cells
     double u, v;   // from the grain's centre to the point, in cells
 };
@@ -68,8 +70,8 @@ struct paint_grain paint_grain(double u, double v, int columns, int rows, uint32
 // Linear light of a colour 0xRRGGBB, sRGB, as a painter picks it.
 void paint_colour(uint32_t code, double value[3]);
 
-// The byte that stores a light as sRGB: the nearest to 255 times its sRGB value. What lies outside
-// of [0, 1] becomes 0 or 255.
+// The byte that stores a light as sRGB: the nearest to 255 times its sRGB value. Values outside [0,
+// 1] become 0 or 255.
 unsigned char paint_byte(double light);
 
 // The light that a byte stores: the inverse.

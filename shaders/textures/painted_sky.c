@@ -1,7 +1,7 @@
-// A sky by eye, for an exercise of chapter 18: to the right the sine of the sun's height, from -1
-// to 1, upwards that of the direction's, from 0 to 1; the lower storey is the half of the sky that
-// holds the sun, the upper one the other. The colours are those that the screen is to show. Read
-// with sRGB and clamp.
+// A sky painted by eye, for an exercise of chapter 18: to the right the sine of the sun's height,
+// from -1 to 1, upwards that of the direction's, from 0 to 1; the lower storey is the half of the
+// sky that contains the sun, the upper one the other half. The colours are those that the screen
+// should show. Read with sRGB and clamp.
 #include <math.h>
 
 #include "paint.h"
@@ -17,7 +17,7 @@ static const uint32_t opposite[9] = {0x121a2c, 0x121a2c, 0x181e34, 0x3a3c5c, 0xa
 static void sky(double u, double v, double value[3])
 {
     double storey = v < 0.5 ? 0.0 : 1.0, row = 2.0 * v - storey, low[3], high[3];
-    // A painter bunches his colours round the sunset.
+    // A painter needs most of the colours around sunset.
     double sun = 2.0 * u - 1.0,
            x = 0.5 + 0.5 * (sun < 0.0 ? -1.0 : 1.0) * sqrt(sun < 0.0 ? -sun : sun);
     double down = (1.0 - row) * (1.0 - row) * (1.0 - row);

@@ -1,14 +1,14 @@
-// plank.c - four oak boards that have stood outside, the grain along u, with gaps between them.
+// plank.c - four oak boards that have been outside, the grain along u, with gaps between them.
 //
-// Each board is cut from a log of its own: its rings are the distance from the log's axis, which
-// leans against the cut, so that the board shows long pointed arches.
+// Each board is cut from its own log: its rings are the distance from the log's axis, which is
+// inclined to the cut, so that the board shows long pointed arches.
 #include "paint.h"
 
 #include <math.h>
 
 enum { BOARDS = 4 };
 
-// How many rings lie between the log's axis and a point of a board.
+// The number of rings between the log's axis and a point of a board.
 //   x  along it from its end, 0 to 1
 //   y  across it, 0 to 1
 static double rings_at(double x, double y, int board)
@@ -34,7 +34,7 @@ static void plank(double u, double v, double value[3])
     double shift = u + 0.37 * board + 0.21 * (board % 2) + 0.1, x = shift - floor(shift);
     double ring = rings_at(x, y, board), t = ring - floor(ring);
     uint32_t seed = 10 * (uint32_t)board;
-    // Late wood darkens slowly and ends at once; no two years are alike.
+    // Late wood darkens slowly and ends abruptly; no two years are alike.
     double year = paint_random((int)floor(ring), board, 8);
     double late = paint_step(0.15, 0.85, t) * (1.0 - paint_step(0.88, 1.0, t)) * (0.5 + 0.7 * year);
     double fibre = paint_octaves(u, v, 10, 256, 2, 50) - 0.5;
@@ -43,7 +43,7 @@ static void plank(double u, double v, double value[3])
     double tone = 0.70 - 0.30 * late + 0.30 * fibre - 0.26 * vessel + 0.30 * stain +
                   0.24 * (paint_random(board, 4, 7) - 0.5);
     paint_scale(5, oak, tone, value);
-    // The gap, and the edges that it rounds.
+    // The gap, and its rounded edges.
     double side = 0.5 - fabs(y - 0.5), end = BOARDS * (0.5 - fabs(x - 0.5));
     double near = fmin(side, end);
     double light = (0.08 + 0.92 * paint_step(0.004, 0.014, near)) *

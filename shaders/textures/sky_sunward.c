@@ -1,5 +1,5 @@
-// The light of a clear sky in the half that holds the sun, along its middle: a table by the sun's
-// height and by the direction's, as air.h says. Read with sRGB and clamp, it is linear light in
+// The light of a clear sky in the half that contains the sun, along its middle: a table over the
+// sun's height and the direction's, as air.h says. Read with sRGB and clamp, it is linear light in
 // shares of a scale.
 #include "air.h"
 #include "paint.h"

@@ -1,5 +1,5 @@
-// The sun's disc and the halo of coarse dust round it: a table by the distance from the sun's
-// middle and by the height above the horizon, as air.h says. Read with sRGB and clamp, it is linear
+// The sun's disc and the halo of coarse dust around it: a table over the distance from the sun's
+// centre and the height above the horizon, as air.h says. Read with sRGB and clamp, it is linear
 // light in shares of a scale.
 #include "air.h"
 #include "paint.h"

@@ -38,7 +38,7 @@ check "the driver's cache is off" uncached
 cached() { MESA_SHADER_CACHE_DIR=$scratch/cache run -s 48x27 -o "$scratch/x.png" && caches; }
 check 'and on for a picture' cached
 
-# A picture of few pixels, each of them probed.
+# A picture of a few pixels, each of which is probed.
 counted() {
     local x y
     run --benchmark=json -s 6x4 || return 1
@@ -52,7 +52,7 @@ counted() {
         holds "($(value evaluations_mean) - $(awk '{ s += $1 } END { print s / NR }' "$scratch/probes")) ^ 2 < 1e-4"
 }
 check 'evaluations: mean, 99 % and maximum are those of the probes' counted
-# A shader whose pixels ask 0, 1, 2, ... 199 times.
+# A shader whose pixels evaluate the distance 0, 1, 2, ... 199 times.
 cat >"$scratch/count.frag" <<'GLSL'
 #include "main.glsl"
 Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, 1.0)); }
@@ -71,7 +71,7 @@ percent() {
         [ "$(value evaluations_p99)" = 197 ] && [ "$(value evaluations_maximum)" = 199 ]
 }
 check 'mean, 99 % and maximum of a known count' percent
-# ---- Marches against the fewest evaluations that could do ----
+# ---- Marches compared with the fewest evaluations that would be enough ----
 
 bound() {
     run --benchmark 1 --benchmark=json -s 320x180 && holds "$(value march_rays) > 100 && $(value march_rays) < 576" &&
@@ -79,9 +79,8 @@ bound() {
         holds "($(value march_evaluations) / $(value march_bound) - $(value march_over_bound)) ^ 2 < 1e-6"
 }
 check 'a march takes more evaluations than the bound' bound
-# Rays that leave a plane head-on, their start 1 above it. In the left half 288 of them step 1, 2, 4 and 8
-# to the end at 15, then 144 step 1 to the end at 1, and 144 do not march. One evaluation would do: t - d
-# is -1 all along.
+# Rays that leave a plane perpendicularly, from 1 above it. In the left half, 288 of them step 1, 2, 4 and 8 to the end
+# at 15, then 144 step 1 to the end at 1, and 144 do not march. One evaluation would be enough: t - d is -1 throughout.
 cat >"$scratch/leave.frag" <<'GLSL'
 #include "main.glsl"
 #include "march.glsl"
@@ -99,8 +98,8 @@ known() {
         [ "$(value march_over_bound_minimum)" = 1.0000 ]
 }
 check 'a known march, and rays that do not march left out' known
-# Parallel rays head-on to a plane 10 away: a march takes 2. The picture has two blocks, whose cylinder takes
-# 2 as well: 4 shared out among 128 pixels, in the mean and in the march. The least is of rays by themselves.
+# Parallel rays perpendicular to a plane 10 away: a march takes 2 evaluations. The picture has two blocks, whose
+# cylinder also takes 2: 4 shared among 128 pixels, in the mean and in the march. The bound is that of single rays.
 cat >"$scratch/shared.frag" <<'GLSL'
 #include "main.glsl"
 #include "march.glsl"

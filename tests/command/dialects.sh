@@ -1,6 +1,6 @@
 #!/bin/bash
-# dialects.sh - the small shaders of tests/shaders/dialects.txt: each is drawn or refused as its heading says, and what
-# is drawn is drawn again from the file that --print-shader=shadertoy writes of it.
+# dialects.sh - the small shaders of tests/shaders/dialects.txt: each is drawn or refused as its heading says, and a
+# drawn one is drawn again from the file that --print-shader=shadertoy writes.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -9,13 +9,13 @@ open_scratch
 unset DISPLAY WAYLAND_DISPLAY
 program=$BUILD/01_normal_colouring
 
-# Cut the file into one for each shader, and a list of what is right for each.
+# Cut the file into one for each shader, with a list of the expected result of each.
 awk -v folder="${scratch:?}" '
     /^=== / { name = substr($2, 1, length($2) - 1); kind = substr($2, length($2)); sub(/^=== [^ ]* ?/, "")
               print name, kind, $0 > (folder "/list"); next }
     name != "" { print > (folder "/" name) }' tests/shaders/dialects.txt
 
-# probe FILE: its messages in $said, without the heading of the table, and its colour in $colour.
+# probe FILE: its messages go to $said, without the heading of the table, and its colour to $colour.
 probe() {
     said=$("$program" -f "$1" -s 48x27 -t 0.25 --probe 24,13 2>&1) || return
     said=${said#step,t,distance,x,y,z$'\n'}

@@ -1,6 +1,6 @@
 #!/bin/bash
-# export.sh - --print-shader=shadertoy: each shader as one file that Shadertoy would take, and
-# that draws the same picture here, by Shadertoy's form of --shader.
+# export.sh - --print-shader=shadertoy: each shader as one file that Shadertoy would accept, and that draws the same
+# picture here when it is given to --shader.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -9,7 +9,7 @@ open_scratch
 unset DISPLAY WAYLAND_DISPLAY
 small=(-s 160x90)
 
-# What Shadertoy puts around a shader, in the places where it matters.
+# The text that Shadertoy puts around a shader, as far as it matters.
 wrap() { # FILE
     cat <<'GLSL'
 #version 300 es
@@ -30,7 +30,7 @@ GLSL
     printf 'void main() { vec4 c = vec4(0.0, 0.0, 0.0, 1.0); mainImage(c, gl_FragCoord.xy); outColor = vec4(c.rgb, 1.0); }\n'
 }
 
-# prints PROGRAM OPTION...: leaves $scratch/toy.frag. valid: what was printed passes the validator as ES.
+# prints PROGRAM OPTION...: leaves $scratch/toy.frag. valid: the printed text passes the validator as ES.
 prints() { "$@" --print-shader=shadertoy >"$scratch/toy.frag" 2>"$scratch/err"; }
 valid() {
     local status
@@ -43,8 +43,8 @@ valid() {
     return 1
 }
 
-# same PROGRAM OPTION...: the exported file's picture is the shader's own. Only the size and the time
-# are given again: the rest is in the file.
+# same PROGRAM OPTION...: the exported file's picture is the shader's own. Only the size and the time are given again:
+# the rest is in the file.
 same() {
     local program=$1 numbers
     shift
@@ -55,8 +55,8 @@ same() {
 }
 worst=0
 
-# refused_textures PROGRAM OPTION...: that nothing was printed is said in one line, which names each texture that the
-# shader reads; and it reads some.
+# refused_textures PROGRAM OPTION...: one line says that nothing was printed and names each texture that the shader
+# reads; and it reads some.
 refused_textures() {
     [ ! -s "$scratch/toy.frag" ] && [ "$(wc -l <"$scratch/err")" = 1 ] && "$@" --list >"$scratch/parts" &&
         grep -q '^texture ' "$scratch/parts" && sed '1,/^texture /d' "$scratch/parts" | while read -r _ file _; do
@@ -78,7 +78,8 @@ exported() { # NAME PROGRAM OPTION...
     passes "$@" && check "$1 looks the same" same "${@:2}"
 }
 
-# An exported file has no coarse pass, and a picture of steps shows it: compared is the chapter without the pass.
+# An exported file has no coarse pass, which a picture of steps shows, so it is compared with the chapter without the
+# pass.
 for program in "$BUILD"/[0-9][0-9]_*; do
     if [ ! -x "$program" ] || [ ! -f "$program" ]; then continue; fi
     options=()
@@ -99,13 +100,14 @@ exported 'a camera' "$BUILD/01_normal_colouring" -c 0,1,5,10,-10
 exported 'the place of a pixel, asked for by the shader itself' "$BUILD/01_normal_colouring" -f "$scratch/part.frag"
 
 exported 'a chapter with a coarse pass, which the file has not' "$BUILD/01_normal_colouring" -f tests/shaders/coarse.frag -p coarsePass=false
-# Only the validator for what is drawn nowhere else; under Wine, where a start is long, one chapter's.
+# Only the validator for shaders that are drawn nowhere else; under Wine, where programs start slowly, only that of one
+# chapter.
 for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
     case ${SYSTEM-}$file in Windows*/03_*) ;; Windows*) continue ;; esac
     passes "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
 done
 
-# Whole files in words that the chapters do not use.
+# Whole files with spellings that the chapters do not use.
 printf '%s\n' '#version 330 core // comments with main, in and out' 'smooth in vec2 FragCoord; in highp float Time;' \
     'in vec3 Ex, Ey, Ez, CamPos; in float fovValue, FacteurLargeur, OrthoView, CustomToggle, CustomInt;' \
     'layout(location = 0) out mediump vec4 toy;' 'void grow(in float a, inout float b, out float c) { b += a; c = b; }' \

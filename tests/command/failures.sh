@@ -31,7 +31,7 @@ fill() {
     printf 'an old file' >"$out/old.png"
 }
 
-# The names in the output folder, in one line; old.png is listed only if it is unchanged.
+# The names in the output folder, on one line; old.png is listed only if it is unchanged.
 listing() {
     (cd "$out" && [ "$(cat old.png)" = 'an old file' ] && find . -mindepth 1 | sort | tr '\n' ' ')
 }
@@ -55,8 +55,8 @@ complaint() { # STATUS PATTERN LINES
     [ "$(listing)" = "$expected_listing" ] || echo "the folder contains $(listing);"
 }
 
-# refuse NAME STATUS PATTERN COMMAND...: the command must fail with one line that has the pattern.
-# refuse_at_length: with any number of lines, like the errors of a shader.
+# refuse NAME STATUS PATTERN COMMAND...: the command must fail with one line that matches the pattern. refuse_at_length:
+# with any number of lines, like the errors of a shader.
 refuse() { judge one "$@"; }
 refuse_at_length() { judge many "$@"; }
 expected_listing='./old.png '
@@ -95,7 +95,7 @@ fill
 
 refuse 'a value out of its range' 2 "--size" "$chapter" -o "$out/new.png" --size 99999x99999
 refuse 'an unknown option' 2 "'--colour'" "$chapter" "${to[@]}" --colour red
-# The march of the middle pixel has a last step, beyond which none can be shown.
+# The march of the middle pixel has a last step, and no later one can be shown.
 last_step=$("$chapter" "${small[@]}" --probe 8,4 | awk -F, '/^[0-9]/ { n = $1 } END { print n }')
 refuse 'a step just beyond the last one' 1 "the march of pixel 8,4 has $((last_step + 1)) steps" \
     "$chapter" "${to[@]}" -v slice --step $((last_step + 1))
@@ -129,8 +129,8 @@ fill
 if [ "$BUILD" = build ]; then # a sanitizer takes more memory, and speaks itself
     echo 'void mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }' >"$shaders/grey.frag"
     "$chapter" -f "$shaders/grey.frag" -s 4096x4096 -o "$scratch/large.png"
-    # How much a driver takes by itself is its own affair: a little more than the least with which a small picture
-    # is drawn.
+    # The memory that a driver itself needs is unknown, so the limit is a little more than the least with which a small
+    # picture is drawn.
     limit=1600000
     little() { (ulimit -v "$limit" && exec "$chapter" -f "$shaders/stone.frag" "$@"); }
     while little -s 16x16 -o "$scratch/small.png" >/dev/null 2>&1 && [ "$limit" -gt 200000 ]; do
@@ -160,12 +160,13 @@ mkdir -p "$scratch/empty root/shaders"
 refuse 'a project with an empty vertex shader' 1 'screen.vert.*empty' \
     "$chapter" "${to[@]}" --root "$scratch/empty root" -f "$whole"
 
-# ---- Where the picture goes ----
+# ---- The location of the picture ----
 
 refuse 'the output is checked before any work' 1 'folder.*nowhere' \
     "$chapter" "${small[@]}" -o "$out/nowhere/new.png" -f "$shaders/i.frag"
 
-# A picture never takes the place of what the run reads: itself, by a link, a hard link, an include, in a row.
+# A picture never replaces a file that the run reads: the shader itself, through a link, a hard link, an include, in a
+# sequence.
 printf '#include "part.png"\n' >"$out/read.png"
 cat "$good" >"$out/part.png"
 ln -s read.png "$out/link.png"
@@ -193,7 +194,7 @@ fill
 
 # ---- Contexts ----
 
-# The cache of shaders on a full disk, which can be tried only by a user who may mount.
+# The cache of shaders on a full disk, which only a user who may mount file systems can test.
 mkdir "$scratch/home"
 full_cache() {
     # shellcheck disable=SC2016 # for the inner shell
@@ -300,15 +301,15 @@ interrupted() { # FILE ARGUMENT...: once the program has written that file
     until [ -e "$file" ] || [ $SECONDS -ge $end ]; do sleep 0.05; done
     sleep 0.2 # so that it renders the next one; it cannot finish that
     kill -INT "$job"
-    # While Wine still starts a program it loses the signal: there Ctrl+C is pressed until it was heard.
+    # While Wine is still starting a program it loses the signal, so there Ctrl+C is pressed until the program reacts.
     while windows && sleep 1 && kill -INT "$job" 2>/dev/null; do :; done
     wait "$job" 2>/dev/null
     status=$?
 }
 wanted=130
 windows && wanted=0 # so Wine ends any program at Ctrl+C; Windows with 0xC000013A. A program that did not end would leave a file
-# Two pictures: when the first is there, the program renders the second, whose 60,000 rounds of 32 sines for each of
-# 64 million samples take hours. llvmpipe ends any loop after 65,535 rounds.
+# Two pictures: when the first is written, the program renders the second, whose 60,000 iterations of 32 sines for each
+# of 64 million samples take hours. llvmpipe ends any loop after 65,535 iterations.
 cat >"$shaders/slow.frag" <<'SLOW'
 #define TWICE(x) x x
 void mainImage(out vec4 c, vec2 p)
@@ -329,8 +330,8 @@ else
 fi
 fill
 
-# While the file is written: the signal comes as soon as the folder contains a second name. A picture
-# of noise takes long to write.
+# While the file is written: the signal comes as soon as the folder contains a second name. A picture of noise takes a
+# long time to write.
 cat >"$shaders/noise.frag" <<'NOISE'
 #version 330 core
 out vec4 colour;

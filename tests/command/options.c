@@ -141,7 +141,7 @@ TEST(frames_have_a_rate)
     ACCEPTED("--frames 100000 --fps 0.5 -o a%05d.png",
              o.frames == 100000 && o.fps == 0.5 && o.width == 640);
     ACCEPTED("--frames 1 -o %d.png", o.fps == 25.0);
-    ACCEPTED("-o %d.png", o.frames == 0); // a name like any other
+    ACCEPTED("-o %d.png", o.frames == 0); // a name like any other one
     ACCEPTED("--frames 2 --probe 1,1 -v slice -o %d.png", o.frames == 2);
 }
 
@@ -161,7 +161,7 @@ TEST(a_ray_has_steps)
 }
 
 // --set before --compare sets both pictures, after it only the second. The file is the next word,
-// unless that begins with '-'.
+// unless that word begins with '-'.
 TEST(a_comparison_has_a_file_or_values)
 {
     ACCEPTED("-p a=1 --compare my.frag -p b=2 -p c=3 -o a.png",
@@ -280,7 +280,7 @@ static const char *const mistakes[][2] = {
     {"--from 0,0,0,0,0", "requires --output"},
     {"--from 0,0,0,0,0 -o a.png", "requires --probe and --overlay"},
     {"-v slice --probe 1,1 --overlay --from 0,0,0,0,0 -o a.png", "cannot be combined with --view"},
-    // Two that exclude each other.
+    // Two options that exclude each other.
     {"--benchmark 3 -o a.png", "cannot be combined with --output"},
     {"--benchmark 3 --probe 1,1", "cannot be combined with --probe"},
     {"--print-shader=shadertoy -v steps", "only the picture runs there"},
@@ -295,7 +295,7 @@ static const char *const mistakes[][2] = {
     {"--divider 0.3", "requires --compare"},
     {"--compare a.frag --divider 1.01", "between 0 and 1"},
     {"--compare a.frag --divider x", "fraction of the width"},
-    // Unknown options; the beginning of a name is no name.
+    // Unknown options; a prefix of a name is not a name.
     {"--nonsense", "unknown option '--nonsense'"},
     {"--nonsense=3", "unknown option '--nonsense'"},
     {"-x", "unknown option '-x'"},
@@ -307,7 +307,7 @@ static const char *const mistakes[][2] = {
     {"--lis", "unknown option '--lis'"},
     {"--lis=3", "unknown option '--lis'"},
     {"--=3", "unknown option '--'"},
-    // A value missing, or one too many.
+    // A missing value, or one too many.
     {"-o", "--output: a value is missing"},
     {"--size", "--size: a value is missing"},
     {"--probe", "--probe: a value is missing"},

@@ -2,7 +2,7 @@
 # others.sh - shaders that were written for other programs, the report's engine and Shadertoy: their inputs, textures,
 # samples and films, and texts that no reader expects. tests/command/dialects.sh draws a shader of each kind.
 #
-# A shader that reads its inputs draws white where they have the right values, and black elsewhere.
+# A shader that checks its inputs draws white where they have the right values, and black elsewhere.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -116,7 +116,7 @@ GLSL
 
 # ---- Texts that no reader expects ----
 
-# Reading takes time in proportion to the text. A suite that hangs is ended.
+# Reading takes time in proportion to the length of the text. A suite that hangs is ended.
 crowd() { # FORMAT: white, after 30,000 such lines with numbers for %d
     local i
     { for i in {1..30000}; do printf '%s\n' "${1//%d/$i}"; done; cat "$scratch/white.frag"; } >"$scratch/crowd.frag"
@@ -138,15 +138,16 @@ deep=$(printf '%100000s' '' | tr ' ' '(') close=$(tr '(' ')' <<<"$deep")
 malformed course '#include "main.glsl"'
 malformed whole '#version 330 core'
 malformed toy "$head {}"
-# A sum of so many terms uses up the stack of some drivers' compilers; others draw it.
+# A sum of this many terms uses up the stack of some drivers' compilers; others draw it.
 endures() {
     printf '%s { c = vec4(p.x%s); }\n' "$head" "$(printf '%40000s' '' | sed 's/ /+p.x/g')" >"$scratch/sum.frag"
     (ulimit -s 4096; draw sum; [ $? = 1 ] && [[ $said =~ sum.frag:\ the\ graphics\ driver\ crashed\ over\ it ]] && [ "$(grep -c '' <<<"$said")" = 1 ]) || draw sum
 }
 check 'a sum of 40000 terms' endures
 
-# What hides its size from a reader ends at the memory that a driver may have, which is asked for at once, or the
-# process, of which a little is filled sooner. The sanitizer ends a program that gets none in words of its own.
+# Shaders that hide their size reach the limit of the memory that a driver may have, which it requests at once, or that
+# of the process, of which a small amount is filled sooner. The sanitizer has its own message when it ends a program
+# that gets no memory.
 bomb() { draw bomb; [ $? = 1 ] && [[ $said =~ bomb.frag:\ the\ graphics\ driver\ crashed\ over\ it,\ or\ wants\ more ]] && [ "$(grep -c '' <<<"$said")" = 1 ]; }
 if [ "$BUILD" = build ]; then
     printf '%s\n' 'const int N = 300000000;' 'float a[N * 4];' "$head { c = vec4(a[int(p.x)]); }" >"$scratch/bomb.frag"
@@ -173,7 +174,7 @@ check 'make play FILE opens a file' opens
 missing() { ! play nowhere.frag && grep -q 'nowhere.frag: no such file' "$scratch/err" && [ ! -e "$scratch/project/nowhere.frag" ]; }
 check 'make play FILE says that a file is missing' missing
 
-# Where no window can be opened the scripts render files instead, and say so; what needs no window needs none.
+# If no window can be opened, the scripts render files instead, and say so; commands that need no window still work.
 runs() { (cd "$scratch/project" && .make/run.sh "$@" >"$scratch/out" 2>"$scratch/err"); }
 gallery() { # NAME
     [ "$(cat "$scratch/out")" = "$(printf 'No window can be opened here: rendering into files instead.\n  build/gallery/%s.png' "$1")" ] &&
@@ -187,9 +188,9 @@ check 'make run without a display measures' eval "DISPLAY='' WAYLAND_DISPLAY='' 
 refuses() { runs -p nothing=1; [ $? = 2 ] && [ ! -s "$scratch/out" ] && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
 check 'make run refuses an unknown parameter' refuses
 
-# ---- The course's own, printed ----
+# ---- The course's own shaders, printed ----
 
-# What --print-shader writes is the chapter again: the same picture, its parameters, every view.
+# The output of --print-shader is the chapter again: the same picture, its parameters, every view.
 printed() { # OPTION...
     "$program" --print-shader >"$scratch/printed.frag" &&
         "$program" "${size[@]}" -o "$scratch/chapter.png" "$@" && draw printed "$@" && [ -z "$said" ] &&

@@ -104,7 +104,7 @@ refused() { # NAME STATUS PATTERN OPTION...
         not_ok "$name" "status $status: $(cat "$scratch/said")"
     fi
 }
-# tests/unit/numbers.c has the names, tests/command/options.c the numbers and what can be combined.
+# tests/unit/numbers.c tests the names, tests/command/options.c the numbers and the valid combinations.
 refused 'a name without a number' 2 'must contain one %d' --frames 2 -o "$out/frame.png"
 refused 'a time too far' 2 'the last time' --frames 100000 --fps 0.001 -t 1e9 -o "$out/%d.png"
 refused 'a missing folder' 1 'nowhere' --frames 2 -o "$out/nowhere/%d.png"
@@ -118,7 +118,7 @@ rmdir "$out/1.png"
 
 # ---- Interrupted ----
 
-# Every file is a whole picture, and there is no other.
+# Every file is a whole picture, and there is no other file.
 whole() {
     local file
     for file in "$out"/* "$out"/.[!.]*; do
@@ -126,7 +126,7 @@ whole() {
         case $file in *.png) "$BUILD/tests/compare" "$file" "$file" >/dev/null || return 1 ;; *) return 1 ;; esac
     done
 }
-# A shell starts what runs beside it with SIGINT ignored, and nohup all of it with SIGHUP ignored.
+# A shell starts background jobs with SIGINT ignored, and nohup starts everything with SIGHUP ignored.
 heed=(env '--default-signal=INT,HUP')
 "${heed[@]}" true 2>/dev/null || heed=()
 interrupted() { # SIGNAL [STATUS]
@@ -151,7 +151,7 @@ fi
 clear_out
 if command -v script >/dev/null && script -qec true /dev/null >/dev/null 2>&1; then
     progress() {
-        # Wine's console moves a cursor: one right is a blank.
+        # Wine's console moves the cursor: one step to the right stands for a blank.
         script -qec "$program -s 64x36 --frames 3 -o $out/%d.png" /dev/null </dev/null |
             sed $'s/\e\\[1C/ /g; s/\e\\[[?0-9]*[A-Za-z]//g' >"$scratch/terminal"
         grep -q '0 of 3 pictures' "$scratch/terminal" && grep -q '2 of 3 pictures' "$scratch/terminal"
@@ -169,7 +169,7 @@ film() { (cd "$scratch/project" && CHAPTER=00 FRAMES=3 FPS=${2-10} PATH=$1 .make
 if command -v ffmpeg >/dev/null; then
     films() { film "$PATH" && [ -s "$scratch/project/build/film/00_first_scene.mp4" ] && [ -s "$scratch/project/build/film/00_first_scene.gif" ]; }
     check 'make film makes an MP4 and a GIF' films
-    # Players want an even size, halved colour, and the table of contents first.
+    # Players require an even size, subsampled colour, and the table of contents first.
     playable() {
         local mp4=$scratch/project/build/film/00_first_scene.mp4
         [ "$(ffprobe -v error -show_entries stream=width,height,pix_fmt,nb_frames,color_space -of csv=p=0 "$mp4")" = '64,36,yuv420p,bt709,3' ] &&
@@ -203,7 +203,7 @@ check 'a film that stops halfway leaves the old one' keeps
 views() {
     ln -sf "$root/$BUILD/01_normal_colouring" "$scratch/project/build/01_normal_colouring"
     (cd "$scratch/project" && CHAPTER=01 FRAMES=6 FPS=10 VIEW=plot PATH=$scratch/bin:$PATH .make/film.sh -s 64x36 >"$scratch/said" 2>"$scratch/err")
-    # Its pictures are there, whatever ffmpeg makes of them.
+    # Its pictures are in the folder, whatever ffmpeg makes of them.
     "$BUILD/01_normal_colouring" -s 64x36 -v plot --step 0 -o "$scratch/first.png" &&
         cmp -s "$scratch/first.png" "$scratch/project/build/film/01_normal_colouring/frame-0000.png"
 }

@@ -1,17 +1,17 @@
 #!/bin/bash
-# answers.sh [EXERCISE...] - can `make check` be fooled? Each wrong answer of tests/course/answers.txt must be
-# refused because it differs, each right one accepted, as the solution itself; the chapter's unsolved shader is refused
-# for any reason. With arguments only those exercises, such as 03_2.
+# answers.sh [EXERCISE...] - can `make check` be fooled? Each wrong answer of tests/course/answers.txt must be refused
+# because it differs, and each right one accepted, as must the solution itself; the chapter's unsolved shader is refused
+# for any reason. With arguments, only those exercises, such as 03_2.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
-# field LINE N: the Nth field, without the blanks around it.
+# field LINE N: the Nth field, without surrounding blanks.
 field() {
     printf '%s\n' "$1" | awk -F ' +[|] +' -v n="$2" '{ print $n }'
 }
 
-# The answers of one exercise as files of a folder, all checked together; a TAP line each.
+# The answers of one exercise as files in a folder, all checked together, with a TAP line for each.
 judge() { # EXERCISE
     local folder=$scratch/$1 solution number=0 line verdict what file table type=frag
     [[ $1 == [0-9]* ]] || type=c

@@ -1,6 +1,6 @@
 #!/bin/bash
-# chapter.sh - `make chapter NAME=...` in a copy of the project: what it writes builds, renders, is
-# listed and has a page; bad names and a second try are refused, and nothing is overwritten.
+# chapter.sh - `make chapter NAME=...` in a copy of the project: the new chapter builds, renders, is listed and has a
+# page; bad names and a second try are refused, and nothing is overwritten.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh

@@ -1,13 +1,13 @@
 #!/bin/bash
-# check.sh - `make check`: it accepts a solution of an exercise, refuses the chapter's unsolved
-# shader in its place, and says what is wrong in one line.
+# check.sh - `make check`: it accepts a solution of an exercise, refuses the chapter's unsolved shader instead, and says
+# on one line what is wrong.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
 accepted() { EXERCISE=$1 FILE=$2 FILES='' .make/check.sh >"$scratch/answer.$1" 2>&1; }
 
-# Refused: one line says why it does not run, or four lines say where it differs and what to look at.
+# Refused: one line says why the answer does not run, or four lines say where it differs and what to look at.
 refused() { # EXERCISE FILE
     ! accepted "$1" "$2" || return 1
     grep -q ': wrong: does not run: ' "$scratch/answer.$1" && return
@@ -22,16 +22,16 @@ awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2
     tests/pictures/images.txt | sort >"$scratch/exercises"
 sed -n 's/^\([0-9][0-9]_[0-9]*\) .*/\1/p' tests/course/checks.txt | sort -u | comm -13 "$scratch/exercises" - >"$scratch/unknown"
 check 'tests/course/checks.txt names exercises that exist' [ ! -s "$scratch/unknown" ]
-# answers.sh checks all exercises, for a release.
+# answers.sh checks all exercises; it runs for a release.
 for exercise in 00_2 03_2 10_7 11_2 12_2 13_2; do
     check "$exercise: the solution is right" accepted $exercise chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag
     check "$exercise: the unsolved chapter is refused" refused $exercise chapters/"${exercise%_*}"_*.frag
 done
 
-# A folder outside the project, as a lecturer has it: files of several students, some of one name.
+# A folder outside the project, as a lecturer has it: files of several students, some with the same name.
 handed_in="$scratch/handed in"
 mkdir -p "$handed_in/ada" "$handed_in/ben"
-# The same picture with other rays: the first march has another direction.
+# The same picture with different rays: the first march has another direction.
 cat >"$handed_in/ben/rays.frag" <<'END'
 #include "main.glsl"
 #include "march.glsl"
@@ -79,7 +79,7 @@ check "an empty file, with a space in its name, is refused" \
     one_is 'ben/empty file.frag' 'does not run: .*empty file.frag: empty'
 check 'a missing file is refused' one_is absent.frag 'no such file'
 
-# The maximum draws the same lens as the exact distance; the steps tell them apart.
+# The maximum draws the same lens as the exact distance, but the number of steps differs.
 bound() {
     sed 's|exact; // true|exact; // false|' chapters/solutions/04_hue_colour_4.frag >"$scratch/bound.frag"
     ! accepted 04_4 "$scratch/bound.frag" && grep -q 'most around ' "$scratch/answer.04_4"

@@ -1,15 +1,15 @@
 #!/bin/bash
-# claims.sh [PAGE...] - what a page says of two pictures that it compares is what `make compare` says of them: the
-# share of the pixels that differ, to its last digit, or that none does. With arguments only those pages, such as 03.
+# claims.sh [PAGE...] - what a page says about two pictures that it compares is what `make compare` says: the share of
+# the pixels that differ, to its last digit, or that no pixel differs. With arguments, only those pages, such as 03.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
 open_scratch
 
-# The blocks of a page that compare pictures, each with the paragraph above it and what follows up to the next heading,
-# the next numbered experiment or a dozen lines on, in lines 'draw COMMAND', 'compare A B', 'none' (no pixel is said
-# to differ) and 'claim NUMBERS'. A block that first writes a shader of the reader's own is left out.
+# The blocks of a page that compare pictures, each with the paragraph above it and the text after it up to the next
+# heading, the next numbered experiment or a dozen lines, as lines 'draw COMMAND', 'compare A B', 'none' (no pixel is
+# said to differ) and 'claim NUMBERS'. A block that first writes a shader of the reader's own is left out.
 blocks_of() { # PAGE
     awk '
         function end() {
@@ -45,7 +45,7 @@ blocks_of() { # PAGE
         END { end() }' "$1" | grep -E '^(draw|compare|none|claim)'
 }
 
-# agrees SHARE NUMBER...: one of the numbers is the share, in per cent, rounded to its own last digit.
+# agrees SHARE NUMBER...: one of the numbers is the share, in per cent, rounded to the number's last digit.
 agrees() {
     awk 'BEGIN {
         for (i = 2; i < ARGC; i++) {

@@ -31,7 +31,7 @@ prose_of() { # PAGE [code]
         { if (keep == "") gsub(/`[^`]*`/, ""); print FNR ":" $0 }' "$1"
 }
 
-# Its fenced lines, a line that ends in \ joined to the next, and its inline code, one a line.
+# The fenced lines, with a line that ends in \ joined to the next, and the inline code, one per line.
 code_of() { # PAGE
     awk '
         /^ *```/ { fenced = !fenced; next }
@@ -40,7 +40,7 @@ code_of() { # PAGE
         { n = split($0, part, "`"); for (i = 2; i < n; i += 2) print part[i] }' "$1"
 }
 
-# The targets of its links and pictures, 'LINE:target'; other sites left out.
+# The targets of its links and pictures, 'LINE:target', without other sites.
 links_of() { # PAGE
     prose_of "$1" | awk '{
         line = $0; sub(/:.*/, "", line)
@@ -106,8 +106,8 @@ bad_pictures() { # PAGE
     done
 }
 
-# GitHub's Markdown takes the backslash of \, \; \! \: \{ \} \| \\ before the formula is read: they
-# are safe in a block that begins with ```math alone.
+# GitHub's Markdown removes the backslash of \, \; \! \: \{ \} \| \\ before the formula is read. Only a block that
+# begins with ```math keeps them.
 bad_formulas() { # PAGE
     prose_of "$1" | awk -v page="$1" '
         {
@@ -141,8 +141,8 @@ unnamed_parameters() { # STEM
         END { for (n in name) if (!(n in word)) print n " is not in " page }' - "docs/$1.md"
 }
 
-# Each exercise has a grade, a folded hint and a folded solution, and the line that checks it where a solution
-# runs; there are at least three.
+# Each exercise has a grade, a folded hint and a folded solution, and, if its solution runs, the command that checks it;
+# there are at least three exercises.
 bad_exercises() { # PAGE
     local name
     name=$(basename "$1" .md)
@@ -168,8 +168,8 @@ bad_exercises() { # PAGE
         END { judge(); if (count < 3) print "there are " count + 0 " exercises" }' "$1"
 }
 
-# What is folded is an answer, a hint or a solution, and its tags are on lines of their own between empty lines; a
-# prediction and an experiment are followed by their answer.
+# A fold is an answer, a hint or a solution, and its tags are on lines of their own between empty lines; each prediction
+# and experiment is followed by its answer.
 bad_folds() { # PAGE
     awk '
         function judge() { if (asked) print asked ": has no folded answer"; asked = "" }
@@ -192,7 +192,7 @@ bad_folds() { # PAGE
         END { judge(); if (open) print "line " open ": a fold has no end" }' "$1"
 }
 
-# The parts of a page, in their order, and a story that an evening has room for.
+# The parts of a page, in their order, and a story short enough for an evening.
 bad_form() { # PAGE
     local wanted=''
     grep -q '^### In short$' "$1" || echo "has no part In short"
@@ -214,12 +214,12 @@ bad_form() { # PAGE
     awk -f .make/words.awk "$1" | awk '$1 > 4000 { print "its story has " $1 " words; 4000 is the most" }'
 }
 
-# matches PAGE READER PATTERN [i]: the first lines of what READER prints of the page that match; i ignores case.
+# matches PAGE READER PATTERN [i]: the first lines of READER's output for the page that match; i ignores case.
 matches() { "$2" "$1" | grep "-E${4-}" -e "$3" | sed "s|^|$1:|" | head -n 3; }
 lines_of() { grep -n '' "$1"; }
 
-# What an unfinished merge leaves; another notation for lengths and products than that of all pages; short options, which
-# mean nothing to a new reader; phrases that are wrong English, which pages may only mention in quotes.
+# Remains of an unfinished merge; another notation for lengths and products than on all pages; short options, which mean
+# nothing to a new reader; phrases that are wrong English, which pages may mention only in quotes.
 bad_merges() { matches "$1" lines_of '^[0-9]+:(<<<<<<<|>>>>>>>) '; }
 bad_notation() { matches "$1" lines_of '\\(langle|rangle|lVert|rVert|Vert|\|)'; }
 bad_options() { matches "$1" code_of '(^|[ /])build/[0-9][^|>]* -[a-z]( |$)|^-[a-z] '; }
@@ -243,7 +243,7 @@ untranslated() { # PAGE
         }' docs/glossary.md -
 }
 
-# The glossary's terms, in order and each once, each with its French name and its place.
+# The glossary's terms, in order and each once, each with its French name and the section that defines it.
 bad_glossary() { # PAGE
     awk -F ' *[|] *' '
         /^## Symbols/ { exit }
@@ -257,7 +257,7 @@ bad_glossary() { # PAGE
         END { if (count < 100) print "there are " count + 0 " terms" }' "$1"
 }
 
-# Each lab of the guide has what a lab is made of; none of the first six is left out.
+# Each lab of the guide has all parts of a lab; none of the first six is left out.
 bad_labs() { # PAGE
     awk '
         function judge(i) {
@@ -277,12 +277,12 @@ bad_labs() { # PAGE
         END { judge(); if (last < 6) print "the last lab is " last + 0 }' "$1"
 }
 
-# A page shows two pictures beside each other, a wrong one and the right one, in a window.
+# A page shows two pictures side by side in a window, a wrong one and the right one.
 lacks_pair() { # PAGE
     code_of "$1" | grep -qE '^build/[0-9].* --compare( |$)' || echo "$1: no command has --compare"
 }
 
-# Shaders that belong to a chapter and that its page never names.
+# Shaders that belong to a chapter but are not named on its page.
 unnamed_shaders() { # STEM
     local file number=${1%%_*} text
     text=$(<"docs/$1.md")
@@ -294,9 +294,9 @@ unnamed_shaders() { # STEM
 
 targets=" $(sed -n 's/^\([a-z][-a-z0-9]*\):.*/\1/p' Makefile | tr '\n' ' ')"
 
-# A command is tried by its own program, with --list in place of the picture: that reads all options,
-# the shader and the values of its parameters. A shader that the page itself writes, 'my.frag', is
-# replaced by the chapter's own. A command that ends in '# refused' must be refused.
+# A command is tried with its own program, with --list instead of the picture: that reads all options, the shader and
+# the values of its parameters. A shader that the page itself writes, 'my.frag', is replaced with the chapter's own. A
+# command that ends in ' refused' must be refused.
 bad_commands() { # PAGE
     local command target
     code_of "$1" | grep -E '(^|[;&|(] *)(build/[0-9]|make [a-z]|[A-Z]+=)' | sed 's/ && /\n/g; s/[;|].*//' |
@@ -341,8 +341,8 @@ try_command() { # COMMAND
     esac
 }
 
-# The last line that a page shows of a probe is the one that its command prints. After several
-# commands their last lines follow in the same order.
+# The last line that a page shows of a probe is the one that its command prints. After several commands, their last
+# lines follow in the same order.
 bad_outputs() { # PAGE
     local command shown
     awk '
@@ -361,7 +361,7 @@ bad_outputs() { # PAGE
         done
 }
 
-# Two last lines of a probe: a colour may be one off on another driver.
+# Two last lines of a probe: a colour may differ by one on another driver.
 same_line() { # A B
     [ "${1%colour: *}" = "${2%colour: *}" ] && awk -v a="${1##*: }" -v b="${2##*: }" 'BEGIN {
         n = split(a, x, ", "); split(b, y, ", ")
@@ -403,9 +403,9 @@ check_pages() {
     done
 }
 
-# ---- The checks themselves: each must see a mistake ----
+# ---- The checks themselves: each must find a mistake ----
 
-# refuses NAME TEXT CHECK: a page of this text makes the check complain.
+# refuses NAME TEXT CHECK: a page with this text makes the check complain.
 refuses() {
     mkdir -p "$scratch/docs"
     printf '%b' "$2" >"$scratch/docs/page.md"
@@ -548,7 +548,7 @@ check_tool() {
     printf '<!-- parameters: 99_nothing -->\n' >"$page"
     check 'a table of no program fails' fails "$page" 'make first'
 
-    # 1100 words of story and 150 of proofs; what is folded, and a listing, would be 5 minutes more each.
+    # 1100 words of story and 150 of proofs; the folded text and a listing would be 5 minutes more each.
     local thousand
     thousand=$(seq 1000 | tr '\n' ' ')
     printf '<!-- time -->\n**Time.** stale\n\n## 1. a\n\n%s\n\n<details><summary>Answer</summary>\n\n%s\n\n</details>\n\n```\n%s\n```\n\n## Exercises\n\n%s\n\n## Proofs\n\n%s\n' \
@@ -559,9 +559,9 @@ check_tool() {
         '[*][*]Time[.][*][*] The story takes about 10 minutes to read, the proofs 5 more[.]' "$page"
 }
 
-# ---- That listings are used ----
+# ---- Listings are used ----
 
-# unused NAME PATTERN TEXT: a page of this text is refused, with these words.
+# unused NAME PATTERN TEXT: a page with this text is refused, with these words.
 unused() {
     printf '%b' "$3" >"$scratch/used.md"
     .make/listings.sh "$scratch/used.md" >/dev/null 2>&1

@@ -1,14 +1,13 @@
 #!/bin/bash
-# figures.sh - each diagram of docs/figures/ is what its program draws, describes it in words,
-# and is in a page.
+# figures.sh - each diagram of docs/figures/ is the output of its program, has a description in words, and is on a page.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
 open_scratch
 
-# Another machine's cos, log and pow may differ in their last bit, and turn a second decimal, which is
-# a hundredth of a pixel: everything else is the same, and no number is farther off.
+# Another machine's cos, log and pow may differ in their last bit, and change a second decimal, which is a hundredth of
+# a pixel. Everything else is the same, and no number is off by more.
 alike() { # A B
     awk -v most=0.0101 '
     function numbers_of(text, number,    count) {
@@ -36,7 +35,7 @@ drawn() { # NAME
     "$BUILD/docs/figures/$1" >"$scratch/$1.svg" && alike "docs/figures/$1.svg" "$scratch/$1.svg"
 }
 
-# Every element is closed in its turn, every value is in quotes, and '&' only begins an entity.
+# Every element is closed, every value is in quotes, and '&' only begins an entity.
 well_formed() { # FILE
     awk '
     function wrong(why) { print "# line " FNR ": " why; bad = 1; exit }
@@ -62,8 +61,7 @@ well_formed() { # FILE
     END { if (!bad && (FNR == 0 || depth != 0)) { print "# " open[depth] " is not closed"; bad = 1 }; exit bad }' "$1"
 }
 
-# A title, a description of a sentence at least, numbers that are numbers, XML that can be read, and
-# in it a drawing.
+# A title, a description of at least a sentence, valid numbers, well-formed XML, and a drawing in it.
 sound() { # FILE
     grep -q '<title id="title">[^<]\{12,\}</title>' "$1" &&
         grep -q '<desc id="description">[^<]\{80,\}</desc>' "$1" &&
@@ -96,8 +94,8 @@ alone() {
 }
 check "every figure has its program" alone
 
-# The table of errata.md that names a counterpart of each of the report's figures: its rows, FIGURE then
-# the files that it links to.
+# The table of errata.md that names the counterparts of the report's figures: its rows, FIGURE and then the files that
+# it links to.
 counterparts() { # PAGE
     awk -F ' *[|] *' '/^## / { here = /report.s figures/ } here && $2 ~ /^[0-9]+$/ {
         row = $2

@@ -1,6 +1,6 @@
 #!/bin/bash
-# first_steps.sh - the engine of docs/engine.md, engine_1.c to engine_6.c: each step builds by the line at its top, with
-# nothing of common/, and shows its picture; what fails is told in one line.
+# first_steps.sh - the engine of docs/engine.md, engine_1.c to engine_6.c: each step builds with the line at its top and
+# nothing from common/, and shows its picture; a failure is reported on one line.
 # shellcheck disable=SC2317 # functions are handed to check by name
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -30,7 +30,7 @@ grown() {
 check 'each step is at most 60 lines longer than the one before' grown
 check 'no step includes anything of the course' [ "$(cat "$sources"/*.c | grep -c '#include "')" = 0 ]
 
-# builds NAME [EDIT]: by the line at the top of the source, in a folder that has nothing else.
+# builds NAME [EDIT]: with the line at the top of the source, in a folder that contains nothing else.
 builds() { # NAME [EDIT]
     local line
     line=$(sed -n "s|^// \(cc .*\)|\1|p" "$sources/$1.c")
@@ -43,7 +43,7 @@ done
 
 # ---- Without a window ----
 
-# fails STATUS WORDS COMMAND...: the status, and one line of the program's own, with these words.
+# fails STATUS WORDS COMMAND...: the status, and one line from the program itself, with these words.
 fails() {
     local wanted=$1 words=$2 status
     shift 2
@@ -54,7 +54,7 @@ fails() {
     return 1
 }
 
-# A file may hold so many KiB only. A signal would hide the program's own words.
+# A file may contain this many KiB only. A signal would hide the program's own words.
 within_kib() { # KIB COMMAND...
     (trap '' XFSZ && ulimit -f "$1" && shift && exec "$@")
 }
@@ -135,7 +135,7 @@ begin() { # STEP WORD...
     opens || { sed 's/^/# /' "$scratch/said" && return 1; }
 }
 matches_reference() { cp "tests/references/$1.png" "$scratch/wanted.png" && eventually shown wanted; } # NAME
-# The window shows what the course's own program draws, in a size of its own.
+# The window shows what the course's own program draws, at its own size.
 square() { # SHADER
     "$BUILD/00_first_scene" -s 300x300 -f "$1" -o "$scratch/wanted.png" >/dev/null &&
         wmctrl -i -r "$window" -e 0,-1,-1,300,300 && eventually shown wanted

@@ -1,7 +1,7 @@
 #!/bin/bash
-# house.sh - the arrows of docs/architecture.md: what the rooms of common/ may know of each other.
+# house.sh - the arrows of docs/architecture.md: which folders of common/ may use which.
 #
-# Two independent looks: at the includes of the sources, and at the symbols that the objects ask of each
+# There are two independent checks: of the includes of the sources, and of the symbols that the objects need from each
 # other.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -9,11 +9,11 @@ cd "$(dirname "$0")/../.." || exit 1
 open_scratch
 # shellcheck disable=SC2154 # open_scratch sets scratch
 
-# From the ground up. A room knows itself and those below it.
+# From bottom to top. A folder uses itself and those below it.
 rooms='ground context shader picture window command top browser'
 
-# room_of, in awk: of a path in common/. Files directly in common/ are the ground, except for those that use all rooms; the platform
-# is a part of it.
+# room_of, in awk: the folder of a path in common/. Files directly in common/ are 'ground', except for those that use
+# all folders; the platform is part of the ground.
 room_of='
 function room_of(path) {
     sub(/^common\//, "", path)
@@ -22,14 +22,14 @@ function room_of(path) {
     return path ~ /^chapter(\.|$)/ ? "top" : "ground"
 }'
 
-# The arrows "FROM TO" of standard input that lead to a higher room, or to none.
+# The arrows "FROM TO" of standard input that lead to a higher folder, or to none.
 upwards() {
     awk -v rooms="$rooms" "$room_of"'
         BEGIN { n = split(rooms, name, " "); for (i = 1; i <= n; i++) rank[name[i]] = i }
         !(room_of($1) in rank) || !(room_of($2) in rank) || rank[room_of($2)] > rank[room_of($1)]'
 }
 
-# check_empty NAME FILE: a file of what should not be.
+# check_empty NAME FILE: the file lists violations and must be empty.
 check_empty() {
     check "$1" [ ! -s "$2" ] || sed 's/^/# /' "$2"
 }
@@ -48,7 +48,7 @@ check_empty 'in common/ each include names a file from common/ on' "$scratch/los
 upwards <"$scratch/includes" >"$scratch/up"
 check_empty 'no include leads upwards' "$scratch/up"
 
-# A module is a header and the sources that include it first: two modules never need each other.
+# A module is a header and the sources that include it first: no two modules need each other.
 awk '
     !($1 in module) { module[$1] = $1 ~ /\.h$/ ? $1 : $2 }
     { from[NR] = $1; to[NR] = $2 }
@@ -64,8 +64,8 @@ check_empty 'no circle of modules' "$scratch/circle"
 
 # ---- By symbols ----
 
-# What an object needs and another defines. nm -P: name, kind, ...; macOS puts a _ before each name.
-# An object without a source is one of an earlier day, or of what this machine has no library for.
+# The symbols that one object needs and another defines. nm -P: name, kind, ...; macOS puts a _ before each name. An
+# object without a source is left over from an earlier build, or belongs to a library that this machine lacks.
 grep '\.c$' "$scratch/files" | while read -r file; do
     [ ! -e "$BUILD/${file%.c}.o" ] || nm -P -g "$BUILD/${file%.c}.o" | awk -v module="${file%.c}" '{ print $2, $1, module }'
 done | awk '
@@ -86,10 +86,10 @@ check_empty 'no circle of calls' "$scratch/circle"
 
 # ---- Systems ----
 
-# Code for one system is in common/platform/, except for what one backend or the table of OpenGL needs.
+# Code for one system is in common/platform/, except for code that one backend or the table of OpenGL needs.
 platform='^common/platform/[a-z_]*\.c:'
 
-# systems_in FILE...: the lines that ask which system this is.
+# systems_in FILE...: the lines that test which system this is.
 systems_in() {
     grep -HnE '^[[:blank:]]*#.*\<(_WIN(32|64)|__(APPLE|MACH|linux|unix|FreeBSD|MINGW32|MINGW64|CYGWIN)__|__unix)\>' "$@"
 }
@@ -121,7 +121,7 @@ check "our types, constants and functions of OpenGL are Khronos'" agrees
 
 # ---- Shaders ----
 
-# GLSL leaves smoothstep undefined where its first edge is not below the second.
+# GLSL leaves smoothstep undefined if its first edge is not below the second.
 falling() {
     grep -HnoE 'smoothstep\((-?[0-9.]+), (-?[0-9.]+),' "$@" | awk -F '[(,]' '$2 + 0 >= $3 + 0'
 }
@@ -132,13 +132,14 @@ check 'a smoothstep with falling edges is seen' [ "$(falling "$scratch/falls.gls
 falling $(find shaders chapters -name '*.glsl' -o -name '*.frag' | sort) >"$scratch/falling"
 check_empty 'no smoothstep of a shader has falling edges' "$scratch/falling"
 
-# asin and acos of Mesa 22.3 err by up to 0.0004 (build/tests/shaders/precision prints by how much this driver's
-# do), and no specification of GLSL bounds their error. atan(y, x) of two lengths errs by 3e-6 there.
+# asin and acos of Mesa 22.3 err by up to 0.0004 (build/tests/shaders/precision prints the error of this driver's), and
+# no specification of GLSL bounds their error. atan(y, x) of two lengths errs by 3e-6 there.
 find shaders chapters -maxdepth 1 \( -name '*.glsl' -o -name '*.frag' \) -exec grep -nE '^[^/]*[^a-zA-Z]a(sin|cos)\(' {} + >"$scratch/arcs"
 check_empty 'no chapter leans on asin or acos' "$scratch/arcs"
 
-# Other functions leave some arguments undefined: each library function that calls one of these is tried at its edges
-# on the graphics processor. What reads a picture, or draws a view or a figure, is not: references hold that.
+# Other functions leave some arguments undefined: each library function that calls one of them is tried at its edges on
+# the graphics processor. Functions that read a picture, or draw a view or a figure, are not, because the references
+# check them.
 edgy() {
     awk 'FNR == 1 { name = "" }
         /^[A-Za-z][A-Za-z0-9]* [a-z][A-Za-z0-9]*\(/ { name = /sampler2D/ ? "" : $2; sub(/\(.*/, "", name) }

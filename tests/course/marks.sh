@@ -1,6 +1,6 @@
 #!/bin/bash
-# marks.sh - `make marks`: the table of a class whose folders have blanks, accents and quotes, the copies in it, and
-# the questions that it refuses. What check.sh says of one file is tested in check.sh.
+# marks.sh - `make marks`: the table of a class whose folders contain blanks, accents and quotes, the copies in it, and
+# the requests that it refuses. check.sh tests the verdict on a single file.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh

@@ -1,5 +1,5 @@
-// Unit tests of shaders/textures/paint.c, the pen of the textures, and a look at the pictures: that
-// they repeat without a seam. tests/course/textures.sh draws them again.
+// Unit tests of shaders/textures/paint.c, the functions that draw the textures, and a check that
+// the pictures repeat without a seam. tests/course/textures.sh draws them again.
 #include "lib/test.h"
 
 #include <dirent.h>
@@ -12,8 +12,8 @@
 
 // ---- Chance ----
 
-// Each bit that is turned in what goes in turns each bit that comes out in about half of the cases:
-// 1024 cases have a standard deviation of 16, and the 32 x 96 counts stay within five of them.
+// Each flipped input bit flips each output bit in about half of the cases: 1024 cases have a
+// standard deviation of 16, and the 32 x 96 counts stay within five of these.
 TEST(every_bit_matters)
 {
     enum { CASES = 1024 };
@@ -33,7 +33,7 @@ TEST(every_bit_matters)
     }
 }
 
-// The mean of n numbers that are even in [0, 1) is 1/2 +- 1/sqrt(12 n).
+// The mean of n numbers uniformly distributed in [0, 1) is 1/2 +- 1/sqrt(12 n).
 TEST(random_numbers_are_even)
 {
     enum { SIDE = 256 };
@@ -48,7 +48,7 @@ TEST(random_numbers_are_even)
 
 // ---- Patterns ----
 
-// Points that a double holds exactly, also one period on.
+// Points that a double represents exactly, even one period farther on.
 static double place(int i, uint32_t seed)
 {
     return (double)(paint_hash(i, 0, seed) >> 12) / 1048576.0;
@@ -82,7 +82,7 @@ static int slices_of(const struct image *image)
                : 1;
 }
 
-// The mean difference between two neighbouring layers of a volume, layer at and the next one, which
+// The mean difference between two neighbouring layers of a volume: layer at and the next one, which
 // after the last one is the first.
 //   axis  0 for columns, 1 for rows, 2 for slices
 static double step_across(const struct image *image, int axis, int at)
@@ -106,7 +106,7 @@ static double step_across(const struct image *image, int axis, int at)
     return sum / (3.0 * size[a] * size[b]);
 }
 
-// True when the step from the last layer to the first is none that does not occur inside.
+// True if the step from the last layer to the first is of a size that also occurs inside.
 static bool repeats(const struct image *image, int axis)
 {
     int slices = slices_of(image), size[3] = {image->width, image->height / slices, slices};
@@ -126,8 +126,8 @@ static struct image cropped(const struct image *image, int width)
     return part;
 }
 
-// 8 bits a channel, grey or RGB, with a fourth number or without, not interlaced: what every reader
-// of PNG reads.
+// 8 bits per channel, grey or RGB, with or without alpha, not interlaced: every reader of PNG reads
+// this.
 static void assert_plain(const char *path)
 {
     unsigned char head[29];
@@ -140,7 +140,7 @@ static void assert_plain(const char *path)
     assert_int_equal(head[28], 0);
 }
 
-// A table ends where it ends: its program says in its first comment that it is read with clamp.
+// A table does not repeat: the first comment of its program says that it is read with clamp.
 static bool is_clamped(const char *path)
 {
     char source[256], line[256];
@@ -164,7 +164,7 @@ static void look_at(const char *path)
     for (int axis = 0; axis < 3; axis++)
         if (!repeats(&image, axis))
             fail_msg("%s has a seam, axis %d", path, axis);
-    // A picture that does not repeat is seen.
+    // A picture that does not repeat is detected.
     struct image part = cropped(&image, image.width - image.width / 10);
     if (slices_of(&image) == 1 && repeats(&part, 0))
         fail_msg("%s: no seam is seen where a tenth is cut off", path);

@@ -1,7 +1,7 @@
 #!/bin/bash
-# portable.sh - the commands that a reader types run on a Mac too: bash 3.2, GNU make 3.81, awk, sed and
-# grep of the BSDs. Words that these lack are looked for in what they read; and the commands are carried out
-# with the BSDs' awk and with busybox in place of GNU's tools, which must answer the same.
+# portable.sh - the commands that a reader types also run on a Mac: with bash 3.2, GNU make 3.81, and awk, sed and grep
+# of the BSDs. The suite searches the scripts for words that these lack. It also runs the commands with the BSDs' awk
+# and with busybox instead of GNU's tools, and compares the results.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -10,7 +10,7 @@ open_scratch
 
 # ---- Words ----
 
-# What a newer bash than 3.2 knows, and GNU's sed, mktemp, date, readlink, stat, sort or find alone.
+# Words that only a bash newer than 3.2 or GNU's sed, mktemp, date, readlink, stat, sort or find know.
 cat >"$scratch/patterns" <<'END'
 \$\{[a-zA-Z_]+(\^|,|@[A-Z])
 (^|[ ;&(])(mapfile|readarray|coproc|nproc|tac|shuf|numfmt|realpath|md5sum|truncate) 
@@ -21,12 +21,12 @@ xargs (-d|-r|--)|(head|tail) -[nc] [-+]*-|grep -[a-zA-Z]*P|du -[a-z]*b|cp -[a-zA
 sed -i( |$)|sed [^|]*\\[|+?]|find [^|]*-(printf|regex)
 END
 
-# words_in FILE...: the lines that have one, without comments.
+# words_in FILE...: the lines that contain one, without comments.
 words_in() {
     grep -HnE -f "$scratch/patterns" "$@" | grep -vE '^[^:]*:[0-9]*:[[:blank:]]*#'
 }
 
-# Each of these lines has one such word.
+# Each of these lines contains one such word.
 cat >"$scratch/newer" <<'END'
 echo "${name^}"
 declare -A table
@@ -48,13 +48,14 @@ while IFS= read -r line; do
     words_in "$scratch/one" >/dev/null || printf '%s\n' "$line" >>"$scratch/missed"
 done <"$scratch/newer"
 check 'each word that a Mac lacks is seen' [ ! -s "$scratch/missed" ] || sed 's/^/# /' "$scratch/missed"
-# fresh.sh makes bare machines of Debian, windows_libraries.sh its source packages into libraries, both on Debian.
+# fresh.sh makes bare Debian machines, and windows_libraries.sh builds libraries from Debian's source packages; both run
+# only on Debian.
 find .make -name '*.sh' ! -name fresh.sh ! -name windows_libraries.sh | sort | xargs grep -l . >"$scratch/scripts"
 printf '%s\n' tests/run tests/lib/tap.sh tests/pictures/references.sh >>"$scratch/scripts"
 while read -r file; do words_in "$file"; done <"$scratch/scripts" >"$scratch/words"
 check 'no script that a reader runs has one' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
 
-# GNU make 3.81 knows no private, undefine, !=, ::=, .ONESHELL, &: or $(file ...).
+# GNU make 3.81 does not know private, undefine, !=, ::=, .ONESHELL, &: or $(file ...).
 newer_make() { grep -nE '^(private|undefine) |^[A-Z_a-z]+ *(!=|::=)|^\.ONESHELL|&:|\$\((file|intcmp|let) ' "$@"; }
 # shellcheck disable=SC2016 # as make would read it
 printf '%s\n' 'X != date' 'X ::= a' 'undefine X' '.ONESHELL:' 'a b &: c' 'X = $(file >a,b)' >"$scratch/make"
@@ -64,8 +65,8 @@ check 'the Makefile has none' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scrat
 
 # ---- Line ends ----
 
-# A checkout of a git that writes carriage returns, as Windows' installer proposes: `make` and the scripts would
-# break on them.
+# A checkout by a git that writes carriage returns, as Windows' installer proposes: `make` and the scripts would break
+# on them.
 kept_by_git() {
     local git=(git -c core.autocrlf=true -c core.eol=crlf -c core.safecrlf=false -c user.name=t -c user.email=t@t)
     mkdir "$scratch/ours" && cp -R .gitattributes Makefile .make chapters tests/lib/tap.sh "$scratch/ours" &&
@@ -83,7 +84,7 @@ fi
 
 # ---- A Mac's compiler ----
 
-# The code behind __APPLE__, with the names of its C library: nothing else compiles it here.
+# The code behind __APPLE__, with the names of its C library; nothing else compiles it here.
 mkdir -p "$scratch/apple/mach-o"
 printf '#include <stdint.h>\nint _NSGetExecutablePath(char *path, uint32_t *size);\n' >"$scratch/apple/mach-o/dyld.h"
 apple() { # FILE...
@@ -93,7 +94,8 @@ apple() { # FILE...
             -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only "$file" || return
     done
 }
-# A whole program by its compiler, its feature macros and the one way to a context that it has; not optimised, for time.
+# A whole program with its compiler, its feature macros and the only way to a context that it has; not optimised, to
+# save time.
 mac_build() {
     env -u MAKEFLAGS CI=1 make -j2 MAC=Darwin CC=clang CFLAGS=-O0 BUILD=build/mac build/mac/03_shadows >"$scratch/mac" 2>&1 && return
     tail -n 20 "$scratch/mac" | sed 's/^/# /'
@@ -132,7 +134,7 @@ for tool in awk basename cat cmp comm cp cut dirname grep head ls mkdir mktemp m
     ln -s "$(command -v busybox)" "$scratch/busybox/$tool"
 done
 
-# answer TOOLS COMMAND...: what a command says and how it ends, with the tools of a folder before GNU's.
+# answer TOOLS COMMAND...: the output and the status of a command, with the tools of a folder before GNU's.
 answer() {
     local path=$PATH
     [ "$1" = gnu ] || path=$scratch/$1:$PATH
@@ -140,7 +142,7 @@ answer() {
     PATH=$path "$@" 2>&1 </dev/null
     echo "status $?"
 }
-# same NAME COMMAND...: the three answers are one.
+# same NAME COMMAND...: all three answers are the same.
 same() {
     local name=$1
     shift
@@ -151,7 +153,7 @@ same() {
     done
 }
 
-# A wrong answer, so that places, reasons and rays are said.
+# A wrong answer, so that the output contains pixels, reasons and rays.
 sed 's/0\.5/0.6/' chapters/solutions/01_normal_colouring_2.frag >"$scratch/wrong.frag"
 export CHAPTER='' FILES='' NAME=''
 checks() { EXERCISE=01_2 FILE=$scratch/wrong.frag .make/check.sh; }
@@ -164,7 +166,7 @@ same 'the chapters' lists
 same 'the list of suites' tests/run --find no_such_suite
 compares() { PICTURES='tests/references/01_normal_colouring.png tests/references/02_lighting.png' .make/compare.sh; }
 same 'make compare' compares
-# Its numbers are each time others.
+# Its numbers differ each time.
 measures() { ROUNDS=1 FRAMES=2 CHAPTER=00 .make/benchmark.sh; }
 for tools in bsd busybox; do
     answer $tools measures >"$scratch/said"
@@ -173,9 +175,9 @@ for tools in bsd busybox; do
 done
 check 'make check said something' grep -q 'your pixel' <(answer bsd checks)
 
-# ---- What setup.sh asks for on a Mac ----
+# ---- What setup.sh requests on a Mac ----
 
-# A Mac as it sees it: a compiler, and nothing of what the course needs.
+# A Mac as setup.sh sees it: a compiler, and nothing else that the course needs.
 mkdir -p "$scratch/macos" "$scratch/homebrew/include/stb"
 for tool in sh cut printf tr sort; do ln -s "$(command -v $tool)" "$scratch/macos/$tool"; done
 on_mac() { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/macos/$1" && chmod +x "$scratch/macos/$1"; } # TOOL COMMAND
@@ -183,7 +185,7 @@ on_mac cc true
 on_mac id 'echo 501'
 on_mac uname 'echo Darwin'
 on_mac xcode-select false
-# asked_for PATTERN: it fails, and what it says last has this.
+# asked_for PATTERN: it fails, and its last words match this.
 asked_for() {
     ! env -i PATH="$scratch/macos" "$scratch/macos/sh" .make/setup.sh run >"$scratch/lacks" 2>&1 </dev/null &&
         tail -n 1 "$scratch/lacks" | grep -q -e "$1" && return
@@ -200,7 +202,7 @@ check "then for Homebrew's packages, those of the tests too" asked_for '^  brew 
 
 # ---- Windows ----
 
-# A shell of Windows as setup.sh sees it: MSYS2's, with pacman and nothing of what the course needs.
+# A shell of Windows as setup.sh sees it: MSYS2's, with pacman and nothing else that the course needs.
 mkdir "$scratch/windows"
 for tool in sh cut printf uname tr sort; do ln -s "$(command -v $tool)" "$scratch/windows/$tool"; done
 printf '#!/bin/sh\nexit 1\n' >"$scratch/windows/pacman" && chmod +x "$scratch/windows/pacman"

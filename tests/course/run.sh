@@ -1,5 +1,5 @@
 #!/bin/bash
-# run.sh - tests/run itself, with suites that are made for this: what it counts, and what it ends.
+# run.sh - tests/run itself, with suites that are made for this test: what it counts, and what it ends.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -12,7 +12,7 @@ suite() { # NAME: its text comes from standard input
     { echo '#!/bin/bash'; cat; } >"$scratch/tests/course/$1.sh"
     chmod +x "$scratch/tests/course/$1.sh"
 }
-# gives STATUS PATTERN SUITE...: run one, or all.
+# gives STATUS PATTERN SUITE...: run one suite, or all of them.
 gives() {
     local wanted=$1 pattern=$2 status
     shift 2
@@ -39,7 +39,7 @@ check 'one that tests nothing' gives 1 'ran no test' none
 check 'two of them by name' gives 1 '^2 passed, 1 failed, 1 skipped$' good bad
 check 'one unknown suite of two' gives 2 'SUITE=worse: no such suite' good worse
 check 'all of them add up' gives 1 '^4 passed, 4 failed, 1 skipped$'
-# The picture that is drawn under the sanitizers has no program here.
+# There is no program here for the picture that is drawn under the sanitizers.
 CI=1 check 'with the suites of continuous integration' gives 1 '^4 passed, 5 failed, 1 skipped$'
 
 # A child of the suite must end with it.
@@ -58,7 +58,7 @@ suite slow <<<'for i in 1 2 3 4 5 6 7 8; do echo "ok $i - $i"; sleep 0.5; done; 
 lasts() { limit=3 gives 0 '^8 passed, 0 failed' slow; }
 check 'one that has results may take longer than that' lasts
 
-# Each of them would compile the files of the other.
+# Each of them would compile the other's files.
 in_turn() { make -npq "$@" 2>/dev/null | grep -q '^[.]NOTPARALLEL:'; }
 check 'two commands of make are carried out one after the other' in_turn all tests
 at_once() { ! in_turn "$1" && ! in_turn programs tests; }

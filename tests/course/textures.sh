@@ -1,6 +1,6 @@
 #!/bin/bash
-# textures.sh - each texture of shaders/textures/ is what its program draws, to the last bit of each
-# pixel, and none is too large. tests/course/paint.c looks at the pictures themselves.
+# textures.sh - each texture of shaders/textures/ is what its program draws, to the last bit of each pixel, and none is
+# too large. tests/course/paint.c checks the pictures themselves.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -18,12 +18,12 @@ names() {
     done
 }
 
-# The bytes of the file depend on the machine's zlib, the pixels on nothing.
+# The bytes of the file depend on the machine's zlib; the pixels depend on nothing.
 same() { # A.png B.png
     "$BUILD/tests/compare" "$1" "$2" | grep -q 'largest 0$' && [ "$(fourth "$1")" = "$(fourth "$2")" ]
 }
 
-# A checksum of the fourth number, at which compare does not look, where a file has one.
+# A checksum of the alpha channel, which compare ignores, if a file has one.
 fourth() { # A.png
     [ "$(od -An -tu1 -j25 -N1 "$1")" -ne 6 ] || convert "$1" -alpha extract -depth 8 gray:- | cksum
 }
@@ -58,7 +58,7 @@ check "every texture has its program" alone shaders/textures
 lonely() { ! alone "$scratch" >/dev/null; }
 check "a texture without one is found" lonely
 
-# One bit of one pixel is another picture.
+# A single bit of one pixel makes another picture.
 other() {
     convert "shaders/textures/$1.png" -fill '#7f7f7f' -draw 'point 17,23' "$scratch/other.png" || return 0
     ! same "shaders/textures/$1.png" "$scratch/other.png"

@@ -9,7 +9,7 @@
 
 enum { NODES = 6, VIEW_PIECES = 20, SUN_PIECES = 14 };
 
-// Gauss's rule of six places on [0, 1].
+// Gauss's rule with six points on [0, 1].
 static const double place[NODES] = {0.033765242898423986, 0.16939530676686774, 0.38069040695840155,
                                     0.61930959304159845,  0.83060469323313226, 0.96623475710157601};
 static const double weight[NODES] = {0.085662246189585172, 0.18038078652406930,
@@ -18,7 +18,7 @@ static const double weight[NODES] = {0.085662246189585172, 0.18038078652406930,
 
 static const double earth = 6371.0;
 
-// Columns of air, dust and ozone, in shares of what is overhead.
+// Columns of air, dust and ozone, as multiples of the vertical columns.
 struct column {
     double of[3];
 };
@@ -36,8 +36,8 @@ static double height_of(double lowest, double along)
     return sqrt(lowest * lowest + along * along) - earth;
 }
 
-// Add what lies on a straight line whose lowest place has that radius, from one distance beyond it
-// to another: in pieces that grow.
+// Add the columns along a straight line whose lowest point has this radius, between two distances
+// from that point, in pieces that grow.
 static void add_between(struct column *sum, double lowest, double from, double to, int pieces)
 {
     for (int i = 0; i < pieces; i++) {
@@ -52,7 +52,7 @@ static void add_between(struct column *sum, double lowest, double from, double t
     }
 }
 
-// Towards the sun from a radius. False where the Earth is in the way.
+// Towards the sun from a radius. False if the Earth is in the way.
 static bool to_the_sun(double radius, double sine, double tall, struct column *sum)
 {
     double lowest = radius * sqrt(fmax(1.0 - sine * sine, 0.0)), from = radius * sine;
@@ -61,7 +61,7 @@ static bool to_the_sun(double radius, double sine, double tall, struct column *s
     if (sine < 0.0 && lowest < earth)
         return false;
     add_between(sum, lowest, fmax(from, 0.0), end, SUN_PIECES);
-    if (sine < 0.0) // from above 0 to the end, and the part before the lowest place
+    if (sine < 0.0) // from above 0 to the end, and the part before the lowest point
         add_between(sum, lowest, 0.0, -from, SUN_PIECES);
     return true;
 }
@@ -74,9 +74,10 @@ static double depth(int wave, int kind)
                        : air_waves[wave].ozone * 1e-25 * 300.0 * 2.687e20;
 }
 
-// What the air leaves of the sun's light at a place, by wavelengths, with what lies between it and
-// the eye: the mean of level strips of the disc, as dark at its rim as a ball lit from the eye, of
-// those that stand above the Earth. Far from its edge the disc is a point.
+// The share of the sun's light that arrives at a point, for each wavelength, including what the air
+// between the point and the eye takes. It is a mean over horizontal strips of the disc that are
+// above the horizon; the disc is as dark at its rim as a ball lit from the eye. Far from the
+// horizon, the disc is treated as a point.
 static void lit(double radius, double sine, double tall, struct column past, double ozone,
                 double share[AIR_WAVES])
 {
@@ -112,7 +113,7 @@ void air_light_of(double sun, double view, double azimuth, double ozone, double 
     double length = out / (sqrt(climb * climb + out) + climb),
            lowest = earth * sqrt(1.0 - view * view);
     double shares[AIR_WAVES] = {0.0}, seen = 0.0;
-    struct column past = {{0.0, 0.0, 0.0}}; // from the eye on, place by place
+    struct column past = {{0.0, 0.0, 0.0}}; // from the eye on, point by point
     for (int i = 0; i < VIEW_PIECES; i++) {
         double a = (double)i / VIEW_PIECES, b = (i + 1.0) / VIEW_PIECES;
         double begin = length * a * a, size = length * b * b - begin;
@@ -168,7 +169,7 @@ static double chance(uint64_t *state)
     return ((double)(*state >> 11) + 0.5) / 9007199254740992.0;
 }
 
-// Turn a unit vector by the angle of a cosine, around itself by a random angle.
+// Rotate a unit vector by the angle with the given cosine, in a random direction.
 static void turned(double v[3], double cosine, uint64_t *state)
 {
     double angle = 2.0 * MIRROR_PI * chance(state), sine = sqrt(fmax(1.0 - cosine * cosine, 0.0));
@@ -196,7 +197,7 @@ static double phase_of(double air, double dust, double c)
     return (air * of_air + dust * of_dust) / (air + dust);
 }
 
-// The cosine of a random angle by one of the two laws.
+// The cosine of a random angle, from one of the two laws.
 static double cosine_by(double air, double dust, uint64_t *state)
 {
     double x = chance(state), g = forward;
@@ -208,7 +209,7 @@ static double cosine_by(double air, double dust, uint64_t *state)
     return z - 1.0 / z;
 }
 
-// The sunlight that arrives at a point, of a sun without size.
+// The sunlight that arrives at a point, from a sun that is a point.
 static double sunlight_at(const double p[3], const double sun[3], int wave)
 {
     double radius = sqrt(dot(p, p));
@@ -219,7 +220,7 @@ static double sunlight_at(const double p[3], const double sun[3], int wave)
                depth(wave, 2) * beyond.of[2]);
 }
 
-// The way of a ray to the ground or out of the air.
+// The length of a ray to the ground or out of the air.
 static double way_of(const double p[3], const double v[3], bool *lands)
 {
     double b = dot(p, v), square = dot(p, p), ground = b * b - square + earth * earth;
@@ -228,7 +229,7 @@ static double way_of(const double p[3], const double v[3], bool *lands)
                   : sqrt(b * b - square + (earth + 120.0) * (earth + 120.0)) - b;
 }
 
-// How far a path goes on from a point before it is scattered, or to the ground. A path that would
+// How far a path goes from a point before it is scattered or reaches the ground. A path that would
 // leave the air counts for less.
 static double flight(const double p[3], const double v[3], int wave, uint64_t *state, bool *ground,
                      double *share)
@@ -252,7 +253,7 @@ static double flight(const double p[3], const double v[3], int wave, uint64_t *s
         depths[i + 1] = passed;
     }
     double all = 1.0 - exp(-passed), x = chance(state);
-    if (!lands) // every path that would leave the air is made to scatter, and counts for less
+    if (!lands) // every path that would leave the air is scattered instead, and counts for less
         *share *= all;
     double target = -log(1.0 - x * (lands ? 1.0 : all));
     *ground = lands && target >= passed;
@@ -265,7 +266,7 @@ static double flight(const double p[3], const double v[3], int wave, uint64_t *s
     return t;
 }
 
-// One path backwards from the eye: what arrives along it from the sun after one scattering, and
+// One path backwards from the eye: the sunlight that arrives along it after one scattering, and
 // after more.
 static void follow(double view, double azimuth, const double sun[3], double albedo, int wave,
                    uint64_t *state, double arrived[2])
@@ -296,7 +297,7 @@ static void follow(double view, double azimuth, const double sun[3], double albe
                 share * phase_of(air, dust, dot(v, sun)) * sunlight_at(p, sun, wave);
             turned(v, cosine_by(air, dust, state), state);
         }
-        if (share < 0.1) { // the many paths that carry little end, and the others count for them
+        if (share < 0.1) { // most paths with little light end; the others count for them
             if (share <= 0.0 || chance(state) > share / 0.1)
                 return;
             share = 0.1;

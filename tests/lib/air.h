@@ -1,39 +1,40 @@
-// air.h - the light of a clear sky by an integration of its own, for the tables of chapter
-// 18: Gauss's rule in pieces, with the exponential of the library, up to 120 km; and by chance.
+// air.h - the light of a clear sky from an independent integration, to check the tables of chapter
+// 18: with Gauss's rule in pieces, the library's exponential and air up to 120 km, and with random
+// paths.
 #ifndef TESTS_AIR_H
 #define TESTS_AIR_H
 
-// The light that comes once scattered from a direction, in the unit of the tables, 4,000 cd/m^2;
-// what a screen cannot show is not cut off.
+// The light that arrives from a direction after one scattering, in the unit of the tables, 4,000
+// cd/m^2. Values that a screen cannot show are not clamped.
 //   sun, view, azimuth  as of air_scattered in shaders/textures/air.h
 //   ozone               1, or 0 for none
 //   tall                how high the air reaches, km
 void air_light_of(double sun, double view, double azimuth, double ozone, double tall,
                   double light[3]);
 
-// The same with the light that is scattered more than once, which is the program's own: air_paths
-// checks it.
+// The same with light that is scattered more than once. For that part it uses the program's own
+// code, which air_paths checks.
 void air_all_of(double sun, double view, double azimuth, double ozone, double light[3]);
 
-// The light of all the sky on a level white surface: the mean of air_all_of over the directions,
-// weighted by the sine of their height.
+// The light of the whole sky on a white horizontal surface: the mean of air_all_of over the
+// directions, weighted by the sine of their height.
 void air_ambient_of(double sun, double light[3]);
 
-// The light of a direction by chance: paths followed backwards from the eye through the air of a
-// round Earth, each scattered in random directions by the true laws of air and dust until hardly
-// anything is left, and lit by the sun at every turn. In shares of the sunlight above the air, per
-// steradian.
+// The light of a direction from random paths. They are followed backwards from the eye through the
+// air of a round Earth, scattered in random directions by the true laws of air and dust until
+// hardly any light is left, and lit by the sun at every scattering. In shares of the sunlight above
+// the air, per steradian.
 //   albedo  of the ground, in [0, 1]
 //   wave    of air_waves
 //   count   of paths
 struct air_paths {
     double once, more; // scattered once, and more than once
-    double error;      // of more, a standard deviation
+    double error;      // of the light scattered more than once: its standard deviation
 };
 struct air_paths air_paths(double sun, double view, double azimuth, double albedo, int wave,
                            int count);
 
-// Of a colour in the tables' unit: cd/m^2, and the chromaticity x, y of 1931.
+// From a colour in the tables' unit to cd/m^2 and the chromaticity x, y of 1931.
 double air_luminance(const double light[3]);
 void air_chromaticity(const double light[3], double xy[2]);
 

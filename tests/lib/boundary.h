@@ -1,5 +1,5 @@
-// boundary.h - for tests of figures in the plane: a boundary, piece by piece, and how far
-// it is, searched for in double precision.
+// boundary.h - for tests of figures in the plane: a boundary made of pieces, and the distance to
+// it, found by a search in double precision.
 #ifndef TESTS_BOUNDARY_H
 #define TESTS_BOUNDARY_H
 
@@ -12,7 +12,7 @@ struct d2 {
 };
 
 // A piece of a boundary: a segment from a to b, or an arc of the ellipse around a with half axes b,
-// from angle from to angle to. Of it the part from low to high, shares of its length, belongs to
+// from angle from to angle to. Only the part from low to high, in shares of its length, belongs to
 // the boundary.
 struct piece {
     bool arc;
@@ -25,11 +25,11 @@ struct boundary {
     int count;
 };
 
-// The point of a piece at the share u of what belongs to the boundary.
+// The point of a piece at the share u of the part that belongs to the boundary.
 struct d2 boundary_at(const struct piece *piece, double u);
 
-// Each adds to a boundary: a segment; an arc of an ellipse or of a circle, from angle to angle in
-// radians; the sides of a closed polygon.
+// Each adds pieces to a boundary: a segment; an arc of an ellipse or of a circle, between two
+// angles in radians; the sides of a closed polygon.
 void boundary_add_segment(struct boundary *of, struct d2 a, struct d2 b);
 void boundary_add_ellipse(struct boundary *of, struct d2 centre, struct d2 axes, double from,
                           double to);
@@ -37,11 +37,11 @@ void boundary_add_arc(struct boundary *of, double x, double y, double radius, do
                       double to);
 void boundary_add_polygon(struct boundary *of, const double (*corner)[2], int count);
 
-// The distance to the nearest point: of each piece the nearest of 16 samples, and from there by
-// golden section.
+// The distance to the nearest point. For each piece, start at the nearest of 16 samples and use
+// golden-section search.
 double boundary_distance(struct d2 p, const struct boundary *of);
 
-// How often a polygon, followed all along, turns round p: by the sum of the angles.
+// The winding number of a polygon around p: the sum of the angles, in turns.
 double boundary_winding(struct d2 p, const double (*corner)[2], int count);
 
 #endif

@@ -1,10 +1,10 @@
-// cell.h - shaders/repetition.glsl's cellRandom once more.
+// cell.h - cellRandom of shaders/repetition.glsl in C.
 #ifndef TESTS_CELL_H
 #define TESTS_CELL_H
 
 #include <stdint.h>
 
-// The number of a cell, in [0, 1), to the bit.
+// The number of a cell, in [0, 1), equal to the shader's to the last bit.
 static inline double cell_hash(int x, int y, int z)
 {
     uint32_t v[3] = {(uint32_t)x, (uint32_t)y, (uint32_t)z};

@@ -1,4 +1,4 @@
-// chapter.h - ask the functions of a chapter's shader for numbers.
+// chapter.h - call the functions of a chapter's shader and read their results.
 #ifndef TESTS_CHAPTER_H
 #define TESTS_CHAPTER_H
 
@@ -10,7 +10,7 @@ enum { CHAPTER_WIDTH = 640, CHAPTER_HEIGHT = 360 };
 // Replace a chapter's rayColour with a line of GLSL, draw one picture from the starting camera, and
 // read the float target. Fails the test if that is impossible; the caller frees the numbers.
 //   stem  "21_a_landscape"
-//   body  knows the ray, the pixel as 'vec2 pixel', and chapterColour(ray), the original; the
+//   body  can use the ray, the pixel as 'vec2 pixel', and chapterColour(ray), the original; the
 //         picture clamps what it returns to [0, 1]
 float *chapter_numbers(const char *stem, const char *body);
 

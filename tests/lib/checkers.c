@@ -27,7 +27,7 @@ static struct mirror_ray ray_of(const struct checkers_view *view, double x, doub
         d3_unit(direction)};
 }
 
-// The place of the pattern that a place of the picture shows.
+// The position in the pattern that a position in the picture shows.
 static bool place_of(const struct checkers_view *view, double x, double y, double place[2])
 {
     struct mirror_ray ray = ray_of(view, x, y);
@@ -62,7 +62,7 @@ static bool even(const double place[2])
     return fmod(floor(place[0]) + floor(place[1]), 2.0) == 0.0;
 }
 
-// The share of even cells among the places of one axis.
+// The share of even cells among the positions along one axis.
 static double even_share(double low, double high, int side)
 {
     int count = 0;

@@ -1,48 +1,49 @@
-// checkers.h - the plane of the experiment 11_checkers in double precision: what a pixel
-// sees of its squares, by samples.
+// checkers.h - the plane of the experiment 11_checkers in double precision: which squares a pixel
+// covers, by sampling.
 #ifndef TESTS_CHECKERS_H
 #define TESTS_CHECKERS_H
 
 #include "lib/gpu.h"
 #include "lib/mirror.h"
 
-// The experiment as it stands, but for these.
+// The experiment with these changes.
 struct checkers_view {
     struct camera camera;
-    double orthographic, turn; // as its parameters; turn in degrees
+    double orthographic, turn; // the experiment's parameters; turn in degrees
 };
 
 enum { CHECKERS_WIDTH = 640, CHECKERS_HEIGHT = 360, CHECKERS_SIDE = 64 };
 
-// A view that looks over the plane to the horizon, and one that looks down on it by parallel rays.
+// One view looks across the plane to the horizon, the other looks down on it with parallel rays.
 extern const struct checkers_view checkers_views[3];
 
-// The smallest rectangle along the pattern's axes that holds what the corners of a pixel see, in
-// sides of a square: false where a corner sees no plane.
+// The smallest rectangle along the pattern's axes that contains what the corners of a pixel see, in
+// sides of a square. False if a corner does not see the plane.
 bool checkers_rectangle(const struct checkers_view *view, int x, int y, double low[2],
                         double high[2]);
 
-// The share of even squares among side x side samples of a rectangle, the middles of its cells. A
-// sample is even where both its coordinates are, or neither; so counting along each axis is enough.
-// An edge along an axis is off by up to 1 / (2 side): the samples of a whole row fall on one side.
+// The share of even squares among side x side samples of a rectangle, at the centres of its cells.
+// A sample is even if both of its coordinates are even or both are odd, so counting along each axis
+// is enough. An edge along an axis is off by up to 1 / (2 side), because all samples of a row fall
+// on one side of it.
 double checkers_of_grid(const double low[2], const double high[2], int side);
 
-// The same among 64 x 64 samples that are better placed: one in each cell of a 64 x 64 grid, and no
-// two with a coordinate in common, so that an edge along an axis is off by at most 1 / 8192. Where
-// in its cell a sample stands, is the bits of the other axis' number in reversed order; so the
-// samples of a row of cells are even after each of its halves, quarters and so on, and a corner of
-// squares is off by little more.
+// The same with 64 x 64 samples at better positions: one in each cell of a 64 x 64 grid, and no two
+// with a coordinate in common, so that an edge along an axis is off by at most 1 / 8192. The
+// position of a sample in its cell is the bit reversal of the index along the other axis. So the
+// samples of a row of cells are evenly spread after each half, quarter and so on, and the error at
+// a corner of squares is little larger.
 double checkers_of_samples(const double low[2], const double high[2]);
 
-// The same among 64 x 64 samples of the pixel itself; no two of a row or column of them share a
+// The same with 64 x 64 samples of the pixel itself; no two samples of a row or column share a
 // coordinate.
 double checkers_of_pixel(const struct checkers_view *view, int x, int y);
 
-// True where a ball hides the plane within two pixels.
+// True if a ball hides the plane within two pixels.
 bool checkers_hidden(const struct checkers_view *view, int x, int y);
 
-// The shares that the GPU shows by one of the experiment's ways, for every pixel; the caller frees.
-// NULL, reported.
+// The shares that one of the experiment's methods shows on the GPU, for every pixel. The caller
+// frees the result. NULL, reported.
 double *checkers_shown(const struct checkers_view *view, int way);
 
 #endif

@@ -1,5 +1,5 @@
-// The environment's ONE_TEST, such as test_march_hits, is the one test of a program that runs; '*'
-// in it matches any letters.
+// The environment variable ONE_TEST, such as test_march_hits, selects the one test of a program
+// that runs; '*' in it matches any letters.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

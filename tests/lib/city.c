@@ -7,7 +7,7 @@
 #define PERIOD 6.0
 #define GAP    1.35
 
-// One tower: half sizes of shaft and base across, and how high each is, scene units.
+// One tower: half sizes of the shaft and the base, and the height of each, in scene units.
 struct city_tower {
     double shaft_x, shaft_z, shaft_height, base, base_height;
 };

@@ -5,13 +5,13 @@
 #include "lib/mirror.h"
 
 // The exact distance to the towers of the blocks around p, `reach` blocks to each side, by brute
-// force: each tower is two boxes that go down without end.
+// force: each tower is two boxes without a lower end.
 double city_towers_brute(struct d3 p, int reach);
 
-// The distance of lamps and trees, as the shader has it, in double.
+// The distance to lamps and trees, as the shader computes it, in double precision.
 double city_street(struct d3 p);
 
-// The distance of the whole city, as the shader has it.
+// The distance to the whole city, as the shader computes it.
 //   nearest  receives 0 for a tower, 1 for a lamp, 2 for a tree, 3 for the cap
 double city_distance(struct d3 p, int *nearest);
 

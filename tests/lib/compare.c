@@ -59,7 +59,7 @@ static void block_difference(const struct image *a, const struct image *b, int l
         difference[c] = (double)sum[c] / ((right - left) * (bottom - top));
 }
 
-// The middle of a block, counted as --probe counts pixels: 0,0 bottom left.
+// The centre of a block, in pixels as --probe counts them: 0,0 is at the bottom left.
 static void note_place(const struct image *image, int left, int top,
                        struct image_difference *result)
 {
@@ -69,7 +69,7 @@ static void note_place(const struct image *image, int left, int top,
     result->y = image->height - 1 - (top + bottom) / 2;
 }
 
-// Fills in b8, and the place of the block that differs most.
+// Fills in b8, and the position of the block that differs most.
 static void compare_blocks(const struct image *a, const struct image *b,
                            struct image_difference *result)
 {

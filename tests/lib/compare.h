@@ -7,13 +7,13 @@
 
 #include "picture/image.h"
 
-// Two numbers that decide together whether two pictures are the same one.
+// Two numbers that together decide whether two pictures are the same.
 struct image_difference {
     double f2;      // share of pixels whose largest channel difference exceeds 2, in [0, 1]
     double b8;      // RMSE of the means of 8x8 blocks, on the worst channel, in [0, 255]
-    int largest;    // largest channel difference, for information: silhouettes make it useless
+    int largest;    // largest channel difference, for information only: silhouettes make it useless
     size_t differs; // pixels that differ at all
-    int x, y;       // middle of the 8x8 block that differs most, pixels, 0,0 bottom left
+    int x, y;       // centre of the 8x8 block that differs most, pixels, 0,0 bottom left
 };
 
 #define IMAGE_F2_TOLERANCE 0.0005 // 0.05 % of the pixels
@@ -23,17 +23,17 @@ struct image_difference {
 // image_free.
 bool image_read_png(struct image *image, const char *path);
 
-// Compare two pictures. Returns false, reported, when their sizes differ.
-// Blocks at the right and bottom edges are smaller where 8 does not divide the size.
+// Compare two pictures. Returns false, reported, if their sizes differ. Blocks at the right and
+// bottom edges are smaller if the size is not a multiple of 8.
 bool image_compare(const struct image *a, const struct image *b, struct image_difference *result);
 
 // True when f2 and b8 are both within tolerance.
 bool image_same(const struct image_difference *difference);
 
-// The numbers in a sentence for a student. Returns words.
+// The result in a sentence for a student. Returns words.
 const char *image_difference_words(const struct image_difference *difference, char words[256]);
 
-// Print the numbers in a line.
+// Print the numbers on one line.
 void image_print_difference(const struct image_difference *difference);
 
 // A picture of the difference: 128 + 4 (b - a) per channel, clamped. Same sizes required; the

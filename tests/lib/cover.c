@@ -7,8 +7,8 @@ static double empty(const struct cover_sample *sample)
     return fmax(sample->d, 0.0);
 }
 
-// The fewest of the intervals (t_i - d_i, t_j + d_j), j = i + gap, from begin to goal: each time
-// the one that reaches farthest among those that begin in what is covered.
+// The fewest of the intervals (t_i - d_i, t_j + d_j), j = i + gap, that cover begin to goal: always
+// take the one that reaches farthest among those that begin in the part covered so far.
 static int fewest(const struct cover_sample *sample, int count, int gap, double goal)
 {
     double covered = sample[0].t;
@@ -52,15 +52,17 @@ int cover_plane_march(double height, double slope, double far, double threshold,
     return steps;
 }
 
-// With e = d + slope (c - t) the distance at what is covered, the best place is where t - d = c:
-// there d = e / (1 + slope), and what is covered next has the distance e (1 - slope) / (1 + slope).
+// With e = d + slope (c - t), the distance at the end of the covered part, the best position is
+// where t - d = c: there d = e / (1 + slope), and the next end of the covered part has the distance
+// e (1 - slope) / (1 + slope).
 int cover_plane_least(double height, double slope, double far, double threshold)
 {
     bool hit;
     int steps = cover_plane_march(height, slope, far, threshold, &hit);
     double rate = (1.0 - slope) / (1.0 + slope);
     double end = hit ? height * pow(1.0 - slope, steps - 1) : height - slope * far;
-    // For a hit, to where its own interval begins: there the distance is end (1 + slope).
+    // For a hit, up to the beginning of the hit's own interval, where the distance is end (1 +
+    // slope).
     double goal = hit ? (1.0 + slope) * end : end;
     if (slope == 0.0)
         return (int)ceil(far / (2.0 * height));
@@ -82,8 +84,8 @@ int cover_ball_march(double gap, double reach)
     return steps;
 }
 
-// t - (hypot(t, b) - 1) = c solved for t: with k = 1 - c, b^2 = 2 k t + k^2. From c = 1 on every
-// place of the ray begins there, however far.
+// t - (hypot(t, b) - 1) = c solved for t: with k = 1 - c, b^2 = 2 k t + k^2. From c = 1 on, the
+// interval of every point of the ray begins there, however far the point is.
 int cover_ball_least(double gap, double reach)
 {
     double covered = -reach, b = 1.0 + gap;

@@ -1,5 +1,5 @@
-// cover.h - the fewest evaluations of a distance on a ray that show an interval to be
-// empty: docs/benchmark.md, in double precision.
+// cover.h - the fewest evaluations of a distance along a ray that show an interval to be empty:
+// docs/benchmark.md, in double precision.
 #ifndef TESTS_COVER_H
 #define TESTS_COVER_H
 
@@ -8,15 +8,15 @@
 
 #define COVER_NEVER INT_MAX
 
-// One evaluation: the distance d at t says that nothing stands between t - d and t + d.
+// One evaluation: a distance d at t shows that there is nothing between t - d and t + d.
 struct cover_sample {
     double t, d;
 };
 
 // The least number of evaluations, between two bounds.
 struct cover_count {
-    int least; // no choice of places on the ray needs fewer, if the distance is 1-Lipschitz
-    int most;  // the least number of the given samples: enough for certain
+    int least; // no choice of points on the ray needs fewer, if the distance is 1-Lipschitz
+    int most;  // the least number of the given samples: certainly enough
 };
 
 // How many evaluations cover a ray from its first sample to its last.
@@ -29,21 +29,20 @@ struct cover_count {
 // number of such wide intervals.
 struct cover_count cover_of(const struct cover_sample *sample, int count, bool hit);
 
-// What holds for a distance that changes at one rate along the ray, d = height - slope t: -1 <
-// slope < 1, a plane that is approached (slope > 0) or left.
+// The same for a distance that changes at a constant rate along the ray, d = height - slope t: -1 <
+// slope < 1, a plane that the ray approaches (slope > 0) or leaves.
 
-// The number of evaluations of a march from t = 0 until d is below threshold, or t at or over far.
+// The number of evaluations of a march from t = 0 until d is below threshold, or t is at least far.
 int cover_plane_march(double height, double slope, double far, double threshold, bool *hit);
 
 // The least number for the same answer.
 int cover_plane_least(double height, double slope, double far, double threshold);
 
-// What the one over the other tends to: ln((1 - slope) / (1 + slope)) / ln(1 - slope), 2 for slope
-// 0.
+// The limit of their ratio: ln((1 - slope) / (1 + slope)) / ln(1 - slope), 2 for slope 0.
 double cover_plane_ratio(double slope);
 
-// The same past a ball of radius 1, the ray missing its centre by 1 + gap, from -reach to reach
-// around the closest point, threshold 0.
+// The same past a ball of radius 1, where the ray misses its centre by 1 + gap, from -reach to
+// reach around the closest point, threshold 0.
 int cover_ball_march(double gap, double reach);
 int cover_ball_least(double gap, double reach);
 

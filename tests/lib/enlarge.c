@@ -10,7 +10,7 @@
 
 enum { WIDTH = 640, HEIGHT = 360, FRAMES = 15 };
 
-// Curved edges, shadows, thin things, textures, fog.
+// Curved edges, shadows, thin objects, textures, mist.
 const struct enlarge_scene enlarge_scenes[ENLARGE_SCENES] = {
     {"chapters/01_normal_colouring.frag", {{1.65f, 1.6f, 3.4f}, -26.0f, -23.5f}},
     {"chapters/03_shadows.frag", {{2.5f, 2.85f, 5.15f}, -29.0f, -24.0f}},
@@ -102,7 +102,8 @@ static double cpu_time(void)
     return platform_processor_seconds();
 }
 
-// The annex scene's picture and the filters in turn: the least of several frames each, seconds.
+// The annex scene's picture and the filters in turn: the shortest of several frames each, in
+// seconds.
 static bool time_filters(double *unit, double least[ENLARGE_FILTERS])
 {
     const struct gl *gl = &gpu.context.gl;

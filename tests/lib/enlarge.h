@@ -1,4 +1,4 @@
-// enlarge.h - what filters make of pictures at a lower resolution, and what they cost.
+// enlarge.h - what filters make of pictures at a lower resolution, and what the filters cost.
 #ifndef TESTS_ENLARGE_H
 #define TESTS_ENLARGE_H
 
@@ -21,16 +21,17 @@ struct enlarge_error {
     double rms; // over all channels, of 255
 };
 
-// Draw a target's picture through a filter, at a size. Fails the test, or ends the program, where
-// that cannot be; the caller frees the floats, 4 a pixel, bottom row first.
+// Draw a target's picture through a filter, at a given size. Fails the test, or ends the program,
+// if that is impossible. The caller frees the floats: 4 per pixel, bottom row first.
 float *enlarge_numbers(enum enlarge_filter filter, const struct target *from, int width,
                        int height);
 
-// The same with an enlarger of the caller's, to be closed with enlarge_close.
+// The same with the caller's enlarger, to be closed with enlarge_close.
 float *enlarge_numbers_with(struct enlarge *enlarge, enum enlarge_filter filter,
                             const struct target *from, int width, int height);
 
-// Draw the scene in full and at 1/divisor of each side, and compare the enlarged one.
+// Draw the scene in full and at 1/divisor of each side, and compare the enlarged picture with the
+// full one.
 //   error  takes one for each filter
 void enlarge_measure(const struct enlarge_scene *scene, double divisor,
                      struct enlarge_error error[ENLARGE_FILTERS]);

@@ -10,8 +10,7 @@ const char *const filter_way_names[FILTER_WAYS] = {
 
 enum { PIXELS = 64, TRUTH = 16 }; // TRUTH: no pixel has more samples in a line
 
-// A fan of dark and light rays, thinner and thinner towards its middle, which stands beside the
-// picture.
+// A fan of dark and light rays that get thinner towards its centre, which lies beside the picture.
 static double picture(double x, double y)
 {
     double turn = atan2(y + 3.7, x + 5.3) / MIRROR_PI;
@@ -48,7 +47,7 @@ static double mean_of(enum filter_way way, int side, int x, int y)
     bool jittered = way == FILTER_BOX_JITTERED || way == FILTER_TENT_JITTERED ||
                     way == FILTER_GAUSSIAN_JITTERED;
     double shift = way == FILTER_WORKSHOP ? 0.5 - 0.5 / side : 0.0;
-    double regular[TRUTH] = {0.0}; // the same in each line and each column
+    double regular[TRUTH] = {0.0}; // the same in each row and each column
     for (int i = 0; i < side; i++)
         regular[i] = offset_of(way, (i + 0.5) / side);
     double sum = 0.0;

@@ -1,11 +1,11 @@
-// filter.h - how far the mean of a pixel's samples is from the mean of 256, for the filters
-// of shaders/filter.glsl and the workshop's grid, on a picture of slanting edges and fine lines.
+// filter.h - how far the mean of a pixel's samples is from the mean of 256, for the filters of
+// shaders/filter.glsl and the workshop's grid, on a picture of slanting edges and fine lines.
 #ifndef TESTS_FILTER_H
 #define TESTS_FILTER_H
 
 #include <stdbool.h>
 
-// Ways to place n x n samples. The workshop's stand at (i, j) / n from the pixel's middle.
+// Ways to place n x n samples. The workshop's samples are at (i, j) / n from the pixel's centre.
 enum filter_way {
     FILTER_BOX,
     FILTER_BOX_JITTERED,
@@ -20,8 +20,9 @@ enum filter_way {
 extern const char *const filter_way_names[FILTER_WAYS];
 
 // The root of the mean square of the difference, of 1, over 64 x 64 pixels of the picture.
-//   side  so many times so many samples a pixel, 1 to 16
-// The 256 of the same filter stand regularly; those of the workshop's grid are the box's.
+//   side  samples per row and per column of a pixel, 1 to 16
+// The 256 samples of the same filter form a regular grid; for the workshop's grid, those of the box
+// are used.
 double filter_error(enum filter_way way, int side);
 
 #endif

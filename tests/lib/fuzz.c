@@ -30,7 +30,7 @@ static void promise(bool kept, const char *what)
     }
 }
 
-// What was said since capture_begin: nothing where the call did its work, else one line.
+// The report since capture_begin: empty if the call succeeded, else one line.
 static void promise_report(bool done)
 {
     const char *said = capture_end();
@@ -42,7 +42,7 @@ static void promise_report(bool done)
                 "what is refused is refused in one line");
 }
 
-// A copy of bytes as a string; a zero byte becomes a blank. The caller frees it.
+// A copy of bytes as a string; zero bytes become blanks. The caller frees it.
 static char *string_of(const uint8_t *bytes, size_t size)
 {
     char *text = malloc(size + 1);
@@ -69,7 +69,7 @@ static const char *const names[] = {MAIN,
                                     LOG};
 #define NAMES (sizeof names / sizeof *names)
 
-// The name that a line "=== NAME" begins, or NULL.
+// The name at the start of a line "=== NAME", or NULL.
 static const char *begins(const uint8_t *line, size_t length)
 {
     for (size_t i = 0; i < NAMES; i++)
@@ -79,7 +79,7 @@ static const char *begins(const uint8_t *line, size_t length)
     return NULL;
 }
 
-// Cut the bytes into files of the scratch folder; a file that is not there is empty.
+// Cut the bytes into files of the scratch folder; a missing file is empty.
 static void write_files(const uint8_t *bytes, size_t size)
 {
     const char *name = MAIN;
@@ -188,7 +188,7 @@ void fuzz_include(const uint8_t *bytes, size_t size)
 
 // ---- Parameters ----
 
-// A text as shader_read would leave it.
+// A text as shader_read would return it.
 static struct shader_source source_of(char *text)
 {
     struct shader_source source = {.text = text, .file_count = 1};
@@ -292,7 +292,7 @@ static uint32_t checksum(const uint8_t *bytes, size_t size)
     return ~sum;
 }
 
-// Make the checksum of each chunk right: made-up bytes would never get past one.
+// Correct the checksum of each chunk: random bytes would never get past one.
 static void mend(uint8_t *bytes, size_t size)
 {
     for (size_t at = 8; at + 12 <= size;) {

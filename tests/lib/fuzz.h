@@ -1,16 +1,16 @@
-// fuzz.h - what must hold for any bytes that a person hands in: for libFuzzer, which makes
-// them up (tests/tools/fuzz.c), and for unit/corpus.c, which has a folder of them.
+// fuzz.h - what must hold for any bytes that a person hands in, for libFuzzer, which makes them up
+// (tests/tools/fuzz.c), and for unit/corpus.c, which has a folder of them.
 //
-// Each function ends the program with the reason when a promise of the header in question does not
-// hold: among them that nothing is refused without exactly one line, and nothing taken with one.
-// They need a scratch folder (scratch_make).
+// Each function ends the program with the reason if a promise of the header in question is broken.
+// One promise is that every refusal reports exactly one line, and every success none. They need a
+// scratch folder (scratch_make).
 #ifndef TESTS_FUZZ_H
 #define TESTS_FUZZ_H
 
 #include <stddef.h>
 #include <stdint.h>
 
-// A shader and the files that it includes, read by shader_read and carried on as far as goes
+// A shader and the files that it includes, read by shader_read and processed as far as possible
 // without OpenGL: its text for each view, its export, its parameters' values, a driver's log.
 //   bytes  files one after the other; a line "=== NAME" begins each but own/main.frag, which is the
 //          shader. Names: own/part.glsl, own/deep/part.glsl, outside.glsl,
@@ -32,9 +32,9 @@ void fuzz_options(const uint8_t *bytes, size_t size);
 //          the byte; then a PNG, whose checksums are made right
 void fuzz_picture(const uint8_t *bytes, size_t size);
 
-// The four by name.
+// All four by name.
 struct fuzz_target {
-    const char *name; // that of its folder in tests/corpus
+    const char *name; // the name of its folder in tests/corpus
     void (*run)(const uint8_t *bytes, size_t size);
 };
 

@@ -117,7 +117,7 @@ struct glass_rest glass_furnace(int surfaces)
     int pixels = 0, dark = 0;
     double missing = 0.0;
     for (int i = 0; i < 640 * 360; i++) {
-        if ((double)glass[4 * i] > 0.999) // with one surface all glass is dark
+        if ((double)glass[4 * i] > 0.999) // with one surface, all glass is dark
             continue;
         double lacks = 1.0 - mirror_decode((double)values[4 * i]);
         pixels++;
@@ -134,8 +134,8 @@ int glass_print(void)
     static const double angles[] = {0.0, 30.0, 45.0, 60.0, 70.0, 80.0, 85.0, 88.0};
     static const double indices[] = {1.333, 1.5168, 1.7283};
     printf(
-        "# share mirrored, from air to glass of index 1.5168, and inside it under the angle of the "
-        "bent ray\ndegrees,exact,schlick,degrees_inside,exact_inside\n");
+        "# reflected share, from air to glass of index 1.5168, and inside it at the angle of the "
+        "refracted ray\ndegrees,exact,schlick,degrees_inside,exact_inside\n");
     for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++) {
         double n = indices[1], angle = angles[i] * MIRROR_PI / 180.0, behind = asin(sin(angle) / n);
         printf("%g,%.4f,%.4f,%.2f,%.4f\n", angles[i], glass_fresnel(cos(angle), 1.0 / n),
@@ -153,7 +153,7 @@ int glass_print(void)
         }
         printf("%g,%.4f,%.1f,%.2f\n", n, worst, at, asin(1.0 / n) * 180.0 / MIRROR_PI);
     }
-    printf("# what a wavelength, micrometres, meets: index of crown and of flint, least deviation "
+    printf("# for each wavelength, micrometres: index of crown and of flint, least deviation "
            "by a flint prism of "
            "60 degrees, angle of the rainbow\nwavelength,crown,flint,deviation,rainbow\n");
     for (int k = 0; k <= 6; k++) {
@@ -164,8 +164,9 @@ int glass_print(void)
                2.0 * asin(0.5 * flint) * 180.0 / MIRROR_PI - 60.0,
                180.0 - glass_drop_turn(sqrt(1.0 - cosine * cosine), water, 1) * 180.0 / MIRROR_PI);
     }
-    printf("# a white world: pixels of glass that are not white, and the light they lack, means\n"
-           "surfaces,pixels,light\n");
+    printf(
+        "# a white world: share of the glass pixels that are not white, mean light that they lack\n"
+        "surfaces,pixels,light\n");
     for (int surfaces = 2; surfaces <= 20; surfaces += 2) {
         struct glass_rest rest = glass_furnace(surfaces);
         printf("%d,%.4f,%.5f\n", surfaces, rest.pixels, rest.mean);

@@ -1,17 +1,18 @@
-// glass.h - light through glass in double precision: by angles, where the shaders use
+// glass.h - light through glass in double precision, computed with angles where the shaders use
 // vectors.
 #ifndef TESTS_GLASS_H
 #define TESTS_GLASS_H
 
 #include "lib/mirror.h"
 
-// The mirrored share by Fresnel's own sines and tangents of both angles, not the library's formula.
+// The reflected share from Fresnel's own sines and tangents of both angles, not from the library's
+// formula.
 //   facing  cosine on the side from which light comes
 //   eta     index there over index behind
 double glass_fresnel(double facing, double eta);
 double glass_schlick(double facing, double straight);
 
-// The bent direction, by the angle behind. False: total reflection.
+// The refracted direction, from the angle of refraction. False: total reflection.
 //   normal  on the side from which light comes
 bool glass_refract(struct d3 direction, struct d3 normal, double eta, struct d3 *bent);
 
@@ -22,35 +23,36 @@ static inline struct d3 glass_reflect(struct d3 direction, struct d3 normal)
 
 typedef double (*glass_distance)(struct d3 p);
 
-// shaders/glass.glsl's marchSide. t receives where it ended; false: no surface.
+// marchSide of shaders/glass.glsl. t receives the end of the march; false: no surface.
 bool glass_march(glass_distance distance, struct mirror_ray ray, double side,
                  const double from_to[2], double threshold, int max_steps, double *t);
 
-// shaders/glass.glsl's leavingRay.
+// leavingRay of shaders/glass.glsl.
 struct mirror_ray glass_leaving(struct d3 p, struct d3 normal, struct d3 direction, double offset);
 
 // Cauchy's formula; wavelength in micrometres.
 double glass_index(double a, double b, double wavelength);
 
-// The mean colour in the screen's primaries of the wavelengths from 0.40 to 0.70 by the fit of
-// Wyman, Sloan and Shirley to the CIE's curves, negative channels taken as 0, each over its mean.
+// The mean colour, in the screen's primaries, of the wavelengths from 0.40 to 0.70, from the fit of
+// Wyman, Sloan and Shirley to the CIE's curves. Negative channels count as 0, and each channel is
+// divided by its mean.
 void glass_wave_colour(double wavelength, double colour[3]);
 
-// The angle by which a ray is turned that meets a drop at radius * offset from its axis and is
-// mirrored inside so many times; radians, in [0, pi] for one.
+// The deflection of a ray that meets a drop at radius * offset from its axis and is reflected
+// inside this many times; radians, in [0, pi] for one reflection.
 double glass_drop_turn(double offset, double index, int mirrored);
 
-// The light that is missing in chapter 17's picture in a white world, 640x360, for a number of
+// The light that chapter 17's picture lacks in a white world, 640x360, for a given number of
 // surfaces.
 struct glass_rest {
     double pixels; // share of the pixels of glass that lack more than 1/255
-    double mean;   // light missing, mean over the pixels of glass
+    double mean;   // missing light, mean over the pixels of glass
 };
 
 // Ends the program if it cannot be drawn.
 struct glass_rest glass_furnace(int surfaces);
 
-// Print both tables of the page: mirrored shares, and what is dark. Returns an exit status.
+// Print both tables of the page, of reflected shares and of dark pixels. Returns an exit status.
 int glass_print(void);
 
 #endif

@@ -6,7 +6,7 @@ static struct d3 halfway(struct d3 to_light, struct d3 to_eye)
     return d3_unit(d3_add(to_light, to_eye));
 }
 
-// Written as their sources have them: D G / (4 cos cos), with G by Smith's function Lambda.
+// Written as in their sources: D G / (4 cos cos), with G from Smith's function Lambda.
 static double density(double cosine, double alpha)
 {
     double c2 = cosine * cosine, tangent2 = (1.0 - c2) / c2, a2 = alpha * alpha;
@@ -56,10 +56,10 @@ struct d3 gloss_eye(double cosine)
     return d3(sqrt(1.0 - cosine * cosine), 0.0, cosine);
 }
 
-// The halves are spread as the density of a GGX highlight times the cosine, for any model: each
-// stands for the solid angle of light 4 (eye . half) / (density cosine). Its long tail, which
-// grazing light comes from, is a small part of them: so they crowd there, by s with u = 1 - (1 -
-// s)^3.
+// The half vectors are distributed like the density of a GGX highlight times the cosine, for any
+// model. Each one represents the solid angle of light 4 (eye . half) / (density cosine). Grazing
+// light comes from the long tail of the density, which contains few of them. So they are denser
+// there: s with u = 1 - (1 - s)^3.
 double gloss_albedo(gloss_model *model, double parameter, double roughness, double cosine)
 {
     enum { SIDE = 384 };

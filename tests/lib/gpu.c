@@ -59,7 +59,7 @@ bool gpu_load_file(struct renderer *renderer, const char *path)
     return loaded;
 }
 
-// A test starts from the shader's own values.
+// A test starts with the shader's default values.
 static void reset_parameters(void)
 {
     for (int i = 0; i < gpu.renderer.parameters.count; i++)
@@ -72,7 +72,7 @@ bool gpu_load(const char *shader)
     snprintf(path, sizeof path, "%s/%s", gpu.root, shader);
     if (!gpu_load_file(&gpu.renderer, path))
         return false;
-    reset_parameters(); // a reload keeps the values of the shader before
+    reset_parameters(); // a reload keeps the values of the previous shader
     return true;
 }
 

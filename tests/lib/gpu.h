@@ -1,4 +1,4 @@
-// gpu.h - a context and a renderer for tests: draw a shader, get its numbers back.
+// gpu.h - a context and a renderer for tests: draw a shader and read its numbers.
 #ifndef TESTS_GPU_H
 #define TESTS_GPU_H
 
@@ -12,53 +12,53 @@ extern struct gpu {
     struct context context;
     struct renderer renderer;
     char root[4096];   // the project's folder: PROJECT_ROOT, or "."
-    char called[4096]; // the shader that gpu_call has loaded; "" since another one was
+    char called[4096]; // the shader that gpu_call has loaded; "" if another one was loaded since
 } gpu;
 
 // The project's folder: the environment's PROJECT_ROOT, or ".".
 const char *gpu_project_root(void);
 
-// Open a context without a window and a renderer in it. False, reported. Close with gpu_close.
+// Open a context without a window, and a renderer in it. False, reported. Close with gpu_close.
 bool gpu_open(void);
 void gpu_close(void);
 
-// Setup and teardown of cmocka, for a group: the above, and a folder (scratch.h).
+// Setup and teardown of cmocka for a group: the above, and a folder (scratch.h).
 int gpu_setup(void **state);
 int gpu_teardown(void **state);
 
 // Read a file and load it into a renderer. False, reported.
 bool gpu_load_file(struct renderer *renderer, const char *path);
 
-// Load a shader, a path below the project's folder, with its parameters as the shader says. False,
-// reported.
+// Load a shader, given as a path below the project's folder, with the shader's default parameters.
+// False, reported.
 bool gpu_load(const char *shader);
 
-// These fail the test, or end the program, if it cannot be done. Load a shader like gpu_load.
-// Return the starting camera of a chapter; gpu_open_chapter also loads its shader. Set a parameter
-// of the loaded shader to a number, which need not be in its range.
+// These fail the test, or end the program, if they fail. Load a shader like gpu_load. Return the
+// starting camera of a chapter; gpu_open_chapter also loads its shader. Set a parameter of the
+// loaded shader to a number, which may be outside its range.
 void gpu_open_shader(const char *shader);
 struct camera gpu_camera(const char *stem);
 struct camera gpu_open_chapter(const char *stem);
 void gpu_set(const char *name, double value);
 
-// Load a text, from a file that is written into the folder. False, reported.
+// Load a text from a file that is written into the folder. False, reported.
 bool gpu_load_text(const char *text);
 
-// How such a text begins that is asked for a colour alone: a parallel view of the plane z = 0.
+// The first lines of such a text if only a colour is needed: a parallel view of the plane z = 0.
 #define GPU_COURSE                                                                                 \
     "#include \"main.glsl\"\n"                                                                     \
     "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"         \
     "float sceneDistance(vec3 p) { return p.z; }\n"
 
-// A picture from a place that sees the solids of the chapters 01 to 03.
+// A picture from a position that sees the solids of chapters 01 to 03.
 struct renderer_inputs gpu_inputs(int width, int height, int samples);
 
 // Draw the loaded shader and read the float target: 4 * width * height floats, bottom row first,
 // which the caller frees. Fails the test, or ends the program, if that is impossible.
 float *gpu_numbers(const struct renderer_inputs *inputs);
 
-// Load a shader, where the last call was not of the same, ask one of its functions with four
-// numbers of its own, and read the target as gpu_numbers does. Fails the test where that cannot be.
+// Load a shader, unless the last call loaded the same one, call one of its functions with four
+// numbers, and read the target like gpu_numbers. Fails the test if that is impossible.
 //   function  the shader's Time
 //   numbers   its iMouse
 float *gpu_call(const char *shader, int width, int height, int function, const float numbers[4]);

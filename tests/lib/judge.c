@@ -9,7 +9,7 @@
 #include "lib/compare.h"
 
 #define RAYS 16 // at most
-// A hit at this share of 1 + t elsewhere is another hit.
+// A hit that is off by more than this share of 1 + t is a different hit.
 #define FAR 0.02
 
 static struct {
@@ -73,10 +73,10 @@ struct march {
     bool recorded;
     double t;           // of its last step
     char end[160];      // the last line of --probe without its "# "
-    size_t outcome, at; // letters of end up to the first ';', and up to the first of ' ' ':' ';'
+    size_t outcome, at; // length of the end up to the first ';', and up to the first of ' ' ':' ';'
 };
 
-// Read the next march of what --probe prints. Returns the rest; NULL where there is none.
+// Read the next march that --probe printed. Returns the rest; NULL if there is none.
 static const char *read_march(const char *text, struct march *march)
 {
     *march = (struct march){0};
@@ -99,7 +99,7 @@ static const char *read_march(const char *text, struct march *march)
     return NULL;
 }
 
-// Both on the surface at one distance, or both not?
+// Both on the surface at the same distance, or both not?
 static bool ends_alike(const struct march *a, const struct march *b)
 {
     if (a->at != b->at || strncmp(a->end, b->end, a->at) != 0)

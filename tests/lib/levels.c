@@ -38,13 +38,13 @@ float *levels_read(enum levels_reading reading, double x, double y, double facto
     return gpu_numbers(&inputs);
 }
 
-// How much of a texel lies between two ends.
+// The part of a texel between two ends.
 static double overlap(int texel, double from, double to)
 {
     return fmax(fmin(texel + 1.0, to) - fmax(texel, from), 0.0);
 }
 
-// The mean over a rectangle round (x, y); all in texels.
+// The mean over a rectangle around (x, y); all in texels.
 static void mean_over(double x, double y, double width, double height, double mean[3])
 {
     double left = x - 0.5 * width, low = y - 0.5 * height;
@@ -64,7 +64,7 @@ double levels_error(double width, double height, double factor, double sine)
     float *values = levels_read(reading, width, height, factor, sine);
     double sum = 0.0;
     for (int k = 0; k < PLACES * PLACES; k++) {
-        int i = k % PLACES, j = k / PLACES; // the same places as in the shader
+        int i = k % PLACES, j = k / PLACES; // the same points as in the shader
         double mean[3];
         mean_over((167 * i + 59 * j) % SIDE + 0.375, (101 * i + 211 * j) % SIDE + 0.375, width,
                   height, mean);

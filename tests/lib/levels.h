@@ -1,4 +1,5 @@
-// levels.h - how far a texture that is read at a level is from what a pixel covers of it.
+// levels.h - how far a texture that is read at a level is from the mean over the part of it that a
+// pixel covers.
 #ifndef TESTS_LEVELS_H
 #define TESTS_LEVELS_H
 
@@ -6,25 +7,25 @@
 
 #include "lib/gpu.h"
 
-enum { LEVELS_SIDE = 512 }; // of granite.png, texels
+enum { LEVELS_SIDE = 512 }; // side of granite.png, texels
 
-// How the shader reads: with sides of its own along u and v, at a level, or with the footprint of a
-// ray that meets a floor (footprintOn of shaders/texture.glsl).
+// How the shader reads the texture: with given sides along u and v, at a level, or with the
+// footprint of a ray that meets a floor (footprintOn of shaders/texture.glsl).
 enum levels_reading { LEVELS_SIDES, LEVELS_LEVEL, LEVELS_FLOOR };
 
-// Read the picture and load the shader, behind gpu_open. False, reported.
+// Read the picture and load the shader, after gpu_open. False, reported.
 bool levels_open(void);
 
-// What it reads at 1024 places.
+// The values that the shader reads at 1024 points.
 //   x, y    the two sides of the footprint in texels (of a floor the ray's width twice), or the
 //           level
-//   factor  what the footprint is multiplied with before it is passed; 0 passes none
+//   factor  by which the footprint is multiplied before it is passed; 0 passes none
 //   sine    of the angle between the ray and the floor
-// 4 floats a place, which the caller frees; NULL, reported.
+// 4 floats per point, which the caller frees; NULL, reported.
 float *levels_read(enum levels_reading reading, double x, double y, double factor, double sine);
 
-// The root mean square of what it is off the mean over rectangles of width x height texels at these
-// places, each texel summed in double precision. In linear light; negative where it cannot be
+// The root mean square of the difference from the mean over rectangles of width x height texels at
+// these points, each texel summed in double precision. In linear light; negative if it cannot be
 // drawn.
 //   factor  as above
 //   sine    below 1 the height is that of a floor, which the shader finds by itself; 1 passes the

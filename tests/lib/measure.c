@@ -41,11 +41,12 @@ struct normal_error measure_normal(double h)
         const float p[3] = {(float)(r * cos(around)), (float)(r * sin(around)), (float)(10.0 + z)};
         compare_differences(p, (float)h, &worst);
     }
-    // Of the distance |p| the third derivative along an axis is -3 n (1 - n^2), the second 1 - n^2.
-    // What counts is the part of these vectors across n: at worst 0.2805 and sqrt(2).
+    // For the distance |p|, the third derivative along an axis is -3 n (1 - n^2) and the second is
+    // 1 - n^2. Only the components of these vectors perpendicular to n count: at worst 0.2805 and
+    // sqrt(2).
     worst.central_truncation = 0.2805 * h * h / 2.0 * degrees;
     worst.forward_truncation = sqrt(2.0) * h / 2.0 * degrees;
-    // z is rounded by up to 2^-21; the length three times by up to 2^-24 for each of two values.
+    // z is rounded by up to 2^-21; the length three times by up to 2^-24, for each of two values.
     worst.rounding = (8.0 + 2.0 * sqrt(3.0)) * MIRROR_FLOAT_ROUNDING / h * degrees;
     return worst;
 }
@@ -88,7 +89,7 @@ double measure_rate(double cosine)
 {
     double aside = sqrt(1.0 - cosine * cosine), hit = 3.0 - cosine, t = 0.0, ratio = 0.0;
     struct mirror_ray ray = {{-3.0, aside, 0.0}, {1.0, 0.0, 0.0}};
-    // Near the limit of double precision the ratio would be rounding alone.
+    // Near the limit of double precision, the ratio would consist of rounding errors.
     while (hit - t > 1e-7) {
         double next = t + mirror_distance(&ball_scene, mirror_at(ray, t), NULL);
         ratio = (hit - next) / (hit - t);
@@ -102,7 +103,7 @@ double measure_foot(double radius, double threshold)
     const int rays = 20000;
     double worst = 0.0;
     for (int i = 0; i < rays; i++) {
-        // Half of them close to the silhouette.
+        // Half of them are close to the silhouette.
         double inside = i % 2 == 0 ? (i + 0.5) / rays : threshold * (i + 0.5) / rays;
         double aside = radius * (1.0 - inside), x = -5.0, distance;
         while ((distance = hypot(x, aside) - radius) >= threshold)
@@ -139,8 +140,8 @@ double measure_outline_theory(double threshold)
 
 // ---- Acne ----
 
-// Count the stage's pixels that are lit, with their neighbours, and those of them that the picture
-// shows at less than 0.7 of their light.
+// Count the lit pixels of the stage whose neighbours are also lit, and those of them that the
+// picture shows with less than 0.7 of their light.
 static void count_acne(const struct camera *camera, const float *values, int *lit, int *dark)
 {
     struct mirror_eye eye = {.camera = *camera};
@@ -178,8 +179,8 @@ static float *shadow_shares(const struct camera *camera, int formula)
     return gpu_numbers(&inputs);
 }
 
-// Over the pixels that do not see all of the sun: the same for every formula.
-//   quick, truth  red of the one, blue of the other
+// Over the pixels that do not see all of the sun, which are the same for every formula.
+//   quick, truth  the red channel and the blue channel
 static void add_up(const float *quick, const float *truth, struct shadow_error *error)
 {
     int pixels = 0;

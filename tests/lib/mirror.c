@@ -58,8 +58,8 @@ double brute_box(struct d3 p, struct d3 half_size)
     return -fmin(x, fmin(y, z));
 }
 
-// From a point inside the frame, folded into x, y, z >= 0, to what lies outside the frame.
-//   inner  where the beams end inwards: half size - 2 beam
+// From a point inside the frame, folded into x, y, z >= 0, to the outside of the frame.
+//   inner  inner end of the beams: half size - 2 beam
 static double frame_depth(struct d3 p, struct d3 half_size, struct d3 inner)
 {
     double x = fmax(p.x - inner.x, 0.0), y = fmax(p.y - inner.y, 0.0), z = fmax(p.z - inner.z, 0.0);
@@ -96,8 +96,8 @@ double brute_two_balls(struct d3 p, double shift, double radius)
     double right = d3_length(d3_sub(p, d3(shift, 0.0, 0.0)));
     if (fmin(left, right) > radius)
         return fmin(left, right) - radius;
-    // The surface is each sphere without what the other ball swallows, and the circle where they
-    // meet.
+    // The surface consists of each sphere without the part inside the other ball, and of the circle
+    // where they meet.
     double around = hypot(p.y, p.z), circle = sqrt(radius * radius - shift * shift);
     double depth = hypot(p.x, around - circle);
     double left_x = -shift + radius * (p.x + shift) / left;
@@ -212,7 +212,7 @@ bool mirror_ball_crossing(struct mirror_ray ray, double radius, double t[2])
     return true;
 }
 
-// Where the ray crosses the plane of a face, when that is inside the face: widens t.
+// Where the ray crosses the plane of a face, if that is inside the face: widens t.
 //   o, d  the ray along the face's axis; at: the face; a_o .. b_d: along the face's two sides
 static void cross_face(const double ray[6], const double low[3], const double high[3], int face,
                        double t[2])

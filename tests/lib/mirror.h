@@ -1,5 +1,5 @@
-// mirror.h - the shaders' mathematics once more, in double precision: the truth that the
-// tests hold the GPU against, and a brute force that shares no formula with either.
+// mirror.h - the shaders' mathematics in double precision: the truth against which the tests check
+// the GPU, and a brute force that shares no formula with either.
 #ifndef TESTS_MIRROR_H
 #define TESTS_MIRROR_H
 
@@ -87,12 +87,12 @@ double mirror_plane(struct d3 p, struct d3 normal, double height);
 double mirror_box(struct d3 p, struct d3 half_size);
 double mirror_box_frame(struct d3 p, struct d3 half_size, double beam);
 
-// The same volumes by another road: distances to the closest point, outside and inside.
+// The same volumes computed differently: distances to the closest point, outside and inside.
 double brute_box(struct d3 p, struct d3 half_size);
-// Outside: the closest point of each of the twelve beams. Inside: the true depth, from what lies
-// outside the frame: beyond an outer face, or inner in at least two coordinates.
+// Outside: the closest point of each of the twelve beams. Inside: the true depth, from the points
+// outside the frame, which are beyond an outer face or inner in at least two coordinates.
 double brute_box_frame(struct d3 p, struct d3 half_size, double beam);
-// The union of two balls of one radius with centres (-shift, 0, 0) and (shift, 0, 0), shift <
+// The union of two balls of equal radius with centres (-shift, 0, 0) and (shift, 0, 0), shift <
 // radius.
 double brute_two_balls(struct d3 p, double shift, double radius);
 
@@ -113,22 +113,22 @@ struct mirror_part {
 struct mirror_scene {
     const struct mirror_part *part;
     int count;
-    // In place of the parts: the distance at p; nearest receives a number of the caller's choice.
+    // Instead of the parts: the distance at p; nearest receives a number of the caller's choice.
     double (*function)(struct d3 p, int *nearest);
 };
 
 // A ball that may hide a lamp or a part of the sky.
 struct mirror_ball {
-    struct d3 centre; // from the place that looks, scene units
+    struct d3 centre; // from the viewpoint, scene units
     double radius;    // scene units, > 0
 };
 
-// Whether the ball is met in this direction.
+// Whether a ray in this direction meets the ball.
 //   direction  of length 1
 //   data       a struct mirror_ball
 bool mirror_ball_blocks(struct d3 direction, const void *data);
 
-// The distance of a scene.
+// The distance to a scene.
 //   nearest  receives the number of the nearest part; may be NULL
 double mirror_distance(const struct mirror_scene *scene, struct d3 p, int *nearest);
 
@@ -163,11 +163,12 @@ struct mirror_march mirror_march(const struct mirror_scene *scene, struct mirror
 struct mirror_march mirror_reach(const struct mirror_scene *scene, struct mirror_ray ray,
                                  double t_min, double t_max);
 
-// The ray of a place on the screen, by the formulas of common/camera.h and shaders/camera.glsl.
+// The ray through a position on the screen, by the formulas of common/camera.h and
+// shaders/camera.glsl.
 struct mirror_ray mirror_screen_ray(const struct camera *camera, double focal_length, double x,
                                     double y);
 
-// The screen's position of a place in the picture, in pixels: y from -1 to 1.
+// The position on the screen of a position in the picture, in pixels: y from -1 to 1.
 static inline double mirror_screen_x(double x, int width, int height)
 {
     return (2.0 * x - width) / height;
@@ -178,11 +179,11 @@ static inline double mirror_screen_y(double y, int height)
     return (2.0 * y - height) / height;
 }
 
-// Where a ray crosses a ball at the origin: false where it misses; t[0] <= t[1], any sign.
+// Where a ray crosses a ball around the origin: false if it misses; t[0] <= t[1], of either sign.
 bool mirror_ball_crossing(struct mirror_ray ray, double radius, double t[2]);
 
-// Where a ray enters and leaves a box, from its crossings with the six faces: false where it has
-// none at t >= 0. t[0] is 0 from inside.
+// Where a ray enters and leaves a box, from its crossings with the six faces: false if it has none
+// at t >= 0. t[0] is 0 from inside.
 bool brute_box_interval(struct mirror_ray ray, struct d3 low, struct d3 high, double t[2]);
 
 // ---- shaders/lighting.glsl ----
@@ -207,7 +208,7 @@ double mirror_lightness(struct d3 colour, enum mirror_vision vision);
 
 // ---- the chapters ----
 
-// Where one pixel looks from, and when.
+// The viewpoint and the time of one pixel.
 struct mirror_eye {
     struct camera camera;
     double time; // seconds
@@ -217,12 +218,12 @@ struct mirror_eye {
 // What one pixel sees, in double.
 struct mirror_sample {
     struct d3 colour; // as the screen expects it, in [0, 1]
-    const char *what; // the part that is seen; "sky"
+    const char *what; // the part that is visible; "sky"
     bool faces;       // the surface faces the (warm) light
-    bool shadowed;    // and something stands between
+    bool shadowed;    // and an object is in between
 };
 
-// What a pixel of chapter 03 shows, to the limit of double precision.
+// The colour of a pixel of chapter 03, to the limit of double precision.
 struct mirror_sample mirror_stage(const struct mirror_eye *eye);
 
 // The scene of chapters 02 and 03.
@@ -230,8 +231,8 @@ extern const struct mirror_scene mirror_scene_02;
 #define MIRROR_FOCAL_LENGTH 2.0
 #define MIRROR_FAR          40.0
 
-// The starting camera of a chapter, read from chapters/STEM.c below root. False when it is not
-// there.
+// The starting camera of a chapter, read from chapters/STEM.c below root. False if there is no such
+// file.
 bool mirror_camera(const char *root, const char *stem, struct camera *camera);
 
 #endif

@@ -1,5 +1,5 @@
-// Linked into the sanitizer build alone. Mesa unloads its drivers, and code that is gone has no
-// names in a report: here libraries stay.
+// Linked only into the sanitizer build. Mesa unloads its drivers, and unloaded code has no names in
+// a report, so here libraries stay loaded.
 #include <dlfcn.h>
 
 int dlclose(void *handle)

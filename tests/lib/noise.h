@@ -1,4 +1,4 @@
-// noise.h - shaders/noise.glsl once more, in double precision.
+// noise.h - shaders/noise.glsl in double precision.
 #ifndef TESTS_NOISE_H
 #define TESTS_NOISE_H
 
@@ -19,11 +19,11 @@ double noise_slope(double x);
 // The bits of a lattice point.
 uint32_t noise_bits(int32_t x, int32_t y, int32_t z);
 
-// Between eight numbers: corner k lies at 1 in x where k & 1, in y where k & 2, in z where k & 4.
+// Interpolate between eight numbers: corner k is at 1 in x if k & 1, in y if k & 2, in z if k & 4.
 // The sum of weight times number, as the header defines it.
 struct noise noise_blend(struct d3 x, const double number[8]);
 
-// Between eight slopes through the corners.
+// Interpolate between eight slopes at the corners.
 struct noise noise_slopes(struct d3 x, const struct d3 direction[8]);
 
 struct noise noise_value(struct d3 p);

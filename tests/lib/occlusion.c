@@ -21,7 +21,7 @@ double occlusion_share(occlusion_blocked blocked, const void *data, struct d3 no
     for (int i = 0; i < n * n; i++) {
         double a = (2.0 * (i % n) + 1.0) / n - 1.0, b = (2.0 * (i / n) + 1.0) / n - 1.0;
         double x = a * cos(1.0) - b * sin(1.0),
-               y = a * sin(1.0) + b * cos(1.0); // no edge is along it
+               y = a * sin(1.0) + b * cos(1.0); // no edge is parallel to it
         double square = 1.0 - x * x - y * y;
         if (square < 0.0)
             continue;
@@ -34,7 +34,7 @@ double occlusion_share(occlusion_blocked blocked, const void *data, struct d3 no
 
 // ---- One scene ----
 
-// From a point (away, y) in front of a wall of a height, whose foot is at 0.
+// From a point (away, y) in front of a wall of a given height, whose foot is at 0.
 static double wall_distance(double away, double y, double height)
 {
     return y < height ? away : hypot(away, y - height);
@@ -52,7 +52,8 @@ double occlusion_distance(const struct occlusion_case *scene, double y)
     return fmin(thing, y);
 }
 
-// Does a ray that starts so far from an upright wall, and nears it at this rate, meet it?
+// Does a ray that starts at this distance from an upright wall, and approaches it at this rate,
+// meet it?
 static bool meets_wall(double away, double rate, double rise, double height)
 {
     return rate > 0.0 && away * rise < height * rate;
@@ -69,7 +70,7 @@ static bool thing_blocks(struct d3 w, const void *data)
         return meets_wall(GROOVE + x, -w.x, w.y, size) || meets_wall(GROOVE - x, w.x, w.y, size);
     case OCCLUSION_SHAFT:
         return meets_wall(x, hypot(w.x, w.z), w.y, size);
-    case OCCLUSION_BAR: { // in the plane across it
+    case OCCLUSION_BAR: { // in the plane perpendicular to it
         double along = (-x * w.x + size * w.y) / hypot(w.x, w.y);
         return along > 0.0 && x * x + size * size - along * along < BAR * BAR;
     }
@@ -87,7 +88,7 @@ double occlusion_brute(const struct occlusion_case *scene, int n)
     return occlusion_share(thing_blocks, scene, d3(0.0, 1.0, 0.0), n);
 }
 
-// Half of the sky, and of the other half what is over the wall.
+// Half of the sky, and the part of the other half that is above the wall.
 static double before_wall(double away, double height)
 {
     return 0.5 * (1.0 + cos(atan2(height, away)));
@@ -124,7 +125,7 @@ double occlusion_taps(const struct occlusion_case *scene, double reach, double s
 
 // ---- Errors ----
 
-// One place of a field of the experiment 14_map.
+// One point of a field of the experiment 14_map.
 static struct occlusion_case field_case(enum occlusion_thing thing, double along, double grown)
 {
     double side = thing == OCCLUSION_GROOVE ? GROOVE : 1.2;
@@ -198,7 +199,7 @@ int occlusion_print(void)
     print_case("1 from a ball of radius 1", (struct occlusion_case){OCCLUSION_BALL, 1.0, 1.0});
     print_case("0.1 from a wall 4 high", (struct occlusion_case){OCCLUSION_WALL, 4.0, 0.1});
     print_case("in a shaft 0.1 wide, 4 deep", (struct occlusion_case){OCCLUSION_SHAFT, 4.0, 0.1});
-    printf("# share of the sky that is seen: formula less truth\n");
+    printf("# visible share of the sky: formula minus truth\n");
     printf("scene,formula,mean,mean of its size,worst\n");
     for (int thing = 0; thing <= OCCLUSION_BALL; thing++)
         for (int i = 0; i < 3; i++) {

@@ -98,7 +98,7 @@ const char *png_file_random(const char *name, int width, int height, unsigned ch
     return path;
 }
 
-// What a sample of some bits is with 8.
+// The value of a sample when it is converted to 8 bits.
 static unsigned char byte_of(unsigned sample, int depth)
 {
     return (unsigned char)floor(255.0 * sample / ((1 << depth) - 1) + 0.5);

@@ -12,8 +12,8 @@ struct tetrahedron {
     struct d3 corner[4];
 };
 
-// It stands on the ground with its apex above (-0.7, -0.5) and one lower corner towards the viewer.
-// The length of an edge is sqrt(8) PYRAMID_SIZE.
+// The pyramid rests on the ground, with its apex above (-0.7, -0.5) and one lower corner towards
+// the viewer. An edge has the length sqrt(8) PYRAMID_SIZE.
 static struct tetrahedron whole_pyramid(void)
 {
     struct tetrahedron t;
@@ -47,7 +47,7 @@ static double largest_distance(const struct tetrahedron *t, struct d3 p)
     return largest;
 }
 
-// One level: reflect p to the side of the apex, and halve the edges towards the apex.
+// One level: reflect p to the apex's side, and halve the edges towards the apex.
 static void fold(struct tetrahedron *t, struct d3 *p)
 {
     struct d3 apex = t->corner[0];

@@ -4,7 +4,7 @@
 
 #include "lib/mirror.h"
 
-// What pixelRandom(dimension) gives in a pixel of the picture, 0,0 bottom left, for one of its
+// The value of pixelRandom(dimension) in a pixel of the picture, 0,0 bottom left, for one of its
 // samples.
 double random_of(int x, int y, int sample, int dimension);
 

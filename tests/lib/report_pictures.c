@@ -7,7 +7,7 @@
 
 enum { FRAMES = 25, WARM_UP = 3 };
 
-// The engine's units were measured once, at 640x360, on the machine and the day of its own annex
+// The engine's units were measured once, at 640x360, on the same machine and day as its own annex
 // scene.
 const struct report_scene report_scenes[REPORT_SCENES] = {
     {.name = "boxes",
@@ -55,12 +55,12 @@ struct renderer_inputs report_inputs(const struct report_scene *scene, int width
         .width = width, .height = height, .camera = scene->camera, .samples = 1};
 }
 
-// One contender: the unit, or a variant of a scene.
+// One candidate: the unit, or a variant of a scene.
 struct runner {
     struct renderer renderer;
     struct renderer_inputs inputs;
     double least;       // seconds of process CPU time
-    double evaluations; // of a pixel, the mean
+    double evaluations; // per pixel, on average
 };
 
 static double cpu_time(void)

@@ -37,7 +37,7 @@ static struct d3 dark_sky(struct d3 direction)
     return d3_add(d3_times(1.0 - s, d3(0.030, 0.075, 0.11)), d3_times(s, d3(0.003, 0.007, 0.018)));
 }
 
-// Is the lamp hidden from a point of the surface? A ray to the lamp and no farther.
+// Is the lamp hidden from a point of the surface? The ray ends at the lamp.
 static bool hidden(struct d3 p, struct d3 normal, struct d3 lamp)
 {
     struct d3 start = d3_add(p, d3_times(1e-6, normal));

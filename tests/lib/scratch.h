@@ -1,32 +1,32 @@
-// scratch.h - for tests: a folder of files that goes away, and what was said on standard
-// error.
+// scratch.h - for tests: a temporary folder of files, and the text written to standard error.
 #ifndef TESTS_SCRATCH_H
 #define TESTS_SCRATCH_H
 
 #include <stddef.h>
 
-// Make the folder; its path is resolved. scratch_remove deletes it with all that it holds.
-// Each function here ends the test program when the machine refuses.
+// Make the folder; its path is resolved. scratch_remove deletes it with everything in it. Each
+// function here ends the test program if the machine refuses.
 const char *scratch_make(void);
 void scratch_remove(void);
 
-// The same as setup and teardown of cmocka, for a group or a test.
+// The same as cmocka's setup and teardown, for a group or a test.
 int scratch_setup(void **unused);
 int scratch_teardown(void **unused);
 
 // The path of a name in the folder; valid until the eighth call after it.
 const char *scratch_path(const char *name);
 
-// Write a file in the folder, with the folders that lead to it. Returns its path, as scratch_path.
+// Write a file in the folder, and create the folders on its path. Returns its path, like
+// scratch_path.
 const char *scratch_write(const char *name, const char *text);
 const char *scratch_write_bytes(const char *name, const void *bytes, size_t size);
 
-// Collect standard error from here on; capture_end returns what was written since, valid until the
-// next capture_end.
+// Collect standard error from here on. capture_end returns the text written since then, valid until
+// the next capture_end.
 void capture_begin(void);
 const char *capture_end(void);
 
-// The number of lines of a text; a last line without an end counts.
+// The number of lines of a text; a last line without a line end counts.
 int line_count(const char *text);
 
 #endif

@@ -17,9 +17,9 @@ static struct {
     struct run *run; // NULL while none is open
     char line[4096], *argument[ARGUMENTS + 1];
     struct said {
-        FILE *file;   // what it prints, or reports; NULL while none is open
+        FILE *file;   // its output, or its reports; NULL while none is open
         long fetched; // bytes of that
-        int stream;   // where it goes else
+        int stream;   // where it goes otherwise
     } said[2];
     char text[65536];
     struct image kept[KEPT];
@@ -88,7 +88,7 @@ int session_teardown(void **unused)
         chapter_close(session.run);
     session.run = NULL;
     if (session.said[0].file != NULL) {
-        session_said(2); // of a test that has failed too
+        session_said(2); // of a test that has also failed
         hush();
         fputs(session.text, stderr);
     }
@@ -181,7 +181,7 @@ void session_click(double x, double y)
     user_click(x, y, GLFW_MOUSE_BUTTON_LEFT);
     session_turn();
     session_turn();
-    user.now += 1.0; // the next click is none of a double one
+    user.now += 1.0; // so that the next click is not part of a double click
 }
 
 bool session_titled(const char *text)

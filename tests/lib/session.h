@@ -1,74 +1,74 @@
-// session.h - a chapter in a window that nobody sees, whose user the test plays (user.h). What the
-// program prints is kept for the test.
+// session.h - a chapter in an invisible window, with the test as its user (user.h). The program's
+// output is kept for the test.
 #ifndef TESTS_SESSION_H
 #define TESTS_SESSION_H
 
 #include "lib/test.h"
 #include "lib/user.h"
 
-// A small picture of chapter 01, which stands still.
+// A small, still picture of chapter 01.
 #define SESSION_STILL "--size 320x200 --camera 1.65,1.6,3.4,-26,-23.5"
 
-// Setup and teardown of cmocka: a folder for files (scratch.h), the user at rest; a window that is
+// Setup and teardown of cmocka: a folder for files (scratch.h), and an idle user; a window that is
 // still open is closed.
 int session_setup(void **unused);
 int session_teardown(void **unused);
 
 #define SESSION_TEST(name) TEST_WITH(name, session_setup, session_teardown)
 
-// Open a chapter in a window and carry out its first turns. Fails the test where that is
-// impossible.
+// Open a chapter in a window and carry out its first turns. Fails the test if that is impossible.
 //   options  of the command line, printf's
 void session_open(const char *stem, const char *options, ...) __attribute__((format(printf, 2, 3)));
 
-// The same, and H is pressed: the window shows the picture alone.
+// The same, and then press H: the window shows only the picture.
 void session_open_bare(const char *stem, const char *options, ...)
     __attribute__((format(printf, 2, 3)));
 
-// End the program. Fails the test where it has reported something that no session_said has fetched.
+// End the program. Fails the test if it has reported something that no session_said has fetched.
 void session_close(void);
 
 // A sixtieth of a second later, one turn of the loop; turns for some seconds.
 void session_turn(void);
 void session_wait(double seconds);
 
-// The program's own loop, until its window is closed. Returns false when drawing failed.
+// Run the program's own loop until its window is closed. Returns false if drawing failed.
 bool session_run(void);
 
-// Press a key, with Shift where the name says so, and carry out a turn.
+// Press a key, with Shift if the name says so, and carry out a turn.
 void session_key(int key);
 void session_shift_key(int key);
 
-// Click at a place with the left button, and carry out two turns.
+// Click at a position with the left button, and carry out two turns.
 void session_click(double x, double y);
 
-// True when the title bar has a text; fails the test unless it has.
+// True if the title bar contains a text; otherwise fails the test.
 bool session_titled(const char *text);
 void session_assert_title(const char *text);
 
 // What the program has printed (1) or reported (2) since the last call; valid until the next one.
 const char *session_said(int stream);
 
-// Fails the test unless the window shows what a chapter writes with --output: all but pixels that
-// are off by rounding.
+// Fails the test unless the window shows what a chapter writes with --output, up to pixels that are
+// off by rounding.
 //   options  of the command line, printf's
 void session_assert_shown(const char *stem, const char *options, ...)
     __attribute__((format(printf, 2, 3)));
 
-// Take a screenshot; the caller frees image. Fails the test unless it is written in ten seconds.
+// Take a screenshot; the caller frees image. Fails the test if it is not written within ten
+// seconds.
 void session_shoot(struct image *image);
 
-// Fails the test unless a screenshot is what a chapter writes, as session_assert_shown.
+// Fails the test unless a screenshot is what a chapter writes, like session_assert_shown.
 void session_assert_screenshot(const char *stem, const char *options);
 
-// Keep what the window shows, or a part of it, under a number from 0 to 3.
+// Store what the window shows, or a part of it, under a number from 0 to 3.
 void session_keep(int number);
 
-// The share of the pixels that differ by more than rounding between what the window shows and what
-// was kept, in a part of both: x, y, width, height from the top left; NULL: everywhere.
+// The share of pixels that differ by more than rounding between what the window shows and what was
+// stored, in a part of both: x, y, width, height from the top left; NULL: everywhere.
 double session_off(int number, const int part[4]);
 
-// The box around these pixels: x, y, width, height. Returns how many there are.
+// The bounding box of these pixels: x, y, width, height. Returns their number.
 int session_bounds(int number, const int in[4], int box[4]);
 
 #endif

@@ -37,9 +37,10 @@ double shadow_share(shadow_blocked blocked, const void *data, struct d3 to_light
     return (double)seen / (double)all;
 }
 
-// ---- The table of errors: u along the floor, v the other way across the ray, t along it ----
+// ---- The table of errors: u along the floor, v in the other direction perpendicular to the ray, t
+// along it ----
 
-// Half the angle of a round thing, and the angle of its middle from the ray.
+// Half the angle of a round object, and the angle of its centre from the ray.
 static void round_thing(const struct shadow_case *scene, double *radius, double *half,
                         double *angle)
 {
@@ -52,12 +53,12 @@ static void round_thing(const struct shadow_case *scene, double *radius, double 
 static double obstacle_distance(const struct shadow_case *scene, double t)
 {
     if (scene->obstacle == SHADOW_SHEET) {
-        // All that is at the distance or farther, on one side of a plane through the point and the
+        // Everything at the distance or farther, on one side of a plane through the point and the
         // edge: a wall, so that it has an inside.
         double edge = scene->clear * SPREAD * scene->distance;
         double ahead = scene->distance - t;
         double length = sqrt(1.0 + scene->clear * SPREAD * scene->clear * SPREAD);
-        double beside = scene->clear * SPREAD * t / length; // from the wall's side
+        double beside = scene->clear * SPREAD * t / length; // from the side of the wall
         double along = t / length;                          // along its side, from the point
         double corner = hypot(edge, scene->distance);
         if (beside <= 0.0)
@@ -80,7 +81,7 @@ double shadow_clearance(const struct shadow_case *scene)
     return scene->clear * SPREAD;
 }
 
-// The share of a disc on one side of a line, by its chords.
+// The share of a disc on one side of a line, from its chords.
 static double beside(double clear)
 {
     enum { CHORDS = 500 };
@@ -145,7 +146,7 @@ static double cone_reaching(const struct shadow_case *scene)
     return fmax((smallest - 0.2) / 0.8, 0.0);
 }
 
-// The march that goes on inside, where it takes steps of a twentieth of the way.
+// The march that continues inside, with steps of a twentieth of the length.
 static double on_inside(const struct shadow_case *scene)
 {
     double t = 0.0, smallest = 1.0;

@@ -1,36 +1,36 @@
-// shadow.h - shares of a lamp that is a disc, in double precision: by brute force, and by
+// shadow.h - visible shares of a lamp that is a disc, in double precision: by brute force, and from
 // the march of shaders/soft_shadow.glsl.
 #ifndef TESTS_SHADOW_H
 #define TESTS_SHADOW_H
 
 #include "lib/mirror.h"
 
-// Does something stand in a direction?
+// Is there an object in a direction?
 typedef bool (*shadow_blocked)(struct d3 direction, const void *data);
 
-// The share of a lamp's disc that is seen: of a square grid of n x n places, those on the disc that
-// nothing hides.
+// The visible share of a lamp's disc: of those points of a square grid of n x n that lie on the
+// disc, the share that nothing hides.
 //   to_light  length 1
 //   spread    radius of the disc, one unit away
 double shadow_share(shadow_blocked blocked, const void *data, struct d3 to_light, double spread,
                     int n);
 
-// Two directions of length 1, across to_light and each other.
+// Two directions of length 1, perpendicular to to_light and to each other.
 void shadow_axes(struct d3 to_light, struct d3 *right, struct d3 *up);
 
 // ---- The table of errors ----
 
-// What stands between the point and the lamp, near enough to straight before it.
+// The object between the point and the lamp, so near to the ray that it matters.
 enum shadow_obstacle { SHADOW_SHEET, SHADOW_BALL, SHADOW_BAR, SHADOW_OBSTACLES };
 
-// How the share is found from one march.
+// The method that estimates the share from one march.
 enum shadow_formula {
     SHADOW_HARD,   // 0 or 1
     SHADOW_CONE,   // coneReaching of shaders/cone.glsl, from a footprint of 0.0005
     SHADOW_MOST,   // the smallest distance / t
     SHADOW_LEAST,  // pairs of steps
     SHADOW_TWICE,  // pairs of steps, twice as hard: full where half the radius is free
-    SHADOW_SIGNED, // the smallest distance / t, the march going on inside
+    SHADOW_SIGNED, // the smallest distance / t, with a march that continues inside
     SHADOW_FORMULAS
 };
 
@@ -40,17 +40,19 @@ extern const char *const shadow_formula_names[SHADOW_FORMULAS];
 // One point of a floor, under a sun 29 degrees high, of radius 0.04.
 struct shadow_case {
     enum shadow_obstacle obstacle;
-    double distance; // to it along the ray to the lamp's middle, scene units
-    double clear; // how far that ray passes from its edge, in radii of the lamp; negative behind it
+    double distance; // to it along the ray to the lamp's centre, scene units
+    double clear; // distance of that ray from the obstacle's edge, in radii of the lamp; negative
+                  // behind it
 };
 
-// What is seen of the lamp: by closed form for the sheet and the bar, by brute force for the ball.
+// The visible share of the lamp: in closed form for the sheet and the bar, by brute force for the
+// ball.
 double shadow_truth(const struct shadow_case *scene);
 
-// The tangent of the angle between the lamp's middle and the obstacle's edge; negative behind it.
+// The tangent of the angle between the lamp's centre and the obstacle's edge; negative behind it.
 double shadow_clearance(const struct shadow_case *scene);
 
-// The same share by a formula.
+// The same share from a formula.
 double shadow_quick(const struct shadow_case *scene, enum shadow_formula formula);
 
 // The two clearances that one march finds; 0 and 0 where it is stopped.
@@ -59,7 +61,7 @@ void shadow_march(const struct shadow_case *scene, double *most, double *least);
 // How far a formula is from the truth, over all the penumbra and as much again: clear from -2 to 2,
 // distances from 0.5 to 4.
 struct shadow_error {
-    double mean, mean_size, worst; // formula less truth; of its size; the largest size
+    double mean, mean_size, worst; // formula minus truth; its absolute value; the largest of these
 };
 
 struct shadow_error shadow_error_of(enum shadow_obstacle obstacle, enum shadow_formula formula);

@@ -46,7 +46,10 @@ static double shown(double light, double sun)
     return 255.0 * mirror_encode(fmin(fmax(exp2(stops(sun)) * light, 0.0), 1.0));
 }
 
-enum { EVERY_SUN = 3, EVERY_HEIGHT = 2 }; // of the places: they lie on all parts of the cells
+enum {
+    EVERY_SUN = 3,
+    EVERY_HEIGHT = 2
+}; // of the points, so that they lie on all parts of the cells
 
 struct truth {
     double azimuth;
@@ -59,7 +62,8 @@ static double height_of(int row)
     return s * s;
 }
 
-// The integral at an angle to the sun, kept for the next way to mix: it is what takes the time.
+// The integral at an angle to the sun, kept for the next method of mixing, because it takes most of
+// the time.
 static const struct truth *truth_at(double azimuth)
 {
     static struct truth truth = {.azimuth = 2.0};
@@ -177,8 +181,9 @@ static void print_hours(void)
         }
         printf("\n");
     }
-    printf("# all the light of a direction over that scattered once, at 560 nm, with the sun 48.4 "
-           "degrees high: the zenith by chance, for a ground of albedo 0, 0.15, 0.3\n");
+    printf("# all the light of a direction divided by that scattered once, at 560 nm, with the sun "
+           "48.4 "
+           "degrees high: the zenith, from random paths, for a ground of albedo 0, 0.15, 0.3\n");
     for (int i = 0; i < 3; i++) {
         struct air_paths paths =
             air_paths(sin(48.4 * MIRROR_PI / 180.0), 1.0, 1.0, 0.15 * i, 8, 50000);

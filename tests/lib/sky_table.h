@@ -1,4 +1,5 @@
-// sky_table.h - the sky of chapter 18 by its tables and by other ways, against an integral.
+// sky_table.h - the sky of chapter 18 from its tables and from other methods, compared with an
+// integral.
 #ifndef TESTS_SKY_TABLE_H
 #define TESTS_SKY_TABLE_H
 
@@ -10,39 +11,40 @@ enum { SKY_SUNS = 128, SKY_HEIGHTS = 48 };
 // Load tests/shaders/sky_table.frag into the renderer. False, reported.
 bool sky_table_open(void);
 
-// The sine of a column's sun.
+// The sine of the height of a column's sun.
 double sky_table_sun(int column);
 
-// What a function of that shader says: SKY_HEIGHTS rows of SKY_SUNS places of four numbers, which
-// the caller frees.
+// The values of a function of that shader: SKY_HEIGHTS rows of SKY_SUNS points of four numbers,
+// which the caller frees.
 //   way, encoded  as of chapters/experiments/18_ways.glsl
-//   function      0 the sky; the others stand in the shader
-//   number        its iMouse.x: of the sky the cosine of the horizontal angle to the sun
+//   function      0 0 the sky; the shader lists the others
+//   number        its iMouse.x: for the sky, the cosine of the horizontal angle to the sun
 float *sky_table_read(int way, int function, double number, bool encoded);
 
-// Errors of the sky in steps of 255, light exposed as hourStops says, cut off at 1 and encoded.
+// Errors of the sky in steps of 255, with the light exposed as hourStops says, clamped at 1 and
+// encoded.
 struct sky_table_error {
     double mean, most;
     double by_day;      // the largest with the sun 5 degrees high or more
     double over;        // the share of directions in which a channel is off by more than 1
-    double sun, height; // where it is largest, degrees
+    double sun, height; // position of the largest error, degrees
 };
 struct sky_table_error sky_table_error(int way, double azimuth, bool encoded);
 
-// What falls on level ground from the clear sky and the sun with the sun at a height in degrees.
+// The light on level ground from the clear sky and the sun, with the sun at a height in degrees.
 // Source: P. M. Janiczek, J. A. DeYoung, 'Computer programs for sun and moon illuminance', U.S.
 // Naval Observatory circular 171 (1987), a fit to measurements, from 90 degrees to -18.
 double sky_measured_lux(double degrees);
 
-// The same of the integral, in parts: of the sky scattered once and more often, of the sun, and of
-// the night sky of chapter 18.
+// The same from the integral, in parts: from the sky, scattered once and more often, from the sun,
+// and from the night sky of chapter 18.
 struct sky_lux {
     double once, more, sun, night;
 };
 struct sky_lux sky_lux(double degrees);
 
-// Print these errors for all ways, the light of the real sky beside that of one scattering, and the
-// bytes of the tables. Returns the program's exit status.
+// Print these errors for all methods, the light of the real sky next to that of a single
+// scattering, and the bytes of the tables. Returns the program's exit status.
 int sky_table_print(void);
 
 #endif

@@ -34,7 +34,8 @@ static struct d3 patch_at(const struct patch *patch, double u, double v)
 }
 
 // The squared distance from p to a piece: the nearest point of a grid (none on the axis), then
-// steps that halve, towards whatever is nearer. What remains is less than the last step.
+// steps that are halved again and again, towards any point that is nearer. The remaining error is
+// less than the last step.
 static double patch_distance(const struct patch *patch, struct d3 p)
 {
     double best = HUGE_VAL, u = 0.0, v = 0.0;
@@ -56,8 +57,7 @@ static double patch_distance(const struct patch *patch, struct d3 p)
             b = patch->turned ? b : mirror_clamp(b);
             struct d3 to = d3_sub(patch_at(patch, a, b), p);
             double square = d3_dot(to, to);
-            if (square <
-                best * (1.0 - 1e-12)) { // on the axis every v is the same, but for rounding
+            if (square < best * (1.0 - 1e-12)) { // on the axis every v is the same, up to rounding
                 best = square;
                 u = a;
                 v = b;
@@ -115,7 +115,7 @@ static double truth(const struct solid *solid, struct d3 p)
     return solid->inside(solid, p) ? -sqrt(square) : sqrt(square);
 }
 
-// ---- The distances against it ----
+// ---- The distances compared with the surface ----
 
 float *solid_call(const struct solid *solid)
 {

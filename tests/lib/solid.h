@@ -1,6 +1,5 @@
-// solid.h - for tests of solids: a surface, piece by piece, and what
-// tests/shaders/solids.frag says of a solid, in double precision against the nearest point of its
-// surface.
+// solid.h - for tests of solids: a surface made of pieces, and the comparison of a solid's
+// distances in tests/shaders/solids.frag with the nearest point of its surface in double precision.
 #ifndef TESTS_SOLID_H
 #define TESTS_SOLID_H
 
@@ -8,7 +7,8 @@
 
 #include "lib/mirror.h"
 
-// The functions of the shader. It asks each at so many points, and at a second point beside each.
+// The functions of the shader. It evaluates each at this many points, and at a second point beside
+// each.
 enum {
     CYLINDER,
     HEX_PRISM,
@@ -25,9 +25,9 @@ enum {
 };
 enum { SOLID_ITEMS = 2048, SOLID_SLOTS = 2, SOLID_GRID = 24, SOLID_MOST = 16 };
 
-// A piece of a surface: a parallelogram origin + u side + v other, u and v in [0, 1]; or, where
-// turned, a segment or an arc of the half-plane x >= 0, turned about the y axis: u along it, v once
-// around.
+// A piece of a surface: a parallelogram origin + u side + v other, u and v in [0, 1]; or, if
+// turned, a segment or an arc of the half-plane x >= 0, rotated about the y axis: u along it, v
+// once around.
 struct patch {
     bool turned, arc;
     struct d3 origin, side, other;          // of a parallelogram
@@ -36,12 +36,12 @@ struct patch {
     struct d3 grid[SOLID_GRID][SOLID_GRID]; // points of it
 };
 
-// A solid: its surface, and what lies inside.
+// A solid: its surface, and its interior.
 struct solid {
     const char *name;
     int function;
     float number[4];
-    double thickness; // of a stroke around the surface, which is then a sheet
+    double thickness; // thickness of a stroke around the surface, which is then a sheet
     bool (*inside)(const struct solid *solid, struct d3 p);
     bool exact_outside, exact_inside;
     int count;
@@ -55,25 +55,26 @@ struct tally {
     double steepest; // |f(p) - f(q)| / |p - q|
 };
 
-// Each adds to a surface: a parallelogram; a segment of the half-plane x >= 0, turned; the part
-// with x >= 0 of a circle around (x, 0), turned.
+// Each adds to a surface: a parallelogram; a segment of the half-plane x >= 0, rotated; the part
+// with x >= 0 of a circle around (x, 0), rotated.
 void solid_add_flat(struct solid *solid, struct d3 origin, struct d3 side, struct d3 other);
 void solid_add_turned(struct solid *solid, double x0, double y0, double x1, double y1);
 void solid_add_turned_circle(struct solid *solid, double x, double radius);
 
-// What the shader says: SOLID_SLOTS points with their distances for each of SOLID_ITEMS. Freed by
-// the caller.
+// The shader's values: SOLID_SLOTS points with their distances for each of SOLID_ITEMS. The caller
+// frees them.
 float *solid_call(const struct solid *solid);
 
-// What a distance may be off by: a few roundings of numbers no larger than the point and the solid,
-// and what the search leaves.
+// The allowed error of a distance: a few roundings of numbers no larger than the point and the
+// solid, plus the remaining error of the search.
 double solid_slack(struct d3 p);
 
-// False: nothing is inside a sheet.
+// False: a sheet has no inside.
 bool solid_never(const struct solid *solid, struct d3 p);
 
-// Hold the shader against the surface at each point: a lower bound on either side and of slope 1 at
-// most; exact where the solid says so. Prints how far; fails the test where it is not.
+// Compare the shader with the surface at each point: it must be a lower bound on either side with a
+// slope of at most 1, and exact where the solid says so. Prints the differences; fails the test if
+// this is not so.
 struct tally solid_check(struct solid *solid);
 
 #endif

@@ -1,4 +1,4 @@
-// speed.h - what two shaders cost, their frames in turn.
+// speed.h - the cost of two shaders, with their frames in turn.
 #ifndef TESTS_SPEED_H
 #define TESTS_SPEED_H
 

@@ -1,5 +1,5 @@
-// stars.h - the stars of shaders/night.glsl in double precision: where each stands and how
-// bright it is.
+// stars.h - the stars of shaders/night.glsl in double precision: where each star is and how bright
+// it is.
 #ifndef TESTS_STARS_H
 #define TESTS_STARS_H
 
@@ -10,13 +10,14 @@ enum { STAR_RINGS = 64, STAR_COUNT = 8 * STAR_RINGS * STAR_RINGS };
 struct star {
     struct d3 place; // length 1, in the stars' frame
     double light;    // in the library's unit times steradians, for green
-    double share;    // of all stars that are brighter
+    double share;    // of all brighter stars
 };
 
 // All stars, sorted by z. Owned by the module.
 const struct star *stars_all(void);
 
-// What a pixel of a width sees of them in a direction: the sum over all stars.
+// The light that a pixel of a given width receives from them in a direction: the sum over all
+// stars.
 double stars_light(struct d3 direction, double width);
 
 #endif

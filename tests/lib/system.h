@@ -1,5 +1,5 @@
-// system.h - what tests do to files that no program does: support_system_posix.c, and
-// support_system_windows.c where the tests are built for Windows.
+// system.h - operations on files that only tests need: system_posix.c, and system_windows.c if the
+// tests are built for Windows.
 #ifndef TESTS_SYSTEM_H
 #define TESTS_SYSTEM_H
 
@@ -9,30 +9,30 @@
 
 #include "platform.h"
 
-// Make a folder with a name that nothing has, where this machine keeps what is thrown away.
-//   path  receives it, resolved
+// Make a folder with an unused name in this machine's folder for temporary files.
+//   path  receives its resolved path
 bool system_make_scratch(char path[PLATFORM_PATH]);
 
 bool system_make_folder(const char *path);
 
-// An empty file to write and read, gone when it is closed; the test ends where none can be made.
+// An empty file to write and read, deleted when it is closed; the test ends if none can be made.
 FILE *system_open_scratch(void);
 
-// Remove a folder with all that it holds.
+// Remove a folder with everything in it.
 bool system_remove_folder(const char *path);
 
-// How many files this process has open; two calls give the same count unless a file was left open
-// in between. Where the system has no /proc/self/fd it prints so and returns -1.
+// The number of files that this process has open; two calls give the same number unless a file was
+// left open in between. If the system has no /proc/self/fd, it prints so and returns -1.
 int system_open_files(void);
 
-// Run one of the programs built with the tests, with a line of arguments, and read what it prints,
-// errors too.
+// Run one of the programs built with the tests, with a line of arguments, and read its output and
+// errors.
 //   text  receives the first size - 1 bytes of it
 // Returns its exit status; the test ends where it cannot be started.
 int system_run(const char *program, const char *arguments, char *text, size_t size);
 
-// Make a symbolic link, or a named pipe; the test ends where that fails.
-// Returns false on a system that has none for everybody: nothing of them can be tested there.
+// Make a symbolic link, or a named pipe; the test ends if that fails. Returns false on a system
+// where ordinary users cannot make one: there they cannot be tested.
 bool system_make_link(const char *to, const char *path);
 bool system_make_pipe(const char *path);
 

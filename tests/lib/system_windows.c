@@ -10,8 +10,7 @@ bool system_make_scratch(char path[PLATFORM_PATH])
 {
     static int number;
     const char *parent = getenv("TEMP");
-    // A program's number is given again when it has ended, and what was killed leaves its folder
-    // behind.
+    // The number of an ended program is used again, and a killed program leaves its folder behind.
     bool made;
     do {
         snprintf(path, PLATFORM_PATH, "%s/march-test-%d-%d", parent != NULL ? parent : ".",
@@ -25,7 +24,7 @@ bool system_make_scratch(char path[PLATFORM_PATH])
     return resolved != NULL;
 }
 
-// Not tmpfile: Wine's may give two programs that run at once the same file.
+// Not tmpfile: Wine's may give the same file to two programs that run at once.
 FILE *system_open_scratch(void)
 {
     static int number;
@@ -35,7 +34,7 @@ FILE *system_open_scratch(void)
     do {
         snprintf(path, sizeof path, "%s/march-test-%d-%d.tmp", parent != NULL ? parent : ".",
                  _getpid(), number++);
-        file = fopen(path, "w+bxD"); // a new one, gone when it is closed
+        file = fopen(path, "w+bxD"); // a new one, deleted when it is closed
     } while (file == NULL && errno == EEXIST);
     if (file == NULL) {
         perror(path);
@@ -86,7 +85,7 @@ int system_run(const char *program, const char *arguments, char *text, size_t si
     return _pclose(pipe);
 }
 
-// It has links for administrators alone, and no pipe that is a file of a folder.
+// On Windows, only administrators can make links, and a pipe is not a file in a folder.
 bool system_make_link(const char *to, const char *path)
 {
     (void)to, (void)path;

@@ -19,7 +19,7 @@ tap_count=0
 tap_failed=0
 
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
-# 99 tells a sanitizer's end from the program's own status 1.
+# With 99 we can tell a sanitizer's end from the program's own status 1.
 export ASAN_OPTIONS="${ASAN_OPTIONS:-intercept_tls_get_addr=0}:exitcode=99"
 export UBSAN_OPTIONS="${UBSAN_OPTIONS:+$UBSAN_OPTIONS:}exitcode=99:print_stacktrace=1"
 export LSAN_OPTIONS="${LSAN_OPTIONS:-suppressions=$root/tests/lib/lsan.supp:print_suppressions=0}"
@@ -69,8 +69,8 @@ plan() {
     [ "$tap_failed" = 0 ]
 }
 
-# A display of this suite's own, on a number that is free. Sets DISPLAY. -noreset: without it a
-# server that resets between two clients refuses some of them.
+# A display for this suite, on a free number. Sets DISPLAY. -noreset: without it, a server that resets between two
+# clients refuses some of them.
 open_display() {
     command -v Xvfb >/dev/null || return 1
     mkfifo "$scratch/display" || return 1

@@ -7,7 +7,7 @@
 //
 //   TESTS(gpu_setup, gpu_teardown)
 //
-// The tests run in the order in which they stand. The environment's ONE_TEST, such as
+// The tests run in the order in which they are written. The environment's ONE_TEST, such as
 // a_ray_has_length_1, is the only one that runs; '*' in it matches any letters.
 #ifndef TESTS_TEST_H
 #define TESTS_TEST_H
@@ -24,7 +24,7 @@
 
 #include <cmocka.h>
 
-// A test; its body knows 'void **state'. The second form has a setup and a teardown of cmocka, or
+// A test; its body can use 'void **state'. The second form has a setup and a teardown of cmocka, or
 // NULL.
 #define TEST(name) TEST_WITH(name, NULL, NULL)
 #define TEST_WITH(name, setup, teardown)                                                           \
@@ -35,14 +35,14 @@
     }                                                                                              \
     static void name(__attribute__((unused)) void **state)
 
-// The program: all tests of the file, with a setup and a teardown of them all, or NULL.
+// The program: all tests of the file, with a setup and a teardown for all of them, or NULL.
 #define TESTS(setup, teardown)                                                                     \
     int main(void)                                                                                 \
     {                                                                                              \
         return test_run(setup, teardown);                                                          \
     }
 
-// For these macros alone.
+// Used only by these macros.
 //   line  of the file, which orders the tests
 void test_add(int line, const struct CMUnitTest *test);
 int test_run(CMFixtureFunction setup, CMFixtureFunction teardown);

@@ -6,17 +6,17 @@
 
 #include "context/context.h"
 
-// GLFW says more than is needed here. NOLINTBEGIN(misc-unused-parameters)
+// GLFW passes more than is needed here. NOLINTBEGIN(misc-unused-parameters)
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #define GL_SCISSOR_BOX 0x0C10
 
 struct user user;
 
 struct GLFWwindow {
-    struct context context; // without a window of the system
+    struct context context; // not shown by the system
     GLuint framebuffer, texture;
     int width, height;    // of the texture, pixels
-    double drawn, waited; // pixels; of these the program waited for so many
+    double drawn, waited; // pixels; the program has waited for this many of them
 };
 
 struct GLFWcursor {
@@ -104,7 +104,8 @@ void user_resize(int width, int height)
 
 // ---- What the window shows ----
 
-// The picture of the window, which has no framebuffer of its own, is a texture of its size.
+// The picture of the window, which has no framebuffer of its own, is a texture of the window's
+// size.
 static void bind(GLenum target, GLuint framebuffer)
 {
     const struct gl *gl = &the.context.gl;
@@ -118,14 +119,14 @@ static void bind(GLenum target, GLuint framebuffer)
         return;
     the.width = width;
     the.height = height;
-    gl->GenTextures(1, &the.texture); // what a size before left goes with the context
+    gl->GenTextures(1, &the.texture); // the texture of an earlier size is freed with the context
     gl->BindTexture(GL_TEXTURE_2D, the.texture);
     gl->TexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, NULL);
     gl->BindTexture(GL_TEXTURE_2D, 0);
     gl->FramebufferTexture2D(target, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, the.texture, 0);
 }
 
-// A picture is drawn in tiles, and nothing else within a scissor box of many pixels.
+// Pictures are drawn in tiles; nothing else is drawn within a scissor box of many pixels.
 static void draw(GLenum mode, GLint first, GLsizei count)
 {
     GLboolean (*is_enabled)(GLenum) = (GLboolean(*)(GLenum))the.context.driver->find("glIsEnabled");
@@ -346,7 +347,7 @@ void glfwSetWindowUserPointer(GLFWwindow *window, void *pointer)
     user.calls.pointer = pointer;
 }
 
-// glfwSet...Callback: each keeps a function and returns the one before.
+// glfwSet...Callback: each stores a function and returns the previous one.
 #define KEEP(name, type, member)                                                                   \
     type glfwSet##name##Callback(GLFWwindow *window, type callback)                                \
     {                                                                                              \
@@ -387,7 +388,7 @@ void glfwSetCursor(GLFWwindow *window, GLFWcursor *cursor)
     user.cursor = cursor != NULL ? cursor->shape : 0;
 }
 
-// A French keyboard's labels, by the American ones.
+// The labels of a French keyboard, by the American ones.
 const char *glfwGetKeyName(int key, int scancode)
 {
     static const char *const labels[][2] = {{"A", "q"}, {"Q", "a"}, {"W", "z"},

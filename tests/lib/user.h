@@ -1,7 +1,7 @@
-// user.h - GLFW whose user is a test: keys, pointer, sizes and the clock are what the test says.
+// user.h - GLFW with a test as its user: keys, pointer, sizes and the clock are what the test sets.
 //
-// It takes GLFW's place in a test program that is linked with it. One window at a time; what it
-// shows is a picture of its own, drawn without a display by EGL or OSMesa.
+// It replaces GLFW in a test program that is linked with it. There is one window at a time; its
+// contents are a picture that is drawn without a display by EGL or OSMesa.
 #ifndef TESTS_USER_H
 #define TESTS_USER_H
 
@@ -16,14 +16,14 @@ enum { USER_HINTS = 32 };
 
 // What the test sets, and what the program has set.
 struct user {
-    double now;             // of the clock, seconds; a wait moves it on
-    double pixel_seconds;   // that drawing a pixel takes, when the program waits for the drawing
-    double pointer[2];      // where it is, in the window's units from its top left
+    double now;             // of the clock, seconds; waiting advances it
+    double pixel_seconds;   // time to draw one pixel, when the program waits for the drawing
+    double pointer[2];      // its position, in the window's units from its top left
     int size[2];            // of the window, in its units
-    int density;            // pixels of a unit: 1, or 2 as on a Mac's Retina display
+    int density;            // pixels per unit: 1, or 2 as on a Mac's Retina display
     int place[2];           // of the window on its monitor
-    bool unfocused, hidden; // it has no keyboard; it is iconified
-    void (*wait)(void);     // called at each wait for events, if it is not NULL
+    bool unfocused, hidden; // there is no keyboard; the window is iconified
+    void (*wait)(void);     // called at each wait for events, if not NULL
     // What the program asked for:
     bool open, ended, captured, full;
     char title[400];
@@ -45,10 +45,10 @@ struct user {
 
 extern struct user user;
 
-// Begin with a window of zeros, 320x200 units, that nobody has touched.
+// Begin with a black window of 320x200 units that nobody has touched.
 void user_reset(void);
 
-// A key goes down, or up; a key is pressed and let go.
+// A key goes down or up; a key is pressed and released.
 //   modifiers  GLFW_MOD_SHIFT or 0
 void user_press(int key, int modifiers);
 void user_release(int key);
@@ -58,20 +58,20 @@ void user_key(int key, int modifiers);
 //   text  ISO 8859-1
 void user_type(const char *text);
 
-// The pointer goes to a place; a button goes down, or up, where it is.
+// The pointer moves to a position; a button goes down or up at the pointer's position.
 void user_point(double x, double y);
 void user_button(int button, int action);
 
-// The pointer goes to a place and presses a button, once.
+// The pointer moves to a position, and a button is clicked there once.
 void user_click(double x, double y, int button);
 
-// The pointer goes to a place, and on from there with the left button held.
+// The pointer moves to a position, and from there with the left button held.
 void user_drag(double x, double y, double right, double down);
 
-// The wheel turns by notches, away from the user positive.
+// The wheel turns by notches; away from the user is positive.
 void user_wheel(double notches);
 
-// The window gets another size: its content is lost, and the program hears of that at once.
+// The window gets a new size: its content is lost, and the program is told at once.
 void user_resize(int width, int height);
 
 // Read what the window shows; the caller frees image.

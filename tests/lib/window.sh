@@ -8,8 +8,8 @@ program='' window='' manager='' shots=0 picture='' stem=''
 
 # ---- Tools ----
 
-# eventually COMMAND...: wait until the command succeeds. After a minute it gives up, keeps a screenshot
-# beside the suite's output and makes every later wait fail at once; the check that it belongs to, or the next one, ends the suite.
+# eventually COMMAND...: wait until the command succeeds. After a minute it gives up, saves a screenshot next to the
+# suite's output and makes every later wait fail at once; the check that it belongs to, or the next one, ends the suite.
 gave_up=''
 eventually() { [ -z "$gave_up" ] && { within 60 "$@" || give_up "$@"; }; }
 give_up() {
@@ -27,7 +27,7 @@ within() { # SECONDS COMMAND...: the last try comes after the deadline
         sleep 0.05
     done
 }
-# As in tap.sh, but a wait without success ends the suite: what follows would have nothing to look at.
+# As in tap.sh, but a wait without success ends the suite, because the following checks would have nothing to look at.
 check() { # NAME COMMAND...
     local name=$1
     shift
@@ -59,14 +59,14 @@ find_window() {
 }
 
 # openbox announces itself to others (wmctrl -m) before it has read its theme and fonts, and a window that asks to be
-# shown in between is never shown. Its own command at the end of its start tells that it is ready.
+# shown in between is never shown. The command that openbox runs at the end of its start tells us that it is ready.
 manage() {
     rm -f "$scratch/managed"
     openbox --config-file "$scratch/openbox.xml" --startup "touch '$scratch/managed'" >/dev/null 2>&1 &
     manager=$!
     eventually [ -e "$scratch/managed" ] || echo '# openbox did not start'
 }
-# Without a window manager no window is listed, and what a dead one leaves behind ends a program in GLFW 3.3.
+# Without a window manager, no window is listed, and what a dead one leaves behind ends a program in GLFW 3.3.
 keep_managed() { kill -0 "$manager" 2>/dev/null || { echo '# openbox died' && manage; }; }
 
 # Start STEM OPTION... in a window, with its own folder for what it writes.
@@ -82,10 +82,10 @@ start() {
     opens
 }
 
-# Put the pointer into the corner of the screen, where no window opens: over a panel it would open a tooltip.
+# Move the pointer into the corner of the screen, where no window opens: over a panel it would open a tooltip.
 park() { xdotool mousemove 1279 1023; }
 
-# Its window is there, has the focus and shows something. The window manager may take the focus back once.
+# The program's window exists, has the focus and shows something. The window manager may take the focus back once.
 opens() {
     eventually find_window || {
         echo "# no window of process $program, $(sed -n 's/^State:[[:blank:]]*//p' "/proc/$program/status" 2>&1): $(wmctrl -lp 2>&1 | tr '\n' ' ')"
@@ -97,7 +97,7 @@ focus() { xdotool windowfocus "$window" 2>/dev/null && focused; }
 focused() { [ "$(xdotool getwindowfocus 2>/dev/null)" = $((window)) ]; }
 unfocused() { ! focused; }
 
-# The first frame is there: the pixels in the middle are no longer all of one colour.
+# The first frame has been drawn: the pixels in the middle no longer all have one colour.
 drawn() {
     [ "$(import -window "$window" -crop 200x100+60+40 -format %k info: 2>/dev/null)" -gt 1 ] 2>/dev/null
 }
@@ -110,12 +110,12 @@ shoot() {
     eventually says out "$(basename "$picture"): written"
 }
 
-# shoot_as NAME: a screenshot, kept under a name.
+# shoot_as NAME: a screenshot, stored under a name.
 shoot_as() { shoot && cp "$picture" "$scratch/$1.png"; }
 same() { cmp -s "$scratch/$1.png" "$scratch/$2.png"; }
 differ() { ! same "$1" "$2"; }
 
-# Render NAME OPTION...: what the command line makes of it.
+# Render NAME OPTION...: the picture that the command line makes.
 render() {
     local name=$1
     shift
@@ -139,11 +139,11 @@ close_window() {
     wait "$program" 2>/dev/null
 }
 
-# look NAME: what the window shows, kept under a name. Without a window import would wait for a click.
+# look NAME: what the window shows, stored under a name. Without a window, import would wait for a click.
 look() { [ -n "$window" ] && import -window "$window" "$scratch/$1.png"; }
 
-# How many of a million pixels differ, by more than a driver's rounding, between two kept pictures or the same
-# part of both; between what the window shows and a kept one.
+# How many of a million pixels differ by more than a driver's rounding, between two stored pictures or the same part of
+# both, or between what the window shows and a stored picture.
 apart() { # A B [WxH+X+Y]
     build/tests/compare ${3:+--part "$3"} "$scratch/$1.png" "$scratch/$2.png" | awk '/^F2/ { printf "%d\n", $2 * 10000 + 0.5 }'
 }
@@ -153,8 +153,8 @@ part_shown() { # NAME WxH+X+Y [PIXELS]: the window shows that part of a kept pic
     [ "$(off "$1" "$2")" -le "${3:-0}" ]
 }
 
-# Hold a key until the picture is another. A busy machine may see press and release at once: then the key
-# is held for longer.
+# Hold a key until the picture changes. A busy machine may handle press and release at once; then the key is held for
+# longer.
 walk() { # KEY
     local hold
     shoot_as here || return
@@ -183,8 +183,8 @@ if ! open_display; then
     plan
     exit
 fi
-# Without buttons and keys of its own: it would hold a press back until it has looked at it, and a key that
-# is pressed after it would be seen first.
+# Without the window manager's own buttons and keys, because it would hold a press back until it has handled it, and a
+# key that is pressed later would arrive first.
 echo '<openbox_config xmlns="http://openbox.org/3.4/rc"><keyboard/><mouse/></openbox_config>' >"$scratch/openbox.xml"
 manage
 

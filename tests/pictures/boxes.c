@@ -1,8 +1,8 @@
 // boxes.c - the panels over every chapter's picture, in every view, with short and long names of
-// keys, at sizes and scales that people use: none covers another, none is cut off, each letter
-// stands in its panel and on no other letter, and what a slice or a plot writes stays in sight. The
-// help of a row and a colour's picker lie over the panels as notes do: they are whole, and leave
-// free what they are about. Places are compared; nothing is drawn.
+// keys, at sizes and scales that people use: none covers another, none is cut off, each letter is
+// in its panel and on no other letter, and the text of a slice or a plot stays visible. The help of
+// a row and a colour picker lie over the panels like notes: they are complete, and do not cover
+// their subject. Positions are compared; nothing is drawn.
 #include <glob.h>
 
 #include "lib/test.h"
@@ -16,7 +16,7 @@
 
 enum { BACKS = 16 };
 
-// The keyboard's name of any key is as long as it may be, or as short.
+// The keyboard's name of any key is as long as possible, or as short as possible.
 static bool long_names;
 
 const char *glfwGetKeyName(int key, int scancode)
@@ -27,7 +27,7 @@ const char *glfwGetKeyName(int key, int scancode)
     return name;
 }
 
-// Any shader has the uniform that Tab drives: so that key is listed too.
+// Any shader has the uniform that Tab changes, so that key is listed too.
 static GLint has_uniform(GLuint program, const GLchar *name)
 {
     (void)program, (void)name;
@@ -35,16 +35,16 @@ static GLint has_uniform(GLuint program, const GLchar *name)
 }
 static const struct gl gl = {.GetUniformLocation = has_uniform};
 
-// ---- What there is to judge ----
+// ---- What is judged ----
 
 static struct overlay overlay;
 static struct window window; // which lists its keys
 
-// A panel, from its ground on.
+// A panel, from its background on.
 struct back {
     struct overlay_rectangle place;
     int first; // of the rectangles in it
-    bool note; // it lies over the panels: its ground has a dark one below
+    bool note; // it lies over the panels: its background has a dark one below
 };
 static struct back backs[BACKS];
 static int back_count;
@@ -66,7 +66,7 @@ static bool is_box(const struct overlay_rectangle *box, int grey, int opacity)
            box->colour.channel[3] == opacity;
 }
 
-// The panels are the boxes of their ground's colour.
+// The panels are the boxes in the background's colour.
 static void find_backs(void)
 {
     back_count = 0;
@@ -79,7 +79,7 @@ static void find_backs(void)
     }
 }
 
-// Letters that follow each other in a line do not stand on each other, lines neither.
+// Consecutive letters in a line do not overlap, and neither do lines.
 static bool parted(const struct overlay_rectangle *a, const struct overlay_rectangle *b)
 {
     float down = fabsf(a->top - b->top);
@@ -87,8 +87,8 @@ static bool parted(const struct overlay_rectangle *a, const struct overlay_recta
                         : down >= 10.0f;
 }
 
-// Each letter stands in the panel that was there last, and not on the one before it.
-//   typed  a field lies over a row
+// Each letter is in the most recent panel, and not on the letter before it.
+//   typed  a field covers a row
 static void judge_letters(const char *where, bool typed)
 {
     const struct overlay_rectangle *before = NULL;
@@ -102,7 +102,7 @@ static void judge_letters(const char *where, bool typed)
         if (letter->letter == 0)
             continue;
         if (in < 0 || !inside(letter, &backs[in].place))
-            fail_msg("%s: the letter %c stands in no panel", where, (char)letter->letter);
+            fail_msg("%s: the letter %c is in no panel", where, (char)letter->letter);
         if (before != NULL && !typed && !parted(before, letter))
             fail_msg("%s: the letters %c and %c overlap", where, (char)before->letter,
                      (char)letter->letter);
@@ -125,9 +125,9 @@ static void judge(const char *where, bool typed)
     judge_letters(where, typed);
 }
 
-// What a slice or a plot writes: the axis along the ray, the ray with its numbers, the graph, which
-// the keys and an error may cover for as long as they are there.
-//   passing  how many panels come first that are such
+// The text of a slice or a plot: the axis along the ray, the ray with its numbers, and the graph,
+// which the keys and an error may cover while they are shown.
+//   passing  the number of such panels, which come first
 static void judge_slice(const char *where, enum shader_view view, int passing)
 {
     if (!shader_shows_ray(view))
@@ -147,7 +147,7 @@ static void judge_slice(const char *where, enum shader_view view, int passing)
                          (const char *[]){"axis", "ray", "graph"}[k]);
 }
 
-// A note leaves its rows free, and all that it shows is in it.
+// A note leaves its rows free, and contains everything that it shows.
 static void judge_note(const char *where, const struct panel_rows *rows, int first, int behind)
 {
     const struct back *note = back_count > 0 ? &backs[back_count - 1] : NULL;
@@ -166,7 +166,7 @@ static void judge_note(const char *where, const struct panel_rows *rows, int fir
     }
     for (int i = note->first; i < overlay.count; i++)
         if (!inside(&overlay.rectangle[i], &note->place))
-            fail_msg("%s: a note is larger than its ground", where);
+            fail_msg("%s: a note is larger than its background", where);
 }
 
 // ---- A picture of a chapter ----
@@ -185,7 +185,7 @@ static void gather(struct panel *panel, const struct way *way)
     panel_gather(panel, &overlay, way->size[0], way->size[1], way->scale);
 }
 
-// The help of one row: of a parameter its own, or what a field refuses.
+// The help for one row: for a parameter its own, or the reason why a field rejects its text.
 static void try_help(struct panel panel, const struct way *way, int turn)
 {
     struct panel_rows *rows = panel.rows;
@@ -207,10 +207,10 @@ static void try_help(struct panel panel, const struct way *way, int turn)
     for (int i = backs[back_count - 1].first; i < overlay.count; i++)
         written += overlay.rectangle[i].letter != 0 && overlay.rectangle[i].letter != ' ';
     if (written != letters)
-        fail_msg("%s: of %zu letters of the help there are %zu", way->where, letters, written);
+        fail_msg("%s: of %zu letters of the help, %zu are drawn", way->where, letters, written);
 }
 
-// The picker of a colour, and a field that is full.
+// The picker of a colour, and a full field.
 static void try_colour(struct panel panel, const struct way *way, int turn)
 {
     int count = comparison_parameter_count(panel.renderer), first = -1, behind = 0;
@@ -237,8 +237,8 @@ static void try_colour(struct panel panel, const struct way *way, int turn)
         fail_msg("%s: a colour has no picker", way->where);
 }
 
-// With keys of long and short names and without, with a ray and without, at either side. A colour
-// is tried at each third: so each size has it, with and without keys.
+// With keys of long and short names and without keys, with a ray and without, on either side. Every
+// third case has a colour, so each size has it, with and without keys.
 static void try_picture(struct renderer *chapter, const char *name, const int size[2], float scale)
 {
     static struct probe probe = {.steps = 40, .all_steps = 60, .recorded = true};

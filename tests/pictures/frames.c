@@ -1,5 +1,5 @@
-// frames.c - chapters/experiments/16_frame_*.frag: frames in less time show the pictures of
-// their chapters.
+// frames.c - chapters/experiments/16_frame_*.frag: faster frames show the pictures of their
+// chapters.
 #include "lib/test.h"
 #include "lib/coarse.h"
 #include "lib/compare.h"
@@ -47,8 +47,8 @@ TEST(test_the_pyramid_looks_as_in_its_chapter)
                 "chapters/experiments/16_frame_06.frag");
 }
 
-// Where a march ends anywhere within a threshold as wide as a pixel, no other march draws the same
-// picture. Where it ends at the threshold, the coarse pass draws the same.
+// If a march may end anywhere within a threshold as wide as a pixel, no other march draws the same
+// picture. If it ends exactly at the threshold, the coarse pass draws the same.
 TEST(test_the_city_does_not_depend_on_where_rays_begin)
 {
     static const char frame[] = "chapters/experiments/16_frame_09.frag";
@@ -67,8 +67,8 @@ TEST(test_the_city_does_not_depend_on_where_rays_begin)
     }
 }
 
-// The city's distance, written out, is that of city.glsl: the chapter's own march over the one and
-// the other draws the same picture.
+// The city's distance, with shared terms computed once, is that of city.glsl: the chapter's own
+// march draws the same picture over either.
 TEST(test_the_distance_written_out_is_the_same)
 {
     struct renderer_inputs inputs = {.width = 640, .height = 360, .time = 1.0f, .samples = 1};

@@ -1,20 +1,20 @@
 #!/bin/bash
-# images.sh [PICTURE...] - every picture of tests/pictures/images.txt against its reference; the chapters' own
-# pictures through every backend, and the backends against each other. With arguments only those pictures, such
-# as 03_shadows or 03_shadows-steps, each through every backend. Solutions of exercises are left to
-# CI=1; CHAPTERS_ONLY=1 draws the chapters' own pictures alone.
+# images.sh [PICTURE...] - every picture of tests/pictures/images.txt compared with its reference; the chapters' own
+# pictures through every backend, and the backends with each other. With arguments, only those pictures, such as
+# 03_shadows or 03_shadows-steps, each through every backend. Solutions of exercises are left to CI=1; CHAPTERS_ONLY=1
+# draws only the chapters' own pictures.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
 failures=build/test-failures
-# A picture that measures the rounding of the machine on which it is drawn: two right ones need not be
-# alike. It is only drawn here; its numbers are in measure.c.
+# A picture that measures the rounding of the machine that draws it: two right ones may differ. It is only drawn here;
+# measure.c tests its numbers.
 measured=01_normal_colouring-normal-error
 
-# Draw what each backend has to draw: a chapter's own pictures by the chapter's program, as people start it, all
-# others in one process, build/tests/draw, whose code is the programs'. Leaves NAME.BACKEND.png and, of the
-# others, a line of numbers each; says which one is drawn, so that run.sh sees that the suite goes on.
+# Draw the pictures of each backend: a chapter's own pictures with the chapter's program, as people start it, all others
+# in one process, build/tests/draw, which has the programs' code. Leaves NAME.BACKEND.png and, for the others, a line of
+# numbers each; prints the name of the current one, so that run.sh sees that the suite goes on.
 draw_by_program() { # NAME BACKEND
     local options
     options=$(sed -n "s/^$1 - //p" "$scratch/list")
@@ -31,7 +31,7 @@ draw_rest() { # BACKEND PART: every second one
         done 3>"$scratch/$1.$2.numbers"
 }
 
-# One picture through one backend, against its reference: prints a result.
+# One picture through one backend, compared with its reference: prints a result.
 judge() { # NAME BACKEND
     local actual=$scratch/$1.$2.png reference=tests/references/$1.png said same='' numbers kept
     if [ ! -e "$reference" ]; then
@@ -120,7 +120,7 @@ done
 check "at least one backend renders" [ ${#backends[@]} -gt 0 ] || { plan; exit; }
 all=("${backends[@]}") # of the backends that draw all pictures
 [ $# != 0 ] || all=("${backends[0]}")
-# Two at a time: with one thread each they disturb each other least.
+# Two at a time: with one thread each, they disturb each other least.
 export LP_NUM_THREADS=1
 {
     for backend in "${all[@]}"; do
@@ -150,7 +150,7 @@ done <"$scratch/results"
 awk '/ largest [0-9]/ { all++; none += !/ differ / } END { printf "# %d pictures, %d with no pixel different\n", all, none }' \
     "$scratch/results"
 
-# A reference that no line makes is a picture that nothing tests.
+# A reference that no line produces is a picture that nothing tests.
 if [ $# = 0 ]; then
     unlisted=
     for file in tests/references/*.png; do
@@ -166,7 +166,7 @@ if [ $# = 0 ]; then
     fi
 fi
 
-# A picture is a function of its options alone.
+# A picture is a function of its options only.
 here=$PWD
 render() { # FILE ARGUMENT...
     local file=$1
@@ -182,7 +182,7 @@ with_threads() {
 }
 check "the same picture by one thread and by three" with_threads
 
-# The camera turns by half a radian a second: once around in 4 pi seconds.
+# The camera turns by half a radian per second: once around in 4 pi seconds.
 program=00_first_scene
 comes_round() {
     render "$scratch/t0.png" -t 0 && render "$scratch/t3.png" -t 12.566370614 &&

@@ -1,5 +1,5 @@
 // lanterns.c - chapter 07's field of lanterns: every step that the probe lists is compared with the
-// way to all lanterns near, in double precision.
+// distance to all lanterns nearby, in double precision.
 #include "lib/test.h"
 #include "lib/cell.h"
 #include "lib/gpu.h"
@@ -68,10 +68,10 @@ static double brute_distance(struct d3 p)
     return nearest;
 }
 
-// What the rows of all tables say.
+// What the rows of all tables show.
 struct rows {
     int rays, hits, rows;
-    double over; // the largest distance over the truth
+    double over; // the largest excess of a step over the truth
     int longest; // steps of a ray
 };
 

@@ -1,5 +1,5 @@
-// panorama.c - the clouds of chapter 20 are its panorama, turned; and no seam is drawn where the
-// panorama ends, but the hardware's way draws one.
+// panorama.c - the clouds of chapter 20 are its panorama, rotated; and no seam is visible where the
+// panorama ends, but the hardware's derivatives draw one.
 #include "lib/test.h"
 #include "picture/image.h"
 #include "lib/gpu.h"
@@ -11,7 +11,7 @@ enum { WIDTH = 640, HEIGHT = 360 };
 
 static const double rise = 0.56;
 
-// Draw a shader that includes the chapter, with the starting camera and so many pans further.
+// Draw a shader that includes the chapter, with the starting camera turned by an angle.
 static float *numbers_of(const char *text, double pan)
 {
     struct renderer_inputs inputs = gpu_inputs(WIDTH, HEIGHT, 1);
@@ -25,7 +25,7 @@ static float *numbers_of(const char *text, double pan)
     "#include \"main.glsl\"\n#define rayColour chapterColour\n"                                    \
     "#include \"20_clouds_and_weather.frag\"\n#undef rayColour\n"
 
-// Straight lines between four texels, as the picture's numbers stand in the file.
+// Linear interpolation between four texels, with the numbers stored in the file.
 static double texel_at(const struct image_bytes *image, double u, double v, int channel)
 {
     double x = u * image->width - 0.5, y = (1.0 - v) * image->height - 0.5, i = floor(x);
@@ -38,8 +38,8 @@ static double texel_at(const struct image_bytes *image, double u, double v, int 
     return sum;
 }
 
-// Between 9 and 16 degrees over the horizon a pixel is smaller than a texel: what is read is level
-// 0. The weights of the driver have 8 bits: three steps of 1/256.
+// Between 9 and 16 degrees above the horizon, a pixel is smaller than a texel, so level 0 is read.
+// The driver's weights have 8 bits: three steps of 1/256.
 TEST(test_clouds_are_the_panorama_turned)
 {
     struct image_bytes image = {0};
@@ -78,8 +78,8 @@ TEST(test_clouds_are_the_panorama_turned)
     assert_true(count > 500 && spread > 0.9 && worst < 3.0 / 256.0);
 }
 
-// The largest mean difference, over the rows of the sky, of a column to the next: at the seam, and
-// at all others within so many columns of it.
+// The largest mean difference, over the rows of the sky, between a column and the next: at the
+// seam, and at all others within this many columns of it.
 static void steps_at(const float *values, int seam, double *across, double *beside)
 {
     *across = *beside = 0.0;
@@ -95,8 +95,8 @@ static void steps_at(const float *values, int seam, double *across, double *besi
     }
 }
 
-// Three degrees to the right of where the panorama ends, it ends three degrees to the left of the
-// middle: 360 tan(3 degrees) pixels.
+// If the camera is turned three degrees past the end of the panorama, the panorama ends three
+// degrees to the left of the middle: 360 tan(3 degrees) pixels.
 TEST(test_no_seam_is_drawn)
 {
     double across, beside;

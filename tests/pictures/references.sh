@@ -2,10 +2,10 @@
 # references.sh MODE - every picture of tests/pictures/images.txt, from the project's folder.
 #
 #   gallery  render each into build/gallery/
-#   update   render each in software; one that left its tolerance replaces tests/references/NAME.png
+#   update   render each in software; one outside its tolerance replaces tests/references/NAME.png
 #            and its two numbers are printed (FORCE=1 in the environment replaces each whose pixels
 #            differ)
-#   gpu      render each with what this machine has, and print how far from the reference it is
+#   gpu      render each with this machine's graphics processor, and print how far from the reference it is
 #
 # CHAPTER=03 in the environment leaves out the pictures of the other chapters.
 set -u

@@ -1,12 +1,12 @@
-// report_pictures.c - the pictures of docs/benchmark.md against the report's figures:
-// outlines, shadows and lawns pass between the pixels where they pass in the figure.
+// report_pictures.c - the pictures of docs/benchmark.md compared with the report's figures:
+// outlines, shadows and lawns pass between the same pixels as in the figure.
 #include "lib/test.h"
 #include "lib/report_pictures.h"
 
 // The figures are 864x606 with a title of 30 rows; row 0 is the top.
 enum { WIDTH = 864, HEIGHT = 576, TITLE = 30 };
 
-// Two pixels of a figure, as it is printed, between which something ends that holds the first.
+// Two pixels of a printed figure, between which the object that covers the first one ends.
 struct place {
     int x, y;
 };
@@ -27,7 +27,7 @@ static const float *pixel_at(const float *pixels, struct place place)
     return pixels + 4 * ((HEIGHT - 1 - (place.y - TITLE)) * WIDTH + place.x);
 }
 
-// In the view of depths a grey is a hit, the blue of VIEW_NOTHING none.
+// In the view of depths a grey is a hit, and the blue of VIEW_NOTHING a miss.
 static double solid(const float *colour)
 {
     return colour[0] == colour[2] ? 1.0 : 0.0;
@@ -48,7 +48,7 @@ static double yellow(const float *colour)
     return (double)colour[0] / (double)colour[2];
 }
 
-// The measure of the first is larger by the factor, for every pair.
+// The first value is larger by the factor, for every pair.
 static void assert_borders(const float *pixels, const struct border *border, size_t count,
                            double (*measure)(const float *), double factor)
 {
@@ -93,7 +93,7 @@ TEST(test_pyramid_is_as_in_figure_10)
     free(pixels);
 }
 
-// The lamp and the lawns. The towers are as wide as there, but their heights are others.
+// The lamp and the lawns. The towers are as wide as in the figure, but their heights differ.
 TEST(test_lamp_and_lawns_are_as_in_figure_11)
 {
     static const struct border globe[] = {{{374, 322}, {374, 280}},

@@ -1,5 +1,5 @@
 // rough_stones.c - the carved stones of chapter 12 in double precision: how steep their function
-// is, that no ray passes one, and how far a bump's normal is from the carving's.
+// is, that no ray passes one, and how far a bump's normal is from that of the carved stone.
 #include "lib/test.h"
 #include "lib/chapter.h"
 #include "lib/noise.h"
@@ -34,7 +34,7 @@ static double stretch(void)
     return 1.0 + roughness * cells * 15.0 / 8.0;
 }
 
-// ---- Is it a bound, and with how much to spare? ----
+// ---- Is it a bound, and how much slack does it have? ----
 
 static struct d3 random_near_stones(void)
 {
@@ -74,7 +74,7 @@ TEST(test_the_divisor_is_large_enough)
     assert_true(steepest <= stretch() && steepest > 0.75 * stretch());
 }
 
-// Where a ray first comes into a rough stone, by small steps that know nothing of slopes.
+// Where a ray first enters a rough stone, with small steps that do not depend on slopes.
 static double first_inside(struct mirror_ray ray, double end)
 {
     const double step = 2e-3;
@@ -93,8 +93,8 @@ static double stones_alone(struct d3 p, int *nearest)
 
 static const struct mirror_scene stones_scene = {.function = stones_alone};
 
-// The march never passes a place that small steps find inside; and it ends there, at most a little
-// before.
+// The march never passes a point that small steps find inside; and it ends there, or a little
+// before it.
 TEST(test_no_ray_passes_a_rough_stone)
 {
     int hits = 0, misses = 0;
@@ -132,8 +132,8 @@ static struct d3 smooth_normal(struct d3 p)
                       smooth_stones(d3_add(p, z)) - smooth_stones(d3_sub(p, z))));
 }
 
-// The carved stone's normal, and the smooth one's tilted by the same noise: degrees between them on
-// the front stones, between the ground and the board.
+// The normal of the carved stone, and that of the smooth one tilted by the same noise: degrees
+// between them on the front stones, between the ground and the board.
 TEST(test_a_bump_is_nearly_the_carving)
 {
     int seen = 0;

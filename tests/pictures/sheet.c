@@ -1,5 +1,5 @@
-// sheet.c - the sheet of chapter 10: its lines have one width at every zoom, and its two colours
-// differ for eyes that lack one kind of cone.
+// sheet.c - the sheet of chapter 10: its lines have the same width at every zoom, and its two
+// colours differ for eyes that lack one kind of cone.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -14,7 +14,7 @@ static void set(const char *name, double x, double y)
     parameter->value[1] = y;
 }
 
-// The picture from a height over the middle of the sheet. Its ray starts in the figure, and ends
+// The picture from a height above the middle of the sheet. Its ray starts in the figure, and ends
 // there: a dot and a ring in the middle of the picture.
 static float *picture_from(double height)
 {
@@ -34,7 +34,7 @@ static void load(int figure)
     set("aim", 1.0, 0.0);
 }
 
-// Half a unit is so many pixels high: the place of a pixel's centre.
+// Half a unit is this many pixels high: the position of a pixel's centre.
 static double place(int pixel, int size, double height)
 {
     return (2.0 * pixel + 1.0 - size) / HEIGHT * height / 2.0;
@@ -53,8 +53,8 @@ static double mixture(double x, double y, double morph)
     return mix(box, hypot(x - 0.8, y + 0.3) - 0.5, morph);
 }
 
-// The white outline, followed across itself where the middle row meets it on the left: its width in
-// pixels.
+// The white outline, followed perpendicular to itself where the middle row meets it on the left:
+// its width in pixels.
 //   slope  takes the length of the mixture's gradient there
 static double outline_width(double height, double morph, double *slope)
 {
@@ -73,14 +73,14 @@ static double outline_width(double height, double morph, double *slope)
     for (double along = -6.0; along < 6.0; along += 0.125) {
         int column = (int)floor(0.5 * WIDTH + low / pixel + along * x / *slope);
         int row = (int)floor(0.5 * HEIGHT + 0.05 / pixel + along * y / *slope);
-        // Of what is drawn the outline alone has so much blue.
+        // Of everything drawn, only the outline is this blue.
         width += values[4 * (row * WIDTH + column) + 2] > 0.84f ? 0.125 : 0.0;
     }
     free(values);
     return width;
 }
 
-// It is 2.6 pixels wide, of which what covers half a pixel and more is counted.
+// It is 2.6 pixels wide; only the pixels that it covers at least by half count.
 TEST(test_the_outline_has_one_width)
 {
     for (double height = 1.9; height < 6.0; height *= 1.6)
@@ -91,7 +91,7 @@ TEST(test_the_outline_has_one_width)
         }
 }
 
-// Inside is darker than outside for every eye: by so much that no hue is needed.
+// Inside is darker than outside for every eye, so clearly that no hue is needed.
 TEST(test_inside_is_darker_for_every_eye)
 {
     load(2);

@@ -1,6 +1,6 @@
-// weak.glsl - a weak driver, for weak.sh: built-in functions that err as much as Vulkan allows, each
-// value by a share of that which looks random. GLSL 3.30 and ES 3.00 bound none of these errors.
-// Source: Vulkan specification, 'Precision of GLSL.std.450 Instructions'.
+// weak.glsl - a weak driver, for weak.sh: built-in functions that err as much as Vulkan allows, each value by a
+// pseudorandom share of that. GLSL 3.30 and ES 3.00 bound none of these errors. Source: Vulkan specification,
+// 'Precision of GLSL.std.450 Instructions'.
 
 #define PER_COMPONENT(f)                                                                                     \
     vec2 f(vec2 v) { return vec2(f(v.x), f(v.y)); }                                                          \

@@ -1,7 +1,7 @@
 #!/bin/bash
-# weak.sh - each chapter's picture as a driver draws it whose built-in functions err as much as they may
-# (weak.glsl). It prints how far each is from its reference and does not judge: no driver that we know
-# is nearly so inexact. FUNCTIONS='sin cos' lets only these err; CHAPTER=05 draws one chapter.
+# weak.sh - each chapter's picture as drawn by a driver whose built-in functions err as much as they may (weak.glsl). It
+# prints how far each is from its reference and does not judge: no driver that we know is nearly so inexact.
+# FUNCTIONS='sin cos' lets only these err; CHAPTER=05 draws one chapter.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 # shellcheck source=tests/lib/tap.sh

@@ -1,11 +1,11 @@
-// bound.c - how near a march comes to the fewest evaluations that could do: shaders/cover.glsl
-// against closed forms, and against the chapters' scenes in double precision.
+// bound.c - how close a march comes to the fewest evaluations that would be enough:
+// shaders/cover.glsl compared with closed forms, and with the chapters' scenes in double precision.
 #include "lib/test.h"
 #include "lib/bound.h"
 
 // ---- Closed forms ----
 
-// Numbers so chosen that no count is near to the next.
+// The numbers are chosen so that no count is close to the next one.
 TEST(test_a_plane_by_its_formula)
 {
     const double slopes[] = {0.97, 0.8, 0.6, 0.45, 0.3, 0.2, 0.12, 0.08, -0.05, -0.2, -0.5, -0.85};
@@ -19,7 +19,7 @@ TEST(test_a_plane_by_its_formula)
                       slopes[i], hit ? "hit" : "miss", answer[0], march, answer[1], least);
         assert_int_equal(answer[0], march);
         assert_int_equal(answer[1], least);
-        double ratio = cover_plane_ratio(slopes[i]); // what the one over the other tends to
+        double ratio = cover_plane_ratio(slopes[i]); // the limit of the ratio
         assert_true(fabs(answer[0] - ratio * answer[1]) <= 1.0 + 2.0 * ratio);
     }
 }
@@ -55,7 +55,7 @@ static struct bound_sums total(const struct bound_sums sums[2])
     return all;
 }
 
-// Each second ray of those that --benchmark looks at.
+// Every second ray of those that --benchmark samples.
 static void check_chapter(int chapter)
 {
     struct bound_sums sums[2], all;
@@ -66,18 +66,18 @@ static void check_chapter(int chapter)
                   "astray); ratio %.3f, of one ray %.3f; slope %.6f; %d gave up\n",
                   bound_cases[chapter].stem, all.rays, all.march, all.least, all.most, all.shader,
                   all.astray, ratio, all.smallest, all.lipschitz, all.given_up);
-    // Nothing is proved without a distance that is 1-Lipschitz.
+    // Without a 1-Lipschitz distance, nothing is proved.
     assert_true(all.lipschitz < 1.0 + 1e-6);
     assert_int_equal(all.given_up, 0);
     assert_int_equal(all.differ, 0);
-    // No march comes below the least, and samples say it to two per cent.
+    // No march takes fewer than the lower bound, and the samples determine it to two per cent.
     assert_int_equal(all.below, 0);
     assert_true(all.smallest >= 1.0);
     assert_true(all.most - all.least <= 0.02 * all.least);
-    // The shader's number, which --benchmark prints.
+    // The shader's count, which --benchmark prints.
     assert_true(all.shader >= all.least && all.shader <= all.most);
     assert_true(all.astray <= all.rays / 100);
-    // No theorem bounds the ratio from above: here the marches stay below this.
+    // No theorem bounds the ratio from above; these marches stay below this value.
     assert_true(ratio > 1.0 && ratio < 2.2);
     assert_true(all.rays > 70);
 }

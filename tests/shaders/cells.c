@@ -1,5 +1,5 @@
-// cells.c - the operators of shaders/repetition.glsl at given numbers against their
-// definitions, and the cell's hash: to the bit, and as chance.
+// cells.c - the operators of shaders/repetition.glsl at given numbers, compared with their
+// definitions, and the cell's hash: to the last bit, and as a source of random numbers.
 #include "lib/test.h"
 #include "lib/cell.h"
 #include "lib/gpu.h"
@@ -8,7 +8,7 @@
 
 enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS, SIDE = 256 };
 
-// What the Time of tests/shaders/repetition.frag chooses.
+// What the Time of tests/shaders/repetition.frag selects.
 enum { NUMBERS = 20, MORE_NUMBERS, LIMITED_NUMBERS, HASH };
 
 struct period_limits {
@@ -21,7 +21,8 @@ static float *numbers_of(int function, const struct period_limits *limits)
                     (const float[4]){limits->period, limits->reach, limits->first, limits->last});
 }
 
-// GLSL's mod takes the floor of the quotient, C's fmod cuts it: they differ for negative numbers.
+// GLSL's mod takes the floor of the quotient and C's fmod truncates it, so they differ for negative
+// numbers.
 TEST(test_mod_is_not_fmod)
 {
     const struct period_limits two = {2.0f, 0.0f, 0.0f, 0.0f};
@@ -38,7 +39,7 @@ TEST(test_mod_is_not_fmod)
     assert_true(fmod(-0.5, 2.0) == -0.5 && (-1) / 2 == 0 && -1 % 2 == -1);
 }
 
-// The report's formula never comes nearer to 0 than half a period.
+// The result of the report's formula is never closer to 0 than half a period.
 TEST(test_the_reports_formula_misses_the_middle)
 {
     for (int i = -4000; i < 4000; i++) {
@@ -74,14 +75,14 @@ TEST(test_hash_is_the_same_to_the_bit)
     assert_true(cell_hash(0, 0, 0) >= 0.0 && cell_hash(1, 2, 3) < 1.0);
 }
 
-// The part of a hash that chapter 07 uses: all of it, or what stands behind 6 or 12 bits.
+// The part of a hash that chapter 07 uses: all of it, or the fraction after the first 6 or 12 bits.
 static double digits(float value, double shift)
 {
     double x = shift * (double)value;
     return x - floor(x);
 }
 
-// Correlation of a number with that of the cell (dx, dz) farther on, over the grid.
+// Correlation of a number with that of the cell (dx, dz) away, over the grid.
 static double correlation(const float *values, double from, double to, int dx, int dz)
 {
     double sum = 0.0;
@@ -90,10 +91,10 @@ static double correlation(const float *values, double from, double to, int dx, i
         for (int x = 0; x < SIDE - dx; x++, count++)
             sum += (digits(values[4 * (z * SIDE + x)], from) - 0.5) *
                    (digits(values[4 * ((z + dz) * SIDE + x + dx)], to) - 0.5);
-    return 12.0 * sum / count; // 1/12 is the variance of an even distribution
+    return 12.0 * sum / count; // 1/12 is the variance of a uniform distribution
 }
 
-// chi^2 of 64 classes: 63 on average, with a deviation of 11.2; five of them are allowed.
+// chi^2 of 64 classes: 63 on average, with a standard deviation of 11.2; five of these are allowed.
 static double chi_square(const float *values, double shift)
 {
     int classes[64] = {0};
@@ -105,9 +106,9 @@ static double chi_square(const float *values, double shift)
     return sum / (SIDE * SIDE / 64.0);
 }
 
-// The largest correlation between the parts of neighbouring cells' numbers; and of one cell's own,
-// less the 1 / 64 or 1 / 4096 that a number and the digits behind its first 6 or 12 bits always
-// have.
+// The largest correlation between the parts of neighbouring cells' numbers; and between those of
+// one cell, minus the 1 / 64 or 1 / 4096 that a number and its fraction after the first 6 or 12
+// bits always have.
 static double worst_correlation(const float *values)
 {
     const double shift[3] = {1.0, 64.0, 4096.0};
@@ -122,8 +123,8 @@ static double worst_correlation(const float *values)
     return worst;
 }
 
-// Of N = 65,536 pairs without connection the correlation deviates by 1 / sqrt(N) = 0.0039 from 0;
-// five of those are allowed.
+// The correlation of N = 65,536 independent pairs has a standard deviation of 1 / sqrt(N) = 0.0039;
+// five of these are allowed.
 TEST(test_hash_looks_like_chance)
 {
     float *values = hashes(0.0f);

@@ -1,12 +1,12 @@
-// checkers.c - squares averaged over what a pixel sees of them, against 64 x 64 samples in
-// double precision, in perspective, by parallel rays and between the two.
+// checkers.c - squares averaged over the part of the plane that a pixel sees, compared with 64 x 64
+// samples in double precision: in perspective, with parallel rays, and between the two.
 #include "lib/test.h"
 #include "lib/checkers.h"
 
-// Samples in the middles of a grid's cells are off by half a cell for each edge of a square. For 64
-// a side that is 2 of 255 and more: such a grid is no truth to 1 / 255. With 4096 a side it is; and
-// so are 64 x 64 samples that do not stand in rows, where at most a hundred squares share them: in
-// the last rows under the horizon a pixel sees thousands.
+// Samples at the centres of a grid's cells are off by half a cell for each edge of a square. With
+// 64 per side that is 2 of 255 or more, so such a grid is not exact to 1 / 255. With 4096 per side
+// it is. So are 64 x 64 samples that are not in rows, if at most a hundred squares share them; in
+// the last rows below the horizon, a pixel sees thousands.
 static const int fine = 4096, coarse = 64;
 static const double few = 100.0;
 

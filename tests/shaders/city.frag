@@ -1,14 +1,13 @@
-// For sky.c: chapter 09's distance at places without pattern, and whether its sky is a colour.
-//
-// iTime chooses: 0 to 1 a place as a share of the sampled box, 1 to 2 the distance there, 2 to 3 the
-// tree's distance at it and beside it, from 3 on the sky. All in [0, 1], which main() keeps.
+// For sky.c: chapter 09's distance at pseudorandom points, and whether its sky is a valid colour.
+// iTime selects: 0 to 1 a point as a share of the sampled box, 1 to 2 the distance there, 2 to 3 the tree's distance at
+// it and beside it, from 3 on the sky. All in [0, 1], which main() preserves.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "09_sky_and_sunset.frag"
 #undef rayColour
 #include "random.glsl"
 
-// Is this a light: finite, and nowhere negative?
+// Is this light valid: finite, and nowhere negative?
 bool isLight(vec3 light)
 {
     return all(greaterThanEqual(light, vec3(0.0))) && all(lessThan(light, vec3(1000.0)));

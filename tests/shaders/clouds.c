@@ -1,5 +1,6 @@
-// clouds.c - shaders/clouds.glsl against double precision: the layer over a round Earth,
-// places in the panorama, an overcast sky, weather; and the panoramas themselves at their seam.
+// clouds.c - shaders/clouds.glsl compared with double precision: the layer over a round Earth,
+// positions in the panorama, an overcast sky and the weather; and the panoramas themselves at their
+// seam.
 #include "lib/test.h"
 #include "picture/image.h"
 #include "lib/gpu.h"
@@ -14,25 +15,27 @@ static const double earth = 6371.0;
 
 // ---- The layer ----
 
-// By halving: how far the ray has come when it stands so high over the ground.
+// By bisection: how far the ray has come when it is this high above the ground.
 static double hit_by_halving(double height, double climb, double altitude)
 {
     double low = 0.0, high = 20000.0;
-    // Behind the lowest point of the ray its height grows.
+    // Beyond the lowest point of the ray, its height grows.
     if (climb < 0.0)
         low = -(earth + height) * climb;
     for (int i = 0; i < 200; i++) {
         double t = 0.5 * (low + high), x = t * sqrt(1.0 - climb * climb);
         double up = earth + height + t * climb;
-        // hypot(x, up) - earth without its rounding: x^2 + (up^2 - earth^2) over the sum of roots.
+        // hypot(x, up) - earth without its rounding error: x^2 + (up^2 - earth^2) over the sum of
+        // the roots.
         double over = (x * x + (up - earth) * (up + earth)) / (hypot(x, up) + earth);
         *(over < altitude ? &low : &high) = t;
     }
     return 0.5 * (low + high);
 }
 
-// The stable form keeps the digits of a float, 6e-8 a rounding and some roundings in a row; the
-// root as it is written in books loses them overhead, the more so the lower the layer.
+// The stable form keeps the digits of a float, with an error of 6e-8 per rounding and several
+// roundings in a row. The root in its textbook form loses them overhead, and loses more the lower
+// the layer is.
 TEST(test_layer_is_where_the_ray_meets_it)
 {
     static const float layers[][4] = {
@@ -55,8 +58,8 @@ TEST(test_layer_is_where_the_ray_meets_it)
     }
 }
 
-// Straight up it is the difference of heights; level from the ground the root of 2 R a + a^2. What
-// the page says of a layer 1.2 km up is printed.
+// Straight up it is the difference of heights; horizontally from the ground it is the root of 2 R a
+// + a^2. The page's numbers for a layer at a height of 1.2 km are printed.
 TEST(test_layer_at_its_ends)
 {
     static const double degrees[] = {0.5, 1.0, 2.0, 5.0, 30.0};
@@ -70,7 +73,7 @@ TEST(test_layer_at_its_ends)
     assert_true(fabs(hit_by_halving(0.0, 0.0, 1.2) - sqrt(2.0 * earth * 1.2 + 1.44)) < 1e-6);
 }
 
-// From a step aside a place of the layer is seen in the direction that its own vector has.
+// From a point one step aside, a point of the layer is seen in the direction of its own vector.
 TEST(test_the_middle_sees_the_same_place)
 {
     const float eye[4] = {0.8f, 0.1f, -0.5f, 1.2f};
@@ -86,10 +89,9 @@ TEST(test_the_middle_sees_the_same_place)
     free(seen);
 }
 
-// Clouds see a sun that the ground has lost: the ray that grazes the Earth makes the angle acos(R /
-// (R
-// + a)) with the level at the cloud. The series sqrt(2 a / R) is right to a share of 5/12 a / R,
-// and the sum in place of the sine's to h^2 / 2 of it.
+// Clouds see the sun after it has set on the ground: the ray that grazes the Earth makes the angle
+// acos(R / (R + a)) with the horizontal at the cloud. The series sqrt(2 a / R) has a relative error
+// of 5/12 a / R, and the sum instead of the sum's sine an error of h^2 / 2.
 TEST(test_clouds_see_the_sun_longer)
 {
     for (float a = 0.5f; a < 13.0f; a *= 2.0f) {
@@ -126,7 +128,7 @@ TEST(test_places_are_angles)
         double level = hypot(d.x, d.z), height = atan2(d.y, level), w = (double)width[0];
         worst = fmax(worst, turn_apart((double)v[0], atan2(d.z, d.x) / (2.0 * MIRROR_PI)));
         worst = fmax(worst, fabs((double)v[1] - sqrt(2.0 * height / MIRROR_PI)));
-        // Half a pixel to each side, by differences: along the horizon, and up.
+        // Half a pixel to each side, from differences: along the horizon, and upwards.
         double u = w / level / (2.0 * MIRROR_PI);
         double up = sqrt(2.0 * (height + 0.5 * w) / MIRROR_PI) -
                     sqrt(2.0 * fmax(height - 0.5 * w, 0.0) / MIRROR_PI);
@@ -153,7 +155,7 @@ static int column_step(const struct image_bytes *image, int left, int right)
     return largest;
 }
 
-// Where the panorama begins and ends its columns differ no more than beside.
+// Where the panorama begins and ends, its columns differ no more than elsewhere.
 TEST(test_panoramas_close)
 {
     static const char *const names[] = {"fair", "storm"};
@@ -187,8 +189,8 @@ TEST(test_clouds_over_clouds)
     free(values);
 }
 
-// At every hour, in every direction, the light of a cloud is positive, and none where there is no
-// cloud. The article's colour is negative with the sun below -31.9 degrees.
+// At every hour and in every direction, the light of a cloud is positive, and it is zero where
+// there is no cloud. The article's colour is negative when the sun is below -31.9 degrees.
 TEST(test_clouds_are_never_darker_than_black)
 {
     for (int hour = 0; hour < 24; hour++) {
@@ -198,7 +200,7 @@ TEST(test_clouds_are_never_darker_than_black)
             const float *v = values + 4 * i;
             for (int c = 0; c < 3; c++) {
                 assert_true(v[c] >= 0.0025f * v[3] * 0.99f);
-                assert_true(v[c] <= 1.3f); // sunlight 0.3 and the lining's four times
+                assert_true(v[c] <= 1.3f); // sunlight 0.3 and four times that for the lining
             }
         }
         free(values);
@@ -209,8 +211,8 @@ TEST(test_clouds_are_never_darker_than_black)
 
 // ---- Weather ----
 
-// 3 : 1, and the sum over the half-sphere, weighted with the cosine to the level surface, is pi
-// times the white. By the midpoint rule in y = sin h: the solid angle is 2 pi dy.
+// 3 : 1, and the sum over the hemisphere, weighted with the cosine to the horizontal surface, is pi
+// times the white. With the midpoint rule in y = sin h: the solid angle is 2 pi dy.
 TEST(test_overcast_sky_keeps_its_light)
 {
     const float white[4] = {0.7f, 1.0f, 2.0f};
@@ -220,7 +222,7 @@ TEST(test_overcast_sky_keeps_its_light)
         for (int i = 0; i < 256; i++)
             sum += 2.0 * MIRROR_PI / 256.0 * (double)values[4 * i + 3] * (double)values[4 * i + c];
         assert_true(fabs(sum / (MIRROR_PI * (double)white[c]) - 1.0) < 1e-5);
-        // Linear in y: 0 and 1 lie half a step out.
+        // Linear in y: 0 and 1 are half a step outside.
         double first = (double)values[c], last = (double)values[4 * 255 + c];
         double step = (last - first) / 255.0;
         assert_true(fabs((last + 0.5 * step) / (first - 0.5 * step) - 3.0) < 1e-4);
@@ -238,8 +240,8 @@ TEST(test_weather_runs_from_fair_to_bad)
     assert_true(fair[0] == 1.0f && fair[1] == 0.0f && fair[2] == 0.0f && fair[3] == 1.0f);
     assert_true(more[1] == 1.0f && more[4 * 500 + 1] == 0.0f);
     assert_true(more[0] > 4.0f * more[4 * 500]);
-    // 46,000 times a white wall's light across the sun's rays: nothing of its disc is seen in the
-    // bad sky.
+    // 46,000 times the light of a white wall perpendicular to the sun's rays: the sun's disc is
+    // invisible in the bad sky.
     assert_true(more[2] < 1e-6f && more[4 * 500 + 2] == 1.0f);
     for (int i = 0; i <= 500; i += 50) {
         const float *v = shares + 4 * i, *w = more + 4 * i;
@@ -260,7 +262,7 @@ TEST(test_weather_runs_from_fair_to_bad)
     free(more);
 }
 
-// Streaks fill a small share of the picture, and move.
+// Streaks fill a small share of the picture, and they move.
 TEST(test_rain_falls)
 {
     const float first[4] = {0.0f, 90.0f}, later[4] = {0.1f, 90.0f};
@@ -277,8 +279,9 @@ TEST(test_rain_falls)
     assert_true(sum > 0.005 && sum < 0.1 && moved > 0.5 * sum);
 }
 
-// A picture of few pixels has as much rain as one of many, for a streak is a pixel wide at least,
-// and the fainter. Over eight moments what is cut off at the picture's rim is a thousandth.
+// A picture of few pixels contains as much rain as one of many, because a streak is at least a
+// pixel wide and correspondingly fainter. Over eight moments, a thousandth is cut off at the
+// picture's rim.
 TEST(test_rain_keeps_its_light)
 {
     static const int rows[] = {72, 108, 180, 360, 720};

@@ -1,10 +1,10 @@
-// coarse.c - the coarse pass: no ray of a block meets anything before the start that it gets,
-// by brute force in double; and a wire of half a pixel stays whole.
+// coarse.c - the coarse pass: by brute force in double precision, no ray of a block meets anything
+// before the start that it gets; and a wire half a pixel thick remains complete.
 #include "lib/test.h"
 #include "lib/coarse.h"
 
-// Walk along a ray until the scene is nearer than the margin, which a step can never leap over; or
-// up to a limit: then infinity.
+// Follow a ray until the scene is nearer than the margin, in steps that can never miss such a
+// point; or up to a limit, and then return infinity.
 static double reach(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                     struct mirror_ray ray, double limit)
 {
@@ -51,7 +51,7 @@ static struct coarse_scene any_scene(double orthographic)
     return scene;
 }
 
-// From somewhere around, at what stands in the middle.
+// From somewhere around the scene, towards an object in the middle.
 static struct camera any_camera(void)
 {
     double pan = any(-180.0, 180.0), tilt = any(-70.0, 70.0), away = any(3.0, 8.0);
@@ -62,15 +62,15 @@ static struct camera any_camera(void)
     return camera;
 }
 
-// What the starts of a picture came to.
+// The starts of a picture.
 struct starts {
-    int rays;          // that were walked along
-    int early;         // of them with something before the start
-    double start, met; // summed over the blocks that meet something: the start, the first meeting
+    int rays;          // rays that were followed
+    int early;         // of them, rays with something before the start
+    double start, met; // sums over the blocks that meet something: the start, the first meeting
 };
 
-// Walk along rays of a block: through its corners, which belong to the samples of its neighbours,
-// and through places within.
+// Follow rays of a block: through its corners, which belong to the samples of its neighbours, and
+// through points inside it.
 static void look_at(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                     int block[2], double start, struct starts *starts)
 {
@@ -84,7 +84,8 @@ static void look_at(const struct coarse_scene *scene, const struct renderer_inpu
         starts->early += met < start;
         first = fmin(first, met);
     }
-    if (first < INFINITY && inputs->height > 20) { // a block that is all the picture is no cone
+    if (first < INFINITY &&
+        inputs->height > 20) { // a block that contains the whole picture is not a cone
         starts->start += start;
         starts->met += first;
     }
@@ -106,7 +107,7 @@ static void look_at_picture(double orthographic, int width, int height, struct s
     free(table);
 }
 
-// Perspective, parallel, and between the two; pictures that blocks fill, and others.
+// Perspective, parallel, and between the two; pictures that blocks fill exactly, and others.
 TEST(test_nothing_is_before_the_start)
 {
     static const int sizes[][2] = {{96, 56}, {67, 37}, {160, 45}, {5, 3}, {1, 1}};
@@ -125,13 +126,13 @@ TEST(test_nothing_is_before_the_start)
     }
 }
 
-// ---- A wire of half a pixel ----
+// ---- A wire half a pixel thick ----
 
 // What a ray does.
 struct course {
-    bool meets;  // it comes into the scene
+    bool meets;  // it enters the scene
     bool nears;  // it comes nearer than the margin
-    bool grazes; // it does, and leaves again before it meets anything
+    bool grazes; // it does, and leaves it again before it meets anything
 };
 
 static struct course course_of(const struct coarse_scene *scene,
@@ -149,7 +150,8 @@ static struct course course_of(const struct coarse_scene *scene,
     return course;
 }
 
-// A ray that meets the scene is found, and none that passes by farther than the margin.
+// A ray that meets the scene finds it, and a ray that passes it farther away than the margin
+// does not.
 static void check_rays(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                        const float *picture, int row)
 {
@@ -162,7 +164,7 @@ static void check_rays(const struct coarse_scene *scene, const struct renderer_i
     }
 }
 
-// The columns of the picture in which no pixel shows the wire: no ball covers a whole column.
+// The columns of the picture in which no pixel shows the wire; no ball covers a whole column.
 static int holes_of(const float *picture)
 {
     int holes = 0;
@@ -181,9 +183,9 @@ static float *wire_picture(const struct renderer_inputs *inputs, bool pass)
     return gpu_numbers(inputs);
 }
 
-// The pixels of which one picture shows something and the other not, or the wire in one alone. A
-// march may find a place nearer than the margin that the ray leaves again, or step over it: no
-// other ray may be shown differently.
+// The pixels in which only one picture shows something, or only one shows the wire. A march may
+// stop at a point nearer than the margin that the ray then leaves, or step over it. No other ray
+// may be shown differently.
 static int differences_of(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                           const float *a, const float *b)
 {
@@ -198,7 +200,7 @@ static int differences_of(const struct coarse_scene *scene, const struct rendere
     return count;
 }
 
-// A grid of cameras, a fraction of a pixel and of a block apart.
+// A grid of cameras, each a fraction of a pixel and of a block from the next.
 static void check_wire(double growth, double lean, double orthographic)
 {
     int differ = 0, holes = 0, alone_holes = 0;

@@ -1,4 +1,4 @@
-// For coarse.c: four balls and a wire, each pixel's march begun by the coarse pass.
+// For coarse.c: four balls and a wire. Each pixel's march begins at the end of the coarse pass.
 
 #include "main.glsl"
 #include "orthographic.glsl"
@@ -16,7 +16,7 @@ uniform float wireRadius; // 0.01 in [0.0001, 1], scene units: its radius
 uniform float threshold;  // 0.001 in [0.00001, 1], scene units: distance that counts as a hit, at the eye
 uniform float growth;     // 0 in [0, 4], half pixels: how fast it grows along the ray
 uniform float factor;     // 1 in [0.1, 1]: what the distance is multiplied by
-uniform float moved;      // 0 in [0, 1], scene units: how far the last sample's ray stands to the right of the first one's
+uniform float moved;      // 0 in [0, 1], scene units: how far the last sample's ray is to the right of the first one's
 
 Ray pixelRay(vec2 screen)
 {
@@ -49,7 +49,7 @@ float sceneDistance(vec3 p)
     return factor * min(balls, wireDistance(p));
 }
 
-// Red: something was found; and the wire, green. Blue: where the march began.
+// Red: something was found. Green: it was the wire. Blue: where the march began.
 vec3 rayColour(Ray ray)
 {
     float start = coarseStart(ray);

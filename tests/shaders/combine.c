@@ -1,5 +1,5 @@
-// combine.c - union, intersection, subtraction and smooth union of two balls as the GPU has
-// them, against the distance to what is left of their surfaces, in double precision.
+// combine.c - union, intersection, subtraction and smooth union of two balls on the GPU, compared
+// with the distance to the remaining parts of their surfaces in double precision.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -13,7 +13,7 @@ enum { ROWS = 128, ITEMS = 256 * ROWS };
 static const float sizes[4] = {0.7f, 0.625f, 0.0078125f, 1.0f};
 static const double shift = (double)0.7f, blend = 0.625, step = 0.0078125, radius = 1.0;
 
-// Rounding of a distance, of its cube, and of a point's own coordinates.
+// Rounding errors of a distance, of its cube, and of a point's own coordinates.
 static const double slack = 2e-6;
 
 static float *values_of(int operation)
@@ -21,16 +21,16 @@ static float *values_of(int operation)
     return gpu_call("tests/shaders/combine.frag", 1024, ROWS, operation, sizes);
 }
 
-// The distance from (x, y), seen from a ball's centre, to an arc of its circle, from one angle to
-// another, both in [0, pi].
+// The distance from (x, y), relative to a ball's centre, to an arc of its circle between two
+// angles, both in [0, pi].
 static double arc_distance(double x, double y, double from, double to)
 {
     double angle = fmin(fmax(atan2(y, x), from), to);
     return hypot(x - radius * cos(angle), y - radius * sin(angle));
 }
 
-// The distance to the surface of the combination: each ball keeps the arc inside the other or the
-// arc outside; the arcs meet on the plane between the centres, at the angle acos(shift / radius).
+// The distance to the surface of the combination: each ball keeps the arc inside or the arc outside
+// the other; the arcs meet in the plane between the centres, at the angle acos(shift / radius).
 static double surface_distance(struct d3 p, int operation)
 {
     double y = hypot(p.y, p.z), meet = acos(shift / radius);
@@ -50,8 +50,8 @@ static bool inside(struct d3 p, int operation)
     return left && (operation == INTERSECTION ? right : !right);
 }
 
-// The operator against the truth: exact on one side, never more than it on the other, less
-// somewhere.
+// The operator compared with the truth: it is exact on one side, and on the other never larger and
+// somewhere smaller.
 static void check_bound(int operation, bool exact_inside)
 {
     float *values = values_of(operation);
@@ -126,7 +126,8 @@ TEST(test_all_are_1_lipschitz)
     }
 }
 
-// Never more than min, never less than min less the depth of the blend, which it is where a = b.
+// Never more than min, and never less than min minus the depth of the blend, which is reached where
+// a = b.
 static void check_depth(int operation, double depth)
 {
     float *values = values_of(operation);
@@ -157,8 +158,8 @@ TEST(test_smooth_unions_lie_between_min_and_min_less_their_depth)
     check_depth(QUADRATIC, blend / 4.0);
 }
 
-// The share of b is the slope in b, that of a the slope in a, and both add up to 1: to add h to
-// both distances adds h to the union.
+// The share of b is the slope in b, that of a is the slope in a, and both add up to 1, because
+// adding h to both distances adds h to the union.
 //   truncation  of the differences
 static void check_share(int operation, double truncation)
 {
@@ -182,8 +183,8 @@ static void check_share(int operation, double truncation)
     assert_true(worst <= allowed && sum <= allowed);
 }
 
-// The cubic's third derivative is at most 1 / k^2, also where it jumps, at a = b. The quadratic's
-// second jumps by 1 / (2 k) where the blend begins.
+// The cubic's third derivative is at most 1 / k^2, even where it jumps, at a = b. The quadratic's
+// second derivative jumps by 1 / (2 k) where the blend begins.
 TEST(test_shares_are_the_slopes)
 {
     check_share(SMOOTH, step * step / (6.0 * blend * blend));

@@ -2,7 +2,7 @@
 // For combine.c: two equal balls combined, at random points, with a second point near each.
 //
 // Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), (a, b, the share of b, -), and the smooth
-// union at (a + h, b), (a - h, b), (a, b + h), (a, b - h). Time is the operation; iMouse holds half the
+// union at (a + h, b), (a - h, b), (a, b + h), (a, b - h). Time is the operation; iMouse contains half the
 // distance of the centres, the width of the blend, h, and the radius.
 
 in float Time;
@@ -43,7 +43,7 @@ float asked(vec3 p)
     return blended(a, b);
 }
 
-// Of every four points one lies on the plane where a = b.
+// Every fourth point lies in the plane where a = b.
 vec3 point(int item)
 {
     vec3 p = 2.0 * nextVector();

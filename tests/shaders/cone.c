@@ -1,5 +1,5 @@
 // cone.c - shaders/cone.glsl and the interval of a tetrahedron, as the GPU computes them along
-// random rays, against the same walks in double precision.
+// random rays, compared with the same marches in double precision.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -10,7 +10,7 @@
 enum { RAYS = 20, ITEMS_WIDE = 256, SLOTS = 4, ROWS = 32, ITEMS = ITEMS_WIDE * ROWS };
 enum { BALL, PLANE, PYRAMID };
 
-// What one ray gave.
+// The result for one ray.
 struct ray_result {
     struct mirror_ray ray;
     double spread_of_pixel, march_t;
@@ -130,7 +130,7 @@ TEST(test_steps_run_out)
     assert_true(given_up > ITEMS / 10);
 }
 
-// The picture here is 32 pixels high, and tests look with a focal length of 1 or 2.
+// The picture here is 32 pixels high, and the tests use a focal length of 1 or 2.
 TEST(test_a_pixel_spreads_as_the_screen_says)
 {
     for (int k = 0; k < 3; k++) {
@@ -147,7 +147,7 @@ TEST(test_a_pixel_spreads_as_the_screen_says)
 
 // ---- coneReaching ----
 
-// The smallest share over the steps, by the same steps; over a plane there is a second way.
+// The smallest share over the steps, with the same steps; above a plane there is a second method.
 static double walked_share(int scene, struct mirror_ray ray, double threshold, double spread)
 {
     double t = 0.0, smallest = 1.0;
@@ -159,7 +159,7 @@ static double walked_share(int scene, struct mirror_ray ray, double threshold, d
     return fmax((smallest - 0.2) / 0.8, 0.0);
 }
 
-// Does the ray meet the ball, and how close does it pass, less the radius?
+// Does the ray meet the ball, and how close does it pass, minus the radius?
 static double clearance(struct mirror_ray ray)
 {
     double nearest = fmax(-d3_dot(ray.origin, ray.direction), 0.0);
@@ -200,7 +200,7 @@ static bool is_inside(struct d3 p)
            -p.x - p.y - p.z < 0.75;
 }
 
-// A ray's points are inside from the entry to the exit and nowhere else.
+// The points of a ray are inside from the entry to the exit, and nowhere else.
 TEST(test_interval_contains_what_is_inside)
 {
     float *values = call(BALL, 0.001f, 0.0f, 1.0f);

@@ -1,5 +1,5 @@
-// crossing.c - shaders/crossing.glsl towards things drawn by lot: where the distance falls to
-// the threshold is known in closed form, or found by halving in double precision.
+// crossing.c - shaders/crossing.glsl towards random objects: the point where the distance falls to
+// the threshold is known in closed form, or found by bisection in double precision.
 #include "lib/test.h"
 #include "lib/cell.h"
 #include "lib/gpu.h"
@@ -21,12 +21,12 @@ struct crossing {
 static struct crossing march_of(const float *values, int row, int number)
 {
     const float *v = values + 4 * (row * CASES + number);
-    assert_true(v[0] == v[3]); // what the views and the probe are told
+    assert_true(v[0] == v[3]); // what the views and the probe receive
     return (struct crossing){(double)v[0], v[1] > 0.5f, (double)v[2]};
 }
 
-//   aside  of the point from the ray
-//   start  the rays start at a place drawn from 0 to this; at a point, that far before it
+//   aside  distance of the point from the ray
+//   start  the rays start at random positions from 0 to this; for a point, this far in front of it
 static float *marches(int function, double aside, double start)
 {
     const float numbers[4] = {(float)threshold, (float)spread, (float)aside, (float)start};
@@ -53,8 +53,8 @@ static double ball_distance(int number, double t)
     return hypot(middle_of(number) - t, 0.98 * lot(number, 1)) - 1.0;
 }
 
-// Before a wall the place is exact, wherever the march began; marchCone ends anywhere in front of
-// it.
+// In front of a wall the end point is exact, wherever the march began; marchCone ends anywhere in
+// front of it.
 TEST(before_a_wall_it_is_exact)
 {
     float *values = marches(WALL, 0.0, 4.0);
@@ -65,7 +65,8 @@ TEST(before_a_wall_it_is_exact)
         double truth = (slope * middle_of(i) - threshold) / (slope + spread);
         struct crossing march = march_of(values, 0, i), other = march_of(values, 1, i);
         assert_true(march.found && other.found);
-        // A float of 10 is known to 5e-7, the distance to about as much: over the slope.
+        // A float near 10 is accurate to 5e-7, and the distance about as accurate: divide by the
+        // slope.
         worst = fmax(worst, slope * fabs(march.t - truth));
         cone = fmax(cone, slope * fabs(other.t - truth) / radius_at(truth));
     }
@@ -74,8 +75,8 @@ TEST(before_a_wall_it_is_exact)
     assert_true(worst < 4e-6 && cone > 0.5);
 }
 
-// Before a ball: the place lies where 0.7 r <= d <= r, for the distance is convex along the ray;
-// and nearly where d = r. K is at most 1 / (1 + d).
+// In front of a ball, the end point is where 0.7 r <= d <= r, because the distance is convex along
+// the ray; and nearly where d = r. K is at most 1 / (1 + d).
 TEST(before_a_ball_it_is_near)
 {
     float *values = marches(BALL, 0.0, 4.0);
@@ -95,7 +96,7 @@ TEST(before_a_ball_it_is_near)
     assert_true(sum < 0.02 * CASES && sum < 0.1 * cone);
 }
 
-// Of the same ray from two starts: they end in one place, marchCone's in two.
+// The same ray from two starts: its marches end at one point, those of marchCone at two.
 TEST(another_start_ends_in_the_same_place)
 {
     float *first = marches(BALL, 0.0, 0.0), *second = marches(BALL, 0.0, 4.0);
@@ -112,13 +113,13 @@ TEST(another_start_ends_in_the_same_place)
     assert_true(apart[0] < 0.1 * apart[1]);
 }
 
-// A point that passes the ray nearer than 0.988 thresholds is never stepped over, and one farther
-// away than 1 is never met. marchCone passes by some of the first.
+// The march never steps over a point that passes the ray nearer than 0.988 thresholds, and never
+// meets one farther away than 1. marchCone misses some of the first kind.
 TEST(thin_things_are_found)
 {
     int passed = 0;
     for (int k = 0; k < 2; k++) {
-        // The threshold at the point is the least at 6 and the largest at 10.
+        // The threshold at the point is smallest at 6 and largest at 10.
         double aside = k == 0 ? 0.988 * radius_at(6.0 - 0.05) : 1.001 * radius_at(10.0 + 0.05);
         float *values = marches(POINT, aside, 0.2);
         for (int i = 0; i < CASES; i++) {
@@ -134,7 +135,7 @@ TEST(thin_things_are_found)
 }
 
 // Slopes, some of which end in a surface and some above it: no surface is stepped over, and no
-// place that it returns is nearer to one than 0.7 of the threshold before.
+// returned point is nearer to one than 0.7 of the threshold before.
 TEST(no_surface_is_passed)
 {
     float *values = marches(SLOPES, 0.0, 4.0);
@@ -158,7 +159,7 @@ TEST(no_surface_is_passed)
     assert_true(hits > 1000 && misses > 500);
 }
 
-// The price: evaluations in all, against marchCone's.
+// The price: the total of evaluations, compared with marchCone's.
 TEST(it_takes_little_more)
 {
     float *values = marches(WALL, 0.0, 4.0);

@@ -1,7 +1,6 @@
 #version 330 core
-// For crossing.c: marches towards things drawn by lot.
-//
-// Time chooses the function, iMouse holds numbers for it; x is the number of the case; the upper row is marchCone.
+// For crossing.c: marches towards random objects.
+// Time selects the function, iMouse contains numbers for it; x is the number of the case; the upper row is marchCone.
 
 in float Time;
 out vec4 FragColor;
@@ -19,8 +18,8 @@ float lot(int dimension)
     return cellRandom(ivec3(number, 0, dimension));
 }
 
-// Function 0: a point beside the ray. 1: a wall under an angle with the sine 0.05 to 1. 2: a ball. 3: a slope
-// up from a thing, to both sides.
+// Function 0: a point beside the ray. 1: a wall at an angle with a sine from 0.05 to 1. 2: a ball. 3: slopes that rise
+// from an object on both sides.
 float sceneDistance(vec3 p)
 {
     float middle = 6.0 + 4.0 * lot(0);

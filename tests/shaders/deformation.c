@@ -27,7 +27,7 @@ static struct d3 bent(struct d3 p, double rate)
     return m3_turned(d3(0.0, 0.0, 1.0), rate * p.x, p);
 }
 
-// The largest singular value of a map's derivative at a place, by differences.
+// The largest singular value of a map's derivative at a point, from differences.
 static double stretch_at(map function, struct d3 p, double rate)
 {
     const double h = 1e-5;
@@ -116,7 +116,7 @@ TEST(test_bend_stretches_as_stated)
     check_deformation("bend", BEND, bent, 2);
 }
 
-// The slope of a function of space at p, by differences.
+// The slope of a function of space at p, from differences.
 static double slope(double (*function)(struct d3), struct d3 p)
 {
     const double h = 1e-5;

@@ -2,7 +2,7 @@
 // For numeric.c: the library's distances at random points, with a second point near each.
 //
 // Each item takes 4 pixels of a row: (p, f(p)), (q, f(q)), (differences of f at p, their length), 0.
-// Time chooses the function; iMouse holds its sizes.
+// Time selects the function; iMouse contains its sizes.
 
 in float Time;
 out vec4 FragColor;
@@ -34,8 +34,8 @@ float asked(vec3 p)
     return twoBalls(p);
 }
 
-// Of every eight points: four in a cube around the shape, one far, one near a corner, one on the plane
-// of a face, one on an axis.
+// Of every eight points, four are in a cube around the shape, one is far away, one near a corner, one in the plane of a
+// face, and one on an axis.
 vec3 point(int item)
 {
     vec3 p = 2.0 * nextVector();

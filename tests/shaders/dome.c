@@ -1,5 +1,5 @@
-// dome.c - the whole sky of chapters 20 and 21 over 24 hours, as it is shown: nowhere black, by day
-// without a spot at the zenith, and darker and darker through dusk.
+// dome.c - the whole sky of chapters 20 and 21 over 24 hours, as it is displayed: it is nowhere
+// black, has no spot at the zenith by day, and gets darker and darker through dusk.
 #include "lib/test.h"
 #include "lib/chapter.h"
 
@@ -18,7 +18,7 @@ static double shown(const float *values, int hour, int azimuth, int row)
     return fmax((double)at[0], fmax((double)at[1], (double)at[2]));
 }
 
-// The mean of a ring, or of some of them.
+// The mean of a ring, or of several rings.
 static double mean_of(const float *values, int hour, int from, int to)
 {
     double sum = 0.0;

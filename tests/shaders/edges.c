@@ -1,5 +1,5 @@
-// edges.c - the library where a formula could divide by zero: each value is finite and right, on
-// this driver too.
+// edges.c - the library at points where a formula could divide by zero: each value is finite and
+// right, on this driver too.
 #include "lib/test.h"
 #include "lib/gpu.h"
 

@@ -1,7 +1,7 @@
 #version 330 core
-// For edges.c: the library's functions where a formula divides by zero, where an angle is that of no
-// direction, and where a power, a root or an arc ends. Each case has the value that is found and the
-// right one. iMouse is 0, so that the compiler cannot compute the values itself.
+// For edges.c: the library's functions where a formula divides by zero, where an angle has no direction, and where a
+// power, a root or an arc function reaches the end of its range. Each case has the actual value and the right one.
+// iMouse is 0, so that the compiler cannot compute the values itself.
 
 in float Time;
 out vec4 FragColor;
@@ -43,7 +43,7 @@ uniform vec4 iMouse;
 #include "checkers.glsl"
 #undef Footprint
 
-const float ANY = -1e9; // for a value that has only to be finite
+const float ANY = -1e9; // for a value that only has to be finite
 const vec3  UP = vec3(0.0, 1.0, 0.0);
 
 int  cases = 0;
@@ -126,7 +126,7 @@ void main()
     edge(ballCaustic(vec3(o, -1.0, o), y, 0.5, 1.5, o), ANY);
     edge(ballCaustic(y, y, 0.5, 1.5, 0.05), 0.0);
 
-    // Shadows: discs that touch, that lie in each other, and a lamp straight behind the ball.
+    // Shadows: discs that touch, one disc inside another, and a lamp exactly behind the ball.
     edge(discBesideEdge(o - 1.0), 0.0);
     edge(discBesideEdge(o), 0.5);
     edge(discBesideEdge(1.0 + o), 1.0);
@@ -170,7 +170,7 @@ void main()
     edge(length(fourWaves(vec2(o), Footprint(x, z), vec4(1.0), vec4(0.0), vec4(0.0), vec4(0.0)).slope), 0.0);
     edge(glitter(x, y, Water(vec2(0.0), 0.01), vec3(1.0)), vec3(ANY));
 
-    // Distances: in the middle, on the axis, at the tip.
+    // Distances: at the centre, on the axis, at the tip.
     edge(sdSegment(vec2(o), vec2(o), vec2(1.0)), 0.0);
     edge(sdTriangle(vec2(o), vec2(o), vec2(1.0, 0.0), vec2(0.0, 1.0)), 0.0);
     edge(sdCappedCone(0.5 * y, 0.3, o, 0.5), 0.0);

@@ -1,5 +1,5 @@
-// film.c - shaders/film.glsl: the light behind a small opening by brute force, the curves'
-// fixed points and slopes, hue, what a dither keeps, and the punch of chapter 15.
+// film.c - shaders/film.glsl: the light behind a small opening by brute force, the curves' fixed
+// points and slopes, hue, the mean of a dithered colour, and the punch of chapter 15.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -9,9 +9,9 @@
 
 enum { VIGNETTE, CONTRAST, CURVE, HUE, DITHER };
 
-// The light that an evenly bright wall sends through a round opening of radius r to a place of the
-// film, f behind it: each bit of the opening sends its cosine there times its cosine here over the
-// square of the way.
+// The light that an evenly bright wall sends through a round opening of radius r to a point of the
+// film, f behind it: each element of the opening sends its cosine there times its cosine here over
+// the square of the distance.
 static double through_opening(double x, double y, double f, double r)
 {
     double sum = 0.0;
@@ -93,8 +93,8 @@ TEST(the_film_keeps_grey_and_reaches_white)
     }
 }
 
-// The largest channel's curve keeps the shares of the channels; a curve on each draws them
-// together.
+// The curve of the largest channel keeps the shares of the channels; a curve on each channel draws
+// them together.
 TEST(the_largest_channel_keeps_the_hue)
 {
     const float numbers[4] = {1.25f, 8.0f};
@@ -142,7 +142,7 @@ TEST(a_dither_has_each_step_once)
     assert_true(worst <= 1.0 / 128.0 + 1e-6 && undithered > 0.49);
 }
 
-// The picture in numbers before they are rounded, with a setting; the caller frees it.
+// The picture as numbers before they are rounded, with a setting; the caller frees it.
 static float *picture_with(const char *setting)
 {
     struct renderer_inputs inputs = {.width = 80, .height = 45, .samples = 1};
@@ -152,7 +152,7 @@ static float *picture_with(const char *setting)
     return gpu_numbers(&inputs);
 }
 
-// At 1 it is a smoothstep of what is written, not of light.
+// At 1 it is a smoothstep of the encoded value, not of light.
 TEST(punch_is_a_contrast_of_numbers)
 {
     float *plain = picture_with("punch=0"), *punched = picture_with("punch=1");

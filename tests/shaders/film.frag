@@ -1,6 +1,6 @@
 #version 330 core
-// For film.c: the functions of film.glsl. Time chooses the function, iMouse holds four numbers for it; x
-// and y are the pixel's numbers.
+// For film.c: the functions of film.glsl. Time selects the function, iMouse contains four numbers for it; x and y are
+// the pixel's coordinates.
 
 in float Time;
 out vec4 FragColor;
@@ -20,7 +20,7 @@ void main()
     } else if (function == 1) { // iMouse: amount
         float v = (number.x - 64.0) / 256.0;
         FragColor = vec4(v, contrast(vec3(v), iMouse.x).r, exposed(vec3(0.3), v).g, 0.0);
-    } else if (function == 2) { // iMouse: gamma, white; sixteen to a stop
+    } else if (function == 2) { // iMouse: gamma, white; sixteen values per stop
         float x = exp2((number.x - 192.0) / 16.0);
         FragColor = vec4(x, filmCurve(vec3(x), iMouse.x, iMouse.y).g, filmCurve(vec3(0.18), iMouse.x, iMouse.y).r,
                          filmCurve(vec3(-x), iMouse.x, iMouse.y).b);

@@ -1,4 +1,4 @@
-// fog.c - shaders/fog.glsl against double precision: sums of thin slices, and the equation of
+// fog.c - shaders/fog.glsl compared with double precision: sums of thin slices, and the equation of
 // light in fog solved step by step.
 #include "lib/test.h"
 #include "lib/gpu.h"
@@ -7,7 +7,7 @@
 
 enum { DECAY, DEPTH, SKY, PLACE, LIGHT, HORIZON, LAMP, BEAM };
 
-// The density along a ray, and its integral by Simpson's rule over so many slices.
+// The density along a ray, and its integral with Simpson's rule over this many slices.
 struct air {
     double height, density, scale;
 };
@@ -49,7 +49,7 @@ TEST(the_mean_of_a_decay_keeps_its_digits_near_0)
     assert_true(worst < 1e-6);
 }
 
-// Even fog, thin mist, from above and from within it; level rays, rays up and down.
+// Even fog and thin mist, from above and from inside; horizontal rays, rays up and down.
 static const float airs[][4] = {{1.6f, 0.05f, 1.5f},
                                 {0.0f, 0.2f, 0.4f},
                                 {1.6f, 0.05f, 1e6f},
@@ -67,7 +67,7 @@ TEST(the_depth_is_the_sum_of_thin_slices)
             const float *v = values + 4 * i;
             double climb = (double)v[0], t = (double)v[1];
             if (fabs(climb) * t / (double)airs[k][2] > 20.0)
-                continue; // the density itself leaves the floats
+                continue; // the density itself is too large or too small for a float
             double right = slices(air_of(airs[k]), climb, t, 2000);
             worst = fmax(worst, fabs((double)v[2] / right - 1.0));
         }
@@ -77,8 +77,9 @@ TEST(the_depth_is_the_sum_of_thin_slices)
     assert_true(worst < 1e-5);
 }
 
-// From 200 scales up, where the density is 0 as a float, down to where it is not: counted from the
-// upper end it would be 0 times infinity. The lower end is known to 200 times a float's rounding.
+// From 200 scales upwards, where the density is 0 as a float, down to where it is not. Counted from
+// the upper end it would be 0 times infinity. The lower end is known to 200 times a float's
+// rounding error.
 TEST(a_way_from_far_above_has_a_depth)
 {
     const float numbers[4] = {200.0f, 0.5f, 1.0f};
@@ -89,7 +90,7 @@ TEST(a_way_from_far_above_has_a_depth)
         double climb = (double)v[0], low = 200.0 + climb * (double)v[1];
         assert_true(isfinite(v[2]) && v[2] >= 0.0f);
         if (low > 80.0)
-            continue; // nothing that a float can hold
+            continue; // too small for a float
         double right = 0.5 * (exp(-low) - exp(-200.0)) / -climb;
         assert_true(fabs((double)v[2] / right - 1.0) < 1e-4);
         reached++;
@@ -98,12 +99,12 @@ TEST(a_way_from_far_above_has_a_depth)
     assert_true(reached > 1);
 }
 
-// From 1 up the numbers are those of a ray so long that nothing of the fog is left.
+// From 1 upwards, the values are those of a ray so long that it leaves the fog.
 TEST(the_sky_is_seen_through_a_finite_fog)
 {
     for (int k = 0; k < AIRS; k++) {
         if ((double)airs[k][2] > 100.0)
-            continue; // an even fog hides the sky
+            continue; // uniform fog hides the sky
         float *values = gpu_call(SHADER, 40, 1, SKY, airs[k]);
         for (int i = 0; i < 40; i++) {
             double climb = (double)values[4 * i], far = 40.0 * (double)airs[k][2] / climb;
@@ -131,7 +132,7 @@ TEST(a_place_has_the_depth_that_was_asked_for)
     assert_true(worst < 1e-5);
 }
 
-// dL/dt = density (fog - L), by the midpoint rule.
+// dL/dt = density (fog - L), with the midpoint rule.
 TEST(light_in_fog_obeys_its_equation)
 {
     const float numbers[4] = {2.0f, 0.7f, 0.3f};
@@ -149,7 +150,8 @@ TEST(light_in_fog_obeys_its_equation)
     assert_true(worst < 2e-6);
 }
 
-// The two sides of the horizon meet in the fog's own light, and near it nothing else is left.
+// The two sides of the horizon meet in the fog's own light, and near the horizon nothing else is
+// left.
 TEST(the_horizon_is_the_fog)
 {
     const float none[4] = {0.0f};
@@ -167,7 +169,7 @@ TEST(the_horizon_is_the_fog)
     free(values);
 }
 
-// The sum of thin slices of 1 / (distance^2), the lamp being 0.05 farther aside than it is.
+// The sum of thin slices of 1 / (distance^2), where the lamp is 0.05 farther aside than it is.
 TEST(the_light_round_a_lamp_is_the_sum_of_thin_slices)
 {
     static const float rays[][4] = {
@@ -181,7 +183,7 @@ TEST(the_light_round_a_lamp_is_the_sum_of_thin_slices)
             double a = (double)v[0], b = (double)v[1], c = (double)v[2];
             double nearest = -(x * a + y * b + z * c);
             double aside = sqrt(fmax(x * x + y * y + z * z - nearest * nearest, 0.0)) + 0.05;
-            // t - nearest = aside sinh s: slices that are thin where the lamp is near.
+            // t - nearest = aside sinh s: slices that are thin where the lamp is close.
             double from = asinh(-nearest / aside),
                    to = asinh(((double)rays[k][3] - nearest) / aside);
             double sum = 0.0, step = (to - from) / 4000.0;
@@ -195,8 +197,8 @@ TEST(the_light_round_a_lamp_is_the_sum_of_thin_slices)
     assert_true(worst < 2e-4);
 }
 
-// Where a ray crosses a beam at right angles, the light is a bell over the beam's width, and
-// nothing where the ray ends before it.
+// Where a ray crosses a beam at right angles, the light is a bell curve over the beam's width, and
+// it is zero if the ray ends before the beam.
 TEST(a_beam_is_as_wide_as_it_says)
 {
     const float far[4] = {9.0f}, near[4] = {4.4f};

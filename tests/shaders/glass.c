@@ -1,6 +1,6 @@
-// glass.c - shaders/glass.glsl, fresnel.glsl and caustic.glsl: what a surface mirrors and
-// bends, rays through a ball against their analytical path, what a straight ray loses, the light
-// behind a ball.
+// glass.c - shaders/glass.glsl, fresnel.glsl and caustic.glsl: the light that a surface reflects
+// and refracts, rays through a ball compared with their analytical path, what a straight ray loses,
+// and the light behind a ball.
 #include "lib/test.h"
 #include "lib/glass.h"
 #include "lib/gpu.h"
@@ -39,10 +39,10 @@ TEST(the_mirrored_share_is_fresnel_s)
         free(values);
     }
     print_message("# Fresnel: worst %.2g\n", worst);
-    assert_true(worst < 2e-4); // beside the critical angle its slope is infinite
+    assert_true(worst < 2e-4); // near the critical angle its slope is infinite
 }
 
-// What goes one way through a surface goes the other way too.
+// The share that passes through a surface is the same in both directions.
 TEST(both_sides_mirror_the_same)
 {
     for (double c = 0.02; c < 1.0; c += 0.02) {
@@ -71,12 +71,12 @@ static double ball(struct d3 p)
 }
 
 struct through {
-    double inside; // way from surface to surface
+    double inside; // distance from surface to surface
     struct d3 left;
     bool done;
 };
 
-// In at offset from the axis, out again: by the march, in double.
+// In at offset from the axis, and out again: by marching, in double precision.
 static struct through ball_marched(double offset, double turn, double index, double threshold,
                                    double start)
 {
@@ -98,7 +98,7 @@ static struct through ball_marched(double offset, double turn, double index, dou
     return way;
 }
 
-// The analytical path: turned by 2 (i - j) towards the axis, 2 cos(j) inside.
+// The analytical path: deflected by 2 (i - j) towards the axis, 2 cos(j) long inside.
 static double ball_error(struct through way, double offset, double turn, double index)
 {
     double i = asin(offset), j = asin(offset / index), bend = 2.0 * (i - j);
@@ -120,7 +120,7 @@ TEST(ten_thousand_rays_go_through_a_ball)
     assert_true(worst < 1e-6);
 }
 
-// From half a threshold off the surface every march inside ends where it starts.
+// From a start half a threshold off the surface, every march inside ends where it starts.
 TEST(a_start_too_near_is_stranded)
 {
     const double threshold = 1e-4;
@@ -139,8 +139,8 @@ static double half_space(struct d3 p)
     return p.y;
 }
 
-// Over a flat face each step makes the height larger by 1 + sin: a ray that leaves flat runs out of
-// steps.
+// Above a flat face, each step multiplies the height by 1 + sin: a ray that leaves at a small angle
+// runs out of steps.
 TEST(a_flat_leave_runs_out_of_steps)
 {
     const double threshold = 0.0004, start = 2.5 * threshold, to_height_1[2] = {0.0, 1e9};
@@ -171,8 +171,8 @@ TEST(the_library_goes_the_same_way)
     assert_true(worst < 0.02); // the threshold over the cosine, at the rim
 }
 
-// Rays march from the middle of a slab to its face: the first that does not get out is at asin(1 /
-// n).
+// Rays march from the middle of a slab to its face: the first ray that does not leave is at asin(1
+// / n).
 TEST(nothing_gets_out_beyond_the_critical_angle)
 {
     static const float indices[] = {1.333f, 1.5168f, 1.7283f};
@@ -229,8 +229,8 @@ TEST(a_straight_ray_meets_both_surfaces)
 
 // ---- The light behind a ball ----
 
-// All the light within 0.96 of the radius comes out, less what is mirrored, whatever the plane;
-// what passes farther out is the share that the header says.
+// All the light within 0.96 of the radius comes out, minus the reflected part, whatever the plane.
+// The light that passes farther out is the share that the header states.
 TEST(no_light_is_lost_behind_a_ball)
 {
     static const float cases[][2] = {
@@ -255,7 +255,8 @@ TEST(no_light_is_lost_behind_a_ball)
     }
 }
 
-// Beside the ball, and under it, no ray has come out yet: each leaves behind 0.98 radius.
+// Beside the ball, and below it, no ray has come out yet: every ray leaves the ball beyond 0.98 of
+// the radius.
 TEST(no_light_comes_before_it_has_left_the_ball)
 {
     for (int k = 1; k < 10; k++) {
@@ -267,8 +268,8 @@ TEST(no_light_comes_before_it_has_left_the_ball)
     }
 }
 
-// Rays traced one by one and counted in rings: where in its ring of b light falls is not known, and
-// the rings of r here are as wide as one of b at the edge.
+// Rays traced one by one and counted in rings. The position of the light within its ring of b is
+// unknown, and the rings of r here are as wide as one of b at the edge.
 TEST(the_light_behind_a_ball_is_that_of_many_rays)
 {
     enum { RINGS = 12, RAYS = 200000 };
@@ -278,7 +279,7 @@ TEST(the_light_behind_a_ball_is_that_of_many_rays)
     for (int i = 0; i < RAYS; i++) {
         double b = 0.96 * (i + 0.5) / RAYS, j = asin(b / 1.5168), turn = 2.0 * (asin(b) - j);
         double passes = 1.0 - glass_fresnel(sqrt(1.0 - b * b), 1.0 / 1.5168);
-        // Where it leaves the ball, and on from there.
+        // The point where it leaves the ball, and its path from there.
         double angle = asin(b) - turn, y = sin(angle), z = cos(angle);
         double r = fabs(y - (1.2 - z) * tan(turn));
         int ring = (int)(r / 0.075);
@@ -299,8 +300,8 @@ TEST(the_light_behind_a_ball_is_that_of_many_rays)
 
 // ---- Depths ----
 
-// Nothing of the surface is nearer than a shape claims, inside and outside: then no two points
-// differ by more than the way between them. 4096 points against 2341.
+// No part of the surface is nearer than a shape claims, inside or outside: then no two points
+// differ by more than the distance between them. 4096 points are compared with 2341.
 TEST(the_tumbler_bounds_the_depth)
 {
     const float numbers[4] = {2.0f};
@@ -322,8 +323,8 @@ TEST(the_tumbler_bounds_the_depth)
     assert_true(inside > 300);
 }
 
-// And the depth is not less than that: from inside, the surface is met that far along the slope.
-// Where the slope is no unit vector two pieces of the surface are equally near.
+// And the depth is not less than the claim: from inside, a ray along the slope meets the surface at
+// that distance. Where the slope is not a unit vector, two parts of the surface are equally near.
 TEST(the_depth_is_exact_inside)
 {
     static const float shapes[] = {0.0f, 1.0f, 2.0f, 4.0f};
@@ -346,7 +347,7 @@ TEST(the_depth_is_exact_inside)
     }
 }
 
-// A block of two halves that touch claims a surface between them.
+// A block of two halves that touch claims that there is a surface between them.
 TEST(a_union_has_a_wall_where_its_parts_touch)
 {
     const float numbers[4] = {3.0f};
@@ -374,7 +375,8 @@ TEST(clear_glass_in_a_white_world_is_white)
         assert_true(rest.mean < before.mean);
         before = rest;
     }
-    assert_true(rest.mean < 0.015 && rest.pixels < 0.02); // go round and round in an edge
+    assert_true(rest.mean < 0.015 &&
+                rest.pixels < 0.02); // rays that go around and around in an edge
 }
 
 TESTS(gpu_setup, gpu_teardown)

@@ -1,7 +1,6 @@
 #version 330 core
 // For glass.c and spectrum.c: glass.glsl, fresnel.glsl, spectrum.glsl, prism.glsl, caustic.glsl.
-//
-// Time chooses the function, iMouse holds four numbers for it; x is the pixel's number.
+// Time selects the function, iMouse contains four numbers for it; x is the pixel's coordinate.
 
 in float Time;
 out vec4 FragColor;
@@ -17,7 +16,8 @@ out vec4 FragColor;
 #include "solids.glsl"
 #include "combine.glsl"
 
-// 0 a ball, 1 a slab across y, 2 the tumbler's kind of shape, 3 a block of two halves that touch, 4 a rounded prism
+// 0 a ball, 1 a slab perpendicular to y, 2 the shape of the tumbler, 3 a block of two halves that touch, 4 a rounded
+// prism
 int shape = 0;
 
 float sceneDistance(vec3 p)
@@ -82,17 +82,17 @@ void main()
         FragColor = vec4(one, cauchyWave(vec2(1.6894, 0.01341), cauchyIndex(vec2(1.6894, 0.01341), 0.4 + 0.001 * number)));
     } else if (function == 8) { // iMouse: the two wavelengths
         FragColor = vec4(meanColour(iMouse.x, iMouse.y), sampleWave(int(number), int(iMouse.z), iMouse.w));
-    } else if (function == 10) { // the beam; iMouse: place, rise, half width
+    } else if (function == 10) { // the beam; iMouse: position, rise, half width
         Beam beam = prismBeam(iMouse.xy, 0.32, vec2(1.6894, 0.01341), iMouse.z, iMouse.w);
         FragColor = vec4(beam.white, beam.waves, 0.0);
-    } else if (function == 11) { // from inside a slab; iMouse: index; degrees by a hundred pixels
+    } else if (function == 11) { // from inside a slab; iMouse: index; 100 pixels per degree
         shape = 1;
         float angle = radians(0.01 * number + iMouse.y);
         Ray ray = Ray(vec3(0.0), vec3(sin(angle), cos(angle), 0.0));
         Hit hit = marchSide(ray, -1.0, 0.0, 9.0, 0.0001, 4096);
         vec3 left = refract(ray.direction, vec3(0.0, -1.0, 0.0), iMouse.x);
         FragColor = vec4(0.01 * number + iMouse.y, length(left), fresnelShare(cos(angle), iMouse.x), hit.t);
-    } else if (function == 12) { // from scattered points by the claimed distance along the slope: what is there?
+    } else if (function == 12) { // from scattered points, by the claimed distance along the slope: what is there?
         shape = int(iMouse.x);
         vec3 p = (fract((number + 131.0 * row) * vec3(0.8191725, 0.6710436, 0.5497005)) - 0.5) * vec3(1.9, 1.8, 1.4);
         vec3 slope = vec3(sceneDistance(p + vec3(0.002, 0.0, 0.0)) - sceneDistance(p - vec3(0.002, 0.0, 0.0)),
@@ -100,7 +100,7 @@ void main()
                           sceneDistance(p + vec3(0.0, 0.0, 0.002)) - sceneDistance(p - vec3(0.0, 0.0, 0.002))) / 0.004;
         float d = sceneDistance(p);
         FragColor = vec4(d, sceneDistance(p - d * normalize(slope)), length(slope), 0.0);
-    } else { // the depth that shapes claim, at scattered points
+    } else { // the depth that the shapes claim, at scattered points
         shape = int(iMouse.x);
         vec3 p = (fract((number + 131.0 * row) * vec3(0.8191725, 0.6710436, 0.5497005)) - 0.5) * vec3(1.9, 1.8, 1.4);
         FragColor = vec4(p, sceneDistance(p));

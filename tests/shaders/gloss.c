@@ -1,5 +1,5 @@
-// gloss.c - the highlights of shaders/gloss.glsl against their sources' formulas in double
-// precision, and the share of the light that each sends back: never more than all.
+// gloss.c - the highlights of shaders/gloss.glsl compared with their sources' formulas in double
+// precision, and the share of the light that each sends back, which is never more than all.
 #include "lib/test.h"
 #include "lib/gloss.h"
 #include "lib/gpu.h"
@@ -22,8 +22,9 @@ static struct d3 light_of(int x, int y)
     return d3(s * cos(turn), s * sin(turn), c);
 }
 
-// The highlight at each light against the source's formula; and the light sent back, a plain sum of
-// the GPU's own values over the half-sphere, against the integral in double.
+// The highlight for each light compared with the source's formula; and the light sent back, as a
+// plain sum of the GPU's own values over the hemisphere, compared with the integral in double
+// precision.
 static void check(int number, gloss_model *model, double cosine, double roughness)
 {
     double parameter = number == 0 ? roughness : gloss_exponent(roughness);
@@ -45,7 +46,7 @@ static void check(int number, gloss_model *model, double cosine, double roughnes
     print_message(
         "# model %d, cosine %.2f, roughness %.2f: sends back %.4f, in double %.4f; worst %.2g\n",
         number, cosine, roughness, sum, albedo, worst);
-    // Rounding of a cosine near 1 times the exponent; the sum's own grid.
+    // Rounding error of a cosine near 1 times the exponent; the sum's own grid.
     assert_true(worst < 1e-4);
     assert_true(fabs(sum - albedo) < 1e-3);
     assert_true(sum <= 1.0 + 1e-3 && albedo <= 1.0 + 1e-3);
@@ -60,7 +61,7 @@ TEST(test_highlights_and_their_energy)
         }
 }
 
-// No light reaches an eye that is on the surface's plane or behind it.
+// No light reaches an eye that is in the surface's plane or behind it.
 TEST(test_an_eye_behind_the_surface_sees_no_highlight)
 {
     static const double behind[] = {0.0, -0.01, -0.3, -1.0};
@@ -72,7 +73,8 @@ TEST(test_an_eye_behind_the_surface_sees_no_highlight)
     }
 }
 
-// The integral, whose directions follow the highlight, against a plain sum over the half-sphere.
+// The integral, whose directions follow the highlight, compared with a plain sum over the
+// hemisphere.
 TEST(test_the_integral_is_the_sum)
 {
     enum { SIDE = 1000 };
@@ -92,7 +94,8 @@ TEST(test_the_integral_is_the_sum)
         }
 }
 
-// Never more than all, on a fine grid of both; and the mirrors' area adds up to 1.
+// Never more than all the light, on a fine grid of both parameters; and the mirrors' areas add up
+// to 1.
 TEST(test_no_light_is_made)
 {
     double most[2] = {0.0, 0.0};
@@ -112,7 +115,8 @@ TEST(test_no_light_is_made)
     assert_true(fabs(area - 1.0) < 1e-3);
 }
 
-// What the page says of the usual factors: one makes light, none loses nearly all of it.
+// The page's statements on the usual factors: one creates light, without one nearly all of it is
+// lost.
 TEST(test_the_usual_factors)
 {
     double usual = 0.0, at = 0.0;

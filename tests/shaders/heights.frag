@@ -1,7 +1,6 @@
-// For texturing.c: heightOnSlide of a picture of heights, at a texel's middle for each pixel of 64 x 64.
-//
-// iTime is the axis, and 3 more for its gradient, else the height is red; iMouse.x is the reach in texels.
-// A gradient g, per repeat, is shown as 1/2 + g / 4096.
+// For texturing.c: heightOnSlide of a picture of heights, at the centre of a texel for each pixel of 64 x 64.
+// iTime is the axis, or 3 more than the axis for the gradient; otherwise the height is red. iMouse.x is the reach in
+// texels. A gradient g, per repeat, is shown as 1/2 + g / 4096.
 #include "main.glsl"
 #include "camera.glsl"
 #include "texture.glsl"

@@ -1,4 +1,4 @@
-// hue.c - the GPU's colour of a hue against its definition, piece by piece, in double
+// hue.c - the GPU's colour of a hue compared with its definition, piece by piece, in double
 // precision.
 #include "lib/test.h"
 #include "lib/gpu.h"
@@ -9,8 +9,7 @@ static float *values_of(int function, int rows)
     return gpu_call("tests/shaders/hue.frag", 1024, rows, function, (const float[4]){0});
 }
 
-// Figure 5 of the report, cut every 60 degrees: one channel rests at 1, one at 0, one is on its
-// way.
+// Figure 5 of the report, cut every 60 degrees: one channel stays at 1, one at 0, and one changes.
 static struct d3 definition(double hue)
 {
     double turns = floor(hue / 360.0), degrees = hue - 360.0 * turns;
@@ -78,7 +77,7 @@ TEST(test_knees_are_exact)
     free(values);
 }
 
-// The largest channel is the value, and the least stays below it by saturation times value.
+// The largest channel is the value, and the smallest is below it by saturation times value.
 TEST(test_saturation_and_value)
 {
     float *values = values_of(2, 4);

@@ -1,5 +1,5 @@
 #version 330 core
-// For hue.c: the library's colours of a hue. Time chooses the function; x and y the number.
+// For hue.c: the library's colours of a hue. Time selects the function; x and y the number.
 
 in float Time;
 out vec4 FragColor;
@@ -13,7 +13,7 @@ void main()
         float hue = 0.1 * float(number); // the 3600 hues, and more
         FragColor = vec4(hue, hueToRGB(hue));
     } else if (Time < 2.0) {
-        float hue = 0.5 * float(number - 2048); // several turns, both ways
+        float hue = 0.5 * float(number - 2048); // several turns, in both directions
         FragColor = vec4(hue, hueToRGB(hue));
     } else {
         float saturation = float(number / 720 % 3) / 2.0, value = float(number % 5) / 4.0;

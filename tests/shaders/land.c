@@ -120,8 +120,8 @@ static double wave_slope(double x, double z)
 
 TEST(a_pixel_sees_the_mean_of_its_waves)
 {
-    // The pixel's Gaussian as a sum over 81 x 81 places; its axes have a twelfth of their square as
-    // variance.
+    // The pixel's Gaussian as a sum over 81 x 81 points; along each of its axes, the variance is a
+    // twelfth of the squared length.
     const float axes[4] = {1.5f, 0.5f, -0.4f, 1.2f};
     float *values = gpu_call(SHADER, 24, 24, WAVES, axes);
     double worst = 0.0;
@@ -136,7 +136,8 @@ TEST(a_pixel_sees_the_mean_of_its_waves)
         }
         worst = fmax(worst, fabs((double)values[4 * i] - mean / weights));
     }
-    // What the mean has lost, and what is left, are together the variance of all places.
+    // The variance that the mean has lost and the remaining variance are together the variance of
+    // all points.
     double all = 0.0, left = 0.0;
     for (int i = 0; i < 4; i++) {
         double a = wave_x[i] * 1.5 + wave_z[i] * 0.5, b = -wave_x[i] * 0.4 + wave_z[i] * 1.2;
@@ -151,8 +152,8 @@ TEST(a_pixel_sees_the_mean_of_its_waves)
 
 TEST(glitter_neither_makes_nor_loses_light)
 {
-    // Over all directions of the upper half the light times the cosine adds up to pi times the
-    // light's own on the level.
+    // Over all directions of the upper hemisphere, the light times the cosine adds up to pi times
+    // the light itself on a horizontal surface.
     for (int k = 0; k < 2; k++) {
         const float numbers[4] = {k == 0 ? 0.8f : 0.5f, 1.0f, 0.004f, 0.0f};
         float *values = gpu_call(SHADER, 256, 256, GLITTER, numbers);
@@ -188,7 +189,7 @@ static double shore(double x, double z)
     return 0.26 - 0.17 * sqrt(a * a + b * b + 0.04);
 }
 
-// The sums over the first octaves, and with the rest of the weights.
+// The sums over the first octaves, without and with the rest of the weights.
 static void detail(double x, double z, int count, double *least, double *most)
 {
     double u = cells * x + 31.2, v = cells * z + 9.9, weight = 1.0 - gain, sum = 0.0, rest = 1.0;
@@ -232,7 +233,7 @@ static double land_distance(struct d3 p)
     return fmin(d, (p.y - shore(p.x, p.z)) / 1.03);
 }
 
-// A place over the land, up to three units above it.
+// A point above the land, up to three units high.
 static struct d3 random_place(void)
 {
     double x = rand() % 4 ? random_in(-40.0, 40.0) : random_in(-4.0, 2.0);
@@ -271,7 +272,7 @@ TEST(no_land_is_nearer_than_the_distance)
             double turn = 2.0 * MIRROR_PI * (k % AROUND) / AROUND,
                    far = d * (k / AROUND + 1) / STEPS;
             double height = land(p.x + far * cos(turn), p.z + far * sin(turn));
-            double low = p.y - sqrt(fmax(d * d - far * far, 0.0)); // of the ball over that place
+            double low = p.y - sqrt(fmax(d * d - far * far, 0.0)); // of the ball above that point
             nearest = fmin(nearest, low - height);
         }
     }
@@ -281,13 +282,13 @@ TEST(no_land_is_nearer_than_the_distance)
     assert_true(nearest > -1e-9);
 }
 
-// ---- Functions of chapter 21, asked one by one ----
+// ---- Functions of chapter 21, called one by one ----
 
 #define CHAPTER "21_a_landscape"
 
 static const double highest = 18.8, disc = 0.0047;
 
-// From the valley, x to the right and z ahead, to the world and back.
+// From the valley, with x to the right and z ahead, to the world and back.
 static struct d3 turned(struct d3 p)
 {
     return d3(0.4226 * p.x - 0.9063 * p.z, p.y, -0.9063 * p.x - 0.4226 * p.z);
@@ -301,8 +302,8 @@ static struct d3 sun_at(double hour)
               sin(p) * sin(d) + cos(p) * cos(d) * cos(h), -cos(d) * sin(h));
 }
 
-// The smallest of gap / way of a ray from a point, over the land of the first octave, by small
-// steps; to where the ray first meets the land.
+// The smallest of gap / distance of a ray from a point, over the land of the first octave, in small
+// steps; up to the point where the ray first meets the land.
 static double skyline(struct d3 p, struct d3 direction)
 {
     double least = 1e9;
@@ -317,7 +318,8 @@ static double skyline(struct d3 p, struct d3 direction)
     return least;
 }
 
-// Each over the bound that the march builds on: hills, shore and heights, over all the valley.
+// Each divided by the bound on which the march relies: hills, shore and heights, over the whole
+// valley.
 TEST(no_land_is_steeper_or_higher_than_is_said)
 {
     float *values = chapter_numbers(
@@ -337,7 +339,8 @@ TEST(no_land_is_steeper_or_higher_than_is_said)
     assert_true(most[0] > 0.99 && most[1] > 0.98 && most[2] > 0.9);
 }
 
-// Is the land out of the way of a point of the disc? r and a from its middle, a from the right.
+// Does the land leave a point of the disc visible? r and a are polar coordinates around its centre,
+// a measured from the right.
 static bool sees(struct d3 p, struct d3 light, double r, double a)
 {
     struct d3 right = d3_unit(d3_cross(light, d3(0.0, 1.0, 0.0))), up = d3_cross(right, light);
@@ -345,7 +348,7 @@ static bool sees(struct d3 p, struct d3 light, double r, double a)
     return skyline(p, d3_unit(d3_add(light, aside))) > 0.0;
 }
 
-// The share of the disc that small steps find free, by rays to all parts of it.
+// The share of the disc that rays to all parts of it find free with small steps.
 static double free_share(struct d3 p, struct d3 light)
 {
     enum { RINGS = 4, TURNS = 12 };
@@ -356,8 +359,8 @@ static double free_share(struct d3 p, struct d3 light)
     return sum / (RINGS * TURNS);
 }
 
-// The quick share on the mountain against rays to the whole disc, where the ends of the disc do not
-// agree, in the shadow's rim; elsewhere against one end.
+// The fast share on the mountain compared with rays to the whole disc in the penumbra, where the
+// ends of the disc differ; elsewhere with a ray to one end.
 TEST(the_sun_sets_behind_land_by_shares)
 {
     float *values = chapter_numbers(
@@ -368,10 +371,10 @@ TEST(the_sun_sets_behind_land_by_shares)
                  "Place place = Place(vec3(xz.x, h.x, xz.y), n, vec3(0.0), 0.0, true);"
                  "return vec3(lightSeen(place, light, 0.02), h.x / HIGHEST, dot(n, light));");
     struct d3 light = sun_at(18.0);
-    double off[2] = {0.0, 0.0}, hard = 0.0; // elsewhere, in the rim
+    double off[2] = {0.0, 0.0}, hard = 0.0; // elsewhere, in the penumbra
     int count[2] = {0, 0}, wrong = 0;
     for (int i = 0; i < CHAPTER_WIDTH * CHAPTER_HEIGHT; i += 23) {
-        if (values[4 * i + 1] <= 0.0f || values[4 * i + 2] <= 0.1f) // in the lake, turned away
+        if (values[4 * i + 1] <= 0.0f || values[4 * i + 2] <= 0.1f) // in the lake, facing away
             continue;
         double x = -12.0 + 0.04 * (i % CHAPTER_WIDTH), z = 24.0 + 0.05 * (i / CHAPTER_WIDTH),
                share = (double)values[4 * i];

@@ -1,6 +1,6 @@
 #version 330 core
-// For land.c: functions of land.glsl and water.glsl. Time chooses the function, iMouse holds four numbers for it;
-// x and y are the pixel's numbers.
+// For land.c: functions of land.glsl and water.glsl. Time selects the function, iMouse contains four numbers for it; x
+// and y are the pixel's coordinates.
 
 in float Time;
 out vec4 FragColor;
@@ -20,7 +20,7 @@ void main()
     int function = int(Time);
     vec2 number = floor(gl_FragCoord.xy);
     FragColor = vec4(0.0);
-    if (function == 0) { // noise and its gradient, at places that floats hold exactly
+    if (function == 0) { // noise and its gradient, at points that floats represent exactly
         FragColor = vec4(groundNoise(iMouse.xy + vec2(number) / 16.0), 0.0);
     } else if (function == 1) {
         FragColor = vec4(ridged(groundNoise(iMouse.xy + vec2(number) / 16.0)), 0.0);
@@ -29,12 +29,12 @@ void main()
     } else if (function == 3) { // gap, slope, growth; iMouse: growth, 1 for gaps below the ground
         vec3 v = vec3((1.0 - 2.0 * iMouse.y) * exp2(0.25 * number.x - 8.0), exp2(0.5 * number.y - 3.0), iMouse.x);
         FragColor = vec4(v.x, v.y, wayToClose(v.x, v.y, v.z), 0.0);
-    } else if (function == 4) { // iMouse: the footprint's axes along x and z; four waves at one place
+    } else if (function == 4) { // iMouse: the footprint's axes along x and z; four waves at one point
         Footprint f = Footprint(vec3(iMouse.x, 0.0, iMouse.y), vec3(iMouse.z, 0.0, iMouse.w));
         vec2 p = number / 8.0;
         Water w = fourWaves(p, f, vec4(1.0, -2.0, 3.0, 0.5), vec4(0.5, 1.5, -1.0, 2.0), vec4(0.1, 0.2, 0.05, 0.15), vec4(0.0, 1.0, 2.0, 3.0));
         FragColor = vec4(w.slope, w.variance, 0.0);
-    } else { // iMouse: the light's height and azimuth, the variance; the eye's way by x (azimuth) and y (height)
+    } else { // iMouse: the light's height and azimuth, the variance; the eye's direction: x azimuth, y height
         float turn = 6.2831853 * (number.x + 0.5) / 256.0, up = (number.y + 0.5) / 256.0;
         vec3 eye = vec3(sqrt(1.0 - up * up) * vec2(cos(turn), sin(turn)), up).xzy;
         vec3 toLight = vec3(sqrt(1.0 - iMouse.x * iMouse.x) * vec2(cos(iMouse.y), sin(iMouse.y)), iMouse.x).xzy;

@@ -1,4 +1,4 @@
-// lens.c - shaders/lens.glsl, samples.glsl and filter.glsl: rays of a thin lens against
+// lens.c - shaders/lens.glsl, samples.glsl and filter.glsl: rays of a thin lens compared with
 // similar triangles in double precision, cells of samples, and the densities of the three filters.
 #include "lib/test.h"
 #include "lib/gpu.h"
@@ -8,7 +8,7 @@
 
 enum { RAYS, CONFUSION, CELLS, SQUARES, SHARES, PAIRS, OFFSETS };
 
-// A function of the shader with so many samples along each side of a pixel; the caller frees the
+// A function of the shader with this many samples along each side of a pixel; the caller frees the
 // means.
 static float *means(int width, int height, int samples, int function, const float numbers[4])
 {
@@ -20,8 +20,8 @@ static float *means(int width, int height, int samples, int function, const floa
 
 // ---- The lens ----
 
-// All rays of a place in focus meet there; elsewhere they are apart as the cone from the lens is
-// wide.
+// All rays of a point in focus meet there; elsewhere they are as far apart as the cone from the
+// lens is wide.
 TEST(rays_meet_in_the_plane_in_focus)
 {
     static const double depths[] = {4.0, 1.0, 2.5, 9.0, 40.0};
@@ -41,8 +41,8 @@ TEST(rays_meet_in_the_plane_in_focus)
     }
 }
 
-// A point, and where lines through it from all over the rim of the lens meet the plane in focus;
-// that plane's picture on the screen is focal length / focus as large.
+// A point, and where lines through it from all over the rim of the lens meet the plane in focus.
+// The image of that plane on the screen is scaled by focal length / focus.
 static double confusion_of(double depth, double radius, double focus, double focal)
 {
     double low = 0.0, high = 0.0;
@@ -107,9 +107,10 @@ TEST(samples_lie_in_their_cells)
     }
 }
 
-// Two things that are sampled together, each in cells: over many pixels the mean is that of two
-// lots. A corner of the square below x + y = 1/2 is an eighth. With one lot alone in each of 4,096
-// pixels three deviations would be 3 sqrt(7/64 / 4096) = 0.0155.
+// Two quantities that are sampled together, each in cells: over many pixels, the mean is that of
+// two independent random numbers. The corner of the square below x + y = 1/2 is an eighth of it.
+// With a single random number in each of 4,096 pixels, three standard deviations would be 3
+// sqrt(7/64 / 4096) = 0.0155.
 TEST(pairs_are_sampled_without_bias)
 {
     assert_true(gpu_load(SHADER));
@@ -144,7 +145,7 @@ TEST(shares_are_those_of_tent_and_gaussian)
     assert_true(tent < 1e-6 && gaussian < 5e-4);
 }
 
-// The share of a filter that lies below x, and the x of a share, by halving.
+// The share of a filter that lies below x, and the x of a share, found by bisection.
 static double share_below(int kernel, double x)
 {
     if (kernel == 0)
@@ -165,7 +166,7 @@ static double place_of(int kernel, double share)
     return 0.5 * (low + high);
 }
 
-// The mean square of so many places, each in the middle of an equal share.
+// The mean square of this many positions, each in the middle of an equal share.
 static double mean_square(int kernel, int count)
 {
     double sum = 0.0;
@@ -174,7 +175,7 @@ static double mean_square(int kernel, int count)
     return sum;
 }
 
-// No filter shifts the picture, and one sample stays in the pixel's middle. Regular places are
+// No filter shifts the picture, and a single sample is at the pixel's centre. Regular positions are
 // those of equal shares; jittered ones have the filter's own variance: 1/12, 1/6, 1/4.
 TEST(filters_are_centred_and_as_wide_as_said)
 {

@@ -1,6 +1,6 @@
 #version 330 core
-// For lens.c: the functions of lens.glsl, samples.glsl and filter.glsl. Time chooses the function,
-// iMouse holds four numbers for it.
+// For lens.c: the functions of lens.glsl, samples.glsl and filter.glsl. Time selects the function, iMouse contains four
+// numbers for it.
 
 in float Time;
 out vec4 FragColor;
@@ -20,11 +20,11 @@ uniform float focalLength;
 void main()
 {
     int function = int(Time);
-    vec2 pixel = gl_FragCoord.xy, number = floor(pixel); // with the offset of the sample, as other tools have it
+    vec2 pixel = gl_FragCoord.xy, number = floor(pixel); // with the offset of the sample, as other tools define it
     iPixel = ivec2(number);
     vec2 screen = screenPosition(pixel);
     FragColor = vec4(0.0);
-    if (function == 0) { // iMouse: radius, focus, depth: where the ray of a place of the lens is at that depth
+    if (function == 0) { // iMouse: radius, focus, depth: position at that depth of the ray through a point of the lens
         vec2 middle = vec2(0.3, -0.4), place = discPoint(number / 15.0);
         vec3 direction = middle.x * iCameraRight + middle.y * iCameraUp + 2.0 * iCameraForward;
         Ray ray = lensRay(Ray(iCameraPosition, normalize(direction)), place, iMouse.x, iMouse.y);
@@ -35,7 +35,7 @@ void main()
         float depth = 0.5 + 0.1 * number.x;
         FragColor = vec4(depth, circleOfConfusion(depth, iMouse.x, iMouse.y, 2.0),
                          apertureRadius(iMouse.z, 2.0, 0.012), 0.0);
-    } else if (function == 2) // iMouse: the cell that is looked for
+    } else if (function == 2) // iMouse: the cell to find
         FragColor = vec4(vec3(equal(ivec3(sampleCell(0), sampleCell(1), sampleCell(9)), ivec3(iMouse.x))), 0.0);
     else if (function == 3) { // each sample in its own part
         vec2 square = sampleSquare(2);
@@ -47,7 +47,7 @@ void main()
     } else if (function == 4) {
         float share = (number.x + 0.5) / 1024.0;
         FragColor = vec4(share, tentOffset(vec2(share, 0.5)).x, gaussianQuantile(share), tentOffset(vec2(share, 0.5)).y);
-    } else if (function == 5) // a share of two things sampled together: of the square's corner below x + y = 1/2
+    } else if (function == 5) // share of two quantities sampled together: of the square's corner below x + y = 1/2
         FragColor = vec4(lessThan(vec4(sampleSquare(2).x + sampleSquare(4).x, sampleSquare(4).y + sampleLine(6),
                                        sampleSquare(2).y + sampleLine(6), sampleSquare(4).x + sampleSquare(7).x),
                                   vec4(0.5)));

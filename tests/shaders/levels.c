@@ -1,5 +1,5 @@
-// levels.c - the level at which a texture is read, against the mean over what the pixel
-// covers.
+// levels.c - the level at which a texture is read, compared with the mean over the part that the
+// pixel covers.
 #include "lib/test.h"
 #include "lib/levels.h"
 
@@ -8,7 +8,7 @@ static int setup(void **state)
     return gpu_setup(state) == 0 && levels_open() ? 0 : -1;
 }
 
-// The largest difference between two readings, which are freed; without end where one is missing.
+// The largest difference between two readings, which are freed; infinite if one is missing.
 static double apart(float *a, float *b)
 {
     double largest = HUGE_VAL;
@@ -29,8 +29,8 @@ static double off_level(double n, double level)
                  levels_read(LEVELS_LEVEL, level, 0.0, 1.0, 1.0));
 }
 
-// At powers of two, where it is a whole level. Half a level off changes some place by more than
-// 0.02: nothing here is the same at all levels.
+// At powers of two it is a whole level. Half a level off changes some point by more than 0.02, so
+// the texture differs between all levels.
 TEST(test_level_is_the_logarithm_of_the_texels)
 {
     for (int level = 0; level <= 6; level++) {
@@ -38,14 +38,14 @@ TEST(test_level_is_the_logarithm_of_the_texels)
         assert_true(off_level(exp2(level), level + 0.5) > 0.02);
         assert_true(level == 0 || off_level(exp2(level), level - 0.5) > 0.02);
     }
-    assert_true(off_level(0.25, 0.0) < 0.002); // near by it is level 0
+    assert_true(off_level(0.25, 0.0) < 0.002); // nearby it is level 0
 }
 
-// Without a level a pixel shows one place of all that it covers: its error grows to the picture's
-// own spread. With the level it is at most 0.67 of that from 4 texels on, 0.55 from 8, a
-// quarter from 32. Four times the footprint is worse than the right one at every distance; so is a
-// quarter of it from 8 on: only half, which is sharper, is better, for level L blurs over 2^L
-// texels and more.
+// Without a level, a pixel shows one point of the part that it covers, so its error grows to the
+// picture's own spread. With the level it is at most 0.67 of that from 4 texels on, 0.55 from 8, a
+// quarter from 32. Four times the footprint is worse than the right one at every distance, and so
+// is a quarter of it from 8 on. Only half of it, which is sharper, is better, because level L blurs
+// over more than 2^L texels.
 TEST(test_level_is_nearer_to_what_is_covered)
 {
     double last = 0.0;
@@ -60,9 +60,9 @@ TEST(test_level_is_nearer_to_what_is_covered)
     }
 }
 
-// A texel of level L is a box of w = 2^L texels, of variance w^2 / 12 on each axis; the straight
-// lines between texels are a tent, of variance w^2 / 6. Together that is the pixel's own n^2 / 12
-// where w is n / sqrt(3): there the error is least.
+// A texel of level L is a box of w = 2^L texels, with the variance w^2 / 12 on each axis; linear
+// interpolation between texels is a tent, with the variance w^2 / 6. Together that is the pixel's
+// own n^2 / 12 where w is n / sqrt(3): there the error is smallest.
 TEST(test_best_level_is_where_the_variances_agree)
 {
     for (double n = 6.0; n <= 48.0; n *= 2.0) {
@@ -74,8 +74,8 @@ TEST(test_best_level_is_where_the_variances_agree)
     }
 }
 
-// On a floor the footprint is long and narrow, and one level serves both sides: from 4 x 8 texels
-// on it is nearer than none, below that it blurs more than it helps.
+// On a floor, the footprint is long and narrow, and one level serves both sides. From 4 x 8 texels
+// on, it is closer than no level; below that, it blurs more than it helps.
 TEST(test_level_helps_on_a_floor)
 {
     for (double sine = 0.5; sine >= 0.0625; sine *= 0.5)
@@ -84,7 +84,7 @@ TEST(test_level_helps_on_a_floor)
                         0.9 * levels_error(n, n / sine, 0.0, sine));
 }
 
-// What footprintOn passes is the longer side: the same as its sides by hand.
+// footprintOn passes the longer side, so the result is the same as with both sides passed by hand.
 TEST(test_footprint_of_a_floor_is_width_over_sine)
 {
     for (double sine = 1.0; sine >= 0.0625; sine *= 0.5)

@@ -1,8 +1,7 @@
-// For levels.c: what a pixel sees of a picture that it covers a part of, by the picture's levels.
-//
-// A pixel of 32 x 32 asks at a place of its own, the same in every run. iTime chooses how it reads: by
-// the footprint's two sides, by a level, by footprintOn. iMouse is the sides in repeats of the picture or
-// the level (x, y), a factor of the footprint (z), the sine of the angle between a ray and the floor (w).
+// For levels.c: the mean that the levels give for a pixel that covers a part of a picture.
+// Each of the 32 x 32 pixels reads at its own point, which is the same in every run. iTime selects how it reads: with
+// the footprint's two sides, at a level, or with footprintOn. iMouse contains the sides in repeats of the picture or
+// the level (x, y), a factor of the footprint (z), and the sine of the angle between a ray and the floor (w).
 #include "main.glsl"
 #include "camera.glsl"
 #include "texture.glsl"

@@ -1,10 +1,10 @@
 // lipschitz.c - the distances of chapters whose solids are bent, carved or folded: between two
-// points they change by no more than the way from one to the other, so no step of a march is too
+// points they change by no more than the distance between the points, so no step of a march is too
 // long.
 #include "lib/test.h"
 #include "lib/chapter.h"
 
-// Where the points lie, and what has to be set before the distance is asked for.
+// Where the points lie, and what has to be set before the distance is evaluated.
 struct scene {
     const char *stem, *low, *high, *before;
 };
@@ -13,12 +13,12 @@ static const struct scene scenes[] = {
     {"09_sky_and_sunset", "-24.0, 0.0, -24.0", "24.0, 12.0, 24.0", ""},
     {"12_textures", "-1.85, 0.0, -0.62", "2.25, 1.6, 0.62", ""},
     {"14_occlusion", "-4.7, 0.0, -6.1", "4.7, 4.7, 1.4", ""},
-    // The image in the water is drawn aside, by a bend of at most 0.16.
+    // The image in the water is shifted by a bend of at most 0.16.
     {"18_sky_from_tables", "8.0, -14.0, -64.0", "50.0, 14.0, -32.0", "bend = 0.32 * r.yz - 0.16;"},
     {"20_clouds_and_weather", "-22.0, 0.0, -20.0", "-12.0, 7.0, -2.0", ""},
 };
 
-// Steps of 0.02 to 0.5; a float of up to 80 is off by 4e-6, a slope over 0.02 by 4e-4.
+// Steps of 0.02 to 0.5; a float of up to 80 is off by 4e-6, so a slope over 0.02 is off by 4e-4.
 static double steepest_slope(const struct scene *scene)
 {
     char body[900];

@@ -1,4 +1,4 @@
-// measure.c - the numbers that the pages quote, held against theory: see build/tests/measure.
+// measure.c - the numbers that the pages quote, compared with theory: see build/tests/measure.
 #include "lib/test.h"
 #include "lib/bound.h"
 #include "lib/measure.h"
@@ -9,7 +9,7 @@ static void assert_near(double got, double expected, double share)
         fail_msg("%g instead of %g within %g %%", got, expected, 100.0 * share);
 }
 
-// The numbers are worst cases over points, so that a few points more change them by some per cent.
+// The numbers are worst cases over points, so a few more points change them by some per cent.
 TEST(test_normal_error_has_two_sides)
 {
     assert_near(measure_normal(0.01).central, 0.0017, 0.1);
@@ -21,16 +21,16 @@ TEST(test_normal_error_has_two_sides)
         assert_true(e.central <= 1.05 * (e.central_truncation + e.rounding));
         assert_true(e.forward <= 1.05 * (e.forward_truncation + e.rounding));
     }
-    // Where the formula's own error decides, it is the one that Taylor's series gives.
+    // Where the formula's own error dominates, it is the one from Taylor's series.
     assert_near(measure_normal(0.1).central, measure_normal(0.1).central_truncation, 0.02);
     assert_near(measure_normal(0.1).forward, measure_normal(0.1).forward_truncation, 0.02);
 }
 
-// ---- The two curves that the GPU draws of itself ----
+// ---- The two curves that the GPU draws about itself ----
 
 enum { CURVE_POINTS = 512, CURVES = 2 }; // central and forward differences
 
-// Of the unit normal n: the differences that the formulas give in double precision, without
+// For the unit normal n: the differences that the formulas give in double precision, without
 // rounding.
 static void differences_at(struct d3 n, double step, double difference[CURVES][3])
 {
@@ -42,8 +42,8 @@ static void differences_at(struct d3 n, double step, double difference[CURVES][3
     }
 }
 
-// What the experiment measures, at its own points: the root of the mean square of the formulas' own
-// errors, degrees.
+// The quantity that the experiment measures, at its own points: the root mean square of the
+// formulas' own errors, degrees.
 static void truncation(double h, double error[CURVES])
 {
     double squares[CURVES] = {0.0, 0.0};
@@ -62,8 +62,8 @@ static void truncation(double h, double error[CURVES])
         error[k] = sqrt(squares[k] / CURVE_POINTS) * 180.0 / MIRROR_PI;
 }
 
-// The angle, degrees, at which a curve stands in a column of 640x360 pixels: the middle of what is
-// yellow (central) or blue (forward) there.
+// The angle, in degrees, of a curve in a column of 640x360 pixels: the middle of the pixels that
+// are yellow (central) or blue (forward) there.
 static double drawn_angle(const float *pixel, int column, int curve)
 {
     double sum = 0.0, weight = 0.0;
@@ -77,9 +77,9 @@ static double drawn_angle(const float *pixel, int column, int curve)
     return pow(10.0, 6.0 * sum / weight / 360.0 - 4.0);
 }
 
-// The truncation is known. The rounding is a constant over h: mostly that of a coordinate near 10,
-// to a multiple of 2^-20, and a driver's square root adds its own. A compiler that takes the 10 off
-// first leaves no more than that of a length near 1, to a sixteenth.
+// The truncation error is known. The rounding error is a constant over h: mostly that of a
+// coordinate near 10, a multiple of 2^-20, to which a driver's square root adds its own. A compiler
+// that subtracts the 10 first leaves only that of a length near 1, down to a sixteenth.
 TEST(test_drawn_normal_error_is_truncation_and_rounding)
 {
     const double rounding[CURVES] = {5.7e-6, 6.7e-6}; // degrees times h
@@ -106,11 +106,11 @@ TEST(test_steps_to_a_plane_follow_the_formula)
         assert_int_equal(measure_plane_moves(angle, 0.001), moves);
         bound_ask(sin(angle * MIRROR_PI / 180.0), 0.0, 100.0, 0.001, answer);
         assert_true(answer[0] >= moves &&
-                    answer[0] <= moves + 2); // of the library: one more, but for rounding
+                    answer[0] <= moves + 2); // of the library: one more, up to rounding
     }
     assert_int_equal(measure_plane_moves(90.0, 0.001), 1);
     assert_near(measure_plane_limit(60, 0.01), 4.3, 0.01);
-    // One evaluation more than the moves: just over the limit it suffices, just under it does not.
+    // One evaluation more than the moves: just above the limit it is enough, just below it is not.
     for (int evaluations = 60; evaluations <= 256; evaluations *= 2) {
         double limit = measure_plane_limit(evaluations, 0.001);
         assert_true(measure_plane_moves(1.001 * limit, 0.001) + 1 <= evaluations);
@@ -132,7 +132,7 @@ TEST(test_steps_past_a_ball_follow_the_formula)
         assert_near(measure_ball_moves(0.0, threshold), sqrt(2.0 / threshold), 0.1);
 }
 
-// A ball of radius 1, that a ray hits under an angle; for the march of the library.
+// A ball of radius 1 that a ray hits at an angle; for the library's march.
 static const char ball[] = "#include \"main.glsl\"\n"
                            "#include \"march.glsl\"\n"
                            "#include \"primitives.glsl\"\n"
@@ -156,7 +156,7 @@ static double rate_of_library(double cosine)
     snprintf(setting, sizeof setting, "aside=%.9g", sqrt(1.0 - cosine * cosine));
     assert_true(parameters_assign(&gpu.renderer.parameters, setting));
     assert_true(renderer_probe(&gpu.renderer, &inputs, 1, 1, &probe));
-    // Nearer than this a float's rounding of t would show.
+    // Closer than this, a float's rounding of t would show.
     for (int k = 0; k + 1 < probe.steps && hit - (double)probe.step[k].t > 3e-4; k++)
         rate = (hit - (double)probe.step[k + 1].t) / (hit - (double)probe.step[k].t);
     return rate;
@@ -171,8 +171,8 @@ TEST(test_rate_is_one_minus_the_cosine)
     }
 }
 
-// The normal that a hit gives is that of its foot: at the silhouette not that of the place which
-// the ray meets.
+// The normal at a hit is that of its foot: at the silhouette it differs from the normal at the
+// point that the ray meets.
 TEST(test_normal_at_the_foot_is_near)
 {
     for (double radius = 0.1; radius < 2.0; radius *= 1.7)

@@ -1,6 +1,6 @@
-// night.c - shaders/night.glsl against double precision: every star by brute force, the light
-// of a star while the sky turns, how even the stars stand, phases by counting, dusk by published
-// brightness.
+// night.c - shaders/night.glsl compared with double precision: every star by brute force, the light
+// of a star while the sky turns, how uniform the stars are, phases by counting, and dusk by
+// published brightness.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -10,14 +10,14 @@
 
 // ---- Stars ----
 
-// Four cells are asked on the graphics card, all stars here: none may be cut off at a cell's
+// The graphics card evaluates four cells, this test all stars: none may be cut off at a cell's
 // border.
 TEST(test_four_cells_are_enough)
 {
     static const float asked[][2] = {{0.0031f, 2.0f},
                                      {0.002f, 2.0f},
                                      {0.0056f, 2.0f},
-                                     {0.0031f, 0.0006f}}; // the last round a pole
+                                     {0.0031f, 0.0006f}}; // the last one around a pole
     for (int k = 0; k < 4; k++) {
         float *values = gpu_call(SHADER, 1024, 64, 0, (const float[4]){asked[k][0], asked[k][1]});
         double worst = 0.0, peak = 0.0;
@@ -36,8 +36,8 @@ TEST(test_four_cells_are_enough)
     }
 }
 
-// The light that a picture gets of a patch of sky, weighted by a smooth window that turns with the
-// stars: the sum over the pixels of light times solid angle.
+// The light that a picture receives from a patch of sky, weighted by a smooth window that turns
+// with the stars: the sum over the pixels of light times solid angle.
 static double patch_light(const float look[4], struct d3 middle, double reach)
 {
     float *values = gpu_call(SHADER, 128, 128, 1, look);
@@ -53,7 +53,7 @@ static double patch_light(const float look[4], struct d3 middle, double reach)
     return sum;
 }
 
-// The least and the most of that light over a true value, in a hundred frames.
+// The smallest and the largest ratio of that light to the true value, in a hundred frames.
 //   look  as above; each frame turns the sky by step radians
 static void light_of_frames(float look[4], double step, struct d3 middle, double reach,
                             double truth, double ends[2])
@@ -111,7 +111,7 @@ TEST(test_a_patch_keeps_its_light_while_the_sky_turns)
     }
 }
 
-// Octants of the sphere, turned so that none of the cells' borders is theirs.
+// Octants of the sphere, rotated so that no border of a cell coincides with theirs.
 TEST(test_every_octant_has_its_eighth)
 {
     const struct star *star = stars_all();
@@ -133,7 +133,7 @@ TEST(test_every_octant_has_its_eighth)
 }
 
 // The article's stars: the cubes of a grid of side 1 / 400 that the sphere meets, counted in caps
-// of 12 degrees round an axis, the middle of an edge and a corner.
+// of 12 degrees around an axis, the midpoint of an edge and a corner.
 TEST(test_cubes_crowd_towards_the_diagonal)
 {
     const int side = 400;
@@ -157,7 +157,7 @@ TEST(test_cubes_crowd_towards_the_diagonal)
             }
         }
     static const char *const around[] = {"an axis", "the middle of an edge", "a corner"};
-    // The mean of |x| + |y| + |z| over each cap, by a fine sum.
+    // The mean of |x| + |y| + |z| over each cap, from a fine sum.
     for (int c = 0; c < 3; c++) {
         double sum = 0.0, weight = 0.0;
         struct d3 across = d3_unit(d3_cross(towards[c], d3(0.3, 0.5, 0.8)));
@@ -195,7 +195,8 @@ TEST(test_counts_follow_their_law)
     }
 }
 
-// Wien's colours against Planck's, for the widest stars' temperatures, relative to green.
+// Wien's colours compared with Planck's, for the full range of star temperatures, relative to
+// green.
 TEST(test_colours_are_nearly_those_of_a_black_body)
 {
     for (int k = 0; k < 3; k++) {
@@ -236,7 +237,7 @@ TEST(test_the_sky_turns_in_a_sidereal_day)
     assert_true(fabs(late - 3.93) < 0.005);
 }
 
-// The moon by right ascension and hour angle, as a calendar has it.
+// The moon from right ascension and hour angle, as in a calendar.
 static struct d3 moon_at(double hour, double latitude, double declination, double age)
 {
     double e = radians(23.4393), sun = asin(sin(radians(declination)) / sin(e));
@@ -291,7 +292,7 @@ TEST(test_the_lit_share_is_that_of_the_cosine)
     assert_true(worst < 1e-3);
 }
 
-// The picture itself: what of moonFace is brighter than earthshine can be.
+// The picture itself: the pixels of moonFace that are brighter than earthshine can be.
 TEST(test_the_face_is_lit_on_the_side_of_the_sun)
 {
     static const char text[] = GPU_COURSE
@@ -320,7 +321,8 @@ TEST(test_the_face_is_lit_on_the_side_of_the_sun)
     }
 }
 
-// moonlight is what moonFace sends of an even ball of albedo 0.128, over the true disc.
+// moonlight is the light that moonFace sends from a uniform ball of albedo 0.128, over the true
+// disc.
 static double ball_light(double phase)
 {
     double sum = 0.0;
@@ -379,7 +381,7 @@ TEST(test_dusk_is_as_bright_as_measured)
             double patat = 1.08e5 / 4000.0 * pow(10.0, -0.4 * (11.84 + 1.518 * d - 0.057 * d * d));
             assert_true(fabs(light / patat - 1.0) < 1e-3);
         }
-        assert_true(light >= before * (1.0 - 1e-5)); // it only grows with the sun
+        assert_true(light >= before * (1.0 - 1e-5)); // it only increases with the sun
         before = light;
         double magnitude = -2.5 * log10(light / 27.0);
         double seen = 7.93 - 5.0 * log10(1.0 + pow(10.0, 4.316 - magnitude / 5.0));

@@ -1,5 +1,5 @@
 #version 330 core
-// For night.c: the functions of the night. Time chooses the function; x is the pixel's number.
+// For night.c: the functions of the night. Time selects the function; x is the pixel's coordinate.
 
 in float Time;
 out vec4 FragColor;
@@ -9,8 +9,8 @@ uniform vec4 iMouse;
 #include "sky.glsl"
 #include "night.glsl"
 
-// A pixel of a picture of 128 x 128 whose middle looks at a place of the sky (y, z: its coordinate z and its turn)
-// and stays there, while the sky turns about the pole by w: its direction in the stars' frame.
+// A pixel of a picture of 128 x 128 whose centre looks at a fixed point of the sky (y, z: its coordinate z and its
+// rotation), while the sky turns about the pole by w: its direction in the stars' frame.
 vec3 patchDirection(vec4 look)
 {
     vec2 screen = (gl_FragCoord.xy - 64.0) * look.x;
@@ -24,7 +24,7 @@ vec3 patchDirection(vec4 look)
 void main()
 {
     float number = floor(gl_FragCoord.x) + 1024.0 * floor(gl_FragCoord.y);
-    if (Time < 1.0) { // iMouse.xy: width; how far down from the pole the places reach, 2 for all over the sphere
+    if (Time < 1.0) { // iMouse.xy: width; how far from the pole the points reach, 2 for the whole sphere
         float z = 1.0 - iMouse.y * (number + 0.5) / 65536.0, turn = 6.2831853 * fract(number * 0.6180340);
         vec3 direction = vec3(sqrt(1.0 - z * z) * vec2(cos(turn), sin(turn)), z);
         FragColor = vec4(direction, 1e9 * starLight(direction, iMouse.x).g);
@@ -40,12 +40,12 @@ void main()
         float age = number * 36.0 / 1023.0 - 3.0;
         FragColor = vec4(moonDirection(iMouse.x, iMouse.y, iMouse.z, age), age);
     } else if (Time < 6.0) {
-        float height = iMouse.x > 0.0 ? -sin(radians(number)) : (number - 512.0) / 512.0; // or so many degrees down
+        float height = iMouse.x > 0.0 ? -sin(radians(number)) : (number - 512.0) / 512.0; // or this many degrees below
         FragColor = vec4(height, 1e6 * zenithLight(height), faintestSeen(zenithLight(height)), nightStops(zenithLight(height)));
     } else if (Time < 7.0) {
         float x = number / 511.5 - 1.0;
         FragColor = vec4(x, moonShare(x), 1e6 * moonlight(x).g, 1e6 * airglow(x).g);
-    } else { // iMouse.xyzw: hour, latitude, declination, age: the disc in 1024 x 1024 places, which of them are lit
+    } else { // iMouse.xyzw: hour, latitude, declination, age: 1024 x 1024 points of the disc, and which of them are lit
         vec3 moon = moonDirection(iMouse.x, iMouse.y, iMouse.z, iMouse.w);
         vec3 toSun = moonFrame(moon, iMouse.y) * sunDirection(iMouse.x, iMouse.y, iMouse.z);
         vec2 place = gl_FragCoord.xy / 512.0 - 1.0;

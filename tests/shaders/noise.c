@@ -1,5 +1,5 @@
-// noise.c - shaders/noise.glsl: values and gradients as the GPU computes them against double
-// precision, and the Lipschitz constants that the headers state: never exceeded, and reached.
+// noise.c - shaders/noise.glsl: values and gradients on the GPU compared with double precision, and
+// the Lipschitz constants that the headers state, which are never exceeded, but reached.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/matrix.h"
@@ -20,7 +20,7 @@ static float *ask(int function, float a, float b, float c)
     return gpu_call(SHADER, WIDE * SLOTS, ROWS, function, (const float[4]){a, b, c});
 }
 
-// ---- The GPU against double ----
+// ---- The GPU compared with double precision ----
 
 static double worst_value, worst_gradient;
 
@@ -30,8 +30,8 @@ static void compare(const float *slot, struct noise truth)
     worst_gradient = fmax(worst_gradient, d3_length(d3_sub(d3_of(slot + 1), truth.gradient)));
 }
 
-// Places are about 20 and have an error of 1e-6, octaves four times that; the gradients change by
-// at most 15 a cell, those of the octaves by 8 times as much.
+// Coordinates are about 20 and have an error of 1e-6, octaves four times that; the gradients change
+// by at most 15 per cell, those of the octaves by 8 times as much.
 TEST(test_the_gpu_agrees_with_double)
 {
     static const char *const names[] = {"value noise", "gradient noise", "four octaves"};
@@ -139,8 +139,8 @@ static double stretch_of_pairs(struct noise (*function)(struct d3), int pairs)
     return largest;
 }
 
-// In a product of chances the variance is at least that of its first-order part; so the bound needs
-// only this: slope^2 <= 4 (15/8)^2 fade (1 - fade).
+// In a product of probability spaces, the variance is at least that of its first-order part, so the
+// bound needs only this: slope^2 <= 4 (15/8)^2 fade (1 - fade).
 TEST(test_the_lemma_of_the_fade)
 {
     double largest = 0.0;
@@ -153,7 +153,7 @@ TEST(test_the_lemma_of_the_fade)
     assert_true(largest > 0.999999 * value_stretch);
 }
 
-// All sets of eight numbers 0 or 1, on a grid of the cell: the length of the gradient is a convex
+// All sets of eight numbers 0 or 1, on a grid of the cell. The length of the gradient is a convex
 // function of the numbers, so no other numbers between 0 and 1 give more.
 static double steepest_blend(int grid)
 {
@@ -185,10 +185,10 @@ TEST(test_value_noise_has_its_constant)
     assert_true(reached <= value_stretch * (1.0 + 1e-12) && reached > 0.99 * value_stretch);
 }
 
-// A bound of the gradient's length at x, for any eight directions. The gradient is the sum over the
-// corners of A g with A = weight I + (gradient of the weight) (x - corner)^T; by Cauchy and
-// Schwarz, with the numbers r = sqrt(weight), its square is at most sum of r times the largest
-// eigenvalue of the sum of A A^T / r.
+// A bound for the gradient's length at x, for any eight directions. The gradient is the sum over
+// the corners of A g with A = weight I + (gradient of the weight) (x - corner)^T. By the
+// Cauchy-Schwarz inequality, with the numbers r = sqrt(weight), its square is at most the sum of r
+// times the largest eigenvalue of the sum of A A^T / r.
 static double bound_of_slopes(struct d3 x)
 {
     double roots = 0.0, m[3][3] = {{0.0}};
@@ -214,14 +214,14 @@ static double bound_of_slopes(struct d3 x)
                 for (int l = 0; l < 3; l++)
                     m[i][j] += a[i][l] * a[j][l] / sqrt(w);
     }
-    // The largest stretch of a symmetric matrix without negative eigenvalues is the largest of
-    // them.
+    // The largest stretch of a symmetric matrix without negative eigenvalues is the largest
+    // eigenvalue.
     struct m3 matrix = {{d3(m[0][0], m[1][0], m[2][0]), d3(m[0][1], m[1][1], m[2][1]),
                          d3(m[0][2], m[1][2], m[2][2])}};
     return sqrt(roots * m3_largest_stretch(&matrix));
 }
 
-// The directions that make the slope along x steepest in the middle of the cell.
+// The directions that make the slope along x steepest at the centre of the cell.
 static double reached_by_slopes(void)
 {
     struct d3 direction[8], middle = d3(0.5, 0.5, 0.5);
@@ -259,7 +259,7 @@ TEST(test_gradient_noise_has_its_constant)
     assert_true(reached > 0.99 * gradient_stretch && reached <= gradient_stretch * (1.0 + 1e-9));
 }
 
-// A value lies within the range that the header states, and comes near its ends.
+// The values lie within the range that the header states, and come close to its ends.
 TEST(test_ranges)
 {
     double low = 1.0, high = 0.0, most = 0.0;
@@ -288,8 +288,8 @@ static struct noise asked_octaves(struct d3 p)
     return noise_octaves(p, 4, asked_gain, 2.0);
 }
 
-// The sum of the octaves' constants is never exceeded; divided by the weights it stays bounded
-// exactly where gain x lacunarity < 1.
+// The sum of the octaves' constants is never exceeded. Divided by the weights, it stays bounded
+// exactly if gain x lacunarity < 1.
 TEST(test_octaves_have_their_constant)
 {
     static const float gains[] = {0.3f, 0.45f, 0.5f, 0.7f};
@@ -311,8 +311,8 @@ TEST(test_octaves_have_their_constant)
     }
 }
 
-// Two lattice points with the same bits: all that are nearer than 1,565 cells are looked at, for c
-// follows from a and b, LATTICE_STEP.z being odd.
+// Two lattice points with the same bits: all that are nearer than 1,565 cells are checked. c
+// follows from a and b, because LATTICE_STEP.z is odd.
 TEST(test_lattice_points_agree_far_away_alone)
 {
     const uint32_t x = 0x8da6b343u, y = 0xd8163841u, z = 0xcb1ab31fu;

@@ -1,7 +1,7 @@
 #version 330 core
 // For noise.c: the functions of noise.glsl at random points.
 //
-// Each item takes 4 pixels of a row. Time chooses the function; iMouse holds its numbers.
+// Each item takes 4 pixels of a row. Time selects the function; iMouse contains its numbers.
 
 in float Time;
 out vec4 FragColor;
@@ -49,7 +49,7 @@ void main()
         slots[2].xyz = corner;
         slots[3].xyz = nextDirection();
         slots[1] = cornerSlope(x, corner, slots[3].xyz);
-    } else if (which == 5) { // a direction for bits, and the bits as two numbers that a float holds
+    } else if (which == 5) { // a direction from bits, and the bits as two numbers that a float represents exactly
         uint bits = nextBits();
         slots[0].xyz = latticeDirection(bits);
         slots[1].xy = vec2(bits >> 16u, bits & 65535u);

@@ -13,7 +13,7 @@ enum { SPHERE, PLANE, BOX, FRAME, TWO_BALLS };
 
 enum { ITEMS_WIDE = 256, SLOTS = 4, ROWS = 256, ITEMS = ITEMS_WIDE * ROWS };
 
-// What C gives to the shader: sizes in x, y, z, and w for a radius, a height or a beam.
+// What C passes to the shader: sizes in x, y, z, and w for a radius, a height or a beam.
 struct sizes {
     int function;
     float v[4];
@@ -64,9 +64,9 @@ static double brute(const struct sizes *sizes, struct d3 p)
     }
 }
 
-// What rounding may do to a distance: a subtraction or two, three squares, their sum and a root,
-// each wrong by at most one rounding of numbers no larger than |p| + |sizes|. Counted generously
-// that is 6; 2.5 were seen.
+// The possible rounding error of a distance: a subtraction or two, three squares, their sum and a
+// root, each off by at most one rounding of numbers no larger than |p| + |sizes|. A generous count
+// is 6; 2.5 were observed.
 static double rounding(const struct sizes *sizes, struct d3 p)
 {
     double size = d3_length(d3_of(sizes->v)) + fabs((double)sizes->v[3]);
@@ -101,8 +101,8 @@ TEST(test_distances_agree_with_double)
     }
 }
 
-// Sphere, plane and box are exact everywhere; frame and union outside, and inside they are at most
-// the depth.
+// Sphere, plane and box are exact everywhere; frame and union are exact outside, and inside they
+// are at most the depth.
 TEST(test_distances_are_exact_or_a_bound)
 {
     for (int k = 0; k < SIZES; k++) {
@@ -151,9 +151,9 @@ TEST(test_distances_are_1_lipschitz)
     }
 }
 
-// The gradient has length 1 but where the nearest point changes: at the centre, on the medial
-// surfaces. Central differences of step h see that within h of such a surface; near an edge of
-// radius of curvature r they are wrong by h^2 / (6 r^2).
+// The gradient has length 1 except where the nearest point changes: at the centre, and on the
+// medial surfaces. Central differences of step h are affected within h of such a surface; near an
+// edge with radius of curvature r, they are off by h^2 / (6 r^2).
 TEST(test_gradients_have_length_1_almost_everywhere)
 {
     for (int k = 0; k < SIZES; k++) {
@@ -161,13 +161,13 @@ TEST(test_gradients_have_length_1_almost_everywhere)
         int asked = 0, off = 0;
         for (int i = 0; i < ITEMS; i++) {
             const float *slot = values + 4 * (i * SLOTS);
-            if (i % 8 >= 4) // these points stand on purpose where the gradient jumps, or far away
+            if (i % 8 >= 4) // these points are on purpose where the gradient jumps, or far away
                 continue;
             asked++;
             off += fabs((double)slot[11] - 1.0) > 0.002;
         }
         free(values);
-        print_message("# function %d: of %d gradients %d have another length than 1\n",
+        print_message("# function %d: of %d gradients %d have a length other than 1\n",
                       all_sizes[k].function, asked, off);
         assert_true(off < asked / 50);
     }
@@ -180,7 +180,7 @@ static float *values_of(int function, int rows)
     return gpu_call(VALUES, 1024, rows, function, (const float[4]){0});
 }
 
-// pow is the only inexact function in it: a thousandth of a step of the screen's 255 is allowed.
+// pow is the only inexact function in it, so a thousandth of a step of the screen's 255 is allowed.
 TEST(test_encoding_agrees_with_double_and_rises)
 {
     enum { COUNT = 1024 * 12 };
@@ -201,7 +201,7 @@ TEST(test_encoding_agrees_with_double_and_rises)
     assert_true(worst < 0.001 / 255.0 * 10.0);
 }
 
-// By how much the mean of encoded lights is brighter than the encoded mean.
+// How much brighter the mean of encoded lights is than the encoded mean.
 static double mean_excess(const double *light, int count)
 {
     double mean = 0.0, encoded = 0.0;
@@ -213,7 +213,7 @@ static double mean_excess(const double *light, int count)
 }
 
 // Chapter 02, proof 4: never by more than (1 - 1/n) of the step down between the two pieces of the
-// curve, and, by two lights on either side of that step, by nearly so much.
+// curve; and two lights on either side of that step come close to it.
 TEST(test_mean_of_encoded_lights_is_brighter_by_a_hair_at_most)
 {
     const double corner = 0.0031308;
@@ -238,7 +238,7 @@ TEST(test_mean_of_encoded_lights_is_brighter_by_a_hair_at_most)
     assert_true(worst > 0.5 * step);
 }
 
-// Fresnel's share of light that is not polarised, from air into a medium of this index of
+// Fresnel's reflected share for unpolarised light, from air into a medium of this index of
 // refraction: the mean of the two polarisations, each the square of a quotient of amplitudes.
 static double fresnel(double facing, double index)
 {
@@ -267,8 +267,8 @@ TEST(test_schlick_is_near_fresnel)
     free(values);
 }
 
-// All pairs of intervals with ends from 0 to 4, empty ones too, against the ends of what a fine
-// grid has in one of them.
+// All pairs of intervals with ends from 0 to 4, including empty ones, compared with the ends of the
+// points of a fine grid that lie in either of them.
 TEST(test_interval_union_is_the_smallest)
 {
     float *values = values_of(6, 1);
@@ -290,7 +290,7 @@ TEST(test_interval_union_is_the_smallest)
     free(values);
 }
 
-// The share of a pixel that stripes cover, by counting: 2,000 points across it.
+// The share of a pixel that stripes cover, by counting 2,000 points across it.
 static double counted_stripes(double x, double filled, double width)
 {
     int inside = 0;
@@ -301,8 +301,8 @@ static double counted_stripes(double x, double filled, double width)
     return inside / 2000.0;
 }
 
-// Half of the pattern is stripe: pixels up to 0.5 wide see one edge at most. The 0.001 that is
-// added to a width moves a share by at most 0.0005 / width.
+// Half of the pattern is stripe, so pixels up to 0.5 wide contain at most one edge. The 0.001 that
+// is added to a width changes a share by at most 0.0005 / width.
 TEST(test_coverage_is_a_share)
 {
     float *values = values_of(7, 16);
@@ -322,8 +322,8 @@ TEST(test_coverage_is_a_share)
 
 // ---- The ramp of the steps view ----
 
-// Eight pieces, each straight in the screen's numbers, can't be even everywhere: between two of the
-// nine given colours the lightness is off by up to 0.0033 of its range of 0.78.
+// Eight pieces, each linear in the screen's numbers, cannot be perfectly even: between two of the
+// nine given colours, the lightness is off by up to 0.0033 of its range of 0.78.
 TEST(test_ramp_rises_evenly_for_every_eye)
 {
     float *values = values_of(1, 1);

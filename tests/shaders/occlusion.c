@@ -1,6 +1,6 @@
-// occlusion.c - shaders/occlusion.glsl and thickness.glsl: what is seen of the sky, against
-// brute force in double precision; what five taps prove, and where they err; light that is sent
-// back; ways inside.
+// occlusion.c - shaders/occlusion.glsl and thickness.glsl: the visible share of the sky, compared
+// with brute force in double precision; what five taps prove, and where they err; reflected light;
+// paths inside.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/occlusion.h"
@@ -11,7 +11,7 @@
 enum { BALL, WALL, DIRECTION, RAYS, TAPS, BOUNCES, THICKNESS, THROUGH };
 enum { FLOOR_ALONE, BALL_ALONE, BEFORE_WALL, FLOOR_AND_BALL, TWO_BALLS };
 
-// A square grid of 800 x 800 places counts a disc's part to about 4e-5.
+// A square grid of 800 x 800 points measures a part of a disc to about 4e-5.
 enum { GRID = 800 };
 static const double closed_form = 1e-4;
 
@@ -19,7 +19,7 @@ static const struct d3 up = {0.0, 1.0, 0.0};
 
 // ---- In closed form ----
 
-// Over the horizon, cut by it, and under it.
+// Above the horizon, cut by it, and below it.
 TEST(a_ball_hides_its_share_of_the_disc)
 {
     static const float radii[] = {0.02f, 0.3f, 1.0f, 1.6f, 1.99f};
@@ -74,8 +74,9 @@ TEST(the_closed_forms_of_the_table_are_counted)
 
 // ---- Rays ----
 
-// Their points on the disc are those of the square's cells, of equal areas; the density is the
-// cosine's. Normals along an axis of space need the guard of the frame around them.
+// The points on the disc are those of the square's cells, which have equal areas; the density is
+// proportional to the cosine. Normals along an axis of space need the special case of the frame
+// around them.
 TEST(directions_are_above_the_disc)
 {
     static const float normals[][4] = {{0.0f, 1.0f, 0.0f},  {0.48f, 0.6f, -0.64f},
@@ -100,8 +101,8 @@ TEST(directions_are_above_the_disc)
     }
 }
 
-// 16,384 points with rays of their own: their mean is the share that is seen, within three of its
-// own standard errors.
+// 16,384 points with their own rays: their mean is the visible share, within three of its own
+// standard errors.
 TEST(the_mean_of_the_rays_is_what_is_seen)
 {
     enum { SIDE = 128, POINTS = SIDE * SIDE };
@@ -122,7 +123,7 @@ TEST(the_mean_of_the_rays_is_what_is_seen)
                       sqrt(variance));
         assert_true(fabs(mean - truth) < 3.0 * error + 2e-4);
         random = side == 1 ? variance : random;
-        assert_true(side == 1 || variance < 0.8 * random / (side * side)); // better than by lot
+        assert_true(side == 1 || variance < 0.8 * random / (side * side)); // better than at random
     }
 }
 
@@ -165,8 +166,8 @@ TEST(taps_before_a_wall_are_those_of_double)
     }
 }
 
-// A tap that finds less than its height proves something within asin(d / h) of the normal, from h -
-// d to h + d away.
+// A tap that finds less than its height proves something within an angle of asin(d / h) to the
+// normal, at distances from h - d to h + d.
 TEST(a_tap_proves_something_near_the_normal)
 {
     int proved = 0;
@@ -187,7 +188,7 @@ TEST(a_tap_proves_something_near_the_normal)
     assert_true(proved > 500);
 }
 
-// A ball, or all that is outside of one, up to a distance.
+// A ball, or everything outside one, up to a distance.
 struct near_ball {
     struct d3 centre;
     double radius, reach;
@@ -204,9 +205,9 @@ static bool near_ball_blocks(struct d3 w, const void *data)
     return half > 0.0 && t > 0.0 && t < near->reach;
 }
 
-// What is free up to a distance r, from one tap that finds its whole height: the share 1 - (r / 2
-// h)^2 at least, whatever ball touches the tap's from outside; just this where all but the tap's
-// ball is solid.
+// The share that is free up to a distance r, from one tap that finds its whole height: at least 1 -
+// (r / 2 h)^2, whatever ball touches the tap's ball from outside; exactly this if everything except
+// the tap's ball is solid.
 TEST(a_whole_tap_proves_a_share_free)
 {
     const double coarse = 2e-3; // of 200 x 200 places
@@ -237,7 +238,7 @@ TEST(two_places_with_the_same_taps_see_all_and_nothing)
     assert_true(occlusion_brute(&wall, GRID) > 0.5 && occlusion_brute(&shaft, GRID) < 1e-4);
 }
 
-// The table of the page: build/tests/measure occlusion prints it.
+// The table of the page, which build/tests/measure occlusion prints.
 TEST(taps_err_as_the_page_says)
 {
     for (int thing = 0; thing <= OCCLUSION_BALL; thing++) {
@@ -245,7 +246,8 @@ TEST(taps_err_as_the_page_says)
         struct occlusion_error taps = occlusion_error_of((enum occlusion_thing)thing, 1.0);
         if (thing == OCCLUSION_NOTHING)
             assert_true(taps.worst == 0.0);
-        else if (thing == OCCLUSION_BAR) // darker than the truth, and farther from it than no taps
+        else if (thing ==
+                 OCCLUSION_BAR) // darker than the truth, and farther from it than without taps
             assert_true(taps.mean < -0.04 && taps.mean_size > none.mean_size);
         else
             assert_true(taps.mean_size < 0.6 * none.mean_size);
@@ -256,14 +258,15 @@ TEST(taps_err_as_the_page_says)
     assert_true(steps.mean_size > none.mean_size);
 }
 
-// ---- Light that is sent back ----
+// ---- Reflected light ----
 
 TEST(a_white_furnace_stays_white)
 {
     for (int bounces = 0; bounces <= 2; bounces++) {
         const float numbers[4] = {1.0f, 0.5f, 0.0f, (float)bounces};
         float *values = gpu_call(SHADER, 256, 1, BOUNCES, numbers);
-        assert_true(values[0] == 0.0f); // nothing sees the sky: 0 / 0 is no number, and 0 is said
+        assert_true(values[0] ==
+                    0.0f); // no point sees the sky: 0 / 0 is not a number, and the result is 0
         for (int i = 1; i < 256; i++) {
             const float *v = values + 4 * i;
             double open = (double)v[3], back = 1.0 - open, sum = 0.0, power = 1.0;
@@ -273,13 +276,13 @@ TEST(a_white_furnace_stays_white)
             }
             assert_true(fabs((double)v[0] - sum) < 1e-4);
             assert_true(bounces < 2 || fabs((double)v[0] - 1.0) < 1e-4);
-            assert_true(fabs((double)v[2] - open) < 1e-6); // black sends nothing back
+            assert_true(fabs((double)v[2] - open) < 1e-6); // black reflects nothing
         }
         free(values);
     }
 }
 
-// A hollow ball of radius 1 about 0 with a hole over y = height.
+// A hollow ball of radius 1 around 0 with a hole above y = height.
 struct hollow {
     struct d3 place;
     double height;
@@ -291,8 +294,9 @@ static bool hollow_blocks(struct d3 w, const void *data)
     return hollow->place.y - 2.0 * d3_dot(hollow->place, w) * w.y < hollow->height;
 }
 
-// Every place in it sees the same share of the sky: that of the hole in the ball's surface. So all
-// are lit alike, and the light that is sent back however often is skyAndBounces to the letter.
+// Every point in it sees the same share of the sky: that of the hole in the ball's surface. So all
+// points receive the same light, and the light after any number of reflections is exactly
+// skyAndBounces.
 TEST(in_a_hollow_ball_all_places_are_alike)
 {
     double height = 0.3, hole = 0.5 * (1.0 - height);
@@ -329,7 +333,7 @@ TEST(a_way_through_a_ball_is_its_chord)
     free(values);
 }
 
-// The union's inside is only a lower bound; the way is right all the same.
+// Inside the union it is only a lower bound, but the length of the path is right.
 TEST(a_way_through_a_union_does_not_end_between)
 {
     const float numbers[4] = {-1.5f, 0.1f, 9.0f, TWO_BALLS};

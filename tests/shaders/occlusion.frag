@@ -1,7 +1,6 @@
 #version 330 core
 // For occlusion.c: the functions of occlusion.glsl and thickness.glsl.
-//
-// Time chooses the function, iMouse holds four numbers for it; x is the pixel's number.
+// Time selects the function, iMouse contains four numbers for it; x is the pixel's coordinate.
 
 in float Time;
 out vec4 FragColor;
@@ -15,7 +14,7 @@ out vec4 FragColor;
 
 const vec3 UP = vec3(0.0, 1.0, 0.0);
 
-int  scene; // 0 a floor, 1 a ball of radius 1, 2 a floor before a wall at x = 0, 3 a floor and a ball, 4 two balls
+int  scene; // 0 a floor, 1 a ball of radius 1, 2 a floor in front of a wall at x = 0, 3 a floor and a ball, 4 two balls
 vec4 ball;
 
 float sceneDistance(vec3 p)
@@ -46,11 +45,12 @@ void main()
         vec3 direction = cosineDirection(iMouse.xyz, (vec2(number, row) + 0.5) / 256.0);
         FragColor = vec4(direction, dot(direction, iMouse.xyz));
     } else if (function == 3) {
-        // Every pixel has lots of its own: iMouse.z rays each way, iMouse.x from the foot of a ball of radius iMouse.y.
+        // Every pixel has its own random numbers: iMouse.z rays per side, iMouse.x from the foot of a ball of radius
+        // iMouse.y.
         ball = vec4(0.0, iMouse.y, 0.0, iMouse.y);
         FragColor = vec4(skyReaching(vec3(iMouse.x, 0.0, 0.0), UP, 1e-4, 50.0, int(iMouse.z), 1e-5, 400, 0));
     } else if (function == 4) {
-        // Taps: at places of the floor, or of the ball.
+        // Taps: at points of the floor, or of the ball.
         float turn = 0.1 * number;
         vec3 normal = scene == 1 ? vec3(cos(turn), 0.0, sin(turn)) : UP;
         vec3 place = scene == 1 ? normal : vec3(0.02 + 0.05 * number, 0.0, 0.3 * number);
@@ -58,7 +58,7 @@ void main()
     } else if (function == 5) {
         FragColor = vec4(skyAndBounces(number / 255.0, iMouse.xyz, int(iMouse.w)), number / 255.0);
     } else if (function == 6) {
-        // Ways inside from just under the surface, in directions of a fan, in x and z.
+        // Paths inside from just below the surface, in directions of a fan, in x and z.
         float turn = 0.05 * number;
         Ray ray = Ray(vec3(iMouse.x, 0.0, iMouse.y), vec3(cos(turn), 0.0, sin(turn)));
         FragColor = vec4(ray.direction.xz, thicknessAlong(ray, iMouse.z, 1e-5, 400), 0.0);

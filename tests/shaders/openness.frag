@@ -1,5 +1,5 @@
-// For tests/lib/occlusion.c: of the scene of chapter 14, what is seen of the sky by a formula (red) and by 576 rays (blue); green is 0
-// where the picture shows the sky.
+// For tests/lib/occlusion.c: the visible share of the sky in the scene of chapter 14, from a formula (red) and from 576
+// rays (blue); green is 0 where the picture shows the sky.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "14_occlusion.frag"

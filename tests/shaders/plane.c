@@ -1,6 +1,7 @@
-// plane.c - shaders/plane.glsl as the GPU computes it, and what the operations of combine.glsl
-// make of its figures, against the nearest point of the boundary, searched for in double precision.
-// The boundary comes from the figure's description alone; no formula of the shader is used again.
+// plane.c - shaders/plane.glsl on the GPU, and the results of combine.glsl's operations on its
+// figures, compared with the nearest point of the boundary, which is found by a search in double
+// precision. The boundary comes only from the figure's description; no formula of the shader is
+// used again.
 #include "lib/test.h"
 #include "lib/boundary.h"
 #include "lib/gpu.h"
@@ -51,7 +52,7 @@ static bool in_disc(struct d2 p)
     return hypot(p.x - 0.75, p.y - 0.25) < 0.5;
 }
 
-// The rectangle of these half sides, grown by a radius.
+// The rectangle with these half sides, grown by a radius.
 static void add_rounded(struct boundary *of, double x, double y, double r)
 {
     for (int side = -1; side <= 1; side += 2) {
@@ -63,7 +64,7 @@ static void add_rounded(struct boundary *of, double x, double y, double r)
                          0.5 * MIRROR_PI * (i + 1));
 }
 
-// What is left of each piece: the parts on which a test holds, their ends found by halving.
+// The remaining parts of each piece, on which a test holds; their ends are found by bisection.
 static void keep(struct boundary *of, const struct boundary *all, bool (*kept)(struct d2))
 {
     enum { PARTS = 512 };
@@ -125,7 +126,7 @@ static bool off_grown_dart(struct d2 p)
     return !in_dart(p) && dart_distance(p) > 0.125 - 1e-9;
 }
 
-// Circles around the dart's corners, and its sides moved to either hand: the boundary of the grown
+// Circles around the dart's corners, and its sides moved to either side: the boundary of the grown
 // dart, with parts that lie inside it.
 static void add_grown_dart(struct boundary *of)
 {
@@ -141,7 +142,7 @@ static void add_grown_dart(struct boundary *of)
     }
 }
 
-// What is left of the boundaries of the box and the disc in their combination.
+// The remaining parts of the boundaries of the box and the disc in their combination.
 static void add_combined(struct boundary *of, int which)
 {
     struct boundary first = {.count = 0}, second = {.count = 0};
@@ -151,7 +152,7 @@ static void add_combined(struct boundary *of, int which)
     keep(of, &second, which == UNION ? off_box : on_box);
 }
 
-// The boundary of what was asked for.
+// The boundary of the requested figure.
 static void boundary_of(int which, struct boundary *of)
 {
     struct boundary first = {.count = 0};
@@ -253,9 +254,9 @@ static bool inside(int which, struct d2 p)
     }
 }
 
-// ---- The GPU against them ----
+// ---- The GPU compared with them ----
 
-// Rounding of a point's coordinates, of a square and of its root.
+// Rounding errors of a point's coordinates, of a square and of its root.
 static double slack(struct d2 p)
 {
     return 4.0 * MIRROR_FLOAT_ROUNDING * (hypot(p.x, p.y) + 2.0);
@@ -267,7 +268,7 @@ static float *values_of(int which)
     return gpu_call("tests/shaders/plane.frag", 2 * WIDE, ROWS, which, none);
 }
 
-// Of a figure, or an operation: exact outside, exact inside, or a bound.
+// Of a figure or an operation: exact outside, exact inside, or a bound.
 static void check_figure(int which, bool exact_outside, bool exact_inside)
 {
     struct boundary edge;
@@ -325,7 +326,7 @@ TEST(test_union_intersection_and_subtraction)
     check_figure(SUBTRACTION, false, true);
 }
 
-// Half-way between two discs the morph draws an ellipse, and is a bound: its error is 0 along the
+// Halfway between two discs the morph draws an ellipse, and is a bound: its error is 0 along the
 // line of the centres, and grows across it towards the difference of the half axes.
 TEST(test_morph_is_a_bound_and_no_distance)
 {
@@ -333,7 +334,7 @@ TEST(test_morph_is_a_bound_and_no_distance)
     double a = 0.625, b = 0.375, far = 1000.0;
     assert_true(fabs((far - b) - (hypot(0.5, far) - a) - (a - b)) < 2e-4);
     assert_true(fabs((b - 0.0) - (a - 0.5) - 0.25) <
-                1e-12); // in the middle: depth 0.375, asked 0.125
+                1e-12); // in the middle: depth 0.375, returned 0.125
 }
 
 TEST(test_all_are_1_lipschitz)

@@ -1,8 +1,7 @@
 #version 330 core
-// For plane.c: the figures of plane.glsl and what the operations make of them, at random points.
-//
-// Each item takes 2 pixels of a row: a point and its distance, and another point, near or far, and its.
-// Time chooses the function. Every fourth point lies on a lattice of 1/16, where corners are.
+// For plane.c: the figures of plane.glsl and the results of operations on them, at random points.
+// Each item takes 2 pixels of a row: a point and its distance, and another point, near or far, and its distance. Time
+// selects the function. Every fourth point lies on a lattice of 1/16, which contains the corners.
 
 in float Time;
 out vec4 FragColor;

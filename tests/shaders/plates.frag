@@ -7,7 +7,7 @@
 #include "primitives.glsl"
 
 uniform float framingDistance; // 5 in [1, 40], scene units: from the camera's plane to the framing plane
-uniform float aside;           // 0 in [-4, 4], scene units: where the plates stand beside the view's axis
+uniform float aside;           // 0 in [-4, 4], scene units: distance of the plates from the view's axis
 uniform bool  strip;           // false: the strip instead of the plates
 uniform float hitThreshold;    // 0.0001 in [0.00001, 0.1], scene units: distance that counts as a hit
 

@@ -1,6 +1,5 @@
-// precision.c - how exact the driver's built-in functions are. It prints and does not judge:
-// GLSL 3.30 promises nothing, and the least exact bounds that are documented, those of Vulkan, are
-// wide.
+// precision.c - the precision of the driver's built-in functions. The suite prints it and does not
+// judge: GLSL 3.30 promises nothing, and the weakest documented bounds, those of Vulkan, are wide.
 #include "lib/test.h"
 #include "lib/gpu.h"
 
@@ -19,7 +18,7 @@ TEST(the_built_in_functions_are_measured)
     static const struct {
         const char *name;
         double (*exact)(double);
-        bool relative; // of which Vulkan bounds the relative error
+        bool relative; // whose relative error Vulkan bounds
     } functions[] = {{"sin", sin, false},
                      {"cos", cos, false},
                      {"tan", tan, false},

@@ -1,6 +1,5 @@
 #version 330 core
-// For precision.c: what this driver makes of the built-in functions. Time chooses the function; x and y
-// the number.
+// For precision.c: the values of this driver's built-in functions. Time selects the function; x and y the number.
 
 in float Time;
 out vec4 FragColor;

@@ -1,5 +1,6 @@
-// projection.c - the rays of shaders/orthographic.glsl against their formulas in double, and
-// what they do to a picture: sizes, parallel edges, and the plane that stays put.
+// projection.c - the rays of shaders/orthographic.glsl compared with their formulas in double
+// precision, and their effect on a picture: sizes, parallel edges, and the plane that keeps its
+// size.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -11,7 +12,7 @@
 
 enum { COLUMNS = 65, ROWS = 33, RAYS_COUNT = COLUMNS * ROWS };
 
-// What projection.frag writes.
+// The values that projection.frag writes.
 enum { PROJECTION = 0, PERSPECTIVE = 2, ORTHOGRAPHIC = 4 };
 
 struct view {
@@ -69,7 +70,7 @@ TEST(test_u_0_is_the_perspective_ray_to_the_bit)
     }
 }
 
-// The direction is normalised once more, so it may be off by a rounding.
+// The direction is normalised once more, so it may be off by one rounding.
 TEST(test_u_1_is_the_orthographic_ray)
 {
     assert_true(gpu_load(RAYS));
@@ -88,7 +89,7 @@ TEST(test_u_1_is_the_orthographic_ray)
     }
 }
 
-// Where a ray passes the plane across the view at a depth, as (right, up) from the axis.
+// Where a ray passes the plane perpendicular to the view at a depth, as (right, up) from the axis.
 static void crossing(const struct view *view, struct d3 origin, struct d3 direction, double depth,
                      double at[2])
 {
@@ -100,8 +101,9 @@ static void crossing(const struct view *view, struct d3 origin, struct d3 direct
     at[1] = d3_dot(p, d3_of(basis.up));
 }
 
-// At depth d the ray of (x, y) is at (x, y) mix(d, framing, u) / focalLength; so on the framing
-// plane at one place for all u, and for u < 1 behind the camera all are at one point, the eye.
+// At depth d the ray of (x, y) is at (x, y) mix(d, framing, u) / focalLength. So on the framing
+// plane it is at the same point for all u, and for u < 1 all rays are at one point behind the
+// camera, the eye.
 static double worst_crossing(const struct view *view, double u, double depth)
 {
     float *rays[2];
@@ -150,7 +152,7 @@ static void set(const char *name, double value)
     parameter->value[0] = value;
 }
 
-// How much of each pixel is white. The caller frees it.
+// The white share of each pixel. The caller frees it.
 static float *coverage(const struct camera *camera, double u)
 {
     struct renderer_inputs inputs = {
@@ -159,7 +161,7 @@ static float *coverage(const struct camera *camera, double u)
     return gpu_numbers(&inputs);
 }
 
-// The white of a row, in pixels.
+// The width of the white part of a row, in pixels.
 static double row_width(const float *values, int row)
 {
     double width = 0.0;
@@ -207,8 +209,8 @@ TEST(test_equal_plates_have_the_sizes_of_their_depths)
     }
 }
 
-// The edges of the white of a row, to a part of a pixel: from a column that is wholly white
-// outwards.
+// The edges of the white part of a row, to a fraction of a pixel: outwards from a column that is
+// completely white.
 static void row_edges(const float *values, int row, double edge[2])
 {
     int inside = 0;
@@ -222,8 +224,8 @@ static void row_edges(const float *values, int row, double edge[2])
     edge[1] = inside + right;
 }
 
-// The angles to the vertical of the strip's two edges in the picture, in degrees: straight lines
-// fitted to the rows.
+// The angles between the strip's two edges and the vertical in the picture, in degrees: straight
+// lines fitted to the rows.
 static void edge_angles(const float *values, int from, int to, double angle[2])
 {
     double n = to - from, row_sum = 0.0, row_square = 0.0, sum[2] = {0.0}, product[2] = {0.0};
@@ -243,7 +245,7 @@ static void edge_angles(const float *values, int from, int to, double angle[2])
     }
 }
 
-// Where a point of the world is in the picture, in pixels, by the formula of the page.
+// The position of a point of the world in the picture, in pixels, by the formula of the page.
 static void project(const struct camera *camera, double u, struct d3 p, double at[2])
 {
     struct camera_basis basis = camera_basis_of(camera);
@@ -302,7 +304,7 @@ static double depth_of(const struct camera *camera, struct d3 p)
     return d3_dot(d3_sub(p, d3_of(camera->position)), d3_of(basis.forward));
 }
 
-// The row of the picture in which a point of the world is shown, and its column.
+// The row and the column of the picture in which a point of the world is shown.
 static void place_of(const struct camera *camera, double u, struct d3 p, double at[2])
 {
     struct camera_basis basis = camera_basis_of(camera);
@@ -312,7 +314,7 @@ static void place_of(const struct camera *camera, double u, struct d3 p, double 
     at[1] = HEIGHT / 2 + scale * d3_dot(from, d3_of(basis.up));
 }
 
-// The frames are orange, alone in the scene: more than twice as much red as blue.
+// In this scene only the frames are orange: more than twice as much red as blue.
 static bool is_orange(const float *values, const double at[2], double above)
 {
     const float *v = values + 4 * ((int)(at[1] + above) * WIDTH + (int)at[0]);
@@ -320,7 +322,7 @@ static bool is_orange(const float *values, const double at[2], double above)
 }
 
 // A frame's upper far corner is the highest point of its outline: two pixels below it the picture
-// is orange, two above it is not.
+// is orange, two pixels above it is not.
 static void check_frame_corner(const float *values, const struct camera *camera, double u,
                                struct d3 middle)
 {
@@ -350,8 +352,8 @@ TEST(test_the_frames_have_the_sizes_of_their_depths)
     }
 }
 
-// The tower's top and the end of the channel behind it are one place of the picture, for parallel
-// rays alone.
+// The tower's top and the end of the channel behind it are at the same point of the picture, only
+// with parallel rays.
 TEST(test_the_tower_meets_the_channel)
 {
     struct camera camera;

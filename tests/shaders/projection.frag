@@ -1,7 +1,6 @@
 #version 330 core
-// For projection.c: the rays of a place on the screen by each of the three projections.
-//
-// Time chooses what is written; iMouse.x is the framing distance.
+// For projection.c: the rays through a position on the screen in each of the three projections.
+// Time selects what is written; iMouse.x is the framing distance.
 
 in float Time;
 in vec2 FragCoord;
@@ -9,7 +8,7 @@ out vec4 FragColor;
 
 #include "orthographic.glsl"
 
-// Nothing here marches, but the library asks for a scene.
+// Nothing here marches, but the library requires a scene.
 float sceneDistance(vec3 p)
 {
     return length(p);

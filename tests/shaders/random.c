@@ -1,9 +1,8 @@
 // random.c - samples that differ: iSample, iSamples, iPixel, and pixelRandom of
 // shaders/random.glsl.
-//
-// The shader's numbers are those of random.h to the bit, wherever a pixel is drawn; so the
-// tests of their spread ask that function. It always gives the same numbers: what passes once
-// passes for ever.
+// The shader's numbers equal those of random.h to the last bit, wherever a pixel is drawn, so the
+// tests of their distribution call that function. It always gives the same numbers: a test that
+// passes once always passes.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -31,7 +30,7 @@ static float *draw(struct renderer *renderer, const struct renderer_inputs *inpu
     return values;
 }
 
-// ---- What the harness says ----
+// ---- What the harness sets ----
 
 // Wider and higher than a tile, in one part and in bands.
 TEST(a_number_is_that_of_its_pixel_in_every_tile_and_band)
@@ -40,7 +39,7 @@ TEST(a_number_is_that_of_its_pixel_in_every_tile_and_band)
     static const int sizes[][3] = {{1100, 600, 600}, {1100, 600, 37}, {513, 1030, 512}, {1, 1, 1}};
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) {
         struct renderer_inputs inputs = gpu_inputs(sizes[i][0], sizes[i][1], 1);
-        inputs.time = (double)i; // which no number depends on
+        inputs.time = (double)i; // on which no number depends
         inputs.frame = (int)i;
         float *values = draw(&gpu.renderer, &inputs, sizes[i][2]);
         for (int y = 0; y < inputs.height; y++)
@@ -54,8 +53,8 @@ TEST(a_number_is_that_of_its_pixel_in_every_tile_and_band)
     }
 }
 
-// Each sample has numbers of its own, wherever it stands in its pixel. A float holds the sum of 36
-// shares to a few of its roundings.
+// Each sample has its own numbers, wherever it is in its pixel. A float stores the sum of 36 shares
+// to within a few roundings.
 TEST(samples_have_numbers_of_their_own)
 {
     assert_true(gpu_load_text(RANDOM_COLOUR));
@@ -74,7 +73,7 @@ TEST(samples_have_numbers_of_their_own)
     }
 }
 
-// Of 9 samples each is drawn once, and each knows that they are 9.
+// Of 9 samples each is drawn once, and each receives the count 9.
 TEST(samples_are_counted)
 {
     assert_true(gpu_load_text(GPU_COURSE
@@ -93,7 +92,8 @@ TEST(samples_are_counted)
     free(values);
 }
 
-// A scene whose distance is a number of the pixel: it shows in the table of a probe, in a slice.
+// A scene whose distance is a number of the pixel: it appears in the table of a probe, and in a
+// slice.
 #define RANDOM_SCENE                                                                               \
     "#include \"main.glsl\"\n"                                                                     \
     "#include \"march.glsl\"\n"                                                                    \
@@ -117,7 +117,7 @@ TEST(a_probe_marches_sample_0_of_1_of_its_pixel)
             struct probe probe;
             assert_true(renderer_probe(&gpu.renderer, &inputs, x, y, &probe));
             assert_true((double)probe.step[0].distance == random_of(x, y, 0, 0) - 0.5);
-            // Its colour is the picture's, of all samples.
+            // The colour is the picture's, from all samples.
             float *picture = draw(&gpu.renderer, &inputs, 36);
             for (int k = 0; k < 3; k++) {
                 double value = (double)picture[4 * (64 * y + x) + k];
@@ -148,7 +148,7 @@ TEST(a_slice_is_that_of_its_pixel)
     assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
 }
 
-// ---- How the numbers are spread ----
+// ---- How the numbers are distributed ----
 
 enum { SIDE = 256, COUNT = SIDE * SIDE, SAMPLES = 9, DIMENSIONS = 6 };
 
@@ -159,8 +159,9 @@ static void numbers_of(int sample, int dimension, double number[COUNT])
         number[i] = random_of(i % SIDE, i / SIDE, sample, dimension);
 }
 
-// Of so many numbers a mean strays by 1 / sqrt(12 n), their second moment about 1/2 by
-// 1 / sqrt(180 n): 4.5 times that happens once in 150,000 tries, and here are 108.
+// The mean of n numbers has a standard deviation of 1 / sqrt(12 n), their second moment about 1/2
+// one of 1 / sqrt(180 n). A value beyond 4.5 of these occurs once in 150,000 tries, and here are
+// 108.
 TEST(their_mean_is_a_half_their_variance_a_twelfth)
 {
     static double number[COUNT];
@@ -182,7 +183,7 @@ TEST(their_mean_is_a_half_their_variance_a_twelfth)
 }
 
 // The sum over the bins of (count - expected)^2 / expected, in standard deviations from its mean:
-// it has bins - 1 degrees of freedom, and twice as many is its variance.
+// it has bins - 1 degrees of freedom, and its variance is twice that number.
 static double chi_square(const int *count, int bins, int numbers)
 {
     double sum = 0.0, expected = (double)numbers / bins;
@@ -191,7 +192,7 @@ static double chi_square(const int *count, int bins, int numbers)
     return (sum - (bins - 1)) / sqrt(2.0 * (bins - 1));
 }
 
-// 256 bins; from too even a spread (below) to too uneven a one.
+// 256 bins; from too uniform a distribution (below) to too irregular a one.
 TEST(each_bin_gets_its_share)
 {
     static double number[COUNT];
@@ -210,15 +211,15 @@ TEST(each_bin_gets_its_share)
     assert_true(least > -4.5 && most < 4.5);
 }
 
-// Who is compared with whom: a step in x, y, sample and dimension.
+// Which numbers are compared: a step in x, y, sample and dimension.
 static const int steps[][4] = {{1, 0, 0, 0}, {0, 1, 0, 0},  {1, 1, 0, 0}, {1, -1, 0, 0},
                                {2, 0, 0, 0}, {0, 2, 0, 0},  {0, 0, 1, 0}, {0, 0, 2, 0},
                                {0, 0, 0, 1}, {0, 0, 0, 2},  {0, 0, 1, 1}, {1, 0, 1, 0},
                                {0, 1, 0, 1}, {16, 0, 0, 0}, {0, 64, 0, 0}};
 enum { STEPS = sizeof steps / sizeof *steps };
 
-// Correlation strays by 1 / sqrt(n) where there is none. And pairs fill the 16 x 16 bins of their
-// square evenly, which a relation without correlation would not.
+// Without a correlation, its standard deviation is 1 / sqrt(n). And pairs fill the 16 x 16 bins of
+// their square evenly, which a relation without correlation would not.
 TEST(neighbours_are_not_related)
 {
     double worst = 0.0, least = 0.0, most = 0.0;

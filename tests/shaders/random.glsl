@@ -1,5 +1,5 @@
-// random.glsl - numbers without pattern for the numeric tests, the same on every machine: an integer
-// hash, and floats that hold exactly what the integer says.
+// random.glsl - random numbers for the numeric tests, the same on every machine: an integer hash, and floats that
+// represent the integer exactly.
 
 uint seed; // advances with every number
 
@@ -26,7 +26,7 @@ vec3 nextVector()
     return vec3(x, y, nextSigned());
 }
 
-// A direction, length 1, of whatever distribution: no use here needs an even one.
+// A direction of length 1 with some distribution: no use here needs a uniform one.
 vec3 nextDirection()
 {
     vec3 v = nextVector();

@@ -1,5 +1,5 @@
-// rays.c - the library's march, bounds, normal and shadow ray as the GPU computes them,
-// against analytic intersections in double precision.
+// rays.c - the library's march, bounds, normal and shadow ray on the GPU, compared with analytic
+// intersections in double precision.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -45,8 +45,8 @@ static struct marched unpack(const float *values, int item)
     return m;
 }
 
-// What rounding does to a distance asked for at t: three roundings of the position, as many of the
-// distance, of numbers no larger than |origin| + t.
+// The rounding error of a distance evaluated at t: three roundings of the position and as many of
+// the distance, of numbers no larger than |origin| + t.
 static double slack_of(const struct marched *m)
 {
     return 8.0 * MIRROR_FLOAT_ROUNDING * (d3_length(m->ray.origin) + fabs(m->t) + 1.0);
@@ -60,8 +60,8 @@ static void check_counts(const struct marched *m)
     assert_true(m->found == (m->end == MIRROR_HIT));
 }
 
-// A hit lies before the surface, by at most threshold / |cos|: the ball is convex, so that along
-// the ray the distance is at least the tangent's at t*.
+// A hit lies in front of the surface by at most threshold / |cos|: the ball is convex, so along the
+// ray the distance is at least that of the tangent at t*.
 static void check_hit(const struct marched *m, double t, double cosine, double threshold)
 {
     double slack = slack_of(m) / cosine;
@@ -138,7 +138,7 @@ TEST(test_empty_interval_is_a_miss_that_costs_nothing)
     }
 }
 
-// A scene that is 1 away wherever one asks: the march counts 1, 2, 3, ...
+// A scene that is 1 away from every point: the march counts 1, 2, 3, ...
 TEST(test_march_ends_at_its_limits)
 {
     float *values = rays(NOTHING, 7.5f, 0.001f, 512.0f, 0.25f);
@@ -164,7 +164,7 @@ TEST(test_march_ends_at_its_limits)
 TEST(test_box_interval_agrees_with_brute_force)
 {
     const struct d3 low = {-0.75, -0.5, -1.25}, high = {0.75, 0.5, 1.25};
-    const double m = 1e-5; // a ray that passes an edge by less is judged either way
+    const double m = 1e-5; // a ray that passes an edge more closely may count as either
     float *values = rays(INTERVAL, 0.0f, 0.0f, 0.0f, 0.0f);
     int hits = 0, misses = 0, inside = 0, across = 0, edges = 0;
     for (int i = 0; i < ITEMS; i++) {
@@ -208,8 +208,8 @@ static struct d3 ball_differences(struct d3 p, double h)
                       d3_length(d3_add(p, z)) - d3_length(d3_sub(p, z))));
 }
 
-// Rounding of the position and of the distance, both near 1, over the step: in radians about
-// 2 eps / h.
+// Rounding errors of the position and of the distance, both near 1, divided by the step: in radians
+// about 2 eps / h.
 static double worst_normal(int function, float h, bool analytic)
 {
     float *values = rays(function, h, 0.0f, 0.0f, 0.0f);
@@ -242,7 +242,7 @@ TEST(test_normals_agree_with_the_surface)
     assert_true(fine < 3.0 * MIRROR_FLOAT_ROUNDING / 0.001 * degrees);
     assert_true(coarse < 8.0 * MIRROR_FLOAT_ROUNDING / 0.25 * degrees);
     assert_true(face < 3.0 * MIRROR_FLOAT_ROUNDING / 0.001 * degrees);
-    // The step that was asked for is the one that is taken: its own error is visible at 0.25.
+    // The step that was requested is the one that is used: its own error is visible at 0.25.
     assert_true(worst_normal(NORMAL_BALL, 0.25f, true) > 0.1);
 }
 

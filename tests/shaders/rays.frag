@@ -1,8 +1,8 @@
 #version 330 core
 // For numeric.c: the library's march, box interval, shadow ray and normal along random rays.
 //
-// Each item takes 4 pixels of a row: (origin, -), (direction, -), and two of results. Time chooses
-// the function; iMouse holds its numbers.
+// Each item takes 4 pixels of a row: (origin, -), (direction, -), and two of results. Time selects the function; iMouse
+// contains its numbers.
 
 in float Time;
 out vec4 FragColor;
@@ -29,13 +29,13 @@ float sceneDistance(vec3 p)
     return which == 2 ? sdBox(p, HALF) : 1.0;
 }
 
-// Not used here; the library's prototypes ask for nothing else.
+// Not used here, but the library declares them.
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0));
 }
 
-// From a point of a cube to near the middle; every fourth direction lies across one axis or two.
+// From a point of a cube to a point near the centre; every fourth direction is perpendicular to one axis or two.
 Ray randomRay(int item)
 {
     vec3 origin = 4.0 * nextVector();
@@ -61,7 +61,7 @@ void main()
     Ray ray = randomRay(item);
     vec4 first = vec4(0.0), second = vec4(0.0);
     if (Time < 10.0) {
-        // iMouse: far limit, threshold, most steps, start
+        // iMouse: far limit, threshold, maximum number of steps, start
         Hit hit = march(ray, iMouse.w, iMouse.x, iMouse.y, int(iMouse.z));
         first = vec4(hit.t, hit.found, trace.end, trace.evaluations);
         second = vec4(trace.steps, trace.allSteps, trace.marches, trace.t);
@@ -73,7 +73,7 @@ void main()
         first = vec4(p, trace.evaluations);
         second = vec4(normalAt(p, iMouse.x), trace.evaluations);
     } else {
-        // iMouse: distance to look, threshold, most steps, offset
+        // iMouse: far limit, threshold, maximum number of steps, offset
         Ray up = shadowRay(ray.origin, vec3(0.0, 1.0, 0.0), ray.direction, iMouse.w);
         float reaching = lightReaching(up, iMouse.x, iMouse.y, int(iMouse.z));
         first = vec4(up.origin, reaching);

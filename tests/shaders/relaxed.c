@@ -1,5 +1,5 @@
-// relaxed.c - shaders/relaxed.glsl over distances drawn by lot, against surfaces known in
-// closed form; shaders/stretch.glsl against slopes in double precision.
+// relaxed.c - shaders/relaxed.glsl over random distances, compared with surfaces known in closed
+// form; shaders/stretch.glsl compared with slopes in double precision.
 #include "lib/test.h"
 #include "lib/cell.h"
 #include "lib/gpu.h"
@@ -14,7 +14,7 @@ static const double far = 12.0, spread = 0.001;
 static const float omegas[] = {1.05f, 1.2f, 1.5f, 1.8f, 1.95f};
 enum { OMEGAS = sizeof omegas / sizeof *omegas };
 
-// The distances of function 0 of the shader, once more.
+// The distances of function 0 of the shader in C.
 static double line_distance(int number, double x)
 {
     double nearest = 3.0;
@@ -26,8 +26,8 @@ static double line_distance(int number, double x)
     return nearest;
 }
 
-// Where the ray first meets a surface: a thing whose smallest distance is below 0 begins on a known
-// place.
+// Where the ray first meets a surface: an object whose smallest distance is below 0 begins at a
+// known point.
 static double line_surface(int number)
 {
     double first = HUGE_VAL;
@@ -40,8 +40,8 @@ static double line_surface(int number)
     return first;
 }
 
-// Does the distance stay below the threshold from a place to the surface? Else a march may call it
-// a hit or pass it by, as its steps fall.
+// Does the distance stay below the threshold from a point to the surface? Otherwise a march may
+// report it as a hit or pass it, depending on its steps.
 static bool sure(int number, double from, double surface, double threshold)
 {
     for (int i = 0; i <= 64 && surface < far; i++) {
@@ -70,7 +70,7 @@ static float *marches(int function, float threshold, float omega, float aside)
     return gpu_call(SHADER, CASES, 2, function, numbers);
 }
 
-// No step passes a surface, a hit is near the scene, and a miss is one.
+// No step passes a surface, every hit is near the scene, and every miss is a true miss.
 TEST(no_surface_is_passed)
 {
     const double threshold = 0.002, rounding = 2e-5;
@@ -94,7 +94,8 @@ TEST(no_surface_is_passed)
     assert_true(hits > 1000 && misses > 1000);
 }
 
-// Where the march takes n evaluations, at most n + 1; and in all fewer, for the factors of use.
+// Where the march takes n evaluations, this one takes at most n + 1; and fewer in total, for useful
+// factors.
 TEST(at_most_one_more)
 {
     const double threshold = 0.002;
@@ -120,7 +121,7 @@ TEST(at_most_one_more)
     }
 }
 
-// With omega 1 it is marchCone, to the bit.
+// With omega 1 it equals marchCone to the last bit.
 TEST(a_factor_of_one_is_the_march)
 {
     for (int function = LINES; function <= POINTS; function++) {
@@ -132,8 +133,8 @@ TEST(a_factor_of_one_is_the_march)
     }
 }
 
-// A point that passes the ray nearer than 0.86 thresholds is never stepped over: neither by it nor
-// by the march.
+// Neither this march nor the plain one ever steps over a point that passes the ray nearer than 0.86
+// thresholds.
 TEST(thin_things_are_found)
 {
     const float threshold = 0.02f;
@@ -150,8 +151,8 @@ TEST(thin_things_are_found)
     }
 }
 
-// A wall ahead: the last step but one goes too far, once. Beside a wall: as many fewer as the steps
-// are longer.
+// A wall ahead: the last step but one is too long, once. Beside a wall, there are as many fewer
+// evaluations as the steps are longer.
 TEST(the_worst_and_the_best_case)
 {
     const float ahead[4] = {0.0f, 0.001f, 1.5f, 0.0f}, beside[4] = {0.1f, 0.001f, 1.6f, 0.0f};
@@ -170,13 +171,13 @@ TEST(the_worst_and_the_best_case)
 
 // ---- Stretches ----
 
-// The largest |J v| over the places of the cylinder, J the derivative of the twist.
+// The largest |J v| over the points of the cylinder, where J is the derivative of the twist.
 static double twist_truth(double rate, double radius, struct d3 v)
 {
     double largest = 0.0;
     for (int i = 0; i < 720; i++) {
         double angle = MIRROR_PI * i / 360.0, x = radius * cos(angle), z = radius * sin(angle);
-        // At the height 0 the twist is (x + rate y z, y, z - rate y x) to first order.
+        // At height 0, the twist is (x + rate y z, y, z - rate y x) to first order.
         struct d3 moved = d3(v.x + rate * z * v.y, v.y, v.z - rate * x * v.y);
         largest = fmax(largest, d3_length(moved));
     }

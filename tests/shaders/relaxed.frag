@@ -1,7 +1,6 @@
 #version 330 core
-// For relaxed.c: marches over distances drawn by lot, stretches along a ray.
-//
-// Time chooses the function, iMouse holds four numbers for it; x is the number of the case, y of the row.
+// For relaxed.c: marches over random distances, and stretches along a ray.
+// Time selects the function, iMouse contains four numbers for it; x is the number of the case, y of the row.
 
 in float Time;
 out vec4 FragColor;
@@ -23,8 +22,8 @@ float lot(int thing, int dimension)
     return cellRandom(ivec3(number, thing, dimension));
 }
 
-// Function 0: along x the smallest of eight slopes up from a thing, some of which is a surface and some only
-// comes near. Function 1: points beside the ray. 3: a wall ahead, or beside.
+// Function 0: along x, the smallest of eight slopes that rise from objects; some of the objects have a surface, others
+// only come close. Function 1: points beside the ray. 3: a wall ahead, or beside.
 float sceneDistance(vec3 p)
 {
     if (function == 3)

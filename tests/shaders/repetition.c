@@ -1,5 +1,5 @@
-// repetition.c - repeated volumes as the GPU computes them, against brute force over all
-// copies in double precision.
+// repetition.c - repeated solids on the GPU, compared with brute force over all copies in double
+// precision.
 #include "lib/test.h"
 #include "lib/cell.h"
 #include "lib/gpu.h"
@@ -9,7 +9,7 @@
 
 enum { WIDE = 256, ROWS = 64, ITEMS = WIDE * ROWS };
 
-// What the shader's Time chooses.
+// What the shader's Time selects.
 enum {
     SYMMETRIC,
     LIMITED,
@@ -51,7 +51,7 @@ static double tower(struct d3 q, int x, int z)
     return brute_box(d3(q.x, q.y - tall, q.z), d3(0.8, tall, 0.8));
 }
 
-// The copy of cell (x, y, z), its middle at the origin.
+// The copy of cell (x, y, z), with its centre at the origin.
 static double copy(int function, struct d3 q, int x, int z)
 {
     if (function <= LIMITED)
@@ -75,7 +75,7 @@ static int nearest_cell(const struct field *field, int axis, double x)
     return (double)field->v[1] > axis ? (int)lround(x / (double)field->v[0]) : 0;
 }
 
-// The cells along an axis that are tried: all near x, of those that exist.
+// The cells along an axis that are tried: all existing ones near x.
 static void cells_tried(const struct field *field, int axis, double x, int range[2])
 {
     int reach = (double)field->v[1] > axis ? (field->function < TOWERS ? 2 : 7) : 0;
@@ -110,7 +110,7 @@ static float *ask(const struct field *field)
     return gpu_call(SHADER, WIDE, ROWS, field->function, field->v);
 }
 
-// What was found over all points: how far the GPU's number lies over and under the brute force.
+// The findings over all points: how far the GPU's number is above and below the brute force.
 struct found {
     double over, under; // largest, >= 0
     int outside;        // points outside of all copies
@@ -134,7 +134,7 @@ static struct found compare(const struct field *field)
     return found;
 }
 
-static const double rounding = 6e-6; // coordinates to 20, a few roundings of 6e-8 each
+static const double rounding = 6e-6; // coordinates up to 20, a few roundings of 6e-8 each
 
 static void check_exact(const char *what, const struct field *field)
 {
@@ -152,7 +152,7 @@ static void check_bound(const char *what, const struct field *field)
     assert_true(found.over < rounding && found.under > 0.1);
 }
 
-// The largest over-estimate, which must be known to 3 per cent.
+// The largest overestimate, which must be known to 3 per cent.
 static void check_over(const char *what, const struct field *field, double expected)
 {
     struct found found = compare(field);
@@ -191,7 +191,7 @@ TEST(test_the_nearer_neighbour_corrects_identical_copies)
 
 TEST(test_copies_that_vary_need_the_wall)
 {
-    // 1.6 wide towers fill cells of 1.6: the wall is as near as another tower may be.
+    // Towers 1.6 wide fill cells of 1.6: the wall is as near as another tower may be.
     check_bound("towers, capped", &(struct field){TOWERS_CAPPED, {1.6f, 2.0f, 0.0f, 0.0f}});
     check_bound("towers -2 to 1", &(struct field){ROW_LIMITED, {1.6f, 1.0f, -2.0f, 1.0f}});
     check_bound("own tower, others", &(struct field){LONELY, {2.0f, 2.0f, 0.0f, 0.0f}});
@@ -210,7 +210,7 @@ static double tower_in(struct d3 p, double period, int x, int z, double share)
     return share * tower(d3_sub(p, d3(period * x, 0.0, period * z)), x, z);
 }
 
-// The own tower, which reaches 0.8 from the middle of its cell of 2, and cellOthers.
+// The cell's own tower, which reaches 0.8 from the centre of its cell of 2, and cellOthers.
 static double own_and_others(struct d3 p, double share)
 {
     int x = (int)floor(p.x / 2.0 + 0.5), z = (int)floor(p.z / 2.0 + 0.5);
@@ -246,8 +246,8 @@ static double chance(void)
     return (double)(state >> 8) / 16777216.0;
 }
 
-// The largest change of a distance per unit of way: between places near the walls and the middles
-// of cells, where other copies are asked, and places beside them.
+// The largest change of a distance per unit of length: between points near the walls and centres of
+// cells, where other copies are evaluated, and points beside them.
 static double steepest(double (*distance)(struct d3 p, double share), double period, double share)
 {
     double slope = 0.0;
@@ -267,7 +267,7 @@ static double steepest(double (*distance)(struct d3 p, double share), double per
     return slope;
 }
 
-// What the GPU computes is the formula whose slope is looked at.
+// The GPU computes the formula whose slope is checked.
 static void check_formula(const struct field *field, double (*distance)(struct d3 p, double share))
 {
     float *values = ask(field);
@@ -277,8 +277,9 @@ static void check_formula(const struct field *field, double (*distance)(struct d
     free(values);
 }
 
-// Where copies are asked by their distances, those that a step over a wall drops and those that it
-// adds are at or above the cap: nothing jumps. Half of each distance is a bound too, and jumps.
+// If copies are evaluated with their distances, those that a step over a wall drops and those that
+// it adds are at or above the cap, so nothing jumps. Half of each distance is also a bound, but it
+// jumps.
 TEST(test_the_cap_glues_the_cells)
 {
     check_formula(&(struct field){LONELY, {2.0f, 2.0f, 0.0f, 0.0f}}, own_and_others);
@@ -293,7 +294,7 @@ TEST(test_the_cap_glues_the_cells)
     assert_true(weak > 10.0);
 }
 
-// The nearest of all towers around a place.
+// The nearest of all towers around a point.
 static double all_towers(struct d3 p, double share)
 {
     int x = (int)floor(p.x / 1.6 + 0.5), z = (int)floor(p.z / 1.6 + 0.5);
@@ -304,7 +305,7 @@ static double all_towers(struct d3 p, double share)
     return nearest;
 }
 
-// Where a ray over the towers meets them, or 30.
+// Where a ray above the towers meets them, or 30.
 static double marched(double (*distance)(struct d3 p, double share), double share, struct d3 from,
                       struct d3 direction)
 {
@@ -317,7 +318,7 @@ static double marched(double (*distance)(struct d3 p, double share), double shar
 }
 
 // A bound that jumps is safe too: half of each distance under the cap passes no tower. Without the
-// cap the distances themselves do.
+// cap, the distances themselves do.
 TEST(test_a_march_by_a_bound_that_jumps)
 {
     int jumping = 0, uncapped = 0, hits = 0;
@@ -327,8 +328,8 @@ TEST(test_a_march_by_a_bound_that_jumps)
         way = d3_times(1.0 / d3_length(way), way);
         double truth = marched(all_towers, 1.0, from, way);
         hits += truth < 30.0;
-        // The threshold lets the half distance stop up to 2e-4 before a tower; a grazing ray,
-        // sooner.
+        // The threshold lets the half distance stop up to 2e-4 in front of a tower, and a grazing
+        // ray even earlier.
         jumping += marched(block_and_wall, 0.5, from, way) > truth + 0.01;
         uncapped += marched(block_alone, 1.0, from, way) > truth + 0.01;
     }

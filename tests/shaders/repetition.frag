@@ -1,8 +1,7 @@
 #version 330 core
-// For repetition.c and cells.c: repeated volumes at random points, the operators at given numbers, the hash.
-//
-// Time chooses the function; iMouse: period, number of repeated axes, first and last cell. Each pixel
-// is (p, f(p)), or four numbers.
+// For repetition.c and cells.c: repeated solids at random points, the operators at given numbers, the hash.
+// Time selects the function; iMouse: period, number of repeated axes, first and last cell. Each pixel is (p, f(p)), or
+// four numbers.
 
 in float Time;
 out vec4 FragColor;
@@ -26,7 +25,7 @@ float plank(vec3 q)
     return sdBox(vec3(c * q.x - 0.5 * q.z, q.y, 0.5 * q.x + c * q.z), vec3(1.2, 1.0, 0.2));
 }
 
-// A ball beside the middle of a cell of 4.
+// A ball off the centre of a cell of 4.
 float offset(vec3 q)
 {
     return sdSphere(q - vec3(1.5, 0.0, 0.0), 0.4);
@@ -70,7 +69,7 @@ float limitedTowers(vec3 p)
     return min(wall, min(tower(p, own, 0.0), tower(p, next, 0.0)));
 }
 
-// The own tower alone, which reaches 0.8 from the middle of its cell.
+// Only the cell's own tower, which reaches 0.8 from the centre of its cell.
 float lonely(vec3 p)
 {
     float own = tower(p, cellOf(p.x, iMouse.x), cellOf(p.z, iMouse.x));
@@ -129,7 +128,7 @@ void main()
             p.z = 0.0;
         FragColor = vec4(p, asked(p));
     } else if (Time < 21.0) {
-        // Sixteenths: walls, middles and both sides of each are among them.
+        // Sixteenths: they include walls, centres and points on both sides of each.
         float x = 0.0625 * float(item - 8192);
         FragColor = vec4(x, cellOf(x, iMouse.x), opRepeat(x, iMouse.x), opRepeatMirrored(x, iMouse.x));
     } else if (Time < 22.0) {

@@ -5,7 +5,7 @@
 #include "march.glsl"
 #include "primitives.glsl"
 
-uniform int   maxSteps;     // 512 in [1, 512]: steps before a ray is given up
+uniform int   maxSteps;     // 512 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.001 in [0.00001, 0.2], scene units: distance that counts as a hit
 
 Ray pixelRay(vec2 screen)

@@ -1,5 +1,5 @@
-// sky.c - chapter 09's air, sun and city against double precision: exact values, geometry, and
-// a brute force over the towers of nine by nine blocks.
+// sky.c - chapter 09's air, sun and city compared with double precision: exact values, geometry,
+// and a brute force over the towers of nine by nine blocks.
 #include "lib/test.h"
 #include "lib/city.h"
 #include "lib/gpu.h"
@@ -10,9 +10,9 @@ static float *sky(int function, int rows, float x, float y)
     return gpu_call("tests/shaders/sky.frag", 1024, rows, function, (const float[4]){x, y});
 }
 
-// The way of a ray from the ground through a shell of even density, from the triangle of the
-// Earth's middle, the observer and the place where the ray leaves: by the cosine rule, solved in
-// double.
+// The length of a ray from the ground through a shell of uniform density, from the triangle of the
+// Earth's centre, the observer and the point where the ray leaves: with the cosine rule, in double
+// precision.
 static double shell_way(double s, double earth)
 {
     double b = earth * fmax(s, 0.0);
@@ -69,9 +69,9 @@ TEST(test_air_mass_is_near_the_measured_one)
     assert_true(fabs(worst - 0.0502) < 5e-5 && fabs(at - 1.83) < 0.006);
 }
 
-// The integral of the sky's light takes a slant way to be the same multiple of the vertical one at
-// every height. In the shell a level ray has passed half of its air where it has risen through a
-// quarter.
+// The integral of the sky's light assumes that a slanting path is the same multiple of the vertical
+// one at every height. In the shell, a horizontal ray has passed half of its air when it has risen
+// through a quarter.
 TEST(test_where_flat_layers_and_the_shell_part)
 {
     double risen = sqrt(pow(721.5 + 0.25, 2.0) - pow(721.5, 2.0)), assumed = 0.25 * mass_at(0.0);
@@ -111,9 +111,9 @@ TEST(test_the_fourth_power_and_its_correction)
         assert_true(fabs(code[i] / air_depth(wave[i]) - 1.0) < 0.035);
 }
 
-// What is left of the sun's white, and the first model of the sky: (0.5, 0.7, 1) times the
-// transmittance beyond one air mass, which is blue at 30 degrees and red above green above blue
-// only when low.
+// The remaining share of the sun's white, and the first model of the sky: (0.5, 0.7, 1) times the
+// transmittance beyond one air mass. It is blue at 30 degrees, and red above green above blue only
+// when the sun is low.
 TEST(test_light_of_a_low_sun)
 {
     const double heights[] = {90.0, 46.4, 30.0, 10.0, 5.0, 2.0, 0.0};
@@ -124,7 +124,7 @@ TEST(test_light_of_a_low_sun)
                blue = exp(-0.25 * mass);
         print_message("# sun at %.1f: mass %.2f, left %.3f %.3f %.4f, red : blue %.1f\n",
                       heights[i], mass, red, green, blue, red / blue);
-        // The nearest of the GPU's samples, which lie up to 0.06 degrees away but for the zenith.
+        // The nearest of the GPU's samples, which are up to 0.06 degrees away except at the zenith.
         assert_true(fabs((double)v[2] / red - 1.0) < 0.01);
         assert_true(heights[i] < 1.0 || fabs((double)v[3] / blue - 1.0) < 0.05);
         double first[3] = {0.5 * red / exp(-0.04), 0.7 * green / exp(-0.1), blue / exp(-0.25)};
@@ -135,7 +135,7 @@ TEST(test_light_of_a_low_sun)
     free(values);
 }
 
-// The integral of section 5 of the page by Simpson's rule.
+// The integral of section 5 of the page with Simpson's rule.
 static double scattered(double depth, double v, double s)
 {
     enum { N = 2000 };
@@ -164,13 +164,13 @@ TEST(test_scattered_light_is_the_integral)
         free(values);
         print_message("# scattered light, haze %.2f: worst relative error %.4f\n", (double)haze[k],
                       worst);
-        // Where the masses agree within 0.02, one of them is moved by up to 0.04: depth / 50.
+        // Where the masses agree to within 0.02, one of them is moved by up to 0.04: depth / 50.
         assert_true(worst < (0.25 + (double)haze[k]) / 40.0);
     }
 }
 
-// The sky's table: what is scattered at noon and at sunset, overhead and at the horizon. The blue
-// of the evening's zenith is the gain's, not the scattering's.
+// The sky's table: the light scattered at noon and at sunset, overhead and at the horizon. The blue
+// of the evening's zenith comes from the gain, not from the scattering.
 TEST(test_the_four_skies)
 {
     const double depth[3] = {0.04, 0.1, 0.25}, gain[3] = {1.4, 1.75, 3.1};
@@ -195,8 +195,8 @@ TEST(test_the_four_skies)
     }
 }
 
-// By spherical geometry: the angle to the celestial pole is 90 degrees less the declination, the
-// day turns the sun evenly about it, and at noon it stands at 90 - latitude + declination.
+// From spherical geometry: the angle to the celestial pole is 90 degrees minus the declination, the
+// day turns the sun uniformly about it, and at noon it is at 90 - latitude + declination.
 static void check_sun(float latitude, float declination)
 {
     float *values = sky(2, 1, latitude, declination);
@@ -208,7 +208,7 @@ static void check_sun(float latitude, float declination)
         double angle = ((double)values[4 * i + 3] - 12.0) * MIRROR_PI / 12.0;
         assert_true(fabs(d3_length(sun) - 1.0) < 2e-6);
         assert_true(fabs(d3_dot(sun, pole) - sin(d)) < 1e-6);
-        // The root of what is left of 1 has few digits where nothing is left, at midnight.
+        // The root of a remainder of 1 has few digits where nothing is left, at midnight.
         double slack = 2e-6 + 4e-7 / fmax(cos(0.5 * angle), 6e-4);
         assert_true(fabs(d3_dot(sun, rise) + cos(d) * sin(angle)) < slack);
         assert_true(fabs(d3_dot(sun, meridian) - cos(d) * cos(angle)) < 2e-6);
@@ -230,7 +230,7 @@ TEST(test_sun_runs_as_the_sphere_says)
     for (int i = 0; i < 4; i++) {
         double d = season[i] * MIRROR_PI / 180.0, p = 43.6 * MIRROR_PI / 180.0;
         double half = degrees(acos(-tan(p) * tan(d))) / 15.0;
-        // An almanac's sunset: the upper rim, lifted by refraction, is at the horizon.
+        // An almanac's sunset: the upper rim, raised by refraction, is at the horizon.
         double low = sin(-0.833 * MIRROR_PI / 180.0) - sin(p) * sin(d);
         double later = degrees(acos(low / (cos(p) * cos(d)))) * 4.0 - 60.0 * half;
         print_message(
@@ -243,7 +243,7 @@ TEST(test_sun_runs_as_the_sphere_says)
     }
 }
 
-// The picture's own hour: low, and nearly in line with an avenue that runs west.
+// The hour of the picture itself: the sun is low, and nearly in line with an avenue that runs west.
 TEST(test_sun_of_the_picture)
 {
     float *values = sky(2, 1, 43.6f, 2.0f);
@@ -326,13 +326,13 @@ TEST(test_trees_are_1_lipschitz)
 
 static struct probe probe; // too large for the stack
 
-// Down the middle of the avenue the cap alone counts: steps of half a street.
+// Along the middle of the avenue only the cap counts: steps of half a street.
 TEST(test_steps_down_the_avenue)
 {
     struct renderer_inputs inputs = {
         .width = 1, .height = 1, .samples = 1, .camera = {.position = {3.0f, 5.0f, 0.0f}}};
     assert_true(gpu_load("chapters/09_sky_and_sunset.frag"));
-    // A picture of one pixel has a wide ray: the far end of the march is not asked for here.
+    // A picture of one pixel has a wide ray, so the far end of the march is not checked here.
     assert_true(renderer_probe(&gpu.renderer, &inputs, 0, 0, &probe));
     for (int i = 0; i < probe.steps; i++)
         assert_true(fabs((double)probe.step[i].distance - 1.35) < 1e-6);

@@ -1,5 +1,5 @@
 #version 330 core
-// For sky.c: the sky's functions. Time chooses the function; x is the pixel's number.
+// For sky.c: the sky's functions. Time selects the function; x is the pixel's coordinate.
 
 in float Time;
 out vec4 FragColor;

@@ -1,5 +1,5 @@
-// sky_table.c - the tables of the clear sky against an integration of their own kind, what
-// lies between the tables, the closed forms, and what has been measured under the real sky.
+// sky_table.c - the tables of the clear sky compared with an independent integration, the values
+// between the tables, the closed forms, and measurements of the real sky.
 #include "lib/test.h"
 #include "textures/air.h"
 #include "lib/air.h"
@@ -19,8 +19,9 @@ static int setup(void **state)
 
 // ---- The integral ----
 
-// The program's, Simpson's rule and middles in the air up to 120 km, against Gauss's: within half a
-// per cent of the direction's brightest channel where there is light to be seen.
+// The program's integral, with Simpson's rule and midpoints in the air up to 120 km, compared with
+// Gauss's: within half a per cent of the direction's brightest channel wherever there is visible
+// light.
 TEST(test_program_integrates)
 {
     const double suns[] = {60.0, 20.0, 5.0, 1.0, -2.0, -4.0, -6.0, -8.0},
@@ -45,8 +46,8 @@ TEST(test_program_integrates)
 
 // ---- The tables ----
 
-// Along the middles of both halves of the sky the tables are right to 1.4 steps of the screen,
-// exposed for the hour, in every direction.
+// Along the middles of both halves of the sky, the tables are right to within 1.4 steps of the
+// screen, exposed for the hour, in every direction.
 TEST(test_tables_are_right_along_their_middles)
 {
     for (int half = -1; half <= 1; half += 2) {
@@ -58,8 +59,8 @@ TEST(test_tables_are_right_along_their_middles)
     }
 }
 
-// Between them the share is a model: by day right to a step too, with the sun lower it is not. The
-// article's two are worse at each angle.
+// Between them, the share is a model: by day it is also right to within a step, but not when the
+// sun is lower. The article's two are worse at each angle.
 TEST(test_between_the_tables)
 {
     for (int angle = 45; angle <= 135; angle += 45) {
@@ -77,7 +78,7 @@ TEST(test_between_the_tables)
     }
 }
 
-// At the zenith there is no horizontal angle, and both tables hold the same.
+// At the zenith there is no horizontal angle, and both tables contain the same values.
 TEST(test_tables_agree_at_the_zenith)
 {
     for (int i = -8; i <= 90; i += 2) {
@@ -131,8 +132,8 @@ TEST(test_sunlight_and_ambient_light)
     assert_true(off_direct < 0.05 && off_around < 0.45);
 }
 
-// Each phase is its formula, and all directions together get all of the light: the integral by the
-// cosine is 1, and the dust's mean cosine is 0.76.
+// Each phase function equals its formula, and all directions together receive all of the light: the
+// integral over the cosine is 1, and the mean cosine of the dust is 0.76.
 TEST(test_phases_send_on_all)
 {
     enum { STEPS = 20000 };
@@ -175,8 +176,8 @@ TEST(test_stops_follow_the_hour)
     free(values);
 }
 
-// A disc of any radius sends the same light in all: its mean over the disc, with half the light
-// outside of it or less.
+// A disc of any radius sends the same total light: its mean over the disc, with half of the light
+// or less outside the disc.
 TEST(test_disc_sends_the_sunlight)
 {
     double truth[3];
@@ -201,9 +202,9 @@ TEST(test_disc_sends_the_sunlight)
 
 // ---- The real sky ----
 
-// What falls on level ground, from day to the end of nautical twilight, within a factor of 1.5 of
-// what has been measured. Below, the measured formula joins two known values, and the zenith is the
-// judge: F. Patat, O. S. Ugolnikov, O. V. Postylyakov, 'UBVRI twilight sky brightness at
+// The light on level ground, from day to the end of nautical twilight, within a factor of 1.5 of
+// measurements. Below, the measured formula joins two known values, so the zenith is compared
+// instead: F. Patat, O. S. Ugolnikov, O. V. Postylyakov, 'UBVRI twilight sky brightness at
 // ESO-Paranal', Astronomy and Astrophysics 455 (2006), in magnitudes per square second of arc, 27
 // units at 0.
 TEST(test_twilight_is_as_bright_as_measured)
@@ -229,8 +230,9 @@ TEST(test_twilight_is_as_bright_as_measured)
     }
 }
 
-// Light scattered more than once against paths by chance, which know no grid, no order and no mean
-// over directions: all the light of a direction within 13 %, that scattered once within the chance.
+// Light scattered more than once, compared with random paths, which use no grid, no order and no
+// mean over directions: all the light of a direction within 13 %, the light scattered once within
+// the standard error.
 TEST(test_program_against_chance)
 {
     enum { WAVE = 8, COUNT = 30000 };
@@ -245,7 +247,7 @@ TEST(test_program_against_chance)
         air_shares(sun, view, azimuth, 1.0, &shares);
         double once = shares.air[WAVE] * 3.0 / (16.0 * MIRROR_PI) * (1.0 + c * c) +
                       shares.dust[WAVE] * 0.4224 / (4.0 * MIRROR_PI) / pow(1.5776 - 1.52 * c, 1.5);
-        double all = once + chance.more; // what is scattered once is not by chance
+        double all = once + chance.more; // light scattered once is not random
         double of = (once + shares.more[WAVE]) / all;
         print_message(
             "# sun %5.1f, view %.2f, azimuth %2.0f: once %.3g and %.3g by chance, all %.3f "
@@ -264,8 +266,8 @@ TEST(test_program_against_chance)
 }
 
 // The zenith at noon by A. J. Preetham, P. Shirley, B. Smits, 'A practical analytic model for
-// daylight', SIGGRAPH 1999, a fit to simulated skies, with turbidity 2, the clearest that it is
-// made for; and what ozone does.
+// daylight', SIGGRAPH 1999, a fit to simulated skies, with turbidity 2, the clearest for which it
+// is made; and the effect of ozone.
 TEST(test_the_zenith)
 {
     double light[3], xy[2], blue[2], grey[2];

@@ -1,5 +1,6 @@
-// For sky_table.c and `build/tests/measure sky`: the functions of sky_table.glsl, and the other ways of chapter 18's
-// experiments. iTime chooses the function, iMouse.x is its number. What is drawn is cut off at 0 and 1: the logarithm is told.
+// For sky_table.c and `build/tests/measure sky`: the functions of sky_table.glsl, and the other methods of chapter 18's
+// experiments. iTime selects the function, iMouse.x is its number. The output is clamped to 0 and 1, so it contains the
+// logarithm.
 #include "main.glsl"
 #define rayColour chapterRayColour
 #include "18_sky_from_tables.frag"
@@ -22,7 +23,7 @@ vec3 answer()
         return tableSunlight(sun);
     if (iTime < 3.0)
         return tableAmbient(sun);
-    if (iTime < 4.0) // how much longer to expose, and how bright the sky is, with the sun's sine from -0.3 on
+    if (iTime < 4.0) // the extra exposure and the sky's brightness, for the sine of the sun's height from -0.3 on
         return exp2(vec3(0.0, hourStops(-0.3 + 1.3 * s), skyBrightness(-0.3 + 1.3 * s)));
     if (iTime < 5.0) { // the sun 20 degrees high, at a distance in radii from 0 to 14, above it
         vec3 at = vec3(cos(radians(20.0)), sin(radians(20.0)), 0.0);
@@ -30,7 +31,7 @@ vec3 answer()
         float x = 14.0 * s * s, angle = x * iMouse.x;
         return tableSun(halo, normalize(at * cos(angle) + up * sin(angle)), at, iMouse.x);
     }
-    // How much goes into all directions, by the cosine.
+    // The total into all directions, integrated over the cosine.
     float c = 2.0 * s - 1.0;
     return vec3(1.0 + c, phaseAir(c), phaseDust(c));
 }

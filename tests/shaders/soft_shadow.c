@@ -1,5 +1,5 @@
-// soft_shadow.c - shaders/soft_shadow.glsl: what is seen of a lamp with a size, against brute
-// force in double precision; the bounds of one march; the mean of many rays.
+// soft_shadow.c - shaders/soft_shadow.glsl: the visible share of a lamp of finite size, compared
+// with brute force in double precision; the bounds from one march; the mean of many rays.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/random.h"
@@ -9,11 +9,11 @@
 
 enum { EDGE, DISC, BALL, EDGE_IN_SPACE, POINT, DIRECTION, RAYS, CLEARANCE };
 
-// A square grid of 800 x 800 places counts a disc's part to about 4e-5.
+// A square grid of 800 x 800 points measures a part of a disc to about 4e-5.
 enum { GRID = 800 };
 static const double closed_form = 1e-4;
 
-// A direction that no line of the grid has.
+// A direction that is not parallel to any line of the grid.
 #define SLANT_X 0.5403023058681398
 #define SLANT_Y 0.8414709848078965
 
@@ -105,7 +105,7 @@ static double worst_ball(float spread)
     return worst;
 }
 
-// The header's promise is 0.1 spread^2, and the grid's own error.
+// The header promises 0.1 spread^2; the grid adds its own error.
 TEST(a_ball_hides_nearly_a_disc)
 {
     static const float spreads[] = {0.0047f, 0.04f, 0.1f};
@@ -152,7 +152,7 @@ TEST(an_edge_in_space_is_a_line_on_the_disc)
 
 // ---- Rays ----
 
-// Cells of one area stay so: the disc is cut into rings of one area and into sectors.
+// Cells of equal area remain so: the disc is cut into rings of equal area and into sectors.
 TEST(equal_areas_go_to_equal_areas)
 {
     const float none[4] = {0.0f};
@@ -168,7 +168,7 @@ TEST(equal_areas_go_to_equal_areas)
 }
 
 // The first six lamps lie on the axes of space, where the frame around the direction needs its
-// guard.
+// special case.
 TEST(a_ray_goes_to_its_place_on_the_lamp)
 {
     const float numbers[4] = {0.2f};
@@ -176,14 +176,14 @@ TEST(a_ray_goes_to_its_place_on_the_lamp)
     for (int i = 0; i < 256; i++) {
         const float *v = values + 4 * i;
         assert_true(fabs((double)v[0] - 1.0) < 1e-6);
-        // Its points lie half the radius from the middle.
+        // Its points are half the radius from the centre.
         assert_true(fabs((double)v[2] / (double)v[1] - 0.1) < 1e-5);
     }
     free(values);
 }
 
-// 16,384 points with rays of their own: their mean is the share that is seen, within three of its
-// own standard errors. The threshold makes the ball larger by 1e-5.
+// 16,384 points with their own rays: their mean is the visible share, within three of its own
+// standard errors. The threshold makes the ball larger by 1e-5.
 TEST(the_mean_of_the_rays_is_what_is_seen)
 {
     enum { SIDE = 128, POINTS = SIDE * SIDE };
@@ -225,7 +225,7 @@ TEST(the_clearance_lies_between_its_bounds)
     print_message("# most / least up to %.2f\n", widest);
 }
 
-// The same by the march in double, for obstacles of three kinds.
+// The same from the march in double precision, for obstacles of three kinds.
 TEST(the_bounds_hold_for_sheet_and_bar_too)
 {
     for (int obstacle = 0; obstacle < SHADOW_OBSTACLES; obstacle++)
@@ -239,7 +239,7 @@ TEST(the_bounds_hold_for_sheet_and_bar_too)
         }
 }
 
-// The table of the page: build/tests/measure shadows prints it.
+// The table of the page, which build/tests/measure shadows prints.
 TEST(one_march_is_too_dark)
 {
     for (int i = 0; i < SHADOW_OBSTACLES; i++) {
@@ -255,7 +255,7 @@ TEST(one_march_is_too_dark)
         assert_true(error[SHADOW_TWICE].mean_size < error[SHADOW_HARD].mean_size - 0.01);
         assert_true(error[SHADOW_SIGNED].mean_size < 0.03);
         if (obstacle == SHADOW_SHEET) {
-            // By integration 1 / (3 pi) and 1 / 8.
+            // From integration, 1 / (3 pi) and 1 / 8.
             assert_true(fabs(error[SHADOW_HARD].mean_size - 1.0 / (3.0 * MIRROR_PI)) < 0.001);
             assert_true(fabs(error[SHADOW_MOST].mean_size - 0.125) < 0.002);
         }

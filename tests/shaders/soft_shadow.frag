@@ -1,7 +1,6 @@
 #version 330 core
 // For soft_shadow.c: the functions of soft_shadow.glsl.
-//
-// Time chooses the function, iMouse holds four numbers for it; x is the pixel's number.
+// Time selects the function, iMouse contains four numbers for it; x is the pixel's coordinate.
 
 in float Time;
 out vec4 FragColor;
@@ -11,7 +10,7 @@ out vec4 FragColor;
 #include "soft_shadow.glsl"
 #include "primitives.glsl"
 
-// The ball that stands before the lamp.
+// The ball in front of the lamp.
 vec4 ball;
 
 float sceneDistance(vec3 p)
@@ -21,7 +20,7 @@ float sceneDistance(vec3 p)
 
 const vec3 TO_LIGHT = vec3(0.48, 0.6, -0.64);
 
-// A ball whose edge passes the lamp's middle by so many of its radii.
+// A ball whose edge passes the lamp's centre at so many of the lamp's radii.
 //   iMouse: spread, radius, distance
 vec4 ballAt(float clear)
 {
@@ -47,7 +46,7 @@ void main()
         ball = ballAt(clear);
         FragColor = vec4(ball.xyz, lampBesideBall(vec3(0.0), TO_LIGHT, iMouse.x, ball.xyz, ball.w));
     } else if (function == 3) {
-        // An edge at the distance 3 that passes the lamp's middle at iMouse.y of its radii, slanting.
+        // A slanting edge at the distance 3 that passes the lamp's centre at iMouse.y of its radii.
         vec3 aside = normalize(cross(TO_LIGHT, vec3(0.0, 1.0, 0.0)));
         vec3 across = cross(TO_LIGHT, aside);
         vec3 onEdge = 3.0 * (TO_LIGHT - iMouse.y * iMouse.x * aside) + 0.7 * across;
@@ -59,7 +58,7 @@ void main()
     } else if (function == 5) {
         float turn = 0.1 * number, height = sin(7.0 * number);
         vec3 toLight = vec3(sqrt(1.0 - height * height) * vec2(cos(turn), sin(turn)), height).xzy;
-        if (number < 6.0) { // along an axis of space, both ways
+        if (number < 6.0) { // along an axis of space, in both directions
             toLight = vec3(0.0);
             toLight[int(number) % 3] = number < 3.0 ? 1.0 : -1.0;
         }
@@ -67,12 +66,12 @@ void main()
         vec3 direction = lampDirection(toLight, iMouse.x, point);
         FragColor = vec4(length(direction), dot(direction, toLight), length(cross(direction, toLight)), 0.0);
     } else if (function == 6) {
-        // Every pixel has lots of its own: iMouse.w rays each way.
+        // Every pixel has its own random numbers: iMouse.w rays per side.
         ball = ballAt(0.3);
         Ray ray = Ray(vec3(0.0), TO_LIGHT);
         FragColor = vec4(lampReaching(ray, 9.0, iMouse.x, int(iMouse.w), 1e-5, 256, 0), ball.xyz);
     } else {
-        // Both clearances, from starts that differ.
+        // Both clearances, from different starts.
         float clear = 0.02 + 0.02 * number;
         ball = ballAt(clear);
         Ray ray = Ray(vec3(0.0), TO_LIGHT);

@@ -1,6 +1,5 @@
-// solids.c - the solids of shaders/solids.glsl that have formulas of their own, as the GPU
-// computes them, against the nearest point of the surface. What the surface is comes from its
-// description alone.
+// solids.c - the solids of shaders/solids.glsl that have their own formulas, on the GPU, compared
+// with the nearest point of the surface. The surface comes only from its description.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/solid.h"
@@ -63,7 +62,7 @@ static bool in_hexagon(const struct solid *solid, struct d3 p)
     return inside;
 }
 
-// Six sides; of each base three rhombi, from the middle to three corners in a row.
+// Six sides; in each base three rhombi, from the centre to three consecutive corners.
 TEST(test_hexagonal_prism)
 {
     struct solid solid = {.name = "prism", .function = HEX_PRISM, .number = {0.6f, 0.8f}};
@@ -84,7 +83,7 @@ TEST(test_hexagonal_prism)
     solid_check(&solid);
 }
 
-// The segment is the surface, its stroke the rod.
+// The segment is the surface, and its stroke is the rod.
 TEST(test_capsule)
 {
     struct solid solid = {.name = "capsule", .function = CAPSULE, .number = {0.35f}};
@@ -97,7 +96,7 @@ TEST(test_capsule)
     solid_check(&solid);
 }
 
-// ---- What is the same ----
+// ---- Solids that must be equal ----
 
 static void assert_same(struct solid a, struct solid b, double tolerance)
 {

@@ -1,8 +1,7 @@
 #version 330 core
 // For solids.c: extrusions, revolutions and the solids of shaders/solids.glsl, at random points.
-//
-// Each item takes 2 pixels of a row: a point and its distance, and another point, near or far, and its.
-// Time chooses the function; iMouse holds its numbers.
+// Each item takes 2 pixels of a row: a point and its distance, and another point, near or far, and its distance. Time
+// selects the function; iMouse contains its numbers.
 
 in float Time;
 out vec4 FragColor;
@@ -13,27 +12,27 @@ out vec4 FragColor;
 
 uniform vec4 iMouse;
 
-// A disc of radius 1, its centre at iMouse.x from the axis.
+// A disc of radius 1 whose centre is iMouse.x from the axis.
 float disc(vec2 q)
 {
     return sdCircle(q - vec2(iMouse.x, 0.0), 1.0);
 }
 
-// A rectangle, turned by iMouse.z.
+// A rectangle, rotated by iMouse.z.
 float rectangle(vec2 q)
 {
     float c = cos(iMouse.z), s = sin(iMouse.z);
     return sdRectangle(vec2(c * q.x + s * q.y, c * q.y - s * q.x), iMouse.xy);
 }
 
-// An L: two rectangles, its corner at the origin.
+// An L: two rectangles, with its corner at the origin.
 float elbow(vec2 q)
 {
     float foot = sdRectangle(q - vec2(0.3, -0.15), vec2(0.6, 0.15));
     return min(foot, sdRectangle(q - vec2(-0.15, 0.3), vec2(0.15, 0.6)));
 }
 
-// A bowl: a broken line from the axis outwards and upwards, its stroke iMouse.x to both sides.
+// A bowl: a polyline from the axis outwards and upwards, with a stroke of iMouse.x to both sides.
 float bowl(vec2 q)
 {
     float floorLine = sdSegment(q, vec2(0.0, -0.7), vec2(0.4, -0.7));
@@ -41,8 +40,7 @@ float bowl(vec2 q)
     return min(floorLine, wall) - iMouse.x;
 }
 
-// A square of half side 0.5, extruded, turned by iMouse.x and made smaller by iMouse.y for each unit of height
-// from 0 to 2.
+// A square of half side 0.5, extruded, rotated by iMouse.x and shrunk by iMouse.y for each unit of height from 0 to 2.
 float twisted(vec3 p)
 {
     float y = clamp(p.y, 0.0, 2.0), size = 1.0 - iMouse.y * y;
@@ -70,8 +68,8 @@ float asked(vec3 p)
     }
 }
 
-// Of every eight points: five in a cube around the solid, one far, one near the axis, one on it. The first
-// of a disc: at the height iMouse.z of the axis.
+// Of every eight points, five are in a cube around the solid, one is far away, one near the axis, and one on it. The
+// first point of a disc is at the height iMouse.z of the axis.
 vec3 point(int item)
 {
     if (item == 0 && int(Time) == 6)

@@ -1,5 +1,6 @@
-// spectrum.c - shaders/spectrum.glsl and prism.glsl: colours that sum to white, the least
-// deviation against rays traced through a prism, the plan of a ray that rises, the rainbow.
+// spectrum.c - shaders/spectrum.glsl and prism.glsl: colours that sum to white, the minimum
+// deviation compared with rays traced through a prism, the plan of a ray that rises, and the
+// rainbow.
 #include "lib/test.h"
 #include "lib/glass.h"
 #include "lib/gpu.h"
@@ -65,8 +66,8 @@ static double sellmeier(const double number[6], double wavelength)
     return sqrt(sum);
 }
 
-// Cauchy's two numbers for each glass: near enough between the lines F and C, 0.4861 and 0.6563,
-// and in all visible light off by what the page says.
+// Cauchy's two numbers for each glass: accurate enough between the lines F and C, 0.4861 and
+// 0.6563, and in all visible light off by what the page says.
 TEST(cauchy_is_near_sellmeier)
 {
     static const double crown[6] = {1.03961212,    0.231792344,  1.01046945,
@@ -94,7 +95,7 @@ TEST(cauchy_is_near_sellmeier)
 
 // ---- The prism ----
 
-// Trace a ray through two planes in space: how much it is turned; negative where nothing leaves.
+// Trace a ray through two planes in space: its deflection; negative if no ray leaves.
 //   entering  angle to the first normal, away from the edge; rise out of the plane across the edge
 static double traced(double apex, double index, double entering, double rise, struct d3 *left)
 {
@@ -133,7 +134,7 @@ TEST(a_ray_through_a_prism_leaves_as_is_said)
     assert_true(total > 500 && through > 1500);
 }
 
-// The least of many traced rays, for three prisms and the chapter's glass.
+// The minimum over many traced rays, for three prisms and the chapter's glass.
 TEST(the_least_deviation_is_symmetric)
 {
     static const double cases[][2] = {{60.0, 1.5}, {30.0, 1.5}, {60.0, 1.7283}, {45.0, 1.333}};
@@ -161,7 +162,8 @@ TEST(the_least_deviation_is_symmetric)
     free(values);
 }
 
-// A ray that rises: its plan obeys Snell's law with the other index, and it leaves with its rise.
+// A ray that rises: its plan obeys Snell's law with the modified index, and it leaves with the same
+// rise.
 TEST(the_plan_of_a_rising_ray_has_its_own_index)
 {
     const double apex = 60.0 * degree, rise = 0.3;
@@ -181,7 +183,8 @@ TEST(the_plan_of_a_rising_ray_has_its_own_index)
     free(values);
 }
 
-// Where a ray of one wavelength lands, traced in space, the beam is told to hold this wavelength.
+// At the point where a ray of one wavelength lands, traced in space, the beam contains this
+// wavelength.
 TEST(the_beam_has_the_colours_of_traced_rays)
 {
     const double apex = 60.0 * degree, rise = 0.14, radius = 0.32, narrow = 0.001;
@@ -193,7 +196,7 @@ TEST(the_beam_has_the_colours_of_traced_rays)
             struct d3 left = {0.0, 0.0, 0.0}, first = d3(-cos(0.5 * apex), 0.5, 0.0),
                       second = d3(cos(0.5 * apex), 0.5, 0.0);
             assert_true(traced(apex, index, entering, -asin(rise), &left) >= 0.0);
-            // Inside: from the middle of the first side to the second.
+            // Inside: from the midpoint of the first side to the second.
             struct d3 plan, inside;
             plan = d3_sub(d3_times(sin(entering), d3(0.5, cos(0.5 * apex), 0.0)),
                           d3_times(cos(entering), first));
@@ -216,7 +219,7 @@ TEST(the_beam_has_the_colours_of_traced_rays)
 
 // ---- The rainbow ----
 
-// A ray is mirrored once in a drop; where its turn is least, light crowds.
+// A ray is reflected once in a drop; where its deflection is smallest, light is concentrated.
 TEST(the_rainbow_is_at_42_degrees)
 {
     double red = glass_index(1.3240, 0.00310, 0.65), violet = glass_index(1.3240, 0.00310, 0.41);
@@ -232,7 +235,7 @@ TEST(the_rainbow_is_at_42_degrees)
     double outer = 180.0 - least[0] / degree, inner = 180.0 - least[1] / degree;
     print_message("# red at %.2f, violet at %.2f degrees\n", outer, inner);
     assert_true(fabs(outer - 42.4) < 0.3 && fabs(inner - 40.6) < 0.3);
-    // Mirrored twice: outside the first, in the other order.
+    // Reflected twice: outside the first, in reverse order.
     double second[2] = {10.0, 10.0};
     for (int k = 0; k < 2; k++)
         for (double b = 0.0; b < 1.0; b += 1e-5)

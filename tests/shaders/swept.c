@@ -1,6 +1,5 @@
-// swept.c - solids that shaders/solids.glsl makes of a figure of the plane, extruded or
-// turned, as the GPU computes them, against the nearest point of the surface. What the surface is
-// comes from its description alone.
+// swept.c - solids that shaders/solids.glsl makes by extruding or rotating a plane figure, on the
+// GPU, compared with the nearest point of the surface. The surface comes only from its description.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/solid.h"
@@ -13,7 +12,7 @@ static bool in_ring(const struct solid *solid, struct d3 p)
            fabs(p.y) < (double)solid->number[2];
 }
 
-// A figure with a hole, of which outside and inside are exact: so is the solid.
+// A figure with a hole that is exact outside and inside, and so is the solid.
 TEST(test_extruded_ring)
 {
     struct solid solid = {.name = "ring", .function = EXTRUDED_RING, .number = {0.8f, 0.3f, 0.5f}};
@@ -36,7 +35,8 @@ static bool in_elbow(const struct solid *solid, struct d3 p)
     return (foot || stem) && fabs(p.y) < (double)solid->number[0];
 }
 
-// A union of two rectangles: exact outside, inside a lower bound of the depth; so is the solid.
+// A union of two rectangles is exact outside and a lower bound of the depth inside, and so is the
+// solid.
 TEST(test_extruded_elbow)
 {
     struct solid solid = {.name = "elbow", .function = EXTRUDED_ELBOW, .number = {0.75f}};
@@ -59,8 +59,8 @@ TEST(test_extruded_elbow)
     assert_true(tally.least[0] < 0.8 && tally.least[1] > 0.999);
 }
 
-// An extrusion whose figure turns and shrinks on its way up is steeper than 1: by what the page
-// proves, with the farthest point of the figure, a corner.
+// An extrusion whose figure rotates and shrinks on its way up is steeper than 1, by the factor that
+// the page proves, with the farthest point of the figure, a corner.
 TEST(test_twisted_extrusions)
 {
     const float numbers[][2] = {{0.0f, 0.0f}, {0.0f, 0.3f}, {1.5f, 0.0f}, {3.0f, 0.3f}};
@@ -101,9 +101,9 @@ static struct tally check_disc(float centre, bool exact_outside, bool exact_insi
     return solid_check(&solid);
 }
 
-// A disc of radius 1, its centre at c. It keeps clear of the axis: exact. It crosses the axis, and
-// its larger part is drawn: exact outside, inside the part at x < 0 makes the rim too near. It is
-// symmetric: a ball. Its smaller part is drawn: the other way round.
+// A disc of radius 1 with its centre at c. If it keeps clear of the axis: exact. If it crosses the
+// axis and its larger part is drawn: exact outside, but inside the part at x < 0 makes the rim seem
+// too near. If it is symmetric: a ball. If its smaller part is drawn: the other way round.
 TEST(test_turned_discs)
 {
     struct tally apple, lemon;
@@ -124,7 +124,7 @@ static bool in_turned_rectangle(const struct solid *solid, struct d3 p)
            fabs(c * p.y - s * x) < (double)solid->number[1];
 }
 
-// With an offset, clear of the axis, at a slant: exact everywhere.
+// With an offset, clear of the axis and slanting: exact everywhere.
 TEST(test_turned_rectangle)
 {
     struct solid solid = {.name = "turned rectangle",
@@ -145,7 +145,7 @@ TEST(test_turned_rectangle)
     solid_check(&solid);
 }
 
-// A stroke that ends on the axis reaches across it, by its width; what is there has its mirror
+// A stroke that ends on the axis reaches across it, by its width; the part beyond has its mirror
 // image in the stroke: exact outside.
 TEST(test_turned_bowl)
 {
@@ -164,8 +164,8 @@ static bool in_filled(const struct solid *solid, struct d3 p)
     return hypot(p.x, p.z) < 2.0 * (double)solid->number[0] && fabs(p.y) < (double)solid->number[1];
 }
 
-// A rectangle whose side lies on the axis makes a cylinder; but inside it the side counts, which no
-// ray can see: on the axis the depth is 0.
+// A rectangle with a side on the axis makes a cylinder. But inside it, that side counts too,
+// although no ray can see it: on the axis the depth is 0.
 TEST(test_a_side_on_the_axis)
 {
     struct solid solid = {.name = "half a rectangle",
@@ -189,7 +189,7 @@ TEST(test_what_is_not_drawn_counts)
     } rows[] = {
         {-0.8f, 1.0f, 0.280625}, // the tip of the lemon is 0.4 away
         {0.8f, 0.0f, -0.2},      // the rim of the apple is 0.6 away
-        {-1.5f, 0.0f, 0.5},      // nothing is drawn at all
+        {-1.5f, 0.0f, 0.5},      // nothing is drawn
     };
     for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
         float *values = solid_call(

@@ -1,5 +1,5 @@
-// symmetry.c - shaders/symmetry.glsl as the GPU computes it, against closest points on
-// triangles, unions of 4^n tetrahedra and reflections, in double precision.
+// symmetry.c - shaders/symmetry.glsl on the GPU, compared with closest points on triangles, unions
+// of 4^n tetrahedra and reflections, in double precision.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -27,7 +27,7 @@ static double segment_distance(struct d3 p, struct d3 a, struct d3 b)
     return d3_length(d3_sub(p, d3_add(a, d3_times(t, along))));
 }
 
-// From p to a triangle: to its plane where p stands over it, else to the nearest edge.
+// From p to a triangle: to its plane if p projects into it, else to the nearest edge.
 static double triangle_distance(struct d3 p, const struct d3 v[3])
 {
     struct d3 normal = d3_unit(d3_cross(d3_sub(v[1], v[0]), d3_sub(v[2], v[0])));
@@ -59,8 +59,8 @@ static double brute_tetrahedron(struct d3 p, struct d3 centre, double size)
     return inside ? -nearest : nearest;
 }
 
-// The union of 4^levels tetrahedra, every one of them asked. They touch in points only, so that the
-// smallest of their signed distances is the union's, inside too.
+// The union of 4^levels tetrahedra, each of which is evaluated. They touch only in points, so the
+// smallest of their signed distances is that of the union, inside as well.
 static double brute_union(struct d3 p, struct d3 centre, double size, int levels)
 {
     if (levels == 0)
@@ -78,8 +78,8 @@ static double brute(int function, struct d3 p, int levels)
     return brute_union(p, d3(0.0, 0.0, 0.0), SIZE, function < SIERPINSKI_PLANES ? 0 : levels);
 }
 
-// A fold is three roundings of numbers no larger than |p| + 4 size, and folds pass on what
-// came before unmagnified; the tetrahedron at the end takes half a dozen.
+// A fold takes three roundings of numbers no larger than |p| + 4 size, and folds pass on earlier
+// errors without enlarging them; the tetrahedron at the end takes half a dozen.
 static double rounding(struct d3 p, int levels)
 {
     return (6.0 + 3.0 * levels) * MIRROR_FLOAT_ROUNDING * (d3_length(p) + 4.0 * SIZE);
@@ -105,7 +105,7 @@ static void check_point(int function, int levels, const float *slot, struct tall
     if (is_exact(function) || d <= 0.0)
         tally->worst = fmax(tally->worst, fabs(f - d) / slack);
     assert_true(d > 0.0 ? f >= d / 3.0 - slack && f <= d + slack : f <= slack);
-    if (d > 1000.0 * slack) { // a share of less would be rounding
+    if (d > 1000.0 * slack) { // a smaller share would be rounding
         tally->least = fmin(tally->least, f / d);
         tally->most = fmax(tally->most, f / d);
     }
@@ -147,7 +147,7 @@ TEST(test_pyramids_against_the_union)
 }
 
 // f and d have the same zeros: f is 0 on the faces of every tetrahedron of the union, and where f
-// is 0 the bound d / 3 <= f, which check_point asserts, leaves no d but 0.
+// is 0, the bound d / 3 <= f, which check_point asserts, leaves no d but 0.
 TEST(test_pyramids_vanish_on_the_surface)
 {
     for (int function = PLANES; function <= SIERPINSKI; function++)
@@ -167,7 +167,7 @@ TEST(test_pyramids_vanish_on_the_surface)
 }
 
 // A tetrahedron fills a third of its cube, and each level leaves half of the volume. The share of
-// random points that lie inside is off by its standard deviation, or two, or at most four.
+// random points that lie inside is off by a standard deviation or two, and by at most four.
 TEST(test_each_level_halves_the_volume)
 {
     for (int levels = 0; levels <= 6; levels++) {
@@ -240,7 +240,7 @@ TEST(test_fold_keeps_one_side)
     assert_true(moved > ITEMS / 10 && moved < ITEMS - ITEMS / 10);
 }
 
-// Three general reflections, each in the plane between the corner and another one. After one round
+// Three general reflections, each in the plane between the corner and another one. After one round,
 // the corner is the nearest of the four.
 TEST(test_three_folds_lead_to_the_corner)
 {
@@ -287,7 +287,8 @@ TEST(test_folds_are_1_lipschitz)
     }
 }
 
-// Behind the plane the fold with a normal of length k multiplies lengths across it by |1 - 2 k^2|.
+// Behind the plane, the fold with a normal of length k multiplies lengths perpendicular to it by |1
+// - 2 k^2|.
 TEST(test_another_length_stretches)
 {
     const float lengths[] = {0.70710678f, 1.0f, 1.3f, 1.41421356f};

@@ -1,7 +1,7 @@
 #version 330 core
 // For symmetry.c: folds, tetrahedra, pyramids and cones at random points and along random rays.
 //
-// Each item takes 4 pixels of a row. Time chooses the function; iMouse holds its numbers.
+// Each item takes 4 pixels of a row. Time selects the function; iMouse contains its numbers.
 
 in float Time;
 out vec4 FragColor;
@@ -22,7 +22,7 @@ float sceneDistance(vec3 p)
     return which == 1 ? sdPlane(p, vec3(0.0, 1.0, 0.0), 0.0) : sdSierpinskiPlanes(p, SIZE, 2);
 }
 
-// Not used here; the library's prototypes ask for nothing else.
+// Not used here, but the library declares them.
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0));
@@ -43,7 +43,7 @@ vec3 folded(vec3 p)
     return int(Time) == 10 ? opReflect(p, iMouse.xyz, iMouse.w) : foldToCorner(p, SIZE);
 }
 
-// Number 0 to 3 of the tetrahedron's corners.
+// One of the tetrahedron's corners, numbered 0 to 3.
 vec3 corner(int number)
 {
     return number == 0 ? vec3(1.0) : 2.0 * vec3(number == 1, number == 2, number == 3) - 1.0;
@@ -65,8 +65,9 @@ vec3 surfacePoint(int levels)
                             share.z * corner((first + 3) % 4));
 }
 
-// With iMouse.w = 2 points of the surface, with 3 evenly spread ones of the cube around the solid. Else, of every eight points: four in a cube around the solid, one far, one near a corner, one straight before
-// a corner, one in a plane of symmetry.
+// With iMouse.w = 2 points of the surface, with 3 uniformly distributed points of the cube around the solid. Otherwise,
+// of every eight points, four are in a cube around the solid, one is far away, one near a corner, one straight in front
+// of a corner, and one in a plane of symmetry.
 vec3 point(int item)
 {
     if (iMouse.w == 2.0 && Time < 10.0)
@@ -86,7 +87,7 @@ vec3 point(int item)
     return p;
 }
 
-// From a point of a cube to near the middle.
+// From a point of a cube to a point near the centre.
 Ray randomRay()
 {
     vec3 origin = 4.0 * nextVector();
@@ -110,7 +111,7 @@ void main()
         result[2] = vec4(folded(p), 0.0);
         result[3] = vec4(folded(q), 0.0);
     } else {
-        // iMouse: scene, threshold, spread, most steps; or the size of a tetrahedron
+        // iMouse: scene, threshold, spread, maximum number of steps; or the size of a tetrahedron
         Ray ray = randomRay();
         result[0] = vec4(ray.origin, pixelSpread());
         result[1] = vec4(ray.direction, march(ray, 0.0, 12.0, iMouse.y, int(iMouse.w)).t);

@@ -27,7 +27,7 @@ static float *draw_expression(const char *samplers, const char *expression, int 
     return values;
 }
 
-// A red of all bytes, from 0 on the left to 255.
+// A red ramp of all byte values, from 0 on the left to 255.
 static void write_ramp(void)
 {
     const struct png_kind kind = {.type = PNG_COLOR_TYPE_GRAY, .depth = 8};
@@ -59,7 +59,7 @@ TEST(colours_are_decoded_and_numbers_are_not)
         fail_msg("decoded sRGB is off by %g", worst);
 }
 
-// Two by two texels, whose red tells left from right and green bottom from top; then the same with
+// Two by two texels, where red tells left from right and green bottom from top; then the same with
 // blue for the slices of a volume.
 TEST(pictures_are_upright)
 {
@@ -116,7 +116,7 @@ TEST(edges_repeat_or_go_on)
     }
 }
 
-// At the middle of a level's texel, its own value: asked for by number, and by the footprint.
+// At the centre of a level's texel, its own value: requested by number, and by the footprint.
 TEST(the_level_is_the_one_asked_for)
 {
     struct texture_image image;
@@ -147,7 +147,7 @@ TEST(the_level_is_the_one_asked_for)
     texture_image_free(&image);
 }
 
-// More samplers than any driver has units for: the first one is the harness's, and one that of
+// More samplers than any driver has units for; the harness uses the first unit, and one for
 // letters.
 TEST(too_many_are_refused)
 {
@@ -168,7 +168,7 @@ TEST(too_many_are_refused)
     assert_int_equal(line_count(said), 1);
 }
 
-// A picture that cannot be read leaves the shader before, with its textures.
+// A picture that cannot be read leaves the previous shader in place, with its textures.
 TEST(a_broken_one_keeps_the_last_good)
 {
     write_ramp();
@@ -187,8 +187,8 @@ TEST(a_broken_one_keeps_the_last_good)
     free(after);
 }
 
-// A sampler in a structure, which the warning says is 0, never reads what is being drawn: the third
-// picture goes to the target that the second one left bound.
+// A sampler in a structure, which the warning says is 0, never reads the target that is being
+// drawn: the third picture goes to the target that the second one left bound.
 TEST(what_nothing_sets_reads_black)
 {
     struct renderer_inputs inputs = {.width = 4, .height = 2, .samples = 1};

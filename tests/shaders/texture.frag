@@ -1,6 +1,5 @@
 #version 330 core
-// For texturing.c: the functions of texture.glsl that look nothing up, at random places.
-//
+// For texturing.c: the functions of texture.glsl that look nothing up, at random points.
 // Each item takes 8 pixels of a row. iMouse.x is the sharpness.
 
 out vec4 FragColor;

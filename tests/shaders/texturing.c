@@ -1,6 +1,6 @@
-// texturing.c - shaders/texture.glsl: weights add up to 1, a footprint is what neighbouring
-// rays cover, a bump is the normal of a surface that is really raised, a picture's heights have the
-// slope of their differences.
+// texturing.c - shaders/texture.glsl: weights add up to 1, a footprint is the area that
+// neighbouring rays cover, a bump is the normal of a surface that is really raised, and a picture's
+// heights have the slope of their differences.
 #include "lib/test.h"
 #include "picture/image.h"
 #include "lib/gpu.h"
@@ -11,7 +11,7 @@
 enum { NORMAL, DIRECTION, GRADIENT, WEIGHTS, TWO, ACROSS, ALONG, BUMPED, SLOTS };
 enum { WIDE = 128, ROWS = 64, ITEMS = WIDE * ROWS };
 
-// A vector of one item: what slot holds.
+// A vector of one item: the contents of slot.
 static struct d3 of(const float *values, int item, int slot)
 {
     return d3_of(values + 4 * (item * SLOTS + slot));
@@ -56,7 +56,7 @@ TEST(test_weights_add_up_to_1)
     }
 }
 
-// Where a ray that is parallel to the axis of the pixel, moved aside, meets the surface's plane.
+// Where a ray that is parallel to the axis of the pixel, moved sideways, meets the surface's plane.
 static struct d3 meets_plane(struct d3 aside, struct d3 direction, struct d3 normal)
 {
     return d3_sub(aside, d3_times(d3_dot(aside, normal) / d3_dot(direction, normal), direction));
@@ -73,7 +73,7 @@ TEST(test_a_footprint_is_the_ellipse_of_a_ray)
         struct d3 across = of(values, i, ACROSS), along = of(values, i, ALONG);
         double sine = fabs(d3_dot(n, d));
         assert_true(fabs(d3_dot(across, n)) < 1e-8 && fabs(d3_dot(along, n)) < 2e-7);
-        // Straight on it is round; nearly along the surface it stops at 16 times the width.
+        // Seen perpendicularly, it is round; at a grazing angle, it stops at 16 times the width.
         assert_true(fabs(d3_length(across) - 0.01) < 1e-8);
         assert_true(sine < 0.999999 || fabs(d3_length(along) - 0.01) < 2e-8);
         if (sine < 0.0624) {
@@ -119,15 +119,15 @@ TEST(test_a_bump_is_a_raised_surface)
 
 enum { PLACES = 64, SIDE = 512 };
 
-// A picture's height at a texel, 0,0 bottom left, whole turns left out.
+// A picture's height at a texel, 0,0 bottom left, with wrap-around.
 static double height_of(const struct image_bytes *image, int x, int y)
 {
     x %= SIDE, y %= SIDE;
     return image->value[3 * (SIDE * (SIDE - 1 - y) + x)] / 255.0;
 }
 
-// The height at a texel's middle is the texel; its gradient in space is the difference to the next
-// ones, along the two axes of space on which the picture lies.
+// The height at a texel's centre is that texel; its gradient in space is the difference to the next
+// ones, along the two axes of space that span the picture.
 static void check_heights(const struct image_bytes *image, int axis, int reach)
 {
     const float numbers[4] = {(float)reach};

@@ -29,7 +29,7 @@ static float *ask(int function, float a, float b, float c)
 
 // ---- Isometries ----
 
-// The distance to a box given by its middle, its axes and half sizes, from its closest point.
+// The distance to a box given by its centre, its axes and half sizes, from its closest point.
 static double brute_turned_box(struct d3 p, const struct m3 *axes)
 {
     struct d3 from = d3_sub(p, shift), closest = shift;
@@ -89,7 +89,7 @@ TEST(test_rotations_are_orthonormal)
     free(x);
 }
 
-// The rotation by angles in degrees, as the library has it.
+// The rotation by angles in degrees, as the library defines it.
 static struct m3 turned(double a, double b, double c)
 {
     double k = MIRROR_PI / 180.0;
@@ -99,7 +99,7 @@ static struct m3 turned(double a, double b, double c)
     return matrix;
 }
 
-// The angle of the rotation that is left when the report's 'inverse' follows the rotation.
+// The angle of the remaining rotation if the report's 'inverse' follows the rotation.
 static double residual(double a, double b, double c)
 {
     double trace = 0.0;
@@ -111,7 +111,7 @@ static double residual(double a, double b, double c)
     return acos(fmax(-1.0, fmin(1.0, 0.5 * (trace - 1.0)))) * 180.0 / MIRROR_PI;
 }
 
-// The same for small angles, by docs/05_transforms.md: products of two.
+// The same for small angles, from docs/05_transforms.md: products of two.
 static double estimated(double a, double b, double c)
 {
     return sqrt(b * c * b * c + a * c * a * c + a * b * a * b) * MIRROR_PI / 180.0;
@@ -128,9 +128,9 @@ TEST(test_negated_angles_are_no_inverse)
                   small, estimate, estimated(30.0, 40.0, 20.0));
     assert_true(fabs(small / estimate - 1.0) < 0.05);
     assert_true(fabs(estimated(30.0, 40.0, 20.0) - 27.3) < 0.05);
-    // The angle of a cosine that is 1 but for a float's rounding.
+    // The angle of a cosine that is 1 up to a float's rounding.
     assert_true(residual(30.0, 0.0, 0.0) < 0.05 && residual(0.0, 0.0, -70.0) < 0.05);
-    // The printed matrix: a term of row 1, column 2 is missing.
+    // The printed matrix: a term in row 1, column 2 is missing.
     double k = MIRROR_PI / 180.0;
     struct m3 printed = turned(30.0, 40.0, 20.0);
     double missing = -cos(30.0 * k) * sin(20.0 * k);
@@ -221,7 +221,7 @@ TEST(test_largest_stretch_agrees_with_squaring)
 
 // ---- The torus ----
 
-// The nearest point of the middle circle, by search: its distance less the tube.
+// The nearest point of the centre circle, by a search: its distance minus the radius of the tube.
 static double brute_torus(struct d3 p, double radius, double tube)
 {
     double best = INFINITY, at = 0.0, width = 0.1;

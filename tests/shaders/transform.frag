@@ -1,7 +1,7 @@
 #version 330 core
 // For transform.c and deformation.c: the functions of transform.glsl at random points.
 //
-// Each item takes 4 pixels of a row. Time chooses the function; iMouse holds its numbers.
+// Each item takes 4 pixels of a row. Time selects the function; iMouse contains its numbers.
 
 in float Time;
 out vec4 FragColor;
@@ -27,7 +27,7 @@ mat3 randomMatrix()
     return mat3(a, b, nextVector());
 }
 
-// What the function asked for says at p.
+// The values of the selected function at p.
 float asked(int which, vec3 p)
 {
     if (which == 0)

@@ -1,7 +1,6 @@
 #version 330 core
-// For numeric.c: the library's functions of a number or of a place on the screen.
-//
-// Time chooses the function; x is the pixel's number.
+// For numeric.c: the library's functions of a number or of a position on the screen.
+// Time selects the function; x is the pixel's coordinate.
 
 in float Time;
 in vec2 FragCoord;
@@ -16,7 +15,7 @@ out vec4 FragColor;
 #include "lighting.glsl"
 #include "ramp.glsl"
 
-// Nothing here marches, but the library asks for a scene.
+// Nothing here marches, but the library requires a scene.
 float sceneDistance(vec3 p)
 {
     return length(p);
@@ -45,11 +44,11 @@ void main()
         float facing = number / 1023.0;
         FragColor = vec4(facing, schlickShare(facing, 0.02), schlickShare(facing, 0.04), 0.0);
     } else if (Time < 7.0) {
-        // The ends of two intervals are four digits of the number, base 5.
+        // The ends of two intervals are four digits of the number in base 5.
         vec4 ends = mod(floor(number / vec4(1.0, 5.0, 25.0, 125.0)), 5.0);
         FragColor = vec4(intervalUnion(ends.xy, ends.zw), 0.0, 0.0);
     } else {
-        // A row has its width, 0 to 0.5; its places run through three periods.
+        // A row has its width, 0 to 0.5; its positions run through three periods.
         float x = mod(number, 1024.0) / 341.0 - 1.0, width = floor(gl_FragCoord.y) / 30.0;
         FragColor = vec4(x, width, stripes(x, 0.5, width), coverage(x, width));
     }

@@ -1,8 +1,8 @@
-// wheel.c - chapter 04's wheel, which folds space, against twelve solids that nobody folds.
+// wheel.c - chapter 04's wheel, which folds space, compared with twelve solids without a fold.
 #include "lib/test.h"
 #include "lib/chapter.h"
 
-// Solid number i of the wheel, a ball or a die, at 30 i degrees.
+// Solid i of the wheel, a ball or a die, at 30 i degrees.
 static double solid(struct d3 p, int i)
 {
     double angle = 30.0 * i * MIRROR_PI / 180.0, c = cos(angle), s = sin(angle);
@@ -13,7 +13,7 @@ static double solid(struct d3 p, int i)
     return fmax(faces, mirror_sphere(q, 0.45));
 }
 
-// Half a unit above the stage, and across all of it; a distance is at most 4 here.
+// Half a unit above the stage, and over all of it; a distance is at most 4 here.
 TEST(test_folding_finds_the_nearest_of_twelve_solids)
 {
     float *values = chapter_numbers(

@@ -1,12 +1,12 @@
 // compare [--words | --part WxH+X+Y] A.png B.png [DIFFERENCE.png] - are two pictures the same one?
 // With --part that part of both, X and Y from the top left.
-// compare --pack A.png B.png - store A as B, in as few bytes as libpng can. A file B that already
-// has these pixels is left as it is.
+// compare --pack A.png B.png - store A as B, in as few bytes as libpng can write. A file B that
+// already has these pixels is left as it is.
 //
 // Prints the two numbers that decide, the largest difference, how many pixels differ at all, and
-// the place that differs most, in pixels as --probe counts them; with --words a sentence for a
+// the position that differs most, in pixels as --probe counts them; with --words a sentence for a
 // student. Exit status: 0 within tolerance (--pack: stored), 1 outside (--pack: B was left as it
-// is), 2 when it could not compare or store.
+// is), 2 if it could not compare or store.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,7 @@
 
 enum { SAME = 0, DIFFERENT = 1, NOT_COMPARED = 2 };
 
-// Cut a picture down to the part that is asked for, where any is. Returns false, reported.
+// Crop a picture to the requested part, if there is one. Returns false, reported.
 static bool cut(struct image *image, const char *text)
 {
     int width, height, left, top;
@@ -61,8 +61,8 @@ static int compare(const struct image *a, const struct image *b, bool words, con
     return image_same(&difference) ? SAME : DIFFERENT;
 }
 
-// The best compression and, for each row, the filter that suits it: 26 % fewer bytes than
-// image_write_png, in many times its time.
+// The best compression and, for each row, the best filter: 26 % fewer bytes than image_write_png,
+// but many times as slow.
 static bool encode(const struct image *image, FILE *stream)
 {
     png_struct *png = png_create_write_struct(PNG_LIBPNG_VER_STRING, NULL, NULL, NULL);

@@ -21,8 +21,8 @@
 
 enum { WORDS = 64, LINE = 4096 };
 
-// The line of a picture in tests/pictures/images.txt, its stem and its options cut into words of
-// it.
+// The line of a picture in tests/pictures/images.txt, with its stem and its options split into
+// words.
 struct listed {
     char line[LINE], stem[LINE];
     char *word[WORDS]; // a command line, NULL at its end
@@ -49,7 +49,7 @@ static bool read_line(struct listed *listed, const char *name)
     return true;
 }
 
-// Find a picture. The command line begins as that of a program that writes it.
+// Find a picture. The command line begins like that of a program that writes it.
 static bool find_picture(struct listed *listed, const char *name, char *output)
 {
     FILE *file = fopen("tests/pictures/images.txt", "r");
@@ -66,7 +66,7 @@ static bool find_picture(struct listed *listed, const char *name, char *output)
     return found || report("tests/pictures/images.txt: has no %s", name);
 }
 
-// In the project's folder, as the options name their files.
+// In the project's folder, because the options give paths relative to it.
 static bool draw(const struct context *context, struct run *run, struct image *image)
 {
     struct renderer *renderer = &run->picture[0].renderer;

@@ -1,4 +1,4 @@
-// fuzz.c - libFuzzer's door to the checks of fuzz.h; built by `make fuzz` alone.
+// fuzz.c - the entry point of libFuzzer for the checks of fuzz.h; built only by `make fuzz`.
 //
 // Environment: FUZZ, the name of the target.
 #include <stdio.h>
@@ -10,7 +10,7 @@
 
 static const struct fuzz_target *target;
 
-// The two names and their types are libFuzzer's.
+// libFuzzer requires these two names and types.
 int LLVMFuzzerInitialize(int *argc, char ***argv);
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 
@@ -25,7 +25,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
         fprintf(stderr, "FUZZ='%s': no such target\n", name != NULL ? name : "");
         exit(2);
     }
-    scratch_make(); // fuzz.sh removes it, for libFuzzer leaves without atexit
+    scratch_make(); // fuzz.sh removes it, because libFuzzer exits without atexit
     return 0;
 }
 

@@ -5,7 +5,7 @@
 //   judge ray PROBE                    a march in words, from such a file
 //   judge right SHARE...               the sentence for a right answer, of its pictures' shares
 //
-// Exit status: 0 right, 1 wrong, 2 when it could not judge.
+// Exit status: 0 right, 1 wrong, 2 if it could not judge.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -31,7 +31,7 @@ static int judge_files(const char *with, char **path)
     int status = NOT_JUDGED;
     if (image_read_png(&right, path[0]) && image_read_png(&mine, path[1])) {
         if (right.width != mine.width || right.height != mine.height)
-            report("%s: is no picture of %dx%d", path[1], right.width, right.height);
+            report("%s: is not a picture of %dx%d", path[1], right.width, right.height);
         else if (image_create(&shown, right.width, right.height)) {
             const char *words = judge_picture(with, right.width, right.height, right.pixel,
                                               mine.pixel, shown.pixel);

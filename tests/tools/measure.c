@@ -118,7 +118,7 @@ static void print_bound_row(const char *stem, const char *rays, const struct bou
            sum->lipschitz);
 }
 
-// Rays from height 1: under an angle towards a plane, beside it (0), or away from it.
+// Rays from height 1: at an angle towards a plane, beside it (0), or away from it.
 static void print_bound_planes(void)
 {
     static const double angles[] = {60.0, 45.0, 30.0, 10.0, 5.0, 0.0, -5.0, -10.0, -30.0, -60.0};
@@ -154,7 +154,7 @@ static void print_shadow_row(const char *scene, const char *formula,
     printf("%s,%s,%.3f,%.3f,%.3f\n", scene, formula, error->mean, error->mean_size, error->worst);
 }
 
-// The wall of the page's worked point: its edge stands 0.4 over the floor and 0.43 away.
+// The wall of the page's worked point: its edge is 0.4 above the floor and 0.43 away.
 static bool wall_blocks(struct d3 direction, const void *unused)
 {
     (void)unused;
@@ -194,7 +194,7 @@ static int print_shadows(void)
     return 0;
 }
 
-// The share of the light that each highlight sends back, by the angle to the eye and over all
+// The share of the light that each highlight sends back, for each angle to the eye and over all
 // angles.
 static int print_gloss(void)
 {
@@ -218,7 +218,8 @@ static int print_gloss(void)
     return 0;
 }
 
-// Each way to colour a pixel of squares against the mean of 64 x 64 samples of that pixel.
+// Each method of colouring a pixel of squares, compared with the mean of 64 x 64 samples of that
+// pixel.
 static int print_checkers(void)
 {
     static const char *const ways[] = {"middle of the pixel", "footprint of the ray", "fwidth"};
@@ -263,7 +264,7 @@ static int print_levels(void)
     return 0;
 }
 
-// The means of few samples against that of 256.
+// The means of a few samples, compared with that of 256.
 static int print_filters(void)
 {
     printf("# a fan of fine rays, 64 x 64 pixels: root mean square off 256 samples of the same "
@@ -337,7 +338,7 @@ int main(int argc, char **argv)
         return usage(stderr);
     if (!speed && !wanted->needs_gpu)
         return wanted->print();
-    // A cold start is one without the driver's own store of compiled shaders.
+    // A cold start is one without the driver's cache of compiled shaders.
     if (speed)
         platform_set("MESA_SHADER_CACHE_DISABLE", "true", true);
     int status = !gpu_open() ? 1 : speed ? speed_print(argc, argv) : wanted->print();

@@ -1,12 +1,12 @@
-// coarse_pass.c - the coarse pass in the renderer: every way to draw a picture reads one
-// table, to the bit, and it is there only where it is asked for.
+// coarse_pass.c - the coarse pass in the renderer: every way of drawing a picture reads one table,
+// to the last bit, and the table exists only where it is requested.
 #include "lib/test.h"
 #include "lib/coarse.h"
 #include "lib/scratch.h"
 
-// ---- One table for every way to draw ----
+// ---- One table for every way of drawing ----
 
-// A view of the wire in more than one tile, whose sides no block fills.
+// A view of the wire in more than one tile, whose sides are not multiples of a block.
 static struct renderer_inputs wide_inputs(int samples)
 {
     struct coarse_scene scene = coarse_wire(1.0, 0.11);
@@ -22,8 +22,8 @@ static size_t size_of(const struct renderer_inputs *inputs)
     return sizeof(float[4]) * (size_t)inputs->width * (size_t)inputs->height;
 }
 
-// Any bands, also such as begin within a block; the sharpened rows of a window, with another
-// picture drawn between them.
+// Any bands, including those that begin within a block; the sharpened rows of a window, with
+// another picture drawn between them.
 TEST(test_parts_of_a_picture_are_the_whole_to_the_bit)
 {
     for (int samples = 1; samples <= 2; samples++) {
@@ -50,7 +50,8 @@ TEST(test_parts_of_a_picture_are_the_whole_to_the_bit)
     }
 }
 
-// The probe begins where the picture does, and both are in the table, whatever was drawn between.
+// The probe begins where the picture does, and both are in the table, whatever was drawn in
+// between.
 TEST(test_a_probe_begins_where_the_picture_does)
 {
     static struct probe probe;
@@ -73,8 +74,9 @@ TEST(test_a_probe_begins_where_the_picture_does)
     free(picture);
 }
 
-// Samples stand within their pixel, so one table serves them all: more samples are the pixels of a
-// larger picture but for its smaller blocks, and no ray has met anything before.
+// Samples lie within their pixel, so one table serves them all. More samples are the pixels of a
+// larger picture, except for the smaller blocks of that picture, and no ray has met anything
+// before.
 TEST(test_samples_find_what_a_larger_picture_finds)
 {
     struct renderer_inputs small = wide_inputs(4), large = small;
@@ -95,7 +97,7 @@ TEST(test_samples_find_what_a_larger_picture_finds)
     assert_int_equal(differ, 0);
 }
 
-// A sample that moves its ray: the margin takes it in.
+// A sample that moves its ray: the margin includes the shift.
 TEST(test_rays_that_samples_move_lose_nothing)
 {
     struct renderer_inputs inputs = wide_inputs(3);
@@ -113,7 +115,7 @@ TEST(test_rays_that_samples_move_lose_nothing)
     assert_int_equal(differ, 0);
 }
 
-// ---- Only where it is asked for ----
+// ---- Only where it is requested ----
 
 TEST(test_there_is_no_pass_when_switched_off)
 {
@@ -136,14 +138,14 @@ TEST(test_a_shader_that_does_not_ask_gets_no_pass)
     assert_true(gpu_open());
     assert_true(gpu_load("chapters/03_shadows.frag"));
     free(gpu_numbers(&inputs));
-    // The file is there, but nothing calls coarseStart; nor need coarseMargin be there then.
+    // The file is included, but nothing calls coarseStart; then coarseMargin is not needed either.
     assert_true(
         gpu_load_text("#include \"main.glsl\"\n#include \"coarse.glsl\"\n"
                       "Ray pixelRay(vec2 s) { return Ray(vec3(s, 0.0), vec3(0.0, 0.0, 1.0)); }\n"
                       "float sceneDistance(vec3 p) { return 1.0; }\n"
                       "vec3 rayColour(Ray ray) { return vec3(0.5); }\n"));
     free(gpu_numbers(&inputs));
-    // A name of the author's own in a whole file.
+    // A name that belongs to the author, in a whole file.
     capture_begin();
     assert_true(gpu_load_text("#version 330 core\nuniform float iCoarse;\nout vec4 c;\n"
                               "void main() { c = vec4(iCoarse); }\n"));
@@ -153,7 +155,8 @@ TEST(test_a_shader_that_does_not_ask_gets_no_pass)
     assert_int_equal(gpu.renderer.program[SHADER_COARSE], 0);
 }
 
-// An error of the pass is found with the picture's, while the shader before is still there.
+// An error in the pass is found together with the picture's errors, while the previous shader is
+// still loaded.
 TEST(test_a_missing_margin_is_reported_at_once)
 {
     struct renderer_inputs inputs = wide_inputs(1);
@@ -171,7 +174,8 @@ TEST(test_a_missing_margin_is_reported_at_once)
     free(after);
 }
 
-// A driver that makes no float target of the table's size, which is asked for before the picture's.
+// A driver that cannot make a float target of the table's size, which is requested before the
+// picture's.
 static GLenum no_target(GLenum target)
 {
     return target == GL_FRAMEBUFFER ? GL_FRAMEBUFFER_UNSUPPORTED : 0;

@@ -1,5 +1,5 @@
-// context.c - common/context/context.c and its backends, without a window. What cannot be opened is
-// tried with the programs, in tests/command/failures.sh.
+// context.c - common/context/context.c and its backends, without a window.
+// tests/command/failures.sh uses the programs to try what cannot be opened.
 #include "lib/test.h"
 
 #include "context/context.h"
@@ -38,7 +38,7 @@ TEST(names_of_backends_are_known)
     assert_int_equal(backend, CONTEXT_OSMESA);
 }
 
-// What every open context must be: 3.3 core, with every function of the table, able to draw.
+// The properties of every open context: 3.3 core, with every function of the table, able to draw.
 static void assert_works(const struct context *context, const char *name)
 {
     GLint major = 0, minor = 0, profile = 0;
@@ -58,7 +58,7 @@ static void assert_works(const struct context *context, const char *name)
     assert_null(context->window);
 }
 
-// Clear a float target of our own to a colour and read it back.
+// Clear our own float target to a colour and read it back.
 static void assert_draws(const struct gl *gl, float value)
 {
     GLuint framebuffer = 0, texture = 0;

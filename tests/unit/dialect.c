@@ -1,5 +1,5 @@
-// dialect.c - the dialects of a shader file: which one a text is, what other people's need,
-// what is compiled of it and which views it has, and one clear line for each that cannot be a
+// dialect.c - the dialects of a shader file: which one a text is, what other people's shaders need,
+// what is compiled and which views they have, and one clear line for each text that cannot be a
 // picture.
 #include "lib/test.h"
 
@@ -15,7 +15,7 @@ static int set_up(void **state)
     return 0;
 }
 
-// Read a text as root/chapters/main.frag. Returns whether it can be; said is what was said.
+// Read a text as root/chapters/main.frag. Returns whether that succeeds; said is the report.
 static bool read_text(struct shader_source *source, const char *text, const char **said)
 {
     const char *path = scratch_write("root/chapters/main.frag", text);
@@ -43,7 +43,8 @@ static void assert_dialect(const char *text, enum shader_dialect dialect)
     shader_free(&source);
 }
 
-// A whole file with this text behind its #version is refused in one line that says this.
+// A whole file with this text behind its #version is refused with one line that contains these
+// words.
 static void assert_refused(const char *text, const char *words)
 {
     struct shader_source source;
@@ -85,7 +86,7 @@ IN_PROJECT(test_dialects)
                    DIALECT_COURSE);
 }
 
-// What the preprocessor leaves out decides nothing.
+// Text that the preprocessor leaves out decides nothing.
 IN_PROJECT(test_dialects_behind_conditions)
 {
     static const char toy[] = "void mainImage(out vec4 c, in vec2 p) {}\n";
@@ -121,7 +122,8 @@ IN_PROJECT(test_dialects_behind_conditions)
     }
 }
 
-// Shadertoy's pixel is that of the picture, whatever part is drawn, and its colour begins at 0.
+// Shadertoy's pixel is that of the whole picture, whichever part is drawn, and its colour begins at
+// 0.
 IN_PROJECT(test_shadertoy_s_words)
 {
     struct shader_source source;
@@ -135,7 +137,7 @@ IN_PROJECT(test_shadertoy_s_words)
     shader_free(&source);
 }
 
-// What only OpenGL ES knows does not reach the driver.
+// Features that only OpenGL ES knows do not reach the driver.
 IN_PROJECT(test_versions)
 {
     static const struct {
@@ -158,7 +160,7 @@ IN_PROJECT(test_versions)
     }
 }
 
-// The text for the driver, of a whole file, behind what is in front of it.
+// The text of a whole file for the driver, without the lines in front of it.
 static void assert_driver_gets(const char *text, const char *expected)
 {
     char whole[512];
@@ -193,7 +195,7 @@ IN_PROJECT(test_values_begin_at_zero)
                        "out vec4 c;\nvoid main() {c=vec4(0); if (x) c = vec4(1.0); }\n");
 }
 
-// Where a macro may say something else, a declaration stays as it is.
+// Where a macro may mean something else, a declaration stays as it is.
 IN_PROJECT(test_what_cannot_be_judged_is_left_alone)
 {
     static const char *const texts[] = {
@@ -243,7 +245,7 @@ IN_PROJECT(test_texts_without_sense)
     struct shader_source source;
     const char *said;
     assert_false(read_text(&source, "// nothing\n/* but\n */\n", &said));
-    assert_non_null(strstr(said, "main.frag: holds nothing but comments"));
+    assert_non_null(strstr(said, "main.frag: contains only comments"));
 }
 
 IN_PROJECT(test_inputs_and_textures)
@@ -266,7 +268,8 @@ IN_PROJECT(test_inputs_and_textures)
         "uniform sampler2D tex; out vec4 A; void main() { A = texture(tex, vec2(0)); }\n",
         "main.frag:2: tex has no picture: name it iChannel0");
     assert_dialect("#version 330 core\nuniform sampler2D tex; float k; " WRITES, DIALECT_WHOLE);
-    // A row where there is one picture, and one where there is a row: neither would be filled in.
+    // A row where there is one picture, and one picture where there is a row: neither would be
+    // filled in.
     assert_refused(
         "uniform sampler2D iChannel0[2]; out vec4 A; void main() { A = texture(iChannel0[1], "
         "vec2(0)); }\n",

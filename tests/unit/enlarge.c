@@ -1,5 +1,5 @@
-// enlarge.c - what enlarges a picture that was drawn at a lower resolution: against the
-// formulas in double precision, and against the pictures in full.
+// enlarge.c - the filters that enlarge a picture drawn at a lower resolution, compared with the
+// formulas in double precision and with the pictures in full resolution.
 #include "lib/test.h"
 #include "lib/enlarge.h"
 
@@ -23,7 +23,7 @@ static float *large(enum enlarge_filter filter)
     return enlarge_numbers(filter, &gpu.renderer.picture, WIDTH, HEIGHT);
 }
 
-// The place of a pixel in the small picture.
+// The position of a pixel in the small picture.
 static double place(int pixel, int side, int small)
 {
     return (pixel + 0.5) * small / side - 0.5;
@@ -49,7 +49,7 @@ TEST(even_pictures_stay_as_they_are)
         }
 }
 
-// Values are brought into [0, 1] before the mean: a lamp of 50 is no brighter than white.
+// Values are clamped to [0, 1] before the mean: a lamp of 50 is no brighter than white.
 TEST(values_are_brought_into_range)
 {
     draw_small("c = vec4(p.x < 19.5 ? 50.0 : -50.0);", SMALL_WIDTH, SMALL_HEIGHT);
@@ -61,7 +61,7 @@ TEST(values_are_brought_into_range)
     free(numbers);
 }
 
-// x and y both go the right way, and the picture's edges are held.
+// x and y both have the right direction, and the picture's edges are clamped.
 TEST(bilinear_is_linear_between_texels)
 {
     draw_small("c = vec4(p.x / 51.0, p.y / 51.0, p.x * p.y / 1275.0, 1.0);", SMALL_WIDTH,
@@ -77,7 +77,7 @@ TEST(bilinear_is_linear_between_texels)
     free(numbers);
 }
 
-// The copy follows the picture's size along either axis alone, to a larger and to a smaller one.
+// The copy follows the picture's size along each axis, to a larger and to a smaller one.
 TEST(a_picture_may_change_along_one_axis)
 {
     static const int sizes[][2] = {{40, 24}, {60, 24}, {60, 37}, {31, 37}, {31, 20}};
@@ -94,8 +94,9 @@ TEST(a_picture_may_change_along_one_axis)
     enlarge_close(&enlarge, &gpu.context.gl);
 }
 
-// A slanted edge from black to white, by any angle: no value beyond the 4 nearest texels, so no
-// ringing; and nearer to the edge itself than the bilinear filter.
+// A slanted edge from black to white, at any angle: no value lies outside the range of the 4
+// nearest texels, so there is no ringing; and the result is closer to the edge itself than that of
+// the bilinear filter.
 TEST(the_edge_filter_follows_an_edge)
 {
     for (int degrees = 7; degrees < 180; degrees += 13) {
@@ -135,8 +136,8 @@ TEST(the_edge_filter_follows_an_edge)
     }
 }
 
-// Half the resolution: on solids and shadows a tenth nearer to the full picture than bilinear, and
-// almost as near on textures.
+// At half the resolution, it is a tenth closer to the full picture than bilinear on solids and
+// shadows, and almost as close on textures.
 TEST(the_edge_filter_is_near_the_full_picture)
 {
     static const double most[ENLARGE_SCENES] = {0.95, 0.93, 1.04, 1.02, 1.01};

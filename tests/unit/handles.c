@@ -1,5 +1,5 @@
-// handles.c - handles: where they are in a picture, against projection in double precision, and
-// that they follow a pointer in every view.
+// handles.c - handles: their positions in a picture, compared with projection in double precision;
+// and they follow a pointer in every view.
 #include "lib/test.h"
 #include "picture/handles.h"
 #include "lib/gpu.h"
@@ -55,7 +55,7 @@ static bool project(const double p[3], bool parallel, double pixel[2])
     return along[2] > 0.0;
 }
 
-// The point of a handle, by its place in the shader's text.
+// The point of a handle, by its index in the shader's text.
 static void point_of(int i, const struct parameter *p, double point[3])
 {
     const double third[] = {0.0, p->value[1], p->value[2], p->value[2], p->value[2]};
@@ -81,7 +81,7 @@ TEST(a_handle_is_where_its_point_is)
     }
 }
 
-// It is brought below a far pixel; what its plane keeps is kept.
+// The handle is moved below a far pixel; the coordinate that its plane fixes is kept.
 TEST(a_handle_follows_a_pointer)
 {
     static const double to[][2] = {{220.0, 90.0}, {60.0, 80.0}, {160.0, 75.0}};

@@ -17,8 +17,8 @@
 
 enum { NOBODY = 65534, OPENS = 50 };
 
-// Replaces the system's write by one that takes at most write_most bytes. The parameters have the
-// names of Debian's header, or clang-tidy objects.
+// Replaces the system's write with one that accepts at most write_most bytes. The parameters have
+// the names of Debian's header, because clang-tidy objects otherwise.
 static size_t write_most = SIZE_MAX;
 
 ssize_t write(int __fd, const void *__buf, size_t __n)
@@ -209,7 +209,7 @@ IN_FOLDER(writing_leaves_no_file_open)
     for (int i = 0; i < OPENS; i++)
         assert_true(image_check_target(in->target) && image_write_png(&image, in->target));
     assert_int_equal(system_open_files(), before);
-    // A write that fails: the file grows beyond its limit.
+    // A write that fails because the file grows beyond its limit.
     struct rlimit limit, unlimited;
     assert_int_equal(getrlimit(RLIMIT_FSIZE, &unlimited), 0);
     limit = unlimited;
@@ -246,7 +246,7 @@ IN_FOLDER(a_full_disk_leaves_the_old_file)
     image_free(&new);
 }
 
-// In a child without root's rights, which no permission stops: the target must be refused.
+// In a child without root's rights, because no permission stops root: the target must be refused.
 static int refused_as_nobody(const struct picture_folder *in)
 {
     fflush(NULL);

@@ -24,8 +24,8 @@ TEST(identical_pictures_do_not_differ)
     image_free(&b);
 }
 
-// The numbers of one pixel that is off by 64 in green, in a full block and in the corner block,
-// which is 3x5 pixels where the size is 203x101 = (25 * 8 + 3) x (12 * 8 + 5).
+// The numbers for one pixel that is off by 64 in green, in a full block and in the corner block,
+// which is 3x5 pixels if the size is 203x101 = (25 * 8 + 3) x (12 * 8 + 5).
 TEST(one_pixel_counts_as_defined)
 {
     const double blocks = 26.0 * 13.0;

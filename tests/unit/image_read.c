@@ -1,6 +1,5 @@
-// image_read.c - PNGs: every kind of them is read, and what is none, broken or too large is
-// refused.
-// cmocka needs the four above.
+// image_read.c - PNGs: every kind is read, and a file is refused if it is not a PNG, is broken or
+// is too large.
 #include "lib/test.h"
 #include "picture/image.h"
 #include "lib/image.h"
@@ -88,8 +87,8 @@ TEST(a_file_that_is_not_a_picture_is_refused)
         assert_refused("fifo.png", "not a regular file");
 }
 
-// Each beginning of a file, and a file with one byte changed. The last four are the checksum of the
-// chunk that ends it: nothing stands in there, and libpng 1.6.48 no longer looks.
+// Each prefix of a file, and a file with one byte changed. The last four bytes are the checksum of
+// the chunk that ends the file: the chunk is empty, and libpng 1.6.48 no longer checks it.
 TEST(broken_pictures_are_refused)
 {
     unsigned char bytes[4096];
@@ -103,7 +102,7 @@ TEST(broken_pictures_are_refused)
         bytes[i] ^= 0x11;
         scratch_write_bytes("part.png", bytes, size);
         bytes[i] ^= 0x11;
-        assert_refused("part.png", ""); // every other byte of this file is under a checksum
+        assert_refused("part.png", ""); // a checksum covers every other byte of this file
     }
 }
 
@@ -116,7 +115,7 @@ TEST(sizes_have_their_limits)
     assert_refused("long.png", "longer than 16384 pixels: make it smaller");
     png_file("large.png", &kind, 16384, 1025, sample);
     assert_refused("large.png", "too many pixels");
-    // A width of 0 under a right checksum: libpng writes none.
+    // A width of 0 with a right checksum, because libpng does not write one.
     unsigned char bytes[4096];
     const char *path = png_file("none.png", &kind, 4, 12, sample);
     size_t size = picture_bytes(path, bytes, sizeof bytes);

@@ -1,5 +1,5 @@
-// inspector.c - the table of one ray and its marks: which rows are in sight, that nothing that
-// is looked at is covered, and where dot and arrow stand. No picture is drawn: boxes are compared.
+// inspector.c - the table of one ray and its marks: which rows are visible, that nothing important
+// is covered, and the positions of dot and arrow. No picture is drawn: boxes are compared.
 #include "lib/test.h"
 #include "picture/panel.h"
 #include "picture/pen.h"
@@ -56,7 +56,7 @@ static bool coloured(const struct overlay_rectangle *box, struct overlay_colour 
     return memcmp(&box->colour, &colour, sizeof colour) == 0;
 }
 
-// The ground of the ray's table; NULL where there is none.
+// The background of the ray's table; NULL if there is none.
 static const struct overlay_rectangle *table(void)
 {
     const struct overlay_rectangle *found = NULL;
@@ -69,7 +69,7 @@ static const struct overlay_rectangle *table(void)
     return found;
 }
 
-// A line of text as it is drawn: is it there, and at what height? -1: it is not.
+// The height at which a line of text is drawn. -1: it is not drawn.
 static float height_of(const char *text)
 {
     struct overlay words = {0};
@@ -147,7 +147,7 @@ TEST_WITH(the_table_leaves_the_pixel_free, set_up, NULL)
         }
 }
 
-// A ray that is seen from aside, in many directions through many places.
+// A pinned ray, in many directions through many points.
 TEST_WITH(the_table_leaves_a_ray_free_that_is_seen_from_aside, set_up, NULL)
 {
     probe.pinned = true;
@@ -179,7 +179,7 @@ TEST_WITH(slice_and_plot_keep_their_ray_free, set_up, NULL)
             assert_true(table() != NULL || sizes[i][0] < 640);
             for (int k = 0; k < overlay.count && sizes[i][0] >= 640; k++)
                 assert_true(overlay.rectangle[k].bottom < ray - 20.0f);
-            // The cross would stand anywhere in them.
+            // The cross would be somewhere in them.
             for (int k = 0; k < overlay.count; k++)
                 assert_false(coloured(&overlay.rectangle[k], PEN_HERE));
         }
@@ -211,9 +211,9 @@ TEST_WITH(a_dot_and_an_arrow_are_on_the_ray, set_up, NULL)
         }
         assert_int_equal(dots, 1);
         assert_int_equal(arrows, 1);
-        assert_int_equal(ways, row); // the ray as far as one has gone
+        assert_int_equal(ways, row); // the ray as far as the current step
     }
-    // What is behind the camera has no place, and no line leads there.
+    // Points behind the camera have no position, and no line leads there.
     probe.step[20].seen = false;
     gather(640, 360, 10, 10, 21.0f);
     for (int i = 0; i < overlay.count; i++)

@@ -1,5 +1,5 @@
-// letters.c - the letters of the overlay: texts are read as UTF-8, the font has every sign
-// that the course writes, and an image covers what the outline does.
+// letters.c - the letters of the overlay: texts are read as UTF-8, the font has every character
+// that the course writes, and an image covers the area inside the outline.
 #include "lib/test.h"
 #include "picture/letters.h"
 
@@ -23,7 +23,7 @@ TEST(texts_are_read_as_utf8)
         {"\xa9x", 0xFFFD, 1},            // the middle of a character
         {"\xc3x", 0xFFFD, 1},            // one without its end
         {"\xe2\x86", 0xFFFD, 2},         // cut off by the text's end
-        {"\xc1\x81", 0xFFFD, 2},         // an A, longer than it need be
+        {"\xc1\x81", 0xFFFD, 2},         // an A, longer than necessary
         {"\xed\xa0\x80", 0xFFFD, 3},     // half of a pair
         {"\xf4\x90\x80\x80", 0xFFFD, 4}, // beyond the last code
         {"\xff", 0xFFFD, 1},
@@ -58,7 +58,7 @@ static struct picture picture_of(uint32_t code, float scale, int phase)
     return picture;
 }
 
-// A letter that the font has not is drawn as this one is.
+// A letter that the font lacks is drawn like this one.
 static bool is_missing(uint32_t code)
 {
     struct picture missing = picture_of(0x10FFFF, 3.0f, 0), picture = picture_of(code, 3.0f, 0);
@@ -85,7 +85,7 @@ TEST(the_font_has_the_signs_of_the_course)
     assert_true(is_missing(0x1F600));
 }
 
-// Columns of numbers stand below each other: every digit is as wide as the next.
+// Columns of numbers are aligned: every digit has the same width.
 TEST(digits_have_one_width)
 {
     for (uint32_t digit = '1'; digit <= '9'; digit++)
@@ -107,9 +107,9 @@ static double covered(const struct picture *picture, double *middle)
     return sum;
 }
 
-// The black square is 1407 of 2048 parts of the em wide and 1568 high, by its outline in the font's
-// file. Its image covers so many pixels, at every scale; and a later phase moves it by a quarter of
-// a pixel.
+// The black square is 1407 of 2048 parts of the em wide and 1568 high, according to its outline in
+// the font's file. Its image covers that many pixels at every scale; and a later phase moves it by
+// a quarter of a pixel.
 TEST(an_image_covers_what_the_outline_does)
 {
     static const double scales[] = {1.0, 1.5, 2.0, 3.0, 8.0};
@@ -118,7 +118,7 @@ TEST(an_image_covers_what_the_outline_does)
         double wide = 1407.0 * em, high = 1568.0 * em;
         for (int phase = 0; phase < LETTERS_PHASES; phase++) {
             struct picture picture = picture_of(0x25A0, (float)scales[i], phase);
-            // Each pixel of the edge is rounded to 1/255, the others are whole.
+            // Each pixel of the edge is rounded to 1/255, the others are full.
             assert_true(fabs(covered(&picture, &middle) - wide * high) <=
                         2.0 * (wide + high + 4.0) / 255.0);
             first = phase == 0 ? middle : first;
@@ -128,7 +128,7 @@ TEST(an_image_covers_what_the_outline_does)
     }
 }
 
-// Each image keeps what it shows while others are added, and another scale makes them anew.
+// Each image keeps its contents while others are added, and another scale makes all of them again.
 TEST(images_do_not_disturb_each_other)
 {
     struct letters letters = {0};

@@ -1,5 +1,5 @@
-// numbers.c - numbers that are read from words, and that are written: of the command line, of
-// a sequence, of a probe, of --benchmark.
+// numbers.c - numbers that are read from words, and numbers that are written: of the command line,
+// of a sequence, of a probe, of --benchmark.
 #include "lib/test.h"
 #include "number.h"
 #include "picture/benchmark.h"
@@ -125,7 +125,7 @@ static const struct benchmark numbers = {
     .cover = {.rays = 11, .march = 9.0, .bound = 6.0, .ratio = 1.5, .ray_ratio = 1.25},
 };
 
-// What was printed into a file, which is closed.
+// The text printed into a file, which is closed.
 static const char *printed(FILE *file)
 {
     static char text[8192];

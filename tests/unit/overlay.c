@@ -1,4 +1,4 @@
-// overlay.c - text and boxes over a picture: where they are, how large, and nothing beyond.
+// overlay.c - text and boxes over a picture: their positions and sizes, and nothing outside them.
 #include "lib/test.h"
 #include "picture/overlay.h"
 #include "picture/panel.h"
@@ -23,8 +23,8 @@ static struct image picture_of(const struct overlay *over)
     return image;
 }
 
-// The smallest box of whole pixels that holds all changes: left, top, right, bottom, the last two
-// just outside. Returns the number of changed pixels.
+// The smallest box of whole pixels that contains all changes: left, top, right, bottom, the last
+// two just outside. Returns the number of changed pixels.
 static int changes(const struct image *a, const struct image *b, int box[4])
 {
     int count = 0;
@@ -43,7 +43,7 @@ static int changes(const struct image *a, const struct image *b, int box[4])
     return count;
 }
 
-// Draw what was gathered over the picture, and find what it changed.
+// Draw the collected boxes over the picture, and find what they changed.
 static int drawn(int box[4])
 {
     struct image without = picture_of(NULL), with = picture_of(&overlay);
@@ -96,8 +96,8 @@ TEST(text_is_where_it_should_be)
     overlay_begin(&overlay, WIDTH, HEIGHT, 2.0f);
     overlay_text(&overlay, 40, 30, "march gives", WHITE);
     drawn(two);
-    // Letters are drawn for their size and not enlarged: each edge is inside the same share of a
-    // pixel.
+    // Letters are drawn for their size and not enlarged: each edge lies within the same fraction of
+    // a pixel.
     for (int i = 0; i < 4; i++)
         assert_true(abs(two[i] - 2 * one[i]) <= 2);
 }
@@ -109,7 +109,7 @@ TEST(a_letter_is_upright)
     overlay_begin(&overlay, WIDTH, HEIGHT, 4.0f);
     overlay_text(&overlay, 10, 10, "L", WHITE);
     drawn(box);
-    // The upper half alone, what is below it covered in both pictures.
+    // Only the upper half; the lower half is covered in both pictures.
     struct image without = picture_of(NULL), with = picture_of(&overlay);
     size_t half = 3 * (size_t)WIDTH * (size_t)((box[1] + box[3]) / 2);
     memcpy(with.pixel + half, without.pixel + half, 3 * (size_t)WIDTH * HEIGHT - half);
@@ -138,8 +138,8 @@ TEST(any_text_can_be_drawn)
     assert_true(overlay_width(text) <= OVERLAY_TEXT * 10.0f);
 }
 
-// A frame after another looks as one that is drawn for the first time: what is new, gone, moved or
-// of another colour, at one scale and the next.
+// A frame after another looks like one that is drawn for the first time: with new, missing, moved
+// or recoloured parts, at one scale and the next.
 TEST(a_frame_after_another_is_the_same)
 {
     static const struct overlay_colour other = {{200, 40, 90, 120}};
@@ -178,7 +178,7 @@ TEST(the_scale_follows_the_height)
     }
 }
 
-// The panel of a picture: all that it changes lies inside its background, which is one box.
+// The panel of a picture: everything that it changes lies inside its background, which is one box.
 TEST(a_panel_changes_only_itself)
 {
     int box[4];

@@ -1,5 +1,5 @@
-// pair.c - two pictures beside each other: each side is its own picture, to the bit; the
-// second follows the first; what the labels say.
+// pair.c - two pictures side by side: each side is its own picture, to the last bit; the second
+// follows the first; the labels.
 #include "lib/test.h"
 #include "picture/comparison.h"
 #include "lib/gpu.h"
@@ -58,7 +58,7 @@ static float *numbers_of(struct renderer *renderer, const struct renderer_inputs
     return numbers;
 }
 
-// Row by row: what is left of the divider is the first's, what is right of it the second's.
+// Row by row: left of the divider is the first picture, right of it the second.
 static void assert_sides(const float *both, const float *one, const float *other, int split)
 {
     size_t left = sizeof(float[4]) * (size_t)split, right = sizeof(float[4]) * WIDTH - left;
@@ -196,7 +196,8 @@ TEST(labels_say_what_differs)
     comparison.own_count = 0;
     comparison_text(&gpu.renderer, 0, text, sizeof text);
     assert_string_equal(text, "right.frag");
-    // What the second alone has is told once it is not what its file says.
+    // A parameter that only the second picture has is listed once its value differs from the
+    // file's.
     struct parameter glow = {.name = "glow", .components = 1, .value = {0.25}, .initial = {0.25}};
     const struct parameters all = second.parameters;
     second.parameters = (struct parameters){.item = &glow, .count = 1};
@@ -208,7 +209,7 @@ TEST(labels_say_what_differs)
     second.parameters = all;
 }
 
-// Nothing is cut off by the edge, whatever the divider, and the labels stand each on its side.
+// Nothing is cut off by the edge, whatever the divider, and each label is on its own side.
 TEST(labels_stay_on_their_side)
 {
     struct overlay overlay = {0};

@@ -1,5 +1,5 @@
-// panel.c - what the overlay says, word for word, and that it keeps to its place: no picture
-// is drawn here, letters and their places are compared.
+// panel.c - the words of the overlay, and their positions: no picture is drawn here; letters and
+// their positions are compared.
 #include "lib/test.h"
 #include "picture/panel.h"
 #include "picture/pen.h"
@@ -27,7 +27,7 @@ static int close_overlay(void **unused)
     return 0;
 }
 
-// Do the letters of a text stand at a place of the list, all moved by the same way?
+// Are the letters of a text at a position of the list, all moved by the same distance?
 static bool stands_at(const struct overlay_rectangle *text, int count,
                       const struct overlay_rectangle *place)
 {
@@ -105,7 +105,7 @@ TEST(the_large_form_names_the_textures)
     renderer.textures = (struct textures){NULL, 0};
 }
 
-// The range of a parameter that is not selected is only in the whole table.
+// The range of a parameter that is not selected appears only in the whole table.
 TEST(the_table_is_whole_where_it_has_room)
 {
     struct panel panel = {
@@ -115,7 +115,7 @@ TEST(the_table_is_whole_where_it_has_room)
     panel.ranges = true;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("[0, 8]") && says("metres") && says("[0, 7]"));
-    float width = overlay.rectangle[0].right + 8.0f; // with the margin at its right
+    float width = overlay.rectangle[0].right + 8.0f; // with the margin on its right
     panel_gather(&panel, &overlay, (int)width, 360, 1.0f);
     assert_true(says("[0, 8]"));
     panel_gather(&panel, &overlay, (int)width - 1, 360, 1.0f);
@@ -125,7 +125,7 @@ TEST(the_table_is_whole_where_it_has_room)
     assert_true(says("[0, 8]"));
 }
 
-// Of more parameters than there is room for, the selected one is in sight, with its detail.
+// If there are more parameters than fit, the selected one is visible, with its details.
 TEST(a_panel_scrolls_to_the_selected_parameter)
 {
     enum { MANY = 20, HEIGHT = 240 };
@@ -145,11 +145,11 @@ TEST(a_panel_scrolls_to_the_selected_parameter)
         assert_true(says(panel.selected->name) && says(detail) && says("of 20"));
         assert_true(overlay.rectangle[0].bottom < HEIGHT);
     }
-    panel_gather(&panel, &overlay, 400, 70, 1.0f); // no room for a single one
+    panel_gather(&panel, &overlay, 400, 70, 1.0f); // no room for even one
     assert_true(says("20 parameters") && !says("0 to 0"));
 }
 
-// Panels of a chapter and of a ray stand side by side, or the ray's stands alone.
+// The panels of a chapter and of a ray are side by side, or the ray's is alone.
 TEST(a_ray_comes_first_where_room_is_short)
 {
     struct panel panel = {
@@ -163,7 +163,7 @@ TEST(a_ray_comes_first_where_room_is_short)
     assert_true(says("A title"));
 }
 
-// The widest digits make the panel no wider than the narrowest, within a step of 20 units.
+// The widest digits make the panel no wider than the narrowest ones, within a step of 20 units.
 TEST(a_panel_does_not_tremble)
 {
     struct panel panel = {.renderer = &renderer, .title = "", .rate = 11.0, .pixel = {-1, -1}};
@@ -177,8 +177,8 @@ TEST(a_panel_does_not_tremble)
     renderer.parameters.count = 3;
 }
 
-// Any size and any length of text: no more lines of an error than half of the picture holds, and
-// from a size on that people use nothing stands outside of the picture.
+// Any size and any length of text: an error takes at most half of the picture's lines, and at any
+// size that people use, nothing lies outside the picture.
 TEST(a_panel_fits_any_picture)
 {
     char error[6000];
@@ -207,8 +207,8 @@ TEST(a_panel_fits_any_picture)
         }
 }
 
-// A line holds what fits, ends between words where there is a blank, and begins as the text's line
-// does: an error shows a line of code by its indentation.
+// A line contains as much as fits, ends between words if there is a blank, and begins like the line
+// of the text, because an error shows a line of code by its indentation.
 TEST(a_line_ends_between_words)
 {
     static const char *const lines[] = {"here: a long", "reason", "    int x;", "aaaaaaaaaaaa",
@@ -225,7 +225,7 @@ TEST(a_line_ends_between_words)
     assert_false(pen_next_line(&at, limit, line));
 }
 
-// The rows, from the top: what they say, where they stand, and that a place on one finds it.
+// The rows, from the top: their words, their positions, and that a position on a row finds it.
 TEST(rows_are_below_each_other)
 {
     static const char *const texts[] = {"A title",     "view: picture", "", "long",   "wide",
@@ -259,7 +259,7 @@ TEST(rows_are_below_each_other)
     panel_rows_free(&rows);
 }
 
-// A value at a place has that place again; by decades the middle of [0.01, 1] is 0.1.
+// The value at a position has that position again; in decades, the middle of [0.01, 1] is 0.1.
 TEST(a_place_is_a_value)
 {
     struct parameter linear = {.components = 1, .minimum = -2.0, .maximum = 6.0};

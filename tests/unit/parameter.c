@@ -1,4 +1,4 @@
-// parameter.c - parameters: how their values are set, changed, kept and printed.
+// parameter.c - parameters: how their values are set, changed, stored and printed.
 #include "lib/test.h"
 
 #include <locale.h>
@@ -106,7 +106,7 @@ TEST(test_key_presses)
     struct parameter *p = parameters_find(&read, "height");
     for (int i = 0; i < 10; i++)
         parameter_change(p, -1);
-    // To the bit: a sum of steps of 0.1 that drifts misses 0 and 0.3.
+    // To the last bit: a sum of steps of 0.1 that drifts would miss 0 and 0.3.
     assert_true(p->value[0] == 0.0);
     parameter_change(p, 3);
     assert_true(p->value[0] == 0.3);
@@ -136,7 +136,7 @@ TEST(test_key_presses)
     parameter_change(p, -1);
     parameter_number(p->value[0], 0.99);
     parameter_number(p->value[2], 0.49);
-    // A factor of 1.1 rounds 1 to 1: a press must move it all the same.
+    // A factor of 1.1 rounds 1 to 1, but a key press must change the value all the same.
     p = parameters_find(&read, "more");
     parameter_change(p, 1);
     parameter_number(p->value[0], 2.0);
@@ -212,8 +212,7 @@ TEST(test_table)
     assert_printed(&read, "This shader has no parameters.\n");
 }
 
-// In French a comma stands before the decimals; a shader and a command line have a point all the
-// same.
+// In French, a comma precedes the decimals; a shader and a command line have a point all the same.
 TEST(test_another_locale)
 {
     static const char *const locales[] = {"fr_FR.UTF-8", "de_DE.UTF-8", "fr_FR", "de_DE"};

@@ -1,5 +1,5 @@
-// parameter_read.c - annotated uniforms: what declares a parameter, and what is refused and in
-// which line.
+// parameter_read.c - annotated uniforms: what declares a parameter, and what is refused in which
+// line.
 #include "lib/test.h"
 #include "lib/parameter.h"
 #include "lib/scratch.h"
@@ -116,7 +116,7 @@ TEST(test_types_and_default_steps)
     parameters_free(&read);
 }
 
-// A French keyboard types a space that cannot break; a terminal would obey an escape.
+// A French keyboard types a no-break space; a terminal would obey an escape.
 TEST(test_blanks_and_controls)
 {
     struct parameters read = parameter_text("uniform float a; //\xC2\xA0"

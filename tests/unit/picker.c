@@ -1,5 +1,5 @@
-// picker.c - the picker of a colour: what it shows is what it gives, where it stands, and what
-// of it a place is.
+// picker.c - the colour picker: it shows the colour that it returns; its position; and which part
+// of it is at a position.
 #include "lib/test.h"
 #include "picture/colour.h"
 #include "picture/panel.h"
@@ -54,7 +54,7 @@ TEST(a_code_has_its_light_again)
         assert_near(colour_encode(colour_decode(i / 255.0)), i / 255.0, 1e-6);
 }
 
-// Every step of a hue and of both axes; a thousandth of the range is what a value is rounded to.
+// Every step of a hue and of both axes; values are rounded to a thousandth of the range.
 TEST(what_is_taken_is_given_back)
 {
     struct parameter *lamp = &parameters[1];
@@ -69,8 +69,7 @@ TEST(what_is_taken_is_given_back)
     }
 }
 
-// Dragged to black and back, to grey and back: the hue is there still. A value typed in between
-// counts.
+// Dragged to black and back, or to grey and back, the hue is kept. A value typed in between counts.
 TEST(a_hue_outlives_grey)
 {
     struct parameter *lamp = &parameters[1];
@@ -92,7 +91,7 @@ TEST(a_hue_outlives_grey)
     assert_true(picker.hsv[0] == 0.0);
 }
 
-// What is drawn at a place is the colour that a press there gives.
+// The colour drawn at a position is the colour that a press there gives.
 TEST(the_square_shows_what_it_gives)
 {
     struct picker picker = {
@@ -102,7 +101,7 @@ TEST(the_square_shows_what_it_gives)
     for (int i = 0; i < 36; i++) {
         float x = 17.5f + 2.0f * (float)i, y = 27.5f + 60.0f * (float)(i % 7) / 7.0f;
         double shown[3] = {0}, rgb[3];
-        // All boxes over the place; the last ones are the marks.
+        // All boxes at the position; the last ones are the marks.
         for (int k = 0; k < overlay.count - 5; k++) {
             const struct overlay_rectangle *r = &overlay.rectangle[k];
             double share = r->colour.channel[3] / 255.0;
@@ -122,7 +121,7 @@ TEST(the_square_shows_what_it_gives)
     assert_near(picker.hsv[0], 0.75, 1e-6);
 }
 
-// Only a colour has a swatch, only for a pointer; without the colour's row there is no picker.
+// Only a colour has a swatch, and only for a pointer; without the colour's row there is no picker.
 TEST(a_swatch_is_a_colour_s)
 {
     struct picker picker = {.width = 1.0f};

@@ -1,6 +1,6 @@
-// picture.c - what the renderer makes of a shader: where each pixel is, samples, tiles, bands,
-// bytes. The truth is a colour that C computes for the same place, or the same picture in another
-// size.
+// picture.c - the pictures that the renderer draws with a shader: the position of each pixel,
+// samples, tiles, bands, bytes. The truth is a colour that C computes for the same position, or the
+// same picture at another size.
 #include "lib/test.h"
 #include "lib/compare.h"
 #include "lib/gpu.h"
@@ -27,7 +27,7 @@ static float *draw(const struct renderer_inputs *inputs, int band)
 
 // ---- Where each pixel is ----
 
-// Shows the pixel's place, divided by 4: screen.x and screen.y are within [-2, 2] here.
+// Shows the pixel's position, divided by 4: screen.x and screen.y are within [-2, 2] here.
 #define COURSE_PLACE                                                                               \
     GPU_COURSE                                                                                     \
     "vec3 rayColour(Ray ray) { return 0.5 + 0.25 * ray.origin; }\n"
@@ -38,7 +38,8 @@ static float *draw(const struct renderer_inputs *inputs, int band)
     "out vec4 colour;\n"                                                                           \
     "void main() { colour = vec4(0.5 + 0.25 * FragCoord, 0.5, 1.0); }\n"
 
-// The worst distance, in pixels, between where a pixel of the target says it is and where it is.
+// The largest distance, in pixels, between the position that a pixel of the target reports and its
+// real position.
 static double worst_place(const struct renderer_inputs *inputs, int band)
 {
     float *values = draw(inputs, band);
@@ -55,8 +56,8 @@ static double worst_place(const struct renderer_inputs *inputs, int band)
     return worst * inputs->height / 2.0;
 }
 
-// A float holds 0.5 + screen / 4 to 2^-24: 4 * 2^-24 of the screen, times half the height. An
-// interpolated place has some rounding more.
+// A float stores 0.5 + screen / 4 to 2^-24: 4 * 2^-24 of the screen, times half the height. An
+// interpolated position has a few more rounding errors.
 static void check_place(const char *text, double most)
 {
     assert_true(gpu_load_text(text));
@@ -104,13 +105,14 @@ TEST(a_picture_of_several_bands_has_no_seam)
             }
         }
     image_free(&image);
-    assert_true(worst <= 1); // 1: a value on the edge between two bytes
+    assert_true(worst <= 1); // 1: a value on the border between two bytes
 }
 
 // ---- Samples, bands ----
 
-// Several samples a pixel are the mean of the same samples taken as the pixels of a larger picture.
-//   difference  what counts as different
+// Several samples per pixel are the mean of the same samples taken as the pixels of a larger
+// picture.
+//   difference  from which values count as different
 //   most        the share of the values that may differ
 static void check_mean(const char *stem, int samples, double difference, double most)
 {
@@ -147,7 +149,8 @@ TEST(samples_are_the_mean_of_a_larger_picture)
     check_mean("03_shadows", 4, 1e-6, 0.0);
 }
 
-// Thirds, and the interpolated place of a whole file, are not exact: a few samples on edges change.
+// Thirds, and the interpolated position of a whole file, are not exact: a few samples on edges
+// change.
 TEST(samples_nearly_are_the_mean_of_a_larger_picture)
 {
     check_mean("00_first_scene", 2, 2.0 / 255.0, IMAGE_F2_TOLERANCE);
@@ -155,7 +158,7 @@ TEST(samples_nearly_are_the_mean_of_a_larger_picture)
     check_mean("03_shadows", 3, 2.0 / 255.0, IMAGE_F2_TOLERANCE);
 }
 
-// A colour beyond 1 counts as 1 in its own sample, or a bright edge would not be smoothed.
+// A colour above 1 counts as 1 in its own sample; otherwise a bright edge would not be smoothed.
 TEST(each_sample_is_clamped)
 {
     assert_true(gpu_load_text(
@@ -243,7 +246,7 @@ static struct {
     void (*image)(GLenum, GLint, GLint, GLsizei, GLsizei, GLint, GLenum, GLenum, const void *);
     void (*enable)(GLenum);
     GLenum (*check)(GLenum);
-    GLint format; // of the texture that was made last
+    GLint format; // of the most recent texture
 } driver;
 
 static void remember_format(GLenum target, GLint level, GLint format_, GLsizei width,
@@ -299,7 +302,7 @@ TEST(where_floats_do_not_blend_samples_are_added_as_halves)
     assert_int_equal(gpu.renderer.picture.format, GL_RGBA16F);
     load_chapter("03_shadows");
     float *halves = draw(&inputs, 130);
-    for (size_t i = 0; i < (size_t)(4 * 220 * 130); i++) // four sums below 1, cut to 11 bits
+    for (size_t i = 0; i < (size_t)(4 * 220 * 130); i++) // four sums below 1, truncated to 11 bits
         if (!(fabsf(halves[i] - wanted[i]) <= 4.0f / 2048.0f))
             fail_msg("value %zu is %g, not %g", i, (double)halves[i], (double)wanted[i]);
     free(wanted);
@@ -312,7 +315,8 @@ TEST(where_floats_do_not_blend_samples_are_added_as_halves)
 
 TEST(values_become_bytes)
 {
-    // Per column: red, green, blue of a whole file, which nothing clamps on the way.
+    // The colours red, green and blue of a whole file, one per column, which are not clamped before
+    // the target.
     static const struct {
         const char *value;
         unsigned char byte;
@@ -354,7 +358,7 @@ TEST(values_become_bytes)
 
 // ---- Shaders one after the other ----
 
-// A view compiled later, a shader that fails: neither changes the picture.
+// A view compiled later, and a shader that fails: neither changes the picture.
 TEST(what_came_before_leaves_no_trace)
 {
     struct renderer_inputs inputs = gpu_inputs(96, 54, 1);

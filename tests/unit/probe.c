@@ -1,5 +1,5 @@
 // probe.c - the colour that --probe prints is the picture's. tests/unit/trace.c tests the steps of
-// the table, tests/unit/numbers.c how it is printed.
+// the table, tests/unit/numbers.c how they are printed.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/mirror.h"
@@ -14,8 +14,8 @@ static void load_chapter(const char *stem, struct renderer_inputs *inputs)
     inputs->camera = gpu_open_chapter(stem);
 }
 
-// At some pixels the probe's colour is the picture's, to the bit, whatever bands and samples that
-// is made of; in the slice view the one that the picture has.
+// At some pixels, the probe's colour equals the picture's to the last bit, whatever the bands and
+// samples of the picture; in the slice view, it equals the colour of the slice.
 static void check_colours(const struct renderer_inputs *inputs, enum shader_view view)
 {
     struct image image = {0};

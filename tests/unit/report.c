@@ -1,9 +1,9 @@
-// report.c - what a program says on standard error: one line, that no name in it can break.
+// report.c - messages on standard error: one line, which no name in it can break.
 #include "lib/test.h"
 #include "report.h"
 #include "lib/scratch.h"
 
-// What report() makes of a text, which ends up on standard error and is kept.
+// The text that report() makes of a message, which is printed on standard error and kept.
 static const char *reported(const char *text)
 {
     capture_begin();
@@ -19,7 +19,8 @@ TEST(control_characters_are_shown_not_obeyed)
     assert_string_equal(reported("two\nlines\r\n"), "two?lines??\n");
     assert_string_equal(reported("a\tb\x1b[31m\x07\x7f\x01\x1f"), "a?b?[31m????\n");
     assert_string_equal(reported("\xc2\x80-\xc2\x9b[m\xc2\x9f"), "?-?[m?\n");
-    // Letters stay: e with an accent, a no-break space, and what only looks like a control.
+    // Letters remain: e with an accent, a no-break space, and characters that only look like
+    // controls.
     assert_string_equal(reported("\xc3\xa9 \xc2\xa0 \xc3\x9b \xe2\x82\xac ~"),
                         "\xc3\xa9 \xc2\xa0 \xc3\x9b \xe2\x82\xac ~\n");
 }

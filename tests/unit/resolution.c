@@ -1,12 +1,12 @@
-// resolution.c - the resolution of a window's picture, under a clock that is made up.
+// resolution.c - the resolution of a window's picture, with an artificial clock.
 #include "lib/test.h"
 #include "window/resolution.h"
 
 enum { FRAMES = 60 };
 static const double pixels = 960.0 * 540.0;
 
-// What a frame takes at a level: so much for itself, so much for each pixel, times what the clock
-// is off by.
+// The time of a frame at a level: a fixed time, plus a time per pixel, times the error of the
+// clock.
 struct machine {
     double fixed, cost, beside;
 };
@@ -45,8 +45,8 @@ TEST(sides_follow_the_level)
     assert_true(fabs(resolution_divisor(RESOLUTION_COARSEST) - 8.0) < 1e-12);
 }
 
-// Whatever frames take, as long as it stays: the level goes in one direction, then it stays, at a
-// time between the limits, or at an end.
+// Whatever the time of a frame, as long as it is constant: the level moves in one direction and
+// then stays, at a time between the limits, or at an end.
 TEST(it_comes_to_rest)
 {
     for (double full = 1e-3; full < 20.0; full *= 1.07)
@@ -73,7 +73,7 @@ TEST(it_comes_to_rest)
             }
 }
 
-// A clock that trembles by 14 % moves the level once at most, and then in one direction.
+// A clock that varies by 14 % moves the level at most once, and only in one direction.
 TEST(a_clock_that_trembles_makes_no_flicker)
 {
     for (double full = 0.02; full < 5.0; full *= 1.03) {
@@ -94,7 +94,7 @@ TEST(a_clock_that_trembles_makes_no_flicker)
     }
 }
 
-// One frame among three that takes ten times as long, or no time, is no matter.
+// One frame in three that takes ten times as long, or no time, has no effect.
 TEST(a_single_slow_frame_changes_nothing)
 {
     struct machine machine = {0.0, 0.4 / pixels, 0.01};
@@ -110,7 +110,7 @@ TEST(a_single_slow_frame_changes_nothing)
     }
 }
 
-// A change that lasts is followed in its second frame; the guess of a new program by the first.
+// A lasting change is followed at its second frame; the guess for a new program at the first.
 TEST(a_change_that_lasts_is_followed)
 {
     struct machine quick = {0.0, 0.03 / pixels, 0.01}, slow = {0.0, 1.2 / pixels, 0.01};
@@ -126,8 +126,8 @@ TEST(a_change_that_lasts_is_followed)
         assert_int_equal(draw_frame(&resolution, &slow, 1.0), coarse);
 }
 
-// Windows of all sizes: the filter is chosen by what it takes, once, under a clock that trembles by
-// 15 %, with one time among five ten times as long.
+// Windows of all sizes: the filter is chosen once, by the time that it takes, under a clock that
+// varies by 15 %, with one time in five ten times as long.
 TEST(the_filter_does_not_flicker)
 {
     for (double edge = 0.002; edge < 0.2; edge *= 1.05) {

@@ -1,5 +1,5 @@
-// sampler.c - annotated samplers: what their comments say, where their files are looked for,
-// what is refused and in which line, and the pictures of the command line.
+// sampler.c - annotated samplers: what their comments say, where their files are searched for, what
+// is refused in which line, and the pictures of the command line.
 #include "lib/test.h"
 
 #include "shader/dialect.h"
@@ -11,7 +11,7 @@ static struct shader_source source;
 static struct parameters parameters;
 static bool has_link; // the system has links
 
-// No sampler asks whether its file is a picture.
+// No sampler checks that its file is a picture.
 static int set_up(void **state)
 {
     scratch_setup(state);
@@ -33,7 +33,7 @@ static void forget(void)
     parameters_free(&parameters);
 }
 
-// Read a shader in own/; what was said is returned.
+// Read a shader in own/; returns the report.
 static const char *read_asked(const char *text, const struct shader_request *request, bool *done)
 {
     const char *path = scratch_write("own/my.frag", text);
@@ -87,7 +87,7 @@ TEST(test_all_parts)
         assert_int_equal(s->slices, slices[i]);
         assert_true(s->srgb == srgb[i] && s->repeat == repeat[i]);
     }
-    // The files of a source are what a window watches, and what no picture is written over.
+    // A window watches the files of a source, and no picture is written over them.
     assert_int_equal(source.file_count, 6);
     assert_string_equal(source.files[read->item[1].file], "shaders/textures/stone.png");
 }
@@ -110,7 +110,7 @@ TEST(test_what_declares_none)
     assert_int_equal(read->count, 0);
 }
 
-// What a declaration may have wrong, and what is said of it.
+// Mistakes in a declaration, and the message for each.
 static const char *const wrong[][2] = {
     {"uniform sampler2D a;", "no picture is named"},
     {"uniform sampler2D a; // a stone", "no picture is named"},
@@ -173,7 +173,7 @@ TEST(test_malformed)
     char text[1024];
     snprintf(text, sizeof text, "uniform sampler2D a; // \"%0300d.png\" sRGB repeat: x\n", 1);
     assert_refused(text, "my.frag:1: ", "too long");
-    // An error stands in the file that declares the sampler.
+    // The message names the file that declares the sampler.
     scratch_write("root/shaders/bad.glsl",
                   "// bad\n\nuniform sampler2D b; // \"b.png\" sRGB clamp: x\n");
     assert_refused("#include \"bad.glsl\"\n", "shaders/bad.glsl:3: sampler b: b.png: ",
@@ -186,7 +186,7 @@ static void note(void *to, const char *path)
     snprintf(all + strlen(all), 4096 - strlen(all), "%s\n", path);
 }
 
-// What a window must watch: each picture, and the places of one that is missing.
+// What a window must watch: each picture, and the possible locations of a missing one.
 TEST(test_every_file_is_seen)
 {
     char seen[4096] = "";

@@ -1,5 +1,5 @@
-// shader_errors.c - a driver's errors in the author's own files and lines: logs of three
-// drivers as texts, then what the driver of this machine says to real mistakes.
+// shader_errors.c - a driver's errors, in terms of the author's own files and lines: logs of three
+// drivers as texts, then the messages of this machine's driver for real mistakes.
 #include "lib/test.h"
 
 #include "context/context.h"
@@ -28,11 +28,11 @@ static struct shader_source read_text(const char *text)
 
 // ---- Logs ----
 
-// The lines that are compiled: 1, 2 the prelude, 3 the include, 4 and 5 lib.glsl, 6 main.frag:2.
+// The compiled lines: 1, 2 the prelude, 3 the include, 4 and 5 lib.glsl, 6 main.frag:2.
 static const char course[] =
     "#include \"lib.glsl\"\n\tfloat f() { return y; }\nint g() { return 2; }\n";
 
-// The log must be explained so; @ in expected stands for the path of the main file.
+// The log must be explained like this; @ in expected stands for the path of the main file.
 static void assert_explained(const char *text, const char *log, const char *expected)
 {
     struct shader_source source = read_text(text);
@@ -86,8 +86,8 @@ IN_PROJECT(test_others)
                      "@:2: warning: odd\n    float f() { return y; }\n");
 }
 
-// Two lines are in front of a whole file, the first for its #version; behind one for Shadertoy is
-// its main.
+// A whole file is preceded by two lines, the first for its #version; one for Shadertoy is followed
+// by its main.
 IN_PROJECT(test_other_dialects)
 {
     assert_explained("#version 330 core\nint f() { return 1.0; }\n", "0:4(11): error: bad\n",
@@ -118,7 +118,7 @@ IN_PROJECT(test_what_cannot_be_mapped_is_kept)
                                 "0:5\n"};
     for (size_t i = 0; i < sizeof kept / sizeof *kept; i++)
         assert_explained(course, kept[i], kept[i]);
-    // A text that ends too early is blamed on the line after its last one.
+    // An error at the end of the text is reported for the line after the last one.
     assert_explained(course, "0:8(1): error: unexpected end of file\n",
                      "@:3: error: unexpected end of file\n    int g() { return 2; }\n");
 }
@@ -159,7 +159,7 @@ static const char library_ok[] = "float lib(float x)\n{\n    return 2.0 * x;\n}\
 static const char main_ok[] = "#include \"lib.glsl\"\nout vec4 colour;\nvoid main()\n{\n"
                               "    colour = vec4(lib(1.0));\n}\n";
 
-// Link a library and a main file; said receives what was reported.
+// Link a library and a main file; said receives the report.
 static GLuint link_files(const char *library, const char *text, const char **said)
 {
     struct shader_source vertex;
@@ -200,7 +200,7 @@ IN_PROJECT(test_good_shader_links_in_silence)
     assert_int_not_equal(program, 0);
     assert_string_equal(said, "");
     driver.context.gl.DeleteProgram(program);
-    // Mesa warns of this one.
+    // Mesa warns about this one.
     program = link_files(
         library_ok, "out vec4 colour;\nvoid main()\n{\n    vec4 c;\n    colour = c;\n}\n", &said);
     assert_int_not_equal(program, 0);
@@ -244,8 +244,7 @@ IN_PROJECT(test_signs_that_are_no_glsl)
                   "main.frag:5: error: only plain letters and signs, here is '\xC3\xA9'", "float");
     assert_blamed(library_ok,
                   "#version 330 core\nout vec4 c;\nvoid main()\n{\n    c =\xC2\xA0vec4(1.0);\n}\n",
-                  "main.frag:5: error: only plain letters and signs, here is a space that cannot "
-                  "break",
+                  "main.frag:5: error: only plain letters and signs, here is a no-break space",
                   "vec4");
 }
 

@@ -5,7 +5,8 @@
 #include "shader/dialect.h"
 #include "lib/scratch.h"
 
-// One file for Shadertoy: what it declares itself is gone, camera and parameters are constants.
+// One file for Shadertoy: the declarations that Shadertoy makes itself are gone, and camera and
+// parameters are constants.
 TEST(test_for_shadertoy)
 {
     scratch_write("root/shaders/main.glsl", "void main() { }\n");

@@ -1,5 +1,5 @@
 // slice.c - the frame of the slice view, and the number of steps that the steps view shows. The
-// references hold what a slice draws.
+// references check the drawing of a slice.
 #include "lib/test.h"
 #include "picture/slice.h"
 #include "lib/gpu.h"
@@ -10,7 +10,7 @@ enum { WIDTH = 640, HEIGHT = 360 };
 
 // ---- The number of steps ----
 
-// Nothing within 0.5 of anywhere: step k stands at 0.5 k, and ends at the column's own limit.
+// Everything is at least 0.5 away: step k is at 0.5 k, and ends at the column's own limit.
 static const char equal_steps[] = "#include \"main.glsl\"\n"
                                   "#include \"march.glsl\"\n"
                                   "Ray pixelRay(vec2 screen)\n"
@@ -27,8 +27,9 @@ static const char equal_steps[] = "#include \"main.glsl\"\n"
                                   "    return vec3(0.0);\n"
                                   "}\n";
 
-// The colour of n steps in the steps view is learnt from the columns of a scene where step n is
-// known; the table has that number for the same pixel of a chapter, and the slice draws that table.
+// The colour of n steps in the steps view is taken from the columns of a scene where the number n
+// is known; the table has that number for the same pixel of a chapter, and the slice draws that
+// table.
 TEST(the_steps_view_agrees_with_the_table)
 {
     struct renderer_inputs inputs = {.width = WIDTH, .height = HEIGHT, .samples = 1};
@@ -99,7 +100,7 @@ TEST(the_frame_shows_the_march)
     const float leave_t[] = {0.0f, 0.002f, 0.006f, 1.0f, 3.5f},
                 leave[] = {0.002f, 0.004f, 0.994f, 2.5f, 4.0f};
     assert_shows(frame_of(PROBE_PASSED, leave_t, leave, 5, 1.0f), 0.0, 3.4);
-    // No march, one that ends where it starts, and distances that are no numbers.
+    // No march, a march that ends where it starts, and distances that are not numbers.
     assert_shows(frame_of(PROBE_NO_MARCH, NULL, NULL, 0, 1.0f), 0.0, 1.0);
     const float zero[] = {0.0f}, nan[] = {NAN};
     assert_shows(frame_of(PROBE_HIT, zero, zero, 1, 1.0f), 0.0, 0.5);

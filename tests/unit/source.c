@@ -1,5 +1,5 @@
-// source.c - a shader's text: includes in their places, every line traced back to its file,
-// and one clear line for each file that cannot be used.
+// source.c - a shader's text: includes in their places, every line traced back to its file, and one
+// clear line for each file that cannot be used.
 #include "lib/test.h"
 
 #include <unistd.h>
@@ -8,7 +8,7 @@
 #include "lib/scratch.h"
 #include "lib/system.h"
 
-// ---- A project of its own for each test ----
+// ---- A separate project for each test ----
 
 static int set_up(void **state)
 {
@@ -18,7 +18,7 @@ static int set_up(void **state)
     return 0;
 }
 
-// Read root/chapters/main.frag, which has this text; it must be readable.
+// Read root/chapters/main.frag with this text; it must be readable.
 static struct shader_source read_text(const char *text)
 {
     struct shader_source source;
@@ -38,7 +38,7 @@ static void assert_text(const char *text, const char *expected)
     shader_free(&source);
 }
 
-// The file must be refused in one line that holds each of the words; NULL ends them.
+// The file must be refused with one line that contains each of the words; NULL ends them.
 static void assert_file_refused(const char *path, const char *const words[])
 {
     struct shader_source source;
@@ -122,7 +122,7 @@ IN_PROJECT(test_shader_outside_the_project)
     shader_free(&source);
 }
 
-// A handed-in file finds the chapter from wherever it lies; what lies nearer comes first.
+// A handed-in file finds the chapter from any location; the nearest file of a name is used.
 IN_PROJECT(test_chapters_come_last)
 {
     struct shader_source source;
@@ -202,7 +202,8 @@ static void note(void *to, const char *path)
     snprintf((char *)to + size, 4096 - size, "%s\n", path);
 }
 
-// What a window must watch: each file before it is read, and the places of one that is missing.
+// What a window must watch: each file before it is read, and the possible locations of a missing
+// one.
 IN_PROJECT(test_every_file_is_seen)
 {
     struct shader_source source;
@@ -239,7 +240,7 @@ IN_PROJECT(test_climbing_out)
     assert_refused("#include \"../../secret.glsl\"\n", "main.frag:1: ", "outside the project");
     assert_refused("#include \"../../rootless/secret.glsl\"\n",
                    "main.frag:1: ", "outside the project");
-    // Up to the disk's root and down again, behind its letter where it has one.
+    // Up to the root of the disk and down again, after its drive letter if it has one.
     const char *secret = scratch_path("secret.glsl");
     char text[PLATFORM_PATH];
     snprintf(text, sizeof text, "#include \"../../../../../../../../../..%s\"\n",
@@ -261,7 +262,7 @@ IN_PROJECT(test_links)
                 "// #include \"inner.glsl\"\nfloat leaf();\n// #include \"leaf.glsl\"\n");
 }
 
-// Where the system tells letters apart a link has the other ones.
+// Where the system distinguishes upper and lower case, a link has the other case.
 IN_PROJECT(test_letters_of_another_size)
 {
     assert_refused("#include \"Leaf.glsl\"\n", "main.frag:1: #include \"Leaf.glsl\": ");

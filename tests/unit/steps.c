@@ -1,5 +1,5 @@
-// steps.c - one ray's march, step by step: which of it a slice shows, where its steps are in
-// the picture of another camera, and the graph of the distance along it.
+// steps.c - one ray's march, step by step: the part of it that a slice shows, the positions of its
+// steps in the picture of another camera, and the graph of the distance along it.
 #include "lib/test.h"
 #include "picture/slice.h"
 #include "lib/gpu.h"
@@ -40,7 +40,7 @@ static double dark_at(const float *values, double x, double y)
 
 // ---- The slice as far as a step ----
 
-// Nothing within 0.5 of anywhere: step k stands at 0.5 k, and there are nine.
+// Everything is at least 0.5 away: step k is at 0.5 k, and there are nine.
 static const char equal_steps[] = "#include \"main.glsl\"\n"
                                   "#include \"march.glsl\"\n"
                                   "Ray pixelRay(vec2 screen)\n"
@@ -54,7 +54,7 @@ static const char equal_steps[] = "#include \"main.glsl\"\n"
                                   "    return vec3(0.0);\n"
                                   "}\n";
 
-// Between two steps the circle of the next one grows: its lowest point comes down.
+// Between two steps, the circle of the next one grows: its lowest point moves down.
 TEST(a_film_is_between_two_steps)
 {
     const struct camera camera = {.position = {0.0f, 0.0f, 0.0f}};
@@ -80,12 +80,12 @@ TEST(a_film_is_between_two_steps)
     free(probe);
 }
 
-// ---- A ray that stays in space ----
+// ---- A ray that is pinned in space ----
 
 static const struct camera second = {.position = {3.6f, 1.9f, 2.2f}, .pan = -58.0f, .tilt = -20.0f};
 
-// The place of a point in the picture of a perspective or a parallel view, in double precision.
-//   half  half the height of what a parallel view shows; 0: perspective
+// The position of a point in the picture of a perspective or a parallel view, in double precision.
+//   half  half the height that a parallel view shows; 0: perspective
 static bool project(const struct camera *camera, const float p[3], double half, double place[2])
 {
     struct camera_basis basis = camera_basis_of(camera);
@@ -133,7 +133,7 @@ TEST(the_places_are_those_of_the_other_camera)
     assert_false(again->pinned);
     free(again);
     assert_int_equal(probe->steps, from->steps);
-    for (int k = 0; k < probe->steps; k++) { // the same ray, to the bit
+    for (int k = 0; k < probe->steps; k++) { // the same ray, to the last bit
         assert_memory_equal(&probe->step[k].t, &from->step[k].t, sizeof(float));
         assert_memory_equal(probe->step[k].position, from->step[k].position, 3 * sizeof(float));
         assert_true(from->step[k].seen && from->step[k].place[0] == 340.5f &&
@@ -144,7 +144,7 @@ TEST(the_places_are_those_of_the_other_camera)
     print_message("# %d of %d steps have a place\n", seen, probe->steps);
     assert_true(seen >= 8);
     free(probe);
-    // A camera beside the ray sees what is in front of it alone.
+    // A camera beside the ray sees only what is in front of it.
     inputs.camera = (struct camera){.position = {0.9f, 0.1f, 1.0f}, .pan = -30.0f, .tilt = -10.0f};
     probe = probe_of(&inputs);
     int behind = 0;
@@ -161,7 +161,7 @@ TEST(the_places_are_those_of_the_other_camera)
     free(probe);
 }
 
-// A view of its own: the angle to the view grows evenly from the middle.
+// A custom view: the angle to the view direction grows uniformly from the centre.
 static const char round_view[] =
     "#include \"main.glsl\"\n"
     "#include \"march.glsl\"\n"
@@ -233,7 +233,7 @@ TEST(a_plot_has_room_for_every_step)
         struct slice_frame slice = slice_frame_of(probe, width, height, 1.0f);
         struct plot_frame plot = plot_frame_of(probe, width, height, &slice);
         assert_true((double)plot.split == 0.5 * height);
-        // The slice's ray runs in the middle of what is above.
+        // The slice's ray runs along the middle of the part above.
         assert_true(fabs(-(double)slice.bottom / (double)slice.unit - 0.75 * height) < 0.01);
         for (int k = 0; k < 3; k++) {
             double y = (double)plot.zero + (double)hit[k] / (double)plot.unit;

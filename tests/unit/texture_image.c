@@ -1,6 +1,5 @@
-// texture_image.c - the pictures that shaders read, before the driver has them: slices, and
-// the levels against double precision.
-// cmocka needs the four above.
+// texture_image.c - the pictures that shaders read, before the driver receives them: slices, and
+// the levels compared with double precision.
 #include "lib/test.h"
 #include "picture/texture.h"
 #include "lib/mirror.h"
@@ -53,7 +52,7 @@ TEST(a_texture_leaves_no_file_open)
 
 // ---- Levels ----
 
-// How much of cell a of n is in cell b of m, where both rows fill [0, 1].
+// The part of cell a of n that lies in cell b of m, where both rows fill [0, 1].
 static double common_part(int a, int n, int b, int m)
 {
     double begin = fmax((double)a / n, (double)b / m);
@@ -61,7 +60,8 @@ static double common_part(int a, int n, int b, int m)
     return fmax(end - begin, 0.0);
 }
 
-// The mean of a level over a texel of the next one, by its volume in common with each texel.
+// The mean of a level over a texel of the next one, weighted by the volume that it shares with each
+// texel.
 static double mean_over(const double *value, const int n[3], const int m[3], const int at[3],
                         int channel)
 {
@@ -83,7 +83,7 @@ static void check_level(const struct texture_image *image, int level, const doub
     const int *size = image->size[level];
     for (int i = 0; i < 4 * size[0] * size[1] * size[2]; i++) {
         double wanted = 255.0 * (srgb && i % 4 < 3 ? mirror_encode(value[i]) : value[i]);
-        // Half a step of rounding, and what single precision may move it by.
+        // Half a step of rounding, and the error of single precision.
         if (fabs(wanted - image->level[level][i]) > 0.5 + 1e-3)
             fail_msg("level %d, value %d: %d, not %f", level, i, image->level[level][i], wanted);
     }

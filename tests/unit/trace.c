@@ -1,4 +1,4 @@
-// trace.c - every step of one ray, as the probe brings it back.
+// trace.c - every step of one ray, as the probe returns it.
 #include "lib/test.h"
 #include "lib/gpu.h"
 #include "lib/scratch.h"
@@ -35,7 +35,7 @@ TEST(a_picture_leaves_no_trace_in_a_probe)
 }
 
 // Rays that start at (screen, 2) and go down to the plane z = 0 at an angle: each step leaves a
-// fifth of the way.
+// fifth of the distance.
 #define TOWARDS_A_PLANE(steps)                                                                     \
     "#include \"main.glsl\"\n"                                                                     \
     "#include \"march.glsl\"\n"                                                                    \
@@ -72,7 +72,7 @@ static void check_probe(const char *text, int steps, enum probe_end end)
     free(probe);
 }
 
-// 2 / 5^n is under the threshold for the first time at n = 7, the eighth step.
+// 2 / 5^n is below the threshold for the first time at n = 7, the eighth step.
 TEST(a_probe_shows_every_step)
 {
     check_probe(TOWARDS_A_PLANE("100"), 8, PROBE_HIT);

@@ -1,8 +1,8 @@
-// browser.mjs - what the tests of the browser share: a server of a folder, Chromium on Mesa's software
-// renderer, a page with one program, waits for a state, and TAP.
+// browser.mjs - what the tests of the browser share: a server for a folder, Chromium on Mesa's software renderer, a
+// page with one program, waits for a state, and TAP.
 //
-// Nothing here waits for a clock. What must happen is waited for; what must not happen has had its chance after
-// so many frames of the page.
+// Nothing here depends on a clock. A test waits for what must happen; what must not happen had its chance after a
+// number of frames of the page.
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
 import {chromium} from '../../build/node/node_modules/playwright-core/index.mjs';
@@ -25,7 +25,7 @@ export function check(name, right, ...more) {
     return right;
 }
 
-// To be called while the browsers still live, for they are counted.
+// Call it while the browsers are still running, because their time is counted.
 export function finish() {
     console.log(`# ${(processors() + process.cpuUsage().user / 1e6).toFixed(0)} s of processors`);
     console.log(`1..${count}`);
@@ -34,10 +34,11 @@ export function finish() {
 
 // ---- The server ----
 
-// What is tested: the programs alone, and the site. Mistakes that are made on purpose are in a copy.
+// The folders under test: the programs alone, and the site. Deliberate mistakes are made in a copy.
 export const WEB = process.env.WEB_FOLDER || 'build/web', SITE = process.env.SITE_FOLDER || 'build/site';
 
-// Serve a folder on this machine alone; /test.html is a page with a canvas. Returns its address and what ends it.
+// Serve a folder only to this machine; /test.html is a page with a canvas. Returns its address and a function that ends
+// it.
 export async function serve(folder) {
     const server = folderServer(folder, {'/test.html': PAGE});
     await new Promise((ready) => server.listen(0, '127.0.0.1', ready));
@@ -46,9 +47,9 @@ export async function serve(folder) {
 
 // ---- The browser ----
 
-export const PATIENCE = Number(process.env.WEB_PATIENCE || 180e3); // milliseconds until a state that does not come counts as missing
+export const PATIENCE = Number(process.env.WEB_PATIENCE || 180e3); // milliseconds after which a state that does not come counts as missing
 
-//   angle  what draws: 'gl-egl' is Mesa, 'swiftshader' Chromium's own
+//   angle  the renderer: 'gl-egl' is Mesa, 'swiftshader' Chromium's own
 export function launch(angle = 'gl-egl') {
     return chromium.launch({
         executablePath: process.env.CHROMIUM || '/usr/bin/chromium',
@@ -59,8 +60,7 @@ export function launch(angle = 'gl-egl') {
     });
 }
 
-// In a page: load a program for its canvas, keep what it says and draws, and count how often WebGL's functions are
-// called.
+// In a page: load a program for its canvas, store its messages and pictures, and count the calls of WebGL's functions.
 export async function loadProgram() {
     window.calls = {};
     for (const name of ['drawArrays', 'blitFramebuffer', 'readPixels']) {
@@ -90,9 +90,9 @@ export async function loadProgram() {
     });
 }
 
-// A page, and what its console and its scripts complain of.
+// A page, and the complaints of its console and its scripts.
 //   context  playwright's options of a context
-//   before   is evaluated in the page before any script of it
+//   before   is evaluated in the page before any of its scripts
 export async function blankPage(browser, {context = {}, before = () => {}} = {}) {
     const page = await browser.newPage({viewport: {width: 640, height: 500}, ...context});
     page.setDefaultTimeout(PATIENCE);
@@ -103,8 +103,8 @@ export async function blankPage(browser, {context = {}, before = () => {}} = {})
     return {page, said};
 }
 
-// A page with one program, window.program, that has started nothing. The program's own lines are in window.lines,
-// its pictures in window.pictures, how often WebGL's functions were called in window.calls.
+// A page with one program, window.program, that has started nothing. The program's own lines are in window.lines, its
+// pictures in window.pictures, and the number of calls of WebGL's functions in window.calls.
 export async function openPage(browser, at, options = {}) {
     const opened = await blankPage(browser, options);
     await opened.page.goto(`${at}/test.html`);
@@ -112,7 +112,7 @@ export async function openPage(browser, at, options = {}) {
     return opened;
 }
 
-// Draw a picture into a file, as a row of tests/pictures/images.txt asks. Returns {status, picture, lines}.
+// Draw a picture into a file, with the options of a row of tests/pictures/images.txt. Returns {status, picture, lines}.
 export const draw = (page, stem, line) => page.evaluate(async ([stem, line]) => {
     window.lines.length = window.pictures.length = 0;
     const status = await window.program.start(stem, `${line} --output picture.png`);
@@ -130,7 +130,7 @@ export async function start(page, stem, line = '') {
     return status;
 }
 
-// Wait until the program's state is what is asked of it. Returns the last state: the caller judges it.
+// Wait until the program's state satisfies a condition. Returns the last state, which the caller judges.
 export async function until(page, right) {
     const begun = Date.now();
     for (;;) {
@@ -140,14 +140,14 @@ export async function until(page, right) {
     }
 }
 
-// Let so many frames of the page pass.
+// Let a number of frames of the page pass.
 export const frames = (page, count) => page.evaluate((count) => new Promise((done) => {
     const turn = () => count-- > 0 ? requestAnimationFrame(turn) : done();
     turn();
 }), count);
 
-// Wait until a paused program has drawn everything: nothing in so many frames of the page, which
-// are longer than the rest after which a picture is sharpened.
+// Wait until a paused program has drawn everything: nothing is drawn in a number of frames of the page that is longer
+// than the rest after which a picture is sharpened.
 export const rest = (page) => page.evaluate((patience) => new Promise((done) => {
     const begun = performance.now();
     let still = 0, before = -1;
@@ -163,7 +163,7 @@ export const rest = (page) => page.evaluate((patience) => new Promise((done) => 
 
 // ---- Files and processes ----
 
-// Seconds of processor time of all processes that descend from this one and have not ended.
+// Seconds of processor time of all running processes that descend from this one.
 export function processors() {
     const all = fs.readdirSync('/proc').filter((name) => /^\d+$/.test(name)).flatMap((name) => {
         try {
@@ -188,7 +188,7 @@ export function keep(picture, file) {
     fs.writeFileSync(file, Buffer.from(picture.url.split(',')[1], 'base64'));
 }
 
-// Hold a picture against its reference by build/tests/compare, while others are drawn. Returns {same, says}.
+// Compare a picture with its reference, using build/tests/compare, while others are drawn. Returns {same, says}.
 export function compare(name, file) {
     return new Promise((done) => execFile('build/tests/compare', [`tests/references/${name}.png`, file],
         (error, output, errors) => done({same: !error, says: (output + errors).trim()})));

@@ -1,5 +1,5 @@
-// chapter.mjs - the live chapter in a page: what is there before the click, its controls, the ray, the editor with its
-// keeping and its link, commands beside the text, exercises, a telephone.
+// chapter.mjs - the live chapter in a page: the state before the click, its controls, the ray, the editor with its
+// drafts and its link, commands beside the text, exercises, a phone.
 import {execFileSync, spawnSync} from 'node:child_process';
 import fs from 'node:fs';
 import path from 'node:path';
@@ -19,11 +19,11 @@ ${command(PAIR[0], `data-other="${PAIR[1]}"`)}</main></html>`;
 
 const server = await serve(WEB), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
 
-// A page of its own, with what it asks for and what it complains of.
+// A separate page, with its requests and its complaints.
 async function open(options = {}, fragment = '', context = null) {
     context ??= await browser.newContext({viewport: {width: 1280, height: 800}, permissions: ['clipboard-read', 'clipboard-write'], ...options});
     const page = await context.newPage(), asked = [];
-    page.setDefaultTimeout(PATIENCE); // a limit for what hangs: a machine with other work takes its time
+    page.setDefaultTimeout(PATIENCE); // a limit for tests that hang: a machine with other work is slow
     page.on('console', (message) => { if (message.type() === 'error') said.push(message.text()); });
     page.on('pageerror', (error) => said.push(error.message));
     page.on('request', (request) => asked.push(path.basename(new URL(request.url()).pathname)));
@@ -39,7 +39,7 @@ const state = (page) => page.evaluate(() => document.querySelector('.live-on').p
 const value = async (page, name) => (await state(page)).parameters.find((p) => p.name === name).value[0];
 const press = (page, name) => page.locator(on).getByRole('button', {name, exact: true}).click();
 
-// Wait until the program's state is what is asked; the caller's check is the last word.
+// Wait until the program's state satisfies a condition; the caller's check decides.
 async function comes(page, right, ...values) {
     await page.waitForFunction(([right, values]) => {
         const program = document.querySelector('.live-on')?.program;
@@ -59,7 +59,7 @@ async function run(page) {
 const {page, asked, context} = await open();
 await page.waitForSelector('.live-start');
 check('before the click there is the poster, and nothing of the program is loaded', asked.sort().join() === 'live.css,live.html,live.js,poster.png', asked);
-// Nothing comes from the script that runs it before the chapter's text is asked for.
+// Nothing is requested by the script that runs it before the chapter's text.
 const together = page.waitForRequest(`**/${STEM}.frag`, {timeout: PATIENCE / 3}).then(() => true, () => false);
 await page.route('**/stage.js', async (route) => { await together; await route.continue(); });
 const begun = Date.now();
@@ -143,13 +143,13 @@ check('and is in sight', await page.evaluate(() => { const box = document.queryS
 check('typing moves nothing', now.camera.every((x, i) => x === eye[i]) && now.view === 'picture', eye, now.camera);
 check('the picture is in sight above the text', await page.evaluate(() => { const box = document.querySelector('.live-canvas').getBoundingClientRect(); return box.top >= 0 && box.bottom < innerHeight; }));
 
-// It is kept, though it is broken: the picture that is shown then is the course's.
+// It is kept although it is broken: the course's picture is shown then.
 await page.reload();
 await page.waitForSelector('.live-start');
 await run(page);
 await page.waitForSelector('.live-error:not([hidden])');
 check('a reload keeps a broken edit, its error and a picture', (await words()).includes('error') && (await state(page)).runs);
-// A context that is lost with it comes back likewise.
+// A context that is lost with it is restored in the same way.
 await lamp.locator('input[type=number]').fill('3.25');
 await lamp.locator('input[type=number]').press('Enter');
 await page.evaluate(() => new Promise((found) => {
@@ -285,10 +285,11 @@ await page.emulateMedia({media: 'print'});
 check('on paper a program that runs is its poster', await first(page).locator('img').isVisible() && await page.locator(':is(.live-canvas, .live-controls, .live-status, button):visible').count() === 0);
 await page.emulateMedia({media: 'screen'});
 
-// ---- A file of one's own ----
+// ---- A reader's own file ----
 
 const toy = 'void mainImage(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, 0.5, 1.0); }\n';
-// On a busy machine the browser may say late that the canvas is seen again: a ray that is chosen before that stays.
+// On a busy machine the browser may report late that the canvas is visible again: a ray that is selected before that
+// stays.
 await page.waitForFunction(() => document.querySelector('.live-on').program.near);
 const seen = (near) => page.evaluate((near) => {
     const {program} = document.querySelector('.live-on');
@@ -303,7 +304,7 @@ check('it says why it has no ray', (await comes(page, 's.why')).why.startsWith('
 await page.evaluate(() => document.querySelector('live-chapter').run(''));
 check('and any chapter is exported', (await page.evaluate(() => document.querySelector('live-chapter').exported())).includes('void mainImage'));
 
-// ---- What axe-core says ----
+// ---- What axe-core finds ----
 
 await page.addScriptTag({path: 'build/node/node_modules/axe-core/axe.min.js'});
 const audit = () => page.evaluate(async () => (await window.axe.run(document)).violations.map(({id, nodes}) => `${id}: ${nodes.map((n) => n.target).join(' ')}`));

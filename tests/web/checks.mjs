@@ -1,6 +1,7 @@
-// checks.mjs [PATTERN] - the check of exercises in a page: the course's solution is right, the unsolved chapter is
-// wrong, each in a sentence. Of every chapter that PATTERN picks its exercise with the fewest pictures; by itself a few
-// chapters, in continuous integration all. `make test SUITE=check` holds every exercise to the same in the terminal.
+// checks.mjs [PATTERN] - the check of exercises in a page: the course's solution is right and the unsolved chapter
+// wrong, each in a sentence. Of every chapter that PATTERN selects, the exercise with the fewest pictures; without
+// PATTERN a few chapters, in continuous integration all. `make test SUITE=check` tests every exercise in the same way
+// in the terminal.
 import fs from 'node:fs';
 import {blankPage, check, finish, launch, serve, WEB} from './browser.mjs';
 

@@ -1,5 +1,5 @@
-// faults.mjs - errors that readers have found in a page of the site: what the wheel and the keys scroll, a
-// draft for each exercise, two tabs, odd addresses, a context that is lost, the search, a browser without WebGL 2, paper.
+// faults.mjs - errors that readers have found in a page of the site: which wheel and key events scroll, a draft for
+// each exercise, two tabs, unusual addresses, a lost context, the search, a browser without WebGL 2, print.
 import {blankPage, check, finish, frames, launch, serve, SITE} from './browser.mjs';
 
 const server = await serve(SITE), browser = await launch();
@@ -34,14 +34,14 @@ await page.evaluate(() => scrollTo(0, 0));
 await page.locator('.live-canvas').click();
 check('a click gives the picture the keyboard', await page.evaluate(() => document.activeElement.className === 'live-canvas'));
 
-// ---- A context that is lost ----
+// ---- A lost context ----
 
 await page.evaluate(() => new Promise((found) => {
     const canvas = document.querySelector('.live-canvas'), taken = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
     canvas.addEventListener('webglcontextlost', () => setTimeout(() => taken.restoreContext(), 300), {once: true});
     canvas.addEventListener('webglcontextrestored', found, {once: true});
     taken.loseContext();
-    document.querySelector('.live-on').program.call('live_turn'); // a turn that the loss overtakes
+    document.querySelector('.live-on').program.call('live_turn'); // a turn that the loss interrupts
 }));
 await runs(page);
 await frames(page, 40);
@@ -62,7 +62,7 @@ await answer(1).locator('button').first().click();
 await page.waitForFunction(() => /Wrong/.test(document.querySelector('form[data-exercise="00-1"] .live-verdict')?.textContent));
 check('while its own check judges it', /^Wrong: does not run: my\.frag:1:/.test(await answer(1).locator('.live-verdict').textContent()), await answer(1).locator('.live-verdict').textContent());
 
-// A change that never ends takes the context with it.
+// A change that never ends also loses the context.
 await page.evaluate(() => {
     window.taken = document.querySelector('.live-canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
     window.taken.loseContext();

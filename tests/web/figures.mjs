@@ -1,5 +1,6 @@
-// figures.mjs [PATTERN] - the interactive figures of every chapter's page: each runs where it is, and a point of it answers,
-// in turn to the mouse at 1440 pixels and to a finger at 390. How long that takes is printed but not judged. PATTERN picks pages.
+// figures.mjs [PATTERN] - the interactive figures of every chapter's page: each runs in its place, and one of its
+// points responds, first to the mouse at 1440 pixels and then to a finger at 390. The time that this takes is printed
+// but not judged. PATTERN selects pages.
 import fs from 'node:fs';
 import {blankPage, check, finish, launch, PATIENCE, serve, SITE} from './browser.mjs';
 
@@ -23,7 +24,7 @@ async function comes(page, right) {
     }
 }
 
-// Run a figure, and drag its first point a little towards the middle. Returns what was wrong, '' for nothing.
+// Run a figure, and drag its first point a little towards the middle. Returns what was wrong, or ''.
 async function answers(page, figure, phone) {
     await figure.evaluate((one) => { for (let fold = one; (fold = fold.parentElement.closest('details'));) fold.open = true; one.scrollIntoView({block: 'center', behavior: 'instant'}); });
     await figure.locator('.live-start')[phone ? 'tap' : 'click']();

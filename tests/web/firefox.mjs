@@ -1,5 +1,5 @@
-// firefox.mjs - the program in Firefox (fox.mjs): a picture of each chapter against its reference, the hands, the clock of
-// a hidden page.
+// firefox.mjs - the program in Firefox (fox.mjs): a picture of each chapter compared with its reference, mouse, wheel
+// and touch, the clock of a hidden page.
 import fs from 'node:fs';
 import {PATIENCE, check, compare, draw, finish, frames, keep, loadProgram, pictures, rest, serve, start, state, until, WEB} from './browser.mjs';
 import {Page} from './fox.mjs';

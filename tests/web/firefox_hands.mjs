@@ -1,12 +1,12 @@
-// firefox_hands.mjs - an interactive figure of the site in Firefox, at 1440 and at 390 pixels: it lives where it is, and its
-// points answer to the mouse, a finger and the keys.
+// firefox_hands.mjs - an interactive figure of the site in Firefox, at 1440 and at 390 pixels: it runs in its place,
+// and its points respond to the mouse, a finger and the keys.
 import {PATIENCE, check, finish, serve, SITE} from './browser.mjs';
 import {Page} from './fox.mjs';
 
 const server = await serve(SITE);
 
-// The state of the program, where the figure's points are on the screen, and how far the page is scrolled; once it is
-// what is asked.
+// The state of the program, the positions of the figure's points on the screen, and how far the page is scrolled, once
+// a condition holds.
 async function comes(page, right) {
     for (const begun = Date.now(); ;) {
         const now = await page.evaluate(() => {

@@ -1,5 +1,5 @@
-// hands.mjs - pages that answer to the hand: a picture that lives where it is, the points of an interactive figure by
-// mouse, finger and keys, numbers in sentences, guesses, the telephone, the front page. At 1440 and at 390 pixels.
+// hands.mjs - pages that respond to the hand: a picture that runs in its place, the points of an interactive figure
+// with mouse, finger and keys, numbers in sentences, guesses, the phone, the front page. At 1440 and at 390 pixels.
 import {blankPage, check, finish, launch, PATIENCE, serve, SITE} from './browser.mjs';
 
 const server = await serve(SITE), browser = await launch();
@@ -18,14 +18,14 @@ async function comes(page, right, ...values) {
     }, [right, values], {timeout: PATIENCE}).catch(() => {});
     return state(page);
 }
-// Where a point of the figure is on the screen.
+// The position of a point of the figure on the screen.
 async function handle(page, name) {
     const box = await page.locator('.live-canvas').boundingBox(), {x, y} = (await state(page)).handles.find((one) => one.name === name);
     return [box.x + x * box.width, box.y + y * box.height];
 }
 const value = async (page, name) => (await state(page)).parameters.find((one) => one.name === name).value;
 
-// ---- A picture that lives where it is ----
+// ---- A picture that runs in its place ----
 
 let {page, said} = await open('01_normal_colouring.html', {...DESK, bypassCSP: true}); // the tests evaluate texts
 const picture = page.locator('.in-place:has(img[src*="slice-silhouette"])');
@@ -101,7 +101,7 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     await page.keyboard.press('ArrowRight');
     now = await comes(page, 's.parameters.find((p) => p.name === v[0]).value[0] > v[1]', focused, stood[0]);
     check(`${name}: with the keyboard a point is focused, and the arrow keys move it`, (await value(page, focused))[0] > stood[0], focused, stood);
-    for (let i = 0; i < 2; i++) await page.keyboard.press('Enter'); // the ball is the last one: then there is none, then the first
+    for (let i = 0; i < 2; i++) await page.keyboard.press('Enter'); // the ball is the last one: then none is selected, then the first
     now = await comes(page, 's.handles.some((one) => one.focused && one.name !== v[0])', focused);
     check(`${name}: Enter goes to the next`, ![undefined, focused].includes(now.handles.find((one) => one.focused)?.name));
     check(`${name}: nothing to scroll sideways`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
@@ -160,7 +160,7 @@ const second = page.locator('form.guess:not([data-kind])').first();
 await second.evaluate((form) => { let next = form; while (!next.matches('details')) next = next.nextElementSibling; next.id = 'second'; });
 await page.locator('#second summary').click();
 await page.locator('#second summary').click();
-check('who presses twice needs no guess', await page.locator('#second').evaluate((one) => one.open));
+check('the answer opens at the second click, without a guess', await page.locator('#second').evaluate((one) => one.open));
 check('no error in the console', said.length === 0, said);
 await page.close();
 

@@ -1,12 +1,12 @@
-// live.mjs - the live chapter in a page of the site, which chapter.mjs tests in a page of its own: what the page loads, a
-// command beside the text, what axe-core finds, a telephone, the check of an exercise, and the line of every button.
+// live.mjs - the live chapter in a page of the site, which chapter.mjs tests in a page of its own: what the page loads,
+// a command beside the text, what axe-core finds, a phone, the check of an exercise, and the line of every button.
 import fs from 'node:fs';
 import {blankPage, check, finish, frames, launch, openPage, PATIENCE, serve, SITE} from './browser.mjs';
 
 const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
 const server = await serve(SITE), browser = await launch();
 
-// A chapter's page; asked gathers what it loads.
+// A chapter's page; asked collects what it loads.
 async function chapter(stem, context = {}) {
     const opened = await blankPage(browser, {context: {viewport: {width: 1280, height: 900}, ...context}});
     const asked = opened.asked = [];
@@ -15,7 +15,7 @@ async function chapter(stem, context = {}) {
     await opened.page.waitForFunction(() => document.querySelector('live-chapter button.live-start'));
     return opened;
 }
-// The program that runs in the page: its state, once `right` holds of it.
+// The state of the program that runs in the page, once `right` holds for it.
 const stateOf = (page) => page.evaluate(() => [...document.querySelectorAll('live-chapter')].map((one) => one.program).find(Boolean)?.state() ?? null);
 async function until(page, right) {
     for (let begun = Date.now(); ;) {
@@ -77,7 +77,7 @@ check(`a command runs below itself: ${line}`, await page.evaluate(() => {
 check('no error in the console', said.length === 0, said);
 await page.close();
 
-// ---- What axe-core says ----
+// ---- What axe-core finds ----
 
 ({page, said} = await chapter('03_shadows'));
 await page.locator('live-chapter .live-start').first().click();
@@ -102,7 +102,7 @@ await page.getByRole('toolbar', {name: 'The program'}).getByRole('button', {name
 await page.locator('.cm-content').waitFor();
 check('nor with the editor', await across() <= 0, await across());
 check('nor in the editor, whose long lines wrap', await page.locator('.cm-scroller').evaluate((one) => one.scrollWidth <= one.clientWidth));
-await page.addStyleTag({content: 'html { overflow-anchor: none; }'}); // not every browser holds the text by itself
+await page.addStyleTag({content: 'html { overflow-anchor: none; }'}); // not every browser keeps the text by itself
 const above = async () => (await page.locator('.live-editor').boundingBox()).y, stands = await above();
 await page.keyboard.type('// mine\n');
 await page.locator('.live-changes').waitFor();
@@ -127,7 +127,7 @@ await page.close();
 // ---- One command after the other ----
 
 ({page, said} = await chapter('00_first_scene', {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true}));
-// Tap the last button of a command, so far down the screen. Returns how far it has gone once its program runs.
+// Tap the last button of a command at a given height on the screen. Returns how far it has moved once its program runs.
 async function tap(line, down = 200) {
     const button = page.locator(`button.run[data-line="${line}"]`).last(), handle = await button.elementHandle();
     await button.evaluate((one, down) => window.scrollTo(0, one.getBoundingClientRect().top + window.scrollY - down), down);
@@ -149,7 +149,7 @@ now = await until(page, (s) => s.parameters.some(({name, value}) => name === 'fa
 check('and one is set alone', factors() === 'factor (left) 1,factor (right) 2', factors());
 await tap('--time 1');
 check('a picture that a command writes is paused', now.paused && now.time === 1, now.paused, now.time);
-const gone = await tap('--time 1 --samples 3', 600); // the program above it is in sight
+const gone = await tap('--time 1 --samples 3', 600); // the program above it is visible
 check('a command stays where it was tapped when the program above it goes', Math.abs(gone) < 2, gone);
 const both = page.locator('button.run[data-other]').first();
 await both.tap();
@@ -168,13 +168,13 @@ await page.close();
 
 // ---- The line of every button ----
 
-// options.c reads each as the program would, and prints what the shader has; it draws nothing.
+// options.c reads each line as the program would, and prints the shader's parameters; it draws nothing.
 const plain = (html) => html.replaceAll('&quot;', '"').replaceAll('&#39;', '\'').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&');
 const lines = new Map();
 for (const name of fs.readdirSync(SITE).filter((name) => name.endsWith('.html'))) {
     const html = fs.readFileSync(`${SITE}/${name}`, 'utf8');
     for (const [, stem, line, label] of html.matchAll(/<button[^>]*class="run" data-stem="([^"]*)" data-line="([^"]*)"[^>]* aria-label="([^"]*)"/g))
-        lines.set(`${stem} ${plain(line)}`, /# refused/.test(label) ? 2 : 0); // what a page shows to be refused is
+        lines.set(`${stem} ${plain(line)}`, /# refused/.test(label) ? 2 : 0); // commands that the page shows as refused are refused
     for (const [, stem, line] of html.matchAll(/data-stem="([^"]*)"[^>]* data-other="([^"]*)"/g)) lines.set(`${stem} ${plain(line)}`, 0);
 }
 ({page, said} = await openPage(browser, server.at));

@@ -1,29 +1,30 @@
-// look.mjs [PATTERN] - every page of the site in Chromium: what axe-core finds, in light and in dark; nothing to
-// scroll sideways on a telephone's 390 pixels; nothing wider than a printed page, whose answers are at its end; no error
-// in the console, no request that fails or leaves the site, and none before a click for the module, the editor or the
-// course's files. One page is opened as a file. PATTERN picks pages.
+// look.mjs [PATTERN] - every page of the site in Chromium: what axe-core finds, in light and in dark; nothing to scroll
+// sideways on a phone's 390 pixels; nothing wider than a printed page, whose answers are at its end; no error in the
+// console, no request that fails or leaves the site, and none before a click for the module, the editor or the course's
+// files. One page is opened as a file. PATTERN selects pages.
 import fs from 'node:fs';
 import {pathToFileURL} from 'node:url';
 import {blankPage, check, finish, launch, serve, SITE} from './browser.mjs';
 
 const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
-const LATER = /harness|course|stage\.js|program\.js|editor\.js|check\.js|exercises|search\.js/; // what only a click or a search loads
+const LATER = /harness|course|stage\.js|program\.js|editor\.js|check\.js|exercises|search\.js/; // loaded only by a click or a search
 const pattern = new RegExp(process.argv[2] || '');
 const server = await serve(SITE), browser = await launch('none');
-// A file's page differs from another in its text alone.
+// The page of a file differs from another one only in its text.
 const sources = fs.readdirSync(`${SITE}/source`, {recursive: true}).filter((name) => name.endsWith('.html')).map((name) => `source/${name}`).sort();
 const names = [...fs.readdirSync(SITE).filter((name) => name.endsWith('.html')), ...sources.filter((_, i) => i % 40 === 0)].filter((name) => pattern.test(name));
 check('there are pages', names.length > (process.argv[2] ? 0 : 30), names.length);
 
-// What axe-core finds: [rule: the elements]. A formula is left out: it is MathML, has the text's colour and nothing to
-// press, and its thousands of elements take most of the time. By day every rule; in the dark those of colour, which alone can change.
+// What axe-core finds: [rule: the elements]. Formulas are left out: they are MathML, have the text's colour and nothing
+// to press, and their thousands of elements take most of the time. In light, every rule; in dark, only the rules on
+// colour, which alone can change.
 const findings = (page, only) => page.evaluate(async (only) => {
     const found = await window.axe.run({exclude: [['math']]}, {resultTypes: ['violations'], ...(only && {runOnly: only})});
     return found.violations.map((one) => `${one.id}: ${one.nodes.length}: ${one.nodes.slice(0, 2).map((node) => node.target.join(' ')).join(', ')}`);
 }, only);
 
-// What is wrong with a page on A4, less its margins: what is seen besides the text, what is cut off, colours of the
-// night, answers below their questions.
+// The faults of a page on A4, without its margins: visible parts other than the text, cut-off parts, colours of the
+// dark theme, answers below their questions.
 async function onPaper(page) {
     await page.setViewportSize({width: 658, height: 971});
     await page.emulateMedia({media: 'print', colorScheme: 'dark'});
@@ -79,7 +80,7 @@ async function look(work) {
 const work = [...names];
 await Promise.all([look(work), look(work)]);
 
-// Browsers refuse a page that is opened as a file its programs; its letters, its pictures and the search are there.
+// In a page that is opened as a file, browsers refuse the programs; its fonts, its pictures and the search work.
 const {page} = await blankPage(browser);
 await page.goto(`${pathToFileURL(SITE)}/01_normal_colouring.html`);
 await page.getByRole('searchbox').fill('normal');

@@ -1,5 +1,5 @@
-// pages.mjs - the site's files, without a browser: every page is there, no link is dead, no formula
-// failed, nothing comes from elsewhere or lies there unused, every command has its button or its reason, no page is too heavy.
+// pages.mjs - the site's files, without a browser: every page exists, no link is dead, no formula failed, nothing comes
+// from elsewhere or is unused, every command has its button or its reason, no page is too large.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import os from 'node:os';
@@ -17,7 +17,7 @@ check('there are pages', top.length >= 30, top.length);
 const lacking = fs.readdirSync('docs').filter((name) => name.endsWith('.md') && name !== 'README.md' && !text.has(name.replace(/md$/, 'html')));
 check('every page of docs/ is one of the site', lacking.length === 0, lacking);
 
-// ---- Links and what a page loads ----
+// ---- Links, and what a page loads ----
 
 const ids = new Map([...text].map(([name, html]) => [name, new Set([...html.matchAll(/\sid="([^"]*)"/g)].map((match) => plain(match[1])))]));
 const dead = [], foreign = [], doubled = [];
@@ -58,7 +58,7 @@ check('and there are formulas', formulas > 3000, formulas);
 
 // ---- Figures ----
 
-// A picture may load nothing: each letter of a figure is in a font within it, upright, slanted or bold as it is drawn.
+// A picture may load nothing: each letter of a figure is in a font inside it, upright, italic or bold as it is drawn.
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'web_pages-')), charsets = new Map();
 function charsetOf(data) {
     if (!charsets.has(data)) {
@@ -90,8 +90,8 @@ check('every figure has its letters within it, and a dark theme', svgs.length > 
 
 // ---- Commands ----
 
-// Read from the sources, not from what the builder made of them: each command of a shell block is
-// in the page, in a block with a button, a form or a reason.
+// Read from the sources, not from the output of the builder: each command of a shell block is in the page, in a block
+// with a button, a form or a reason.
 const squeezed = (words) => words.replace(/\s+/g, ' ').trim();
 const mute = [];
 let commands = 0;
@@ -110,7 +110,7 @@ for (const name of top.filter((name) => fs.existsSync(`docs/${name.replace(/html
 }
 check('every command has a button or a reason', commands > 400 && mute.length === 0, commands, mute.slice(0, 8));
 
-// A question that has another wording takes words: then its line in guesses.txt says nothing any more.
+// A question with another wording accepts words; then its line in guesses.txt has no meaning any more.
 const right = fs.readFileSync('docs/web/guesses.txt', 'utf8').split('\n').filter((line) => line && !line.startsWith('#')).map((line) => line.split('|')[0].trim());
 const asked = [...new Set(right)].filter((stem) => ((text.get(`${stem}.html`) ?? '').match(/<form class="guess" data-kind/g) ?? []).length !== right.filter((one) => one === stem).length);
 check('every line of guesses.txt has its question', right.length > 10 && asked.length === 0, asked);

@@ -1,5 +1,5 @@
-// play.mjs - the page Play: a text for Shadertoy dropped and drawn, edited, exported, and the export dropped again;
-// the course's own file; a file that is not a shader.
+// play.mjs - the page Play: a text for Shadertoy is dropped, drawn, edited and exported, and the export is dropped
+// again; the course's own file; a file that is not a shader.
 import fs from 'node:fs';
 import {blankPage, check, finish, frames, launch, PATIENCE, serve, SITE} from './browser.mjs';
 
@@ -21,7 +21,7 @@ async function until(right) {
         await frames(page, 2);
     }
 }
-// The colour in the middle of the canvas, as it is shown.
+// The displayed colour in the middle of the canvas.
 async function middle() {
     const shot = await page.locator('.live-canvas').screenshot();
     return page.evaluate(async (bytes) => {

@@ -8,7 +8,7 @@ const {page, said} = await openPage(browser, server.at);
 const canvas = page.locator('#canvas');
 const parameter = (now, name) => now.parameters.find((p) => p.name === name).value;
 
-// What the canvas shows, by the browser's own screenshot: the mean of its bytes, and whether a part is black.
+// What the canvas shows, from the browser's own screenshot: the mean of its bytes, and whether a part is black.
 async function shown(of = page) {
     const png = await of.locator('#canvas').screenshot();
     return of.evaluate(async (data) => {
@@ -172,7 +172,7 @@ check('a value that the page sets is kept within its range', lamp.value[0] === l
 
 // ---- WebGL's traps ----
 
-// An overlay alone is drawn again over a picture that is only copied. A browser has emptied the canvas by then.
+// Only the overlay is drawn again, over a picture that is only copied. By then, a browser has cleared the canvas.
 await page.evaluate(() => window.program.call('live_pause', 1));
 await rest(page);
 const whole = (await shown()).mean;
@@ -184,8 +184,8 @@ await rest(page);
 const again = (await shown()).mean;
 check('an overlay that is drawn again leaves the picture', Math.abs(again - whole) < 1 && again > 20 && listed > 0.2 * whole, whole, listed, again);
 
-// What a picture costs is known only once a pixel of it is read: WebGL's finish waits for nothing.
-// A chosen ray reads pixels of its own, so it is let go.
+// The cost of a picture is known only after one of its pixels is read: WebGL's finish does not wait. A selected ray
+// reads other pixels, so it is deselected.
 await page.evaluate(() => window.program.call('live_pixel', -1, -1));
 await rest(page);
 const drawnAt = await calls();
@@ -195,7 +195,7 @@ const drawn = await calls();
 for (const name in drawn) drawn[name] -= drawnAt[name];
 check('each picture is waited for by reading a pixel', drawn.readPixels >= 0.3 * drawn.drawArrays, drawn);
 
-// ---- A page that nobody sees ----
+// ---- An invisible page ----
 
 const hide = (hidden) => page.evaluate((hidden) => {
     Object.defineProperty(document, 'hidden', {value: hidden, configurable: true});
@@ -219,7 +219,7 @@ check('one that is scrolled away draws nothing either', (await calls()).drawArra
 await page.evaluate(() => window.scrollTo(0, 0));
 await page.waitForFunction(() => window.program.visible);
 
-// ---- A context that is taken away ----
+// ---- A lost context ----
 
 const take = async () => {
     await page.evaluate(() => {
@@ -311,7 +311,7 @@ check('and one line says why', (await none.page.evaluate(() => window.lines.join
 
 // ---- Size ----
 
-// What the first picture of any chapter loads, and with the texts of all chapters: gzip's bytes.
+// What the first picture of any chapter loads, without and with the texts of all chapters: bytes after gzip.
 const packed = (files) => files.reduce((sum, file) => sum + Number(execFileSync('bash', ['-c', `gzip -9c '${file}' | wc -c`], {encoding: 'utf8'})), 0);
 const module = packed(['harness.wasm', 'harness.js', 'program.js', 'course.json'].map((name) => `${WEB}/${name}`));
 const chapters = packed(fs.readdirSync(`${WEB}/course/chapters`).filter((name) => /\.(frag|glsl)$/.test(name)).map((name) => `${WEB}/course/chapters/${name}`));

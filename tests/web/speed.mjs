@@ -1,5 +1,5 @@
-// speed.mjs - what a frame costs in a browser against the program's own, by the time of processors, which other
-// programs hardly touch; and, printed but not judged, how long a reader waits for a first picture.
+// speed.mjs - the cost of a frame in a browser compared with the program's own, in processor time, which other programs
+// hardly affect; and, printed but not judged, how long a reader waits for a first picture.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
 import {blankPage, check, finish, launch, loadProgram, openPage, processors, serve, WEB} from './browser.mjs';
@@ -11,8 +11,8 @@ const own = () => Number(/frame, median +([0-9.]+)/.exec(execFileSync('build/03_
 
 // ---- A frame ----
 
-// What a benchmark does besides its frames is in both of two, and falls out of their difference. The processor's
-// speed changes while other programs run: the three shares of time interleave.
+// The work of a benchmark besides its frames is in both of two, and cancels in their difference. The processor's speed
+// changes while other programs run, so the three shares of time are interleaved.
 const FEW = 5, MANY = 85;
 await bench(FEW);
 let here = 0, there = 0;

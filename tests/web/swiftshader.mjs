@@ -1,6 +1,6 @@
-// swiftshader.mjs [PATTERN] - the pictures on SwiftShader, Chromium's own rasteriser for machines without a
-// graphics card: how far each is from its reference, printed but not judged, with how far its functions are from
-// their values, beside Mesa's; docs/architecture.md has the reasons. PATTERN picks others than one of each chapter.
+// swiftshader.mjs [PATTERN] - the pictures on SwiftShader, Chromium's own rasteriser for machines without a graphics
+// card: how far each is from its reference, and how large the errors of its functions are, next to Mesa's; printed but
+// not judged. docs/architecture.md has the reasons. PATTERN selects others than one of each chapter.
 import fs from 'node:fs';
 import {check, compare, draw, finish, keep, launch, openPage, pictures, serve, WEB} from './browser.mjs';
 
@@ -10,14 +10,15 @@ const rows = pictures().filter((row) => pattern ? pattern.test(row.name) : row.n
 fs.mkdirSync(OUT, {recursive: true});
 const server = await serve(WEB), browser = await launch('swiftshader');
 const {page, said} = await openPage(browser, server.at);
-// Seldom the browser gives no context at first: what draws for it is started again then.
+// Occasionally the browser offers no context at first; then its renderer is started again.
 const renderer = await (await page.waitForFunction(() => {
     const context = document.createElement('canvas').getContext('webgl2');
     return context?.getParameter(context.getExtension('WEBGL_debug_renderer_info').UNMASKED_RENDERER_WEBGL);
 })).jsonValue();
 check('SwiftShader draws', /SwiftShader/.test(renderer), renderer);
 
-// The largest error of some functions in a fragment shader, of the value or of 1 where that is larger, at 4096 places.
+// The largest error of some functions in a fragment shader, relative to the value or to 1, whichever is larger, at 4096
+// points.
 function errors() {
     const gl = document.createElement('canvas').getContext('webgl2'), program = gl.createProgram(), N = 64;
     gl.getExtension('EXT_color_buffer_float');

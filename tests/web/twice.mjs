@@ -1,4 +1,4 @@
-// twice.mjs - the site is built twice, from the same module: the files and the archive are the same bytes.
+// twice.mjs - the site is built twice from the same module: the files and the archive have the same bytes.
 import {spawnSync} from 'node:child_process';
 import fs from 'node:fs';
 import {check, finish} from './browser.mjs';

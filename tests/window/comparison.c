@@ -1,5 +1,5 @@
-// comparison.c - two pictures beside each other in a window: the divider is dragged, both follow
-// the camera and the keys, and each has its own values. tests/window/reload.c saves their files.
+// comparison.c - two pictures side by side in a window: the divider is dragged, both follow the
+// camera and the keys, and each has its own values. tests/window/reload.c saves their files.
 #include "lib/compare.h"
 #include "lib/scratch.h"
 #include "lib/session.h"
@@ -8,8 +8,8 @@
 #define CHAPTER "01_normal_colouring"
 #define PAIR    SESSION_STILL " --compare --set normalStep=0.4"
 
-// A written picture has labels, as a screenshot has, and the window's grip is in none: the
-// screenshot is what the command line writes.
+// A written picture has labels, like a screenshot, but neither has the window's handle: the
+// screenshot equals the picture of the command line.
 static void assert_shot(const char *options, ...) __attribute__((format(printf, 1, 2)));
 static void assert_shot(const char *options, ...)
 {

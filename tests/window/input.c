@@ -1,5 +1,5 @@
-// input.c - what the hands do, and what becomes of it: GLFW's callbacks are called as GLFW
-// calls them, without a window and at times that the test says.
+// input.c - keys and pointer, and their effects: GLFW's callbacks are called as GLFW calls them,
+// without a window and at times that the test sets.
 #include "lib/test.h"
 #include "lib/user.h"
 #include "window/actions.h"
@@ -16,7 +16,7 @@ static void drag(double right, double down)
     user_drag(user.pointer[0], user.pointer[1], right, down);
 }
 
-// ---- A window that nobody sees ----
+// ---- An invisible window ----
 
 static GLint always_there(GLuint program, const GLchar *name)
 {
@@ -63,7 +63,7 @@ static void assert_turned(double pan, double tilt)
                  tilt);
 }
 
-// How far the eye went since the start.
+// The distance that the eye has moved since the start.
 static double travelled(void)
 {
     window_act(&tested);
@@ -72,7 +72,7 @@ static double travelled(void)
     return (double)glm_vec3_norm(way);
 }
 
-// All of it waits in one poll, and by then the pointer is at the drag's end.
+// All events wait in one poll, and by then the pointer is at the end of the drag.
 TEST_WITH(a_drag_behind_a_focus_turns, set_up, NULL)
 {
     user.calls.focus(NULL, GLFW_TRUE);
@@ -94,7 +94,7 @@ TEST_WITH(the_free_pointer_turns_nothing, set_up, NULL)
 TEST_WITH(a_captured_pointer_looks, set_up, NULL)
 {
     user_press(GLFW_KEY_M, 0);
-    user_point(3000, 2000); // where GLFW counts from is its own affair
+    user_point(3000, 2000); // the origin of GLFW's clock is arbitrary
     user_point(3040, 1980);
     assert_turned(16, 23);
     user.pointer[0] = 100;
@@ -164,7 +164,8 @@ TEST_WITH(the_wheel_zooms, set_up, NULL)
     assert_false(tested.moved);
 }
 
-// The way is the time that the key was down, 2 units a second, however many turns that takes.
+// The distance is the time for which the key was down, at 2 units a second, whatever the number of
+// turns.
 TEST_WITH(a_held_key_moves, set_up, NULL)
 {
     user_press(GLFW_KEY_W, 0);
@@ -187,7 +188,7 @@ TEST_WITH(a_held_key_moves, set_up, NULL)
     assert_true(fabs(travelled() - 0.25) < 1e-5);
 }
 
-// Right, up and forward, as the eye sees them; up is the world's.
+// Right, up and forward, as seen by the eye; up is the world's.
 TEST_WITH(each_key_has_its_way, set_up, NULL)
 {
     static const struct {
@@ -261,7 +262,7 @@ TEST_WITH(any_number_of_keys_can_wait, set_up, NULL)
     assert_int_equal(tested.input.events, 0);
 }
 
-// Half a second from end to end, back when it is pressed on the way.
+// Half a second from end to end; pressed on the way, it turns back.
 TEST_WITH(tab_passes_through_what_lies_between, set_up, NULL)
 {
     user_press(GLFW_KEY_TAB, 0);
@@ -282,8 +283,8 @@ TEST_WITH(tab_passes_through_what_lies_between, set_up, NULL)
     assert_true(renderer.orthographic == 1.0);
 }
 
-// What is typed in a field of a number; a French keyboard's comma is the point, its accents and
-// signs are told about.
+// Characters typed into a field. A French keyboard's comma counts as a point; accents and signs are
+// announced.
 TEST_WITH(a_field_takes_a_number_alone, set_up, NULL)
 {
     struct parameter item[] = {{.name = "size", .components = 1, .maximum = 9.0, .value = {5.0}},
@@ -307,7 +308,7 @@ TEST_WITH(a_field_takes_a_number_alone, set_up, NULL)
     user_press(GLFW_KEY_ENTER, 0);
     window_act(&tested);
     assert_true(item[0].value[0] == 7.25 && !tested.input.typing);
-    // Of a vector the comma parts the numbers, but not in a part's own field.
+    // In a vector, the comma separates the numbers, but not in the field of a single component.
     snprintf(tested.parameter, sizeof tested.parameter, "way");
     window_field_open(&tested);
     for (const char *c = "1,2.5"; *c != '\0'; c++)
@@ -329,8 +330,8 @@ TEST_WITH(a_field_takes_a_number_alone, set_up, NULL)
     assert_false(tested.input.typing);
 }
 
-// An open picker: Escape closes it and pauses nothing, a press elsewhere closes it and chooses no
-// ray, a second Escape pauses.
+// An open picker: Escape closes it and does not pause; a press elsewhere closes it and selects no
+// ray; a second Escape pauses.
 TEST_WITH(a_picker_closes, set_up, NULL)
 {
     struct parameter colour = {.name = "tint",
@@ -372,7 +373,7 @@ TEST_WITH(a_picker_closes, set_up, NULL)
     assert_turned(16, 20);
 }
 
-// Each key with what it does, under the label that stands on a French keyboard.
+// Each key with its effect, under its label on a French keyboard.
 TEST_WITH(every_key_is_listed, set_up, NULL)
 {
     static const char *const listed[][2] = {{"move", "Z Q S D"},      {"up, down", "Space C"},

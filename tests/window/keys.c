@@ -1,5 +1,5 @@
-// keys.c - what a window shows after a key, as the command line draws it: views, parameters,
-// panel, screenshots, full screen, sizes.
+// keys.c - what a window shows after a key press, compared with the command line: views,
+// parameters, panel, screenshots, full screen, sizes.
 #include "context/context.h"
 #include "lib/compare.h"
 #include "lib/scratch.h"
@@ -27,7 +27,7 @@ SESSION_TEST(the_window_opens_on_its_picture)
     session_close();
 }
 
-// The list of keys has the labels of the keyboard, once there is one.
+// The list of keys has the labels of the keyboard, if there is one.
 SESSION_TEST(a_french_keyboard_has_its_labels)
 {
     scratch_write("flat.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.3); }");
@@ -115,7 +115,7 @@ SESSION_TEST(a_screenshot_is_the_picture)
     session_close();
 }
 
-// A camera that is led about is that of the command line; a drag is 0.15 degree a pixel.
+// A camera that is moved by hand equals that of the command line; a drag is 0.15 degrees per pixel.
 SESSION_TEST(the_camera_is_led)
 {
     session_open_bare(CHAPTER, SESSION_STILL);
@@ -199,8 +199,8 @@ SESSION_TEST(f11_fills_the_monitor_below_the_window)
     session_assert_shown(CHAPTER, SESSION_STILL);
 }
 
-// Windows and macOS keep GLFW from returning while the window's edge is dragged: no turn is
-// given.
+// Windows and macOS keep GLFW from returning while the window's edge is dragged, so there are no
+// turns.
 SESSION_TEST(a_size_is_shown_at_once)
 {
     session_open_bare(CHAPTER, SESSION_STILL);
@@ -227,7 +227,7 @@ SESSION_TEST(a_dense_display_has_all_its_pixels)
     session_close();
 }
 
-// A coarse pass begins the march of the picture and of its slice.
+// A coarse pass starts the march of the picture and of its slice.
 SESSION_TEST(two_passes_are_one_picture)
 {
     session_open_bare(CHAPTER, SESSION_STILL " --shader tests/shaders/coarse.frag");
@@ -244,7 +244,7 @@ static void end_later(void)
         user_press(GLFW_KEY_BACKSPACE, 0);
 }
 
-// A window that stands still draws nothing, and waits for a tenth of a second at a time.
+// A window in which nothing moves draws nothing, and waits for a tenth of a second at a time.
 SESSION_TEST(a_still_window_rests)
 {
     session_open(CHAPTER, SESSION_STILL);
@@ -256,7 +256,7 @@ SESSION_TEST(a_still_window_rests)
     assert_in_range(user.waits, 80, 100);
 }
 
-// The value of a hint that was given, the last one; -1: it was not.
+// The last value of a hint; -1: it was not given.
 static int hinted(int hint)
 {
     int value = -1;
@@ -265,7 +265,7 @@ static int hinted(int hint)
     return value;
 }
 
-// What a window is asked for.
+// The hints for a window.
 SESSION_TEST(hints_are_those_of_a_mac)
 {
     session_open(CHAPTER, SESSION_STILL);

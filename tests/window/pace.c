@@ -1,5 +1,5 @@
-// pace.c - a window whose picture takes long: it is coarser while something moves and sharpens at
-// rest. The clock goes on by so much for each pixel as the test says.
+// pace.c - a window whose picture takes a long time: it is coarser while something moves and
+// sharpens at rest. The clock advances by the time that the test sets for each pixel.
 #include "lib/compare.h"
 #include "lib/scratch.h"
 #include "lib/session.h"
@@ -36,7 +36,7 @@ static bool sharp(const int part[4])
     return session_off(0, part) <= 0.0;
 }
 
-// Turn until the upper part is sharp and the lower one is not.
+// Carry out turns until the upper part is sharp and the lower one is not.
 static void turn_to_half(void)
 {
     for (int i = 0; i < 200 && !sharp(above); i++)
@@ -85,8 +85,8 @@ static int grey(void)
     return value;
 }
 
-// The selected pixel is scaled with the picture: otherwise another ray would be marched. The grey
-// tells how far its second step is from a plane on the right.
+// The selected pixel is scaled with the picture; otherwise another ray would be marched. The grey
+// shows how far its second step is from a plane on the right.
 SESSION_TEST(a_coarse_picture_marches_the_selected_ray)
 {
     scratch_write("marched.frag",
@@ -119,7 +119,7 @@ SESSION_TEST(a_screenshot_waits_for_the_sharp_picture)
     session_close();
 }
 
-// All rows are of one time, though it takes many turns; then the time goes on.
+// All rows show the same time, although drawing them takes many turns; then the time advances.
 SESSION_TEST(a_screenshot_is_of_one_time)
 {
     scratch_write("moving.frag",

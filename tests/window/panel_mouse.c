@@ -1,13 +1,13 @@
-// panel_mouse.c - the panel by mouse: rows, typed numbers, a colour's picker, its place; the title
-// bar tells what they changed. tests/window/input.c has what a field takes and when a picker
-// closes.
+// panel_mouse.c - the panel used with the mouse: rows, typed numbers, the colour picker, its
+// position; the title bar shows the changes. tests/window/input.c tests what a field accepts and
+// when a picker closes.
 #include "lib/scratch.h"
 #include "lib/session.h"
 
 #define CHAPTER "01_normal_colouring"
 
-// At scale 1 the rows begin 46 pixels from the top, 12 each; under the selected one stand range and
-// unit, of a vector its parts too.
+// At scale 1 the rows begin 46 pixels from the top and are 12 high; under the selected one are its
+// range and unit, and for a vector also its components.
 static const char rows[] =
     "uniform float size; // 5 in [0, 10], units: how large the thing is\n"
     "uniform float fine; // 0.01 in [0.0001, 1] step *10, units: spans decades\n"
@@ -223,7 +223,7 @@ SESSION_TEST(the_panel_moves_folds_and_helps)
 
 // ---- Shadertoy's mouse ----
 
-// The shader shows iMouse: the window shows what the same numbers in its place show.
+// The shader shows iMouse: the window looks the same when these numbers are written in its place.
 static void assert_mouse(const char *mouse)
 {
     char text[512];
@@ -248,7 +248,9 @@ SESSION_TEST(shadertoy_s_mouse_is_set)
     user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
     session_turn();
     assert_mouse("vec4(100.0, 120.0, 100.0, 120.0)");
-    point(160, 150); // held: the place of the press, its last number negative from the next turn on
+    point(
+        160,
+        150); // held: the position of the press, with a negative last number from the next turn on
     assert_mouse("vec4(160.0, 50.0, 100.0, -120.0)");
     user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);
     point(30, 30);

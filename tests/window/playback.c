@@ -1,5 +1,5 @@
-// playback.c - one ray in the window, step by step: what slice, plot and picture show of it is what
-// the command line draws, and it stays in space while the camera moves.
+// playback.c - one ray in the window, step by step: the slice, the plot and the picture show it
+// like the command line, and it stays in space while the camera moves.
 #include "lib/session.h"
 #include "lib/system.h"
 
@@ -86,15 +86,15 @@ SESSION_TEST(keys_lead_along_the_march)
     session_close();
 }
 
-// The height alone is the measure of both axes: pixel 270,149 of 320x200 and 405,224 of 480x300
-// show one point.
+// Only the height scales both axes: pixel 270,149 of 320x200 and 405,224 of 480x300 show the same
+// point.
 SESSION_TEST(a_ray_outlives_a_new_size)
 {
     session_open_bare(CHAPTER, SESSION_STILL " --view plot");
     session_click(270, 50);
     session_key(GLFW_KEY_HOME);
     session_keep(0);
-    for (int width = 321; width < 330; width++) { // what is rounded does not add up
+    for (int width = 321; width < 330; width++) { // rounding errors do not add up
         user_resize(width, 200);
         session_turn();
     }
@@ -145,7 +145,7 @@ SESSION_TEST(a_slice_follows_what_moves)
     assert_true(session_off(0, NULL) <= 0.0);
 }
 
-// The lamp moves: what the normals show does not, but the march of the shadow ray does.
+// The lamp moves: the normals stay the same, but the march of the shadow ray changes.
 SESSION_TEST(the_inspector_counts_what_moves)
 {
     session_open("03_shadows", "--size 640x360 --view normals");

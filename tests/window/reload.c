@@ -1,5 +1,5 @@
-// reload.c - files that are saved while their window is open: shaders, what they include, textures,
-// and each of two that are compared.
+// reload.c - files that are saved while their window is open: shaders, their includes, textures,
+// and both shaders of a comparison.
 #include "lib/scratch.h"
 #include "lib/session.h"
 
@@ -11,8 +11,8 @@
 
 static char said[2][65536];
 
-// Two and a half seconds: what is saved is seen and loaded, or reported, in them. Keeps what was
-// printed and reported, and returns how often that was one of the two files.
+// Two and a half seconds, in which a saved file is noticed and loaded, or reported. Stores what was
+// printed and reported, and returns how often it was one of the two files.
 static int reloads(const char *name)
 {
     char line[64];
@@ -45,7 +45,7 @@ static void assert_colour(int red, int green)
     image_free(&image);
 }
 
-// Nothing is loaded; one message says why, the picture keeps its colour and the overlay has the
+// Nothing is loaded; one message says why, the picture keeps its colour and the overlay shows the
 // error.
 static void assert_refused(const char *why, int red, int green)
 {

@@ -1,5 +1,5 @@
-// watch.c - a change of a file is told once, when the writing is over, and only of files that
-// count.
+// watch.c - a change of a file is reported once, when the writing is over, and only for watched
+// files.
 #include "lib/test.h"
 #include "window/watch.h"
 #include "lib/scratch.h"
@@ -15,7 +15,7 @@ static void write_file(int file, const char *text)
     scratch_write(strrchr(path[file], '/') + 1, text);
 }
 
-// Look until a change is told. Returns how many looks that took, MANY when none was told.
+// Poll until a change is reported. Returns the number of polls, or MANY if none was reported.
 static int looks(void)
 {
     int count = 1;
@@ -64,7 +64,7 @@ TEST_WITH(what_is_still_written_waits, set_up, tear_down)
     assert_int_equal(looks(), 1);
 }
 
-// An editor that takes the file away, or empties it, before it writes it anew.
+// An editor that removes or empties the file before it writes it again.
 TEST_WITH(a_file_that_is_missing_is_waited_for, set_up, tear_down)
 {
     for (int emptied = 0; emptied < 2; emptied++) {

@@ -1,7 +1,7 @@
 #!/bin/bash
-# window.sh - one window on a real X server, with real events: what tests/window/*.c, which play the user and the
-# clock of a GLFW of their own, cannot see. No clock judges: what is asked for is waited for, each wait for at most a
-# minute, and the first that fails ends the suite.
+# window.sh - one window on a real X server, with real events: what tests/window/*.c, which simulate the user and GLFW's
+# clock, cannot test. No clock decides: every wait is for an event and lasts at most a minute, and the first wait that
+# fails ends the suite.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -32,7 +32,7 @@ drag() {
 check 'dragging right and up turns right and up, 0.15 degree a pixel' drag
 wheel() { xdotool mousemove --window "$window" 100 100 click 4 && shows 'focalLength = 2.2' && xdotool click 5 && shows 'focalLength = 2'; }
 check 'the wheel zooms, and back' wheel
-# Where the system puts the captured pointer in the middle just then, a first move can be lost on its way.
+# If the system moves the captured pointer to the middle at that moment, a first move can get lost.
 swings() { xdotool mousemove_relative 30 0 && shoot_as captured && differ before captured; }
 captured() { key m && xdotool mousemove_relative 4 0 && shoot_as before && eventually swings; }
 check 'M captures the pointer: it looks without a button' captured
@@ -83,7 +83,7 @@ check 'nothing was reported' [ ! -s "$scratch/run/err" ]
 asked() { wmctrl -i -c "$window" && ends_well; }
 check 'a close request closes the window with status 0' asked
 
-# ---- What else a system has of its own ----
+# ---- Other things that only a real system has ----
 
 if ! command -v setxkbmap >/dev/null; then
     skip 'a French keyboard' 'no setxkbmap on this machine'

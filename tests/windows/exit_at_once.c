@@ -1,6 +1,6 @@
-// Loaded before Wine by windows.sh. A program that ends has a second to go away before Wine's
-// server kills it, and its status is lost; on a busy machine Mesa's threads, which exit() waits
-// for, want more. What the program wrote is written by then: Windows' C library has done so.
+// Loaded before Wine by windows.sh. A program that ends has one second to exit before Wine's server
+// kills it and its status is lost. On a busy machine Mesa's threads, for which exit() waits, need
+// more. By then the program's output has been written: Windows' C library has done that.
 #include <stdlib.h>
 #include <unistd.h>
 

@@ -10,7 +10,7 @@ export LC_ALL=C.UTF-8 # bash hands names on as they are
 
 small=(-s 64x36)
 picture() { "$BUILD/03_shadows" "${small[@]}" "$@" >"$scratch/said" 2>"$scratch/why"; }
-# refused PATTERN COMMAND...: it fails with status 1 and one line, which has the pattern.
+# refused PATTERN COMMAND...: it fails with status 1 and one line that matches the pattern.
 refused() {
     local pattern=$1
     shift
@@ -45,7 +45,7 @@ backslashes() {
 }
 check "paths in Windows' own way" backslashes
 
-# The programs as they are handed out, with the line ends of a checkout that git or an editor has changed.
+# The programs as they are distributed, with the line ends of a checkout that git or an editor has changed.
 mkdir "$strange/course"
 cp build/windows/03_shadows.exe build/windows/*.dll "$strange/course" 2>/dev/null
 cp -R shaders "$strange/course" && mkdir "$strange/course/chapters" && cp chapters/*.frag chapters/*.glsl "$strange/course/chapters"
@@ -61,7 +61,7 @@ check 'an include whose letters differ' refused 'letters.frag:1: #include "Main.
 
 # ---- A file that another program holds open ----
 
-# held FILE REDIRECTION COMMAND...: carry out a command while a program of Windows has the file open.
+# held FILE REDIRECTION COMMAND...: carry out a command while a Windows program has the file open.
 held() {
     local file=$1 how=$2 holder status
     shift 2
@@ -95,7 +95,7 @@ check 'and is unchanged' stays
 check 'an error is one line' refused 'unknown option' picture --nothing
 bytes() { picture --list && [ -s "$scratch/said" ] && ! grep -q $'\r' "$scratch/said" "$scratch/why"; }
 check 'output has the line ends of other systems' bytes
-# More than one write: the first fails, and what Windows says of it is asked for after others.
+# More than one write: the first one fails, and Windows' reason for it is requested after others.
 first_line() {
     for _ in 1 2 3; do
         "$BUILD/03_shadows" --print-shader 2>"$scratch/why" | head -n 1 >"$scratch/said"

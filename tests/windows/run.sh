@@ -6,8 +6,8 @@
 # for Windows, and a driver for each of them, GLFW's. tests/run runs them and adds up, without what Wine's server and Xvfb
 # take; a test that is skipped must be listed in tests/lib/skipped.txt.
 set -u
-# Wine needs a certain place in memory, and where the kernel scatters what a program has, one start in some thousand finds
-# its heap there and ends. Here nothing is scattered, if that may be asked for.
+# Wine needs a certain range of memory. If the kernel randomises addresses, one start in some thousand finds its heap
+# there and ends. Here addresses are not randomised, if that is allowed.
 if [ -z "${SCATTERED-}" ] && setarch -R true 2>/dev/null; then
     SCATTERED=no exec setarch -R "$0" "$@"
 fi
@@ -17,7 +17,7 @@ export LC_ALL=C.UTF-8
 loader=/usr/lib/wine/wine64
 [ -x "$loader" ] || loader=$(command -v wine) || { echo 'make: test-windows: no Wine on this machine' >&2; exit 1; }
 export loader
-# At each start Wine looks for the time zone in its list of all: this one is the first.
+# At each start Wine searches for the time zone in its list of all zones: this one is the first.
 export TZ=AFT-4:30
 export WINEPREFIX=$PWD/build/windows/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=' # not installed first
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe PROJECT_ROOT=$PWD CMOCKA_MESSAGE_OUTPUT=TAP
@@ -28,9 +28,10 @@ at_once=$PWD/build/wine/exit_at_once.so
 export at_once SKIPPED=windows
 end_wine() { wineserver -k 2>/dev/null; wineserver -w; }
 
-# ---- One suite: what tests/run asks for ----
+# ---- One suite: what tests/run calls ----
 
-# Wine's desktop belongs to one display: a suite that opens another must find no Wine at work. It has one of its own.
+# Wine's desktop belongs to one display, so a suite that opens another display must find no Wine at work. It has its
+# own.
 own_wine() { # NAME
     local copy=$WINEPREFIX-$1
     rm -rf "$copy" && cp -RPl "$WINEPREFIX" "$copy" && export WINEPREFIX=$copy # a drive there is a link to all of the disk
@@ -40,7 +41,7 @@ if [ "${1-}" = --suite ]; then
     unit=$(echo build/windows/tests/*/"$2".exe)
     script=$(echo tests/[!l]*/"$2".sh) # not of tests/lib/
     case $2 in window | zip | images | failures) own_wine "$2" || exit; trap end_wine EXIT ;; esac
-    # One of its many programs may end badly without a word: there Wine says what it knows.
+    # One of its many programs may end badly without a message; in that case Wine prints what it knows.
     [ "$2" != export ] || export WINEDEBUG=err+all,fixme-all
     case $2 in
     own | zip) "tests/windows/$2.sh" ;;
@@ -55,7 +56,7 @@ if [ "${1-}" = --suite ]; then
     exit
 fi
 
-# ---- A display, and a Wine for all but the suites of windows ----
+# ---- A display, and one Wine for all suites except those of windows ----
 
 rm -rf build/wine && mkdir -p build/wine/tests
 cc -shared -fPIC -o build/wine/exit_at_once.so tests/windows/exit_at_once.c || exit 1
@@ -76,7 +77,7 @@ read -r -t 30 number <build/wine/display
 [ -n "$number" ] || { echo 'make: test-windows: Xvfb did not start' >&2; exit 1; }
 export DISPLAY=:$number
 
-# Some suites take the display away, without which Windows never is.
+# Some suites take away the display, which Windows always has.
 for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe build/windows/tests/compare.exe; do
     name=${program#build/windows/}
     # shellcheck disable=SC2016 # for that shell
@@ -85,7 +86,7 @@ for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe build/windo
 done
 cp build/windows/flags build/wine/flags
 "$loader" wineboot -i >/dev/null 2>&1
-# Without gamepads: their library leaves a thread behind when GLFW closes it. What a batch file starts hears nothing of
+# Without gamepads: their library leaves a thread behind when GLFW closes it. Programs that a batch file starts ignore
 # WINEDLLOVERRIDES.
 cat >build/wine/overrides.reg <<'END_OF_REGISTRY'
 REGEDIT4
@@ -101,7 +102,7 @@ END_OF_REGISTRY
 end_wine
 wineserver -p 2>/dev/null # it stays between two programs
 
-# The suites of a part. What takes longest comes first; a program's start under Wine is more waiting than work.
+# The suites of a part, the longest first; a program's start under Wine is more waiting than work.
 units() { for file in build/windows/tests/*/*.exe; do basename "$file" .exe; done; }
 named() { # PART|NAME
     case $1 in

@@ -1,6 +1,6 @@
 #!/bin/bash
-# zip.sh - the archive of `make windows-zip`: its bytes, its size, its licences, what its programs ask of Windows;
-# then what somebody does who has it alone, in a folder with blanks, accents and letters outside the code page. Called by
+# zip.sh - the archive of `make windows-zip`: its bytes, its size, its licences, which libraries of Windows its programs
+# need; then the use of the archive alone, in a folder with blanks, accents and letters outside the code page. Called by
 # run.sh.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -30,9 +30,9 @@ mkdir "$folder"
 unzip -q $zip -d "$folder" || not_ok 'it can be unpacked'
 course=$folder/ray-marching
 
-# ---- What is in it ----
+# ---- Its contents ----
 
-# What every Windows 10 has, and our own library.
+# The libraries that every Windows 10 has, and our own.
 known='^(KERNEL32|USER32|GDI32|SHELL32|ADVAPI32|WINMM|OPENGL32|api-ms-win-crt-[a-z0-9-]+|harness)\.dll$'
 asks() {
     local file
@@ -98,7 +98,7 @@ check "a page's command and its comparison in a terminal" in_terminal || sed 's/
 
 # ---- An exercise ----
 
-# checks STATUS PATTERN WORD...: what check.bat says. Not by call: Wine's cmd then ends with 0 or 1 alone.
+# checks STATUS PATTERN WORD...: the output of check.bat. Not with call, because Wine's cmd then ends only with 0 or 1.
 checks() {
     local wanted=$1 pattern=$2 status
     shift 2
@@ -111,7 +111,7 @@ checks() {
 }
 # words FILE: the verdict and the two rays, without names of files.
 words() { LC_ALL=C sed -nE 's/.*: ((right|wrong): .*)/\1/; s/: see .*//; /^(right|wrong): /p; /^ +(your pixel|the solution)/p' "$1"; }
-# as_here STATUS PATTERN: of 03_2, and the words are those of make check on this machine.
+# as_here STATUS PATTERN: for 03_2; the words are those of make check on this machine.
 as_here() {
     checks "$@" 03_2 "$(windows_path "$mine")" || return
     EXERCISE=03_2 FILE=$mine CHECK_FOLDER=$scratch/check .make/check.sh >"$scratch/here" 2>&1
@@ -135,7 +135,7 @@ check 'check.bat: a missing file' checks 2 'there is no such file' 03_2 nowhere.
 without_file() { checks 2 'check.bat EXERCISE FILE' 03_2 && ! grep -q 'any key' "$scratch/said"; } # which nobody dropped
 check 'check.bat: an exercise and no file' without_file
 
-# ---- A shader of one's own ----
+# ---- A reader's own shader ----
 
 searched() { window=$(wmctrl -l | grep -E -e "$1" | cut -d ' ' -f 1) && [ -n "$window" ]; }
 play() { # NAME [FILE]: opens a window of that name whose picture is there
@@ -153,8 +153,9 @@ has_words() { grep -q -e "$1" "$scratch/said"; }
 plays_own() { play play.frag && [ -e "$course/chapters/play.frag" ] && eventually searched 'play.frag - Notepad' && searched "$title"; }
 check 'play.bat: a shader that was made for it, and an editor' plays_own
 wine taskkill /f /im notepad.exe >/dev/null 2>&1
-# An editor that goes just as it is given the keyboard can leave Wine with no window for keys, though X has ours in focus:
-# only what the window manager tells a program to take, as at a click, is taken then. So it is asked until the window heard.
+# An editor that closes just as it gets the keyboard can leave Wine without a window for keys, although X shows ours in
+# focus. Then a program accepts the focus only from the window manager, as after a click. So the focus is requested
+# until the window reacts.
 closes() {
     ended && return
     searched "$title" && xdotool windowactivate "$window" && key BackSpace
@@ -169,7 +170,7 @@ sed 's/sdSphere(p, radius)/sdSphere(p, radios)/' chapters/first_steps/play.frag 
 says_error() { eventually has_words 'réponse.frag:[0-9]*: error.*radios' && eventually searched 'réponse.frag - error: see terminal'; }
 check 'play.bat: a saved error is reported' says_error
 cp chapters/first_steps/play.frag "$mine"
-# Beside the panel: once it is sharp, it is what this machine draws.
+# Beside the panel: once it is sharp, it equals the picture that this machine draws.
 mended() { eventually has_words 'réponse.frag: reloaded' && eventually searched "$title" && eventually part_shown right 300x280+330+120; }
 check 'play.bat: the next one is shown' mended
 check 'play.bat: ends well again' ends
