@@ -166,11 +166,11 @@ await page.close();
 
 // A guess that is a point of a picture: the stripes of page 03 lie on the near part of the stage.
 ({page, said} = await open('03_shadows.html', PHONE));
-const pointed = page.locator('form.guess[data-kind=tap]').first(), picture = pointed.locator('.tap'), {width, height} = await picture.boundingBox();
-await picture.tap({position: {x: 0.15 * width, y: 0.8 * height}});
+const pointed = page.locator('form.guess[data-kind=tap]').first(), tapped = pointed.locator('.tap'), area = await tapped.boundingBox();
+await tapped.tap({position: {x: 0.15 * area.width, y: 0.8 * area.height}});
 await pointed.getByRole('button', {name: 'Keep my guess'}).tap();
 check('a tap beside it is told how far away it is', await page.getByText('Your guess: the mark. You were off by 20 %').isVisible());
-await picture.focus();
+await tapped.focus();
 for (let i = 0; i < 12; i++) await page.keyboard.press('ArrowRight');
 await pointed.getByRole('button', {name: 'Keep my guess'}).tap();
 check('the arrow keys move the mark to the right place', await page.getByText('Your guess: the mark. That is right.').isVisible());
