@@ -274,6 +274,8 @@ static bool put_foreign(struct export *e)
     }
     if (toy)
         fprintf(e->text, "    shaderImage(toyColour, toyPixel);\n}\n");
+    else if (!old && !output.name->certain) // an #if chooses one
+        fprintf(e->text, "    shaderMain();\n    toyColour = shaderShown();\n}\n");
     else
         fprintf(e->text, "    shaderMain();\n    toyColour = vec4(%s.rgb, 1.0);\n}\n",
                 old ? "shaderColour" : output.word);

@@ -36,6 +36,15 @@ bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char
            memcmp(code->text + token->begin, word, (size_t)token->length) == 0;
 }
 
+bool glsl_means(const struct glsl *code, const struct glsl_token *token, const char *word)
+{
+    if (!token->macro || code->name[token->name].word < 0)
+        return glsl_is(code, token, word);
+    const struct glsl_name *name = &code->name[code->name[token->name].word];
+    return strlen(word) == (size_t)name->length &&
+           memcmp(code->text + name->begin, word, (size_t)name->length) == 0;
+}
+
 const struct glsl_token *glsl_code(const struct glsl_token *token)
 {
     while (token->kind >= GLSL_COMMENT)
@@ -112,7 +121,7 @@ static int add_name(struct glsl *code, const struct glsl_token *token)
     if (*slot < 0) {
         code->name = memory_row(code->name, code->name_count, sizeof *code->name);
         *slot = code->name_count++;
-        code->name[*slot] = (struct glsl_name){.begin = token->begin, token->length, .last = -1};
+        code->name[*slot] = (struct glsl_name){token->begin, token->length, .last = -1, .word = -1};
     }
     return *slot;
 }
@@ -198,6 +207,11 @@ static void end_if(struct glsl_reader *r)
 static void define(struct glsl_reader *r, const struct glsl_token *word, bool defines)
 {
     struct glsl_name *name = &r->code->name[word->name];
+    if (defines) {
+        bool one =
+            !name->macro && word[1].kind == GLSL_WORD && glsl_code(word + 2)->kind == GLSL_END;
+        name->word = one ? word[1].name : -1;
+    }
     name->macro |= defines;
     if (!defines || name->defined == GLSL_NEVER)
         name->defined = defines && r->certain ? GLSL_ALWAYS : GLSL_PERHAPS;

@@ -46,6 +46,7 @@ struct glsl_name {
     int count;               // live mentions
     int last;                // index of its last mention among the statements, or -1
     bool macro;              // a live #define names it
+    int word;                // of a macro: name of the one word that it stands for, or -1
     enum glsl_truth defined; // at the end of the text
 };
 
@@ -100,6 +101,9 @@ bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char
 bool glsl_is_any(const struct glsl *code, const struct glsl_token *token,
                  const char *const words[]);
 bool glsl_is_precision(const struct glsl *code, const struct glsl_token *token);
+
+// As glsl_is; or it is a macro that always stands for this one word.
+bool glsl_means(const struct glsl *code, const struct glsl_token *token, const char *word);
 
 // The next token that is no comment, starting with this one.
 const struct glsl_token *glsl_code(const struct glsl_token *token);

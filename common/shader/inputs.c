@@ -14,6 +14,7 @@
                                                                              // size
 #define SOUND "there is no sound here"
 #define SELF  "there is no earlier picture here"
+#define MIDI  "there is no MIDI here"
 
 // The table.
 // clang-format off
@@ -52,7 +53,7 @@ static const struct input rows[] = {
     {"u_tex0Resolution", "vec2", INPUT_CHANNEL_SIZE, 0, ""},
     {"u_tex1Resolution", "vec2", INPUT_CHANNEL_SIZE, 1, ""},
     {"u_tex2Resolution", "vec2", INPUT_CHANNEL_SIZE, 2, ""},
-    {"u_tex3Resolution", "vec2", INPUT_CHANNEL_SIZE, 3, ""}, POSITION("v_texcoord", SHARE),
+    {"u_tex3Resolution", "vec2", INPUT_CHANNEL_SIZE, 3, ""}, POSITION("v_texcoord", SHARE), POSITION("uv", SHARE),
     // GLSL Sandbox, twigl, veda, KodeLife
     VEC2("resolution", SIZE), FLOAT("time", TIME), VEC2("mouse", POINTER_SHARE),
     FLOAT("frame", FRAME), VEC4("date", DATE),
@@ -61,7 +62,8 @@ static const struct input rows[] = {
     CHANNEL("texture3", 3), SILENT("backbuffer", SELF), SILENT("prevFrame", SELF),
     SILENT("prevPass", SELF), SILENT("spectrum", SOUND), SILENT("samples", SOUND),
     {"volume", "float", INPUT_SILENT, 0, SOUND}, {"sound", "float", INPUT_SILENT, 0, SOUND},
-    SILENT("midi", "there is no MIDI here"),
+    SILENT("midi", MIDI), SILENT("note", MIDI), SILENT("key", "keys are not offered"),
+    SILENT("gamepad", "there is no gamepad here"),
     // Bonzomatic
     FLOAT("fGlobalTime", TIME), VEC2("v2Resolution", SIZE), FLOAT("fFrameTime", STEP),
     {"texFFT", "sampler1D", INPUT_SILENT, 0, SOUND},
@@ -104,6 +106,12 @@ bool inputs_is_course(const struct input *input)
 bool inputs_is_shadertoy(const struct input *input)
 {
     return input < rows + TOY_END;
+}
+
+bool inputs_is_toys(const char *name)
+{
+    const struct input *input = inputs_find(name);
+    return input != NULL && (inputs_is_shadertoy(input) || input->meaning == INPUT_REFUSED);
 }
 
 // The length of the longest part that two names share, in any case.

@@ -62,6 +62,9 @@ const struct input *inputs_row(int index);
 bool inputs_is_course(const struct input *input);
 bool inputs_is_shadertoy(const struct input *input);
 
+// True for any name that Shadertoy declares.
+bool inputs_is_toys(const char *name);
+
 // The input whose name is most similar, for messages; never NULL.
 const struct input *inputs_nearest(const char *name);
 

@@ -208,6 +208,9 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
     char where[WHERE_SIZE], why[TEXT_FILE_WHY];
     snprintf(where, sizeof where, "%s:%d: #include \"%s\"", source->files[from.file], from.line,
              name);
+    if (strncmp(name, "http", 4) == 0)
+        return report("%s: files are not downloaded: save it beside the shader and include that",
+                      where);
     char *path = resolve(source, from.file, name, folders, ", in shaders/ or in chapters/", why);
     if (path == NULL)
         return report("%s: %s", where, why);
@@ -245,8 +248,16 @@ static bool take_include(struct expansion *e, struct shader_line at, const char 
     char name[PLATFORM_PATH];
     if (quoted_name(rest, name))
         return include(e, at, name);
-    return report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line",
-                  e->source->files[at.file], at.line);
+    const char *file = e->source->files[at.file];
+    rest += strspn(rest, BLANKS);
+    int length = (int)strcspn(rest, ">\n");
+    if (rest[0] == '<' && rest[length] == '>' && length < PLATFORM_PATH)
+        return report(
+            "%s:%d: #include %.*s>: a part of a library, such as three.js or lygia, which "
+            "is not here: take the line out, or write what it defines",
+            file, at.line, length, rest);
+    return report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line", file,
+                  at.line);
 }
 
 // ---- The directives of VS Code's extension Shader Toy ----
