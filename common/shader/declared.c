@@ -161,3 +161,28 @@ bool declared_anywhere(const struct glsl *code, const char *word)
     }
     return false;
 }
+
+// ---- Outputs ----
+
+struct outputs declared_outputs(const struct glsl *code, bool uncertain)
+{
+    struct declared at = {.code = code};
+    struct outputs outputs = {0};
+    while (declared_next(&at)) {
+        if (at.kind != DECLARED_OUT || !(at.name->certain || uncertain))
+            continue;
+        bool zero = declared_is_first(&at), first = zero || outputs.count == 0;
+        if (outputs.count++ > 0 && (first || outputs.count == 2))
+            outputs.second = first ? outputs.shown : at;
+        if (first)
+            outputs.shown = at;
+        outputs.placed |= zero;
+    }
+    return outputs;
+}
+
+struct declared declared_output(const struct glsl *code)
+{
+    struct outputs outputs = declared_outputs(code, false);
+    return outputs.count > 0 ? outputs.shown : declared_outputs(code, true).shown;
+}

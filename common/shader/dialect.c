@@ -67,7 +67,6 @@ static const char *what_of_header(const struct glsl *code)
     return NULL;
 }
 
-// Refuse a vertex shader, unless the course's own.
 static bool refuse_vertex(const struct shader_source *source)
 {
     return report("%s: a vertex shader, because it sets gl_Position: give the fragment shader",
@@ -260,45 +259,17 @@ char *dialect_prelude(const struct shader_source *source, enum shader_view view)
                                    : memory_text(GL_GLSL "#define VIEW %d\n", (int)view);
 }
 
-// True for a direction, as in a cube map's lookup: texture(iChannel0, vec3(...)).
-static bool is_direction(const struct glsl *code, const struct glsl_token *t)
-{
-    static const char *const words[] = {"vec3", "reflect", "refract", "normalize", NULL};
-    if (glsl_is_any(code, t, words))
-        return glsl_is_sign(glsl_next(code, t + 1), ",)");
-    if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
-        return false;
-    const struct glsl_token *v = t - 1; // or a variable of this type
-    while (v >= code->statement &&
-           !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
-        v--;
-    return v >= code->statement && glsl_is(code, v - 1, "vec3");
-}
-
-// The channel that is read as a cube map, or NULL.
-static const struct glsl_token *find_cube_map(const struct glsl *code)
-{
-    static const char *const lookups[] = {"texture", "textureLod", NULL};
-    const struct glsl_token *t = code->statement;
-    while (t->kind != GLSL_END &&
-           !(inputs_channel(code, t) >= 0 && t[-1].sign == '(' && t[1].sign == ',' &&
-             (glsl_is(code, t - 2, "textureCube") ||
-              (glsl_is_any(code, t - 2, lookups) && is_direction(code, t + 2)))))
-        t++;
-    return t->kind != GLSL_END ? t : NULL;
-}
-
 bool dialect_refuses(const struct shader_source *source, const char *log, bool linking)
 {
     const struct glsl *code = &source->code;
-    const struct glsl_token *cube = find_cube_map(code), *image = glsl_find(code, "mainImage");
+    const struct glsl_token *cube = inputs_cube_map(code), *image = glsl_find(code, "mainImage");
     const struct input *input;
     if (glsl_mentions(code, "gl_Position") > 0)
         return !refuse_vertex(source);
     if (cube != NULL)
         return !shader_refuse(source, cube->line,
-                              "%.*s is read as a cube map: cube maps are not offered: a picture of "
-                              "--channel is read at a vec2",
+                              "%.*s is read as a cube map, which is not offered here: a picture is "
+                              "read at a vec2",
                               GLSL_TEXT(code, cube));
     for (int i = 0; source->dialect != DIALECT_COURSE && (input = inputs_row(i)) != NULL; i++) {
         bool lacks = !inputs_offers(source, input) && strstr(log, input->name) != NULL;
@@ -394,7 +365,7 @@ bool dialect_accepts(struct shader_source *source)
         warn_of_unset(source);
     if (source->dialect != DIALECT_WHOLE)
         return true;
-    struct declared shown = translate_output(code);
+    struct declared shown = declared_output(code);
     if (shown.kind != DECLARED_NONE && shown.name->certain && !declared_is_read(&shown))
         return shader_refuse(source, shown.name->line,
                              "out %.*s %s: never gets a value: write %s = vec4(...); in main",

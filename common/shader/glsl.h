@@ -1,4 +1,4 @@
-// glsl.h - a GLSL text as a row of tokens, scanned once, and edits of such a text.
+// glsl.h - a GLSL text as a row of tokens, scanned once.
 //
 // There are two rows of tokens: all of the text, and its statements alone, without comments,
 // directives and anything that the preprocessor certainly skips (#if 0, #ifdef, #ifndef, or #if
@@ -128,26 +128,5 @@ const struct glsl_token *glsl_find_next(const struct glsl *code, const struct gl
                                         const char *word);
 const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *word);
 const struct glsl_token *glsl_find_call(const struct glsl *code, const char *word);
-
-// Edits of a text that keep its lines. Begin with zeros.
-struct edits {
-    struct edit *item; // owned
-    int count;
-    int size; // bytes that are inserted
-};
-
-// Replace a part of the text; insertions at one position keep their order. The new text has no line
-// end, and line ends in the old one stay.
-void edits_add(struct edits *edits, int begin, int length, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-
-// Replace a token; cut from one token to another, both included.
-void edits_replace(struct edits *edits, const struct glsl_token *token, const char *instead);
-void edits_cut(struct edits *edits, const struct glsl_token *from, const struct glsl_token *to);
-
-// Apply and free the edits. Returns memory that the caller frees.
-char *edits_apply(struct edits *edits, const char *text);
-
-void edits_free(struct edits *edits);
 
 #endif

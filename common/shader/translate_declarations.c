@@ -4,7 +4,6 @@
 
 #include "shader/inputs.h"
 #include "shader/parameter.h"
-#include "shader/translate.h"
 
 static bool is_used(const struct declared *at)
 {
@@ -203,38 +202,6 @@ static bool open_block(struct translation *t, const struct declared *at)
     return true;
 }
 
-// The outputs of a whole file.
-struct outputs {
-    int count;
-    struct declared shown;  // at location 0, or the first
-    struct declared second; // the first of the others
-    bool placed;            // one is at location 0
-};
-
-//   uncertain  those inside an #if that only the driver can decide count
-static struct outputs find_outputs(const struct glsl *code, bool uncertain)
-{
-    struct declared at = {.code = code};
-    struct outputs outputs = {0};
-    while (declared_next(&at)) {
-        if (at.kind != DECLARED_OUT || !(at.name->certain || uncertain))
-            continue;
-        bool zero = declared_is_first(&at), first = zero || outputs.count == 0;
-        if (outputs.count++ > 0 && (first || outputs.count == 2))
-            outputs.second = first ? outputs.shown : at;
-        if (first)
-            outputs.shown = at;
-        outputs.placed |= zero;
-    }
-    return outputs;
-}
-
-struct declared translate_output(const struct glsl *code)
-{
-    struct outputs outputs = find_outputs(code, false);
-    return outputs.count > 0 ? outputs.shown : find_outputs(code, true).shown;
-}
-
 // Take an output for Shadertoy. Of several that an #if chooses from, each is read by a function of
 // the same name.
 static void export_output(struct translation *t, struct declared *at, bool certain)
@@ -264,7 +231,7 @@ static const struct glsl_token *find_hidden(const struct glsl *code, const char 
 static bool check_macros(const struct translation *t)
 {
     const struct glsl_token *out = NULL, *uniform = find_hidden(t->code, "uniform");
-    if (!t->toy && translate_output(t->code).kind == DECLARED_NONE)
+    if (!t->toy && declared_output(t->code).kind == DECLARED_NONE)
         out = find_hidden(t->code, "out");
     const struct glsl_token *hidden = out != NULL ? out : uniform;
     return hidden == NULL ||
@@ -293,7 +260,7 @@ static bool check_outputs(struct translation *t, const struct outputs *outputs)
 bool translation_declarations(struct translation *t)
 {
     struct declared at = {.code = t->code};
-    struct outputs outputs = find_outputs(t->code, false);
+    struct outputs outputs = declared_outputs(t->code, false);
     bool done = (t->toy || check_outputs(t, &outputs)) && (!t->exported || check_macros(t));
     while (done && declared_next(&at)) {
         if (at.kind == DECLARED_IN || at.kind == DECLARED_UNIFORM)
@@ -307,7 +274,7 @@ bool translation_declarations(struct translation *t)
         else if (at.kind == DECLARED_OUT && !t->toy && outputs.count == 1)
             store(t, &at, "out");
     }
-    t->coloured = translate_output(t->code).kind != DECLARED_NONE;
+    t->coloured = declared_output(t->code).kind != DECLARED_NONE;
     t->old = !t->toy && !t->coloured &&
              glsl_mentions(t->code, "gl_FragColor") + glsl_mentions(t->code, "gl_FragData") > 0;
     return done;
