@@ -208,7 +208,7 @@ static void export_output(struct translation *t, struct declared *at, bool certa
 {
     const struct glsl_token *end = glsl_skip(t->code, at->end, ";");
     store(t, at, "");
-    if (!certain && (at->layout == NULL || declared_is_first(at)))
+    if (!certain && end->sign == ';' && (at->layout == NULL || declared_is_first(at)))
         edits_add(&t->edits, end->begin + 1, 0, " vec4 shaderShown() { return vec4(%s.rgb, 1.0); }",
                   at->word);
 }

@@ -285,11 +285,13 @@ static void move_values(struct translation *t)
 // Remove the semicolons behind functions, which WebGL refuses.
 static void take_semicolons(struct translation *t)
 {
-    const struct glsl_token *end = t->code->statement;
-    for (; end->kind != GLSL_END; end++)
-        if (end->sign == ';' && end->depth == 0 && end[-1].sign == '}' &&
-            glsl_partner(t->code, end - 1)[-1].sign == ')')
+    for (const struct glsl_token *end = t->code->statement; end->kind != GLSL_END; end++) {
+        if (end->sign != ';' || end->depth > 0 || end[-1].sign != '}')
+            continue;
+        const struct glsl_token *close = glsl_partner(t->code, end - 1) - 1;
+        if (close->sign == ')' && !glsl_partner(t->code, close)[-1].macro)
             edits_cut(&t->edits, end, end);
+    }
 }
 
 void translation_words(struct translation *t)
