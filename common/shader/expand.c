@@ -98,7 +98,7 @@ static bool take_include(struct expansion *e, struct shader_line at, const char 
     if (rest[0] == '<' && rest[length] == '>' && length < PLATFORM_PATH)
         return report(
             "%s:%d: #include %.*s>: a part of a library, such as three.js or lygia, which "
-            "is not here: take the line out, or write what it defines",
+            "is not here: remove the line, or write what it defines",
             file, at.line, length, rest);
     return report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line", file,
                   at.line);
