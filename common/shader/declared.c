@@ -5,10 +5,10 @@
 
 static enum declared_kind kind_of(const struct glsl *code, const struct glsl_token *t)
 {
-    return glsl_is(code, t, "in") || glsl_is(code, t, "varying")       ? DECLARED_IN
-           : glsl_is(code, t, "out")                                   ? DECLARED_OUT
-           : glsl_is(code, t, "uniform") || glsl_is(code, t, "buffer") ? DECLARED_UNIFORM
-                                                                       : DECLARED_VARIABLE;
+    return glsl_means(code, t, "in") || glsl_is(code, t, "varying")       ? DECLARED_IN
+           : glsl_means(code, t, "out")                                   ? DECLARED_OUT
+           : glsl_means(code, t, "uniform") || glsl_is(code, t, "buffer") ? DECLARED_UNIFORM
+                                                                          : DECLARED_VARIABLE;
 }
 
 // Take a name, if it can be one of this kind.
@@ -30,9 +30,9 @@ static bool take_name(struct declared *at, const struct glsl_token *name)
 // Read a declaration up to its first name.
 static bool take_declaration(struct declared *at, const struct glsl_token *t)
 {
-    static const char *const qualifiers[] = {"flat",  "smooth",   "noperspective",
-                                             "const", "centroid", "invariant",
-                                             NULL},
+    static const char *const qualifiers[] = {"flat",     "smooth",    "noperspective", "const",
+                                             "centroid", "invariant", "coherent",      "volatile",
+                                             "restrict", "readonly",  "writeonly",     NULL},
                              *const others[] = {"return", "else", "do", "struct", NULL};
     const struct glsl *code = at->code;
     at->begin = t;
@@ -160,4 +160,29 @@ bool declared_anywhere(const struct glsl *code, const char *word)
             return true;
     }
     return false;
+}
+
+// ---- Outputs ----
+
+struct outputs declared_outputs(const struct glsl *code, bool uncertain)
+{
+    struct declared at = {.code = code};
+    struct outputs outputs = {0};
+    while (declared_next(&at)) {
+        if (at.kind != DECLARED_OUT || !(at.name->certain || uncertain))
+            continue;
+        bool zero = declared_is_first(&at), first = zero || outputs.count == 0;
+        if (outputs.count++ > 0 && (first || outputs.count == 2))
+            outputs.second = first ? outputs.shown : at;
+        if (first)
+            outputs.shown = at;
+        outputs.placed |= zero;
+    }
+    return outputs;
+}
+
+struct declared declared_output(const struct glsl *code)
+{
+    struct outputs outputs = declared_outputs(code, false);
+    return outputs.count > 0 ? outputs.shown : declared_outputs(code, true).shown;
 }

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "shader/edits.h"
 #include "shader/glsl.h"
 
 enum { DECLARED_NAME = 64 }; // size of a name or a type that is judged
@@ -46,6 +47,22 @@ bool declared_is_read(const struct declared *at);
 // Declare the name with another storage, without layout and interpolation: "uniform", or "" for a
 // variable. Each name of a declaration must get one, in order.
 void declared_store(struct declared *at, struct edits *edits, const char *storage);
+
+// The outputs of a whole file.
+struct outputs {
+    int count;
+    struct declared shown;  // at location 0, or the first
+    struct declared second; // the first of the others
+    bool placed;            // one is at location 0
+};
+
+// Find them.
+//   uncertain  those inside an #if that only the driver can decide count
+struct outputs declared_outputs(const struct glsl *code, bool uncertain);
+
+// The output of a whole file that is the picture: at location 0, or the first, and certain if any
+// is; of kind DECLARED_NONE if there is none.
+struct declared declared_output(const struct glsl *code);
 
 // True if anything outside of functions declares or defines a word, a macro included.
 bool declared_anywhere(const struct glsl *code, const char *word);

@@ -31,6 +31,7 @@ static const struct kind kinds[] = {
     {"metal_stdlib", "the language of Metal: a shader must be GLSL"},
     {"shader_type", "a shader for Godot: write void main() or mainImage, and name the inputs as "
                     "docs/using.md does"},
+    {"isf_vertShaderInit", "a vertex shader for ISF: a picture needs a fragment shader"},
     {"IMG_PIXEL", "an ISF file, because it uses IMG_PIXEL: ISF is not read here"},
     {"IMG_NORM_PIXEL", "an ISF file, because it uses IMG_NORM_PIXEL: ISF is not read here"}};
 
@@ -41,23 +42,31 @@ static const struct kind functions[] = {
                     "offered"},
     {"transition", "a GL Transition, which blends two pictures: there are none here"}};
 
-// True for a first comment that is an ISF description in JSON.
-static bool is_isf(const struct glsl *code)
+// What a first comment in JSON says of its file, or NULL.
+static const char *what_of_header(const struct glsl *code)
 {
-    static const char *const members[] = {"\"INPUTS\"",      "\"ISFVSN\"", "\"CATEGORIES\"",
-                                          "\"DESCRIPTION\"", "\"CREDIT\"", "\"PASSES\""};
+    static const char isf[] = "an ISF file, because of its first comment: ISF is not read here: "
+                              "declare its inputs as uniforms with a value, and use iResolution "
+                              "and iTime";
+    static const struct kind members[] = {
+        {"\"INPUTS\"", isf},
+        {"\"ISFVSN\"", isf},
+        {"\"CATEGORIES\"", isf},
+        {"\"DESCRIPTION\"", isf},
+        {"\"CREDIT\"", isf},
+        {"PASSES", "a file of several passes, because of its first comment: only a single pass is "
+                   "drawn here"}};
     const char *c = code->text + code->item->begin + 2, *end = c + code->item->length;
-    bool found = false;
     if (code->item->kind != GLSL_COMMENTED || c[strspn(c, "* \t\n")] != '{')
-        return false;
+        return NULL;
     for (size_t i = 0; i < COUNT(members); i++) {
-        const char *member = strstr(c, members[i]);
-        found |= member != NULL && member < end;
+        const char *member = strstr(c, members[i].word);
+        if (member != NULL && member < end)
+            return members[i].why;
     }
-    return found;
+    return NULL;
 }
 
-// Refuse a vertex shader, unless the course's own.
 static bool refuse_vertex(const struct shader_source *source)
 {
     return report("%s: a vertex shader, because it sets gl_Position: give the fragment shader",
@@ -68,10 +77,7 @@ static bool refuse_vertex(const struct shader_source *source)
 static bool check_kind(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
-    const char *why = is_isf(code) ? "an ISF file, because of its first comment: ISF is not read "
-                                     "here: declare its inputs as uniforms with a value, and use "
-                                     "iResolution and iTime"
-                                   : NULL;
+    const char *why = what_of_header(code);
     for (size_t i = 0; i < COUNT(kinds) && why == NULL; i++)
         if (glsl_mentions(code, kinds[i].word) > 0)
             why = kinds[i].why;
@@ -253,45 +259,17 @@ char *dialect_prelude(const struct shader_source *source, enum shader_view view)
                                    : memory_text(GL_GLSL "#define VIEW %d\n", (int)view);
 }
 
-// True for a direction, as in a cube map's lookup: texture(iChannel0, vec3(...)).
-static bool is_direction(const struct glsl *code, const struct glsl_token *t)
-{
-    static const char *const words[] = {"vec3", "reflect", "refract", "normalize", NULL};
-    if (glsl_is_any(code, t, words))
-        return glsl_is_sign(glsl_next(code, t + 1), ",)");
-    if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
-        return false;
-    const struct glsl_token *v = t - 1; // or a variable of this type
-    while (v >= code->statement &&
-           !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
-        v--;
-    return v >= code->statement && glsl_is(code, v - 1, "vec3");
-}
-
-// The channel that is read as a cube map, or NULL.
-static const struct glsl_token *find_cube_map(const struct glsl *code)
-{
-    static const char *const lookups[] = {"texture", "textureLod", NULL};
-    const struct glsl_token *t = code->statement;
-    while (t->kind != GLSL_END &&
-           !(inputs_channel(code, t) >= 0 && t[-1].sign == '(' && t[1].sign == ',' &&
-             (glsl_is(code, t - 2, "textureCube") ||
-              (glsl_is_any(code, t - 2, lookups) && is_direction(code, t + 2)))))
-        t++;
-    return t->kind != GLSL_END ? t : NULL;
-}
-
 bool dialect_refuses(const struct shader_source *source, const char *log, bool linking)
 {
     const struct glsl *code = &source->code;
-    const struct glsl_token *cube = find_cube_map(code), *image = glsl_find(code, "mainImage");
+    const struct glsl_token *cube = inputs_cube_map(code), *image = glsl_find(code, "mainImage");
     const struct input *input;
     if (glsl_mentions(code, "gl_Position") > 0)
         return !refuse_vertex(source);
     if (cube != NULL)
         return !shader_refuse(source, cube->line,
-                              "%.*s is read as a cube map: cube maps are not offered: a picture of "
-                              "--channel is read at a vec2",
+                              "%.*s is read as a cube map, which is not offered here: a picture is "
+                              "read at a vec2",
                               GLSL_TEXT(code, cube));
     for (int i = 0; source->dialect != DIALECT_COURSE && (input = inputs_row(i)) != NULL; i++) {
         bool lacks = !inputs_offers(source, input) && strstr(log, input->name) != NULL;
@@ -300,6 +278,11 @@ bool dialect_refuses(const struct shader_source *source, const char *log, bool l
             return !inputs_refuse(source, input, token->line);
     }
     bool toy = source->dialect == DIALECT_SHADERTOY;
+    const struct glsl_token *pixel = glsl_find(code, "FC");
+    if (pixel != NULL && !code->name[pixel->name].macro && source->file_count == 1)
+        return !shader_refuse(source, pixel->line,
+                              "FC: a short name of twigl: write gl_FragCoord, declare uniform vec2 "
+                              "resolution; and uniform float time; and put all into void main()");
     if (toy && image != NULL && strstr(log, "mainImage") != NULL)
         return !refuse_image(source, image);
     return !toy && (linking || strstr(log, "Missing main()") != NULL) &&
@@ -332,22 +315,28 @@ static void warn(struct shader_source *source, const struct declared *at)
                                            {"vec3", "vec3(1.0)", "1 in [0, 4]"},
                                            {"vec4", "vec4(1.0)", "1 in [0, 4]"}};
     const struct input *input = inputs_find(at->word);
+    bool silent = input != NULL && input->meaning == INPUT_SILENT;
+    char type[DECLARED_NAME];
     size_t i = 0;
-    while (i < COUNT(types) && !glsl_is(at->code, at->type, types[i][0]))
+    snprintf(type, sizeof type, "%.*s", GLSL_TEXT(at->code, at->type));
+    while (i < COUNT(types) && strcmp(type, types[i][0]) != 0)
         i++;
     char *why;
     if (at->kind == DECLARED_BLOCK)
         why = memory_text("the members of the block %s are 0: nothing sets them; declare variables "
                           "with a value instead",
                           at->word);
-    else if (input == NULL && i < COUNT(types) && at->name[1].sign != '[')
+    else if (!silent && i < COUNT(types) && at->name[1].sign != '[')
         why = memory_text("uniform %s %s is 0: nothing sets it; give it a value: uniform %s %s = "
                           "%s; // %s",
-                          types[i][0], at->word, types[i][0], at->word, types[i][1], types[i][2]);
+                          type, at->word, type, at->word, types[i][1], types[i][2]);
     else
-        why = memory_text("uniform %.*s %s is 0: %s", GLSL_TEXT(at->code, at->type), at->word,
-                          input != NULL ? input->text
-                                        : "nothing sets it; give it a value where it is declared");
+        why = memory_text("uniform %s %s is 0: %s", type, at->word,
+                          silent                          ? input->text
+                          : strstr(type, "image") != NULL ? "images that a shader writes are not "
+                                                            "offered"
+                                                          : "nothing sets it; give it a value "
+                                                            "where it is declared");
     shader_refuse(source, at->name->line, "warning: %s", why);
     if (source->unset != NULL)
         free(why);
@@ -376,7 +365,7 @@ bool dialect_accepts(struct shader_source *source)
         warn_of_unset(source);
     if (source->dialect != DIALECT_WHOLE)
         return true;
-    struct declared shown = translate_output(code);
+    struct declared shown = declared_output(code);
     if (shown.kind != DECLARED_NONE && shown.name->certain && !declared_is_read(&shown))
         return shader_refuse(source, shown.name->line,
                              "out %.*s %s: never gets a value: write %s = vec4(...); in main",

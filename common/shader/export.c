@@ -8,6 +8,7 @@
 #include "shader/inputs.h"
 #include "shader/translate.h"
 #include "memory.h"
+#include "number.h"
 #include "report.h"
 
 // An export in progress.
@@ -22,14 +23,11 @@ struct export
     FILE *text;
 };
 
-// Write a number in GLSL ES: the shortest that is the same float, with a point or an exponent.
+// Write a number in GLSL ES, with a point or an exponent.
 static void put_float(struct export *e, double value)
 {
-    char text[32];
-    int digits = 1;
-    do
-        snprintf(text, sizeof text, "%.*g", digits, (double)(float)value);
-    while (strtof(text, NULL) != (float)value && digits++ < 9);
+    char text[NUMBER_SIZE];
+    number_text(value, text, sizeof text);
     fprintf(e->text, "%s%s", text, strpbrk(text, ".e") == NULL ? ".0" : "");
 }
 
@@ -256,7 +254,7 @@ static bool put_foreign(struct export *e)
         return false;
     fprintf(e->text, "%s%s", front != NULL ? front : "", body + strspn(body, " \n"));
     bool wraps = front != NULL, toy = source->dialect == DIALECT_SHADERTOY;
-    struct declared output = translate_output(e->code);
+    struct declared output = declared_output(e->code);
     bool old = output.kind == DECLARED_NONE;
     free(front);
     free(body);
@@ -274,6 +272,8 @@ static bool put_foreign(struct export *e)
     }
     if (toy)
         fprintf(e->text, "    shaderImage(toyColour, toyPixel);\n}\n");
+    else if (!old && !output.name->certain) // an #if chooses one
+        fprintf(e->text, "    shaderMain();\n    toyColour = shaderShown();\n}\n");
     else
         fprintf(e->text, "    shaderMain();\n    toyColour = vec4(%s.rgb, 1.0);\n}\n",
                 old ? "shaderColour" : output.word);

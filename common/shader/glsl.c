@@ -1,7 +1,6 @@
 #include "shader/glsl.h"
 
 #include <ctype.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -17,63 +16,6 @@ struct glsl_conditional {
     bool live, certain;     // of the text around it
     int depth, begin;       // of brackets at the #if, and at the beginning of this part
 };
-
-// ---- Tokens ----
-
-bool glsl_is_word(char c)
-{
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-}
-
-bool glsl_is_sign(const struct glsl_token *token, const char *signs)
-{
-    return token->sign != '\0' && strchr(signs, token->sign) != NULL;
-}
-
-bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char *word)
-{
-    return !token->macro && strlen(word) == (size_t)token->length &&
-           memcmp(code->text + token->begin, word, (size_t)token->length) == 0;
-}
-
-const struct glsl_token *glsl_code(const struct glsl_token *token)
-{
-    while (token->kind >= GLSL_COMMENT)
-        token++;
-    return token;
-}
-
-bool glsl_is_any(const struct glsl *code, const struct glsl_token *token, const char *const words[])
-{
-    while (*words != NULL && !glsl_is(code, token, *words))
-        words++;
-    return *words != NULL;
-}
-
-bool glsl_is_precision(const struct glsl *code, const struct glsl_token *token)
-{
-    return glsl_is_any(code, token, (const char *const[]){"lowp", "mediump", "highp", NULL});
-}
-
-const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl_token *bracket)
-{
-    return &code->statement[bracket->partner];
-}
-
-const struct glsl_token *glsl_next(const struct glsl *code, const struct glsl_token *token)
-{
-    if (glsl_is_sign(token, "([{"))
-        token = glsl_partner(code, token);
-    return token->kind == GLSL_END ? token : token + 1;
-}
-
-const struct glsl_token *glsl_skip(const struct glsl *code, const struct glsl_token *token,
-                                   const char *signs)
-{
-    while (token->kind != GLSL_END && !glsl_is_sign(token, signs))
-        token = glsl_next(code, token);
-    return token;
-}
 
 // ---- Names ----
 
@@ -112,7 +54,7 @@ static int add_name(struct glsl *code, const struct glsl_token *token)
     if (*slot < 0) {
         code->name = memory_row(code->name, code->name_count, sizeof *code->name);
         *slot = code->name_count++;
-        code->name[*slot] = (struct glsl_name){.begin = token->begin, token->length, .last = -1};
+        code->name[*slot] = (struct glsl_name){token->begin, token->length, .last = -1, .word = -1};
     }
     return *slot;
 }
@@ -198,6 +140,11 @@ static void end_if(struct glsl_reader *r)
 static void define(struct glsl_reader *r, const struct glsl_token *word, bool defines)
 {
     struct glsl_name *name = &r->code->name[word->name];
+    if (defines) {
+        bool one =
+            !name->macro && word[1].kind == GLSL_WORD && glsl_code(word + 2)->kind == GLSL_END;
+        name->word = one ? word[1].name : -1;
+    }
     name->macro |= defines;
     if (!defines || name->defined == GLSL_NEVER)
         name->defined = defines && r->certain ? GLSL_ALWAYS : GLSL_PERHAPS;
@@ -432,116 +379,4 @@ void glsl_free(struct glsl *code)
     free(code->name);
     free(code->table);
     *code = (struct glsl){0};
-}
-
-// ---- Search ----
-
-const struct glsl_token *glsl_find(const struct glsl *code, const char *word)
-{
-    const struct glsl_token *token = code->item;
-    while (token->kind != GLSL_END && !(token->live && glsl_is(code, token, word)))
-        token++;
-    return token->kind != GLSL_END ? token : NULL;
-}
-
-const struct glsl_token *glsl_find_next(const struct glsl *code, const struct glsl_token *after,
-                                        const char *word)
-{
-    const struct glsl_name *name = glsl_name(code, word);
-    int from = after != NULL ? (int)(after - code->statement) + 1 : 0;
-    for (int i = from; name != NULL && i <= name->last; i++)
-        if (code->statement[i].kind == GLSL_WORD && &code->name[code->statement[i].name] == name)
-            return &code->statement[i];
-    return NULL;
-}
-
-const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *word)
-{
-    const struct glsl_token *at = NULL;
-    do
-        at = glsl_find_next(code, at, word);
-    while (at != NULL && (at[1].sign != '(' || glsl_next(code, at + 1)->sign != '{'));
-    return at;
-}
-
-// A type before the name makes it a declaration; an expression follows these words.
-const struct glsl_token *glsl_find_call(const struct glsl *code, const char *word)
-{
-    static const char *const statements[] = {"return", "else", "do", NULL};
-    const struct glsl_token *at = NULL;
-    do
-        at = glsl_find_next(code, at, word);
-    while (at != NULL && (at[1].sign != '(' ||
-                          (at[-1].kind == GLSL_WORD && !glsl_is_any(code, at - 1, statements))));
-    return at;
-}
-
-// ---- Edits ----
-
-struct edit {
-    int begin, length; // of what is replaced
-    int number;        // of those at one position, in this order
-    char *text;
-};
-
-void edits_add(struct edits *edits, int begin, int length, const char *format, ...)
-{
-    char *text;
-    FILE *stream = memory_open(&text);
-    va_list arguments;
-    va_start(arguments, format);
-    vfprintf(stream, format, arguments);
-    va_end(arguments);
-    memory_close(stream);
-    edits->item = memory_row(edits->item, edits->count, sizeof *edits->item);
-    edits->item[edits->count] = (struct edit){begin, length, edits->count, text};
-    edits->count++;
-    edits->size += (int)strlen(text);
-}
-
-void edits_replace(struct edits *edits, const struct glsl_token *token, const char *instead)
-{
-    edits_add(edits, token->begin, token->length, "%s", instead);
-}
-
-void edits_cut(struct edits *edits, const struct glsl_token *from, const struct glsl_token *to)
-{
-    edits_add(edits, from->begin, to->begin + to->length - from->begin, "%s", "");
-}
-
-static int by_position(const void *a, const void *b)
-{
-    const struct edit *first = a, *second = b;
-    int order = (first->begin > second->begin) - (first->begin < second->begin);
-    return order != 0 ? order : first->number - second->number;
-}
-
-char *edits_apply(struct edits *edits, const char *text)
-{
-    char *result;
-    FILE *stream = memory_open(&result);
-    int from = 0;
-    if (edits->count > 0)
-        qsort(edits->item, (size_t)edits->count, sizeof *edits->item, by_position);
-    for (int i = 0; i < edits->count; i++) {
-        const struct edit *item = &edits->item[i];
-        if (item->begin < from) // inside what another one has replaced
-            continue;
-        fprintf(stream, "%.*s%s", item->begin - from, text + from, item->text);
-        for (from = item->begin; from < item->begin + item->length; from++)
-            if (text[from] == '\n')
-                fputc('\n', stream);
-    }
-    fputs(text + from, stream);
-    memory_close(stream);
-    edits_free(edits);
-    return result;
-}
-
-void edits_free(struct edits *edits)
-{
-    for (int i = 0; i < edits->count; i++)
-        free(edits->item[i].text);
-    free(edits->item);
-    *edits = (struct edits){0};
 }

@@ -1,4 +1,4 @@
-// glsl.h - a GLSL text as a row of tokens, scanned once, and edits of such a text.
+// glsl.h - a GLSL text as a row of tokens, scanned once.
 //
 // There are two rows of tokens: all of the text, and its statements alone, without comments,
 // directives and anything that the preprocessor certainly skips (#if 0, #ifdef, #ifndef, or #if
@@ -46,6 +46,7 @@ struct glsl_name {
     int count;               // live mentions
     int last;                // index of its last mention among the statements, or -1
     bool macro;              // a live #define names it
+    int word;                // of a macro: name of the one word that it stands for, or -1
     enum glsl_truth defined; // at the end of the text
 };
 
@@ -101,6 +102,9 @@ bool glsl_is_any(const struct glsl *code, const struct glsl_token *token,
                  const char *const words[]);
 bool glsl_is_precision(const struct glsl *code, const struct glsl_token *token);
 
+// As glsl_is; or it is a macro that always stands for this one word.
+bool glsl_means(const struct glsl *code, const struct glsl_token *token, const char *word);
+
 // The next token that is no comment, starting with this one.
 const struct glsl_token *glsl_code(const struct glsl_token *token);
 
@@ -124,26 +128,5 @@ const struct glsl_token *glsl_find_next(const struct glsl *code, const struct gl
                                         const char *word);
 const struct glsl_token *glsl_find_definition(const struct glsl *code, const char *word);
 const struct glsl_token *glsl_find_call(const struct glsl *code, const char *word);
-
-// Edits of a text that keep its lines. Begin with zeros.
-struct edits {
-    struct edit *item; // owned
-    int count;
-    int size; // bytes that are inserted
-};
-
-// Replace a part of the text; insertions at one position keep their order. The new text has no line
-// end, and line ends in the old one stay.
-void edits_add(struct edits *edits, int begin, int length, const char *format, ...)
-    __attribute__((format(printf, 4, 5)));
-
-// Replace a token; cut from one token to another, both included.
-void edits_replace(struct edits *edits, const struct glsl_token *token, const char *instead);
-void edits_cut(struct edits *edits, const struct glsl_token *from, const struct glsl_token *to);
-
-// Apply and free the edits. Returns memory that the caller frees.
-char *edits_apply(struct edits *edits, const char *text);
-
-void edits_free(struct edits *edits);
 
 #endif

@@ -14,6 +14,7 @@
                                                                              // size
 #define SOUND "there is no sound here"
 #define SELF  "there is no earlier picture here"
+#define MIDI  "there is no MIDI here"
 
 // The table.
 // clang-format off
@@ -53,15 +54,18 @@ static const struct input rows[] = {
     {"u_tex1Resolution", "vec2", INPUT_CHANNEL_SIZE, 1, ""},
     {"u_tex2Resolution", "vec2", INPUT_CHANNEL_SIZE, 2, ""},
     {"u_tex3Resolution", "vec2", INPUT_CHANNEL_SIZE, 3, ""}, POSITION("v_texcoord", SHARE),
-    // GLSL Sandbox, twigl, veda, KodeLife
+    POSITION("uv", SHARE),
+    // GLSL Sandbox, twigl, veda, Hydra, KodeLife
     VEC2("resolution", SIZE), FLOAT("time", TIME), VEC2("mouse", POINTER_SHARE),
     FLOAT("frame", FRAME), VEC4("date", DATE),
     POSITION("surfacePosition", "0.5 * harnessPosition"),
     CHANNEL("texture0", 0), CHANNEL("texture1", 1), CHANNEL("texture2", 2),
     CHANNEL("texture3", 3), SILENT("backbuffer", SELF), SILENT("prevFrame", SELF),
-    SILENT("prevPass", SELF), SILENT("spectrum", SOUND), SILENT("samples", SOUND),
+    SILENT("prevPass", SELF), SILENT("prevBuffer", SELF), SILENT("spectrum", SOUND),
+    SILENT("samples", SOUND),
     {"volume", "float", INPUT_SILENT, 0, SOUND}, {"sound", "float", INPUT_SILENT, 0, SOUND},
-    SILENT("midi", "there is no MIDI here"),
+    SILENT("midi", MIDI), SILENT("note", MIDI), SILENT("key", "keys are not offered"),
+    SILENT("gamepad", "there is no gamepad here"),
     // Bonzomatic
     FLOAT("fGlobalTime", TIME), VEC2("v2Resolution", SIZE), FLOAT("fFrameTime", STEP),
     {"texFFT", "sampler1D", INPUT_SILENT, 0, SOUND},
@@ -104,6 +108,12 @@ bool inputs_is_course(const struct input *input)
 bool inputs_is_shadertoy(const struct input *input)
 {
     return input < rows + TOY_END;
+}
+
+bool inputs_is_toys(const char *name)
+{
+    const struct input *input = inputs_find(name);
+    return input != NULL && (inputs_is_shadertoy(input) || input->meaning == INPUT_REFUSED);
 }
 
 // The length of the longest part that two names share, in any case.
@@ -197,12 +207,40 @@ bool inputs_offers(const struct shader_source *source, const struct input *input
 
 // ---- Messages ----
 
-int inputs_channel(const struct glsl *code, const struct glsl_token *t)
+// The channel whose picture a token names, or -1.
+static int channel_of(const struct glsl *code, const struct glsl_token *t)
 {
     char name[16];
     snprintf(name, sizeof name, "%.*s", GLSL_TEXT(code, t));
     const struct input *input = t->kind == GLSL_WORD && !t->macro ? inputs_find(name) : NULL;
     return input != NULL && input->meaning == INPUT_CHANNEL ? input->channel : -1;
+}
+
+// True for a direction, as in a cube map's lookup: texture(iChannel0, vec3(...)).
+static bool is_direction(const struct glsl *code, const struct glsl_token *t)
+{
+    static const char *const words[] = {"vec3", "reflect", "refract", "normalize", NULL};
+    if (glsl_is_any(code, t, words))
+        return glsl_is_sign(glsl_next(code, t + 1), ",)");
+    if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
+        return false;
+    const struct glsl_token *v = t - 1; // or a variable of this type
+    while (v >= code->statement &&
+           !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
+        v--;
+    return v >= code->statement && glsl_is(code, v - 1, "vec3");
+}
+
+const struct glsl_token *inputs_cube_map(const struct glsl *code)
+{
+    static const char *const lookups[] = {"texture", "textureLod", NULL};
+    const struct glsl_token *t = code->statement;
+    while (t->kind != GLSL_END &&
+           !(channel_of(code, t) >= 0 && t[-1].sign == '(' && t[1].sign == ',' &&
+             (glsl_is(code, t - 2, "textureCube") ||
+              (glsl_is_any(code, t - 2, lookups) && is_direction(code, t + 2)))))
+        t++;
+    return t->kind != GLSL_END ? t : NULL;
 }
 
 // What the text reads a channel without a picture as: "the keyboard", "a buffer"; NULL if unknown.
@@ -224,7 +262,7 @@ static const char *kind_of_channel(const struct shader_source *source, int chann
         if (strcmp(source->was[channel], names[i].was) == 0)
             return names[i].words;
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
-        if (inputs_channel(code, t) != channel || t[-1].sign != '(' || t[1].sign != ',')
+        if (channel_of(code, t) != channel || t[-1].sign != '(' || t[1].sign != ',')
             continue;
         const struct glsl_token *end = glsl_partner(code, t - 1);
         bool fetch = glsl_is(code, t - 2, "texelFetch");

@@ -62,11 +62,14 @@ const struct input *inputs_row(int index);
 bool inputs_is_course(const struct input *input);
 bool inputs_is_shadertoy(const struct input *input);
 
+// True for any name that Shadertoy declares.
+bool inputs_is_toys(const char *name);
+
 // The input whose name is most similar, for messages; never NULL.
 const struct input *inputs_nearest(const char *name);
 
-// The channel whose picture a token names, or -1.
-int inputs_channel(const struct glsl *code, const struct glsl_token *t);
+// The channel that is read as a cube map, or NULL.
+const struct glsl_token *inputs_cube_map(const struct glsl *code);
 
 // Read the components of a type; true for float, int and vec2 to vec4.
 bool inputs_type(const char *type, int length, struct shader_input *into);

@@ -24,10 +24,6 @@ enum translate_target { TRANSLATE_DRIVER, TRANSLATE_SHADERTOY };
 bool translate(struct shader_source *source, enum translate_target target, char **prelude,
                char **body);
 
-// The output of a whole file that is the picture: at location 0, or the first; of kind
-// DECLARED_NONE if there is none.
-struct declared translate_output(const struct glsl *code);
-
 // Variables without a value begin as 0, as in browsers: "float d, t = 1.0;" becomes "float
 // d=float(0), t = 1.0;". Arrays and structures get their zeros too, if their parts can be counted
 // and are at most about a hundred. A declaration stays as it is if an #if divides it, or if its

@@ -4,44 +4,14 @@
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
+. tests/lib/shadertoy.sh
 
 open_scratch
 unset DISPLAY WAYLAND_DISPLAY
 small=(-s 160x90)
 
-# The text that Shadertoy puts around a shader, as far as it matters.
-wrap() { # FILE
-    cat <<'GLSL'
-#version 300 es
-precision highp float;
-precision highp int;
-precision mediump sampler3D;
-out vec4 outColor;
-uniform vec3 iResolution;
-uniform float iTime, iTimeDelta, iFrameRate, iChannelTime[4], iSampleRate;
-uniform vec3 iChannelResolution[4];
-uniform int iFrame;
-uniform vec4 iMouse, iDate;
-uniform sampler2D iChannel0, iChannel1, iChannel2, iChannel3;
-void mainImage(out vec4 c, in vec2 f);
-#line 1
-GLSL
-    cat "$1"
-    printf 'void main() { vec4 c = vec4(0.0, 0.0, 0.0, 1.0); mainImage(c, gl_FragCoord.xy); outColor = vec4(c.rgb, 1.0); }\n'
-}
-
-# prints PROGRAM OPTION...: leaves $scratch/toy.frag. valid: the printed text passes the validator as ES.
+# prints PROGRAM OPTION...: leaves $scratch/toy.frag.
 prints() { "$@" --print-shader=shadertoy >"$scratch/toy.frag" 2>"$scratch/err"; }
-valid() {
-    local status
-    wrap "$scratch/toy.frag" >"$scratch/wrapped.frag"
-    command -v glslangValidator >/dev/null || return 0
-    glslangValidator -S frag "$scratch/wrapped.frag" >"$scratch/log" && return
-    status=$?
-    echo "# the validator ends with $status, for $(wc -c <"$scratch/toy.frag") bytes"
-    grep ERROR "$scratch/log" | sed 's/^/# /'
-    return 1
-}
 
 # same PROGRAM OPTION...: the exported file's picture is the shader's own. Only the size and the time are given again:
 # the rest is in the file.
@@ -68,7 +38,7 @@ passes() { # NAME PROGRAM OPTION...: true where a file was printed that passes
     local name=$1
     shift
     if prints "$@"; then
-        check "$name passes as Shadertoy's" valid
+        check "$name passes as Shadertoy's" valid "$scratch/toy.frag"
     else
         check "$name reads textures: refused" refused_textures "$@" || sed 's/^/# /' "$scratch/err"
         return 1

@@ -207,10 +207,11 @@ IN_PROJECT(test_what_cannot_be_judged_is_left_alone)
         "struct S { float[2] a; };\nS s;\n",
         "#ifdef GL_X\nstruct S { float a; };\n#else\nstruct S { vec2 a; };\n#endif\nS s;\n",
         "float a[300];\n#define N 2\nfloat b[N], c[2][2];\n",
-        "#define in in\nin int Time;\n",
+        "#define in in b,\nin int Time;\n",
     };
     for (size_t i = 0; i < sizeof texts / sizeof *texts; i++)
         assert_driver_gets(texts[i], texts[i]);
+    assert_driver_gets("#define IN in\nIN int Time;\n", "#define IN in\nuniform int Time;\n");
     assert_driver_gets("struct A { vec2 p; }; struct B { A a[2]; int n, m; } b, c[2]; float d;\n",
                        "struct A { vec2 p; }; struct B { A a[2]; int n, m; } "
                        "b=B(A[2](A(vec2(0)),A(vec2(0))),int(0),int(0)), "

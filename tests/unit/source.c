@@ -281,8 +281,7 @@ IN_PROJECT(test_letters_of_another_size)
 
 IN_PROJECT(test_malformed_includes)
 {
-    const char *const lines[] = {"#include <leaf.glsl>\n",
-                                 "#include\n",
+    const char *const lines[] = {"#include\n",
                                  "#include leaf.glsl\n",
                                  "#include \"leaf.glsl\n",
                                  "#include \"leaf.glsl\nx\"\n",
@@ -293,7 +292,10 @@ IN_PROJECT(test_malformed_includes)
                                  "#include \"leaf.glsl\" // on \\\nx\n",
                                  "#include \\\n\"leaf.glsl\"\n"};
     for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
-        assert_refused(lines[i], "malformed include", i == 8 ? "main.frag:2: " : "main.frag:1: ");
+        assert_refused(lines[i], "malformed include", i == 7 ? "main.frag:2: " : "main.frag:1: ");
+    assert_refused("#include <leaf.glsl>\n", "#include <leaf.glsl>: a part of a library",
+                   "main.frag:1: ");
+    assert_refused("#include <leaf.glsl\n", "malformed include", "main.frag:1: ");
 }
 
 // ---- Files that are no shaders ----

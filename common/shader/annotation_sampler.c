@@ -1,0 +1,190 @@
+#include "shader/annotation.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+#include "number.h"
+#include "report.h"
+
+#define EXAMPLE2 "uniform sampler2D NAME; // \"stone.png\" sRGB repeat: meaning"
+#define EXAMPLE3 "uniform sampler3D NAME; // \"noise.png\" linear repeat 64: meaning"
+
+// Read one of two words.
+//   what  what the first and the second one are for
+static bool read_choice(struct annotation *a, const char *first, const char *second,
+                        const char *what, bool *is_first)
+{
+    *is_first = annotation_accept_word(a, first);
+    if (*is_first || annotation_accept_word(a, second))
+        return true;
+    size_t length = strcspn(a->c, BLANKS ":");
+    return length == 0
+               ? annotation_refuse(a, "%s or %s is missing: %s", first, second, what)
+               : annotation_refuse(a, "'%.*s' is not understood: write %s or %s: %s",
+                                   (int)(length < 20 ? length : 20), a->c, first, second, what);
+}
+
+static bool read_slices(struct annotation *a, struct sampler *sampler, bool volume)
+{
+    double value = 0.0;
+    size_t length = number_begin(a->c, &value);
+    a->c += length;
+    if (!volume)
+        return length == 0 || annotation_refuse(a, "a sampler2D has no slices: a volume is a "
+                                                   "sampler3D");
+    if (length == 0)
+        return annotation_refuse(a, "a volume needs the number of its slices: write as in \"%s\"",
+                                 a->example);
+    if (!(value >= 1.0 && value <= SAMPLER_SLICES && value == (double)(int)value))
+        return annotation_refuse(a, "the number of slices must be a whole number from 1 to %d",
+                                 SAMPLER_SLICES);
+    sampler->slices = (int)value;
+    return true;
+}
+
+static bool read_picture(struct annotation *a, bool volume, char file[256])
+{
+    struct sampler *sampler = &a->sampler;
+    if (!annotation_accept(a, '"'))
+        return annotation_refuse(a, "no picture is named: write as in \"%s\"", a->example);
+    size_t length = strcspn(a->c, "\"");
+    if (a->c[length] == '\0')
+        return annotation_refuse(a, "the file's name is not closed: write as in \"%s\"",
+                                 a->example);
+    return annotation_copy(a, "file", file, 256, length) && annotation_accept(a, '"') &&
+           read_choice(a, "sRGB", "linear", "a colour is sRGB, a number linear", &sampler->srgb) &&
+           read_choice(a, "repeat", "clamp", "a picture repeats, or its edge continues",
+                       &sampler->repeat) &&
+           read_slices(a, sampler, volume) &&
+           (annotation_accept(a, ':') || *a->c == '\0' ||
+            annotation_refuse(a, "'%.20s' is not understood: write as in \"%s\"", a->c,
+                              a->example)) &&
+           annotation_copy(a, "meaning", sampler->meaning, sizeof sampler->meaning, strlen(a->c));
+}
+
+// The FILE of the last --texture NAME=FILE with this name, or NULL.
+static const char *other_file(const struct shader_source *source, const char *name)
+{
+    const struct shader_request *request = &source->request;
+    size_t length = strlen(name);
+    for (int i = request->texture_count - 1; i >= 0; i--)
+        if (strncmp(request->textures[i], name, length) == 0 && request->textures[i][length] == '=')
+            return request->textures[i] + length + 1;
+    return NULL;
+}
+
+static bool find_file(struct annotation *a, struct shader_source *source, const char *file)
+{
+    char why[TEXT_FILE_WHY];
+    const char *other = other_file(source, a->name);
+    a->sampler.file = other != NULL
+                          ? shader_take_texture(source, other, why)
+                          : shader_find_texture(source, source->lines[a->line].file, file, why);
+    return a->sampler.file >= 0 ||
+           annotation_refuse(a, "%s: %s", other != NULL ? other : file, why);
+}
+
+static bool add_sampler(struct samplers *samplers, const struct sampler *sampler)
+{
+    samplers->item = memory_row(samplers->item, samplers->count, sizeof *samplers->item);
+    samplers->item[samplers->count++] = *sampler;
+    return true;
+}
+
+// The type of a uniform if it is a sampler of any kind, or NULL.
+static const struct glsl_token *sampler_type(const struct glsl *code,
+                                             const struct glsl_token *uniform)
+{
+    const struct glsl_token *t = uniform + 1;
+    while (t->kind >= GLSL_COMMENT || glsl_is_precision(code, t))
+        t++;
+    char type[ANNOTATION_NAME] = "";
+    if (t->kind == GLSL_WORD && t->length < ANNOTATION_NAME)
+        snprintf(type, sizeof type, "%.*s", GLSL_TEXT(code, t));
+    return strstr(type, "sampler") != NULL ? t : NULL;
+}
+
+static bool read_sampler(struct samplers *samplers, struct shader_source *source,
+                         const struct glsl_token *uniform, const struct glsl_token *type)
+{
+    // Tables of the slice, of the coarse pass and of letters, which the harness fills in.
+    static const char *const own[] = {"iMarch", "iCoarse", "iSigns", NULL};
+    const struct glsl *code = &source->code;
+    bool volume = glsl_is(code, type, "sampler3D"), twice = false;
+    struct annotation a;
+    char file[256];
+    if (glsl_is_any(code, type + 1, own))
+        return true;
+    annotation_begin(&a, source, uniform, "sampler", volume ? EXAMPLE3 : EXAMPLE2);
+    a.sampler.line = a.line;
+    bool done =
+        annotation_declaration(&a) &&
+        (volume || glsl_is(code, type, "sampler2D") ||
+         annotation_refuse(&a,
+                           "the type %.*s cannot be filled in: use sampler2D, or sampler3D for a "
+                           "volume",
+                           GLSL_TEXT(code, type))) &&
+        read_picture(&a, volume, file);
+    memcpy(a.sampler.name, a.name, sizeof a.name);
+    for (int i = 0; i < samplers->count; i++)
+        twice |= strcmp(samplers->item[i].name, a.name) == 0;
+    done = done && (!twice || annotation_refuse(&a, "is declared twice: remove one declaration")) &&
+           find_file(&a, source, file) && add_sampler(samplers, &a.sampler);
+    free(a.words);
+    return done;
+}
+
+// Add the pictures of --channel, and those that the text names. As in Shadertoy, a picture repeats
+// unless the text says otherwise.
+static bool add_channels(struct samplers *samplers, struct shader_source *source)
+{
+    const char *const *channels = source->request.channels;
+    char why[TEXT_FILE_WHY];
+    for (int i = 0; i < 4; i++) {
+        bool given = channels != NULL && channels[i] != NULL;
+        if (!given && source->channel[i] <= 0)
+            continue;
+        struct sampler sampler = {.line = -1, .repeat = true};
+        snprintf(sampler.name, sizeof sampler.name, "iChannel%d", i);
+        sampler.file = given ? shader_take_texture(source, channels[i], why) : source->channel[i];
+        if (sampler.file < 0)
+            return report("--channel %d=%s: %s", i, channels[i], why);
+        add_sampler(samplers, &sampler);
+    }
+    return true;
+}
+
+// Refuse a type that declares a sampler in a structure or a macro, which no picture can fill in. A
+// parameter of a function is another's sampler.
+static bool check_hidden(const struct shader_source *source, const struct glsl_token *type)
+{
+    static const char *const types[] = {"sampler2D", "sampler3D", NULL};
+    static const char *const parameter[] = {"in", "const", "precision", NULL};
+    const struct glsl *code = &source->code;
+    const struct glsl_token *t = type - 1;
+    if (!type->live || !glsl_is_any(code, type, types))
+        return true;
+    while (t >= code->item && (t->kind >= GLSL_COMMENT || glsl_is_precision(code, t)))
+        t--;
+    return (t >= code->item && (glsl_is_sign(t, "(,") || glsl_is_any(code, t, parameter) ||
+                                (!type->directive && glsl_is(code, t, "uniform")))) ||
+           shader_refuse(source, type->line,
+                         "a %.*s must be a uniform of its own, in no structure or macro: write as "
+                         "in \"%s\"",
+                         GLSL_TEXT(code, type),
+                         glsl_is(code, type, "sampler3D") ? EXAMPLE3 : EXAMPLE2);
+}
+
+bool samplers_read(struct samplers *samplers, struct shader_source *source)
+{
+    const struct glsl *code = &source->code;
+    bool course = source->dialect == DIALECT_COURSE;
+    bool done = course || add_channels(samplers, source);
+    for (const struct glsl_token *t = code->item; course && done && t->kind != GLSL_END; t++) {
+        bool uniform = glsl_is(code, t, "uniform") && t->live && !t->directive;
+        const struct glsl_token *type = uniform ? sampler_type(code, t) : NULL;
+        done = (type == NULL || read_sampler(samplers, source, t, type)) && check_hidden(source, t);
+    }
+    return done;
+}

@@ -1,0 +1,28 @@
+// edits.h - edits of a GLSL text, which keep its lines.
+#ifndef SHADER_EDITS_H
+#define SHADER_EDITS_H
+
+#include "shader/glsl.h"
+
+// Begin with zeros.
+struct edits {
+    struct edit *item; // owned
+    int count;
+    int size; // bytes that are inserted
+};
+
+// Replace a part of the text; insertions at one position keep their order. The new text has no line
+// end, and line ends in the old one stay.
+void edits_add(struct edits *edits, int begin, int length, const char *format, ...)
+    __attribute__((format(printf, 4, 5)));
+
+// Replace a token; cut from one token to another, both included.
+void edits_replace(struct edits *edits, const struct glsl_token *token, const char *instead);
+void edits_cut(struct edits *edits, const struct glsl_token *from, const struct glsl_token *to);
+
+// Apply and free the edits. Returns memory that the caller frees.
+char *edits_apply(struct edits *edits, const char *text);
+
+void edits_free(struct edits *edits);
+
+#endif

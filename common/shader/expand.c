@@ -1,0 +1,345 @@
+#include "shader/files.h"
+
+#include <ctype.h>
+#include <errno.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "context/gl.h"
+#include "memory.h"
+#include "platform.h"
+#include "report.h"
+#include "shader/passes.h"
+
+#define TEXT_LIMIT  (8 * 1024 * 1024) // bytes of the expanded text
+#define DEPTH_LIMIT 64                // files open at once, the first one included
+#define BLANKS      " \t\v\f"
+#define WHERE_SIZE  (3 * PLATFORM_PATH) // FILE:LINE: #include "NAME"
+
+// ---- Includes ----
+
+// An expansion in progress.
+struct expansion {
+    struct shader_source *source;
+    struct glsl_reader reader; // of its text
+    int open[DEPTH_LIMIT];     // the files from the first to the one being read
+    int depth;
+};
+
+static bool expand_file(struct expansion *e, int file, const char *where);
+
+// Report an include that would make its file contain itself, with the files in between.
+static bool report_cycle(const struct expansion *e, int file, const char *where)
+{
+    char chain[2048] = "";
+    size_t size = 0;
+    int first = 0;
+    while (e->open[first] != file)
+        first++;
+    for (int i = first; i < e->depth && size < sizeof chain; i++)
+        size += (size_t)snprintf(chain + size, sizeof chain - size, "%s -> ",
+                                 e->source->files[e->open[i]]);
+    return report("%s: the file includes itself: %s%s: remove one of these includes", where, chain,
+                  e->source->files[file]);
+}
+
+// Insert the file of an include, unless it is there already.
+static bool include(struct expansion *e, struct shader_line from, const char *name)
+{
+    static const char *const folders[] = {"/shaders", "/chapters", NULL};
+    struct shader_source *source = e->source;
+    char where[WHERE_SIZE], why[TEXT_FILE_WHY];
+    snprintf(where, sizeof where, "%s:%d: #include \"%s\"", source->files[from.file], from.line,
+             name);
+    if (strncmp(name, "http", 4) == 0)
+        return report("%s: files are not downloaded: save it beside the shader and include that",
+                      where);
+    int count = source->file_count;
+    int file = files_find(source, from.file, name, folders, ", in shaders/ or in chapters/", why);
+    if (file < 0)
+        return report("%s: %s", where, why);
+    for (int i = 0; i < e->depth; i++)
+        if (e->open[i] == file)
+            return report_cycle(e, file, where);
+    if (file == count && e->depth == DEPTH_LIMIT)
+        return report("%s: more than %d nested includes", where, DEPTH_LIMIT);
+    return file < count || expand_file(e, file, where);
+}
+
+// Read the rest of an include: a name in quotes, and nothing but comments that end on this line.
+static bool quoted_name(const char *c, char name[PLATFORM_PATH])
+{
+    c += strspn(c, BLANKS);
+    size_t length = *c == '"' ? strcspn(c + 1, "\"\n") : 0;
+    if (length == 0 || length >= PLATFORM_PATH || c[length + 1] != '"')
+        return false;
+    snprintf(name, PLATFORM_PATH, "%.*s", (int)length, c + 1);
+    for (c += length + 2;; c += 2) {
+        const char *end = c + strcspn(c, "\n");
+        c += strspn(c, BLANKS);
+        if (c == end || (c[0] == '/' && c[1] == '/'))
+            return end[-1] != '\\';
+        c = c[0] == '/' && c[1] == '*' ? strstr(c + 2, "*/") : NULL;
+        if (c == NULL || c > end)
+            return false;
+    }
+}
+
+static bool take_include(struct expansion *e, struct shader_line at, const char *rest)
+{
+    char name[PLATFORM_PATH];
+    if (quoted_name(rest, name))
+        return include(e, at, name);
+    const char *file = e->source->files[at.file];
+    rest += strspn(rest, BLANKS);
+    int length = (int)strcspn(rest, ">\n");
+    if (rest[0] == '<' && rest[length] == '>' && length < PLATFORM_PATH)
+        return report(
+            "%s:%d: #include %.*s>: a part of a library, such as three.js or lygia, which "
+            "is not here: remove the line, or write what it defines",
+            file, at.line, length, rest);
+    return report("%s:%d: malformed include: write #include \"name.glsl\" alone on its line", file,
+                  at.line);
+}
+
+// ---- The directives of VS Code's extension Shader Toy ----
+
+// Rewrite the rest of #iUniform float x = 0.5 in { 0.0, 1.0 } as an annotated uniform; without a
+// range it gets four times its value, or 1. Returns memory that the caller frees, or NULL.
+static char *annotated_uniform(const char *c)
+{
+    char type[16], name[64], words[256] = "0 ", range[64] = "";
+    int begin = 0;
+    if (sscanf(c, "%*[ \t]%15[A-Za-z0-9]%*[ \t]%63[A-Za-z0-9_]%n", type, name, &begin) != 2)
+        return NULL;
+    c += begin;
+    c += strspn(c, BLANKS);
+    bool colour = strncmp(type, "color", 5) == 0;
+    size_t used = *c == '=' ? 0 : 2;
+    c += used == 0;
+    c += strspn(c, BLANKS);
+    // A value loses its constructor and the f of a float; braces become brackets.
+    for (; strchr("\n;", *c) == NULL && used + 1 < sizeof words; c++) {
+        size_t word = strcspn(c, "( \t\n;");
+        bool suffix = *c == 'f' && used > 0 && strchr(".0123456789", words[used - 1]) != NULL;
+        if (c[0] == '/' && c[1] == '/')
+            break;
+        if (c[word] == '(' && isalpha((unsigned char)*c))
+            c += word;
+        else if (*c != ')' && !suffix)
+            words[used++] = *c == '{' ? '[' : *c == '}' ? ']' : *c;
+    }
+    words[used] = '\0';
+    double value = fabs(strtod(words, NULL)), end = value > 0.0 ? 4.0 * value : 1.0;
+    if (strcmp(type, "color3") == 0)
+        snprintf(range, sizeof range, " in [0, 1], linear RGB");
+    else if (strcmp(type, "bool") != 0 && strchr(words, '[') == NULL)
+        snprintf(range, sizeof range, " in [%g, %g]", -end, end);
+    return memory_text("uniform %s%s %s; // %s%s: %s\n", colour ? "vec" : "",
+                       type + (colour ? 5 : 0), name, words, range, name);
+}
+
+static bool ends_in(const char *text, const char *const ends[])
+{
+    for (size_t length = strlen(text); *ends != NULL; ends++)
+        if (length >= strlen(*ends) && strcmp(text + length - strlen(*ends), *ends) == 0)
+            return true;
+    return false;
+}
+
+// Obey #iChannel0 "file://stone.png": a picture beside the file. Anything else that a channel is
+// (another shader, the shader itself, a sound, a cube map) is kept for messages.
+static bool take_channel(struct expansion *e, struct shader_line at, int channel, const char *rest)
+{
+    static const char *const shaders[] = {".glsl", ".frag", ".fs", "self", NULL},
+                             *const sounds[] = {".mp3", ".wav", ".ogg", NULL};
+    struct shader_source *source = e->source;
+    const char *file = source->files[at.file];
+    char value[256], why[TEXT_FILE_WHY];
+    bool option = *rest == ':';
+    if (sscanf(rest + strcspn(rest, "\"\n"), "\"%255[^\"\n]", value) != 1 ||
+        (option && strcmp(value, "CubeMap") != 0))
+        return true;
+    const char *was = option || strchr(value, '{') != NULL                       ? "cubemap"
+                      : ends_in(value, shaders) || strncmp(value, "buf", 3) == 0 ? "buffer"
+                      : ends_in(value, sounds)                                   ? "music"
+                                                                                 : "";
+    if (was[0] != '\0')
+        strcpy(source->was[channel], was);
+    if (was[0] != '\0' ||
+        (source->request.channels != NULL && source->request.channels[channel] != NULL))
+        return true;
+    if (strncmp(value, "http", 4) == 0)
+        return report("%s:%d: #iChannel%d: pictures are not downloaded: save it and give --channel "
+                      "%d=FILE.png",
+                      file, at.line, channel, channel);
+    const char *name = value + (strncmp(value, "file://", 7) == 0 ? 7 : 0);
+    int picture = shader_find_texture(source, at.file, name, why);
+    source->channel[channel] = picture > 0 ? picture : 0;
+    const char *reason = picture < 0 ? why : "a shader's file";
+    if (GL_IS_ES)
+        return picture > 0 || report("%s:%d: #iChannel%d: %s: this page reads no pictures of yours",
+                                     file, at.line, channel, reason);
+    return picture > 0 || report("%s:%d: #iChannel%d: %s: or give --channel %d=FILE.png", file,
+                                 at.line, channel, reason, channel);
+}
+
+// ---- Lines ----
+
+// List the lines that have ended.
+static void end_lines(struct shader_source *source, struct shader_line *from)
+{
+    for (; source->line_count < source->code.lines; from->line++) {
+        source->lines = memory_row(source->lines, source->line_count, sizeof *source->lines);
+        source->lines[source->line_count++] = *from;
+    }
+}
+
+// Obey a line that is a directive for no driver: it becomes a comment, or a uniform. So does #line,
+// which would make the driver blame another line.
+//   line  moves past it
+//   done  receives false after an error, reported
+// Returns false for any other line.
+static bool take_directive(struct expansion *e, struct shader_line *from, const char **line,
+                           bool *done)
+{
+    const char *word = *line + strspn(*line, BLANKS);
+    if (*word != '#' || !e->reader.live)
+        return false;
+    word += 1 + strspn(word + 1, BLANKS);
+    size_t length = 0;
+    while (glsl_is_word(word[length]))
+        length++;
+    bool includes = length == 7 && strncmp(word, "include", 7) == 0;
+    bool extension = length > 1 && word[0] == 'i' && isupper((unsigned char)word[1]);
+    if (!includes && !extension && !(length == 4 && strncmp(word, "line", 4) == 0))
+        return false;
+    const struct shader_line at = *from;
+    const char *rest = word + length;
+    int channel = length == 9 && strncmp(word, "iChannel", 8) == 0 ? word[8] - '0' : -1;
+    char *uniform =
+        length == 8 && strncmp(word, "iUniform", 8) == 0 ? annotated_uniform(rest) : NULL;
+    const char *instead = uniform;
+    if (uniform != NULL) {
+        glsl_take_line(&e->reader, &instead);
+        *line += strcspn(*line, "\n") + 1;
+    } else
+        glsl_take_comment(&e->reader, line);
+    free(uniform);
+    end_lines(e->source, from);
+    *done = includes                       ? take_include(e, at, rest)
+            : channel >= 0 && channel <= 3 ? take_channel(e, at, channel, rest)
+                                           : true;
+    return true;
+}
+
+// Judge the directive in the tokens of a line. A #version makes the first file a whole one;
+// anywhere else the driver would refuse it, far from its cause.
+//   first  nothing but comments comes before it
+static bool check_directive(struct expansion *e, struct shader_line at,
+                            const struct glsl_token *hash, bool first)
+{
+    const struct glsl *code = &e->source->code;
+    const char *file = e->source->files[at.file];
+    const struct glsl_token *end = code->item + code->count;
+    if (hash + 1 >= end || !hash->live)
+        return true;
+    if (glsl_is(code, hash + 1, "include")) // behind a comment, or divided
+        return take_include(e, at, "");
+    if (!glsl_is(code, hash + 1, "version"))
+        return true;
+    if (at.file > 0)
+        return report("%s:%d: #version in an included file: take it out", file, at.line);
+    bool number = hash + 2 < end && hash[2].kind == GLSL_NUMBER;
+    e->source->version = number ? atoi(code->text + hash[2].begin) : 1;
+    return first || report("%s:%d: #version must come first: move it to the top", file, at.line);
+}
+
+static bool expand_text(struct expansion *e, int file, const char *text)
+{
+    struct shader_source *source = e->source;
+    const struct glsl *code = &source->code;
+    struct shader_line from = {file, 1};
+    bool first = true, done = true;
+    while (done && *text != '\0') {
+        if (take_directive(e, &from, &text, &done)) {
+            first = false;
+            continue;
+        }
+        int begin = code->count;
+        glsl_take_line(&e->reader, &text);
+        if (code->open)
+            return report("%s:%d: this comment is never closed: write */ at its end",
+                          source->files[file],
+                          from.line + code->item[code->count - 1].line - source->line_count);
+        if (code->length > TEXT_LIMIT)
+            return report("%s:%d: the text passes 8 MiB with its includes: include less",
+                          source->files[file], from.line);
+        for (int i = begin; done && i < code->count; i++) {
+            const struct glsl_token *token = &code->item[i];
+            struct shader_line at = {file, from.line + token->line - source->line_count};
+            done = token->kind != GLSL_HASH || check_directive(e, at, token, first);
+            first &= token->kind >= GLSL_COMMENT;
+        }
+        end_lines(source, &from);
+    }
+    return done;
+}
+
+// Expand the passes of a shader that Shadertoy has exported.
+static bool expand_passes(struct expansion *e, const char *text)
+{
+    struct passes passes;
+    const char *why = passes_read(&passes, text);
+    memcpy(e->source->was, passes.was, sizeof passes.was);
+    bool done = why != NULL ? report("%s: %s", e->source->files[0], why)
+                            : expand_text(e, 0, passes.common) && expand_text(e, 0, passes.image);
+    passes_free(&passes);
+    return done;
+}
+
+static bool expand_file(struct expansion *e, int file, const char *where)
+{
+    char why[TEXT_FILE_WHY];
+    char *text = text_file_read(e->source->paths[file], why);
+    if (text == NULL)
+        return report("%s: %s", where, why);
+    e->open[e->depth++] = file;
+    bool done = file == 0 && passes_are(text) ? expand_passes(e, text) : expand_text(e, file, text);
+    e->depth--;
+    free(text);
+    return done;
+}
+
+bool shader_expand(struct shader_source *source, const char *path, const char *root,
+                   const struct shader_request *request)
+{
+    struct expansion e = {.source = source};
+    char own[PLATFORM_PATH];
+    *source = (struct shader_source){.root = platform_resolve(root)};
+    if (request != NULL)
+        source->request = *request;
+    char *resolved = source->root != NULL ? platform_resolve(path) : NULL;
+    if (resolved == NULL) {
+        struct platform_file file;
+        int why = errno;
+        if (source->root != NULL && platform_look(path, &file) && !file.regular)
+            report("%s: a pipe, which can be read only once: save the text in a file", path);
+        else
+            report("%s: cannot be read: %s", source->root != NULL ? path : root, platform_why(why));
+        shader_free(source);
+        return false;
+    }
+    files_tell(source, resolved);
+    files_folder(resolved, own);
+    source->own = memory_text("%s", own);
+    glsl_begin(&e.reader, &source->code);
+    bool done = expand_file(&e, files_add(source, memory_text("%s", path), resolved), path);
+    glsl_end(&e.reader);
+    source->text = source->code.text;
+    if (!done)
+        shader_free(source);
+    return done;
+}

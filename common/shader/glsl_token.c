@@ -1,0 +1,67 @@
+#include "shader/glsl.h"
+
+#include <string.h>
+
+bool glsl_is_word(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+bool glsl_is_sign(const struct glsl_token *token, const char *signs)
+{
+    return token->sign != '\0' && strchr(signs, token->sign) != NULL;
+}
+
+bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char *word)
+{
+    return !token->macro && strlen(word) == (size_t)token->length &&
+           memcmp(code->text + token->begin, word, (size_t)token->length) == 0;
+}
+
+bool glsl_means(const struct glsl *code, const struct glsl_token *token, const char *word)
+{
+    if (!token->macro || code->name[token->name].word < 0)
+        return glsl_is(code, token, word);
+    const struct glsl_name *name = &code->name[code->name[token->name].word];
+    return strlen(word) == (size_t)name->length &&
+           memcmp(code->text + name->begin, word, (size_t)name->length) == 0;
+}
+
+const struct glsl_token *glsl_code(const struct glsl_token *token)
+{
+    while (token->kind >= GLSL_COMMENT)
+        token++;
+    return token;
+}
+
+bool glsl_is_any(const struct glsl *code, const struct glsl_token *token, const char *const words[])
+{
+    while (*words != NULL && !glsl_is(code, token, *words))
+        words++;
+    return *words != NULL;
+}
+
+bool glsl_is_precision(const struct glsl *code, const struct glsl_token *token)
+{
+    return glsl_is_any(code, token, (const char *const[]){"lowp", "mediump", "highp", NULL});
+}
+
+const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl_token *bracket)
+{
+    return &code->statement[bracket->partner];
+}
+
+const struct glsl_token *glsl_next(const struct glsl *code, const struct glsl_token *token)
+{
+    if (glsl_is_sign(token, "([{"))
+        token = glsl_partner(code, token);
+    return token->kind == GLSL_END ? token : token + 1;
+}
+
+const struct glsl_token *glsl_skip(const struct glsl *code, const struct glsl_token *token,
+                                   const char *signs)
+{
+    while (token->kind != GLSL_END && !glsl_is_sign(token, signs))
+        token = glsl_next(code, token);
+    return token;
+}

@@ -1,0 +1,302 @@
+#include "shader/translation.h"
+
+#include <string.h>
+
+#include "shader/inputs.h"
+#include "shader/parameter.h"
+
+static bool is_used(const struct declared *at)
+{
+    return at->code->name[at->name->name].last > at->name - at->code->statement;
+}
+
+static bool refuse_type(struct translation *t, const struct declared *at, const struct input *input)
+{
+    return shader_refuse(
+        t->source, at->name->line, "%s %.*s%s %s: %s is a %s here%s",
+        at->kind == DECLARED_IN ? "in" : "uniform", GLSL_TEXT(t->code, at->type),
+        declared_is_array(at) ? "[]" : "", at->word, at->word, input->type,
+        input->meaning < INPUT_VALUES ? ": declare it as float, int, vec2, vec3 or vec4" : "");
+}
+
+static bool store(struct translation *t, struct declared *at, const char *storage)
+{
+    declared_store(at, &t->edits, t->exported ? "" : storage);
+    return true;
+}
+
+// Leave a name out of what Shadertoy gets, which declares it, or needs none.
+static bool leave_out(struct translation *t, struct declared *at)
+{
+    if (at->name == at->first && at->end->sign == ';') {
+        edits_cut(&t->edits, at->begin, at->end);
+        return true;
+    }
+    edits_add(&t->edits, at->name->begin, 0, "shader_");
+    return store(t, at, "");
+}
+
+static void cut_value(struct translation *t, const struct declared *at)
+{
+    if (at->value != NULL && at->end->kind != GLSL_END)
+        edits_cut(&t->edits, at->value, at->end - 1);
+}
+
+static bool take_sampler(struct translation *t, struct declared *at, const struct input *input)
+{
+    bool used = is_used(at), channel = input != NULL && input->meaning == INPUT_CHANNEL;
+    int line = at->name->line;
+    if (t->web && glsl_is(t->code, at->type, "sampler1D"))
+        t->mark[at->name->name] |= MARK_LINE;
+    if (used && glsl_is(t->code, at->type, "samplerCube"))
+        return shader_refuse(t->source, line,
+                             "%s: cube maps are not offered: a picture is a sampler2D", at->word);
+    if (used && channel && (!glsl_is(t->code, at->type, "sampler2D") || declared_is_array(at)))
+        return refuse_type(t, at, input);
+    if (used && !channel && (input == NULL || input->meaning != INPUT_SILENT))
+        return shader_refuse(t->source, line,
+                             "%s has no picture: name it iChannel0, a sampler2D, and give "
+                             "--channel 0=FILE.png",
+                             at->word);
+    if (used && (channel ? !inputs_offers(t->source, input) : t->exported))
+        return inputs_refuse(t->source, input, line);
+    if (channel)
+        inputs_add(t->source, (struct shader_input){.input = input, .declared = true});
+    if (t->exported && at->name == at->first && at->end->sign == ';')
+        return leave_out(t, at);
+    declared_store(at, &t->edits, "uniform");
+    return true;
+}
+
+// Take an image that a shader writes: the driver has it, and WebGL does not.
+static bool take_image(struct translation *t, struct declared *at)
+{
+    if (!t->web)
+        return true;
+    return is_used(at) ? shader_refuse(t->source, at->name->line,
+                                       "%s: WebGL has no images that a shader writes", at->word)
+                       : leave_out(t, at);
+}
+
+// Take an input whose value is the same for all pixels.
+static bool take_value(struct translation *t, struct declared *at, const struct shader_input *in)
+{
+    if (in->input->meaning == INPUT_ZERO && at->value != NULL)
+        return store(t, at, "");
+    inputs_add(t->source, *in);
+    cut_value(t, at);
+    return t->exported && inputs_is_own(in) ? leave_out(t, at) : store(t, at, "uniform");
+}
+
+// Take an input that differs from pixel to pixel.
+static bool take_position(struct translation *t, struct declared *at, const struct shader_input *in)
+{
+    if (in->input != NULL && in->input->meaning == INPUT_POSITION)
+        inputs_add(t->source, *in);
+    else if (is_used(at) && strstr(at->word, "ormal") != NULL)
+        return shader_refuse(t->source, at->name->line,
+                             "in %.*s %s: the normal of a 3D model, and there are no models here: "
+                             "compute it in the shader",
+                             GLSL_TEXT(t->code, at->type), at->word);
+    else if (is_used(at))
+        return shader_refuse(t->source, at->name->line,
+                             "in %.*s %s: there is no such input; the nearest is %s: "
+                             "docs/using.md lists all",
+                             GLSL_TEXT(t->code, at->type), at->word,
+                             inputs_nearest(at->word)->name);
+    return store(t, at, "in");
+}
+
+static bool take_uniform(struct translation *t, struct declared *at, const struct shader_input *in)
+{
+    const struct input *input = in->input;
+    if (input != NULL && input->meaning == INPUT_CHANNEL_SIZE) {
+        bool array = declared_is_array(at), row = input->channel < 0;
+        if (array != row || !glsl_is(t->code, at->type, row ? "vec3" : "vec2"))
+            return refuse_type(t, at, input);
+        inputs_add(t->source, *in);
+    }
+    if (input != NULL && is_used(at) && !inputs_offers(t->source, input))
+        return inputs_refuse(t->source, input, at->name->line);
+    if (t->exported && input != NULL && inputs_is_shadertoy(input))
+        return leave_out(t, at);
+    if (!parameter_declared(t->source, at->name))
+        return store(t, at, at->value != NULL ? "" : "uniform");
+    cut_value(t, at);
+    t->wraps = t->exported;
+    return store(t, at, "uniform");
+}
+
+static bool take_input(struct translation *t, struct declared *at)
+{
+    struct shader_input in = {.input = inputs_find(at->word), .declared = true};
+    const struct input *input = in.input;
+    bool typed = inputs_type(t->code->text + at->type->begin, at->type->length, &in) &&
+                 !declared_is_array(at);
+    bool varies = at->kind == DECLARED_IN;
+    char type[DECLARED_NAME];
+    snprintf(type, sizeof type, "%.*s", GLSL_TEXT(t->code, at->type));
+    if (at->type->macro || at->name->macro || (varies && strncmp(at->word, "gl_", 3) == 0))
+        return true;
+    if (!varies &&
+        (strstr(type, "sampler") != NULL || (input != NULL && input->meaning == INPUT_CHANNEL)))
+        return take_sampler(t, at, input);
+    if (!varies && strstr(type, "image") != NULL)
+        return take_image(t, at);
+    bool value = input != NULL && input->meaning < INPUT_VALUES;
+    bool position = varies && input != NULL && input->meaning == INPUT_POSITION;
+    if ((value && !typed) || (position && (!typed || in.integer)))
+        return refuse_type(t, at, input);
+    return value    ? take_value(t, at, &in)
+           : varies ? take_position(t, at, &in)
+                    : take_uniform(t, at, &in);
+}
+
+// Make a block of inputs, as in KodeLife, a structure that main fills in.
+static bool take_block(struct translation *t, const struct declared *at)
+{
+    static const struct {
+        const char *word, *value;
+    } members[] = {{"coord", "%s"}, {"uv", "%s"}, {"position", "2.0 * %s - 1.0"}};
+    static const char *const types[] = {"vec2", "vec3", "vec4", NULL}, *const rest[] = {
+                                                                           "", ", 1.0",
+                                                                           ", 0.0, 1.0"};
+    const struct glsl_token *end = glsl_partner(t->code, at->end), *name = end + 1;
+    char value[128], member[DECLARED_NAME];
+    if (name->kind != GLSL_WORD)
+        return shader_refuse(t->source, at->name->line,
+                             "in %s { }: give the block a name behind it", at->word);
+    edits_replace(&t->edits, at->type - 1, "struct");
+    edits_add(&t->edits, name->begin, 0, "; %s ", at->word);
+    for (const struct glsl_token *m = at->end + 1; m < end; m++) {
+        size_t i = 0;
+        if (!glsl_is_any(t->code, m, types) || m[1].kind != GLSL_WORD)
+            continue;
+        snprintf(member, sizeof member, "%.*s", GLSL_TEXT(t->code, m + 1));
+        while (i < COUNT(members) && strstr(member, members[i].word) == NULL)
+            i++;
+        if (i == COUNT(members))
+            continue;
+        snprintf(value, sizeof value, members[i].value,
+                 t->exported ? "(gl_FragCoord.xy / iResolution.xy)"
+                             : "(harnessFragCoord.xy / harnessResolution.xy)");
+        fprintf(t->begin, "%.*s.%s=%.*s(%s%s);", GLSL_TEXT(t->code, name), member,
+                GLSL_TEXT(t->code, m), value, rest[t->code->text[m->begin + 3] - '2']);
+    }
+    t->blocks = true;
+    return true;
+}
+
+// Make the members of any other block, which nothing sets, variables: WebGL draws nothing while a
+// block has no buffer.
+static bool open_block(struct translation *t, const struct declared *at)
+{
+    const struct glsl_token *end = glsl_partner(t->code, at->end), *last = at->type - 1;
+    if (end[1].kind == GLSL_WORD) { // it has a name, and so have structures
+        edits_add(&t->edits, at->begin->begin, last->begin + last->length - at->begin->begin,
+                  "struct");
+        return true;
+    }
+    edits_cut(&t->edits, at->begin, at->end);
+    edits_cut(&t->edits, end, end + (end[1].sign == ';'));
+    return true;
+}
+
+// Take an output for Shadertoy. Of several that an #if chooses from, each is read by a function of
+// the same name.
+static void export_output(struct translation *t, struct declared *at, bool certain)
+{
+    const struct glsl_token *end = glsl_skip(t->code, at->end, ";");
+    store(t, at, "");
+    if (!certain && end->sign == ';' && (at->layout == NULL || declared_is_first(at)))
+        edits_add(&t->edits, end->begin + 1, 0, " vec4 shaderShown() { return vec4(%s.rgb, 1.0); }",
+                  at->word);
+}
+
+// The first live mention of a word in a macro that holds more, outside of brackets; or NULL.
+static const struct glsl_token *find_hidden(const struct glsl *code, const char *word)
+{
+    int depth = 0;
+    for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++) {
+        bool alone = t > code->item + 2 && glsl_is(code, t - 2, "define") &&
+                     (!t[1].directive || t[1].kind == GLSL_HASH);
+        depth = t->kind == GLSL_HASH ? 0 : depth + (t->sign == '(') - (t->sign == ')');
+        if (t->directive && t->live && depth == 0 && !alone && glsl_is(code, t, word))
+            return t;
+    }
+    return NULL;
+}
+
+// Refuse to export what a macro declares.
+static bool check_macros(const struct translation *t)
+{
+    const struct glsl_token *out = NULL, *uniform = find_hidden(t->code, "uniform");
+    if (!t->toy && declared_output(t->code).kind == DECLARED_NONE)
+        out = find_hidden(t->code, "out");
+    const struct glsl_token *hidden = out != NULL ? out : uniform;
+    return hidden == NULL ||
+           shader_refuse(t->source, hidden->line,
+                         "%.*s in a macro: Shadertoy takes the text only if each declaration is "
+                         "written out",
+                         GLSL_TEXT(t->code, hidden));
+}
+
+static bool check_outputs(struct translation *t, const struct outputs *outputs)
+{
+    static const char *const colours[] = {"vec4", "vec3", NULL};
+    const struct declared *shown = &outputs->shown, *second = &outputs->second;
+    if (outputs->count > 1 && !outputs->placed)
+        return shader_refuse(t->source, second->name->line,
+                             "out %.*s %s: a second output: write layout(location = 0) before the "
+                             "one that is the picture",
+                             GLSL_TEXT(t->code, second->type), second->word);
+    return outputs->count == 0 || shown->type->macro ||
+           glsl_is_any(t->code, shown->type, colours) ||
+           shader_refuse(t->source, shown->name->line,
+                         "out %.*s %s: a picture is made of colours: write out vec4 %s;",
+                         GLSL_TEXT(t->code, shown->type), shown->word, shown->word);
+}
+
+bool translation_declarations(struct translation *t)
+{
+    struct declared at = {.code = t->code};
+    struct outputs outputs = declared_outputs(t->code, false);
+    bool done = (t->toy || check_outputs(t, &outputs)) && (!t->exported || check_macros(t));
+    while (done && declared_next(&at)) {
+        if (at.kind == DECLARED_IN || at.kind == DECLARED_UNIFORM)
+            done = take_input(t, &at);
+        else if (at.kind == DECLARED_BLOCK && glsl_is(t->code, at.type - 1, "in"))
+            done = take_block(t, &at);
+        else if (at.kind == DECLARED_BLOCK && t->web)
+            done = open_block(t, &at);
+        else if (at.kind == DECLARED_OUT && !t->toy && t->exported)
+            export_output(t, &at, outputs.count > 0);
+        else if (at.kind == DECLARED_OUT && !t->toy && outputs.count == 1)
+            store(t, &at, "out");
+    }
+    t->coloured = declared_output(t->code).kind != DECLARED_NONE;
+    t->old = !t->toy && !t->coloured &&
+             glsl_mentions(t->code, "gl_FragColor") + glsl_mentions(t->code, "gl_FragData") > 0;
+    return done;
+}
+
+void translation_undeclared(struct translation *t)
+{
+    const struct input *input;
+    for (int i = 0; (input = inputs_row(i)) != NULL; i++) {
+        const struct glsl_name *name = glsl_name(t->code, input->name);
+        if (name == NULL || name->count == 0 || name->macro || input->meaning == INPUT_POSITION ||
+            input->meaning >= INPUT_SILENT || !inputs_offers(t->source, input) ||
+            declared_anywhere(t->code, input->name))
+            continue;
+        inputs_add(t->source, inputs_default(input));
+        int type = (int)strcspn(input->type, "[");
+        if (t->exported && inputs_is_shadertoy(input))
+            continue;
+        if (input->meaning == INPUT_CHANNEL && !inputs_is_shadertoy(input))
+            fprintf(t->inputs, "uniform sampler2D iChannel%d;\n", input->channel);
+        else
+            fprintf(t->inputs, "%s%.*s %s%s;\n", t->exported ? "" : "uniform ", type, input->type,
+                    input->name, input->type + type);
+    }
+}

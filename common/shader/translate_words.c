@@ -1,0 +1,312 @@
+#include "shader/translation.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+#include "shader/inputs.h"
+
+enum { TO_DRIVER = 1, TO_TOY = 2, TO_WEB = 4, WRAPPED = 8 };
+
+static const struct {
+    const char *word, *instead;
+    int when; // the targets
+} renamed[] = {{"gl_FragCoord", "harnessFragCoord", TO_DRIVER},
+               {"lowp", "highp", TO_DRIVER},
+               {"mediump", "highp", TO_DRIVER},
+               {"varying", "in", TO_DRIVER},
+               {"gl_FragDepthEXT", "gl_FragDepth", TO_DRIVER | TO_TOY},
+               {"main", "shaderMain", TO_TOY | WRAPPED},
+               {"mainImage", "shaderImage", TO_TOY | WRAPPED},
+               {"sampler1D", "sampler2D", TO_WEB},
+               {"double", "float", TO_WEB},
+               {"dvec2", "vec2", TO_WEB},
+               {"dvec3", "vec3", TO_WEB},
+               {"dvec4", "vec4", TO_WEB},
+               {"dmat2", "mat2", TO_WEB},
+               {"dmat3", "mat3", TO_WEB},
+               {"dmat4", "mat4", TO_WEB}};
+
+// Words that WebGL defines or reserves, and another version leaves to an author.
+static const char *const reserved[] = {
+    "texture", "sample",    "patch", "resource", "round",       "roundEven",   "trunc",
+    "sinh",    "cosh",      "tanh",  "asinh",    "acosh",       "atanh",       "inverse",
+    "isnan",   "transpose", "isinf", "modf",     "determinant", "outerProduct"};
+
+static bool is_targeted(const struct translation *t, int when)
+{
+    int target = (t->exported ? TO_TOY : TO_DRIVER) | (t->web ? TO_WEB : 0);
+    return (when & target) != 0 && (!(when & WRAPPED) || t->wraps);
+}
+
+enum { WORD = DECLARED_NAME + 8 }; // size of a renamed word
+
+// Rename a texture function of an old version: texture2DLodEXT becomes textureLod.
+static bool rename_texture(const char *word, char instead[WORD])
+{
+    static const char *const kinds[] = {"1D", "2DRect", "2D", "3D", "Cube"};
+    static const char *const ways[] = {"", "Lod", "Proj", "ProjLod", "Grad", "ProjGrad"};
+    size_t kind = 0, way = 0;
+    while (kind < COUNT(kinds) && (strncmp(word, "texture", 7) != 0 ||
+                                   strncmp(word + 7, kinds[kind], strlen(kinds[kind])) != 0))
+        kind++;
+    if (kind == COUNT(kinds))
+        return false;
+    const char *rest = word + 7 + strlen(kinds[kind]);
+    size_t length = strlen(rest), ending = length < 3 ? 0 : length - 3;
+    if (strcmp(rest + ending, "EXT") == 0 || strcmp(rest + ending, "ARB") == 0)
+        length = ending;
+    while (way < COUNT(ways) &&
+           (strlen(ways[way]) != length || strncmp(rest, ways[way], length) != 0))
+        way++;
+    if (way < COUNT(ways))
+        snprintf(instead, WORD, "texture%s", ways[way]);
+    return way < COUNT(ways);
+}
+
+// Rename a lookup in a sampler1D, which WebGL lacks.
+static bool rename_line(const struct translation *t, const struct glsl_token *token,
+                        char instead[WORD])
+{
+    const struct glsl_token *bracket = glsl_code(token + 1), *name = glsl_code(bracket + 1);
+    if (bracket->sign != '(' || name->kind != GLSL_WORD || !(t->mark[name->name] & MARK_LINE))
+        return false;
+    strcpy(instead, "harnessLine");
+    return true;
+}
+
+// Rename a word for the target. Returns false if it stays.
+static bool rename_word(const struct translation *t, const struct glsl_token *token,
+                        char instead[WORD])
+{
+    char word[DECLARED_NAME];
+    bool macro = t->code->name[token->name].macro;
+    snprintf(word, sizeof word, "%.*s", token->length < DECLARED_NAME ? token->length : 0,
+             t->code->text + token->begin);
+    for (size_t i = 0; i < COUNT(renamed); i++)
+        if (is_targeted(t, renamed[i].when) && (!macro || (renamed[i].when & WRAPPED)) &&
+            strcmp(word, renamed[i].word) == 0) {
+            strcpy(instead, renamed[i].instead);
+            return true;
+        }
+    if (macro)
+        return false;
+    if (t->old && (strcmp(word, "gl_FragColor") == 0 || strcmp(word, "gl_FragData") == 0)) {
+        strcpy(instead, t->exported ? "shaderColour" : "harnessColour");
+        return true;
+    }
+    bool call = glsl_code(token + 1)->sign == '(';
+    if (t->mark[token->name] & MARK_OWN && !(call && strcmp(word, "texture") == 0)) {
+        snprintf(instead, WORD, "own_%s", word);
+        return true;
+    }
+    const struct input *input = inputs_find(word);
+    for (int i = 0; i < t->source->input_count; i++)
+        if (t->source->inputs[i].input == input && input->meaning == INPUT_CHANNEL &&
+            !inputs_is_shadertoy(input)) {
+            snprintf(instead, WORD, "iChannel%d", input->channel);
+            return true;
+        }
+    return rename_line(t, token, instead) || rename_texture(word, instead);
+}
+
+static void take_word(struct translation *t, const struct glsl_token *token)
+{
+    const struct glsl *code = t->code;
+    char instead[WORD];
+    bool macro = code->name[token->name].macro;
+    if (rename_word(t, token, instead))
+        edits_replace(&t->edits, token, instead);
+    if (!macro && t->wraps && glsl_is(code, token, "precision") && token[3].sign == ';')
+        edits_cut(&t->edits, token, token + 3);
+    if (!macro && t->old && glsl_is(code, token, "gl_FragData") && token[1].sign == '[')
+        edits_cut(&t->edits, token + 1, token + 3);
+    if (macro || !t->toy || t->exported || !token->live || !glsl_is(code, token, "mainImage"))
+        return;
+    const struct glsl_token *word = glsl_code(token + 1); // the colour begins as zero: inout
+    word = word->sign == '(' ? glsl_code(word + 1) : word;
+    if (glsl_is(code, word, "out"))
+        edits_add(&t->edits, word->begin, 0, "in");
+}
+
+// ---- Names of the author's ----
+
+// True if the author declares or defines a word.
+static bool is_taken(const struct glsl *code, const char *word)
+{
+    const struct glsl_token *t = NULL;
+    do
+        t = glsl_find_next(code, t, word);
+    while (t != NULL && !(t[-1].kind == GLSL_WORD && glsl_is_sign(t + 1, ";,=[)")));
+    return t != NULL || glsl_find_definition(code, word) != NULL;
+}
+
+static void mark_own(struct translation *t, const char *word)
+{
+    const struct glsl_name *name = glsl_name(t->code, word);
+    if (name != NULL)
+        t->mark[name - t->code->name] |= MARK_OWN;
+}
+
+// Mark the names that mean something else in WebGL, or in Shadertoy: another global variable, a
+// function, or an input of another type.
+static void mark_names(struct translation *t)
+{
+    const struct input *input;
+    struct declared at = {.code = t->code};
+    for (size_t i = 0; i < COUNT(reserved); i++)
+        if ((t->web || i == 0) && is_taken(t->code, reserved[i]))
+            mark_own(t, reserved[i]);
+    if (!t->exported)
+        return;
+    for (int i = 0; i < t->source->input_count; i++)
+        if (inputs_is_shadertoy(t->source->inputs[i].input) &&
+            !inputs_is_own(&t->source->inputs[i]))
+            mark_own(t, t->source->inputs[i].input->name);
+    while (declared_next(&at))
+        if (at.kind == DECLARED_VARIABLE && at.name->depth == 0 && inputs_is_toys(at.word))
+            mark_own(t, at.word);
+    for (int i = 0; (input = inputs_row(i)) != NULL; i++)
+        if (inputs_is_toys(input->name) && glsl_find_definition(t->code, input->name) != NULL)
+            mark_own(t, input->name);
+}
+
+// ---- Directives and numbers ----
+
+// Remove a #version or an #extension. An extension that the core of 3.30 and of ES 3.00 lacks is
+// handed to the driver, which knows it or refuses it.
+static void take_directive(struct translation *t, const struct glsl_token *hash)
+{
+    static const char *const core[] = {"GL_OES_standard_derivatives",
+                                       "GL_EXT_shader_texture_lod",
+                                       "GL_ARB_shader_texture_lod",
+                                       "GL_EXT_frag_depth",
+                                       "GL_ARB_explicit_attrib_location",
+                                       "GL_EXT_gpu_shader4",
+                                       "GL_ARB_shader_bit_encoding",
+                                       "GL_EXT_draw_buffers",
+                                       "GL_ARB_draw_buffers",
+                                       "GL_ARB_uniform_buffer_object",
+                                       "GL_OES_texture_3D",
+                                       "GL_ARB_shading_language_420pack",
+                                       "GL_OES_texture_float",
+                                       "GL_OES_texture_float_linear",
+                                       NULL};
+    const struct glsl *code = t->code;
+    const struct glsl_token *end = hash;
+    bool extension = glsl_is(code, hash + 1, "extension");
+    if (!extension && !glsl_is(code, hash + 1, "version"))
+        return;
+    while (end[1].directive && end[1].kind != GLSL_HASH && end[1].kind < GLSL_COMMENT)
+        end++;
+    edits_cut(&t->edits, hash, end);
+    if (extension && hash->live && !glsl_is_any(code, hash + 2, core))
+        fprintf(t->extensions, "%.*s\n", end->begin + end->length - hash->begin,
+                code->text + hash->begin);
+}
+
+// Remove the suffix of a double.
+static void take_number(struct translation *t, const struct glsl_token *token)
+{
+    const char *end = t->code->text + token->begin + token->length;
+    if (t->web && token->length > 2 && strchr("fF", end[-1]) != NULL &&
+        strchr("lL", end[-2]) != NULL)
+        edits_add(&t->edits, token->begin + token->length - 2, 2, "%s", "");
+}
+
+// ---- Values that WebGL does not accept outside of functions ----
+
+// True if a word has no constant value: an input, a function of the text, or what reads one.
+static bool is_variable(const struct translation *t, const struct glsl_token *v, const bool waits[])
+{
+    char word[DECLARED_NAME];
+    if (v->kind != GLSL_WORD)
+        return false;
+    snprintf(word, sizeof word, "%.*s", GLSL_TEXT(t->code, v));
+    for (int i = 0; i < t->source->input_count; i++)
+        if (strcmp(t->source->inputs[i].input->name, word) == 0)
+            return true;
+    return waits[v->name] ||
+           (glsl_code(v + 1)->sign == '(' && glsl_find_definition(t->code, word) != NULL);
+}
+
+// Learn which macros have no constant value.
+static void learn_macros(const struct translation *t, bool waits[])
+{
+    const struct glsl_token *hash = NULL;
+    for (const struct glsl_token *v = t->code->item; v->kind != GLSL_END; v++) {
+        if (v->kind == GLSL_HASH && v->live && glsl_is(t->code, v + 1, "define"))
+            hash = v;
+        else if (v->kind == GLSL_HASH || !v->directive)
+            hash = NULL;
+        if (hash != NULL && v > hash + 2 && hash[2].kind == GLSL_WORD)
+            waits[hash[2].name] |= is_variable(t, v, waits);
+    }
+}
+
+// True if a value must wait for main.
+static bool must_wait(const struct translation *t, const struct declared *at, const bool waits[])
+{
+    const struct glsl_token *v = at->value + 1;
+    while (v < at->end && !is_variable(t, v, waits))
+        v++;
+    return v < at->end;
+}
+
+static void move_value(struct translation *t, const struct declared *at)
+{
+    char instead[WORD];
+    edits_cut(&t->edits, at->value, at->end - 1);
+    fputs(t->mark[at->name->name] & MARK_OWN ? "own_" : "", t->begin);
+    fputs(at->word, t->begin);
+    for (const struct glsl_token *v = at->value; v < at->end; v++)
+        if (v->kind == GLSL_WORD && rename_word(t, v, instead))
+            fprintf(t->begin, " %s", instead);
+        else
+            fprintf(t->begin, "%s%.*s", v->kind == GLSL_SIGN ? "" : " ", GLSL_TEXT(t->code, v));
+    fputc(';', t->begin);
+}
+
+static void move_values(struct translation *t)
+{
+    bool *waits = memory_zeros((size_t)t->code->name_count, sizeof *waits);
+    struct declared at = {.code = t->code};
+    learn_macros(t, waits);
+    while (declared_next(&at))
+        if (at.kind == DECLARED_VARIABLE && at.name->depth == 0 && at.value == at.name + 1 &&
+            at.type == at.begin && must_wait(t, &at, waits)) {
+            waits[at.name->name] = true;
+            move_value(t, &at);
+        }
+    free(waits);
+}
+
+// Remove the semicolons behind functions, which WebGL refuses.
+static void take_semicolons(struct translation *t)
+{
+    for (const struct glsl_token *end = t->code->statement; end->kind != GLSL_END; end++) {
+        if (end->sign != ';' || end->depth > 0 || end[-1].sign != '}')
+            continue;
+        const struct glsl_token *close = glsl_partner(t->code, end - 1) - 1;
+        if (close->sign == ')' && !glsl_partner(t->code, close)[-1].macro)
+            edits_cut(&t->edits, end, end);
+    }
+}
+
+void translation_words(struct translation *t)
+{
+    mark_names(t);
+    if (t->web)
+        take_semicolons(t);
+    for (const struct glsl_token *token = t->code->item; token->kind != GLSL_END; token++) {
+        if (token->kind == GLSL_HASH)
+            take_directive(t, token);
+        else if (token->kind == GLSL_WORD)
+            take_word(t, token);
+        else if (token->kind == GLSL_NUMBER)
+            take_number(t, token);
+    }
+    if (t->web && glsl_find_definition(t->code, t->toy ? "mainImage" : "main") != NULL)
+        move_values(t);
+}

@@ -1,0 +1,44 @@
+// translation.h - a translation in progress: what the parts of translate.c share.
+#ifndef SHADER_TRANSLATION_H
+#define SHADER_TRANSLATION_H
+
+#include <stdio.h>
+
+#include "shader/declared.h"
+#include "shader/source.h"
+
+#define COUNT(array) (sizeof(array) / sizeof *(array))
+
+enum {
+    MARK_OWN = 1, // the author's name for something else than the target's: it gets own_
+    MARK_LINE = 2 // a sampler1D
+};
+
+struct translation {
+    struct shader_source *source;
+    const struct glsl *code;
+    struct edits edits;
+    bool toy;            // the source is in Shadertoy's dialect
+    bool exported;       // the target is Shadertoy
+    bool web;            // the target is WebGL, as Shadertoy is
+    bool coloured;       // an output is declared
+    bool old;            // gl_FragColor is the output
+    bool wraps;          // Shadertoy gets a mainImage that calls the file's own
+    bool blocks;         // there is a block of inputs
+    unsigned char *mark; // of each name, MARK_OWN and so on
+    FILE *inputs;        // declarations of the inputs that the text reads and does not declare
+    FILE *begin;         // statements at the beginning of main
+    FILE *extensions;
+};
+
+// Check the declarations, rewrite them, and gather the inputs. Returns false, reported.
+bool translation_declarations(struct translation *t);
+
+// Declare the inputs that the text reads and does not declare.
+void translation_undeclared(struct translation *t);
+
+// Rename words and remove directives and suffixes that the target lacks. For WebGL, the values of
+// global variables that are no constants move to the beginning of main.
+void translation_words(struct translation *t);
+
+#endif
