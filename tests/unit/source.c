@@ -178,9 +178,9 @@ IN_PROJECT(test_nesting)
         snprintf(text, sizeof text, "#include \"n%d.glsl\"\n", i + 1);
         scratch_write(name, text);
     }
-    assert_refused("#include \"n0.glsl\"\n", "shaders/n62.glsl:1: ", "64 files");
+    assert_refused("#include \"n0.glsl\"\n", "shaders/n62.glsl:1: ", "64 nested includes");
     scratch_write("root/shaders/n63.glsl", "end\n");
-    assert_refused("#include \"n0.glsl\"\n", "shaders/n62.glsl:1: ", "64 files");
+    assert_refused("#include \"n0.glsl\"\n", "shaders/n62.glsl:1: ", "64 nested includes");
     scratch_write("root/shaders/n62.glsl", "end\n");
     struct shader_source source = read_text("#include \"n0.glsl\"\n");
     assert_int_equal(source.file_count, 64);
