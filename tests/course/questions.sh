@@ -85,7 +85,7 @@ said_by_xml() { # FILE
             parent = open[depth - 1]
             if (parent == "name") number = text
             else if (parent == "questiontext") print "question", number, text
-            else print parent == "answer" ? answer : "why", text
+            else print (parent == "answer" ? answer : "why"), text
         }
         END { if (depth) print "not closed: " open[depth] }' "$1"
 }
@@ -110,7 +110,7 @@ check 'XML has a category for each chapter' categories 'type="category">.*Ray ma
 
 # Signs that mean something in GIFT, in XML or in awk.
 cat >"$scratch/signs.txt" <<'END'
-## 00.1 Is {a} = b ~ c & d < e > f \g # h: "i"?
+## 00.1 Is {a} = b ~ c::c & d < e > f \g # h: "i"?
 + 2 ~ 1: {=} \ & <b>
 - a::b & \& // &amp; #1 is ~ {x}
 - c // d
