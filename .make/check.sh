@@ -134,7 +134,8 @@ judge() { # FILE
     local file=$1 options status said place share shares=() shown places number=0 mine=$scratch/mine.png
     local difference=${file%.*}.difference.png
     difference=$folder/$(sed -E 's|^([.]{0,2}/)*||; s|/[.]{1,2}/|/|g' <<<"$difference")
-    [ -f "$file" ] || { echo 'no such file'; return 1; }
+    [ -e "$file" ] || { echo 'no such file'; return 1; }
+    [ -f "$file" ] || { echo 'no file to read'; return 1; }
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
     mkdir -p "$(dirname "$difference")" || return 1
     [[ $solution != *.diff ]] || { judge_program "$file" "$difference"; return; }
@@ -173,7 +174,7 @@ store() { # FOLDER
     mkdir -p "$1" || exit 2
     while read -r options; do
         number=$((number + 1))
-        if [[ $EXERCISE != [0-9]* ]]; then
+        if [[ $solution == *.diff ]]; then
             right_outcome "$number" "$options"
             continue
         fi

@@ -1,11 +1,11 @@
 #!/bin/bash
 # questions.sh - docs/questions.txt: five questions for each chapter, whose right answer is not known by its place or its
 # length; and what `make questions` writes, read back with parsers of GIFT and of XML.
+# shellcheck disable=SC2154,SC2016 # open_scratch sets scratch; a dollar is awk's or GIFT's
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 open_scratch
-# shellcheck disable=SC2154 # open_scratch sets scratch
 
 check_empty() { # NAME FILE
     check "$1" [ ! -s "$2" ] || sed 's/^/# /' "$2"
