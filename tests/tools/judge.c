@@ -3,7 +3,7 @@
 //   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png  place, share, what is wrong: a line each
 //   judge rays WITH PLACES RIGHT MINE  what is wrong; files of what --probe prints
 //   judge ray PROBE                    a march in words, from such a file
-//   judge pixel X,Y PICTURE.png        the colour of a pixel, in the same words; 0,0 is at the bottom left
+//   judge pixel X,Y PICTURE.png        a colour in words; 0,0 is at the bottom left
 //   judge right SHARE...               the sentence for a right answer, of its pictures' shares
 //
 // Exit status: 0 right, 1 wrong, 2 if it could not judge.
@@ -92,7 +92,8 @@ static int tell_pixel(const char *place, const char *path)
             report("%s: no pixel of a picture of %dx%d", place, image.width, image.height);
         else {
             const unsigned char *p =
-                image.pixel + 3 * ((size_t)(image.height - 1 - y) * (size_t)image.width + (size_t)x);
+                image.pixel +
+                3 * ((size_t)(image.height - 1 - y) * (size_t)image.width + (size_t)x);
             printf("colour: %d, %d, %d\n", p[0], p[1], p[2]);
             status = RIGHT;
         }
