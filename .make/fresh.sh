@@ -199,8 +199,8 @@ workflow() {
 }
 cloud() { # RELEASE
     local course=course/build/student/ray-marching
-    step "$1" cloud 'onCreateCommand' within "$root" root "cd course && $(devcontainer onCreateCommand)" &&
-        step "$1" cloud 'postCreateCommand' within "$root" root "cd course && $(devcontainer postCreateCommand)" &&
+    step "$1" cloud 'devcontainer, create' within "$root" root "cd course && $(devcontainer onCreateCommand)" &&
+        step "$1" cloud 'devcontainer, afterwards' within "$root" root "cd course && $(devcontainer postCreateCommand)" &&
         step "$1" cloud 'make student' within "$root" root 'cd course && EXERCISES=00_2 make student' &&
         step "$1" cloud 'workflow, a right answer' within "$root" root "cp course/chapters/solutions/00_first_scene_2.frag $course/answers/00_2.frag && cd $course && $(workflow)" &&
         step "$1" cloud 'workflow, a wrong answer' within "$root" root "cd $course && cp chapters/00_first_scene.frag answers/00_2.frag && ! answers/check.sh"
