@@ -17,5 +17,5 @@ function questionOf(block) {
 // stem  of the chapter
 export function questionsOf(stem) {
     const own = all.filter((block) => block.startsWith(`${stem.slice(0, 2)}.`));
-    return own.length === 0 ? '' : `\n<h2 id="exit-questions">Questions</h2>\n<p>Choose an answer to see whether it is right, and why not.</p>\n${own.map(questionOf).join('\n')}`;
+    return own.length === 0 ? '' : `\n<h2 id="exit-questions">Questions</h2>\n<p>Choose an answer to see whether it is right and, if not, why.</p>\n${own.map(questionOf).join('\n')}`;
 }
