@@ -23,6 +23,7 @@ ROUNDS =
 WRITE =
 WEB =
 WINDOWS =
+STUDENT =
 PORT = 8000
 DURATION =
 SANITIZE =
@@ -300,6 +301,13 @@ check: ready ## check a solution: make check EXERCISE=03_2 FILE=my.frag; with FI
 marks: ready ## mark a class: make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv
 	@.make/marks.sh
 
+student: ready ## pack the course without solutions and answers, for students: a folder and a zip in build/student/
+	@.make/setup.sh student
+	@.make/student.sh
+
+questions: ## write the exit questions of docs/questions.txt as GIFT and as Moodle's XML into build/questions/
+	@.make/questions.sh
+
 # Pictures that differ are a result and not an error of make.
 compare: ready ## print how much two pictures differ: make compare PICTURES='one.png two.png'
 	@.make/compare.sh || [ $$? = 1 ]
@@ -320,8 +328,8 @@ book: ## typeset all pages as one PDF, build/book.pdf (installs pandoc and XeLaT
 	@.make/setup.sh book
 	@.make/book.sh
 
-site: web build/node/package-lock.json ## build a website from all pages, with the programs running in them: build/site/ and build/site.zip
-	@.make/site.sh
+site: web build/node/package-lock.json $(if $(STUDENT),student) ## build a website from all pages, with the programs running in them: build/site/ and build/site.zip; with STUDENT=1, the website for students in build/student/
+	@$(if $(STUDENT),.make/student_site.sh,.make/site.sh)
 
 serve: site ## serve that website on this machine only, at http://127.0.0.1:8000/; choose another port with PORT=8001
 	@node docs/web/serve.mjs build/site $(PORT)
@@ -432,7 +440,7 @@ references: ready ## regenerate the references, or those of CHAPTER=03, that are
 	@tests/pictures/references.sh update
 
 always:
-.PHONY: all programs tests fuzzer ready run play check marks compare diff film gallery benchmark book setup clean help test \
+.PHONY: all programs tests fuzzer ready run play check marks student questions compare diff film gallery benchmark book setup clean help test \
         test-all test-fresh test-gpu fuzz mutants lint format chapter docs figures figure_programs textures texture_programs \
         references web test-web test-windows site serve module windows windows-zip always
 .DELETE_ON_ERROR:

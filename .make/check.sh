@@ -4,10 +4,14 @@
 # tests/pictures/images.txt and tests/course/checks.txt. Their pictures and the marches of some rays are compared.
 # EXERCISE=engine_1 is an exercise of docs/engine.md: FILE is a C program, which is built and run.
 #
+# The course for students has no solutions, but what `make student` has stored of them in tests/course/stored/EXERCISE/:
+# their pictures N.png, their rays, what their programs do (N.outcome), and their text as a number.
+#
 # Environment: EXERCISE; FILE, or FILES for a table with one line for each file. FILES is a pattern, or several patterns
 # separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file.
 # For `make marks`, the files are arguments, and MARKS names a file that gets a line for each of them, its fields
-# separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' for none).
+# separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' for none). For `make student`,
+# STORE is a folder in which the solution's pictures and rays are stored; no file is checked.
 # Exit status: 0 if every file is right, 1 if one is not, 2 if the arguments are wrong.
 set -u
 export LC_ALL=C
@@ -47,10 +51,14 @@ describe() { # SHADER OPTIONS X,Y
 }
 
 # Say where to look; this is printed below the message on a wrong picture.
-look() { # FILE OPTIONS PLACE
+look() { # FILE OPTIONS PLACE N
     echo "  look at yours: $program --shader $1${shown:+ $shown}"
     echo "  your pixel $3: $(describe "$1" "$2" "$3")"
-    echo "  the solution's: $(describe "$solution" "$2" "$3")"
+    if [ -e "$solution" ]; then
+        echo "  the solution's: $(describe "$solution" "$2" "$3")"
+    else
+        echo "  the solution's: $(build/tests/judge pixel "$3" "$scratch/$4.png")"
+    fi
 }
 
 # The solution's picture for line N of the options, and its nine rays; each is made when it is first needed.
@@ -96,16 +104,26 @@ outcome() { # PROGRAM OPTIONS
     esac
 }
 
+# What the solution's program does with line N of the options, in N.outcome; its picture is N.png.
+right_outcome() { # N OPTIONS
+    [ -e "$scratch/$1.outcome" ] || {
+        outcome right "$2" >"$scratch/$1.outcome"
+        grep -qv '^writes' "$scratch/$1.outcome" || mv "$scratch/right.png" "$scratch/$1.png"
+    }
+}
+
 # Judge a C program: on each command line it ends as the solution does, and writes the same picture.
 judge_program() { # FILE DIFFERENCE
-    local options said right share shares=()
+    local options said right number=0 shares=()
     build_program "$1" "$scratch/mine" || { echo "does not compile: $(grep -m 1 error "$scratch/errors")"; return 1; }
     while read -r options; do
-        right=$(outcome right "$options")
+        number=$((number + 1))
+        right_outcome "$number" "$options"
+        right=$(cat "$scratch/$number.outcome")
         said=$(outcome mine "$options")
         [ "$said" = "$right" ] || { echo "with -o FILE.png $options it $said, and the solution $right"; return 1; }
         [[ $right == writes* ]] || continue
-        said=$(build/tests/judge picture "$options" "$scratch"/{right,mine}.png "$2") || { tail -n 1 <<<"$said: see $2"; return 1; }
+        said=$(build/tests/judge picture "$options" "$scratch/$number.png" "$scratch/mine.png" "$2") || { tail -n 1 <<<"$said: see $2"; return 1; }
         shares+=("$(sed -n 2p <<<"$said")")
     done <<<"$wanted"
     build/tests/judge right "${shares[@]}"
@@ -116,7 +134,8 @@ judge() { # FILE
     local file=$1 options status said place share shares=() shown places number=0 mine=$scratch/mine.png
     local difference=${file%.*}.difference.png
     difference=$folder/$(sed -E 's|^([.]{0,2}/)*||; s|/[.]{1,2}/|/|g' <<<"$difference")
-    [ -f "$file" ] || { echo 'no such file'; return 1; }
+    [ -e "$file" ] || { echo 'no such file'; return 1; }
+    [ -f "$file" ] || { echo 'no file to read'; return 1; }
     [ -r "$file" ] || { echo 'cannot be read'; return 1; }
     mkdir -p "$(dirname "$difference")" || return 1
     [[ $solution != *.diff ]] || { judge_program "$file" "$difference"; return; }
@@ -131,7 +150,7 @@ judge() { # FILE
         said=$(build/tests/judge picture "$shown" "$scratch/$number.png" "$mine" "$difference")
         status=$?
         { read -r place; read -r share; read -r said; } <<<"$said"
-        [ "$status" = 0 ] || { echo "$said: see $difference"; look "$file" "$options" "$place"; return 1; }
+        [ "$status" = 0 ] || { echo "$said: see $difference"; look "$file" "$options" "$place" "$number"; return 1; }
         shares+=("$share")
         [ "$number" = 1 ] || continue
         places=$(places_of "$options")
@@ -143,6 +162,37 @@ judge() { # FILE
     build/tests/judge right "${shares[@]}"
 }
 
+# Is the file the published solution, or does it include it? Blanks and comments do not count.
+is_published() { # FILE
+    [ "$(text_of "$1")" = "$(cat "$scratch/text")" ] ||
+        without_comments "$1" | grep -qE '^[[:space:]]*#[[:space:]]*include[[:space:]]*["<].*solutions/'
+}
+
+# Store what a check needs of the solution.
+store() { # FOLDER
+    local options picture number=0
+    mkdir -p "$1" || exit 2
+    while read -r options; do
+        number=$((number + 1))
+        if [[ $solution == *.diff ]]; then
+            right_outcome "$number" "$options"
+            continue
+        fi
+        right_picture "$number" "$options"
+        [ "$number" != 1 ] || right_rays "$options" "$(places_of "$options")"
+    done <<<"$wanted"
+    set +f
+    for picture in "$scratch"/[0-9]*.png; do
+        build/tests/compare --pack "$picture" "$1/${picture##*/}"
+        [ $? -le 1 ] || exit 2
+    done
+    set -- "$1" "$scratch"/*.outcome "$scratch"/rays
+    for picture in "${@:2}"; do
+        [ ! -e "$picture" ] || cp "$picture" "$1" || exit 2
+    done
+    cp "$scratch/text" "$1" || exit 2
+}
+
 case ${EXERCISE-} in
 [0-9][0-9]_[0-9]* | engine_[0-9]*) ;;
 '') fail "which exercise? For example: make check EXERCISE=03_2 FILE=my.frag" ;;
@@ -151,10 +201,11 @@ esac
 stem=$(basename "$(echo chapters/"${EXERCISE%%_*}"_*.c)" .c)
 wanted=$(pictures_of "$stem" "${EXERCISE#*_}")
 [[ $EXERCISE == [0-9]* ]] || wanted=$(sed -n "s/^$EXERCISE  *//p" tests/course/checks.txt)
-[ -n "$wanted" ] || fail "EXERCISE=$EXERCISE: no solution to compare with; there are $({ exercises; grep -o '^engine_[0-9]*' tests/course/checks.txt | uniq; } | paste -s -d ' ' -)"
-if [ $# -gt 0 ]; then files=("$@"); else find_files; fi
+[ -n "$wanted" ] || fail "EXERCISE=$EXERCISE: no solution to compare with; there are $({ exercises; engine_exercises; } | paste -s -d ' ' -)"
+files=()
+if [ $# -gt 0 ]; then files=("$@"); elif [ -z "${STORE-}" ]; then find_files; fi
 set -f
-[ ${#files[@]} -gt 0 ] || fail "which file? For example: make check EXERCISE=$EXERCISE FILE=my.frag"
+[ -n "${STORE-}" ] || [ ${#files[@]} -gt 0 ] || fail "which file? For example: make check EXERCISE=$EXERCISE FILE=my.frag"
 
 program=build/$stem
 solution=chapters/solutions/${stem}_${EXERCISE#*_}.frag
@@ -162,13 +213,23 @@ folder=${CHECK_FOLDER:-build/check}/$EXERCISE # for the pictures of the differen
 rm -rf "$folder" && mkdir -p "$folder" && scratch=$(mktemp -d "${TMPDIR:-/tmp}/ray-check.XXXXXX") || exit 2
 trap 'rm -rf "$scratch"' EXIT
 trap 'exit 2' HUP INT TERM
-if [[ $EXERCISE != [0-9]* ]]; then
-    solution=chapters/solutions/$EXERCISE.diff
+[[ $EXERCISE == [0-9]* ]] || solution=chapters/solutions/$EXERCISE.diff
+stored=tests/course/stored/$EXERCISE
+if [ ! -e "$solution" ]; then
+    cp -R "$stored/." "$scratch" 2>/dev/null || fail "EXERCISE=$EXERCISE: neither $solution nor $stored exists"
+elif [[ $EXERCISE == [0-9]* ]]; then
+    text_of "$solution" >"$scratch/text"
+else
     command -v patch >/dev/null || fail "EXERCISE=$EXERCISE: needs patch: make setup installs it"
     if ! patch -s -o "$scratch/right.c" chapters/first_steps/engine_6.c "$solution" ||
         ! build_program "$scratch/right.c" "$scratch/right"; then
         fail "$solution: cannot be built: $(head -n 1 "$scratch/errors")"
     fi
+    text_of "$scratch/right.c" >"$scratch/text"
+fi
+if [ -n "${STORE-}" ]; then
+    store "$STORE"
+    exit
 fi
 
 wrong=0 width=0
@@ -179,8 +240,9 @@ for file in "${files[@]}"; do
     mark=right
     printf -- '-\t-\n' >"$scratch/kept"
     verdict=$(judge "$file") || { [ $? = 2 ] && exit 2; mark=wrong wrong=$((wrong + 1)); }
+    ! is_published "$file" || verdict="the published solution; $verdict"
     if [ -n "${MARKS-}" ]; then
-        printf '%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "${verdict%%$'\n'*}" "$(cat "$scratch/kept")" >>"$MARKS"
+        printf '%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "$(head -n 1 <<<"$verdict" | tr '\t' ' ')" "$(cat "$scratch/kept")" >>"$MARKS"
     elif [ -n "${FILES-}" ]; then
         printf '%-5s  %-*s  %s\n' "$mark" "$width" "$file" "${verdict%%$'\n'*}"
     else

@@ -4,10 +4,14 @@
 # NN_K|STEM|OPTIONS|OPTIONS AS SHOWN|OPTIONS OF ITS RAYS|PLACES.
 export LC_ALL=C
 
-# Print NN_K for every exercise that has a solution.
+# Print NN_K for every exercise that has a solution. The course for students has only the lines of checks.txt.
 exercises() {
-    awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2) "_" $2 }' \
-        tests/pictures/images.txt | sort -t _ -k 1,1 -k 2,2n
+    awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2) "_" $2 }
+        $1 ~ /^[0-9][0-9]_[0-9]+$/ { print $1 }' \
+        tests/pictures/images.txt tests/course/checks.txt | sort -u -t _ -k 1,1 -k 2,2n
+}
+engine_exercises() {
+    grep -o '^engine_[0-9]*' tests/course/checks.txt | uniq
 }
 
 # Print the options of each picture of the exercise, one line each, with long names and without the solution's file.
@@ -45,6 +49,16 @@ places_of() { # OPTIONS
 # The options of a picture that its rays use too.
 options_of_rays() { # OPTIONS
     sed -E 's/(--view|--probe) +[^ ]+//g' <<<"$1"
+}
+
+# The text of a shader or a C program without comments, and the same without blanks, as a number. Of a longer text, only
+# its beginning counts.
+without_comments() { # FILE
+    [ ! -f "$1" ] || head -c 500000 "$1" 2>/dev/null | awk 'BEGIN { RS = "\001" }
+        { gsub(/\/\*([^*]|\*+[^*\/])*\*+\/|\/\/[^\n]*/, " "); print }'
+}
+text_of() { # FILE
+    without_comments "$1" | tr -d '[:space:]' | cksum
 }
 
 # Set files to those named by FILE or FILES. FILES is first tried as a single pattern, because folders may have spaces.

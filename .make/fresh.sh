@@ -9,22 +9,25 @@
 # Only a few suites are run, which together need every package of both commands; ALL=1 runs the whole `make test`. The
 # output of the commands is in build/fresh/.
 #
+# A third kind of try, with ALL=1, is a machine in the cloud: the commands of .devcontainer/devcontainer.json, then, in the
+# course for students, those of its workflow, with a right and with a wrong answer.
+#
 # A try sees nothing of this machine: it has its own mount and process namespaces, its own proc and terminals, and
 # its own tmpfs on /dev/shm. /dev is never mounted: its files are nodes in the root. Both namespaces end with this
 # script, and the mounts with them.
 #
-# Environment: TRIES, a list of RELEASE:root and RELEASE:reader, by default both on Debian 12 and 13; SID=1 adds both
+# Environment: TRIES, a list of RELEASE:root, RELEASE:reader and RELEASE:cloud, by default the first two on Debian 12 and 13; SID=1 adds both
 # on sid, whose failures are reported but do not count; MIRROR, by default the one that this machine's apt uses;
 # XDG_CACHE_HOME.
 set -u
 export LC_ALL=C
 
-tries=${TRIES:-bookworm:root bookworm:reader trixie:root trixie:reader}
+tries=${TRIES:-bookworm:root bookworm:reader trixie:root trixie:reader${ALL:+ trixie:cloud}}
 [ -z "${SID-}" ] || tries="$tries sid:root sid:reader"
 for try in $tries; do
     case $try in
-    *?:root | *?:reader) ;;
-    *) echo "make test-fresh: TRIES=$try: must be RELEASE:root or RELEASE:reader" >&2; exit 2 ;;
+    *?:root | *?:reader | *?:cloud) ;;
+    *) echo "make test-fresh: TRIES=$try: must be RELEASE:root, RELEASE:reader or RELEASE:cloud" >&2; exit 2 ;;
     esac
 done
 archives=${XDG_CACHE_HOME:-$HOME/.cache}/ray-marching/fresh
@@ -187,14 +190,35 @@ hand_over() { # RELEASE
     within "$root" root "$command"
 }
 
+# The commands of a machine in the cloud, and those of the workflow in the course for students.
+devcontainer() { # NAME
+    sed -n "s/^ *\"$1\": \"\(.*\)\",*\$/\1/p" .devcontainer/devcontainer.json
+}
+workflow() {
+    awk '/^ *- run: / { sub(/^ *- run: /, ""); printf "%s%s", n++ ? " && " : "", $0 }' .make/student/folder/.github/workflows/check.yml
+}
+cloud() { # RELEASE
+    local course=course/build/student/ray-marching
+    step "$1" cloud 'devcontainer, create' within "$root" root "cd course && $(devcontainer onCreateCommand)" &&
+        step "$1" cloud 'devcontainer, afterwards' within "$root" root "cd course && $(devcontainer postCreateCommand)" &&
+        step "$1" cloud 'make student' within "$root" root 'cd course && EXERCISES=00_2 make student' &&
+        step "$1" cloud 'workflow, a right answer' within "$root" root "cp course/chapters/solutions/00_first_scene_2.frag $course/answers/00_2.frag && cd $course && $(workflow)" &&
+        step "$1" cloud 'workflow, a wrong answer' within "$root" root "cd $course && cp chapters/00_first_scene.frag answers/00_2.frag && ! answers/check.sh"
+}
+
 mkdir -p "$logs" && rm -f "$logs"/*.log
 for try in $tries; do
     release=${try%:*} user=${try#*:}
     log=$logs/$release-debootstrap.log
     archive "$release" || { verdict 1 "$release" - 'debootstrap' "see $log"; continue; }
+    [ "$user" != cloud ] || user=root
     unpack "$release" "$user" || { verdict 1 "$release" "$user" 'unpacking' "$archives/$release.tar.gz, $root"; continue; }
-    { [ "$user" = root ] || step "$release" reader 'one command for root' hand_over "$release"; } &&
-        two_commands "$release" "$user"
+    if [ "${try#*:}" = cloud ]; then
+        cloud "$release"
+    else
+        { [ "$user" = root ] || step "$release" reader 'one command for root' hand_over "$release"; } &&
+            two_commands "$release" "$user"
+    fi
     rm -rf --one-file-system "$root"
 done
 echo "$passed passed, $failed failed, $skipped skipped"

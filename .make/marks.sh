@@ -18,16 +18,6 @@ fail() {
 # shellcheck source=.make/exercises.sh
 . .make/exercises.sh
 
-# The text of a shader without comments and blanks, as a number.
-text_of() { # FILE
-    awk 'BEGIN { RS = "\001" }
-        {
-            while (match($0, /\/\*([^*]|\*+[^*\/])*\*+\/|\/\/[^\n]*/)) $0 = substr($0, 1, RSTART - 1) substr($0, RSTART + RLENGTH)
-            gsub(/[[:space:]]/, "")
-            print
-        }' "$1" 2>/dev/null | sha256sum
-}
-
 # The exercise that a file answers; nothing if its name has none of them.
 exercise_of() { # FILE
     local name=${1##*/} exercise
@@ -60,9 +50,16 @@ done
 files=()
 [ -z "${FILES-}" ] || FILE='' find_files
 [ ${#files[@]} -gt 0 ] || fail "which files? For example: make marks FILES='hand-in/*/*.frag' EXERCISES='${exercises[*]}'"
+kept=()
 for file in "${files[@]}"; do
-    [[ "$file" != *[$'\t\n']* ]] || fail "$(printf '%q' "$file"): the name has a tab or a line break: rename the file"
+    if [[ "$file" == *[$'\t\n']* ]]; then
+        printf '%q: the name has a tab or a line break: rename the file: not marked\n' "$file" >&2
+    else
+        kept+=("$file")
+    fi
 done
+[ ${#kept[@]} -gt 0 ] || fail "FILES='$FILES': none of these files can be marked"
+files=("${kept[@]}")
 folders=$(for file in "${files[@]}"; do dirname "$file"; done | sort -u | wc -l)
 common=
 [ "$folders" = 1 ] || common=$(for file in "${files[@]}"; do echo "${file%/*}/"; done | common_folder)
@@ -83,24 +80,25 @@ for file in "${files[@]}"; do
     [ -n "$(exercise_of "$file")" ] || echo "$file: its name contains none of ${exercises[*]}: not marked" >&2
 done
 
-# The same with the student in front, and with the copies named.
+# The same with the student in front, and with the copies named. An empty file and the chapter's own shader are nobody's
+# work: two of them are not a copy.
 number=0
 while IFS=$'\t' read -r exercise file mark verdict picture right; do
-    solution=$(echo chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag)
-    if [ "$(text_of "$file")" = "$(text_of "$solution")" ] || grep -qE '^[[:space:]]*#[[:space:]]*include[[:space:]].*solutions/' "$file" 2>/dev/null; then
-        mark=copied verdict="the published solution; $verdict"
-    fi
+    [[ $verdict != 'the published solution; '* ]] || mark=copied
+    text=$(text_of "$file")
+    [[ $text != "$(text_of /dev/null)" && $text != "$(text_of "$(echo chapters/"${exercise%_*}"_*.frag)")" ]] || text=$file
     if [ "$picture" != - ]; then
         number=$((number + 1))
         mv "$picture" "$folder/$number.png" && mv "$right" "$folder/$number.right.png" || exit 2
         picture=$number
     fi
-    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$(student_of "$file")" "$mark" "$verdict" "$picture" "$(text_of "$file")" "$file"
+    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$(student_of "$file")" "$mark" "$verdict" "$picture" "$text" "$file"
 done <"$folder/judged" >"$folder/named"
 sort -t $'\t' -k 2,2 -k 1,1 "$folder/named" | CSV=$table awk -F '\t' -v page="$folder/index.html" -v exercises="${exercises[*]}" '
     function cell(s) { if (s ~ /^[-=+@]/) s = "\047" s; gsub(/"/, "\"\"", s); return "\"" s "\"" } # no formula of a spreadsheet
     function html(s) { gsub(/&/, "\\&amp;", s); gsub(/</, "\\&lt;", s); gsub(/>/, "\\&gt;", s); return s }
-    { line[NR] = $0; who[$1, $6] = who[$1, $6] (who[$1, $6] == "" ? "" : ", ") $2; count[$1, $6]++ }
+    { line[NR] = $0 }
+    !(($1, $6, $2) in had) { had[$1, $6, $2]; who[$1, $6] = who[$1, $6] (who[$1, $6] == "" ? "" : ", ") $2; count[$1, $6]++ }
     END {
         csv = ENVIRON["CSV"] # as it is, with its backslashes
         wanted = split(exercises, exercise, " ")

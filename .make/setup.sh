@@ -2,7 +2,7 @@
 # setup.sh [--check|--all] SET... - make sure that this machine has everything that the sets need.
 #
 # Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), windows (the cross
-# build), wine (to try it), fresh (bare machines to test on). If nothing is missing, this only looks for files and
+# build), wine (to try it), student (the course for students), fresh (bare machines to test on). If nothing is missing, this only looks for files and
 # commands, and uses neither the network nor the package manager. If something is missing, it installs it as root;
 # with a terminal and sudo, it says what it will install and lets sudo ask for the password; otherwise it prints one
 # command and fails.
@@ -222,6 +222,14 @@ need_wine() {
     need 'unzip' 'unzip|-|-|-' has_command unzip
 }
 
+# The course for students is packed from a checkout.
+need_student() {
+    need_run
+    need 'git' 'git|git|git|git' has_command git
+    need 'patch' 'patch|patch|patch|-' has_command patch
+    need 'zip' 'zip|zip|zip|zip' has_command zip
+}
+
 need_fresh() {
     need 'debootstrap' 'debootstrap|-|-|-' has_command debootstrap
     need 'git' 'git|git|git|git' has_command git
@@ -237,11 +245,12 @@ look() {
         fuzz) need_fuzz ;;
         book) need_book ;;
         fresh) need_fresh ;;
+        student) need_student ;;
         web) need_web ;;
         windows) need_windows ;;
         wine) need_wine ;;
         *)
-            printf 'setup.sh: %s: no such set: run, test, lint, fuzz, book, web, windows, wine or fresh\n' "$set" >&2
+            printf 'setup.sh: %s: no such set: run, test, lint, fuzz, book, web, windows, wine, student or fresh\n' "$set" >&2
             exit 2
             ;;
         esac

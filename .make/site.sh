@@ -16,7 +16,7 @@ node "$source/site.mjs" "$out" $(pages)
     mkdir -p "$out/$(dirname "$file")"
     cp "build/web/$file" "$out/$file"
 done
-cp "$source"/{site.css,site.js,find.js,guess.js,play.js,edits.js,icon.svg} "$out/"
+cp "$source"/{site.css,site.js,find.js,guess.js,question.js,play.js,edits.js,icon.svg} "$out/"
 cp "$source/LICENSE.fonts" "$out/fonts/LICENSE.txt"
 rm -r "$out.parts"
 

@@ -79,7 +79,7 @@ function pairOf(command, above) {
 //                        the first `head` lines or the last `tail`, where it has one of these, or of all
 //   {stem, line, other}  two lines that write a picture each, to be compared
 //   {check, stem}        an exercise, "03_2", and its chapter
-//   {reason}             why it has no button
+//   {reason}             why it has no button; in the course for students, exercises cannot be checked in a page
 //   above                the commands above it in its block
 // Throws if it is none of these: then commands.txt lacks a line.
 export function commandOf(command, above = []) {
@@ -96,6 +96,7 @@ export function commandOf(command, above = []) {
         const values = Object.fromEntries(rest.slice(1).map((word) => /^(\w+)=(.*)$/s.exec(word)?.slice(1) ?? [word, '']));
         if (rest[0] === 'run' && values.FIGURE) return {stem: stemOf(values.FIGURE.slice(0, 2)), line: `--shader chapters/figures/${values.FIGURE}.frag`};
         if (rest[0] === 'run') return {stem: stemOf(values.CHAPTER), ...lineOf((values.OPTIONS ?? '').split(/\s+/).filter(Boolean))};
+        if (rest[0] === 'check' && !fs.existsSync('chapters/solutions')) return {reason: 'this command needs the folder of the course, because these pages have no solutions'};
         if (rest[0] === 'check' && values.EXERCISE) return {check: values.EXERCISE, stem: stemOf(values.EXERCISE.slice(0, 2))};
     }
     throw new Error(`docs/web/commands.txt: no line says why this command has no button: ${command}`);

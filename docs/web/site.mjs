@@ -13,6 +13,7 @@ import {bodyOf, read, sectionsOf} from './body.mjs';
 import {escaped, plain} from './colour.mjs';
 import {writeFigures} from './figures.mjs';
 import {subset} from './fonts.mjs';
+import {questionsOf} from './questions.mjs';
 import {Sources, root} from './sources.mjs';
 
 const run = promisify(execFile);
@@ -37,7 +38,7 @@ async function pageOf(file) {
     for (const [, source] of stdout.matchAll(/(?:data-file="|href="source:)([^"#]*)/g)) sources.mention(source, page);
     try {
         page.body = bodyOf(stdout, {stem, sources, pictures}).replace(/(<h1[^>]*>)(\d\d) /, '$1<span class="number">$2</span> ');
-        page.body = hinted(page);
+        page.body = hinted(page) + (stem ? questionsOf(stem) : '');
     } catch (error) {
         throw new Error(`${file}: ${error.message}`, {cause: error});
     }
@@ -163,7 +164,7 @@ function write(page, pages) {
         title: escaped(page.address === 'index.html' ? TITLE : `${page.title} · ${TITLE}`),
         description: escaped(words.length > 155 ? `${words.slice(0, words.lastIndexOf(' ', 155))} …` : words),
         head: alive ? '\n<link rel="stylesheet" href="live.css">\n<script type="module" src="live.js"></script>' + (page.address === 'play.html' ? '\n<script type="module" src="play.js"></script>' : '') : '',
-        guess: /class="guess"/.test(page.body) ? '<script src="guess.js" defer></script>\n' : '',
+        answers: ['guess', 'question'].filter((name) => page.body.includes(`class="${name}"`)).map((name) => `<script src="${name}.js" defer></script>\n`).join(''),
         menu: list ? '<button type="button" class="menu at" popovertarget="sections">Sections</button>\n' : '',
         contents: contents(pages, page), body: page.body,
         note: alive ? '<noscript><p class="note">Without JavaScript the programs do not run, but all text, formulas and pictures are here.</p></noscript>\n' : '',

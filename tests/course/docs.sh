@@ -621,6 +621,14 @@ judge "docs/teaching.md: each lab has its prediction, its demonstration, its wor
     "$(bad_labs docs/teaching.md)"
 judge "every function and struct of the library that teaches is on a page" \
     "$(.make/listings.sh --check 2>&1 | grep 'is on no page')"
+replaced() { # of `make student`; only the complaints
+    local page
+    for page in README.md docs/README.md; do
+        awk -v name="$page" -v list=.make/student/replaced.txt -f .make/student/replace.awk "$page" 2>"$scratch/said" >/dev/null
+        cat "$scratch/said"
+    done
+}
+judge "the sentences that make student replaces are there" "$(replaced)"
 check_checks
 check_tool
 check_use

@@ -19,6 +19,10 @@ echo '#include "solutions/00_first_scene_2.frag"' | hand_in include 00_2.frag
 echo 'one fault' | hand_in twin 00_2.frag
 echo 'one /* */ fault // here' | hand_in 'the other twin' 00_2.frag
 hand_in nameless ball.frag <$right
+hand_in idle 00_2.frag <chapters/00_first_scene.frag
+for name in '00-2 first' '00-2 last'; do echo 'one thing twice' | hand_in again "$name.frag"; done
+mkdir -p "$class/pipe" && mkfifo "$class/pipe/00_2.frag"
+hand_in odd $'00_2\n.frag' <$right
 
 marks() { FILES=$1 EXERCISES=$2 CSV=${3-$scratch/marks.csv} .make/marks.sh >"$scratch/said" 2>&1; }
 row() { grep -q -e "$1" "$scratch/marks.csv" || { sed 's/^/# /' "$scratch/marks.csv"; return 1; }; }
@@ -28,9 +32,13 @@ check 'a wrong solution, of a folder that a spreadsheet would take for a formula
 check 'the published solution, however its blanks and comments are changed' row '^"copy",copied,"the published solution; '
 check 'the published solution, included' row '^"include",copied,"the published solution; '
 check 'the same text twice' row '^"twin",copied,"one text: the other twin, twin; does not run: '
-check 'and nothing else' [ "$(wc -l <"$scratch/marks.csv")" = 7 ]
+check "two students' unsolved chapters are no copies" row '^"idle",wrong,".* differ '
+check "nor are two files of one student" row '^"again",wrong wrong,"does not run'
+check 'a pipe is not waited for' row '^"pipe",wrong,"no file to read"'
+check 'a name of two lines is named, and the others are marked' grep -q 'odd/00_2.*the name has a tab or a line break' "$scratch/said"
+check 'and nothing else' [ "$(wc -l <"$scratch/marks.csv")" = 10 ]
 check 'a file whose name has no exercise is named' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3: not marked' "$scratch/said"
-check 'the marks are added up' grep -q '^6 students: 2 right, 1 wrong, 4 copied$' "$scratch/said"
+check 'the marks are added up' grep -q '^9 students: 2 right, 5 wrong, 4 copied$' "$scratch/said"
 pictures() {
     grep -q '<td>00_3<td>right' build/marks/index.html &&
         grep -o 'src="[^"]*' build/marks/index.html >"$scratch/pictures" &&
@@ -47,5 +55,5 @@ check 'no exercise' refuses 'which exercises' x ''
 check 'an exercise without a solution' refuses 'EXERCISES: 00_9: no solution' x '00_2 00_9'
 check 'no file' refuses 'which files' '' 00_2
 check 'a pattern that fits no file' refuses 'no file has such a name' "$class/eve/*" 00_2
-check 'a table that cannot be written' refuses 'CSV=/: cannot be written' "$class/*/*.frag" 00_2 /
+check 'a table that cannot be written' refuses 'CSV=/: cannot be written' "$class/copy/*.frag" 00_2 /
 plan

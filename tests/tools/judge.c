@@ -3,6 +3,7 @@
 //   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png  place, share, what is wrong: a line each
 //   judge rays WITH PLACES RIGHT MINE  what is wrong; files of what --probe prints
 //   judge ray PROBE                    a march in words, from such a file
+//   judge pixel X,Y PICTURE.png        a colour in words; 0,0 is at the bottom left
 //   judge right SHARE...               the sentence for a right answer, of its pictures' shares
 //
 // Exit status: 0 right, 1 wrong, 2 if it could not judge.
@@ -81,6 +82,26 @@ static int tell_ray(const char *path)
     return text != NULL ? RIGHT : NOT_JUDGED;
 }
 
+static int tell_pixel(const char *place, const char *path)
+{
+    struct image image = {0};
+    int x = -1, y = -1, status = NOT_JUDGED;
+    if (image_read_png(&image, path)) {
+        if (sscanf(place, "%d,%d", &x, &y) != 2 || x < 0 || y < 0 || x >= image.width ||
+            y >= image.height)
+            report("%s: no pixel of a picture of %dx%d", place, image.width, image.height);
+        else {
+            const unsigned char *p =
+                image.pixel +
+                3 * ((size_t)(image.height - 1 - y) * (size_t)image.width + (size_t)x);
+            printf("colour: %d, %d, %d\n", p[0], p[1], p[2]);
+            status = RIGHT;
+        }
+    }
+    image_free(&image);
+    return status;
+}
+
 int main(int argc, char **argv)
 {
     const char *what = argc > 1 ? argv[1] : "";
@@ -90,6 +111,8 @@ int main(int argc, char **argv)
         return judge_texts(argv[2], argv[3], argv[4], argv[5]);
     if (argc == 3 && strcmp(what, "ray") == 0)
         return tell_ray(argv[2]);
+    if (argc == 4 && strcmp(what, "pixel") == 0)
+        return tell_pixel(argv[2], argv[3]);
     if (argc > 2 && strcmp(what, "right") == 0) {
         double most = 0.0;
         for (int i = 2; i < argc; i++)
@@ -99,6 +122,6 @@ int main(int argc, char **argv)
     }
     fprintf(stderr,
             "usage: judge picture WITH RIGHT.png MINE.png DIFFERENCE.png | rays WITH PLACES "
-            "RIGHT MINE | ray PROBE | right SHARE...\n");
+            "RIGHT MINE | ray PROBE | pixel X,Y PICTURE.png | right SHARE...\n");
     return NOT_JUDGED;
 }

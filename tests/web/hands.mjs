@@ -161,6 +161,11 @@ await second.evaluate((form) => { let next = form; while (!next.matches('details
 await page.locator('#second summary').click();
 await page.locator('#second summary').click();
 check('the answer opens at the second click, without a guess', await page.locator('#second').evaluate((one) => one.open));
+const question = page.locator('form.question').first();
+await question.getByRole('radio').first().check();
+check('a question says why an answer is wrong', /^The steps have no fixed size/.test(await question.locator('output').textContent()));
+await question.getByRole('radio').nth(1).check();
+check('and that the right one is right', await question.locator('output').textContent() === 'That is right.');
 check('no error in the console', said.length === 0, said);
 await page.close();
 

@@ -115,6 +115,10 @@ const right = fs.readFileSync('docs/web/guesses.txt', 'utf8').split('\n').filter
 const asked = [...new Set(right)].filter((stem) => ((text.get(`${stem}.html`) ?? '').match(/<form class="guess" data-kind/g) ?? []).length !== right.filter((one) => one === stem).length);
 check('every line of guesses.txt has its question', right.length > 10 && asked.length === 0, asked);
 
+// The exit questions are at the end of each chapter.
+const asking = [...text].filter(([, html]) => (html.match(/<form class="question"/g) ?? []).length === 5).map(([name]) => name);
+check('every chapter asks its five questions', asking.length === fs.readdirSync('docs').filter((name) => /^\d\d_.*md$/.test(name)).length, asking);
+
 // ---- Weight ----
 
 const packed = (data) => zlib.gzipSync(data, {level: 9}).length;

@@ -1,0 +1,9 @@
+// question.js - the exit questions of a chapter: the comment on the answer that is chosen. A script of the old kind: browsers
+// run no modules from file://.
+(() => {
+    for (const form of document.querySelectorAll('form.question')) {
+        form.addEventListener('change', ({target}) => {
+            form.querySelector('output').textContent = form.querySelectorAll('li')[Number(target.value)].textContent;
+        });
+    }
+})();

@@ -1,0 +1,98 @@
+#!/bin/bash
+# class.sh - `make marks` on a class of thirty made-up students and two exercises: right and wrong answers, copies, files that
+# do not compile, that never end, and that do harm. Every mark and every remark must be the expected one.
+set -u
+cd "$(dirname "$0")/../.." || exit 1
+. tests/lib/tap.sh
+open_scratch
+# shellcheck disable=SC2154 # open_scratch sets scratch
+class=$scratch/class expected=$scratch/expected
+: >"$expected"
+
+# expect STUDENT EXERCISE MARK REMARK: what the table must say.
+expect() { printf '%s\t%s\t%s\t%s\n' "$@" >>"$expected"; }
+
+solution() { echo chapters/solutions/"${1%_*}"_*_"${1#*_}".frag; } # EXERCISE
+chapter() { echo chapters/"${1%_*}"_*.frag; }
+
+# hand_in STUDENT EXERCISE MARK REMARK: the text comes from standard input.
+hand_in() {
+    mkdir -p "$class/$1"
+    cat >"$class/$1/$2.frag"
+    expect "$@"
+}
+
+# The edits of tests/course/answers.txt that a mark and an exercise have, one a line.
+edits() { # EXERCISE VERDICT
+    awk -F ' +[|] +' -v exercise="$1" -v verdict="$2" '$1 == exercise && $2 == verdict { sub(/^[^|]*[|][^|]*[|][^|]*[|] /, ""); print }' tests/course/answers.txt
+}
+
+for exercise in 00_2 03_2; do
+    # Seventeen right answers: sixteen with a line of their own, and one that is written in another way.
+    for student in 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16; do
+        { cat "$(solution $exercise)"; echo "#define STUDENT_$student"; } | hand_in "$student" $exercise right 'as the solution'
+    done
+    edits $exercise right | head -n 1 >"$scratch/edit"
+    sed "$(cat "$scratch/edit")" "$(solution $exercise)" | hand_in 17 $exercise right 'as the solution'
+    # Two wrong answers, and the unsolved chapter twice, which is no copy.
+    edits $exercise wrong | head -n 2 >"$scratch/edits"
+    sed "$(sed -n 1p "$scratch/edits")" "$(solution $exercise)" | hand_in 18 $exercise wrong ' differ '
+    sed "$(sed -n 2p "$scratch/edits")" "$(solution $exercise)" | hand_in 19 $exercise wrong ' differ '
+    hand_in 20 $exercise wrong 'differ\|compile' <"$(chapter $exercise)"
+    hand_in 21 $exercise wrong 'differ\|compile' <"$(chapter $exercise)"
+    # The published solution, disguised and included; and one answer twice.
+    { echo '/* all * my own */'; sed 's/; *$/ ;  \/\/ mine/' "$(solution $exercise)"; } | hand_in 22 $exercise copied '^the published solution; as the'
+    echo '#include "solutions/'"$(basename "$(solution $exercise)")"'"' | hand_in 23 $exercise copied '^the published solution; as the'
+    for student in 24 25; do
+        { cat "$(solution $exercise)"; echo "#define TWIN // $student"; } | hand_in $student $exercise copied '^one text: 24, 25; as the solution'
+    done
+    # Files that do not compile: a fault, nothing, and no text.
+    echo 'float sceneDistance(vec3 p) { return 1 +; }' | hand_in 26 $exercise wrong 'does not run: .*frag:1'
+    hand_in 27 $exercise wrong 'does not run: .*empty' </dev/null
+    head -c 4000 build/00_first_scene | hand_in 28 $exercise wrong 'does not run: '
+done
+
+# The last two never end, ask for files of the machine, or want all its memory.
+hand_in 29 00_2 wrong 'does not end: no picture after' <<'END'
+#version 330 core
+in vec2 FragCoord;
+out vec4 FragColor;
+void main()
+{
+    float x = FragCoord.x;
+    for (int i = 0; i >= 0; i = i > 9000 ? 0 : i + 1)
+        for (int k = 0; k >= 0; k = k > 9000 ? 0 : k + 1)
+            x += sin(x + FragCoord.y);
+    FragColor = vec4(x);
+}
+END
+echo '#include "/etc/passwd"' | hand_in 29 03_2 wrong 'does not run: .*/etc/passwd'
+{
+    printf '#version 330 core\nout vec4 FragColor;\n#define A0 x + x\n'
+    for ((i = 1; i <= 28; i++)); do printf '#define A%d A%d + A%d\n' $i $((i - 1)) $((i - 1)); done
+    printf 'void main() { float x = 1.0; FragColor = vec4(A28); }\n'
+} | hand_in 30 00_2 wrong 'does not run: \|does not end'
+mkdir -p "$class/30"
+mkfifo "$class/30/03_2.frag"
+expect 30 03_2 wrong 'no file to read'
+
+marks() { FILES="$class/*/*.frag" EXERCISES='00_2 03_2' CSV=$scratch/marks.csv .make/marks.sh >"$scratch/said" 2>&1; }
+check 'a class of thirty is marked' marks || sed 's/^/# /' "$scratch/said"
+while IFS=$'\t' read -r student exercise mark remark; do
+    column=2
+    [ "$exercise" = 00_2 ] || column=4
+    awk -F ',' -v student="\"$student\"" '$1 == student' "$scratch/marks.csv" | tr -d '\n' >"$scratch/row"
+    found=$(awk -v column=$column '{
+        # The fields of a row: commas within quotes do not separate.
+        for (i = 1; i <= length($0); i++) {
+            c = substr($0, i, 1)
+            if (c == "\"") quoted = !quoted
+            else if (c == "," && !quoted) n++
+            else if (n == column - 1) mark = mark c
+            else if (n == column) text = text c
+        }
+        print mark "\t" text }' "$scratch/row")
+    check "$student, $exercise: $mark" eval "[ '$mark' = \"\${found%%\$'\t'*}\" ] && grep -q -e '$remark' <<<\"\${found#*\$'\t'}\"" || echo "# $found"
+done <"$expected"
+check 'the marks are added up' grep -q '^30 students: 34 right, 18 wrong, 8 copied$' "$scratch/said" || sed 's/^/# /' "$scratch/said"
+plan
