@@ -309,6 +309,15 @@ lecture: ready ## show the scenes of docs/lecture.txt, or of your own list, full
 	+@$(AGAIN) lecture_program
 	@.make/lecture.sh
 
+slides: ready ## typeset the same scenes as slides, build/slides.pdf: make slides LIST=my.txt (installs pandoc and XeLaTeX)
+	@.make/setup.sh book
+	+@$(AGAIN) lecture_program
+	@.make/slides.sh
+
+handouts: ## typeset the labs of docs/teaching.md, build/handouts.pdf, and their answers, build/handouts-answers.pdf
+	@.make/setup.sh book
+	@.make/handouts.sh
+
 check: ready ## check a solution: make check EXERCISE=03_2 FILE=my.frag; with FILES='handed_in/*.frag', check many
 	@.make/check.sh
 
@@ -447,7 +456,7 @@ references: ready ## regenerate the references, or those of CHAPTER=03, that are
 	@tests/pictures/references.sh update
 
 always:
-.PHONY: all programs tests fuzzer ready run play check marks compare diff film gallery benchmark book setup clean help test \
+.PHONY: all programs tests fuzzer lecture_program ready run play lecture slides handouts check marks compare diff film gallery benchmark book setup clean help test \
         test-all test-fresh test-gpu fuzz mutants lint format chapter docs figures figure_programs textures texture_programs \
         references web test-web test-windows site serve module windows windows-zip always
 .DELETE_ON_ERROR:

@@ -7,8 +7,8 @@ draw_scenes() {
     mkdir -p "$2" && build/lecture --print "$1" >"$2/scenes" || return
     while IFS=$(printf '\037') read -r number _ stem options _; do
         picture=$2/$(printf '%02d' "$number").png
-        # xargs splits the options into words, as the list does.
-        printf '%s\n' "--size 1280x720 $options" | xargs "build/$stem" --output "$picture" || return
+        # xargs splits the options into words, as the list does. The panel belongs to the window.
+        printf '%s\n' "--size 1280x720 $options" | sed 's/ --overlay[^ ]*//' | xargs "build/$stem" --output "$picture" || return
         echo "  $picture"
     done <"$2/scenes"
 }
