@@ -171,7 +171,7 @@ TESTS := $(filter-out $(if $(filter glfw,$(BACKENDS)),,$(shell grep -l 'lib/sess
 TESTS := $(TESTS:%.c=$(BUILD)/%$(EXE))
 
 programs: $(PROGRAMS) $(FIRST_STEPS)
-tests: $(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),compare judge draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
+tests: $(TESTS) $(LECTURE) $(patsubst %,$(BUILD)/tests/%$(EXE),compare judge draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
 fuzzer: $(BUILD)/tests/fuzz
 lecture_program: $(LECTURE)
 

@@ -20,8 +20,8 @@ cat >"$folder/head.tex" <<'END'
 \pagestyle{empty}
 END
 
-# typeset NAME OPTION...: build/NAME.pdf
-typeset() {
+# write_pdf NAME OPTION...: build/NAME.pdf
+write_pdf() {
     name=$1
     shift
     if ! pandoc -s -f gfm+tex_math_dollars docs/teaching.md --lua-filter .make/handouts.lua "$@" -o "build/$name.pdf" \
@@ -38,5 +38,5 @@ typeset() {
     echo "build/$name.pdf: $(pdfinfo "build/$name.pdf" | awk '/^Pages/ { print $2 " pages" }')"
 }
 
-typeset handouts
-typeset handouts-answers -M answers=true
+write_pdf handouts
+write_pdf handouts-answers -M answers=true
