@@ -41,11 +41,12 @@ local function answer_at(inlines, i)
     end
 end
 
--- The inlines with each answer replaced by a line to write on, or the answers printed slanted.
+-- The inlines with lines to write on after each question, instead of its answer; or, on the sheets of answers, with the
+-- answers slanted.
 local function answered(inlines)
-    local result, i, count = {}, 1, 0
+    local result, i, last = {}, 1, nil
     while i <= #inlines do
-        local last = answer_at(inlines, i)
+        last = answer_at(inlines, i)
         if not last then
             table.insert(result, inlines[i])
         elseif answers then
@@ -53,10 +54,9 @@ local function answered(inlines)
         else
             table.insert(result, pandoc.RawInline('latex', '\\writing{}\\writing{}'))
         end
-        count = count + (last and 1 or 0)
         i = (last or i) + 1
     end
-    if count == 0 and not answers then
+    if not last and not answers then
         table.insert(result, pandoc.RawInline('latex', '\\writing{}\\writing{}'))
     end
     return result
