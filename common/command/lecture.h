@@ -46,8 +46,8 @@ struct window *lecture_window(const struct lecture *lecture);
 // To be called after each turn of the window: show the scene that the speaker has asked for, or
 // compile the next one if that disturbs nobody. A scene that cannot be shown is reported, in the
 // window too, and the present one stays.
-//   lecture  a struct lecture
-void lecture_follow(void *lecture);
+//   of  a struct lecture
+void lecture_follow(void *of);
 
 void lecture_close(struct lecture *lecture);
 

@@ -95,7 +95,7 @@ SESSION_TEST(page_keys_lead_through_the_scenes)
               "01 " STILL " --view normals\n  Its\n  normals.\n3 --time 1 --set lampSpeed=50\n");
     session_keep(0);
     assert_scene(stems[1], STILL);
-    assert_true(session_off(0, (const int[]){9, 152, 50, 18}) > 0.2); // the caption is gone
+    assert_true(session_off(0, (const int[]){9, 152, 50, 18}) > 0.2);  // the caption is gone
     assert_true(session_off(0, (const int[]){0, 0, 320, 140}) <= 0.0); // there was nothing else
     back();                                                            // nothing is before it
     assert_scene(stems[1], STILL);
