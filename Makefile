@@ -16,6 +16,7 @@ FILE =
 FILES =
 PICTURES =
 FORCE =
+LIST =
 FRAMES =
 FPS =
 VIEW =
@@ -30,7 +31,7 @@ SANITIZE =
 FUZZER =
 # The input and output of awk, sort and gcc must not depend on the user's language.
 export LC_ALL = C
-export CHAPTER FIGURE SUITE COUNT SEED NAME EXERCISE EXERCISES CSV FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE DURATION
+export CHAPTER FIGURE LIST SUITE COUNT SEED NAME EXERCISE EXERCISES CSV FILE FILES PICTURES FORCE FRAMES FPS VIEW ROUNDS WRITE DURATION
 
 # Recursive makes run in parallel, unless the caller has chosen the number of jobs.
 CPUS := $(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
@@ -154,6 +155,7 @@ SUPPORT := $(SUPPORT:%.c=$(BUILD)/%.o)
 PARTS := $(BUILD)/tests/parts.a
 JUDGE := $(BUILD)/tests/lib/compare.o $(BUILD)/tests/lib/judge.o
 PROGRAMS := $(STEMS:%=$(BUILD)/%$(EXE))
+LECTURE := $(if $(WEB)$(WINDOWS),,$(BUILD)/lecture$(EXE))
 # The steps of the engine in docs/engine.md, which use nothing from common/. Macs and Windows lack Khronos's header.
 FIRST_STEPS := $(if $(MAC)$(EXE),,$(if $(filter-out osmesa,$(BACKENDS)),$(wildcard chapters/first_steps/*.c)))
 FIRST_STEPS := $(FIRST_STEPS:chapters/%.c=$(BUILD)/%)
@@ -170,8 +172,9 @@ TESTS := $(filter-out $(if $(filter glfw,$(BACKENDS)),,$(shell grep -l 'lib/sess
 TESTS := $(TESTS:%.c=$(BUILD)/%$(EXE))
 
 programs: $(PROGRAMS) $(FIRST_STEPS)
-tests: $(TESTS) $(patsubst %,$(BUILD)/tests/%$(EXE),compare judge draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
+tests: $(TESTS) $(LECTURE) $(patsubst %,$(BUILD)/tests/%$(EXE),compare judge draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
 fuzzer: $(BUILD)/tests/fuzz
+lecture_program: $(LECTURE)
 
 # In the package for Windows, the code that all programs share is in one library beside them.
 SHARED := $(if $(WINDOWS),$(BUILD)/harness.dll)
@@ -218,10 +221,29 @@ $(FIGURES:%=$(BUILD)/docs/figures/%): $(BUILD)/%: $(BUILD)/%.o $(BUILD)/docs/fig
 $(TEXTURES): $(BUILD)/%: $(BUILD)/%.o $(PAINT) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-# One module contains all chapters, so each main gets a different name, and the function that it calls leaves the loop
-# to the page.
+# The lecture and a browser's module contain all chapters, so each main gets a different name, and the function that it
+# calls leaves the loop to them.
+$(BUILD)/chapters.o: $(BUILD)/chapters.c
+	$(call say,$(CC) $<) $(CC) $(COMPILE) -c -o $@ $<
+
+$(BUILD)/chapters.c: Makefile $(STEMS:%=chapters/%.c)
+	@mkdir -p $(@D)
+	$(call say,echo $@) { echo '#include "browser/chapters.h"'; \
+	    for stem in $(STEMS); do echo "int main_$$stem(int argc, char **argv);"; done; \
+	    echo 'const struct live_chapter live_chapters[] = {'; \
+	    for stem in $(STEMS); do echo "    {\"$$stem\", main_$$stem},"; done; \
+	    echo '    {0, 0}};'; } > $@
+
+TOGETHER = -Dmain=main_$(notdir $*) -Dchapter_run=live_run
+$(LECTURE): $(STEMS:%=$(BUILD)/chapters/together/%.o) $(BUILD)/chapters.o $(BUILD)/chapters/lecture.o $(COMMON) $(EXTRA)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
+
+$(BUILD)/chapters/together/%.o: chapters/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call say,$(CC) $<) $(CC) $(COMPILE) $(TOGETHER) -MMD -MP -c -o $@ $<
+
 ifneq ($(WEB),)
-$(BUILD)/chapters/%.o: INSTRUMENT = -Dmain=main_$(notdir $*) -Dchapter_run=live_run
+$(BUILD)/chapters/%.o: INSTRUMENT = $(TOGETHER)
 EXPORTS := _malloc,_free,$(shell grep -oh '\<live_[a-z]*' common/browser/live.h common/browser/canvas.h | sort -u | sed s/^/_/ | paste -sd , -),$(shell grep -oh '\<judge_[a-z]*' tests/lib/judge.h | sort -u | sed s/^/_/ | paste -sd , -)
 EMSCRIPTEN = -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH -sMALLOC=emmalloc -sMODULARIZE -sEXPORT_ES6 \
              -sUSE_ES6_IMPORT_META=1 -sENVIRONMENT=web -sEXPORT_NAME=loadHarness -sFORCE_FILESYSTEM \
@@ -233,17 +255,6 @@ module: build/web/harness.js
 build/web/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COMMON) $(JUDGE) common/browser/page.js
 	$(call say,link $@) $(CC) $(CFLAGS) --no-entry $(EMSCRIPTEN) -sEXPORTED_FUNCTIONS=$(EXPORTS) \
 	    --js-library common/browser/page.js -o $@ $(filter %.o,$^)
-
-$(BUILD)/chapters.o: $(BUILD)/chapters.c
-	$(call say,$(CC) $<) $(CC) $(COMPILE) -c -o $@ $<
-
-$(BUILD)/chapters.c: Makefile $(STEMS:%=chapters/%.c)
-	@mkdir -p $(@D)
-	$(call say,echo $@) { echo '#include "browser/chapters.h"'; \
-	    for stem in $(STEMS); do echo "int main_$$stem(int argc, char **argv);"; done; \
-	    echo 'const struct live_chapter live_chapters[] = {'; \
-	    for stem in $(STEMS); do echo "    {\"$$stem\", main_$$stem},"; done; \
-	    echo '    {0, 0}};'; } > $@
 
 # Headers that are the same on all systems; emcc has its own versions of the others.
 $(BUILD)/flags: $(BUILD)/include
@@ -294,6 +305,19 @@ run: ready ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2'
 
 play: ready ## open your own shader in a window: make play FILE=my.frag; without FILE, create and open chapters/play.frag
 	@.make/play.sh $(OPTIONS)
+
+lecture: ready ## show the scenes of docs/lecture.txt, or of your own list, full screen: make lecture LIST=my.txt
+	+@$(AGAIN) lecture_program
+	@.make/lecture.sh
+
+slides: ready ## typeset the same scenes as slides, build/slides.pdf: make slides LIST=my.txt (installs pandoc and XeLaTeX)
+	@.make/setup.sh book
+	+@$(AGAIN) lecture_program
+	@.make/slides.sh
+
+handouts: ## typeset the labs of docs/teaching.md, build/handouts.pdf, and their answers, build/handouts-answers.pdf
+	@.make/setup.sh book
+	@.make/handouts.sh
 
 check: ready ## check a solution: make check EXERCISE=03_2 FILE=my.frag; with FILES='handed_in/*.frag', check many
 	@.make/check.sh
@@ -440,7 +464,7 @@ references: ready ## regenerate the references, or those of CHAPTER=03, that are
 	@tests/pictures/references.sh update
 
 always:
-.PHONY: all programs tests fuzzer ready run play check marks student questions compare diff film gallery benchmark book setup clean help test \
+.PHONY: all programs tests fuzzer lecture_program ready run play lecture slides handouts check marks student questions compare diff film gallery benchmark book setup clean help test \
         test-all test-fresh test-gpu fuzz mutants lint format chapter docs figures figure_programs textures texture_programs \
         references web test-web test-windows site serve module windows windows-zip always
 .DELETE_ON_ERROR:

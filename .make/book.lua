@@ -44,43 +44,6 @@ local function paragraph(element)
     end
 end
 
--- Characters that the font of the text lacks are set in another font.
-local function str(element)
-    local parts, plain = {}, ''
-    for _, code in utf8.codes(element.text) do
-        local sign = utf8.char(code)
-        if code >= 0x2070 then
-            if plain ~= '' then table.insert(parts, pandoc.Str(plain)) end
-            plain = ''
-            table.insert(parts, pandoc.RawInline('latex', '{\\symbolfont ' .. sign .. '}'))
-        else
-            plain = plain .. sign
-        end
-    end
-    if #parts == 0 then
-        return nil
-    end
-    if plain ~= '' then table.insert(parts, pandoc.Str(plain)) end
-    return parts
-end
-
--- Inline code may break after punctuation, so that long paths fit on the page.
-local escapes = {
-    ['\\'] = '\\textbackslash{}', ['{'] = '\\{', ['}'] = '\\}', ['$'] = '\\$', ['&'] = '\\&', ['#'] = '\\#',
-    ['%'] = '\\%', ['_'] = '\\_', ['^'] = '\\textasciicircum{}', ['~'] = '\\textasciitilde{}',
-    ["'"] = '\\textquotesingle{}', ['`'] = '\\textasciigrave{}',
-}
-
-local function code(element)
-    if #element.text < 12 then
-        return nil
-    end
-    local text = element.text:gsub('[\\{}$&#%%_^~\'`]', escapes)
-    text = text:gsub('([/,=_(])', '%1\\allowbreak{}'):gsub('%-%-', '-\\/-')
-    text = text:gsub('(%l)(%u)', '%1\\allowbreak{}%2')
-    return pandoc.RawInline('latex', '\\texttt{' .. text .. '}')
-end
-
 -- A displayed formula that is wider than the page is scaled down.
 local function formula(element)
     if element.mathtype == 'DisplayMath' then
@@ -220,8 +183,8 @@ end
 
 function Pandoc(document)
     local blocks = pandoc.walk_block(pandoc.Div(unfolded(document.blocks)), {
-        Header = header, Link = link, Para = paragraph, Image = picture, RawBlock = raw, RawInline = raw, Str = str, Table = table_widths,
-        Code = code, CodeBlock = block, Math = formula,
+        Header = header, Link = link, Para = paragraph, Image = picture, RawBlock = raw, RawInline = raw, Str = pages.str, Table = table_widths,
+        Code = pages.code, CodeBlock = block, Math = formula,
     }).content
     return pandoc.Pandoc(blocks, pandoc.Meta({}))
 end

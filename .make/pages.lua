@@ -1,4 +1,5 @@
--- pages.lua - functions for the pages of docs/ that the book (book.lua) and the site (docs/web/filter.lua) share.
+-- pages.lua - functions for the pages of docs/ that the book (book.lua), the handouts (handouts.lua) and the site
+-- (docs/web/filter.lua) share.
 
 local pages = {}
 
@@ -40,6 +41,45 @@ end
 -- The kind of a fold that a raw block opens: Answer, Hint or Solution.
 function pages.fold(html)
     return html:match('^<details><summary>(%a+)</summary>')
+end
+
+-- ---- For LaTeX ----
+
+-- Characters that the font of the text lacks are set in another font.
+function pages.str(element)
+    local parts, plain = {}, ''
+    for _, code in utf8.codes(element.text) do
+        local sign = utf8.char(code)
+        if code >= 0x2070 then
+            if plain ~= '' then table.insert(parts, pandoc.Str(plain)) end
+            plain = ''
+            table.insert(parts, pandoc.RawInline('latex', '{\\symbolfont ' .. sign .. '}'))
+        else
+            plain = plain .. sign
+        end
+    end
+    if #parts == 0 then
+        return nil
+    end
+    if plain ~= '' then table.insert(parts, pandoc.Str(plain)) end
+    return parts
+end
+
+-- Inline code may break after punctuation, so that long paths fit on the page.
+local escapes = {
+    ['\\'] = '\\textbackslash{}', ['{'] = '\\{', ['}'] = '\\}', ['$'] = '\\$', ['&'] = '\\&', ['#'] = '\\#',
+    ['%'] = '\\%', ['_'] = '\\_', ['^'] = '\\textasciicircum{}', ['~'] = '\\textasciitilde{}',
+    ["'"] = '\\textquotesingle{}', ['`'] = '\\textasciigrave{}',
+}
+
+function pages.code(element)
+    if #element.text < 12 then
+        return nil
+    end
+    local text = element.text:gsub('[\\{}$&#%%_^~\'`]', escapes)
+    text = text:gsub('([/,=_(])', '%1\\allowbreak{}'):gsub('%-%-', '-\\/-')
+    text = text:gsub('(%l)(%u)', '%1\\allowbreak{}%2')
+    return pandoc.RawInline('latex', '\\texttt{' .. text .. '}')
 end
 
 return pages

@@ -60,18 +60,9 @@ static bool run_benchmark(struct run *run)
 
 static bool open_loop(struct run *run)
 {
-    const struct options *options = &run->options;
-    run->start = (struct window_start){.title = run->title,
-                                       .stem = run->stem,
-                                       .picture = run->picture,
-                                       .pictures = options->compares ? 2 : 1,
-                                       .camera = options->camera,
-                                       .time = options->time,
-                                       .samples = options->samples,
-                                       .overlay_scale = options->overlay,
-                                       .overlay_kept = options->has_overlay};
-    if (options->shader != NULL)
-        printf("%s: reloads on every save\n", options->shader);
+    run->start = run_window_start(run);
+    if (run->options.shader != NULL)
+        printf("%s: reloads on every save\n", run->options.shader);
     fflush(stdout);
     run->window = window_open(&run->context, &run->start);
     return run->window != NULL;
@@ -158,7 +149,7 @@ int chapter_run(const struct chapter *chapter, int argc, char **argv)
 {
     struct run *run;
     int status = chapter_open(&run, chapter, argc, argv);
-    if (run->window != NULL && !window_run(run->window))
+    if (run->window != NULL && !window_run(run->window, NULL, NULL))
         status = RUN_NOT_DONE;
     chapter_close(run);
     if (fflush(stdout) == 0 && !ferror(stdout))

@@ -10,6 +10,14 @@
 // The last message.
 static char last[LINE_SIZE + 2];
 
+// What messages begin with.
+static char place[1024];
+
+void report_place(const char *text)
+{
+    snprintf(place, sizeof place, "%s%s", text != NULL ? text : "", text != NULL ? ": " : "");
+}
+
 // True for a character that a terminal could interpret instead of showing it.
 static bool is_control(unsigned char character)
 {
@@ -60,10 +68,12 @@ bool report(const char *format, ...)
 {
     char text[LINE_SIZE];
     va_list arguments;
+    strcpy(text, place);
+    size_t begin = strlen(place), room = sizeof text - begin;
     va_start(arguments, format);
-    int length = vsnprintf(text, sizeof text, format, arguments);
+    int length = vsnprintf(text + begin, room, format, arguments);
     va_end(arguments);
-    if (length >= (int)sizeof text)
+    if (length >= (int)room)
         strcpy(text + sizeof text - 4, "...");
     print_clean(length < 0 ? format : text, "");
     return false;

@@ -101,7 +101,8 @@ static bool check_ray(const struct options *options)
     bool view = shader_shows_ray(options->view);
     bool overlaid = options->has_overlay && options->probe_count > 0;
     bool stepped = options->step >= 0 || options->walk;
-    if (options->output == NULL && (stepped || options->has_from))
+    if (options->output == NULL &&
+        (options->walk || options->has_from || (stepped && !options->window)))
         return report("--%s: requires --output; in a window, E and Q step along the ray",
                       stepped ? "step" : "from");
     if (stepped && !view && !overlaid)

@@ -28,7 +28,7 @@ struct options {
     bool shadertoy; // --print-shader=shadertoy
     bool compares;  // there is a second picture
     bool walk;      // --step walk: the pictures of --frames step along the ray
-    bool has_from, has_divider, has_camera, has_overlay;
+    bool has_from, has_divider, has_camera, has_overlay, has_time;
     const char *output;    // the PNG file to write, or NULL
     int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT
     double time;           // seconds

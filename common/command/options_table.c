@@ -74,6 +74,7 @@ static bool set_size(struct options *options, const char *text)
 
 static bool set_time(struct options *options, const char *text)
 {
+    options->has_time = true;
     if (!number_read(text, &options->time))
         return refuse("time", text, "must be a number of seconds, as in 1.5%s", number_hint(text));
     return fabs(options->time) <= OPTIONS_LIMIT ||

@@ -118,10 +118,12 @@ bool run_compile(struct run *run, const struct gl *gl)
     struct renderer *first = &run->picture[0].renderer;
     for (int i = 0; i < (options->compares ? 2 : 1); i++) {
         struct loader *picture = &run->picture[i];
-        if (!renderer_open(&picture->renderer, gl, run->root))
+        struct renderer *renderer = &picture->renderer;
+        if (renderer->gl == NULL && !renderer_open(renderer, gl, run->root))
             return false;
-        picture->renderer.view = options->view;
-        if (!loader_compile(picture))
+        renderer->comparison = NULL;
+        renderer->view = options->view;
+        if (!loader_update(picture))
             return false;
     }
     if (!options->compares)
@@ -137,6 +139,21 @@ bool run_compile(struct run *run, const struct gl *gl)
     first->comparison = &run->comparison;
     comparison_follow(first);
     return true;
+}
+
+struct window_start run_window_start(struct run *run)
+{
+    const struct options *options = &run->options;
+    return (struct window_start){.title = run->title,
+                                 .stem = run->stem,
+                                 .picture = run->picture,
+                                 .pictures = options->compares ? 2 : 1,
+                                 .camera = options->camera,
+                                 .time = options->time,
+                                 .samples = options->samples,
+                                 .overlay_scale = options->overlay,
+                                 .overlay_kept = options->has_overlay,
+                                 .shown = options->step + 1};
 }
 
 // Check that a picture would not overwrite a file that a shader was read from. Returns false,

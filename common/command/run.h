@@ -50,10 +50,14 @@ bool run_find_shader(struct run *run);
 // the exit status.
 int run_read_shaders(struct run *run);
 
-// Compile the shaders that were read, and put the second picture beside the first.
+// Compile the shaders that were read, and put the second picture beside the first. A renderer that
+// is open already is kept, and a shader that it has is not compiled again.
 //   gl  must outlive the run
 // Returns false, reported.
 bool run_compile(struct run *run, const struct gl *gl);
+
+// What a window of this run opens with; it points into the run.
+struct window_start run_window_start(struct run *run);
 
 // Check before rendering that each file of --output can be written and that this run does not read
 // it: a picture must never overwrite a shader or a texture. Returns false, reported.

@@ -1,5 +1,7 @@
 #include "picture/loader.h"
 
+#include <string.h>
+
 bool loader_read(struct loader *loader)
 {
     shader_free(&loader->source);
@@ -11,6 +13,19 @@ bool loader_read(struct loader *loader)
 bool loader_compile(struct loader *loader)
 {
     return renderer_load(&loader->renderer, &loader->source, &loader->parameters);
+}
+
+bool loader_update(struct loader *loader)
+{
+    struct renderer *renderer = &loader->renderer;
+    const char *has = renderer->fragment.text;
+    if (has == NULL || strcmp(has, loader->source.text) != 0)
+        return loader_compile(loader);
+    parameters_free(&renderer->parameters);
+    renderer->parameters = loader->parameters;
+    loader->parameters = (struct parameters){0};
+    shader_free(&loader->source);
+    return renderer_link(renderer, renderer->view);
 }
 
 void loader_close(struct loader *loader)

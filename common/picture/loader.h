@@ -26,6 +26,10 @@ bool loader_read(struct loader *loader);
 // Returns false, reported; then the renderer still draws the last good shader.
 bool loader_compile(struct loader *loader);
 
+// As loader_compile, but if the renderer already has this very shader, it is only given the
+// parameters that were read, and its view is linked.
+bool loader_update(struct loader *loader);
+
 // Close the renderer too, in the context in which it was opened.
 void loader_close(struct loader *loader);
 

@@ -10,6 +10,7 @@
 #include "picture/picker.h"
 
 #define GAP       12.0f  // units of the overlay, between keys
+#define LEGEND    18.0f  // cells of the legend's height in the view of steps, in views.glsl
 #define TIP_WIDTH 170.0f // of the help, at most
 // The lower edge of the title's panel, with a margin, which panels at the bottom leave free.
 #define BELOW_TITLE (2.0f * (PEN_MARGIN + PEN_PADDING) + OVERLAY_LINE - 2.0f)
@@ -103,11 +104,31 @@ static int lay_keys(const struct panel *panel, const struct pen *pen, float limi
     return lines;
 }
 
-// Draw the keys at the bottom, unless an error leaves no room for them. Returns the bottom of the
-// room that is left.
-static float write_keys(const struct panel *panel, struct overlay *overlay)
+// Draw the caption at the bottom, above the legend of the steps. Returns the bottom of the room
+// that is left.
+static float write_caption(const struct panel *panel, struct overlay *overlay)
 {
-    float bottom = pen_foot(overlay, panel->renderer->view), widest;
+    float bottom = pen_foot(overlay, panel->renderer->view), limit = widest_text(overlay);
+    float widest = 0.0f, lines = 0.0f;
+    if (panel->renderer->view == SHADER_STEPS)
+        bottom -= LEGEND * slice_cell(overlay->height) / overlay->scale;
+    char line[OVERLAY_TEXT + 1];
+    if (panel->caption == NULL || panel->caption[0] == '\0')
+        return bottom;
+    for (const char *at = panel->caption; pen_next_line(&at, limit, line); lines++)
+        widest = fmaxf(widest, ceilf(overlay_width(line)));
+    float height = OVERLAY_LINE * lines - 2.0f, top = bottom - height - 2.0f * PEN_PADDING;
+    struct pen pen = pen_open(overlay, PEN_MARGIN, top, widest, height);
+    for (const char *at = panel->caption; pen_next_line(&at, limit, line);)
+        pen_write(&pen, line, PEN_BRIGHT);
+    return top - PEN_MARGIN;
+}
+
+// Draw the keys above a bottom, unless an error leaves no room for them. Returns the bottom of the
+// room that is left.
+static float write_keys(const struct panel *panel, struct overlay *overlay, float bottom)
+{
+    float widest;
     if (panel->key_count == 0 || panel->folded)
         return bottom;
     float limit = widest_text(overlay), error = error_height(panel, overlay);
@@ -167,8 +188,9 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     float middle = (view == SHADER_PLOT ? 0.5f + 0.5f * SLICE_PLOT : 0.5f) * (float)height, ray[2];
     inspector_ray(overlay, middle, ray);
     float above = shader_shows_ray(view) ? ray[1] : BELOW_TITLE;
-    float bottom = comparison_write(panel->renderer, overlay, above,
-                                    write_error(panel, overlay, write_keys(panel, overlay)));
+    float bottom = comparison_write(
+        panel->renderer, overlay, above,
+        write_error(panel, overlay, write_keys(panel, overlay, write_caption(panel, overlay))));
     float right = pen_picture_width(overlay) - PEN_MARGIN;
     if (marched || refused)
         right = inspector_left(overlay, marched) - PEN_MARGIN;

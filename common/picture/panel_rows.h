@@ -40,6 +40,7 @@ struct panel {
     struct panel_rows *rows; // receives the rows, if there is a pointer
     struct picker *picker;   // of the selected colour; receives its position. NULL: not open
     const char *hint;        // the key to press
+    const char *caption;     // of a lecture, at the bottom
     const struct panel_key *keys;
     int key_count;
     int pixel[2];              // of the selected ray, 0,0 bottom left; -1,-1: none

@@ -5,6 +5,7 @@
 #include <stdio.h>
 
 #include "picture/comparison.h"
+#include "picture/probe.h"
 #include "report.h"
 #include "window/field.h"
 #include "window/full_screen.h"
@@ -85,6 +86,35 @@ static void go_last(struct window *window)
     window_step_to(window, true);
 }
 
+// Hide or show the panel, and a lecture's caption with it.
+static void hide(struct window *window)
+{
+    window->panel.folded = !window->panel.folded;
+    window->panel.captioned = !window->panel.folded;
+}
+
+// In a scene that begins with a step of the ray, Page Down and Page Up go along the ray: true if
+// there is a step in this direction.
+static bool goes_on(const struct window *window, int by)
+{
+    int first = window->start->shown, to = (int)window->inputs.shown + by;
+    return window->inputs.pixel[0] >= 0 && first > 0 && window->inputs.shown > 0.0f &&
+           to >= first && to <= probe_rows(window->ray.probe);
+}
+
+// A lecture's next scene, or the one before; never by a key that is held.
+static void turn_page(struct window *window, int by)
+{
+    if (window->start->caption != NULL && !goes_on(window, by))
+        window->asked.scenes += by;
+}
+
+static void step_by_page(struct window *window, int by)
+{
+    if (window->start->caption == NULL || goes_on(window, by))
+        window_step(window, by);
+}
+
 // A view that the shader does not have is refused in the overlay, where the reader is looking.
 static void show_view(struct window *window, int view)
 {
@@ -115,7 +145,7 @@ static const struct {
     {.key = GLFW_KEY_X, .act = window_deselect_ray},
     {.key = GLFW_KEY_ENTER, .act = window_next_handle},
     {.key = GLFW_KEY_ESCAPE, FLAG(paused)},
-    {.key = GLFW_KEY_H, FLAG(panel.folded)},
+    {.key = GLFW_KEY_H, .act = hide},
     {.key = GLFW_KEY_K, FLAG(panel.helps)},
     {.key = GLFW_KEY_O, FLAG(panel.right)},
     {.key = GLFW_KEY_T, FLAG(panel.rolled)},
@@ -126,8 +156,11 @@ static const struct {
     {NULL, change, GLFW_KEY_RIGHT, 1, 10, true},
     {NULL, window_step, GLFW_KEY_E, 1, 1, true},
     {NULL, window_step, GLFW_KEY_Q, -1, -1, true},
-    {NULL, window_step, GLFW_KEY_PAGE_DOWN, 1, 1, true}, // on a presenter's remote control
-    {NULL, window_step, GLFW_KEY_PAGE_UP, -1, -1, true},
+    // A presenter's remote control has these two.
+    {NULL, turn_page, GLFW_KEY_PAGE_DOWN, 1, 1, false},
+    {NULL, turn_page, GLFW_KEY_PAGE_UP, -1, -1, false},
+    {NULL, step_by_page, GLFW_KEY_PAGE_DOWN, 1, 1, true},
+    {NULL, step_by_page, GLFW_KEY_PAGE_UP, -1, -1, true},
     {NULL, show_view, GLFW_KEY_1, SHADER_PICTURE, SHADER_PICTURE, false},
     {NULL, show_view, GLFW_KEY_2, SHADER_NORMALS, SHADER_NORMALS, false},
     {NULL, show_view, GLFW_KEY_3, SHADER_DEPTH, SHADER_DEPTH, false},
@@ -136,8 +169,20 @@ static const struct {
     {NULL, show_view, GLFW_KEY_6, SHADER_PLOT, SHADER_PLOT, false},
 };
 
+// In a lecture, Shift with a digit asks for a part. True if this was such a key.
+static bool ask_part(struct window *window, const struct window_event *event)
+{
+    int part = event->amount - GLFW_KEY_0;
+    if (window->start->caption == NULL || !event->shifted || part < 1 || part > 9)
+        return false;
+    window->asked.part = part;
+    return true;
+}
+
 static void press_key(struct window *window, const struct window_event *event)
 {
+    if (ask_part(window, event))
+        return;
     for (size_t i = 0; i < sizeof bindings / sizeof *bindings; i++)
         if (bindings[i].key == event->amount && (bindings[i].repeats || !event->repeated)) {
             if (bindings[i].act != NULL)

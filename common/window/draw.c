@@ -81,6 +81,7 @@ static void fill_overlay(struct window *window)
         .bare = window->panel.folded && window->panel.in_page,
         .ranges = window->panel.helps,
         .hint = window->panel.hint,
+        .caption = window->panel.captioned ? window->start->caption : NULL,
         .keys = window->panel.keys,
         .key_count = window->panel.helps ? window->panel.key_count : 0,
         .pixel = {inputs->pixel[0], inputs->pixel[1]},

@@ -7,13 +7,15 @@
 #include "picture/comparison.h"
 #include "window/projection.h"
 
-enum condition { ALWAYS, WITH_RAY, WITH_PARAMETERS, WITH_HANDLES, WITH_PROJECTIONS };
+enum condition { ALWAYS, WITH_RAY, WITH_PARAMETERS, WITH_HANDLES, WITH_PROJECTIONS, IN_LECTURE };
 
 // A single letter or digit of the labels names a key of an American keyboard.
 static const struct {
     const char *does, *label;
     enum condition condition;
 } entries[] = {
+    {"scene, step", "Page Up Page Down", IN_LECTURE},
+    {"part", "Shift+1…9", IN_LECTURE},
     {"move", "W A S D", ALWAYS},
     {"up, down", "Space C", ALWAYS},
     {"faster", "Shift F", ALWAYS},
@@ -80,7 +82,8 @@ void window_list_keys(struct window *window)
                           [WITH_RAY] = window->inputs.pixel[0] >= 0,
                           [WITH_PARAMETERS] = comparison_parameter_count(window->renderer) > 0,
                           [WITH_HANDLES] = window->handles.count > 0,
-                          [WITH_PROJECTIONS] = window_has_orthographic(window)};
+                          [WITH_PROJECTIONS] = window_has_orthographic(window),
+                          [IN_LECTURE] = window->start->caption != NULL};
     char show[16], hide[16];
     int count = 0;
     for (size_t i = 0; i < sizeof entries / sizeof *entries; i++)

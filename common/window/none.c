@@ -11,8 +11,39 @@ struct window *window_open(struct context *context, const struct window_start *s
     return NULL;
 }
 
-bool window_run(struct window *window)
+void window_show(struct window *window, const struct window_start *start, bool at_last)
 {
+    (void)window;
+    (void)start;
+    (void)at_last;
+}
+
+int window_asked(struct window *window, int *part)
+{
+    *part = 0;
+    return window != NULL;
+}
+
+bool window_idles(const struct window *window)
+{
+    return window != NULL;
+}
+
+void window_warn(struct window *window, const char *text)
+{
+    (void)window;
+    (void)text;
+}
+
+void window_fill_screen(struct window *window)
+{
+    (void)window;
+}
+
+bool window_run(struct window *window, void (*turned)(void *to), void *to)
+{
+    (void)turned;
+    (void)to;
     return window != NULL;
 }
 

@@ -14,9 +14,13 @@ struct window_start {
     int pictures;           // 1, or 2 with a comparison
     struct camera camera;   // where the eye starts
     double time;            // seconds
+    bool paused;            // the time stands still until Escape is pressed
     int samples;            // along each side of a pixel
     double overlay_scale;   // 0: chosen by the picture's height
     bool overlay_kept;      // screenshots show the overlay too
+    int shown;              // steps of the middle ray, which is selected; 0: no ray is selected
+    const char *selected;   // "NAME=VALUE": the parameter that is selected; NULL: the first one
+    const char *caption;    // of a lecture's scene, for the speaker; NULL: not a lecture
 };
 
 #endif

@@ -13,7 +13,7 @@
 #include "window/resolution.h"
 #include "window/start.h"
 
-#define WINDOW_KEYS 26 // entries of the overlay's list of keys, at most
+#define WINDOW_KEYS 28 // entries of the overlay's list of keys, at most
 
 // The part of the window that owns the pointer from a press to the release.
 enum pointer_owner {
@@ -54,6 +54,7 @@ struct window {
     bool moved;    // what the picture shows has changed in this turn
     bool stale;    // the picture must be drawn again
     bool dirty;    // the frame must be shown again
+    int opening;   // steps of the middle ray that are still to be shown
     bool shooting; // a screenshot waits for the sharp picture, with the time stopped
     struct {
         bool on;       // Tab was pressed: orthographic is on its way
@@ -65,6 +66,7 @@ struct window {
     } title;
     struct {
         double turn, frame; // when the last turn of the loop began, and the last frame
+        double shown;       // when the scene was first shown
         double watch_due;   // when to look at the shader's files again
         bool drew;          // the last turn drew a frame
         double rate;        // frames per second; 0 before it is known
@@ -85,6 +87,7 @@ struct window {
         struct overlay overlay;
         struct panel_rows rows; // as they are shown
         bool folded;            // H was pressed
+        bool captioned;         // the caption is shown, if there is one
         bool in_page;           // a web page shows the panel's words while the panel is folded
         bool right, rolled;     // it is on the right; it is collapsed to its title
         bool helps;             // K was pressed: show all keys and the ranges of all parameters
@@ -95,6 +98,9 @@ struct window {
         int key_count;
         char hint[64]; // which key shows more
     } panel;
+    struct {
+        int scenes, part; // of a lecture, as window_asked returns them
+    } asked;
     // The panel's input.
     struct {
         enum panel_grab what;

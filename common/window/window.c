@@ -3,14 +3,17 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "memory.h"
 #include "picture/comparison.h"
 #include "report.h"
 #include "window/actions.h"
 #include "window/draw.h"
+#include "window/full_screen.h"
 #include "window/handle.h"
 #include "window/projection.h"
+#include "picture/probe.h"
 #include "window/ray.h"
 #include "window/screenshot.h"
 #include "window/state.h"
@@ -20,6 +23,7 @@
 #define WATCH_SECONDS   0.1  // between two looks at the shader's files
 #define TRANSITION_STEP 0.1  // seconds: a slow machine too shows something between the ends
 #define TITLE_SECONDS   0.25 // between two changes of the title bar
+#define SHOWN_SECONDS   2.0  // that a moving picture is shown before something disturbs it
 
 // ---- Reload ----
 
@@ -105,6 +109,10 @@ static bool turn(struct window *window)
     window->moved |=
         window_continue_transition(window, fmin(now - window->pace.turn, TRANSITION_STEP));
     window->pace.turn = now;
+    if (visible && window->opening > 0) {
+        window_step(window, window->opening);
+        window->opening = 0;
+    }
     window_act(window);
     window->stale |= window->moved;
     if (now >= window->pace.watch_due) {
@@ -152,30 +160,52 @@ static void show_size(void *to)
 
 // ---- Open, run, close ----
 
-struct window *window_open(struct context *context, const struct window_start *start)
+void window_show(struct window *window, const struct window_start *start, bool at_last)
 {
-    struct window *window = memory_zeros(1, sizeof *window);
-    struct renderer *renderer = &start->picture[0].renderer;
-    *window = (struct window){
-        .handle = context->window,
-        .renderer = renderer,
+    struct window *fresh = memory_zeros(1, sizeof *fresh);
+    bool lecture = start->caption != NULL;
+    *fresh = (struct window){
+        .handle = window->handle,
+        .renderer = &start->picture[0].renderer,
         .start = start,
-        .inputs = {.camera = start->camera,
+        .input = window->input,
+        .inputs = {.width = window->inputs.width,
+                   .height = window->inputs.height,
+                   .camera = start->camera,
                    .time = start->time,
                    .samples = start->samples,
                    .pixel = {-1, -1},
                    .zoom = 1.0f},
-        .ray = {.probe = memory_zeros(1, sizeof(struct probe))},
-        .grab = {.hovered = -1},
+        .paused = start->paused,
+        .opening = start->shown > 0 && at_last ? PROBE_STEPS : start->shown,
+        .has_keyboard = window->has_keyboard,
+        .turning = window->turning,
+        .failed = window->failed,
+        .pace = {.turn = glfwGetTime(), .shown = glfwGetTime()},
+        .panel = {.overlay = window->panel.overlay,
+                  .rows = window->panel.rows,
+                  .right = window->panel.right,
+                  .rolled = window->panel.rolled,
+                  .folded = lecture && !start->overlay_kept,
+                  .captioned = true},
+        .grab = {.hovered = -1, .at = {window->grab.at[0], window->grab.at[1]}},
+        .shape = window->shape,
         .handles = {.focused = -1},
+        .ray = {.probe = window->ray.probe},
         .stale = true,
+        .dirty = true,
     };
-    if (!overlay_open(&window->panel.overlay, renderer->gl)) {
-        window_close(window);
-        return NULL;
-    }
-    glfwSwapInterval(1);
-    window_input_open(&window->input, window->handle, show_size, window);
+    if (start->selected != NULL)
+        snprintf(fresh->parameter, sizeof fresh->parameter, "%.*s",
+                 (int)strcspn(start->selected, "="), start->selected);
+    memcpy(fresh->rectangle, window->rectangle, sizeof fresh->rectangle);
+    memcpy(fresh->cursor, window->cursor, sizeof fresh->cursor);
+    fresh->input.typing = fresh->input.picker_open = false;
+    if (window->renderer != NULL)
+        window->renderer->overlay = NULL;
+    watch_clear(&window->watch);
+    *window = *fresh;
+    free(fresh);
     for (int i = 0; i < start->pictures; i++) {
         struct loader *picture = &start->picture[i];
         watch_add(&window->watch, picture->path);
@@ -184,18 +214,59 @@ struct window *window_open(struct context *context, const struct window_start *s
         picture->request.see = add_file;
         picture->request.to = &window->watch;
     }
-    while (renderer->gl->GetError() != GL_NO_ERROR)
+}
+
+struct window *window_open(struct context *context, const struct window_start *start)
+{
+    struct window *window = memory_zeros(1, sizeof *window);
+    const struct gl *gl = start->picture[0].renderer.gl;
+    window->handle = context->window;
+    window->ray.probe = memory_zeros(1, sizeof(struct probe));
+    window->panel.rolled = start->caption != NULL;
+    if (!overlay_open(&window->panel.overlay, gl)) {
+        window_close(window);
+        return NULL;
+    }
+    glfwSwapInterval(1);
+    window_input_open(&window->input, window->handle, show_size, window);
+    window_show(window, start, false);
+    while (gl->GetError() != GL_NO_ERROR)
         continue; // errors from before the first frame
-    window->pace.turn = glfwGetTime();
     return window;
 }
 
-bool window_run(struct window *window)
+int window_asked(struct window *window, int *part)
+{
+    int scenes = window->asked.scenes;
+    *part = window->asked.part;
+    window->asked.scenes = window->asked.part = 0;
+    return scenes;
+}
+
+bool window_idles(const struct window *window)
+{
+    return !window->pace.drew || glfwGetTime() > window->pace.shown + SHOWN_SECONDS;
+}
+
+void window_warn(struct window *window, const char *text)
+{
+    snprintf(window->panel.error, sizeof window->panel.error, "%s", text);
+    window->dirty = true;
+}
+
+void window_fill_screen(struct window *window)
+{
+    window_toggle_full_screen(window);
+}
+
+bool window_run(struct window *window, void (*turned)(void *to), void *to)
 {
     bool done = true;
     while (done && !glfwWindowShouldClose(window->handle)) {
         wait_for_turn(window);
         done = window_turn(window);
+        if (done && turned != NULL)
+            turned(to);
     }
     return done;
 }
@@ -205,7 +276,8 @@ void window_close(struct window *window)
     if (window == NULL)
         return;
     watch_clear(&window->watch);
-    window->renderer->overlay = NULL;
+    if (window->renderer != NULL)
+        window->renderer->overlay = NULL;
     overlay_close(&window->panel.overlay);
     panel_rows_free(&window->panel.rows);
     free(window->ray.probe);

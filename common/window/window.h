@@ -18,13 +18,34 @@ struct window;
 // Returns the window, which the caller closes; NULL, reported.
 struct window *window_open(struct context *context, const struct window_start *start);
 
+// Show something else in the same window, with its own camera, time, view and parameters.
+//   start    must outlive the window, or the next call
+//   at_last  with a selected ray: show all its steps, instead of start's
+void window_show(struct window *window, const struct window_start *start, bool at_last);
+
+// In a lecture, how many scenes the speaker has asked to go on, or back if negative, since the last
+// call.
+//   part  receives the part of the lecture that was asked for, from 1; 0: none
+int window_asked(struct window *window, int *part);
+
+// True if a moment of computing disturbs nobody: the last turn has drawn nothing, or a moving
+// picture has been shown for two seconds.
+bool window_idles(const struct window *window);
+
+// Show a message where the reader is looking, until the next view or scene.
+void window_warn(struct window *window, const char *text);
+
+// Fill the screen.
+void window_fill_screen(struct window *window);
+
 // Carry out the input since the last turn and draw what is due, without waiting.
 // Returns false, reported, if drawing failed.
 bool window_turn(struct window *window);
 
 // Run at most 60 turns per second until the window is closed.
+//   turned  called with to after each turn; NULL: not called
 // Returns false, reported, if drawing failed.
-bool window_run(struct window *window);
+bool window_run(struct window *window, void (*turned)(void *to), void *to);
 
 // Free the loop's memory; the context's window stays. NULL is allowed.
 void window_close(struct window *window);

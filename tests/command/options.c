@@ -149,6 +149,7 @@ TEST(frames_have_a_rate)
 TEST(a_ray_has_steps)
 {
     ACCEPTED("-v slice --step 3 -o a.png", o.step == 3 && !o.walk);
+    ACCEPTED("-v slice --step 1", o.step == 1 && o.window);
     ACCEPTED("-v plot --step walk --frames 5 -o %d.png", o.step == -1 && o.walk);
     ACCEPTED("--probe 1,1 --overlay --step walk --frames 5 -o %d.png", o.walk);
     ACCEPTED("--probe 1,1 --overlay --step 0 --from 1,2,3,40,-50 -c 0,0,0,0,0 -o a.png",
@@ -271,7 +272,8 @@ static const char *const mistakes[][2] = {
     {"-v slice --step -1 -o a.png", "--step '-1': must be a whole number between 0"},
     {"-v slice --step 2048 -o a.png", "between 0 and 2047, or walk"},
     {"-v slice --step runs -o a.png", "or walk with --frames"},
-    {"-v slice --step 1", "requires --output"},
+    {"-v slice --step 1 --benchmark 2", "requires --output"},
+    {"-v slice --step walk", "requires --output"},
     {"--step 1 -o a.png", "requires --view slice or plot, or --probe"},
     {"--probe 1,1 --step 1 -o a.png", "--overlay"},
     {"-v slice --step walk -o a.png", "requires --frames"},

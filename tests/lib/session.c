@@ -157,7 +157,7 @@ void session_wait(double seconds)
 
 bool session_run(void)
 {
-    return window_run(chapter_window(session.run));
+    return window_run(chapter_window(session.run), NULL, NULL);
 }
 
 static void press(int key, int modifiers)

@@ -144,6 +144,12 @@ static void finish(void)
     the.context.gl.Finish();
 }
 
+static void link_program(GLuint program)
+{
+    user.links++;
+    the.context.gl.LinkProgram(program);
+}
+
 void user_look(struct image *image)
 {
     const struct gl *gl = &the.context.gl;
@@ -164,6 +170,8 @@ GLFWglproc glfwGetProcAddress(const char *name)
         return (GLFWglproc)draw;
     if (strcmp(name, "glFinish") == 0)
         return (GLFWglproc)finish;
+    if (strcmp(name, "glLinkProgram") == 0)
+        return (GLFWglproc)link_program;
     return (GLFWglproc)the.context.driver->find(name);
 }
 

@@ -28,6 +28,7 @@ struct user {
     bool open, ended, captured, full;
     char title[400];
     int frames, waits; // shown so far; waited for events so far
+    int links;         // programs linked so far
     int cursor;        // its shape, 0: the arrow
     int hint[USER_HINTS][2], hints;
     struct {

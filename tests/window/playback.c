@@ -13,6 +13,15 @@ static void press_and_see(int key, const char *options)
     session_assert_shown(CHAPTER, "%s", options);
 }
 
+SESSION_TEST(a_window_opens_at_a_step)
+{
+    session_open_bare(CHAPTER, SESSION_STILL " --view slice --step 2");
+    session_assert_shown(CHAPTER, SESSION_STILL " --view slice --step 2");
+    press_and_see(GLFW_KEY_Q, SESSION_STILL " --view slice --step 1");
+    session_said(1);
+    session_close();
+}
+
 static int last_step(void)
 {
     static char table[65536];

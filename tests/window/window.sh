@@ -99,6 +99,19 @@ else
     check 'Backspace closes the window with status 0' backspace
 fi
 
+# ---- A lecture ----
+
+printf '01 -c 1.65,1.6,3.4,-26,-23.5\n  The picture.\n01 -c 1.65,1.6,3.4,-26,-23.5 -v normals\n  Its normals.\n' >"$scratch/list.txt"
+start lecture "$scratch/list.txt"
+check 'a lecture fills the screen' eventually size_is 1280x1024
+# Twice H: the panel, then the picture alone.
+paged() {
+    key Next && shows ' - normals - ' && key h h && render wanted -s 1280x1024 -v normals && eventually shown wanted &&
+        key Prior && shows ' - picture - '
+}
+check 'Page Down leads to the next scene, and Page Up back' paged
+check 'Backspace ends it' backspace
+
 # Where coordinates are pixels, as on Windows and X11, the window itself is larger.
 xprop -root -format RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
 start $chapter -s 160x100 -c 1.65,1.6,3.4,-26,-23.5 && key h

@@ -1,0 +1,377 @@
+#include "command/lecture.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "memory.h"
+#include "report.h"
+
+#define WORDS 64 // of a scene's command line
+
+struct scene {
+    int line;          // of the list
+    int part;          // index of its part, from 1; 0: before the first one
+    const char *text;  // its options, as they are in the list
+    char *word[WORDS]; // argv, whose text is in words
+    char *words;       // owned
+    char *sentence;    // owned
+    char *caption;     // its number and sentence, owned
+    struct run run;    // its options, and its pictures while they are compiled
+    struct window_start start;
+};
+
+struct lecture {
+    const char *path;
+    char *text;          // of the list, in which each line ends with '\0'
+    struct scene *scene; // owned
+    int count;
+    const char **part; // names, owned
+    int parts;
+    struct context context;
+    struct window *window; // NULL before it is open
+    int at;                // the scene that the speaker has reached
+    int shown;             // the scene that is shown, which is another if that one has failed
+    int tried;             // the last scene that was compiled ahead, or could not be
+};
+
+// ---- The list ----
+
+// Split a scene's line into words as a shell does, without its quotes. Returns how many, or -1,
+// reported.
+static int split(struct scene *scene, char *to)
+{
+    const char *from = scene->text;
+    int count = 0;
+    while (*(from += strspn(from, " \t")) != '\0') {
+        char quote = '\0';
+        if (count == WORDS - 1) {
+            report("a scene has at most %d words", WORDS - 1);
+            return -1;
+        }
+        scene->word[count++] = to;
+        for (; *from != '\0' && (quote != '\0' || strchr(" \t", *from) == NULL); from++)
+            if (*from == quote)
+                quote = '\0';
+            else if (quote == '\0' && (*from == '\'' || *from == '"'))
+                quote = *from;
+            else
+                *to++ = *from;
+        *to++ = '\0';
+        if (quote != '\0') {
+            report("a quote, %c, has no end", quote);
+            return -1;
+        }
+    }
+    return count;
+}
+
+// The chapter of a number or stem: "03", "3" or "03_shadows"; NULL, reported.
+static const struct lecture_chapter *find(const struct lecture_chapter *chapters, int count,
+                                          const char *name)
+{
+    size_t length = strlen(name);
+    for (int i = 0; i < count; i++) {
+        const char *stem = chapters[i].stem;
+        if (strcmp(stem, name) == 0 ||
+            (length == 2 && strncmp(stem, name, 2) == 0 && stem[2] == '_') ||
+            (length == 1 && stem[0] == '0' && stem[1] == name[0]))
+            return &chapters[i];
+    }
+    report("'%s': no such chapter: a scene begins with a chapter's number, as in 03 --view steps, "
+           "and a sentence with a blank",
+           name);
+    return NULL;
+}
+
+static int read_scene(struct scene *scene, const struct lecture_chapter *chapters, int count)
+{
+    scene->words = memory_zeros(strlen(scene->text) + 2, 1);
+    int words = split(scene, scene->words);
+    const struct lecture_chapter *chapter =
+        words > 0 ? find(chapters, count, scene->word[0]) : NULL;
+    if (chapter == NULL || !run_parse(&scene->run, chapter->stem, chapter->title, &chapter->camera,
+                                      words, scene->word))
+        return RUN_WRONG_COMMAND_LINE;
+    const struct options *options = &scene->run.options;
+    if (options->action != OPTIONS_RUN || !options->window) {
+        report("a scene is shown in a window, so it has no --output, --probe, --benchmark, --list, "
+               "--print-shader, --help or --version");
+        return RUN_WRONG_COMMAND_LINE;
+    }
+    if (!run_find_root(&scene->run) || !run_find_shader(&scene->run))
+        return RUN_NOT_DONE;
+    return run_read_shaders(&scene->run);
+}
+
+static void add_part(struct lecture *lecture, const char *name)
+{
+    lecture->part = memory_row(lecture->part, lecture->parts, sizeof *lecture->part);
+    lecture->part[lecture->parts++] = name + strspn(name, " \t");
+}
+
+static void add_scene(struct lecture *lecture, int line, const char *text)
+{
+    lecture->scene = memory_row(lecture->scene, lecture->count, sizeof *lecture->scene);
+    lecture->scene[lecture->count++] =
+        (struct scene){.line = line, .part = lecture->parts, .text = text};
+}
+
+// Add a line to the sentence of the last scene. Returns false, reported.
+static bool add_sentence(struct lecture *lecture, const char *text)
+{
+    if (lecture->count == 0)
+        return report("a sentence without a scene: a scene's line does not begin with a blank");
+    struct scene *scene = &lecture->scene[lecture->count - 1];
+    char *before = scene->sentence;
+    scene->sentence = before != NULL ? memory_text("%s %s", before, text) : memory_text("%s", text);
+    free(before);
+    return true;
+}
+
+// Messages begin with the list's name and this line.
+static void begin_line(const struct lecture *lecture, int line)
+{
+    char place[1024];
+    snprintf(place, sizeof place, "%.900s:%d", lecture->path, line);
+    report_place(place);
+}
+
+// Sort the lines of the text into parts, scenes and sentences.
+static int read_lines(struct lecture *lecture)
+{
+    char *next = lecture->text;
+    for (int line = 1; *next != '\0'; line++) {
+        char *text = next, *end = strchr(next, '\n');
+        next = end + 1;
+        *end = '\0';
+        while (end > text && strchr(" \t", end[-1]) != NULL)
+            *--end = '\0';
+        begin_line(lecture, line);
+        size_t blank = strspn(text, " \t");
+        if (text[blank] == '\0' || text[blank] == '#')
+            continue;
+        if (blank > 0 && !add_sentence(lecture, text + blank))
+            return RUN_WRONG_COMMAND_LINE;
+        if (blank == 0 && strncmp(text, "==", 2) == 0)
+            add_part(lecture, text + 2);
+        else if (blank == 0)
+            add_scene(lecture, line, text);
+    }
+    report_place(NULL);
+    if (lecture->count > 0)
+        return RUN_DONE;
+    report("%s: has no scene: a scene is a line such as 03 --set shadowOffset=0.25", lecture->path);
+    return RUN_WRONG_COMMAND_LINE;
+}
+
+int lecture_read(struct lecture **lecture, const char *path, const struct lecture_chapter *chapters,
+                 int count)
+{
+    char why[TEXT_FILE_WHY];
+    struct lecture *new = *lecture = memory_zeros(1, sizeof *new);
+    *new = (struct lecture){.path = path, .shown = -1, .tried = -1};
+    new->text = text_file_read(path, why);
+    if (new->text == NULL) {
+        report("%s: %s", path, why);
+        return RUN_WRONG_COMMAND_LINE;
+    }
+    int status = read_lines(new);
+    for (int i = 0; i < new->count &&status == RUN_DONE; i++) {
+        struct scene *scene = &new->scene[i];
+        begin_line(new, scene->line);
+        status = read_scene(scene, chapters, count);
+        scene->caption = memory_text("%d/%d  %s", i + 1, new->count,
+                                     scene->sentence != NULL ? scene->sentence : "");
+    }
+    report_place(NULL);
+    return status;
+}
+
+void lecture_print(const struct lecture *lecture, FILE *file)
+{
+    for (int i = 0; i < lecture->count; i++) {
+        const struct scene *scene = &lecture->scene[i];
+        const char *options = scene->text + strcspn(scene->text, " \t");
+        fprintf(file, "%d\037%s\037%s\037%s\037%s\n", i + 1,
+                scene->part > 0 ? lecture->part[scene->part - 1] : "", scene->run.stem,
+                options + strspn(options, " \t"), scene->sentence != NULL ? scene->sentence : "");
+    }
+}
+
+// ---- Compiled scenes ----
+
+static bool is_compiled(const struct scene *scene)
+{
+    return scene->run.picture[0].renderer.gl != NULL;
+}
+
+static bool same_text(const char *a, const char *b)
+{
+    return a == b || (a != NULL && b != NULL && strcmp(a, b) == 0);
+}
+
+// True if two scenes have the same shaders and textures, so that only values differ.
+static bool is_alike(const struct scene *a, const struct scene *b)
+{
+    const struct options *one = &a->run.options, *two = &b->run.options;
+    bool alike = strcmp(a->run.shader, b->run.shader) == 0 && one->compares == two->compares &&
+                 same_text(one->compare, two->compare) && one->texture_count == two->texture_count;
+    for (int i = 0; i < 4 && alike; i++)
+        alike = same_text(one->channels[i], two->channels[i]);
+    for (int i = 0; i < one->texture_count && alike; i++)
+        alike = same_text(one->textures[i], two->textures[i]);
+    return alike;
+}
+
+// Move the pictures of a compiled scene that is alike, if there is one, to another scene.
+static void take_pictures(struct lecture *lecture, struct scene *to)
+{
+    for (int i = 0; i < lecture->count; i++) {
+        struct scene *from = &lecture->scene[i];
+        if (from == to || !is_compiled(from) || !is_alike(from, to))
+            continue;
+        for (int k = 0; k < 2; k++) {
+            loader_close(&to->run.picture[k]);
+            to->run.picture[k] = from->run.picture[k];
+            from->run.picture[k] = (struct loader){0};
+        }
+        return;
+    }
+}
+
+// Read a scene's shaders again, with its values, and compile what has changed. Returns false,
+// reported with the scene's line.
+static bool compile(struct lecture *lecture, struct scene *scene)
+{
+    begin_line(lecture, scene->line);
+    for (int i = 0; i < 2; i++)
+        scene->run.picture[i].request = (struct shader_request){0};
+    bool done =
+        run_read_shaders(&scene->run) == RUN_DONE && run_compile(&scene->run, &lecture->context.gl);
+    report_place(NULL);
+    return done;
+}
+
+// Draw a small picture that is not shown, because drivers finish compiling during the first draw.
+static bool draw_small(struct scene *scene)
+{
+    struct renderer_inputs inputs = run_still_inputs(&scene->run.options);
+    inputs.width = 64;
+    inputs.height = 36;
+    return renderer_draw(&scene->run.picture[0].renderer, &inputs, 0, inputs.height);
+}
+
+// Free the pictures of all scenes but the one that is shown, the last one before it with other
+// shaders, and the first one after it.
+static void forget_far(struct lecture *lecture)
+{
+    const struct scene *here = &lecture->scene[lecture->shown];
+    int kept[2] = {lecture->shown, lecture->shown};
+    for (int side = 0; side < 2; side++)
+        while (kept[side] >= 0 && kept[side] < lecture->count &&
+               is_alike(&lecture->scene[kept[side]], here))
+            kept[side] += side == 0 ? -1 : 1;
+    for (int i = 0; i < lecture->count; i++)
+        for (int k = 0; k < 2 && i != lecture->shown && i != kept[0] && i != kept[1]; k++)
+            loader_close(&lecture->scene[i].run.picture[k]);
+}
+
+// Compile the first scene ahead that has other shaders, once.
+static void compile_ahead(struct lecture *lecture)
+{
+    int next = lecture->at;
+    while (next < lecture->count &&
+           is_alike(&lecture->scene[next], &lecture->scene[lecture->shown]))
+        next++;
+    if (next == lecture->count || next == lecture->tried)
+        return;
+    lecture->tried = next;
+    struct scene *scene = &lecture->scene[next];
+    if (!is_compiled(scene) && compile(lecture, scene))
+        draw_small(scene);
+}
+
+// ---- The window ----
+
+// Show the scene that the speaker has reached. Returns false, reported.
+static bool show(struct lecture *lecture, bool from_behind)
+{
+    struct scene *scene = &lecture->scene[lecture->at];
+    if (!is_compiled(scene))
+        take_pictures(lecture, scene);
+    if (!compile(lecture, scene))
+        return false;
+    scene->start = run_window_start(&scene->run);
+    scene->start.caption = scene->caption;
+    scene->start.paused = scene->run.options.has_time;
+    if (scene->run.options.setting_count > 0)
+        scene->start.selected = scene->run.options.settings[0];
+    printf("%s\n", scene->caption);
+    fflush(stdout);
+    lecture->shown = lecture->at;
+    if (lecture->window != NULL)
+        window_show(lecture->window, &scene->start, from_behind);
+    forget_far(lecture);
+    return true;
+}
+
+int lecture_open(struct lecture *lecture)
+{
+    struct run *first = &lecture->scene[0].run;
+    const struct options *options = &first->options;
+    if (!context_open_window(&lecture->context, options->backend, first->title, options->width,
+                             options->height))
+        return RUN_NO_WINDOW;
+    if (!show(lecture, false))
+        return RUN_NOT_DONE;
+    lecture->window = window_open(&lecture->context, &lecture->scene[0].start);
+    if (lecture->window == NULL)
+        return RUN_NOT_DONE;
+    window_fill_screen(lecture->window);
+    return RUN_DONE;
+}
+
+struct window *lecture_window(const struct lecture *lecture)
+{
+    return lecture->window;
+}
+
+// The first scene of a part; the present one if there is no such part.
+static int first_of(const struct lecture *lecture, int part)
+{
+    for (int i = 0; i < lecture->count; i++)
+        if (lecture->scene[i].part == part)
+            return i;
+    return lecture->at;
+}
+
+void lecture_follow(void *of)
+{
+    struct lecture *lecture = of;
+    int part, scenes = window_asked(lecture->window, &part);
+    int to = part > 0 ? first_of(lecture, part) : lecture->at + scenes;
+    to = to < 0 ? 0 : to >= lecture->count ? lecture->count - 1 : to;
+    if (part > 0 || to != lecture->at) {
+        lecture->at = to;
+        if (!show(lecture, part == 0 && scenes < 0))
+            window_warn(lecture->window, report_last());
+    } else if (window_idles(lecture->window))
+        compile_ahead(lecture);
+}
+
+void lecture_close(struct lecture *lecture)
+{
+    window_close(lecture->window);
+    for (int i = 0; i < lecture->count; i++) {
+        struct scene *scene = &lecture->scene[i];
+        run_close(&scene->run);
+        free(scene->words);
+        free(scene->sentence);
+        free(scene->caption);
+    }
+    context_close(&lecture->context);
+    free(lecture->scene);
+    free(lecture->part);
+    free(lecture->text);
+    free(lecture);
+}

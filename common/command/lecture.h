@@ -1,0 +1,54 @@
+// lecture.h - the scenes of a list, one after the other in one window: the next scene is compiled
+// while the present one is shown.
+//
+// A list is a text of lines:
+//
+//   == 0-5 An evening          a part of the lecture begins
+//   09 --set timeOfDay=17      a scene: a chapter's number or stem, and options as on its command
+//                              line; quotes keep a word with blanks together
+//                              line; quotes keep a word with blanks together; with --time, the
+//                              time stands still
+//      Where are we going?     a line that begins with a blank: the speaker's sentence
+//   # a comment
+#ifndef LECTURE_H
+#define LECTURE_H
+
+#include "command/run.h"
+
+// A chapter that a scene may name.
+struct lecture_chapter {
+    const char *stem, *title;
+    struct camera camera; // where the eye starts
+};
+
+struct lecture;
+
+// Read a list and all its shaders.
+//   lecture          receives what lecture_close frees, whatever the status is
+//   path             of the list
+//   chapters, count  must outlive the lecture
+// Returns RUN_DONE; RUN_WRONG_COMMAND_LINE, reported with the line: an unknown chapter, a wrong
+// option, an option that is not for a window, a quote without an end, a sentence without a scene,
+// no scene, no such file; RUN_NOT_DONE, reported: a shader cannot be read.
+int lecture_read(struct lecture **lecture, const char *path, const struct lecture_chapter *chapters,
+                 int count);
+
+// Print the scenes, one a line, for the scripts that make slides: number, part, stem, the scene's
+// options and its sentence, with the character 31 between them.
+void lecture_print(const struct lecture *lecture, FILE *file);
+
+// Fill the screen with the first scene. Returns the exit status so far, RUN_NO_WINDOW included.
+int lecture_open(struct lecture *lecture);
+
+// The window that waits for its turns, once the lecture is open.
+struct window *lecture_window(const struct lecture *lecture);
+
+// To be called after each turn of the window: show the scene that the speaker has asked for, or
+// compile the next one if that disturbs nobody. A scene that cannot be shown is reported, in the
+// window too, and the present one stays.
+//   of  a struct lecture
+void lecture_follow(void *of);
+
+void lecture_close(struct lecture *lecture);
+
+#endif

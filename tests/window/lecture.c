@@ -1,0 +1,292 @@
+// lecture.c - the scenes of a list in one window: the keys of a presenter's remote control, what is
+// compiled when, and what is said of a bad list.
+#include "command/lecture.h"
+
+#include "lib/compare.h"
+#include "lib/gpu.h"
+#include "lib/mirror.h"
+#include "lib/scratch.h"
+#include "lib/session.h"
+#include "report.h"
+
+#define STILL "--camera 1.65,1.6,3.4,-26,-23.5"
+#define SIZE  "--size 320x180 "
+
+static const char *const stems[] = {
+    "00_first_scene",          "01_normal_colouring", "03_shadows",
+    "06_sierpinski_symmetry",  "07_repetition",       "09_sky_and_sunset",
+    "10_distance_in_the_plane"};
+enum { CHAPTERS = sizeof stems / sizeof *stems };
+
+static struct lecture_chapter chapters[CHAPTERS];
+static struct lecture *lecture;
+
+static int read_list(const char *path)
+{
+    for (int i = 0; i < CHAPTERS; i++) {
+        chapters[i].stem = chapters[i].title = stems[i];
+        assert_true(mirror_camera(gpu_project_root(), stems[i], &chapters[i].camera));
+    }
+    return lecture_read(&lecture, path, chapters, CHAPTERS);
+}
+
+static void turn(void)
+{
+    user.now += 1.0 / 60.0;
+    assert_true(window_turn(lecture_window(lecture)));
+    lecture_follow(lecture);
+}
+
+static void turns(int count)
+{
+    while (count-- > 0)
+        turn();
+}
+
+static void key(int code, int modifiers)
+{
+    user_key(code, modifiers);
+    turns(2); // in the second one, the new scene is drawn
+}
+
+static void on(void)
+{
+    key(GLFW_KEY_PAGE_DOWN, 0);
+}
+
+static void back(void)
+{
+    key(GLFW_KEY_PAGE_UP, 0);
+}
+
+static void open_list(const char *path)
+{
+    assert_int_equal(read_list(path), RUN_DONE);
+    assert_int_equal(lecture_open(lecture), RUN_DONE);
+    assert_true(user.full);
+    user_resize(320, 180); // to draw less
+    turns(2);
+}
+
+static void open_text(const char *text)
+{
+    static char path[4096];
+    snprintf(path, sizeof path, "%s", scratch_write("list.txt", text));
+    open_list(path);
+}
+
+static void close_list(void)
+{
+    lecture_close(lecture);
+    assert_false(user.open);
+}
+
+// Fails the test unless the window shows, without its overlay, what a chapter writes.
+static void assert_scene(const char *stem, const char *options)
+{
+    key(GLFW_KEY_H, 0); // the panel with the caption, then nothing
+    key(GLFW_KEY_H, 0);
+    session_assert_shown(stem, SIZE "%s", options);
+}
+
+SESSION_TEST(page_keys_lead_through_the_scenes)
+{
+    open_text("# mine\n01 " STILL "\n  The picture.\n\n"
+              "01 " STILL " --view normals\n  Its\n  normals.\n3 --time 1 --set lampSpeed=50\n");
+    session_keep(0);
+    assert_scene(stems[1], STILL);
+    assert_true(session_off(0, (const int[]){9, 152, 50, 18}) > 0.2);  // the caption is gone
+    assert_true(session_off(0, (const int[]){0, 0, 320, 140}) <= 0.0); // there was nothing else
+    back();                                                            // nothing is before it
+    assert_scene(stems[1], STILL);
+    on();
+    session_keep(0);
+    assert_scene(stems[1], STILL " --view normals");
+    assert_true(session_off(0, (const int[]){9, 152, 50, 18}) > 0.2);
+    user.calls.key(NULL, GLFW_KEY_PAGE_DOWN, 0, GLFW_REPEAT, 0); // a key that is held
+    turns(2);
+    session_assert_shown(stems[1], SIZE STILL " --view normals");
+    on();
+    turns(60); // its time stands still
+    assert_scene(stems[2], "--time 1 --set lampSpeed=50");
+    session_assert_title("lampSpeed = 50"); // the first of --set is selected
+    on();                                   // nothing is behind it
+    key(GLFW_KEY_RIGHT, 0);
+    session_assert_title("lampSpeed = 55");
+    back();
+    assert_scene(stems[1], STILL " --view normals");
+    on(); // with its own values again
+    assert_scene(stems[2], "--time 1 --set lampSpeed=50");
+    key(GLFW_KEY_ESCAPE, 0);
+    session_keep(0);
+    turns(60);
+    assert_true(session_off(0, NULL) > 0.01);
+    close_list();
+}
+
+SESSION_TEST(a_ray_comes_before_the_next_scene)
+{
+    open_text("01 " STILL " --view slice --step 2\n01 " STILL "\n");
+    assert_scene(stems[1], STILL " --view slice --step 2");
+    key(GLFW_KEY_Q, 0); // below its first step, Page Down goes along the ray too
+    on();
+    on();
+    session_assert_shown(stems[1], SIZE STILL " --view slice --step 3");
+    user.calls.key(NULL, GLFW_KEY_PAGE_DOWN, 0, GLFW_REPEAT, 0);
+    turns(2);
+    session_assert_shown(stems[1], SIZE STILL " --view slice --step 4");
+    on(); // the march has five steps
+    assert_scene(stems[1], STILL);
+    back(); // to its last step
+    assert_scene(stems[1], STILL " --view slice --step 4");
+    back();
+    back();
+    back(); // nothing is before the second step
+    assert_scene(stems[1], STILL " --view slice --step 2");
+    close_list();
+}
+
+SESSION_TEST(digits_with_shift_lead_to_the_parts)
+{
+    open_text("01 --view depth\n== One\n01 " STILL "\n01 " STILL " --view depth\n"
+              "== Two\n01 " STILL " --view normals\n");
+    key(GLFW_KEY_2, GLFW_MOD_SHIFT);
+    assert_scene(stems[1], STILL " --view normals");
+    key(GLFW_KEY_9, GLFW_MOD_SHIFT); // there is no such part
+    assert_scene(stems[1], STILL " --view normals");
+    key(GLFW_KEY_1, GLFW_MOD_SHIFT);
+    assert_scene(stems[1], STILL);
+    key(GLFW_KEY_2, 0); // without Shift, a view
+    session_assert_shown(stems[1], SIZE STILL " --view normals");
+    on();
+    assert_scene(stems[1], STILL " --view depth");
+    close_list();
+}
+
+// What the next scene needs is linked before it is asked for; scenes that differ in values alone
+// need nothing new.
+SESSION_TEST(the_next_scene_is_compiled_ahead)
+{
+    open_text("01 " STILL "\n01 " STILL " --set focalLength=1.5\n03 --time 0\n00\n");
+    int ahead = user.links;
+    on();
+    on();
+    assert_int_equal(user.links, ahead);
+    assert_scene(stems[2], "--time 0");
+    assert_true(user.links > ahead); // the fourth
+    ahead = user.links;
+    back();
+    assert_scene(stems[1], STILL " --set focalLength=1.5");
+    assert_int_equal(user.links, ahead);
+    close_list();
+}
+
+// Save a shader of one grey.
+static void save(const char *grey)
+{
+    char text[256];
+    snprintf(text, sizeof text, "void mainImage(out vec4 c, in vec2 p) { c = vec4(%s); }", grey);
+    scratch_write("mine.frag", text);
+}
+
+static int grey(void)
+{
+    struct image image;
+    user_look(&image);
+    int value = image.pixel[3 * (image.width * 20 + 160)];
+    image_free(&image);
+    return value;
+}
+
+SESSION_TEST(a_shader_that_is_saved_meanwhile_is_shown)
+{
+    char list[8192];
+    save("0.2");
+    snprintf(list, sizeof list, "01 " STILL "\n01 --shader %s\n01 " STILL " --view normals\n",
+             scratch_path("mine.frag"));
+    open_text(list);
+    turns(5);
+    save("0.4"); // after it was compiled ahead
+    on();
+    assert_int_equal(grey(), 102);
+    save("0.6");
+    turns(60);
+    assert_int_equal(grey(), 153);
+    back();
+    save("undeclared");
+    capture_begin();
+    on(); // the scene before it stays, with the error,
+    assert_non_null(strstr(capture_end(), "undeclared"));
+    session_keep(0);
+    on(); // and the lecture goes on
+    assert_scene(stems[1], STILL " --view normals");
+    capture_begin();
+    back();
+    assert_non_null(strstr(capture_end(), "undeclared"));
+    back();
+    assert_scene(stems[1], STILL);
+    close_list();
+}
+
+SESSION_TEST(a_bad_list_is_refused_with_its_line)
+{
+    static const struct {
+        const char *text, *why;
+        int status;
+    } bad[] = {
+        {"# nothing\n\n", "list.txt: has no scene", RUN_WRONG_COMMAND_LINE},
+        {"== One\n", "list.txt: has no scene", RUN_WRONG_COMMAND_LINE},
+        {"\n  A sentence.\n", "list.txt:2: a sentence without a scene", RUN_WRONG_COMMAND_LINE},
+        {"01\n\n33 --view steps\n", "list.txt:3: '33': no such chapter", RUN_WRONG_COMMAND_LINE},
+        {"01\nWhy?\n", "list.txt:2: 'Why?': no such chapter", RUN_WRONG_COMMAND_LINE},
+        {"01 --shadow 3\n", "list.txt:1: unknown option '--shadow'", RUN_WRONG_COMMAND_LINE},
+        {"01 --set\n", "list.txt:1: --set: a value is missing", RUN_WRONG_COMMAND_LINE},
+        {"# one\n01 --set period=3\n", "list.txt:2: --set period=3: unknown parameter",
+         RUN_WRONG_COMMAND_LINE},
+        {"01 --output a.png\n", "list.txt:1: a scene is shown in a window", RUN_WRONG_COMMAND_LINE},
+        {"01 --help\n", "list.txt:1: a scene is shown in a window", RUN_WRONG_COMMAND_LINE},
+        {"01 --shader 'my file.frag\n", "list.txt:1: a quote, ', has no end",
+         RUN_WRONG_COMMAND_LINE},
+        {"01 --shader 'no file.frag'\n", "list.txt:1: no file.frag: cannot be read", RUN_NOT_DONE},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+        static char path[4096];
+        snprintf(path, sizeof path, "%s", scratch_write("list.txt", bad[i].text));
+        capture_begin();
+        int status = read_list(path);
+        const char *said = capture_end();
+        lecture_close(lecture);
+        if (status != bad[i].status || strstr(said, bad[i].why) == NULL || line_count(said) != 1)
+            fail_msg("%s: status %d: %s", bad[i].text, status, said);
+    }
+    capture_begin();
+    assert_int_equal(read_list("no/such.txt"), RUN_WRONG_COMMAND_LINE);
+    assert_non_null(strstr(capture_end(), "no/such.txt: cannot be read"));
+    lecture_close(lecture);
+    report("%s", "after a list, messages begin as before");
+    assert_string_equal(report_last(), "after a list, messages begin as before\n");
+}
+
+// The course's own list, to its end and back, by two keys.
+SESSION_TEST(the_lecture_goes_by_two_keys)
+{
+    open_list("docs/lecture.txt");
+    capture_begin();
+    int presses = 0;
+    while (strstr(user.title, "period = 3.5") == NULL && presses++ < 100)
+        on();
+    assert_in_range(presses, 30, 60);
+    key(GLFW_KEY_ESCAPE, 0);
+    key(GLFW_KEY_R, 0);
+    assert_scene("07_repetition", "--set period=3.5 --time 0");
+    while (strstr(user.title, "timeOfDay = 17") == NULL && presses-- > -5)
+        back();
+    assert_in_range(presses, 0, 5); // the ends of the march are not the only ones
+    key(GLFW_KEY_ESCAPE, 0);
+    key(GLFW_KEY_R, 0);
+    assert_scene("09_sky_and_sunset", "--set timeOfDay=17 --time 0");
+    assert_string_equal(capture_end(), "");
+    close_list();
+}
+
+TESTS(NULL, NULL)
