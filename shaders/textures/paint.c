@@ -223,7 +223,7 @@ static unsigned char number_byte(double number)
 
 static int channels_of(enum paint_kind kind)
 {
-    return kind == PAINT_NUMBER ? 1 : kind == PAINT_FOUR ? 4 : 3;
+    return kind == PAINT_NUMBER ? 1 : kind == PAINT_FOUR || kind == PAINT_BYTES ? 4 : 3;
 }
 
 static void draw_row(const struct picture *picture, int y, unsigned char *row)

@@ -18,7 +18,8 @@ enum paint_kind {
     PAINT_COLOUR,  // three numbers, linear light in [0, 1]; stored as sRGB
     PAINT_NUMBER,  // one number in [0, 1]; stored unchanged
     PAINT_NUMBERS, // three numbers in [0, 1]; stored unchanged
-    PAINT_FOUR     // a colour and a fourth number, which is stored unchanged
+    PAINT_FOUR,    // a colour and a fourth number, which is stored unchanged
+    PAINT_BYTES    // four numbers in [0, 1]; stored unchanged
 };
 
 // Draw a texture and write it. The file's top row is v = 1.

@@ -1,0 +1,13 @@
+// Exercise 22.3: a march that does not know the cells. The distance is a lower bound, so the march of chapter 01 steps
+// over nothing; but no step is longer than the margin where a list is not empty.
+#include "main.glsl"
+#define rayColour chapterColour
+#include "22_many_parts.frag"
+#undef rayColour
+
+vec3 rayColour(Ray ray)
+{
+    vec2 interval = reefInterval(ray);
+    march(ray, interval.x, interval.y, hitThreshold, maxSteps);
+    return countColour(asked);
+}

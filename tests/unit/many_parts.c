@@ -1,0 +1,195 @@
+// many_parts.c - what chapter 22 claims of its means, in double precision: each against the flat
+// loop.
+#include "lib/test.h"
+
+#include "lib/part_march.h"
+#include "textures/paint.h"
+
+#define K REEF_BLEND
+
+static double drawn(int i, uint32_t seed)
+{
+    return paint_random(i, 0, seed);
+}
+
+// The dip: a fold of any number of distances is below their least by less than the width of the
+// blend.
+TEST(the_dip_is_less_than_the_blend)
+{
+    double deepest = 0.0, value = 1e9;
+    for (int i = 0; i < 1000000; i++) { // equal distances: the deepest
+        value = part_union(value, 0.0, K);
+        deepest = fmax(deepest, -value / K);
+    }
+    print_message("# a million equal distances: %.4f of the blend\n", deepest);
+    assert_true(deepest > 0.99 && deepest < 1.0);
+    for (int trial = 0; trial < 20000; trial++) {
+        double least = 1e9;
+        value = 1e9;
+        for (int i = 0; i < 12; i++) {
+            double d = 2.0 * K * drawn(12 * trial + i, 1U);
+            least = fmin(least, d);
+            value = part_union(value, d, K);
+        }
+        assert_true(value <= least && value > least - K);
+    }
+}
+
+// The order matters, so all means keep it.
+TEST(the_fold_is_not_associative)
+{
+    double k = K, left = part_union(part_union(0.0, 0.5 * k, k), 0.5 * k, k);
+    double right = part_union(0.0, part_union(0.5 * k, 0.5 * k, k), k);
+    print_message("# %.6f and %.6f of the blend\n", left / k, right / k);
+    assert_true(fabs(left - right) > 0.001 * k);
+}
+
+// Proof 2: what the fold loses if every distance of M k above the least is left out.
+TEST(far_parts_may_be_left_out)
+{
+    double worst[2] = {0.0, 0.0};
+    for (int m = 2; m <= 3; m++)
+        for (int trial = 0; trial < 400000; trial++) {
+            double all = 1e9, near = 1e9, last = m * K;
+            int count = 2 + trial % 6;
+            for (int i = 0; i < count; i++) {
+                double d = i == count - 1 ? 0.0 : last - 1.2 * K * drawn(8 * trial + i, 2U);
+                d = i == 0 ? last : fmax(d, 0.0);
+                last = d;
+                all = part_union(all, d, K);
+                near = i == 0 ? near : part_union(near, d, K); // the first is left out
+            }
+            double loss = (near - all) / K;
+            assert_true(loss >= -1e-12 && loss <= exp(-3.0 * (m - 1)));
+            worst[m - 2] = fmax(worst[m - 2], loss);
+        }
+    print_message("# worst loss of 2 k: %.5f k, of 3 k: %.6f k\n", worst[0], worst[1]);
+    assert_true(worst[0] > 1e-5);
+}
+
+// The rate of proof 2: a distance that lowers the value by d k shrinks a difference to e^(-3 d) of
+// it.
+TEST(a_difference_shrinks_as_the_value_falls)
+{
+    for (int i = 1; i <= 1000; i++) {
+        double h = i / 1000.0, cube = h * h * h / 6.0;
+        assert_true(1.0 - 0.5 * h * h <= exp(-3.0 * cube));
+        assert_true(0.5 * h * h <= exp(-3.0 * (1.0 - h + cube)));
+        assert_true(1.0 - h + cube <= 1.0 - 0.5 * h * h + 1e-12);
+    }
+}
+
+static struct part_scene *scene;
+
+static int build(void **state)
+{
+    (void)state;
+    scene = part_scene_build(reef_build, 512, K);
+    return scene != NULL ? 0 : -1;
+}
+
+static int clear(void **state)
+{
+    (void)state;
+    part_scene_free(scene);
+    return 0;
+}
+
+static void point(int i, double p[3])
+{
+    const struct part_grid *grid = &scene->grid;
+    for (int c = 0; c < 3; c++)
+        p[c] = grid->low[c] + grid->size * grid->cells[c] * paint_random(i, c, 3U);
+}
+
+// In the cell, the list gives the value of all parts, up to proof 2, wherever that value is near 0.
+// Where it is not, the list is at least as far as the margin allows. And an empty cell's bound is
+// one.
+TEST_WITH(the_lists_lose_nothing, build, clear)
+{
+    int near = 0, empty = 0;
+    double worst = 0.0;
+    for (int i = 0; i < 20000; i++) {
+        double p[3], centre[3];
+        point(i, p);
+        const struct part_cell *cell = part_grid_cell(&scene->grid, p);
+        double all = parts_distance(scene->part, NULL, scene->count, K, p);
+        for (int c = 0; c < 3; c++) {
+            double at = floor((p[c] - scene->grid.low[c]) / scene->grid.size);
+            centre[c] = scene->grid.low[c] + (at + 0.5) * scene->grid.size;
+        }
+        if (cell->count == 0) {
+            double dx = p[0] - centre[0], dy = p[1] - centre[1], dz = p[2] - centre[2];
+            double apart = sqrt(dx * dx + dy * dy + dz * dz);
+            assert_true(all >= fmax(cell->bound - apart, PART_MARGIN * K - K) - 1e-9);
+            empty++;
+            continue;
+        }
+        double few = parts_distance(scene->part, scene->grid.id + cell->first, cell->count, K, p);
+        if (all > -K && all < K) {
+            worst = fmax(worst, fabs(few - all) / K);
+            near++;
+        }
+        if (all > 0.0)
+            assert_true(few >= all - 1e-9 && fmin(few, PART_MARGIN * K) <= all + K);
+    }
+    print_message("# %d points near the reef: %.6f k lost at most; %d in empty cells\n", near,
+                  worst, empty);
+    assert_true(near > 100 && empty > 5000 && worst < exp(-3.0));
+}
+
+// The tree skips only what cannot change the value.
+TEST_WITH(the_tree_loses_nothing, build, clear)
+{
+    long asked = 0, bounded = 0;
+    for (int i = 0; i < 5000; i++) {
+        double p[3];
+        point(i, p);
+        double all = parts_distance(scene->part, NULL, scene->count, K, p);
+        assert_true(fabs(part_tree_distance(scene, p, 1e9, &asked) - all) < 1e-12);
+        double hint = part_tree_distance(scene, p, all + 0.1, &bounded);
+        assert_true(fabs(hint - all) <= exp(-3.0) * K);
+    }
+    print_message("# of %d parts the tree evaluates %.1f, with a bound %.1f\n", scene->count,
+                  (double)asked / 5000.0, (double)bounded / 5000.0);
+    assert_true(bounded < asked && asked < 5000L * scene->count);
+}
+
+static double mean_asked(int count, enum part_means means, int *hits)
+{
+    struct part_scene *heap = part_scene_build(part_heap, count, part_heap_blend(count));
+    assert_non_null(heap);
+    double asked = part_heap_asked(heap, means, hits);
+    part_scene_free(heap);
+    return asked;
+}
+
+// All means find the same, and with the grid the parts that are evaluated hardly grow with their
+// number.
+TEST(the_grid_evaluates_few_parts)
+{
+    int hits[PARTS_MEANS], few, many;
+    for (int means = 0; means < PARTS_MEANS; means++) {
+        double asked = mean_asked(512, (enum part_means)means, &hits[means]);
+        print_message("# 512 parts, means %d: %.1f evaluated, %d hits\n", means, asked,
+                      hits[means]);
+        assert_true(hits[means] == hits[PARTS_FLAT] && hits[means] > 100);
+    }
+    double at_64 = mean_asked(64, PARTS_GRID, &few), at_8192 = mean_asked(8192, PARTS_GRID, &many);
+    print_message("# 64 parts: %.1f evaluated; 8192 parts: %.1f\n", at_64, at_8192);
+    assert_true(at_8192 <= 2.0 * at_64 && few > 100 && many > 100);
+}
+
+// The lists are built from few distances: with 8,192 parts a thirtieth of all parts for all cells.
+TEST(the_lists_are_built_from_few_distances)
+{
+    struct part_scene *reef = part_scene_build(reef_build, REEF_MOST, K);
+    assert_non_null(reef);
+    double cells = (double)reef->grid.cells[0] * reef->grid.cells[1] * reef->grid.cells[2];
+    print_message("# %.0f cells, %ld distances, %.1f a cell\n", cells, reef->grid.tests,
+                  (double)reef->grid.tests / cells);
+    assert_true((double)reef->grid.tests < cells * REEF_MOST / 30.0);
+    part_scene_free(reef);
+}
+
+TESTS(NULL, NULL)
