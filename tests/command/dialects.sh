@@ -38,6 +38,7 @@ export_of() {
         [ -n "$3" ] && [ ! -s "$exported" ] && [ "$(grep -c '' "$scratch/err")" = 1 ] && grep -qF "$3" "$scratch/err"
         return
     fi
+    ! grep -qE '^ *(layout *\([^)]*\) *)?uniform ' "$exported" || return # nothing would set it
     [ -z "$3" ] && { [[ $1 = */whole_* ]] || valid "$exported"; } && probe "$exported" && near "$colour" "$2"
 }
 
