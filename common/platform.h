@@ -112,6 +112,10 @@ void platform_watch_crash(const char *words);
 // The same, for good, if a file that is mapped into memory loses its disk.
 void platform_watch_lost_page(const char *words);
 
+// The same, for good, if the process has only limited memory (ulimit -v): a driver that gets none
+// crashes.
+void platform_watch_short_memory(const char *words);
+
 // Limit the process to this many bytes more than it has; no limit if the system does not say how
 // much it has.
 void platform_limit_memory(double more);

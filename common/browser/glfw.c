@@ -316,6 +316,13 @@ const char *glfwGetKeyName(int key, int scancode)
     return label[0] != '\0' ? label : NULL;
 }
 
+// A page gives its clipboard only to its own script, later.
+const char *glfwGetClipboardString(GLFWwindow *window)
+{
+    (void)window;
+    return NULL;
+}
+
 void live_size(int width, int height, int across, int down)
 {
     web.size[0] = width;

@@ -87,10 +87,10 @@ static bool check_probes(const struct options *options)
         const int *pixel = options->probe[i];
         if (pixel[0] < 0 || pixel[0] >= options->width || pixel[1] < 0 ||
             pixel[1] >= options->height)
-            return report("--probe '%d,%d': outside the picture of %dx%d: X must be between 0 and "
+            return report("--probe '%s': outside the picture of %dx%d: X must be between 0 and "
                           "%d, Y between 0 and %d",
-                          pixel[0], pixel[1], options->width, options->height, options->width - 1,
-                          options->height - 1);
+                          options->probe_text[i], options->width, options->height,
+                          options->width - 1, options->height - 1);
     }
     return true;
 }
@@ -109,6 +109,8 @@ static bool check_ray(const struct options *options)
         return report("--step: requires --view slice or plot, or --probe and --overlay");
     if (options->walk && options->frames == 0)
         return report("--step walk: requires --frames N");
+    if (options->walk && options->first_frame > 0)
+        return report("--step walk: requires --frames N: a part does not say how long the film is");
     if (options->frames > 0 && options->step >= 0)
         return report("--step %d: cannot be combined with --frames; use --step walk",
                       options->step);
@@ -177,6 +179,7 @@ bool options_parse(struct options *options, int argc, char **argv)
     *options = (struct options){.samples = 1, .step = -1};
     options->settings = memory_zeros((size_t)argc, sizeof *options->settings);
     options->probe = memory_zeros((size_t)argc, sizeof *options->probe);
+    options->probe_text = memory_zeros((size_t)argc, sizeof *options->probe_text);
     options->textures = memory_zeros((size_t)argc, sizeof *options->textures);
     if (read_words(options, argv + (argc > 0)) && complete(options))
         return true;
@@ -188,6 +191,7 @@ void options_free(struct options *options)
 {
     free(options->settings);
     free(options->probe);
+    free(options->probe_text);
     free(options->textures);
     *options = (struct options){0};
 }

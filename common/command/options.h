@@ -32,7 +32,8 @@ struct options {
     const char *output;    // the PNG file to write, or NULL
     int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT
     double time;           // seconds
-    int frames;            // pictures to write, for which output contains one %d; 0: one picture
+    int frames;            // pictures of the film, whose output contains one %d; 0: one picture
+    int first_frame;       // the first one to write; those before it are left out
     double fps;            // pictures per second of time
     int benchmark;         // frames to measure; 0: none
     bool json;             // --benchmark=json
@@ -47,7 +48,8 @@ struct options {
     struct camera camera;    // meaningful when has_camera
     int samples;             // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel
     enum shader_view view;
-    int (*probe)[2]; // pixels, 0,0 bottom left; pictures show the ray of the last one
+    int (*probe)[2];         // pixels, 0,0 bottom left; pictures show the ray of the last one
+    const char **probe_text; // as they were typed
     int probe_count;
     enum context_backend backend;
     double overlay;     // its scale; 0: chosen by the height of the picture

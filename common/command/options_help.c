@@ -9,6 +9,7 @@ static const char ending[] =
     "  drag               look around, or move the divider of --compare\n"
     "  M                  capture or release the mouse\n"
     "  click              select a pixel's ray and show its march; again: deselect it\n"
+    "                     on a step of its table: go to that step\n"
     "  E, Q               step forward, back along the ray; also Page Down, Page Up\n"
     "  Home, End, X       first step, last step; deselect the ray\n"
     "  wheel              focal length; zoom in the slice and the plot\n"

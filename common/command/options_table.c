@@ -177,9 +177,23 @@ static bool set_samples(struct options *options, const char *text)
 
 static bool set_frames(struct options *options, const char *text)
 {
-    return number_read_int(text, 1, SEQUENCE_FRAMES_LIMIT, &options->frames) ||
-           refuse("frames", text, "must be a whole number of pictures between 1 and %d",
-                  SEQUENCE_FRAMES_LIMIT);
+    const char *dash = strchr(text, '-');
+    char first[NUMBER_SIZE] = "";
+    options->first_frame = 0;
+    if (dash == NULL || dash == text)
+        return number_read_int(text, 1, SEQUENCE_FRAMES_LIMIT, &options->frames) ||
+               refuse("frames", text, "must be a whole number of pictures between 1 and %d",
+                      SEQUENCE_FRAMES_LIMIT);
+    if (dash - text < NUMBER_SIZE)
+        memcpy(first, text, (size_t)(dash - text));
+    if (!number_read_int(dash + 1, 0, SEQUENCE_FRAMES_LIMIT - 1, &options->frames) ||
+        !number_read_int(first, 0, options->frames, &options->first_frame))
+        return refuse("frames", text,
+                      "a part of a film is its first and its last picture, counted from 0 to %d, "
+                      "as in 100-199",
+                      SEQUENCE_FRAMES_LIMIT - 1);
+    options->frames++;
+    return true;
 }
 
 static bool set_fps(struct options *options, const char *text)
@@ -213,6 +227,7 @@ static bool set_view(struct options *options, const char *text)
 
 static bool set_probe(struct options *options, const char *text)
 {
+    options->probe_text[options->probe_count] = text;
     return read_pair(text, ',', options->probe[options->probe_count++]) ||
            refuse("probe", text, "must be X,Y in pixels, as in 320,180");
 }
@@ -288,8 +303,8 @@ const struct options_row options_rows[] = {
      "where the second picture of --compare begins, 0 to 1", "0.5"},
     {"", "root", " DIR", set_root, OPTIONS_RUN, "the project's folder",
      "found from the program's folder"},
-    {"", "frames", " N", set_frames, OPTIONS_RUN,
-     "write N pictures from --time on, as in -o frame-%04d.png", ""},
+    {"", "frames", " N|K-L", set_frames, OPTIONS_RUN,
+     "write N pictures from --time on, or K to L: -o frame-%04d.png", ""},
     {"", "fps", " F", set_fps, OPTIONS_RUN, "pictures per second of --frames", "25"},
     {"", "print-shader", "[=shadertoy]", set_print_shader, OPTIONS_PRINT_SHADER,
      "print the shader as one file, or as one for Shadertoy", ""},

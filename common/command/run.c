@@ -186,7 +186,7 @@ bool run_check_targets(const struct run *run)
     if (options->frames == 0)
         return options->output == NULL ||
                (image_check_target(options->output) && check_unread(run, options->output));
-    for (int i = 0; i < options->frames; i++)
+    for (int i = options->first_frame; i < options->frames; i++)
         if (!sequence_path(options->output, i, path, sizeof path) || !image_check_target(path) ||
             !check_unread(run, path))
             return false;

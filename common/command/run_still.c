@@ -111,8 +111,9 @@ static bool write_frames(struct run *run, struct renderer_inputs inputs)
     char path[PLATFORM_PATH];
     struct probe *probe = options->walk ? memory_zeros(1, sizeof *probe) : NULL;
     bool done = probe == NULL || march_shown(run, &inputs, probe);
-    for (int i = 0; i < options->frames && done; i++) {
-        sequence_progress(i, options->frames);
+    int first = options->first_frame, count = options->frames - first;
+    for (int i = first; i < options->frames && done; i++) {
+        sequence_progress(i - first, count);
         inputs.frame = i;
         // The steps of a walk belong to one march, so its time is fixed.
         inputs.time = options->time + (options->walk ? 0.0 : i / options->fps);
@@ -125,7 +126,7 @@ static bool write_frames(struct run *run, struct renderer_inputs inputs)
                write_picture(run, &inputs, probe, path);
     }
     if (done)
-        sequence_progress(options->frames, options->frames);
+        sequence_progress(count, count);
     free(probe);
     return done;
 }

@@ -23,6 +23,9 @@ void guard_process(void)
     platform_watch_lost_page(
         "the graphics driver lost its memory: is the disk of its shader cache full? "
         "set MESA_SHADER_CACHE_DISABLE=true\n");
+    platform_watch_short_memory(
+        "the graphics driver crashed: this process may not have more memory: "
+        "raise the limit (ulimit -v)\n");
 }
 
 void guard_memory(void)

@@ -3,7 +3,8 @@
 #define GUARD_H
 
 // Call before a driver is opened: if its shader cache, a file mapped into memory, loses its disk,
-// the program ends with status 1 and one line.
+// the program ends with status 1 and one line. So does a driver that crashes where the memory of
+// the process is limited.
 void guard_process(void);
 
 // Call before a driver is opened: it compiles every shader, without its cache.

@@ -291,7 +291,7 @@ static void heading_of(const struct inspector *inspector, const struct table *ta
 }
 
 void inspector_march(struct overlay *overlay, const struct inspector *inspector,
-                     const struct inspector_room *room)
+                     const struct inspector_room *room, struct inspector_table *drawn)
 {
     struct table table = table_of(inspector, room);
     char heading[80];
@@ -305,12 +305,29 @@ void inspector_march(struct overlay *overlay, const struct inspector *inspector,
         pen_rule(&pen, INSPECTOR_WIDTH);
         write_step(&pen, (const char *const[]){"step", "t", "distance"}, PEN_DIM);
     }
+    if (drawn != NULL)
+        *drawn = (struct inspector_table){room->left,
+                                          room->top,
+                                          room->left + INSPECTOR_WIDTH + 2.0f * PEN_PADDING,
+                                          room->top + OVERLAY_LINE * table.lines - 2.0f +
+                                              2.0f * PEN_PADDING,
+                                          pen.top - 1.0f,
+                                          table.first,
+                                          table.rows};
     write_steps(&pen, inspector, &table);
     if (table.titles)
         pen_rule(&pen, INSPECTOR_WIDTH);
     pen_write(&pen, probe_outcome(inspector->probe), PEN_BRIGHT);
     if (table.whole)
         write_cost(&pen, inspector->probe);
+}
+
+bool inspector_table_at(const struct inspector_table *table, const float unit[2], int *step)
+{
+    int line = (int)floorf((unit[1] - table->row) / OVERLAY_LINE);
+    *step = line >= 0 && line < table->rows ? table->first + line : -1;
+    return unit[0] >= table->left && unit[0] < table->right && unit[1] >= table->top &&
+           unit[1] < table->bottom;
 }
 
 void inspector_why(struct overlay *overlay, const char *why)

@@ -23,6 +23,16 @@ struct inspector_room {
     float left, top, right, bottom;
 };
 
+// A table as it was drawn: its edges, and its steps, one line each. Zeros: none.
+struct inspector_table {
+    float left, top, right, bottom; // units, as in struct inspector_room
+    float row;                      // the upper edge of the first step's line
+    int first, rows;                // that step, and how many there are
+};
+
+// True if a table covers a point in units. step receives the step on that line, or -1.
+bool inspector_table_at(const struct inspector_table *table, const float unit[2], int *step);
+
 // Mark the ray in the picture: a cross around its pixel, which stays free; or, if it starts
 // elsewhere than at the camera, its line with a dot for each step. The current step has a dot of
 // its own, and an arrow to the next one. Does nothing in slice and plot, which draw the ray
@@ -47,8 +57,9 @@ struct inspector_room inspector_place(const struct overlay *overlay,
 
 // Draw the steps of a march, with the current one visible and marked, and its outcome. It has as
 // many lines as there is room for; nothing is drawn if there are fewer than two.
+//   drawn  receives the table; NULL: not wanted
 void inspector_march(struct overlay *overlay, const struct inspector *inspector,
-                     const struct inspector_room *room);
+                     const struct inspector_room *room, struct inspector_table *drawn);
 
 // Draw the reason why there is no march.
 void inspector_why(struct overlay *overlay, const char *why);

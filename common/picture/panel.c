@@ -181,6 +181,8 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
                   float scale)
 {
     overlay_begin(overlay, width, height, scale);
+    if (panel->table != NULL)
+        *panel->table = (struct inspector_table){0};
     bool marched = panel->pixel[0] >= 0 && panel->probe != NULL;
     bool refused = panel->pixel[0] >= 0 && !marched && panel->why != NULL;
     enum shader_view view = panel->renderer->view;
@@ -198,8 +200,13 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     float room = right - PEN_MARGIN - 2.0f * PEN_PADDING;
     float lowest = shader_shows_ray(view) && ray[0] < bottom ? ray[0] : bottom;
     panel_rows_build(rows, panel, room, lowest);
+    // In a window, the panel may take a third of the picture.
+    float third = pen_picture_width(overlay) * pen_picture_height(overlay) / 3.0f;
+    if (panel->rows != NULL && rows->width * rows->height > third)
+        panel_rows_build(rows, panel, room, fminf(lowest, PEN_MARGIN + third / rows->width));
     // If there is no room for both, the selected ray is shown.
-    if (panel->folded || (rows->width - 2.0f * PEN_PADDING > room && (marched || refused)))
+    if ((panel->folded && !panel->peeks) ||
+        (rows->width - 2.0f * PEN_PADDING > room && (marched || refused)))
         rows->count = 0;
     if (panel->right)
         panel_rows_move(rows, fmaxf(right - rows->width, PEN_MARGIN), PEN_MARGIN);
@@ -217,7 +224,7 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     if (marched && !panel->bare && !(shader_shows_ray(view) && panel->folded)) {
         const struct inspector_room place =
             inspector_place(overlay, &inspector, rows->count > 0 ? &taken : &nothing, bottom);
-        inspector_march(overlay, &inspector, &place);
+        inspector_march(overlay, &inspector, &place, panel->table);
     } else if (refused && !panel->bare)
         inspector_why(overlay, panel->why);
     if (panel->pixel[0] >= 0)

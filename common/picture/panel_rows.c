@@ -43,14 +43,41 @@ static void add_hour(const struct panel *panel, char text[PANEL_CELL])
 static void status_text(const struct panel *panel, bool rated, char text[PANEL_CELL])
 {
     snprintf(text, PANEL_CELL, "view: %s", shader_view_name(panel->renderer->view));
-    if (rated && panel->rate > 0.0)
-        memory_append(text, PANEL_CELL, "    %.0f fps, %.1f ms", panel->rate, panel->milliseconds);
+    if (rated && panel->milliseconds > 0.0)
+        memory_append(text, PANEL_CELL, "    ");
+    if (rated && panel->milliseconds > 0.0 && panel->rate > 0.0)
+        memory_append(text, PANEL_CELL, "%.0f fps, ", panel->rate);
+    if (rated && panel->milliseconds > 0.0)
+        memory_append(text, PANEL_CELL, "%.1f ms", panel->milliseconds);
     if (panel->timed) {
         memory_append(text, PANEL_CELL, "    time %.1f s", panel->time);
         add_hour(panel, text);
     }
     if (panel->paused)
         memory_append(text, PANEL_CELL, "    paused");
+}
+
+// The current view is selected.
+static void add_views(struct panel_rows *rows, const struct panel *panel)
+{
+    for (int i = 0; panel->views && i < SHADER_VIEW_COUNT; i++) {
+        struct panel_row *row = add(rows, PANEL_ROW_VIEW, shader_view_name((enum shader_view)i));
+        row->part = i;
+        row->selected = i == (int)panel->renderer->view;
+    }
+}
+
+// A shader with its own main has no march to step along.
+static void add_buttons(struct panel_rows *rows, const struct panel *panel)
+{
+    bool steps = panel->renderer->fragment.dialect == DIALECT_COURSE;
+    if (!panel->buttons)
+        return;
+    add(rows, PANEL_ROW_RULE, "");
+    struct panel_row *row = add(rows, PANEL_ROW_BUTTONS, panel->paused ? "resume" : "pause");
+    snprintf(row->cell[PANEL_STEP_BACK], PANEL_CELL, "%s", steps ? "step back" : "");
+    snprintf(row->cell[PANEL_STEP_ON], PANEL_CELL, "%s", steps ? "step on" : "");
+    snprintf(row->cell[PANEL_HIDE], PANEL_CELL, "hide");
 }
 
 // Two slices or plots: whose march is where.
@@ -63,7 +90,7 @@ static void marches_text(const struct panel *panel, char text[PANEL_CELL])
              two && table ? "; table: " : "", two && table ? side : "");
 }
 
-// The last lines: textures, and that the picture is coarse or what to press.
+// The last lines: textures, buttons, what to press, and that the picture is coarse.
 static void add_last(struct panel_rows *rows, const struct panel *panel)
 {
     const struct textures *textures = &panel->renderer->textures;
@@ -74,15 +101,17 @@ static void add_last(struct panel_rows *rows, const struct panel *panel)
                       i > 0 ? ", " : "textures: ", textures->item[i].name);
     if (text[0] != '\0')
         add(rows, PANEL_ROW_TEXT, text);
+    add_buttons(rows, panel);
     snprintf(text, sizeof text, "%s", panel->hint != NULL ? panel->hint : "");
-    if (coarse && panel->sharp == 0)
-        snprintf(text, sizeof text, "%d %% resolution while moving", panel->resolution);
-    else if (coarse && panel->sharp < 100)
-        snprintf(text, sizeof text, "%d %% resolution; sharpening: %d %%", panel->resolution,
-                 panel->sharp);
+    if (coarse && panel->sharp < 100)
+        memory_append(text, sizeof text, "%s%d %% resolution", text[0] != '\0' ? "    " : "",
+                      panel->resolution);
+    if (coarse && panel->sharp > 0 && panel->sharp < 100)
+        memory_append(text, sizeof text, ", sharpening: %d %%", panel->sharp);
     if (text[0] == '\0')
         return;
-    add(rows, PANEL_ROW_RULE, "");
+    if (!panel->buttons)
+        add(rows, PANEL_ROW_RULE, "");
     add(rows, PANEL_ROW_TEXT, text);
 }
 
@@ -103,8 +132,9 @@ static void detail_text(const struct parameter *parameter, char text[PANEL_CELL]
     snprintf(text, PANEL_CELL, "%s %s", range, parameter->unit);
 }
 
-// The selected vector is followed by its components.
-static void add_parts(struct panel_rows *rows, const struct parameter *parameter, int index)
+// A vector's components.
+static void add_parts(struct panel_rows *rows, const struct parameter *parameter, int index,
+                      bool selected)
 {
     const char *names = parameter_is_colour(parameter) ? "rgba" : "xyzw";
     for (int k = 0; k < parameter->components && parameter->components > 1; k++) {
@@ -113,7 +143,7 @@ static void add_parts(struct panel_rows *rows, const struct parameter *parameter
         number_text(parameter->value[k], row->cell[1], NUMBER_SIZE);
         row->parameter = index;
         row->part = k;
-        row->selected = true;
+        row->selected = selected;
         row->place = parameter_place(parameter, k);
     }
 }
@@ -137,14 +167,15 @@ static void add_parameter(struct panel_rows *rows, const struct panel *panel, in
         for (int k = 0; k < 3; k++)
             row->share[k] = parameter_place(parameter, k);
     }
-    if (!row->selected)
+    bool selected = row->selected;
+    if (!selected && (index >= 64 || (panel->open >> index & 1) == 0))
         return;
-    add_parts(rows, parameter, index);
+    add_parts(rows, parameter, index, selected);
     if (!rows->ranges) {
         row = add(rows, PANEL_ROW_DETAIL, "");
         detail_text(parameter, row->cell[0]);
         row->parameter = index;
-        row->selected = true;
+        row->selected = selected;
     }
 }
 
@@ -233,9 +264,13 @@ static float measure_texts(const struct panel_rows *rows)
     float texts = 0.0f;
     for (int i = 0; i < rows->count; i++) {
         const struct panel_row *row = &rows->row[i];
-        float mark = row->kind == PANEL_ROW_TITLE && row->cell[1][0] != '\0' ? MARK : 0.0f;
-        if (row->kind == PANEL_ROW_TITLE || row->kind == PANEL_ROW_TEXT)
-            texts = fmaxf(texts, overlay_width(row->cell[0]) + mark);
+        bool text = row->kind == PANEL_ROW_TITLE || row->kind == PANEL_ROW_STATUS ||
+                    row->kind == PANEL_ROW_TEXT;
+        if (row->kind == PANEL_ROW_BUTTONS)
+            texts = fmaxf(texts, panel_row_button_left(row, PANEL_COLUMNS) - PANEL_GAP);
+        if (text)
+            texts =
+                fmaxf(texts, overlay_width(row->cell[0]) + (row->cell[1][0] != '\0' ? MARK : 0.0f));
     }
     return in_steps(texts);
 }
@@ -265,9 +300,12 @@ static float add_rows(struct panel_rows *rows, const struct panel *panel, float 
     if (!rows->ranges)
         table = measure_table(panel, 2, rows->column);
     status_text(panel, true, text);
-    if (in_steps(overlay_width(text)) > limit)
+    if (in_steps(overlay_width(text) + MARK) > limit)
         status_text(panel, false, text);
-    add(rows, PANEL_ROW_TEXT, text);
+    struct panel_row *status = add(rows, PANEL_ROW_STATUS, text);
+    if (panel->rows != NULL)
+        snprintf(status->cell[1], PANEL_CELL, "%s", panel->views ? "▾" : "▸");
+    add_views(rows, panel);
     marches_text(panel, text);
     if (text[0] != '\0' && in_steps(overlay_width(text)) <= limit)
         add(rows, PANEL_ROW_TEXT, text);
@@ -284,11 +322,12 @@ static float add_rows(struct panel_rows *rows, const struct panel *panel, float 
 
 void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float limit, float bottom)
 {
+    bool closed = panel->rolled || panel->folded;
     rows->count = 0;
     struct panel_row *title = add(rows, PANEL_ROW_TITLE, panel->title);
     if (panel->rows != NULL)
-        snprintf(title->cell[1], PANEL_CELL, "%s", panel->rolled ? "▸" : "▾");
-    float table = panel->rolled ? 0.0f : add_rows(rows, panel, limit, bottom);
+        snprintf(title->cell[1], PANEL_CELL, "%s", closed ? "▸" : "▾");
+    float table = closed ? 0.0f : add_rows(rows, panel, limit, bottom);
     // A panel that is still too high loses its last rows, and a rule with nothing below it.
     while (rows->count > 1 && (PEN_MARGIN + height_of_panel(rows) > bottom ||
                                rows->row[rows->count - 1].kind == PANEL_ROW_RULE))
@@ -313,6 +352,24 @@ const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, fl
         if (y >= rows->row[i].top - 2.0f && y < rows->row[i].top - 2.0f + rows->row[i].height)
             return &rows->row[i];
     return NULL;
+}
+
+float panel_row_button_left(const struct panel_row *row, int button)
+{
+    float left = 0.0f;
+    for (int i = 0; i < button; i++)
+        left += row->cell[i][0] != '\0' ? overlay_width(row->cell[i]) + PANEL_GAP : 0.0f;
+    return left;
+}
+
+int panel_row_button(const struct panel_row *row, float x)
+{
+    float half = 0.5f * PANEL_GAP;
+    for (int i = 0; i < PANEL_COLUMNS && row->kind == PANEL_ROW_BUTTONS; i++)
+        if (x >= row->left + panel_row_button_left(row, i) - half &&
+            x < row->left + panel_row_button_left(row, i + 1) - half)
+            return i;
+    return -1;
 }
 
 bool panel_row_is_mark(const struct panel_row *row, float x)

@@ -15,6 +15,7 @@ struct panel_key {
 
 struct panel_rows; // below
 struct picker;
+struct inspector_table;
 
 // NULL, 0 and "" leave a part out.
 struct panel {
@@ -27,6 +28,11 @@ struct panel {
     int sharp;      // percent of it that is already sharp
     bool timed;     // the picture depends on the time
     bool paused;
+    bool views;              // list the views below the status
+    bool buttons;            // show the row of buttons
+    bool peeks;              // folded, but its title is shown, whose mark unfolds it
+    unsigned long long open; // bit k: show the components of parameter k although another one is
+                             // selected
     bool ranges;             // show range and unit of all parameters, if there is room
     bool folded;             // show only the ray's march, except in a slice, and the error
     bool bare;               // show no words except the labels of a comparison: a page shows them
@@ -38,9 +44,10 @@ struct panel {
     int typed_part;          // the component that is typed; -1: all
     float tip_at[2];         // the pointer, units from the picture's top left
     struct panel_rows *rows; // receives the rows, if there is a pointer
-    struct picker *picker;   // of the selected colour; receives its position. NULL: not open
-    const char *hint;        // the key to press
-    const char *caption;     // of a lecture, at the bottom
+    struct inspector_table *table; // receives the lines of the ray's march; NULL: not wanted
+    struct picker *picker;         // of the selected colour; receives its position. NULL: not open
+    const char *hint;              // the key to press
+    const char *caption;           // of a lecture, at the bottom
     const struct panel_key *keys;
     int key_count;
     int pixel[2];              // of the selected ray, 0,0 bottom left; -1,-1: none
@@ -59,13 +66,19 @@ struct panel {
 enum { PANEL_COLUMNS = 4, PANEL_CELL = 160 };
 
 enum panel_row_kind {
-    PANEL_ROW_TITLE, // the second cell is the mark that folds the panel, at the row's right end
+    PANEL_ROW_TITLE,  // the second cell is the mark that folds the panel, at the row's right end
+    PANEL_ROW_STATUS, // the view, the rate and the time; it opens the list of views
+    PANEL_ROW_VIEW,   // one view of that list, part
     PANEL_ROW_TEXT,
+    PANEL_ROW_BUTTONS, // one in each cell
     PANEL_ROW_RULE,
     PANEL_ROW_PARAMETER,
     PANEL_ROW_PART,  // one component of the selected vector
     PANEL_ROW_DETAIL // range and unit of the selected parameter
 };
+
+// The cells of the row of buttons.
+enum panel_button { PANEL_PAUSE, PANEL_STEP_BACK, PANEL_STEP_ON, PANEL_HIDE };
 
 // One row, in units of the overlay from the picture's top left.
 struct panel_row {
@@ -109,6 +122,12 @@ const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, fl
 
 // True if a point is in the panel, including its edges.
 bool panel_rows_hold(const struct panel_rows *rows, float x, float y);
+
+// The button at a position in the row of buttons: a PANEL_PAUSE or the like; -1: none.
+int panel_row_button(const struct panel_row *row, float x);
+
+// Where a button begins, from the row's left.
+float panel_row_button_left(const struct panel_row *row, int button);
 
 // True at the mark of a title, which folds the panel.
 bool panel_row_is_mark(const struct panel_row *row, float x);

@@ -68,6 +68,17 @@ static void draw_parameter(const struct panel_rows *rows, const struct panel_row
         draw_typed(rows, row, panel, overlay);
 }
 
+static void draw_button(const struct panel_row *row, int button, struct overlay *overlay)
+{
+    const char *text = row->cell[button];
+    float left = row->left + panel_row_button_left(row, button);
+    if (text[0] == '\0')
+        return;
+    overlay_box(overlay, left - 3.0f, row->top - 1.5f, overlay_width(text) + 6.0f,
+                row->height - 1.0f, PEN_BAND);
+    overlay_text(overlay, left, row->top, text, PEN_PLAIN);
+}
+
 static void draw_row(const struct panel_rows *rows, int i, const struct panel *panel,
                      struct overlay *overlay)
 {
@@ -75,7 +86,8 @@ static void draw_row(const struct panel_rows *rows, int i, const struct panel *p
     struct pen pen = {overlay, row->left, row->top};
     switch (row->kind) {
     case PANEL_ROW_TITLE:
-        overlay_text(overlay, row->left, row->top, row->cell[0], PEN_BRIGHT);
+    case PANEL_ROW_STATUS:
+        overlay_text(overlay, row->left, row->top, row->cell[0], i > 0 ? PEN_PLAIN : PEN_BRIGHT);
         overlay_text(overlay, row->left + row->width - overlay_width(row->cell[1]), row->top,
                      row->cell[1], PEN_DIM);
         break;
@@ -83,7 +95,16 @@ static void draw_row(const struct panel_rows *rows, int i, const struct panel *p
         pen_rule(&pen, row->width);
         break;
     case PANEL_ROW_TEXT:
-        overlay_text(overlay, row->left, row->top, row->cell[0], i == 1 ? PEN_PLAIN : PEN_DIM);
+        overlay_text(overlay, row->left, row->top, row->cell[0], PEN_DIM);
+        break;
+    case PANEL_ROW_VIEW:
+        draw_band(row, false, overlay);
+        overlay_text(overlay, row->left + PANEL_GAP, row->top, row->cell[0],
+                     row->selected ? PEN_BRIGHT : PEN_PLAIN);
+        break;
+    case PANEL_ROW_BUTTONS:
+        for (int k = 0; k < PANEL_COLUMNS; k++)
+            draw_button(row, k, overlay);
         break;
     case PANEL_ROW_DETAIL:
         draw_band(row, panel->rows != NULL, overlay);

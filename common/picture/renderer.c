@@ -125,11 +125,12 @@ static void draw_samples(const struct renderer *renderer, int samples, int botto
 // The part of a picture that one call draws.
 struct part {
     struct target *target;
-    int bottom, height;   // the rows of the picture that the target has
-    int from, to;         // the rows of the target to draw
-    int left, right;      // and its columns
-    bool fresh;           // the target is cleared first
-    struct march *shared; // of the first side of a comparison, whose frame both slices have
+    int bottom, height;      // the rows of the picture that the target has
+    int from, to;            // the rows of the target to draw
+    int left, right;         // and its columns
+    bool fresh;              // the target is cleared first
+    struct march *shared;    // of the first side of a comparison, whose frame both slices have
+    struct renderer *beside; // the other side of it, which a plot's frame must fit too
 };
 
 // Take the frame of the first side; the first side leaves its own.
@@ -167,7 +168,7 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
     bool reads = slice || renderer_reads(renderer, renderer->view, UNIFORM_iMarched);
     const int low[2] = {part->left, part->bottom + part->from};
     const int high[2] = {part->right, part->bottom + part->to};
-    if ((reads && !renderer_march_selected(renderer, inputs, &march)) ||
+    if ((reads && !renderer_march_selected(renderer, part->beside, inputs, &march)) ||
         !renderer_run_coarse(renderer, inputs, renderer->view, low, high) ||
         !target_bind(part->target, gl, inputs->width, part->height))
         return false;
@@ -202,6 +203,7 @@ static bool draw_sides(struct renderer *renderer, const struct renderer_inputs *
     struct march shared = {0};
     struct part first = *part, second = *part;
     first.shared = second.shared = &shared;
+    first.beside = split < part->right ? renderer->comparison->other : NULL;
     first.right = split < part->right ? split : part->right;
     second.left = split > part->left ? split : part->left;
     second.fresh = part->fresh && first.left >= first.right;
@@ -212,7 +214,8 @@ static bool draw_sides(struct renderer *renderer, const struct renderer_inputs *
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows)
 {
-    struct part part = {&renderer->picture, bottom, rows, 0, rows, 0, inputs->width, true, NULL};
+    struct part part = {&renderer->picture, bottom, rows, 0,   rows, 0,
+                        inputs->width,      true,   NULL, NULL};
     return draw_sides(renderer, inputs, &part);
 }
 
@@ -220,8 +223,8 @@ bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *i
                       int rows)
 {
     bool first = from + rows == inputs->height;
-    struct part part = {
-        &renderer->sharp, 0, inputs->height, from, from + rows, 0, inputs->width, first, NULL};
+    struct part part = {&renderer->sharp, 0,     inputs->height, from, from + rows, 0,
+                        inputs->width,    first, NULL,           NULL};
     return draw_sides(renderer, inputs, &part);
 }
 
@@ -307,7 +310,7 @@ static bool colour_pixel(struct renderer *renderer, const struct renderer_inputs
                          int y, unsigned char colour[3])
 {
     int band = rows_of_band(inputs), row = y % band;
-    struct part part = {&renderer->single, y - row, band, row, row + 1, x, x + 1, true, NULL};
+    struct part part = {&renderer->single, y - row, band, row, row + 1, x, x + 1, true, NULL, NULL};
     struct image pixel = {1, 1, colour};
     float value[4];
     enum shader_view view = renderer->view;

@@ -216,9 +216,10 @@ bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inp
                     struct probe *probe);
 
 // March the selected ray, or the middle one if none is selected, and frame it.
+//   beside  whose distances a plot must have room for too; NULL: none
 // Returns false, reported.
-bool renderer_march_selected(struct renderer *renderer, const struct renderer_inputs *inputs,
-                             struct march *march);
+bool renderer_march_selected(struct renderer *renderer, struct renderer *beside,
+                             const struct renderer_inputs *inputs, struct march *march);
 
 // Set the uniforms of shaders/slice.glsl and plot.glsl, or of shaders/marched.glsl. The slice reads
 // the table from unit 0, where a sampler reads unless told otherwise.

@@ -77,22 +77,25 @@ bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inp
     return true;
 }
 
-bool renderer_march_selected(struct renderer *renderer, const struct renderer_inputs *inputs,
-                             struct march *march)
+bool renderer_march_selected(struct renderer *renderer, struct renderer *beside,
+                             const struct renderer_inputs *inputs, struct march *march)
 {
     const struct renderer_inputs from = renderer_from_eye(inputs);
     const int size[2] = {inputs->width, inputs->height};
     for (int i = 0; i < 2; i++)
         march->pixel[i] = inputs->pixel[i] < 0 ? size[i] / 2 : inputs->pixel[i];
-    struct probe *probe = memory_zeros(1, sizeof *probe);
-    bool done = renderer_march(renderer, &from, march->pixel[0], march->pixel[1], probe);
+    int x = march->pixel[0], y = march->pixel[1];
+    struct probe *probe = memory_zeros(2, sizeof *probe);
+    bool plots = renderer->view == SHADER_PLOT;
+    bool done = (!plots || beside == NULL || renderer_march(beside, &from, x, y, &probe[1])) &&
+                renderer_march(renderer, &from, x, y, probe);
     if (done) {
         march->steps = probe_rows(probe);
         march->at = fminf(inputs->shown, (float)march->steps) - 1.0f;
         march->end = probe->end;
         march->frame = slice_frame_of(probe, inputs->width, inputs->height, inputs->zoom);
-        if (renderer->view == SHADER_PLOT)
-            march->plot = plot_frame_of(probe, inputs->width, inputs->height, &march->frame);
+        if (plots)
+            march->plot = plot_frame_of(probe, 2, inputs->width, inputs->height, &march->frame);
         for (int k = 0; k < RENDERER_STEPS && k < march->steps; k++) {
             march->step[k][0] = probe->step[k].t;
             march->step[k][1] = probe->step[k].distance;

@@ -73,10 +73,9 @@ struct slice_frame slice_frame_of(const struct probe *probe, int width, int heig
     return frame;
 }
 
-// The lowest and the highest distance of the steps that are shown, and 0.
-static void range_of(const struct probe *probe, double left, double right, double range[2])
+// Extend a range to the distances of the steps between two positions on the ray.
+static void extend(double range[2], const struct probe *probe, double left, double right)
 {
-    range[0] = range[1] = 0.0;
     for (int i = 0; i < probe_rows(probe); i++) {
         double t = (double)probe->step[i].t, distance = (double)probe->step[i].distance;
         if (!(t >= left && t <= right && fabs(distance) < 1e9))
@@ -84,17 +83,18 @@ static void range_of(const struct probe *probe, double left, double right, doubl
         range[0] = fmin(range[0], distance);
         range[1] = fmax(range[1], distance);
     }
-    if (!(range[1] - range[0] > 0.0))
-        range[1] = 1.0;
 }
 
-struct plot_frame plot_frame_of(const struct probe *probe, int width, int height,
+struct plot_frame plot_frame_of(const struct probe *probe, int count, int width, int height,
                                 struct slice_frame *slice)
 {
-    double unit = (double)slice->unit, left = (double)slice->left, range[2];
+    double unit = (double)slice->unit, left = (double)slice->left, range[2] = {0.0, 0.0};
     double cell = (double)slice_cell(height), split = floor((double)SLICE_PLOT * height + 0.5);
     slice->bottom = (float)(-(split + 0.5 * (height - split)) * unit);
-    range_of(probe, left, left + width * unit, range);
+    for (int i = 0; i < count; i++)
+        extend(range, &probe[i], left, left + width * unit);
+    if (!(range[1] - range[0] > 0.0))
+        range[1] = 1.0;
     double low = (double)SLICE_AXIS + PLOT_BELOW;
     double scale = (range[1] - range[0]) / fmax(split - (low + PLOT_ABOVE) * cell, 1.0);
     struct plot_frame frame = {.split = (float)split, .unit = (float)scale};

@@ -40,8 +40,9 @@ float slice_cell(int height);
 struct slice_frame slice_frame_of(const struct probe *probe, int width, int height, float zoom);
 
 // Frame the distances of the steps that a slice shows, including 0 and negative ones.
+//   probe  count marches, which share the frame: those of a comparison's two sides
 //   slice  is moved up into its part of the picture
-struct plot_frame plot_frame_of(const struct probe *probe, int width, int height,
+struct plot_frame plot_frame_of(const struct probe *probe, int count, int width, int height,
                                 struct slice_frame *slice);
 
 #endif

@@ -7,7 +7,7 @@
 #include <unistd.h>
 
 static struct {
-    const char *words, *lost_page;
+    const char *words, *lost_page, *short_memory;
     char stack[64 * 1024]; // for the signal handler, if the program's own stack is used up
     struct sigaction before;
     stack_t stack_before;
@@ -26,6 +26,12 @@ static void on_crash(int number)
 {
     (void)number;
     end(state.words);
+}
+
+static void on_short_memory(int number)
+{
+    (void)number;
+    end(state.short_memory);
 }
 
 static void on_lost_page(int number)
@@ -53,6 +59,15 @@ void platform_watch_lost_page(const char *words)
     struct sigaction action = {.sa_handler = on_lost_page, .sa_flags = SA_ONSTACK};
     state.lost_page = words;
     sigaction(SIGBUS, &action, NULL);
+}
+
+void platform_watch_short_memory(const char *words)
+{
+    struct sigaction action = {.sa_handler = on_short_memory};
+    struct rlimit limit;
+    state.short_memory = words;
+    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
+        sigaction(SIGSEGV, &action, NULL);
 }
 
 void platform_limit_memory(double more)

@@ -127,6 +127,11 @@ void platform_watch_lost_page(const char *words)
     SetUnhandledExceptionFilter(on_crash);
 }
 
+void platform_watch_short_memory(const char *words)
+{
+    (void)words;
+}
+
 void platform_limit_memory(double more)
 {
     (void)more;

@@ -156,6 +156,26 @@ static void put_foreign_character(const struct explanation *e, int line)
         fprintf(e->text, "only plain letters and signs, here is '%.*s': ", length, code);
 }
 
+// A statement that is never closed is blamed on the line of the next one: name the line where it
+// should have ended.
+//   line  expanded, from 1
+static void put_line_before(const struct explanation *e, const char *text, int line)
+{
+    const struct glsl_token *t = e->source->code.statement;
+    if (strstr(text, "syntax error") == NULL && strstr(text, "unexpected") == NULL)
+        return;
+    while (t->kind != GLSL_END && t->line < line - 1)
+        t++;
+    // One token before the first statement is an end.
+    if (t->kind == GLSL_END || t->line != line - 1 || t[-1].kind == GLSL_END)
+        return;
+    const struct shader_line *from = &e->source->lines[line - 1];
+    const struct shader_line *before = &e->source->lines[t[-1].line];
+    bool ended = t[-1].kind == GLSL_SIGN && strchr(")]", t[-1].sign) == NULL;
+    if (!ended && before->file == from->file)
+        fprintf(e->text, ", or at the end of line %d", before->line);
+}
+
 static void explain_line(struct explanation *e, const char *log)
 {
     struct message message = read_message(log);
@@ -177,7 +197,9 @@ static void explain_line(struct explanation *e, const char *log)
             message.warning ? "warning" : "error");
     if (!again)
         put_foreign_character(e, line);
-    fprintf(e->text, "%s\n", message.text);
+    fputs(message.text, e->text);
+    put_line_before(e, message.text, line);
+    fputs("\n", e->text);
     if (!again)
         put_source(e, line);
 }

@@ -133,7 +133,9 @@ bool parameters_assign(const struct parameters *parameters, const char *assignme
     if (parameter->type == PARAMETER_BOOL ? !read_bool(text, value)
                                           : !read_numbers(parameter, text, value))
         return report("--set %s: the value must be %s%s", assignment, expected(parameter),
-                      parameter->type == PARAMETER_FLOAT ? number_hint(text) : "");
+                      parameter->type == PARAMETER_FLOAT && parameter->components == 1
+                          ? number_hint(text)
+                          : "");
     parameter_range_text(parameter, range, TEXT_SIZE);
     for (int i = 0; i < parameter->components; i++)
         if (value[i] < parameter->minimum || value[i] > parameter->maximum)

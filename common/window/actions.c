@@ -2,11 +2,9 @@
 
 #include <math.h>
 #include <stddef.h>
-#include <stdio.h>
 
 #include "picture/comparison.h"
 #include "picture/probe.h"
-#include "report.h"
 #include "window/field.h"
 #include "window/full_screen.h"
 #include "window/handle.h"
@@ -115,15 +113,6 @@ static void step_by_page(struct window *window, int by)
         window_step(window, by);
 }
 
-// A view that the shader does not have is refused in the overlay, where the reader is looking.
-static void show_view(struct window *window, int view)
-{
-    bool shown = renderer_set_view(window->renderer, (enum shader_view)view);
-    window->stale = true;
-    if (!shown || !window->broken)
-        snprintf(window->panel.error, sizeof window->panel.error, "%s", shown ? "" : report_last());
-}
-
 #define FLAG(name)                                                                                 \
     .change = toggle, .amount = offsetof(struct window, name),                                     \
     .shifted = offsetof(struct window, name)
@@ -161,12 +150,12 @@ static const struct {
     {NULL, turn_page, GLFW_KEY_PAGE_UP, -1, -1, false},
     {NULL, step_by_page, GLFW_KEY_PAGE_DOWN, 1, 1, true},
     {NULL, step_by_page, GLFW_KEY_PAGE_UP, -1, -1, true},
-    {NULL, show_view, GLFW_KEY_1, SHADER_PICTURE, SHADER_PICTURE, false},
-    {NULL, show_view, GLFW_KEY_2, SHADER_NORMALS, SHADER_NORMALS, false},
-    {NULL, show_view, GLFW_KEY_3, SHADER_DEPTH, SHADER_DEPTH, false},
-    {NULL, show_view, GLFW_KEY_4, SHADER_STEPS, SHADER_STEPS, false},
-    {NULL, show_view, GLFW_KEY_5, SHADER_SLICE, SHADER_SLICE, false},
-    {NULL, show_view, GLFW_KEY_6, SHADER_PLOT, SHADER_PLOT, false},
+    {NULL, window_show_view, GLFW_KEY_1, SHADER_PICTURE, SHADER_PICTURE, false},
+    {NULL, window_show_view, GLFW_KEY_2, SHADER_NORMALS, SHADER_NORMALS, false},
+    {NULL, window_show_view, GLFW_KEY_3, SHADER_DEPTH, SHADER_DEPTH, false},
+    {NULL, window_show_view, GLFW_KEY_4, SHADER_STEPS, SHADER_STEPS, false},
+    {NULL, window_show_view, GLFW_KEY_5, SHADER_SLICE, SHADER_SLICE, false},
+    {NULL, window_show_view, GLFW_KEY_6, SHADER_PLOT, SHADER_PLOT, false},
 };
 
 // In a lecture, Shift with a digit asks for a part. True if this was such a key.
@@ -183,8 +172,10 @@ static void press_key(struct window *window, const struct window_event *event)
 {
     if (ask_part(window, event))
         return;
+    bool pad = event->amount >= GLFW_KEY_KP_0 && event->amount <= GLFW_KEY_KP_9;
+    int key = pad ? event->amount - GLFW_KEY_KP_0 + GLFW_KEY_0 : event->amount;
     for (size_t i = 0; i < sizeof bindings / sizeof *bindings; i++)
-        if (bindings[i].key == event->amount && (bindings[i].repeats || !event->repeated)) {
+        if (bindings[i].key == key && (bindings[i].repeats || !event->repeated)) {
             if (bindings[i].act != NULL)
                 bindings[i].act(window);
             else

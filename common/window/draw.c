@@ -19,6 +19,12 @@
 #define REST_SECONDS 0.3  // without motion before the picture is sharpened
 #define BAND_SECONDS 0.05 // of sharpening between two looks at the input
 
+// True if nothing has moved for a while: then the rate of earlier frames says nothing.
+static bool rests(const struct window *window)
+{
+    return !window->moved && glfwGetTime() >= window->sharpening.due;
+}
+
 void window_retitle(struct window *window)
 {
     char text[sizeof window->title.shown], name[76] = "", value[128] = "", rate[32] = "";
@@ -27,7 +33,7 @@ void window_retitle(struct window *window)
         parameter_value_text(parameter, value, sizeof value);
     if (parameter != NULL)
         comparison_parameter_name(window->renderer, parameter, name, sizeof name);
-    if (window->pace.rate > 0.0)
+    if (window->pace.rate > 0.0 && !rests(window))
         snprintf(rate, sizeof rate, " - %.0f fps", window->pace.rate);
     snprintf(text, sizeof text, "%.60s%s%s - %s%s%s%s%.60s%s", window->start->title,
              window->broken ? " - error: see terminal" : "", rate,
@@ -68,7 +74,7 @@ static void fill_overlay(struct window *window)
         .title = window->start->title,
         .renderer = window->renderer,
         .selected = window_selected(window),
-        .rate = window->panel.figures[0],
+        .rate = rests(window) ? 0.0 : window->panel.figures[0],
         .milliseconds = window->panel.figures[1],
         .timed = window_uses_time(window),
         .time = inputs->time,

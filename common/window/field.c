@@ -40,6 +40,11 @@ static void assign(struct window *window)
         window_field_close(window);
         return;
     }
+    double value;
+    if (window->grab.part >= 0 && !number_read(window->grab.typed, &value)) {
+        snprintf(window->grab.refused, sizeof window->grab.refused, "must be one number");
+        return;
+    }
     int used = snprintf(text, sizeof text, "%s=", parameter->name);
     for (int k = 0; window->grab.part >= 0 && k < parameter->components; k++) {
         char number[NUMBER_SIZE];

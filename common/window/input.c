@@ -103,9 +103,16 @@ static void on_letter(GLFWwindow *window, unsigned int code)
         add(input, (struct window_event){.kind = EVENT_TYPED, .amount = (int)code});
 }
 
-// While a field is open, no key has its usual action.
-static void type_key(struct window_input *input, int key)
+// While a field is open, no key has its usual action. Ctrl+V types the clipboard's text.
+static void type_key(struct window_input *input, int key, int modifiers)
 {
+    const char *name = glfwGetKeyName(key, 0);
+    bool letter = key == GLFW_KEY_V || (name != NULL && strcmp(name, "v") == 0);
+    bool pastes = letter && (modifiers & (GLFW_MOD_CONTROL | GLFW_MOD_SUPER)) != 0;
+    const char *text = pastes ? glfwGetClipboardString(input->window) : NULL;
+    for (; text != NULL && *text != '\0'; text++)
+        if ((unsigned char)*text > ' ')
+            add(input, (struct window_event){.kind = EVENT_TYPED, .amount = (unsigned char)*text});
     int code = key == GLFW_KEY_ENTER || key == GLFW_KEY_KP_ENTER ? INPUT_ENTER
                : key == GLFW_KEY_ESCAPE                          ? INPUT_ESCAPE
                : key == GLFW_KEY_BACKSPACE                       ? INPUT_BACKSPACE
@@ -120,7 +127,7 @@ static void on_key(GLFWwindow *window, int key, int scancode, int action, int mo
     struct window_input *input = input_of(window);
     bool closes = input->picker_open && key == GLFW_KEY_ESCAPE;
     if ((input->typing || closes) && action != GLFW_RELEASE) {
-        type_key(input, key);
+        type_key(input, key, modifiers);
         return;
     }
     int held = 0;

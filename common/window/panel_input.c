@@ -7,6 +7,7 @@
 #include "picture/comparison.h"
 #include "window/colour_picker.h"
 #include "window/field.h"
+#include "window/ray.h"
 #include "window/selection.h"
 
 #define TIP_SECONDS 0.5 // the pointer rests before a tooltip appears
@@ -43,6 +44,12 @@ static enum panel_grab grab_of(const struct window *window, const struct panel_r
     const struct parameter *parameter = parameter_of(window, row);
     if (row != NULL && row->kind == PANEL_ROW_TITLE)
         return panel_row_is_mark(row, x) ? GRAB_MARK : GRAB_TITLE;
+    if (row != NULL && row->kind == PANEL_ROW_STATUS)
+        return GRAB_STATUS;
+    if (row != NULL && row->kind == PANEL_ROW_VIEW)
+        return GRAB_VIEW;
+    if (row != NULL && panel_row_button(row, x) >= 0)
+        return GRAB_BUTTON;
     if (parameter == NULL)
         return GRAB_NOTHING;
     if (panel_row_is_swatch(row, x))
@@ -54,8 +61,20 @@ enum pointer_shape window_panel_shape(const struct window *window, const float u
 {
     static const enum pointer_shape shapes[] = {
         [GRAB_NOTHING] = SHAPE_ARROW, [GRAB_TITLE] = SHAPE_RESIZE, [GRAB_MARK] = SHAPE_HAND,
+        [GRAB_STATUS] = SHAPE_HAND,   [GRAB_VIEW] = SHAPE_HAND,    [GRAB_BUTTON] = SHAPE_HAND,
         [GRAB_SWATCH] = SHAPE_HAND,   [GRAB_SWITCH] = SHAPE_HAND,  [GRAB_VALUE] = SHAPE_RESIZE};
     return shapes[grab_of(window, row_at(window, unit), unit[0])];
+}
+
+// Keep the components of a parameter shown, so that no row moves when the pointer selects another
+// one.
+static void keep_open(struct window *window, const struct parameter *parameter)
+{
+    int index = 0;
+    while (parameter != NULL && comparison_parameter(window->renderer, index) != parameter)
+        index++;
+    if (parameter != NULL && index < 64)
+        window->panel.open |= 1ULL << index;
 }
 
 static void press(struct window *window, const struct window_event *event)
@@ -64,8 +83,12 @@ static void press(struct window *window, const struct window_event *event)
     const struct parameter *parameter = parameter_of(window, row);
     window->grab.what = grab_of(window, row, event->unit[0]);
     window->grab.button = event->amount;
+    if (row != NULL)
+        window->grab.choice =
+            row->kind == PANEL_ROW_BUTTONS ? panel_row_button(row, event->unit[0]) : row->part;
     if (parameter == NULL)
         return;
+    keep_open(window, window_selected(window));
     window->grab.part = row->part;
     window->grab.width = row->width;
     window_select(window, parameter);
@@ -91,13 +114,40 @@ static void drag(struct window *window, const struct window_event *event)
     window_parameter_changed(window);
 }
 
+static void click_button(struct window *window)
+{
+    if (window->grab.choice == PANEL_PAUSE)
+        window->paused = !window->paused;
+    else if (window->grab.choice == PANEL_HIDE) {
+        window->panel.folded = true;
+        window->panel.captioned = false;
+    } else
+        window_step(window, window->grab.choice == PANEL_STEP_ON ? 1 : -1);
+    window->title.due = 0.0;
+}
+
+// Everything but the parameters. The mark of a folded panel unfolds it.
+static void click_words(struct window *window)
+{
+    bool *mark = window->panel.folded ? &window->panel.folded : &window->panel.rolled;
+    if (window->grab.what == GRAB_MARK) {
+        *mark = !*mark;
+        window->panel.captioned |= mark == &window->panel.folded;
+    } else if (window->grab.what == GRAB_STATUS)
+        window->panel.views = !window->panel.views;
+    else if (window->grab.what == GRAB_VIEW)
+        window_show_view(window, window->grab.choice);
+    else if (window->grab.what == GRAB_BUTTON)
+        click_button(window);
+}
+
 static void click(struct window *window)
 {
     int first, behind;
     struct parameter *parameter = window_grabbed(window, &first, &behind);
     bool resets = window->grab.button != 0;
-    if (window->grab.what == GRAB_MARK && !resets)
-        window->panel.rolled = !window->panel.rolled;
+    if (!resets)
+        click_words(window);
     if (window->grab.what < GRAB_SWATCH || parameter == NULL)
         return;
     if (resets)
@@ -150,21 +200,48 @@ bool window_panel_wheel(struct window *window, const struct window_event *event)
     return true;
 }
 
+// True where the title of a folded panel appears below the pointer.
+static bool peeks(const struct window *window, const float unit[2])
+{
+    const struct panel_rows *rows = &window->panel.rows;
+    bool in_page = window->panel.in_page;
+    return window->panel.folded && !in_page && !window->input.captured &&
+           window->pointer.owner != OWNER_PICTURE && unit[0] >= rows->left &&
+           unit[1] >= rows->top && unit[0] < rows->left + rows->width &&
+           unit[1] < rows->top + rows->height;
+}
+
 void window_panel_hover(struct window *window, const struct window_event *event)
 {
-    const struct panel_row *row = row_at(window, event->unit);
-    int parameter = row != NULL ? row->parameter : -1;
     window->grab.rests_since = glfwGetTime();
     memcpy(window->grab.at, event->unit, sizeof event->unit);
-    if (parameter == window->grab.hovered)
+}
+
+// While the pointer is on the panel, no row moves away below it.
+static void update_rows(struct window *window)
+{
+    const struct panel_row *row = row_at(window, window->grab.at);
+    int parameter = row != NULL ? row->parameter : -1;
+    bool peeking = peeks(window, window->grab.at);
+    window->dirty |= peeking != window->panel.peeks;
+    window->panel.peeks = peeking;
+    if (window->pointer.owner != OWNER_NONE)
         return;
-    window->dirty |= window->grab.tip;
-    window->grab.tip = false;
-    window->grab.hovered = parameter;
+    if (parameter != window->grab.hovered) { // the rows have changed
+        window->dirty |= window->grab.tip;
+        window->grab.tip = false;
+        window->grab.hovered = parameter;
+    }
+    if (window_panel_covers(window, window->grab.at))
+        return;
+    window->dirty |= window->panel.views || window->panel.open != 0;
+    window->panel.views = false;
+    window->panel.open = 0;
 }
 
 void window_panel_rest(struct window *window)
 {
+    update_rows(window);
     bool due = window->grab.hovered >= 0 && !window->grab.tip &&
                window->pointer.owner == OWNER_NONE && !window->input.captured &&
                glfwGetTime() >= window->grab.rests_since + TIP_SECONDS;
@@ -180,6 +257,11 @@ void window_panel_fill(struct window *window, struct panel *panel, char tip[512]
     bool shown = window->grab.tip && !window->input.picker_open && below != NULL;
     panel->right = window->panel.right;
     panel->rolled = window->panel.rolled;
+    panel->peeks = window->panel.peeks;
+    panel->views = window->panel.views;
+    panel->open = window->panel.open;
+    panel->buttons = !window->panel.in_page;
+    panel->table = &window->panel.table;
     panel->tip = tip;
     memcpy(panel->tip_at, window->grab.at, sizeof panel->tip_at);
     snprintf(tip, 512, "%s", shown ? below->meaning : "");

@@ -1,6 +1,6 @@
 // The first part that claims a press owns the pointer until the release, in this order: an open
-// colour picker, the panel, a handle, the divider of a comparison, and the picture, where a drag
-// looks around and a click selects a ray.
+// colour picker, the panel, the table of a march, a handle, the divider of a comparison, and the
+// picture, where a drag looks around and a click selects a ray.
 #include "window/pointer.h"
 
 #include <math.h>
@@ -117,6 +117,8 @@ static enum pointer_owner claim(struct window *window, const struct window_event
     if (window_panel_covers(window, press->unit))
         return OWNER_PANEL;
     window_field_close(window);
+    if (window_table_covers(window, press->unit))
+        return OWNER_TABLE;
     if (press->amount != 0)
         return OWNER_NONE;
     if (window_handle_claims(window, press))
@@ -134,7 +136,7 @@ static void show_shape(struct window *window, const float unit[2])
         shape = SHAPE_CROSSHAIR;
     else if (window_panel_covers(window, unit))
         shape = window_panel_shape(window, unit);
-    else if (window_handle_at(window, unit) >= 0)
+    else if (window_table_covers(window, unit) || window_handle_at(window, unit) >= 0)
         shape = SHAPE_HAND;
     else if (divider_covers(window, unit))
         shape = SHAPE_RESIZE;
@@ -149,11 +151,9 @@ static void show_shape(struct window *window, const float unit[2])
 bool window_pointer_input(struct window *window, struct window_event *event)
 {
     static void (*const input[])(struct window *, const struct window_event *) = {
-        [OWNER_PICKER] = window_picker_input,
-        [OWNER_PANEL] = window_panel_input,
-        [OWNER_HANDLE] = window_handle_input,
-        [OWNER_DIVIDER] = divider_input,
-        [OWNER_PICTURE] = picture_input};
+        [OWNER_PICKER] = window_picker_input, [OWNER_PANEL] = window_panel_input,
+        [OWNER_TABLE] = window_table_input,   [OWNER_HANDLE] = window_handle_input,
+        [OWNER_DIVIDER] = divider_input,      [OWNER_PICTURE] = picture_input};
     if (event->kind < EVENT_PRESS || event->kind == EVENT_MOVE)
         return false;
     locate(window, event);

@@ -102,6 +102,20 @@ bool window_step_to(struct window *window, bool last)
     return steps > 0;
 }
 
+bool window_table_covers(const struct window *window, const float unit[2])
+{
+    int step;
+    return inspector_table_at(&window->panel.table, unit, &step);
+}
+
+void window_table_input(struct window *window, const struct window_event *event)
+{
+    int step, steps = steps_of(window);
+    if (event->kind == EVENT_RELEASE && event->amount == 1 && steps > 0 &&
+        inspector_table_at(&window->panel.table, event->unit, &step) && step >= 0)
+        show_steps(window, step + 1, steps);
+}
+
 void window_follow_ray(struct window *window)
 {
     const struct renderer_inputs *inputs = &window->inputs;

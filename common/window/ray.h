@@ -26,6 +26,12 @@ void window_step(struct window *window, int by);
 // Go to the selected ray's first or last step. Returns false if no ray is selected.
 bool window_step_to(struct window *window, bool last);
 
+// True if the table of the ray's march covers a position, in units of the overlay.
+bool window_table_covers(const struct window *window, const float unit[2]);
+
+// Handle the pointer on the table: a click on the line of a step goes to that step.
+void window_table_input(struct window *window, const struct window_event *event);
+
 // March the selected ray with this frame's parameters and time. A ray whose pixel is no longer in
 // the window is deselected.
 void window_follow_ray(struct window *window);

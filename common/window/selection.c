@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "picture/comparison.h"
+#include "report.h"
 
 struct parameter *window_selected(const struct window *window)
 {
@@ -40,4 +41,12 @@ void window_parameter_changed(struct window *window)
     window->transition.on = false;
     window->moved = window->stale = window->dirty = true;
     window->title.due = 0.0;
+}
+
+void window_show_view(struct window *window, int view)
+{
+    bool shown = renderer_set_view(window->renderer, (enum shader_view)view);
+    window->stale = true;
+    if (!shown || !window->broken)
+        snprintf(window->panel.error, sizeof window->panel.error, "%s", shown ? "" : report_last());
 }

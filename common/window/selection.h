@@ -1,4 +1,5 @@
-// selection.h - the selected parameter: the one that the keys change and the title bar shows.
+// selection.h - the view, and the selected parameter: the one that the keys change and the title
+// bar shows.
 #ifndef WINDOW_SELECTION_H
 #define WINDOW_SELECTION_H
 
@@ -17,5 +18,10 @@ struct parameter *window_grabbed(const struct window *window, int *first, int *b
 
 // To be called after the value of a parameter has changed.
 void window_parameter_changed(struct window *window);
+
+// Switch to a view. One that the shader does not have is refused in the overlay, where the reader
+// is looking.
+//   view  of enum shader_view
+void window_show_view(struct window *window, int view);
 
 #endif

@@ -3,6 +3,7 @@
 #define WINDOW_STATE_H
 
 #include "picture/handles.h"
+#include "picture/inspector.h"
 #include "picture/overlay.h"
 #include "picture/panel.h"
 #include "picture/panel_rows.h"
@@ -20,13 +21,24 @@ enum pointer_owner {
     OWNER_NONE,
     OWNER_PICKER,
     OWNER_PANEL,
+    OWNER_TABLE,
     OWNER_HANDLE,
     OWNER_DIVIDER,
     OWNER_PICTURE
 };
 
 // The part of the panel that a press grabbed.
-enum panel_grab { GRAB_NOTHING, GRAB_TITLE, GRAB_MARK, GRAB_SWATCH, GRAB_SWITCH, GRAB_VALUE };
+enum panel_grab {
+    GRAB_NOTHING,
+    GRAB_TITLE,
+    GRAB_MARK,
+    GRAB_STATUS,
+    GRAB_VIEW,
+    GRAB_BUTTON,
+    GRAB_SWATCH,
+    GRAB_SWITCH,
+    GRAB_VALUE
+};
 
 enum pointer_shape { SHAPE_ARROW, SHAPE_HAND, SHAPE_RESIZE, SHAPE_CROSSHAIR, SHAPES };
 
@@ -86,14 +98,18 @@ struct window {
     struct {
         struct overlay overlay;
         struct panel_rows rows; // as they are shown
-        bool folded;            // H was pressed
-        bool captioned;         // the caption is shown, if there is one
-        bool in_page;           // a web page shows the panel's words while the panel is folded
-        bool right, rolled;     // it is on the right; it is collapsed to its title
-        bool helps;             // K was pressed: show all keys and the ranges of all parameters
-        double figures[2];      // frames per second and milliseconds, as shown
-        double figures_due;     // when they may change
-        char error[4096];       // of the last reload, or why a view is refused; or ""
+        struct inspector_table table;
+        bool folded;             // H was pressed
+        bool captioned;          // the caption is shown, if there is one
+        bool in_page;            // a web page shows the panel's words while the panel is folded
+        bool right, rolled;      // it is on the right; it is collapsed to its title
+        bool peeks;              // the pointer is where the folded panel shows its title
+        bool views;              // the list of views is open
+        unsigned long long open; // parameters whose components stay shown, as in struct panel
+        bool helps;              // K was pressed: show all keys and the ranges of all parameters
+        double figures[2];       // frames per second and milliseconds, as shown
+        double figures_due;      // when they may change
+        char error[4096];        // of the last reload, or why a view is refused; or ""
         struct panel_key keys[WINDOW_KEYS];
         int key_count;
         char hint[64]; // which key shows more
@@ -112,8 +128,9 @@ struct window {
         bool fresh;         // the next character replaces typed
         char refused[512];  // why the typed value is refused
         double notches;     // of the wheel, the fraction that has not acted yet
+        int choice;         // the view or the button that was pressed
         int hovered;        // the parameter below the pointer; -1: none
-        float at[2];        // the pointer, units of the overlay
+        float at[2];        // the pointer, units of the overlay; negative: outside
         double rests_since;
         bool tip;                // its tooltip is shown
         struct picker picker;    // of the selected colour, while input.picker_open

@@ -262,6 +262,19 @@ else
     skip 'glfw: a driver that refuses 3.3' 'no Xvfb on this machine, or it did not start'
 fi
 
+# ---- Memory ----
+
+# A driver that gets no memory may crash: that too is one line. A sanitizer needs more address space than any limit.
+short_of_memory() {
+    local limit status
+    for limit in 210000 230000 250000 270000; do
+        (ulimit -v "$limit" && exec "$chapter" "${small[@]}" -o "$scratch/limited.png") 2>"$scratch/limited"
+        status=$?
+        [ "$status" = 0 ] || { [ "$status" = 1 ] && [ "$(wc -l <"$scratch/limited")" = 1 ]; } || return 1
+    done
+}
+[ "$BUILD" != build ] || check 'with too little memory for the driver there is one line' short_of_memory
+
 # ---- Standard output ----
 
 if [ -e /dev/full ]; then
@@ -274,7 +287,7 @@ else
     skip '--list to a full disk' 'no /dev/full on this machine'
 fi
 to_closed() { "$chapter" "$@" >&-; }
-refuse '--list with standard output closed' 1 'standard output' to_closed --list
+refuse '--list with standard output closed' 1 'standard output: is closed' to_closed --list
 # A pipe whose reader has exited, as `head` does, is not an error, and there is no message. The signal that would end
 # the program is ignored here, because Windows has none.
 mkfifo "$scratch/left"

@@ -141,6 +141,8 @@ TEST(frames_have_a_rate)
     ACCEPTED("--frames 100000 --fps 0.5 -o a%05d.png",
              o.frames == 100000 && o.fps == 0.5 && o.width == 640);
     ACCEPTED("--frames 1 -o %d.png", o.fps == 25.0);
+    ACCEPTED("--frames 100-199 -o %d.png", o.first_frame == 100 && o.frames == 200);
+    ACCEPTED("--frames 7-7 --frames 3 -o %d.png", o.first_frame == 0 && o.frames == 3);
     ACCEPTED("-o %d.png", o.frames == 0); // a name like any other one
     ACCEPTED("--frames 2 --probe 1,1 -v slice -o %d.png", o.frames == 2);
 }
@@ -263,6 +265,11 @@ static const char *const mistakes[][2] = {
     // Films and steps.
     {"--frames 0 -o %d.png", "--frames '0': must be a whole number of pictures"},
     {"--frames 100001 -o %d.png", "between 1 and 100000"},
+    {"--frames 5-3 -o %d.png", "its first and its last picture"},
+    {"--frames 3- -o %d.png", "its first and its last picture"},
+    {"--frames 0-100000 -o %d.png", "counted from 0 to 99999"},
+    {"--frames 1-2 --step walk -v plot -o %d.png", "requires --frames N"},
+    {"--probe 99999999999999999999,0", "--probe '99999999999999999999,0'"},
     {"--frames 2 --fps 0 -o %d.png", "--fps '0'"},
     {"--frames 2 --fps 1000.1 -o %d.png", "between 0.001 and 1000"},
     {"--frames 2", "requires --output"},

@@ -53,6 +53,20 @@ inputs() {
 check 'iFrame, iTimeDelta, iTime and iDate follow' inputs
 
 clear_out
+parts() { # three at once, as on three machines
+    local part pids=()
+    mkdir "$out/parts"
+    "$program" "${small[@]}" -t 1 --frames 7 --fps 10 -o "$out/%02d.png" || return 1
+    for part in 0-2 3-3 4-6; do
+        "$program" "${small[@]}" -t 1 --frames "$part" --fps 10 -o "$out/parts/%02d.png" & pids+=($!)
+    done
+    for part in "${pids[@]}"; do wait "$part" || return 1; done
+    [ "$(cd "$out/parts" && echo *)" = '00.png 01.png 02.png 03.png 04.png 05.png 06.png' ] || return 1
+    for part in "$out"/parts/*; do cmp -s "$part" "$out/${part##*/}" || return 1; done
+}
+check 'three parts of a film are the whole, to the bit' parts
+
+clear_out
 default_fps() {
     "$program" "${small[@]}" --frames 26 -o "$out/%d.png" && "$program" "${small[@]}" -t 1 -o "$scratch/one.png" &&
         cmp -s "$scratch/one.png" "$out/25.png"

@@ -11,7 +11,6 @@
 #define GL_SCISSOR_BOX 0x0C10
 
 struct user user;
-
 struct GLFWwindow {
     struct context context; // not shown by the system
     GLuint framebuffer, texture;
@@ -22,7 +21,6 @@ struct GLFWwindow {
 struct GLFWcursor {
     int shape;
 };
-
 struct GLFWmonitor {
     int left;
     GLFWvidmode mode;
@@ -164,15 +162,11 @@ void user_look(struct image *image)
 
 GLFWglproc glfwGetProcAddress(const char *name)
 {
-    if (strcmp(name, "glBindFramebuffer") == 0)
-        return (GLFWglproc)bind;
-    if (strcmp(name, "glDrawArrays") == 0)
-        return (GLFWglproc)draw;
-    if (strcmp(name, "glFinish") == 0)
-        return (GLFWglproc)finish;
-    if (strcmp(name, "glLinkProgram") == 0)
-        return (GLFWglproc)link_program;
-    return (GLFWglproc)the.context.driver->find(name);
+    return strcmp(name, "glBindFramebuffer") == 0 ? (GLFWglproc)bind
+           : strcmp(name, "glDrawArrays") == 0    ? (GLFWglproc)draw
+           : strcmp(name, "glFinish") == 0        ? (GLFWglproc)finish
+           : strcmp(name, "glLinkProgram") == 0   ? (GLFWglproc)link_program
+                                                  : (GLFWglproc)the.context.driver->find(name);
 }
 
 // ---- The window ----
@@ -394,6 +388,11 @@ GLFWcursor *glfwCreateStandardCursor(int shape)
 void glfwSetCursor(GLFWwindow *window, GLFWcursor *cursor)
 {
     user.cursor = cursor != NULL ? cursor->shape : 0;
+}
+
+const char *glfwGetClipboardString(GLFWwindow *window)
+{
+    return user.clipboard;
 }
 
 // The labels of a French keyboard, by the American ones.

@@ -24,6 +24,7 @@ struct user {
     int place[2];           // of the window on its monitor
     bool unfocused, hidden; // there is no keyboard; the window is iconified
     void (*wait)(void);     // called at each wait for events, if not NULL
+    const char *clipboard;  // its text
     // What the program asked for:
     bool open, ended, captured, full;
     char title[400];

@@ -162,6 +162,35 @@ TEST(a_view_is_both_pictures)
     load_both(FIRST, SECOND);
 }
 
+#define MARCHED                                                                                    \
+    "#include \"main.glsl\"\n#include \"march.glsl\"\n"                                            \
+    "Ray pixelRay(vec2 screen) { return Ray(vec3(0.0), vec3(0.0, 0.0, -1.0)); }\n"                 \
+    "vec3 rayColour(Ray ray) { return vec3(march(ray, 0.0, 9.0, 0.001, 64).t); }\n"
+
+// The curve of the side whose distances are larger is inside the picture too.
+TEST(a_plot_has_room_for_both_sides)
+{
+    static const char *const scenes[] = {MARCHED "float sceneDistance(vec3 p) { return 0.5; }\n",
+                                         MARCHED "float sceneDistance(vec3 p) { return 4.0; }\n"};
+    const int width = 320, height = 180;
+    struct renderer_inputs inputs = gpu_inputs(width, height, 1);
+    for (int near = 0; near < 2; near++) {
+        int curve[2] = {0, 0};
+        load_both(scenes[near], scenes[1 - near]);
+        gpu.renderer.comparison = &comparison;
+        assert_true(renderer_set_view(&gpu.renderer, SHADER_PLOT));
+        float *numbers = gpu_numbers(&inputs);
+        for (int i = 0; i < width * height; i++) {
+            const float *colour = numbers + 4 * i;
+            curve[i % width >= width / 2] += colour[2] > colour[0] + 0.2f;
+        }
+        free(numbers);
+        assert_true(curve[0] > 50 && curve[1] > 50);
+    }
+    assert_true(renderer_set_view(&gpu.renderer, SHADER_PICTURE));
+    load_both(FIRST, SECOND);
+}
+
 TEST(a_probe_asks_the_side_of_its_pixel)
 {
     static struct probe probe;

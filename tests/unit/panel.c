@@ -82,13 +82,16 @@ TEST(the_status_is_described)
     assert_true(says("H: help"));
     panel.resolution = 35;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(says("35 % resolution while moving") && !says("H: help"));
+    assert_true(says("H: help    35 % resolution")); // the hint is seen although something moves
     panel.sharp = 40;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(says("35 % resolution; sharpening: 40 %"));
+    assert_true(says("H: help    35 % resolution, sharpening: 40 %"));
     panel.sharp = 100;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(says("H: help"));
+    assert_true(says("H: help") && !says("resolution"));
+    panel.rate = 0.0; // at rest
+    panel_gather(&panel, &overlay, 640, 360, 1.0f);
+    assert_true(says("view: picture    16.7 ms    time 20.0 s    paused"));
 }
 
 TEST(the_large_form_names_the_textures)

@@ -218,6 +218,17 @@ IN_PROJECT(test_syntax_errors)
         "/root/main.frag:5: error: ", "\n    colour = = lib(1.0);\n");
 }
 
+// A statement without its end is blamed on the next line.
+IN_PROJECT(test_a_missing_semicolon)
+{
+    assert_blamed("float lib(float x)\n{\n    float y = x\n\n    return 2.0 * y;\n}\n", main_ok,
+                  "\nshaders/lib.glsl:5: error: ", ", or at the end of line 3\n");
+    const char *said;
+    assert_int_equal(
+        link_files("float lib(float x)\n{\n    float y = x;\n    2.0 * ;\n}\n", main_ok, &said), 0);
+    assert_null(strstr(said, "or at the end"));
+}
+
 IN_PROJECT(test_undeclared_names)
 {
     assert_blamed("float lib(float x)\n{\n\n    return 2.0 * z;\n}\n", main_ok,

@@ -231,7 +231,7 @@ TEST(a_plot_has_room_for_every_step)
         int width = sizes[i][0], height = sizes[i][1];
         double cell = floor(height / 180.0);
         struct slice_frame slice = slice_frame_of(probe, width, height, 1.0f);
-        struct plot_frame plot = plot_frame_of(probe, width, height, &slice);
+        struct plot_frame plot = plot_frame_of(probe, 1, width, height, &slice);
         assert_true((double)plot.split == 0.5 * height);
         // The slice's ray runs along the middle of the part above.
         assert_true(fabs(-(double)slice.bottom / (double)slice.unit - 0.75 * height) < 0.01);

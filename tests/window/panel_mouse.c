@@ -67,6 +67,12 @@ static void type(const char *text, int key)
     session_turn();
 }
 
+// Now the selected parameter alone shows its range or its components.
+static void leave_panel(void)
+{
+    point(400, 200);
+}
+
 SESSION_TEST(a_row_changes_its_value)
 {
     open_rows(1);
@@ -86,16 +92,97 @@ SESSION_TEST(a_row_changes_its_value)
     session_assert_title("size = 5");
     session_click(60, 74);
     session_assert_title("fine = 0.01");
-    drag(60, 62, 40, 0); // by decades
+    drag(60, 74, 40, 0); // by decades
     assert_true(value() > 0.015 && value() < 0.1);
+    leave_panel();
     session_click(60, 86);
     session_assert_title("lit = false");
+    leave_panel();
     session_click(60, 74);
     session_assert_title("lit = true");
+    leave_panel();
     session_click(60, 98);
     session_assert_title("tint = 0.5,0.5,0.5");
-    drag(60, 110, 40, 0);
+    drag(60, 122, 40, 0); // below the range of lit and red
     assert_true(strstr(user.title, "tint = 0.5,0.") != NULL && !session_titled("0.5,0.5,0.5"));
+    session_close();
+}
+
+// Chapter 02 shows lampColour, whose components are in view, above encoded: a second click at the
+// same position meets encoded again, and its tooltip is its own.
+SESSION_TEST(rows_stay_below_the_pointer)
+{
+    open_rows(1);
+    session_click(60, 98);
+    session_assert_title("tint = ");
+    session_click(60, 86); // lit, above it
+    session_assert_title("lit = false");
+    session_wait(1.0);
+    session_click(60, 86);
+    session_assert_title("lit = true");
+    session_click(60, 74); // fine: the range of size is still above it
+    session_assert_title("fine = ");
+    session_wait(1.0);
+    session_click(60, 74);
+    session_assert_title("fine = ");
+    leave_panel();
+    session_click(60, 62); // the same parameter, now that size has closed
+    session_assert_title("fine = ");
+    session_close();
+}
+
+// A row of one component takes one number; Ctrl+V pastes into it.
+SESSION_TEST(a_component_is_typed_or_pasted)
+{
+    open_rows(1);
+    session_click(60, 98);
+    leave_panel();
+    double_click(60, 110); // green, below red
+    type("0.5.5", GLFW_KEY_ENTER);
+    session_assert_title("tint = 0.5,0.5,0.5");
+    assert_string_equal(session_said(2), ""); // not that tint takes three numbers
+    user.clipboard = " 0.25\r\n";
+    for (int i = 0; i < 5; i++)
+        session_key(GLFW_KEY_BACKSPACE);
+    user_key(GLFW_KEY_V, GLFW_MOD_CONTROL);
+    session_turn();
+    session_assert_title("tint = 0.5,0.5,0.5"); // the line's end is no Enter
+    session_key(GLFW_KEY_ENTER);
+    session_turn();
+    session_assert_title("tint = 0.5,0.25,0.5");
+    session_close();
+}
+
+SESSION_TEST(words_are_pressed)
+{
+    open_rows(1);
+    session_keep(0);
+    session_click(60, 30); // the list of views
+    session_click(60, 30 + 12 * 3);
+    session_assert_title(" - depth - ");
+    session_click(60, 30 + 12);
+    session_assert_title(" - picture - ");
+    leave_panel(); // the list closes
+    session_turn();
+    assert_true(session_off(0, NULL) <= 0.0);
+    session_click(28, 128);
+    session_assert_title("(paused)");
+    session_click(28, 128);
+    assert_false(session_titled("(paused)"));
+    session_click(126, 128); // step on: the ray of the middle
+    assert_non_null(strstr(session_said(1), "ray of pixel 240,135"));
+    session_key(GLFW_KEY_X);
+    session_click(165, 128); // hide
+    leave_panel();
+    session_assert_shown(CHAPTER, "--size 480x270 --shader %s", scratch_path("rows.frag"));
+    point(60, 18);
+    session_keep(1);
+    leave_panel();
+    assert_true(session_off(1, NULL) > 0.005); // its title was there
+    point(60, 18);
+    session_click(68, 18); // its mark
+    leave_panel();
+    assert_true(session_off(0, NULL) <= 0.0);
     session_close();
 }
 
@@ -253,7 +340,7 @@ SESSION_TEST(shadertoy_s_mouse_is_set)
         150); // held: the position of the press, with a negative last number from the next turn on
     assert_mouse("vec4(160.0, 50.0, 100.0, -120.0)");
     user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);
-    point(30, 30);
+    point(30, 90);
     assert_mouse("vec4(160.0, 50.0, -100.0, -120.0)");
     session_close();
 }

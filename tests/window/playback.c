@@ -95,6 +95,26 @@ SESSION_TEST(keys_lead_along_the_march)
     session_close();
 }
 
+// A click on a line of the table goes to its step; the ray below it is not replaced.
+SESSION_TEST(a_click_in_the_table_goes_to_its_step)
+{
+    const char *ray = "--size 640x360 --camera 1.65,1.6,3.4,-26,-23.5 --probe 400,200";
+    const char *still = "--size 640x360 --camera 1.65,1.6,3.4,-26,-23.5 --overlay=1";
+    session_open(CHAPTER, "%s", still);
+    session_click(400, 159);
+    assert_non_null(strstr(session_said(1), "ray of pixel 400,200"));
+    for (int step = 0; step < 3; step += 2) {
+        session_click(600, 50 + 12 * step); // the table is at the right
+        assert_string_equal(session_said(1), "");
+        session_key(GLFW_KEY_H);
+        session_key(GLFW_KEY_5);
+        session_assert_shown(CHAPTER, "%s --view slice --step %d", ray, step);
+        session_key(GLFW_KEY_1);
+        session_key(GLFW_KEY_H);
+    }
+    session_close();
+}
+
 // Only the height scales both axes: pixel 270,149 of 320x200 and 405,224 of 480x300 show the same
 // point.
 SESSION_TEST(a_ray_outlives_a_new_size)
