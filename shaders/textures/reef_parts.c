@@ -215,9 +215,9 @@ static void stones(struct reef *reef, struct v3 base, double size, int count)
 static void colony(struct reef *reef, int number, struct v3 base, double size, int end)
 {
     static const unsigned char kinds[] = {STAG,    BRAIN, TABLE, BUSH, TUBES, FAN,
-                                        ANEMONE, BRAIN, BUSH,  STAG, FAN,   TABLE};
+                                          ANEMONE, BRAIN, BUSH,  STAG, FAN,   TABLE};
     static const unsigned char colours[] = {ORANGE, YELLOW, CYAN,   PINK,   VIOLET, RED, GREEN,
-                                          RED,    BLUE,   YELLOW, VIOLET, ORANGE, PINK};
+                                            RED,    BLUE,   YELLOW, VIOLET, ORANGE, PINK};
     enum kind kind = kinds[number % 12];
     int colour = colours[number % 13];
     stones(reef, base, size, 3);
