@@ -16,6 +16,7 @@ static double drawn(int i, uint32_t seed)
 // blend.
 TEST(the_dip_is_less_than_the_blend)
 {
+    assert_true(fabs(part_union(0.0, 0.0, K) + K / 6.0) < 1e-12); // of two
     double deepest = 0.0, value = 1e9;
     for (int i = 0; i < 1000000; i++) { // equal distances: the deepest
         value = part_union(value, 0.0, K);
