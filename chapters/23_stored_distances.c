@@ -9,7 +9,7 @@ int main(int argc, char **argv)
         .stem = "23_stored_distances",
         .title = "23 Stored distances",
         .shows = "A clay elephant on a turntable: its distance is kept in a grid.",
-        .camera = {.position = {0.0f, 0.40f, 2.5f}, .pan = 0.0f, .tilt = -12.0f},
+        .camera = {.position = {0.0f, 0.38f, 2.4f}, .pan = 0.0f, .tilt = -12.0f},
     };
     return chapter_run(&chapter, argc, argv);
 }

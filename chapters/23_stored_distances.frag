@@ -13,7 +13,7 @@
 #include "occlusion.glsl"   // openByTaps; shadowRay, shadowReach of shadow.glsl
 #include "gloss.glsl"       // ggxGloss
 #include "fresnel.glsl"     // schlickShare
-#include "noise.glsl"       // octaveNoise
+#include "noise.glsl"       // gradientNoise
 #include "lighting.glsl"    // lambert, encodeSRGB
 #include "film.glsl"        // filmOfLargest, ditherStep
 
@@ -21,12 +21,12 @@ uniform sampler3D grid; // "clay.png" linear clamp 64: the distance to the eleph
 
 uniform int   stepping;     // 2 in [0, 2]: length of a step: 0 the stored value, 1 divided by sqrt(3), 2 storedStep
 uniform int   tool;         // 0 in [-1, 1]: 1 adds a roll of clay from strokeFrom to strokeTo, -1 takes it away, 0 does nothing
-uniform vec3  strokeFrom;   // (-0.32, 0.62, 0.2) handle scene units: where the stroke begins
-uniform vec3  strokeTo;     // (0.22, 0.66, 0.1) handle scene units: where it ends
+uniform vec3  strokeFrom;   // (-0.52, 0.06, 0.05) handle scene units: where the stroke begins
+uniform vec3  strokeTo;     // (-0.42, -0.14, 0.14) handle scene units: where it ends
 uniform float toolRadius;   // 0.09 in [0.02, 0.3] step 0.01, scene units: of the roll of clay
 uniform float turn;         // 52 in [-360, 360] step 2, degrees: of the turntable at the start
 uniform float turnSpeed;    // 12 in [-90, 90] step 2, degrees per second: of the turntable
-uniform float normalStep;   // 0.75 in [0.02, 3] step 0.05, cells: step of the differences for the normal
+uniform float normalStep;   // 1 in [0.02, 3] step 0.05, cells: step of the differences for the normal
 uniform float grain;        // 1 in [0, 4] step 0.25: how uneven the clay is
 uniform float exposure;     // 0 in [-4, 4] step 0.25, stops: each doubles the light
 uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
@@ -34,19 +34,19 @@ uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: dis
 
 // The elephant's grid is the cube from -1 to 1. It stands on a turntable, and this on a table, the plane y = TABLE, which
 // rays meet with a division.
-const float TOP = -0.585, TABLE = -0.80;
+const float TOP = -0.562, TABLE = -0.78;
 const vec3  LOW = vec3(-1.1, TABLE, -1.1), HIGH = vec3(1.1, 0.9, 1.1); // a box around elephant and turntable
 const float FAR = 40.0;
 const vec3  TO_KEY = vec3(-0.7428, 0.5571, 0.3714);   // direction of the large lamp on the left, length 1
 const vec3  TO_RIM = vec3(0.6805, 0.3889, -0.6211);   // of the lamp behind, on the right
 const vec3  KEY_COLOUR = vec3(3.6, 2.95, 2.25);       // light on a surface that faces the lamp, linear RGB
 const vec3  RIM_COLOUR = vec3(1.3, 1.8, 2.4);
-const vec3  FILL_COLOUR = vec3(0.13, 0.18, 0.23);     // from above
+const vec3  FILL_COLOUR = vec3(0.18, 0.24, 0.30);     // from above
 const vec3  BOUNCE_COLOUR = vec3(0.10, 0.075, 0.06);   // from below
 const vec3  CLAY = vec3(0.36, 0.115, 0.05);
 const vec3  IRON = vec3(0.045, 0.05, 0.055);
 const vec3  PAPER = vec3(0.032, 0.062, 0.072);         // of the table and the backdrop
-const vec3  EYE = vec3(0.155, 0.27, 0.455);           // in the elephant's coordinates; the other is its mirror image
+const vec3  EYE = vec3(0.148, 0.259, 0.422);         // in the elephant's coordinates; the other is its mirror image
 
 Ray pixelRay(vec2 screen)
 {
@@ -61,14 +61,13 @@ vec3 onTurntable(vec3 p)
     return rotationY(-radians(turn + turnSpeed * iTime)) * p;
 }
 
-// The clay, with the stroke of the tool.
+// The clay, with the stroke of the tool: to take away is to add to what is not clay.
 float clayDistance(vec3 p)
 {
     float value = storedDistance(grid, onTurntable(p));
     float clay = stepping == 2 ? storedStep(value) : (stepping == 1 ? 0.5773502 * value : value);
-    float roll = sdCapsule(p, strokeFrom, strokeTo, toolRadius);
-    float added = opSmoothUnionQuadratic(clay, roll, 0.06), taken = -opSmoothUnionQuadratic(-clay, roll, 0.03);
-    return tool > 0 ? added : (tool < 0 ? taken : clay);
+    float roll = sdCapsule(p, strokeFrom, strokeTo, toolRadius), side = tool < 0 ? -1.0 : 1.0;
+    return tool != 0 ? side * opSmoothUnionQuadratic(side * clay, roll, 0.05) : clay;
 }
 
 // A disc with a rounded rim on a foot.
@@ -102,10 +101,10 @@ struct Surface {
 Surface clayAt(vec3 p, vec3 normal)
 {
     vec3 q = onTurntable(p), eye = vec3(abs(q.x), q.yz) - EYE;
-    vec4 fine = octaveNoise(9.0 * q, 3, 0.6, 2.1), coarse = valueNoise(3.0 * q);
+    vec4 fine = gradientNoise(9.0 * q);
     vec3 slope = rotationY(radians(turn + turnSpeed * iTime)) * fine.yzw;
-    vec3 bumped = normalize(normal - 0.08 * grain * (slope - dot(slope, normal) * normal));
-    vec3 colour = CLAY * (1.0 + grain * (0.16 * (coarse.x - 0.5) + 0.18 * (fine.x - 0.5)));
+    vec3 bumped = normalize(normal - 0.02 * grain * (slope - dot(slope, normal) * normal));
+    vec3 colour = CLAY * (1.0 + grain * 0.12 * fine.x);
     bool pupil = dot(eye, eye) < 0.0011;
     return Surface(p, pupil ? normal : bumped, pupil ? vec3(0.012) : colour, pupil ? 0.18 : 0.62, 0.04);
 }

@@ -16,8 +16,8 @@ const float STORED_CELL = 2.0 / float(STORED_SIDE - 1); // side of a cell, scene
 //   returns  scene units; the rounding to 16 bits errs by at most STORED_RANGE / 65535
 float storedValue(sampler3D grid, ivec3 point)
 {
-    vec2 bytes = 255.0 * texelFetch(grid, point, 0).rg;
-    return (dot(bytes, vec2(512.0, 2.0)) / 65535.0 - 1.0) * STORED_RANGE;
+    const vec2 weight = 255.0 / 65535.0 * STORED_RANGE * vec2(512.0, 2.0);
+    return dot(texelFetch(grid, point, 0).rg, weight) - STORED_RANGE;
 }
 
 // The eight values around a place.

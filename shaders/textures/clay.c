@@ -23,8 +23,8 @@ int main(void)
 {
     struct triangles triangles = elephant_mesh(3);
     tree = mesh_tree_build(&triangles);
-    int status = paint_texture(ELEPHANT_SIDE, ELEPHANT_SIDE * ELEPHANT_SIDE, 1, PAINT_NUMBERS,
-                               texel);
+    int status =
+        paint_texture(ELEPHANT_SIDE, ELEPHANT_SIDE * ELEPHANT_SIDE, 1, PAINT_NUMBERS, texel);
     mesh_tree_free(&tree);
     triangles_free(&triangles);
     return status;

@@ -250,8 +250,8 @@ void mesh_tree_free(struct mesh_tree *tree)
 
 // The nearest point so far.
 struct search {
-    double squared;   // of the distance
-    double aside[3];  // from the nearest point to p
+    double squared;  // of the distance
+    double aside[3]; // from the nearest point to p
     int triangle;
     int feature;
 };

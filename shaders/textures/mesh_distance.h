@@ -21,9 +21,9 @@ struct mesh_box {
 
 struct mesh_tree {
     const struct triangles *triangles; // the caller's, who keeps it until mesh_tree_free
-    double (*normal)[7][3];            // of each triangle: face, edges 01 12 20, vertices 0 1 2; owned
-    int *order;                        // owned
-    struct mesh_box *box;              // box[0] contains all; owned
+    double (*normal)[7][3]; // of each triangle: face, edges 01 12 20, vertices 0 1 2; owned
+    int *order;             // owned
+    struct mesh_box *box;   // box[0] contains all; owned
     int boxes;
 };
 
