@@ -6,11 +6,11 @@
 #include "coarse.glsl"      // coarseStart
 #include "bounds.glsl"      // boxInterval
 #include "normal.glsl"      // normalAt
-#include "solids.glsl"      // sdCylinder, sdCapsule; opRound of plane.glsl
+#include "solids.glsl"      // sdCapsule; sdRectangle of plane.glsl
 #include "combine.glsl"     // opSmoothUnionQuadratic
 #include "transform.glsl"   // rotationY
 #include "stored.glsl"      // storedDistance, storedStep
-#include "occlusion.glsl"   // openByTaps; shadowRay, shadowReach of shadow.glsl
+#include "occlusion.glsl"   // tapHeight, skyAndBounces; shadowRay, shadowReach of shadow.glsl
 #include "gloss.glsl"       // ggxGloss
 #include "fresnel.glsl"     // schlickShare
 #include "noise.glsl"       // gradientNoise
@@ -70,12 +70,12 @@ float clayDistance(vec3 p)
     return tool != 0 ? side * opSmoothUnionQuadratic(side * clay, roll, 0.05) : clay;
 }
 
-// A disc with a rounded rim on a foot.
+// A disc with a rounded rim on a foot: a figure of two rectangles, turned about the axis.
 float turntableDistance(vec3 p)
 {
-    float disc = opRound(sdCylinder(p - vec3(0.0, TOP - 0.035, 0.0), 1.03, 0.02), 0.015);
-    float foot = opRound(sdCylinder(p - vec3(0.0, TOP - 0.14, 0.0), 0.38, 0.07), 0.01);
-    return min(disc, foot);
+    vec2 q = vec2(length(p.xz), p.y - TOP);
+    float disc = sdRectangle(q + vec2(0.0, 0.035), vec2(1.03, 0.02)) - 0.015;
+    return min(disc, sdRectangle(q + vec2(0.0, 0.14), vec2(0.38, 0.07)) - 0.01);
 }
 
 float sceneDistance(vec3 p)
@@ -134,13 +134,24 @@ vec3 backdrop(vec2 screen)
     return PAPER * (0.10 + 1.35 * exp(-1.1 * away * away));
 }
 
+// How open a point is: openByTaps with three distances instead of five.
+float openAt(vec3 p, vec3 normal)
+{
+    float hidden = 0.0;
+    for (int k = 0; k < 3; k++) {
+        float height = tapHeight(k + TAPS - 3, 0.36);
+        hidden += clamp(1.0 - distanceAt(p + height * normal) / height, 0.0, 1.0);
+    }
+    return max(1.0 - 0.8 * hidden / 3.0, 0.0);
+}
+
 vec3 surfaceLight(Surface s, vec3 toEye, float radius)
 {
     Ray toKey = shadowRay(s.p, s.normal, TO_KEY, 4.0 * radius);
     vec2 box = boxInterval(toKey, LOW, HIGH);
     float far = shadowReach(s.normal, TO_KEY, box.y);
     float seen = coneReaching(toKey, box.x, far, 0.012, 0.16, 48);
-    float open = openByTaps(s.p, s.normal, 0.36, 0.8);
+    float open = openAt(s.p, s.normal);
     vec3 sky = mix(BOUNCE_COLOUR, FILL_COLOUR, 0.5 + 0.5 * s.normal.y);
     vec3 light = s.colour * sky * skyAndBounces(open, s.colour, 2);
     light += lampLight(s, toEye, TO_KEY, KEY_COLOUR, seen);

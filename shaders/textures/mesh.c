@@ -7,7 +7,7 @@
 
 void *mesh_memory(size_t count, size_t size)
 {
-    void *memory = calloc(count, size);
+    void *memory = calloc(count > 0 ? count : 1, size);
     if (memory == NULL) {
         fprintf(stderr, "mesh: not enough memory for %zu items\n", count);
         exit(1);
