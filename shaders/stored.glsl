@@ -5,7 +5,7 @@
 #include "scene.glsl"
 
 const int   STORED_SIDE = 64;   // points on each axis
-const float STORED_RANGE = 1.0; // the largest distance that is kept, scene units
+const float STORED_RANGE = 0.5; // the largest distance that is kept, scene units
 const float STORED_CELL = 2.0 / float(STORED_SIDE - 1); // side of a cell, scene units
 
 // The value at a point of the grid.

@@ -6,7 +6,7 @@
 
 // Points of the grid on each axis, from -1 to 1; and the largest distance that it stores.
 enum { ELEPHANT_SIDE = 64 };
-#define ELEPHANT_RANGE 1.0
+#define ELEPHANT_RANGE 0.5
 
 // The elephant: it looks along z, y is up, and its soles are near y = -0.57. It fits in the cube
 // from -1 to 1.

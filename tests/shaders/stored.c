@@ -26,7 +26,7 @@ static int read_grid(void **state)
             for (int x = 0; x < SIDE; x++) {
                 const unsigned char *b =
                     bytes.value + 3 * ((size_t)(z * SIDE + SIDE - 1 - y) * SIDE + (size_t)x);
-                value_at[z][y][x] = 2.0 * (256.0 * b[0] + b[1]) / 65535.0 - 1.0;
+                value_at[z][y][x] = (2.0 * (256.0 * b[0] + b[1]) / 65535.0 - 1.0) * ELEPHANT_RANGE;
             }
     free(bytes.value);
     return gpu_setup(state);
@@ -132,8 +132,8 @@ TEST(the_error_is_within_its_bound)
         double value = stored(p, &slope), d = mesh_distance(&tree, p);
         bool in = fmax(fabs(p[0]), fmax(fabs(p[1]), fabs(p[2]))) <= 1.0;
         if (in) {
-            worst = fmax(worst, fabs(value - fmin(fmax(d, -1.0), 1.0)));
-            mean += fabs(value - fmin(fmax(d, -1.0), 1.0)) * SOME / COUNT;
+            worst = fmax(worst, fabs(value - fmin(fmax(d, -ELEPHANT_RANGE), ELEPHANT_RANGE)));
+            mean += fabs(value - fmin(fmax(d, -ELEPHANT_RANGE), ELEPHANT_RANGE)) * SOME / COUNT;
         } else
             assert_true(value - d < 0.5 * root3 * cell + 2e-5);
     }
