@@ -1,0 +1,17 @@
+// Solution of exercise 23.1: the cells of the grid, as a chequered pattern on the clay.
+//
+// The chapter's call of gradientNoise is replaced by a call of cellPattern.
+#include "main.glsl"
+#include "noise.glsl"
+#include "stored.glsl"
+
+// 3 in every other cell, and -3 in the others.
+//   p  nine times a point of the cube
+vec4 cellPattern(vec3 p)
+{
+    ivec3 cell = ivec3(floor((0.5 + 0.5 * p / 9.0) * float(STORED_SIDE - 1)));
+    return vec4((cell.x + cell.y + cell.z) % 2 == 0 ? 3.0 : -3.0, 0.0, 0.0, 0.0);
+}
+
+#define gradientNoise cellPattern
+#include "23_stored_distances.frag"

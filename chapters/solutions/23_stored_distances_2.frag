@@ -1,0 +1,15 @@
+// Solution of exercise 23.2: a hollow elephant, and half of it.
+#include "main.glsl"
+#define sceneDistance chapterDistance
+#include "23_stored_distances.frag"
+#undef sceneDistance
+
+const float WALL = 0.07; // thickness, scene units
+
+float sceneDistance(vec3 p)
+{
+    vec3 q = onTurntable(p);
+    float value = storedDistance(grid, q);
+    float shell = storedStep(max(value, -value - WALL));
+    return min(max(shell, -q.x), turntableDistance(p));
+}

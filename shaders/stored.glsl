@@ -1,0 +1,88 @@
+// stored.glsl - a distance that is kept in a grid: the values at its points, and what is between them.
+//
+// A grid has STORED_SIDE points on each axis, from -1 to 1, and keeps distances up to STORED_RANGE. It is a texture:
+// shaders/textures/clay.c writes one. docs/23_stored_distances.md proves the claims made here.
+#include "scene.glsl"
+
+const int   STORED_SIDE = 64;   // points on each axis
+const float STORED_RANGE = 0.5; // the largest distance that is kept, scene units
+const float STORED_CELL = 2.0 / float(STORED_SIDE - 1); // side of a cell, scene units
+
+// The value at a point of the grid.
+//   grid     its red channel has the high byte, its green channel the low one; never filtered, because a filter of
+//            8 bits would lose the low byte
+//   point    its indices, each in [0, STORED_SIDE)
+//   formula  (2 code / 65535 - 1) STORED_RANGE, code = 256 red + green
+//   returns  scene units; the rounding to 16 bits errs by at most STORED_RANGE / 65535
+float storedValue(sampler3D grid, ivec3 point)
+{
+    const vec2 weight = 255.0 / 65535.0 * STORED_RANGE * vec2(512.0, 2.0);
+    return dot(texelFetch(grid, point, 0).rg, weight) - STORED_RANGE;
+}
+
+// The eight values around a place.
+struct StoredCell {
+    vec4 near, far; // at the lower z and at the higher: (0, 0), (1, 0), (0, 1), (1, 1) in x and y
+    vec3 share;     // where the place lies in the cell, each in [0, 1]
+};
+
+// Look up the cell of a place.
+//   q  in the cube from -1 to 1
+StoredCell storedCell(sampler3D grid, vec3 q)
+{
+    vec3 place = (0.5 + 0.5 * q) * float(STORED_SIDE - 1);
+    ivec3 low = clamp(ivec3(floor(place)), ivec3(0), ivec3(STORED_SIDE - 2));
+    vec4 plane[2];
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 4; i++)
+            plane[k][i] = storedValue(grid, low + ivec3(i % 2, i / 2, k));
+    return StoredCell(plane[0], plane[1], place - vec3(low));
+}
+
+// Trilinear interpolation: a mean of the eight values, weighted with the product of the shares.
+//   formula  the lines of the cell along x, y and z, one after the other
+//   returns  scene units. If the grid has the values of a distance, the result errs by at most
+//            sqrt(3) / 2 STORED_CELL, and by 3 / 8 STORED_CELL^2 times the curvature where there is one. It is
+//            sqrt(3)-Lipschitz: not a bound, but one third of its square is a bound of the squared distance to
+//            its own surface
+float trilinear(StoredCell cell)
+{
+    vec4 between = mix(cell.near, cell.far, cell.share.z);
+    vec2 line = mix(between.xy, between.zw, cell.share.y);
+    return mix(line.x, line.y, cell.share.x);
+}
+
+// The gradient of trilinear, which jumps from one cell to the next.
+//   returns  scene units per scene unit; its length is at most sqrt(3)
+vec3 trilinearGradient(StoredCell cell)
+{
+    vec4 between = mix(cell.near, cell.far, cell.share.z), rise = cell.far - cell.near;
+    vec2 along = vec2(between.y - between.x, between.w - between.z);
+    vec2 up = between.zw - between.xy, back = mix(rise.xy, rise.zw, cell.share.y);
+    return vec3(mix(along.x, along.y, cell.share.y), mix(up.x, up.y, cell.share.x), mix(back.x, back.y, cell.share.x)) /
+           STORED_CELL;
+}
+
+// The stored distance at any point.
+//   p        scene units; the stored surface must lie in the cube from -1 to 1
+//   formula  F(p) in the cube; outside, sqrt(a^2 + F(q)^2), q the nearest point of the cube and a the way to it
+//   returns  in the cube, trilinear; outside, what is a lower bound where F is one: the angle at q between p and any
+//            point of the cube is at least a right angle
+float storedDistance(sampler3D grid, vec3 p)
+{
+    vec3 q = clamp(p, -1.0, 1.0);
+    float value = trilinear(storedCell(grid, q)), outside = length(p - q);
+    return outside > 0.0 ? length(vec2(outside, value)) : value;
+}
+
+// A step towards the surface of an interpolated distance that never crosses it.
+//   value    of storedDistance, scene units
+//   formula  the larger of value / sqrt(3) and value - sqrt(3) STORED_CELL: the first by the Lipschitz constant, the
+//            second because the values belong to a distance, whose own constant is 1; the same with the opposite
+//            sign inside
+//   returns  scene units; a lower bound of the distance to the surface where storedDistance is 0
+float storedStep(float value)
+{
+    float size = abs(value);
+    return sign(value) * max(0.5773502 * size, size - 1.7320508 * STORED_CELL);
+}

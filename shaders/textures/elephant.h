@@ -1,0 +1,27 @@
+// elephant.h - the clay elephant of chapter 23: its mesh, and its distance in a grid.
+#ifndef ELEPHANT_H
+#define ELEPHANT_H
+
+#include "mesh.h"
+
+// Points of the grid on each axis, from -1 to 1; and the largest distance that it stores.
+enum { ELEPHANT_SIDE = 64 };
+#define ELEPHANT_RANGE 0.5
+
+// The elephant: it looks along z, y is up, and its soles are near y = -0.57. It fits in the cube
+// from -1 to 1.
+//   steps  of subdivision, >= 0
+// Free with triangles_free.
+struct triangles elephant_mesh(int steps);
+
+// The coordinate of a point of the grid.
+//   i        in [0, ELEPHANT_SIDE)
+//   formula  2 i / (ELEPHANT_SIDE - 1) - 1
+double elephant_place(int i);
+
+// The two bytes that store a distance: the high one and the low one.
+//   formula  the nearest whole number to 65535 (1 + distance / ELEPHANT_RANGE) / 2, of a distance
+//            clamped to the range
+void elephant_encode(double distance, unsigned char byte[2]);
+
+#endif

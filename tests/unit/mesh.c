@@ -1,0 +1,243 @@
+// mesh.c - shaders/textures/mesh.c and mesh_distance.c: the distance of the clay elephant's mesh
+// against every triangle one by one, its sign against the solid angle of the whole mesh, and the
+// sign at a sharp corner.
+#include "lib/test.h"
+
+#include "textures/elephant.h"
+#include "textures/mesh_distance.h"
+#include "textures/paint.h"
+#include "textures/sweep.h"
+#include "lib/mirror.h"
+
+enum { POINTS = 10000 };
+
+static struct d3 vertex_of(const struct triangles *t, int triangle, int k)
+{
+    const double *v = t->vertex[t->corner[triangle][k]];
+    return d3(v[0], v[1], v[2]);
+}
+
+static double random_in(double low, double high, int i, uint32_t seed)
+{
+    return low + (high - low) * paint_random(i, 0, seed);
+}
+
+// Every other point is near the surface, where a wrong sign would be seen.
+static struct d3 point_of(const struct triangles *t, int i)
+{
+    struct d3 p =
+        d3(random_in(-1.0, 1.0, i, 1), random_in(-1.0, 1.0, i, 2), random_in(-1.0, 1.0, i, 3));
+    if (i % 2 == 0)
+        return p;
+    struct d3 at = vertex_of(t, (int)(paint_hash(i, 0, 4) % (uint32_t)t->count), i % 3);
+    return d3_add(at, d3_times(0.02, p));
+}
+
+// ---- The truth ----
+
+static double to_segment(struct d3 p, struct d3 a, struct d3 b)
+{
+    struct d3 ab = d3_sub(b, a);
+    double share = d3_dot(d3_sub(p, a), ab) / d3_dot(ab, ab);
+    return d3_length(d3_sub(p, d3_add(a, d3_times(fmin(fmax(share, 0.0), 1.0), ab))));
+}
+
+// The distance to the plane, where the point is on the inner side of all three edges; else to an
+// edge.
+static double to_triangle(struct d3 p, const struct d3 v[3])
+{
+    struct d3 normal = d3_cross(d3_sub(v[1], v[0]), d3_sub(v[2], v[0]));
+    double edge = INFINITY;
+    bool above = true;
+    for (int k = 0; k < 3; k++) {
+        struct d3 a = v[k], b = v[(k + 1) % 3];
+        above = above && d3_dot(d3_cross(normal, d3_sub(b, a)), d3_sub(p, a)) >= 0.0;
+        edge = fmin(edge, to_segment(p, a, b));
+    }
+    return above ? fabs(d3_dot(normal, d3_sub(p, v[0]))) / d3_length(normal) : edge;
+}
+
+// The solid angle of a triangle, with its sign. A. van Oosterom, J. Strackee, IEEE Transactions on
+// Biomedical Engineering 30 (1983).
+static double solid_angle(struct d3 p, const struct d3 v[3])
+{
+    struct d3 a = d3_sub(v[0], p), b = d3_sub(v[1], p), c = d3_sub(v[2], p);
+    double la = d3_length(a), lb = d3_length(b), lc = d3_length(c);
+    double under = la * lb * lc + d3_dot(a, b) * lc + d3_dot(b, c) * la + d3_dot(c, a) * lb;
+    return 2.0 * atan2(d3_dot(a, d3_cross(b, c)), under);
+}
+
+// All triangles, one by one: a point is inside if they fill the whole sphere of directions.
+static double true_distance(const struct triangles *t, struct d3 p)
+{
+    double least = INFINITY, angle = 0.0;
+    for (int i = 0; i < t->count; i++) {
+        const struct d3 v[3] = {vertex_of(t, i, 0), vertex_of(t, i, 1), vertex_of(t, i, 2)};
+        least = fmin(least, to_triangle(p, v));
+        angle += solid_angle(p, v);
+    }
+    return angle > 2.0 * MIRROR_PI ? -least : least;
+}
+
+// ---- The elephant ----
+
+// Exact but for rounding, and no sign is wrong.
+TEST(the_distance_is_that_of_all_triangles)
+{
+    struct triangles t = elephant_mesh(2);
+    struct mesh_tree tree = mesh_tree_build(&t);
+    double worst = 0.0;
+    int inside = 0;
+    for (int i = 0; i < POINTS; i++) {
+        struct d3 p = point_of(&t, i);
+        double d = mesh_distance(&tree, (const double[3]){p.x, p.y, p.z}),
+               truth = true_distance(&t, p);
+        worst = fmax(worst, fabs(d - truth));
+        inside += truth < 0.0;
+    }
+    print_message("# %d triangles, %d points, %d inside; largest error %.2g\n", t.count, POINTS,
+                  inside, worst);
+    assert_true(worst < 1e-12);
+    assert_in_range(inside, POINTS / 10, POINTS / 2);
+    mesh_tree_free(&tree);
+    triangles_free(&t);
+}
+
+// Each edge belongs to two triangles, in opposite directions; and V - E + F = 2, as of a sphere.
+TEST(the_mesh_is_closed)
+{
+    for (int steps = 0; steps < 3; steps++) {
+        struct triangles t = elephant_mesh(steps);
+        int *next = mesh_memory((size_t)t.vertices * 16, sizeof *next);
+        for (int i = 0; i < 3 * t.count; i++) {
+            int from = t.corner[i / 3][i % 3], to = t.corner[i / 3][(i + 1) % 3], k = 0;
+            while (next[16 * from + k] != 0)
+                assert_int_not_equal(next[16 * from + k++], to + 1);
+            next[16 * from + k] = to + 1;
+        }
+        for (int i = 0; i < 3 * t.count; i++) {
+            int from = t.corner[i / 3][i % 3], to = t.corner[i / 3][(i + 1) % 3], found = 0;
+            for (int k = 0; k < 16; k++)
+                found += next[16 * to + k] == from + 1;
+            assert_int_equal(found, 1);
+        }
+        assert_int_equal(t.vertices - t.count / 2, 2);
+        for (int i = 0; steps > 1 && i < 3 * t.vertices; i++) // the grid has to contain it
+            assert_true(fabs(t.vertex[i / 3][i % 3]) < 1.0 - 2.0 / (ELEPHANT_SIDE - 1));
+        free(next);
+        triangles_free(&t);
+    }
+}
+
+// The stored bytes are the nearest; outside of the range they are its ends.
+TEST(two_bytes_keep_a_distance)
+{
+    for (int i = 0; i < POINTS; i++) {
+        double d = random_in(-1.2, 1.2, i, 9),
+               kept = fmin(fmax(d, -ELEPHANT_RANGE), ELEPHANT_RANGE);
+        unsigned char byte[2];
+        elephant_encode(d, byte);
+        double read = (2.0 * (256.0 * byte[0] + byte[1]) / 65535.0 - 1.0) * ELEPHANT_RANGE;
+        assert_true(fabs(read - kept) <= ELEPHANT_RANGE / 65535.0 + 1e-12);
+    }
+}
+
+// ---- Normals ----
+
+TEST(angles_are_those_of_the_library)
+{
+    for (int i = 0; i < POINTS; i++) {
+        double a[3], b[3];
+        for (uint32_t k = 0; k < 3; k++) {
+            a[k] = random_in(-1.0, 1.0, i, 20 + k);
+            b[k] = random_in(-1.0, 1.0, i, 30 + k) + (i % 2 == 0 ? 0.0 : 20.0 * a[k]);
+        }
+        struct d3 u = d3(a[0], a[1], a[2]), v = d3(b[0], b[1], b[2]);
+        assert_true(fabs(mesh_angle(a, b) - atan2(d3_length(d3_cross(u, v)), d3_dot(u, v))) <
+                    1e-12);
+    }
+    assert_true(fabs(mesh_angle((const double[3]){1, 0, 0}, (const double[3]){-3, 0, 0}) -
+                     MIRROR_PI) < 1e-12);
+}
+
+// A spike: near its tip the normal of the nearest face, and the plain sum of the normals of the
+// faces around the tip, say inside for points that are outside.
+TEST(a_sharp_corner_has_the_right_sign)
+{
+    static double vertex[5][3] = {
+        {0, 2, 0}, {1, 0, 0}, {-0.4, 0, 0.1}, {-0.5, 0, 0.0}, {-0.4, 0, -0.1}};
+    static int corner[6][3] = {{0, 2, 1}, {0, 3, 2}, {0, 4, 3}, {0, 1, 4}, {1, 2, 3}, {1, 3, 4}};
+    const struct triangles t = {.vertex = vertex, .vertices = 5, .corner = corner, .count = 6};
+    struct mesh_tree tree = mesh_tree_build(&t);
+    int near_tip = 0, by_face = 0, by_sum = 0;
+    for (int i = 0; i < POINTS; i++) {
+        struct d3 aside =
+            d3(random_in(-1, 1, i, 40), random_in(-1, 1, i, 41), random_in(-1, 1, i, 42));
+        struct d3 p = d3_add(d3(0, 2, 0), d3_times(0.2, aside));
+        double truth = true_distance(&t, p),
+               d = mesh_distance(&tree, (const double[3]){p.x, p.y, p.z});
+        assert_true(fabs(d - truth) < 1e-12);
+        if (truth < 0.0 || fabs(truth - 0.2 * d3_length(aside)) > 1e-9)
+            continue;
+        struct d3 sum = d3(0, 0, 0);
+        for (int k = 0; k < 4; k++) {
+            const double *n = tree.normal[k][MESH_FACE];
+            sum = d3_add(sum, d3(n[0], n[1], n[2]));
+            by_face += d3_dot(aside, d3(n[0], n[1], n[2])) < 0.0;
+        }
+        by_sum += d3_dot(aside, sum) < 0.0;
+        near_tip++;
+    }
+    print_message(
+        "# nearest to the tip: %d; a face's normal errs %d times of %d, the plain sum %d times\n",
+        near_tip, by_face, 4 * near_tip, by_sum);
+    assert_true(near_tip > 100 && by_face > near_tip / 10);
+    mesh_tree_free(&tree);
+}
+
+// ---- Distances again ----
+
+// The largest error in cells of a ball's distances, which were spoilt before.
+static double swept_error(int side)
+{
+    double *value = mesh_memory((size_t)side * (size_t)side * (size_t)side, sizeof *value);
+    double cell = 2.0 / (side - 1), worst = 0.0;
+    for (int pass = 0; pass < 2; pass++) {
+        for (int i = 0; i < side * side * side; i++) {
+            double x = cell * (i % side) - 1.0, y = cell * (i / side % side) - 1.0;
+            double z = cell * (i / side / side) - 1.0, d = sqrt(x * x + y * y + z * z) - 0.6;
+            if (pass == 0)
+                value[i] = d * (3.0 + x);
+            else
+                worst = fmax(worst, fabs(value[i] - d) / cell);
+        }
+        if (pass == 0)
+            sweep_distances(value, side, cell);
+    }
+    free(value);
+    return worst;
+}
+
+// The error is a share of a cell, and grows no faster than the logarithm of the number of cells.
+TEST(sweeping_makes_distances_again)
+{
+    double coarse = swept_error(16), middle = swept_error(32), fine = swept_error(64);
+    print_message("# largest error, cells: 16 points %.3f, 32 points %.3f, 64 points %.3f\n",
+                  coarse, middle, fine);
+    assert_true(coarse < 1.0 && fine < 1.0 + log(4.0));
+    assert_true(fine < coarse + log(4.0));
+}
+
+// Beside a plane the distances are exact, however much the values are spoilt.
+TEST(sweeping_keeps_a_plane)
+{
+    enum { FEW = 12 };
+    double value[FEW * FEW * FEW];
+    for (int i = 0; i < FEW * FEW * FEW; i++)
+        value[i] = 5.0 * (i % FEW - 4.3);
+    sweep_distances(value, FEW, 1.0);
+    for (int i = 0; i < FEW * FEW * FEW; i++)
+        assert_true(fabs(value[i] - (i % FEW - 4.3)) < 1e-12);
+}
+
+TESTS(NULL, NULL)
