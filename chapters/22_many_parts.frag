@@ -2,7 +2,6 @@
 
 #include "main.glsl"     // main(): calls pixelRay, then rayColour
 #include "cone.glsl"     // perspectiveRay, pixelSpread
-#include "march.glsl"    // Hit
 #include "reef.glsl"     // the scene: readGrid, reefDistance, marchReef, skinAt
 #include "lighting.glsl" // lambert, encodeSRGB
 #include "shadow.glsl"   // shadowRay, shadowReach

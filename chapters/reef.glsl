@@ -5,6 +5,7 @@
 // eight texels at its beginning say where the rest is. A part is three texels, a cell is one, and two numbers of parts
 // share one. Byte 0 of a cell is the number of parts in its list; the others are a whole number: where the list begins
 // or, if it is empty, 4096 times the distance from the cell's centre to the scene.
+#include "march.glsl"  // Hit, distanceAt
 #include "scene.glsl"
 #include "bounds.glsl" // boxInterval
 
