@@ -66,8 +66,10 @@ void platform_watch_short_memory(const char *words)
     struct sigaction action = {.sa_handler = on_short_memory};
     struct rlimit limit;
     state.short_memory = words;
-    if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY)
-        sigaction(SIGSEGV, &action, NULL);
+    if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+        return;
+    sigaction(SIGSEGV, &action, NULL);
+    sigaction(SIGABRT, &action, NULL); // LLVM's C++ aborts, and prints two lines first
 }
 
 void platform_limit_memory(double more)
