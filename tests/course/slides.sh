@@ -37,6 +37,7 @@ check 'each scene has a slide, after the title' [ "$(pages slides)" = $((scenes 
 check 'these are 15 to 20 pages' [ $((scenes + 1)) -ge 15 -a $((scenes + 1)) -le 20 ]
 sentences() { # of the list, each on one slide as it is
     local missing
+    [ "$(build/lecture --print docs/lecture.txt | wc -l)" = "$scenes" ] || return
     missing=$(build/lecture --print docs/lecture.txt | cut -d "$(printf '\037')" -f 5 | while read -r sentence; do
         has slides "$sentence" || echo "$sentence"
     done)
