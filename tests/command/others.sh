@@ -141,14 +141,14 @@ malformed toy "$head {}"
 # A sum of this many terms uses up the stack of some drivers' compilers; others draw it.
 endures() {
     printf '%s { c = vec4(p.x%s); }\n' "$head" "$(printf '%40000s' '' | sed 's/ /+p.x/g')" >"$scratch/sum.frag"
-    (ulimit -s 4096; draw sum; [ $? = 1 ] && [[ $said =~ sum.frag:\ the\ graphics\ driver\ crashed\ over\ it ]] && [ "$(grep -c '' <<<"$said")" = 1 ]) || draw sum
+    (ulimit -s 4096; draw sum; [ $? = 1 ] && [[ $said =~ sum.frag:\ the\ graphics\ driver\ crashed\ on\ it ]] && [ "$(grep -c '' <<<"$said")" = 1 ]) || draw sum
 }
 check 'a sum of 40000 terms' endures
 
 # Shaders that hide their size reach the limit of the memory that a driver may have, which it requests at once, or that
 # of the process, of which a small amount is filled sooner. The sanitizer has its own message when it ends a program
 # that gets no memory.
-bomb() { draw bomb; [ $? = 1 ] && [[ $said =~ bomb.frag:\ the\ graphics\ driver\ crashed\ over\ it,\ or\ wants\ more ]] && [ "$(grep -c '' <<<"$said")" = 1 ]; }
+bomb() { draw bomb; [ $? = 1 ] && [[ $said =~ bomb.frag:\ the\ graphics\ driver\ crashed\ on\ it,\ or\ needs\ more ]] && [ "$(grep -c '' <<<"$said")" = 1 ]; }
 if [ "$BUILD" = build ]; then
     printf '%s\n' 'const int N = 300000000;' 'float a[N * 4];' "$head { c = vec4(a[int(p.x)]); }" >"$scratch/bomb.frag"
     check 'constants that hide a huge array' bomb
