@@ -76,8 +76,8 @@ float pineDistance(vec3 p)
     domes = min(domes, length(flat1 - vec3(-1.7, 1.7, -0.8)) - 2.0);
     domes = min(domes, length(flat1 - vec3(-3.6, -0.4, 0.6)) - 1.9);
     domes = min(domes, length(flat1 - vec3(3.2, 0.6, -0.2)) - 2.2);
-    float leaf = 0.16 * zigzag(1.13 * c.x + 0.4 * c.y + 0.9 * c.z) + 0.06 * zigzag(2.7 * c.x - 1.3 * c.y + 1.9 * c.z);
-    return min(0.75 * trunk, 0.36 * (domes - leaf));
+    float leaf = 0.14 * zigzag(1.13 * c.x + 0.4 * c.y + 0.9 * c.z) + 0.04 * zigzag(2.7 * c.x - 1.3 * c.y + 1.9 * c.z);
+    return min(0.7 * trunk, 0.27 * (domes - leaf));
 }
 
 // Three rocks: each is the part of a ball within a cone, so that its sides are steep at the water.
@@ -88,7 +88,7 @@ float landDistance(vec3 p)
     land = min(land, max(length(p - vec3(42.0, -5.0, -47.5)) - 6.5, length(p.xz - vec2(42.0, -47.5)) - 3.8 + 0.9 * p.y));
     land = min(land, length(p - vec3(14.6, -0.6, -44.0)) - 1.8);
     float rock = 0.4 * zigzag(0.13 * p.x + 0.17 * p.y + 0.05 * p.z) + 0.24 * zigzag(0.43 * p.x - 0.36 * p.y + 0.3 * p.z);
-    return 0.5 * (land + rock);
+    return 0.42 * (land + rock);
 }
 
 // Above the water the islet, below it the mirror image, displaced by the waves. Water shows the

@@ -38,7 +38,8 @@ static const struct gl gl = {.GetUniformLocation = has_uniform};
 // ---- What is judged ----
 
 static struct overlay overlay;
-static struct window window; // which lists its keys
+static const struct window_start start;
+static struct window window = {.start = &start}; // which lists its keys
 
 // A panel, from its background on.
 struct back {
