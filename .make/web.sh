@@ -8,12 +8,19 @@ export LC_ALL=C
 out=${WEB_FOLDER:-build/web} source=${SITE_SOURCE:-docs/web} # the tests set these to build another site elsewhere
 
 rm -rf "$out/course"
-find chapters shaders/textures -name '*.frag' -o -name '*.glsl' -o -name '*.png' | sort >"$out/later.txt"
+# Files of the library that only the last chapters need.
+rare='shaders/clouds.glsl shaders/land.glsl shaders/night.glsl shaders/prism.glsl shaders/stored.glsl shaders/water.glsl'
+# shellcheck disable=SC2086 # names without blanks
+{ printf '%s\n' $rare; find chapters shaders/textures -name '*.frag' -o -name '*.glsl' -o -name '*.png'; } | sort >"$out/later.txt"
 while read -r file; do
     mkdir -p "$out/course/$(dirname "$file")"
     cp "$file" "$out/course/$file"
 done <"$out/later.txt"
-node "$source/pack.mjs" "$out/later.txt" "$out/course.json" shaders/*.glsl shaders/screen.vert
+common=()
+for file in shaders/*.glsl shaders/screen.vert; do
+    case " $rare " in *" $file "*) ;; *) common+=("$file") ;; esac
+done
+node "$source/pack.mjs" "$out/later.txt" "$out/course.json" "${common[@]}"
 rm "$out/later.txt"
 cp "$source/live.css" "$out/"
 .make/exercises.sh >"$out/exercises.txt"

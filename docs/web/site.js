@@ -153,7 +153,7 @@
     }
     let atEnd = null;
     addEventListener('beforeprint', () => {
-        const folds = [...document.querySelectorAll('main details:not(live-chapter *)')];
+        const folds = [...document.querySelectorAll('main details:not(live-chapter *, .question *)')];
         if (atEnd || folds.length === 0) return;
         atEnd = made('section', made('h2', 'Hints, answers and solutions'));
         for (const kind of ['Hint', 'Answer', 'Solution']) {

@@ -287,7 +287,9 @@ else
     skip '--list to a full disk' 'no /dev/full on this machine'
 fi
 to_closed() { "$chapter" "$@" >&-; }
-refuse '--list with standard output closed' 1 'standard output: is closed' to_closed --list
+closed='standard output: is closed'
+windows && closed='standard output: cannot be written' # it does not tell a closed one from a full disk
+refuse '--list with standard output closed' 1 "$closed" to_closed --list
 # A pipe whose reader has exited, as `head` does, is not an error, and there is no message. The signal that would end
 # the program is ignored here, because Windows has none.
 mkfifo "$scratch/left"

@@ -36,7 +36,7 @@ async function onPaper(page) {
         const all = (selector) => [...document.querySelectorAll(selector)].filter(seen), says = (what, many) => many.slice(0, 3).map((one) => `${what}: ${one.outerHTML.slice(0, 80)}`);
         const wide = all('main :is(pre, code, img, table, math, p)').filter((one) => one.getBoundingClientRect().right > innerWidth + 1 || one.scrollWidth > one.clientWidth + 1 && getComputedStyle(one).overflowX === 'auto');
         const dark = all('main :is(p, h1, img, figcaption)').filter((one) => getComputedStyle(one).colorScheme !== 'light' || /rgb\((1[5-9]|2\d)\d/.test(getComputedStyle(one).color));
-        const folds = document.querySelectorAll('main details').length, end = main.lastElementChild;
+        const folds = document.querySelectorAll('main details:not(.question *)').length, end = main.lastElementChild;
         const told = folds === 0 ? end.matches('section') : end.querySelectorAll('h4').length !== folds || all('main details > :not(summary)').length > 0 || all('main > section:last-child > :not(h2, h3, h4)').length < folds;
         const left = [...says('seen', all('button, form, nav, input, .top, .foot')), ...says('cut', wide), ...says('dark', dark), ...(told ? [`folds: ${folds}`] : [])];
         dispatchEvent(new Event('afterprint'));
