@@ -12,7 +12,7 @@ folder=build/slides
 rm -rf "$folder"
 draw_scenes "$list" "$folder" || exit 1
 
-# Every sign of a sentence stands for itself, so Markdown's are escaped.
+# Markdown's characters are escaped, so that a sentence is printed as it is.
 awk -F '\037' -v folder="$folder" '
     function plain(text) {
         gsub(/[][!-\/:-@\\^_`{-~]/, "\\\\&", text)
