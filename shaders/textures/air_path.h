@@ -1,0 +1,51 @@
+// air_path.h - the air of a round Earth: how much of it, of dust and of ozone a path meets, and
+// what is left of sunlight behind them. Distances and heights are in kilometres.
+#ifndef AIR_PATH_H
+#define AIR_PATH_H
+
+#include "air.h"
+
+// The Earth's radius, and the height at which the air ends.
+#define AIR_EARTH 6371.0
+#define AIR_TOP   120.0
+
+// The share of the light removed by dust that is scattered, and the mean cosine of its angle.
+#define AIR_DUST_KEPT 0.92
+#define AIR_FORWARD   0.76
+
+#define AIR_PI 3.14159265358979324
+
+// Amounts along a path, as shares of the amounts overhead at sea level.
+struct air_amount {
+    double air, dust, ozone;
+};
+
+// The optical depth of the air overhead at a wavelength, an index of air_waves; and of the dust.
+double air_depth(int wave);
+double air_dust_depth(int wave);
+
+// The amounts in one kilometre of path at a height, in [0, AIR_TOP].
+struct air_amount air_density(double height);
+
+// A ray begins at a radius, from the Earth's centre, and its direction has this sine of its height.
+// The height above the sea at a distance along it; and its distance to the top of the air.
+double air_height_at(double radius, double sine, double distance);
+double air_way_out(double radius, double sine);
+
+// The amounts along a ray that does not go down, sine >= 0, to the top of the air.
+struct air_amount air_amount_up(double radius, double sine);
+
+// The share of the light of a wavelength that passes these amounts: e^-depth, with a relative error
+// of at most 3e-10.
+//   ozone  of 300 Dobson units: 1
+double air_share_through(int wave, struct air_amount amount, double ozone);
+
+// Add the sun's light at a point, as shares of the light above the air. The sun is a disc, and near
+// the edge of the Earth's shadow only a part of it is visible.
+//   radius  of the point, from the Earth's centre
+//   sine    of the height of the sun's middle
+//   way     the amounts between the point and the eye
+void air_add_sunlight(double radius, double sine, struct air_amount way, double ozone,
+                      double share[AIR_WAVES]);
+
+#endif
