@@ -61,7 +61,7 @@ struct SkyScale {
 };
 
 // The scale of a point: by day the light decreases as thick air removes it, blue the most, and more the lower one
-// looks; in twilight it is halved for each degree that the sun sinks. Light spans decades, and a byte does not.
+// looks; in twilight it decreases by a factor of 2 to 9 for each degree that the sun sinks. Light spans decades, and a byte does not.
 //   sun      sine of the sun's height
 //   row      of skyPlace, in [0, 1]
 //   formula  fitted; the remaining factor is in the table, and lies in [0, 1]
@@ -117,7 +117,7 @@ float levelCosine(vec3 direction, vec3 sun)
 //   formula  ((1 + a) / 2)^p, p = 1 + (q - 1) (1 - 0.28 a), log2 q = 0.6 + 0.37 d - 2.75 row, at least 0, d the degrees
 //            by which the sun is below the horizon. By day p is 1, because the light without its phases is linear in a;
 //            in twilight the glow contracts, most of all near the horizon. At the zenith any share will do: both tables
-//            agree there Fitted; docs/18_sky_from_tables.md measures its error.
+//            agree there. Fitted; docs/18_sky_from_tables.md measures its error.
 float sunwardShare(float a, float sun, float row)
 {
     float narrow = exp2(clamp(0.6 - 21.3 * sun - 2.75 * row, 0.0, 6.0)) - 1.0;

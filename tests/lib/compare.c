@@ -129,7 +129,8 @@ const char *image_difference_words(const struct image_difference *difference, ch
                  part, largest, x, y);
     else if (!image_same(difference))
         snprintf(words, 256,
-                 "no pixel differs by more than %d of 255, but a whole part does, most around "
+                 "no pixel differs by more than %d of 255, but a whole region differs a little, "
+                 "most around "
                  "%d,%d",
                  largest, x, y);
     else if (largest > 0)

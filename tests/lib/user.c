@@ -18,9 +18,6 @@ struct GLFWwindow {
     double drawn, waited; // pixels; the program has waited for this many of them
 };
 
-struct GLFWcursor {
-    int shape;
-};
 struct GLFWmonitor {
     int left;
     GLFWvidmode mode;
@@ -171,6 +168,15 @@ GLFWglproc glfwGetProcAddress(const char *name)
 
 // ---- The window ----
 
+// These have little to do.
+// clang-format off
+int glfwInit(void) { return GLFW_TRUE; }
+void glfwTerminate(void) { user.hints = 0; }
+void glfwMakeContextCurrent(GLFWwindow *window) {}
+void glfwDefaultWindowHints(void) {}
+void glfwSwapInterval(int interval) {}
+// clang-format on
+
 GLFWwindow *glfwCreateWindow(int width, int height, const char *title, GLFWmonitor *monitor,
                              GLFWwindow *share)
 {
@@ -192,10 +198,6 @@ void glfwDestroyWindow(GLFWwindow *window)
     user.open = false;
 }
 
-void glfwMakeContextCurrent(GLFWwindow *window)
-{
-}
-
 GLFWwindow *glfwGetCurrentContext(void)
 {
     return user.open ? &the : NULL;
@@ -205,20 +207,6 @@ int glfwGetError(const char **description)
 {
     *description = "the test's window could not be opened";
     return GLFW_API_UNAVAILABLE;
-}
-
-int glfwInit(void)
-{
-    return GLFW_TRUE;
-}
-
-void glfwTerminate(void)
-{
-    user.hints = 0;
-}
-
-void glfwDefaultWindowHints(void)
-{
 }
 
 void glfwWindowHint(int hint, int value)
@@ -232,10 +220,6 @@ void glfwWindowHint(int hint, int value)
 void glfwInitHint(int hint, int value)
 {
     glfwWindowHint(hint, value);
-}
-
-void glfwSwapInterval(int interval)
-{
 }
 
 void glfwSwapBuffers(GLFWwindow *window)
@@ -378,11 +362,15 @@ void glfwSetInputMode(GLFWwindow *window, int mode, int value)
     user.captured = value == GLFW_CURSOR_DISABLED;
 }
 
+struct GLFWcursor {
+    int shape;
+};
 GLFWcursor *glfwCreateStandardCursor(int shape)
 {
     static struct GLFWcursor cursors[GLFW_VRESIZE_CURSOR - GLFW_ARROW_CURSOR + 1];
-    cursors[shape - GLFW_ARROW_CURSOR].shape = shape;
-    return &cursors[shape - GLFW_ARROW_CURSOR];
+    struct GLFWcursor *cursor = &cursors[shape - GLFW_ARROW_CURSOR];
+    cursor->shape = shape;
+    return cursor;
 }
 
 void glfwSetCursor(GLFWwindow *window, GLFWcursor *cursor)

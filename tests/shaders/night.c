@@ -14,10 +14,8 @@
 // border.
 TEST(test_four_cells_are_enough)
 {
-    static const float asked[][2] = {{0.0031f, 2.0f},
-                                     {0.002f, 2.0f},
-                                     {0.0056f, 2.0f},
-                                     {0.0031f, 0.0006f}}; // the last one around a pole
+    // Width and reach; the last one is around a pole.
+    const float asked[][2] = {{0.0031f, 2.0f}, {0.002f, 2.0f}, {0.0056f, 2.0f}, {0.0031f, 6e-4f}};
     for (int k = 0; k < 4; k++) {
         float *values = gpu_call(SHADER, 1024, 64, 0, (const float[4]){asked[k][0], asked[k][1]});
         double worst = 0.0, peak = 0.0;

@@ -85,10 +85,7 @@ IN_PROJECT(test_every_line_is_traced)
     const struct shader_line expected[] = {{0, 1}, {0, 2}, {1, 1}, {1, 2},
                                            {2, 1}, {1, 3}, {0, 3}, {0, 4}};
     assert_int_equal(source.line_count, 8);
-    for (int i = 0; i < 8; i++) {
-        assert_int_equal(source.lines[i].file, expected[i].file);
-        assert_int_equal(source.lines[i].line, expected[i].line);
-    }
+    assert_memory_equal(source.lines, expected, sizeof expected);
     assert_int_equal(line_count(source.text), 8);
     assert_int_equal(source.file_count, 3);
     assert_string_equal(source.files[0], scratch_path("root/chapters/main.frag"));
@@ -392,10 +389,8 @@ IN_PROJECT(test_no_file_stays_open)
     for (int i = 0; i < 50; i++) {
         struct shader_source source = read_text("#include \"twig.glsl\"\nx\n");
         shader_free(&source);
-        assert_file_refused(scratch_path("root/chapters/broken.frag"),
-                            (const char *const[]){"nothing.glsl", NULL});
-        assert_file_refused(scratch_path("root/chapters/empty.frag"),
-                            (const char *const[]){"empty", NULL});
+        assert_path_refused(scratch_path("root/chapters/broken.frag"), "nothing.glsl");
+        assert_path_refused(scratch_path("root/chapters/empty.frag"), "empty");
     }
     assert_int_equal(system_open_files(), before);
 }
