@@ -234,8 +234,8 @@ SESSION_TEST(a_bad_list_is_refused_with_its_line)
         const char *text, *why;
         int status;
     } bad[] = {
-        {"# nothing\n\n", "list.txt: has no scene", RUN_WRONG_COMMAND_LINE},
-        {"== One\n", "list.txt: has no scene", RUN_WRONG_COMMAND_LINE},
+        {"# nothing\n\n", "list.txt: contains no scene", RUN_WRONG_COMMAND_LINE},
+        {"== One\n", "list.txt: contains no scene", RUN_WRONG_COMMAND_LINE},
         {"\n  A sentence.\n", "list.txt:2: a sentence without a scene", RUN_WRONG_COMMAND_LINE},
         {"01\n\n33 --view steps\n", "list.txt:3: '33': no such chapter", RUN_WRONG_COMMAND_LINE},
         {"01\nWhy?\n", "list.txt:2: 'Why?': no such chapter", RUN_WRONG_COMMAND_LINE},
@@ -245,7 +245,7 @@ SESSION_TEST(a_bad_list_is_refused_with_its_line)
          RUN_WRONG_COMMAND_LINE},
         {"01 --output a.png\n", "list.txt:1: a scene is shown in a window", RUN_WRONG_COMMAND_LINE},
         {"01 --help\n", "list.txt:1: a scene is shown in a window", RUN_WRONG_COMMAND_LINE},
-        {"01 --shader 'my file.frag\n", "list.txt:1: a quote, ', has no end",
+        {"01 --shader 'my file.frag\n", "list.txt:1: a quote, ', is not closed",
          RUN_WRONG_COMMAND_LINE},
         {"01 --shader 'no file.frag'\n", "list.txt:1: no file.frag: cannot be read", RUN_NOT_DONE},
     };
