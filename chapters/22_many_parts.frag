@@ -8,7 +8,7 @@
 #include "sky.glsl"      // glow
 #include "film.glsl"     // filmOfLargest, ditherStep
 
-uniform bool  counted;      // false: show how many parts were evaluated instead of the reef
+uniform bool  counted;      // false: show the number of parts that were evaluated, instead of the reef
 uniform float clearness;    // 13 in [2, 40] step *1.25, scene units: how far light travels in the water until 1 / e of it is left
 uniform float shafts;       // 1 in [0, 4] step 0.25: brightness of the shafts of light
 uniform float lamp;         // 1 in [0, 4] step 0.25: brightness of the diver's lamp, which is at the eye

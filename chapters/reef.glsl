@@ -10,7 +10,7 @@
 #include "bounds.glsl" // boxInterval
 
 uniform sampler2D reef; // "reef.png" linear clamp: parts and lists
-uniform int parts;      // 4096 in [64, 4096] step *8: how many parts the reef has: 64, 512 or 4096
+uniform int parts;      // 4096 in [64, 4096] step *8: number of parts in the reef: 64, 512 or 4096
 
 const float BLEND = 0.024;                  // width of the blend between two parts, scene units
 const float MARGIN = 3.0 * BLEND;           // parts that a list leaves out are at least this far from its cell
