@@ -182,9 +182,8 @@ static double cells_cut(int side)
     for (int cell = 0; cell < side * side; cell++) {
         double least = 0.95, most = -0.95;
         for (int corner = 0; corner < 4; corner++) {
-            double square = (double)(cell / side + corner / 2) / side;
-            double turn = (double)(cell % side + corner % 2) / side;
-            double x = sqrt(square) * cos(2.0 * MIRROR_PI * turn);
+            int ring = cell / side + corner / 2, sector = cell % side + corner % 2;
+            double x = sqrt(1.0 * ring / side) * cos(2.0 * MIRROR_PI * sector / side);
             least = fmin(least, x);
             most = fmax(most, x);
         }
