@@ -43,7 +43,7 @@ pandoc -s "${files[@]}" -o build/book.pdf --pdf-engine=xelatex --resource-path=d
     -V monofontoptions='Scale=0.8' -V colorlinks=true 2>"$folder/log"
 status=$?
 if [ "$status" != 0 ]; then
-    echo "make: the book could not be set: $(grep -E -m 1 -A 2 '^!|Error' "$folder/log" | tr '\n' ' ')" >&2
+    echo "make: the book could not be typeset: $(grep -E -m 1 -A 2 '^!|Error' "$folder/log" | tr '\n' ' ')" >&2
     exit 1
 fi
 # A character that the font lacks would leave a gap in the text.

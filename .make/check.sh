@@ -68,7 +68,7 @@ right_picture() { # N OPTIONS
         fail "$solution: $(head -n 1 "$scratch/errors")"
 }
 right_rays() { # OPTIONS PLACES
-    # shellcheck disable=SC2086 # places are words
+    # shellcheck disable=SC2086 # the pixels are separate words
     [ -e "$scratch/rays" ] || probes "$solution" "$1" $2 >"$scratch/rays"
 }
 
@@ -155,7 +155,7 @@ judge() { # FILE
         [ "$number" = 1 ] || continue
         places=$(places_of "$options")
         right_rays "$options" "$places"
-        # shellcheck disable=SC2086 # places are words
+        # shellcheck disable=SC2086 # the pixels are separate words
         probes "$file" "$options" $places >"$scratch/mine"
         build/tests/judge rays "$shown" "$places" "$scratch/rays" "$scratch/mine" || return 1
     done <<<"$wanted"

@@ -28,7 +28,7 @@ write_pdf() {
         --pdf-engine=xelatex -H "$folder/head.tex" -M lang=en-GB -V documentclass=article -V papersize=a4 \
         -V geometry:margin=20mm -V fontsize=11pt -V mainfont='TeX Gyre Pagella' -V monofont='DejaVu Sans Mono' \
         -V monofontoptions='Scale=0.8' 2>"$folder/log"; then
-        echo "make: the handouts could not be set: $(grep -E -m 1 -A 2 '^!|Error' "$folder/log" | tr '\n' ' ')" >&2
+        echo "make: the handouts could not be typeset: $(grep -E -m 1 -A 2 '^!|Error' "$folder/log" | tr '\n' ' ')" >&2
         exit 1
     fi
     if grep 'Missing character' "$folder/log" | sort -u | grep . >&2; then

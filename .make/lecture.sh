@@ -1,7 +1,7 @@
 #!/bin/sh
 # lecture.sh - `make lecture`: show the scenes of a list full screen; if no window can be opened, draw them into files.
 #
-# Environment: LIST, a list of scenes as docs/lecture.txt, which is the default.
+# Environment: LIST, a list of scenes; the default is docs/lecture.txt.
 set -u
 . .make/chapters.sh
 . .make/scenes.sh

@@ -82,7 +82,7 @@ function table(stem,    command, line, text, n, name, at, i, wrong)
 
 # ---- The reading time ----
 
-# The minutes that so many words take, rounded up to a multiple of five.
+# The minutes that it takes to read a number of words, rounded up to a multiple of five.
 function minutes(words, a_minute)
 {
     return 5 * int((words / a_minute + 4.999) / 5)

@@ -2,7 +2,7 @@
 # slides.sh - `make slides`: typeset the scenes of a list as slides, build/slides.pdf: the picture of each scene, and its
 # sentence below.
 #
-# Environment: LIST, a list of scenes as docs/lecture.txt, which is the default.
+# Environment: LIST, a list of scenes; the default is docs/lecture.txt.
 set -u
 export LC_ALL=C
 . .make/scenes.sh
@@ -30,7 +30,7 @@ END
 if ! pandoc -t beamer -s "$folder/slides.md" -o build/slides.pdf --pdf-engine=xelatex --slide-level=2 -H "$folder/head.tex" \
     -M title='Ray marching, step by step' -M lang=en-GB -V aspectratio=169 -V fontsize=10pt -V colorlinks=true \
     -V mainfont='TeX Gyre Heros' -V sansfont='TeX Gyre Heros' 2>"$folder/log"; then
-    echo "make: the slides could not be set: $(grep -E -m 1 -A 2 '^!|Error' "$folder/log" | tr '\n' ' ')" >&2
+    echo "make: the slides could not be typeset: $(grep -E -m 1 -A 2 '^!|Error' "$folder/log" | tr '\n' ' ')" >&2
     exit 1
 fi
 if grep 'Missing character' "$folder/log" | sort -u | grep . >&2; then

@@ -8,7 +8,7 @@
 #include "sky.glsl"      // glow
 #include "film.glsl"     // filmOfLargest, ditherStep
 
-uniform bool  counted;      // false: show how many parts were evaluated instead of the reef
+uniform bool  counted;      // false: show the number of parts that were evaluated, instead of the reef
 uniform float clearness;    // 13 in [2, 40] step *1.25, scene units: how far light travels in the water until 1 / e of it is left
 uniform float shafts;       // 1 in [0, 4] step 0.25: brightness of the shafts of light
 uniform float lamp;         // 1 in [0, 4] step 0.25: brightness of the diver's lamp, which is at the eye
@@ -35,7 +35,7 @@ float sceneDistance(vec3 p)
 
 // ---- Light through the waves ----
 
-// How the waves on the surface bundle the light that reaches p, around 1: each wave is a lens.
+// How strongly the waves on the surface focus the light that reaches p, about 1 on average: each wave is a lens.
 //   blur  width over which the light is averaged, scene units
 float caustics(vec3 p, float blur)
 {
@@ -81,7 +81,7 @@ vec3 shaftLight(Ray ray, float far)
 
 // ---- Colours ----
 
-// A colour of the table: 9 pigments, sand stone, and fish; towards the tips of a coral it gets paler.
+// A colour of the table: 9 pigments, stone, and fish; towards the tips of a coral it gets paler.
 vec3 paintColour(int paint)
 {
     const vec3 pigment[9] = vec3[9](vec3(0.80, 0.16, 0.38), vec3(0.70, 0.07, 0.05), vec3(0.86, 0.30, 0.05),
@@ -94,7 +94,7 @@ vec3 paintColour(int paint)
     return colour == STONE ? stone : (colour == 15 ? mix(vec3(0.75, 0.62, 0.15), vec3(0.85, 0.42, 0.10), tip) : coral);
 }
 
-// The sand: ripples across the current, by their slope.
+// The normal of the sand, tilted by ripples perpendicular to the current.
 vec3 sandNormal(vec2 p, float width)
 {
     float x = 7.0 * p.y + 1.6 * sin(0.9 * p.x + 0.4 * p.y) + 0.8 * sin(2.3 * p.x + 1.1 * p.y);
@@ -102,7 +102,7 @@ vec3 sandNormal(vec2 p, float width)
     return normalize(vec3(0.25 * slope, 1.0, -slope));
 }
 
-// What grows on a stone: patches of algae on top, and grain.
+// The colour of a stone, with grain and patches of algae on top.
 vec3 mottled(vec3 p, vec3 colour, float up)
 {
     vec3 q = 5.0 * p + 1.3 * sin(7.0 * p.yzx + 2.0);
@@ -111,7 +111,7 @@ vec3 mottled(vec3 p, vec3 colour, float up)
     return mix(colour, algae, 0.75 * smoothstep(0.0, 0.8, up + 0.6 * spots)) * (1.0 + 0.1 * grain);
 }
 
-// The share of the light of all directions that reaches p: what is near takes some away.
+// The share of the light from all directions that reaches p: nearby objects block some of it.
 float openness(vec3 p, vec3 normal)
 {
     float open = 1.0;
@@ -136,7 +136,7 @@ vec3 surfaceLight(Ray ray, float t, bool onSand, float seen, Skin skin, float op
     return skin.colour * (direct + open * (above + below) + torch) + (onSand ? vec3(0.0) : through);
 }
 
-// From night blue to straw: how many parts were evaluated, on a logarithmic scale to 1024.
+// From night blue to straw: the number of parts that were evaluated, on a logarithmic scale to 1024.
 vec3 countColour(int count)
 {
     const vec3 colours[5] = vec3[5](vec3(0.05, 0.04, 0.15), vec3(0.24, 0.16, 0.43), vec3(0.62, 0.27, 0.46),

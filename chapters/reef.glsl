@@ -1,20 +1,20 @@
 // reef.glsl - the reef of chapter 22: parts and lists from a table, and a march that ends its steps where the list
 // ends.
 //
-// The table is a picture of bytes, 512 texels wide, which shaders/textures/reef.c writes. It has three reefs. For each,
-// eight texels at its beginning say where the rest is. A part is three texels, a cell is one, and two numbers of parts
-// share one. Byte 0 of a cell is the number of parts in its list; the others are a whole number: where the list begins
-// or, if it is empty, 4096 times the distance from the cell's centre to the scene.
+// The table is a picture of bytes, 512 texels wide, which shaders/textures/reef.c writes. It contains three reefs. For
+// each, eight texels at the start of the table say where its data begin. A part takes three texels, a cell one, and two
+// indices of parts share one. Byte 0 of a cell is the number of parts on its list. The other bytes are a whole number:
+// the position of the list or, if it is empty, 4096 times the distance from the cell's centre to the scene.
 #include "march.glsl"  // Hit, distanceAt
 #include "scene.glsl"
 #include "bounds.glsl" // boxInterval
 
 uniform sampler2D reef; // "reef.png" linear clamp: parts and lists
-uniform int parts;      // 4096 in [64, 4096] step *8: how many parts the reef has: 64, 512 or 4096
+uniform int parts;      // 4096 in [64, 4096] step *8: number of parts in the reef: 64, 512 or 4096
 
 const float BLEND = 0.024;                  // width of the blend between two parts, scene units
 const float MARGIN = 3.0 * BLEND;           // parts that a list leaves out are at least this far from its cell
-const vec3  CORNER = vec3(-10.0, -2.0, -16.0); // positions are counted from here
+const vec3  CORNER = vec3(-10.0, -2.0, -16.0); // positions are measured from here
 
 // Texel i of the table, as bytes.
 ivec4 reefTexel(int i)
@@ -39,7 +39,7 @@ struct Grid {
 
 Grid grid;
 
-// Read the grid of the reef that the parameter chooses. Every pixel begins with this.
+// Read the grid of the reef that the parameter selects. Every pixel begins with this.
 void readGrid()
 {
     int at = 8 * (parts > 512 ? 2 : (parts > 64 ? 1 : 0));
@@ -65,7 +65,7 @@ vec4 partAt(int id, vec3 p)
     return vec4(from - along * halfway, 0.9922 * b.z * b.z);
 }
 
-// The number of the part at a place of the lists.
+// The index of the part at a position in the lists.
 int listed(int place)
 {
     int i = grid.idsAt + (place >> 1);
@@ -88,7 +88,7 @@ struct Cell {
     vec3  low;
     float size;
     int   first, count;
-    float bound; // if count is 0: the distance of the scene from the centre
+    float bound; // if count is 0: the distance from the centre to the scene
 };
 
 Cell cellAt(vec3 p)
@@ -111,9 +111,9 @@ float listDistance(vec3 p, Cell cell)
 }
 
 Cell  here;         // the cell of the last evaluation
-float listValue;    // and what its list gave
+float listValue;    // and the value of its list
 
-// The distance of the reef. A lower bound everywhere: near the reef the value of the list, elsewhere the bound.
+// The distance to the reef. A lower bound everywhere: near the reef the value of the list, elsewhere the bound.
 float reefDistance(vec3 p)
 {
     here = cellAt(p);
@@ -122,7 +122,7 @@ float reefDistance(vec3 p)
     return here.count > 0 ? min(listValue, MARGIN) : max(empty, MARGIN);
 }
 
-// How far a ray may go on from p after reefDistance: as far as its list tells, and no farther than the cell.
+// How far a ray may advance from p after reefDistance: by the value of the list, and no farther than the cell's exit.
 float roomAlong(vec3 p, vec3 direction, float distance)
 {
     vec3 to = (here.low + here.size * step(0.0, direction) - p) / direction;
@@ -158,7 +158,7 @@ vec2 reefInterval(Ray ray)
     return boxInterval(ray, grid.low, grid.low + grid.size * vec3(grid.cells));
 }
 
-// What a point of the reef looks like, mixed by the slopes of the smooth union in its parts.
+// The look of a point of the reef, mixed in proportion to the slopes of the smooth union.
 struct Skin {
     vec3  normal;
     vec3  colour;
@@ -169,7 +169,7 @@ const int STONE = 14; // a colour of the table
 
 vec3 paintColour(int paint);
 
-// The skin at p. One pass through the list gives all of it; normalAt would take six.
+// The skin at p. One pass through the list gives all of it; normalAt would need six.
 Skin skinAt(vec3 p, bool wanted)
 {
     Cell cell = cellAt(p);

@@ -51,7 +51,7 @@ float plotCurve(Ray ray, vec2 pixel)
 {
     float pen = slicePen(), nearest = 1e9;
     vec2 before = vec2(0.0);
-    for (int i = -2; i <= 2; i++) { // to both sides of the pixel, as far as the line is wide
+    for (int i = -2; i <= 2; i++) { // to both sides of the pixel, over the width of the line
         float t = iSliceFrame.x + (pixel.x + 0.7 * pen * float(i)) * iSliceFrame.z;
         vec2 place = plotPlace(t, sceneDistance(ray.origin + t * ray.direction));
         nearest = i == -2 ? nearest : min(nearest, plotLine(pixel, before, place));

@@ -1,11 +1,11 @@
-// stored.glsl - a distance that is kept in a grid: the values at its points, and what is between them.
+// stored.glsl - a distance that is stored in a grid: the values at its points, and the interpolation between them.
 //
-// A grid has STORED_SIDE points on each axis, from -1 to 1, and keeps distances up to STORED_RANGE. It is a texture:
+// A grid has STORED_SIDE points on each axis, from -1 to 1, and stores distances up to STORED_RANGE. It is a texture:
 // shaders/textures/clay.c writes one. docs/23_stored_distances.md proves the claims made here.
 #include "scene.glsl"
 
 const int   STORED_SIDE = 64;   // points on each axis
-const float STORED_RANGE = 0.5; // the largest distance that is kept, scene units
+const float STORED_RANGE = 0.5; // the largest distance that is stored, scene units
 const float STORED_CELL = 2.0 / float(STORED_SIDE - 1); // side of a cell, scene units
 
 // The value at a point of the grid.
@@ -20,13 +20,13 @@ float storedValue(sampler3D grid, ivec3 point)
     return dot(texelFetch(grid, point, 0).rg, weight) - STORED_RANGE;
 }
 
-// The eight values around a place.
+// The eight values around a point.
 struct StoredCell {
     vec4 near, far; // at the lower z and at the higher: (0, 0), (1, 0), (0, 1), (1, 1) in x and y
-    vec3 share;     // where the place lies in the cell, each in [0, 1]
+    vec3 share;     // position in the cell, each in [0, 1]
 };
 
-// Look up the cell of a place.
+// Look up the cell of a point.
 //   q  in the cube from -1 to 1
 StoredCell storedCell(sampler3D grid, vec3 q)
 {
@@ -39,12 +39,12 @@ StoredCell storedCell(sampler3D grid, vec3 q)
     return StoredCell(plane[0], plane[1], place - vec3(low));
 }
 
-// Trilinear interpolation: a mean of the eight values, weighted with the product of the shares.
+// Trilinear interpolation: a mean of the eight values, weighted by products of the shares.
 //   formula  the lines of the cell along x, y and z, one after the other
 //   returns  scene units. If the grid has the values of a distance, the result errs by at most
 //            sqrt(3) / 2 STORED_CELL, and by 3 / 8 STORED_CELL^2 times the curvature where there is one. It is
-//            sqrt(3)-Lipschitz: not a bound, but one third of its square is a bound of the squared distance to
-//            its own surface
+//            sqrt(3)-Lipschitz: not a bound, but divided by sqrt(3) it is a lower bound of the distance to its
+//            own surface
 float trilinear(StoredCell cell)
 {
     vec4 between = mix(cell.near, cell.far, cell.share.z);
@@ -65,9 +65,9 @@ vec3 trilinearGradient(StoredCell cell)
 
 // The stored distance at any point.
 //   p        scene units; the stored surface must lie in the cube from -1 to 1
-//   formula  F(p) in the cube; outside, sqrt(a^2 + F(q)^2), q the nearest point of the cube and a the way to it
-//   returns  in the cube, trilinear; outside, what is a lower bound where F is one: the angle at q between p and any
-//            point of the cube is at least a right angle
+//   formula  F(p) in the cube; outside, sqrt(a^2 + F(q)^2), q the nearest point of the cube and a its distance from p
+//   returns  in the cube, trilinear; outside, a lower bound wherever F is one, because the angle at q between p and
+//            any point of the cube is at least a right angle
 float storedDistance(sampler3D grid, vec3 p)
 {
     vec3 q = clamp(p, -1.0, 1.0);
@@ -78,8 +78,8 @@ float storedDistance(sampler3D grid, vec3 p)
 // A step towards the surface of an interpolated distance that never crosses it.
 //   value    of storedDistance, scene units
 //   formula  the larger of value / sqrt(3) and value - sqrt(3) STORED_CELL: the first by the Lipschitz constant, the
-//            second because the values belong to a distance, whose own constant is 1; the same with the opposite
-//            sign inside
+//            second because the values belong to a distance, which is itself 1-Lipschitz; inside, the same with the
+//            opposite sign
 //   returns  scene units; a lower bound of the distance to the surface where storedDistance is 0
 float storedStep(float value)
 {

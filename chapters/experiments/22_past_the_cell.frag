@@ -1,5 +1,5 @@
-// Experiment of chapter 22: a march that trusts the list of a cell beyond the cell. Parts that this list leaves out are
-// stepped over.
+// Experiment of chapter 22: a march that trusts the list of a cell beyond the cell. It steps over parts that are not on
+// this list.
 #include "main.glsl"
 #define sceneDistance chapterDistance
 #include "22_many_parts.frag"

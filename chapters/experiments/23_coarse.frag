@@ -1,8 +1,8 @@
-// The elephant from fewer points of its grid: every third, or as many as 'every' says.
+// The elephant from fewer points of its grid: every third, or the fraction that 'every' sets.
 #include "main.glsl"
 #include "stored.glsl"
 
-uniform int every; // 3 in [1, 9]: of this many points in a row, one is used
+uniform int every; // 3 in [1, 9]: along each axis, one point in this many is used
 
 // storedDistance of a coarser grid.
 float coarseDistance(sampler3D grid, vec3 p)

@@ -1,4 +1,4 @@
-// The whole sky, twice: drag the sun in the left one, and beyond its rim, below the horizon. The zenith is in the
+// The whole sky, twice: drag the sun in the left one; beyond the rim it is below the horizon. The zenith is in the
 // centre, the horizon at the rim. On the left is the sky of this chapter, which takes the steep part out of its
 // tables; on the right two tables with complete colours are mixed, by the horizontal angle or by the dot product. The
 // number is the sun's height in degrees.

@@ -1,6 +1,6 @@
-// A march from cell to cell: drag the eye and the aim. A cell that no part is near has no list, and a ray crosses it in
-// one step. In the others the step ends at the face of the cell. At the top left: the parts that the march evaluated
-// and, in orange, those that a march through all parts would have.
+// A march from cell to cell: drag the eye and the aim. A cell with no part nearby has an empty list, and a ray crosses
+// it in one step. In the others a step ends at the face of the cell at the latest. At the top left: the number of parts
+// that the march evaluates and, in orange, the number for a march that evaluates all parts at every step.
 #include "figure.glsl"
 
 uniform vec2  eye;  // (-1.6, 0.45) handle: where the ray starts
@@ -16,7 +16,7 @@ float ballDistance(int i, vec2 p)
     return length(p - vec2(0.35 + 1.2 * far * cos(a), -0.25 + 0.8 * far * sin(a))) - 0.06 - 0.03 * sin(7.0 * a);
 }
 
-// The smooth union of the parts within reach of a cell, or of all: its value, and how many.
+// The smooth union of the parts within reach of a cell, or of all parts: its value, and the number of these parts.
 vec2 listAt(vec2 p, vec2 centre, float reach)
 {
     vec2 value = vec2(1e6, 0.0);

@@ -1,5 +1,5 @@
-// A stored distance: drag the disc and the plate. The orange outline is the true one; the blue one is where the
-// interpolated distance is 0. Its values are those at the dots.
+// A stored distance: drag the disc and the plate. The orange outline is the true one. On the blue one, the distance
+// interpolated between the dots is 0.
 #include "figure.glsl"
 
 uniform vec2  disc;  // (-0.55, 0.1) handle: centre of the disc

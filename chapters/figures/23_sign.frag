@@ -3,7 +3,7 @@
 #include "figure.glsl"
 
 uniform vec2 tip;   // (0.35, 0.1) handle: the corner of the triangle
-uniform vec2 point; // (0.75, 0.62) handle: the point whose side is asked for
+uniform vec2 point; // (0.75, 0.62) handle: the point whose side we want to find
 
 const vec2 LOW = vec2(-1.3, -0.55), HIGH = vec2(-1.3, 0.35); // the other corners
 
@@ -18,7 +18,7 @@ vec2 edgeNormal(vec2 a, vec2 b)
     return normalize(vec2(b.y - a.y, a.x - b.x) + 1e-9);
 }
 
-// Whether the tip is the nearest point of both edges that meet there.
+// Whether the tip is the nearest point of both edges that meet at it.
 bool nearTip(vec2 p)
 {
     return dot(p - tip, LOW - tip) <= 0.0 && dot(p - tip, HIGH - tip) <= 0.0;

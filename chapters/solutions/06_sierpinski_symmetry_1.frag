@@ -1,7 +1,7 @@
 // Solution of exercise 06.1: the Sierpinski triangle in the plane. Two folds per level give three
 // copies.
 //
-// The experiment draws it. A macro renames the experiment's own sceneDistance, that of the letter.
+// The experiment draws it. A macro renames the experiment's own sceneDistance, which draws the letter.
 #include "main.glsl"
 #define sceneDistance letterDistance
 #include "experiments/06_fold.frag"

@@ -1,6 +1,6 @@
 // Solution of exercise 23.1: the cells of the grid, as a chequered pattern on the clay.
 //
-// The chapter's call of gradientNoise is replaced by a call of cellPattern.
+// A macro replaces the chapter's call of gradientNoise with a call of cellPattern.
 #include "main.glsl"
 #include "noise.glsl"
 #include "stored.glsl"

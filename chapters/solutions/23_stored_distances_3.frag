@@ -7,7 +7,7 @@
 
 uniform float share; // 0.5 in [0, 1] step 0.05: 0 the elephant, 1 a ball of radius 0.5
 
-// The share of the elephant is sqrt(3)-Lipschitz, that of the ball 1-Lipschitz; only the first errs.
+// The elephant's distance is sqrt(3)-Lipschitz, and the ball's is 1-Lipschitz and exact.
 float sceneDistance(vec3 p)
 {
     float value = mix(storedDistance(grid, onTurntable(p)), sdSphere(p, 0.5), share);

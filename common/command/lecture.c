@@ -36,7 +36,7 @@ struct lecture {
 
 // ---- The list ----
 
-// Split a scene's line into words as a shell does, without its quotes. Returns how many, or -1,
+// Split a scene's line into words as a shell does, without its quotes. Returns their number, or -1,
 // reported.
 static int split(struct scene *scene, char *to)
 {
@@ -58,7 +58,7 @@ static int split(struct scene *scene, char *to)
                 *to++ = *from;
         *to++ = '\0';
         if (quote != '\0') {
-            report("a quote, %c, has no end", quote);
+            report("a quote, %c, is not closed", quote);
             return -1;
         }
     }
@@ -94,8 +94,8 @@ static int read_scene(struct scene *scene, const struct lecture_chapter *chapter
         return RUN_WRONG_COMMAND_LINE;
     const struct options *options = &scene->run.options;
     if (options->action != OPTIONS_RUN || !options->window) {
-        report("a scene is shown in a window, so it has no --output, --probe, --benchmark, --list, "
-               "--print-shader, --help or --version");
+        report("a scene is shown in a window: --output, --probe, --benchmark, --list, "
+               "--print-shader, --help and --version have no meaning here");
         return RUN_WRONG_COMMAND_LINE;
     }
     if (!run_find_root(&scene->run) || !run_find_shader(&scene->run))
@@ -160,7 +160,8 @@ static int read_lines(struct lecture *lecture)
     report_place(NULL);
     if (lecture->count > 0)
         return RUN_DONE;
-    report("%s: has no scene: a scene is a line such as 03 --set shadowOffset=0.25", lecture->path);
+    report("%s: contains no scene: a scene is a line such as 03 --set shadowOffset=0.25",
+           lecture->path);
     return RUN_WRONG_COMMAND_LINE;
 }
 
@@ -223,7 +224,8 @@ static bool is_alike(const struct scene *a, const struct scene *b)
     return alike;
 }
 
-// Move the pictures of a compiled scene that is alike, if there is one, to another scene.
+// Pass the pictures of a compiled scene with the same shaders and textures, if there is one, on to
+// another scene.
 static void take_pictures(struct lecture *lecture, struct scene *to)
 {
     for (int i = 0; i < lecture->count; i++) {

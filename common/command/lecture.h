@@ -5,9 +5,8 @@
 //
 //   == 0-5 An evening          a part of the lecture begins
 //   09 --set timeOfDay=17      a scene: a chapter's number or stem, and options as on its command
-//                              line; quotes keep a word with blanks together
 //                              line; quotes keep a word with blanks together; with --time, the
-//                              time stands still
+//                              time is paused
 //      Where are we going?     a line that begins with a blank: the speaker's sentence
 //   # a comment
 #ifndef LECTURE_H
@@ -33,18 +32,18 @@ struct lecture;
 int lecture_read(struct lecture **lecture, const char *path, const struct lecture_chapter *chapters,
                  int count);
 
-// Print the scenes, one a line, for the scripts that make slides: number, part, stem, the scene's
-// options and its sentence, with the character 31 between them.
+// Print the scenes, one per line, for the scripts that make slides: number, part, stem, the scene's
+// options and its sentence, separated by the character 31.
 void lecture_print(const struct lecture *lecture, FILE *file);
 
 // Fill the screen with the first scene. Returns the exit status so far, RUN_NO_WINDOW included.
 int lecture_open(struct lecture *lecture);
 
-// The window that waits for its turns, once the lecture is open.
+// The window of the lecture, whose loop the caller runs; NULL before the lecture is open.
 struct window *lecture_window(const struct lecture *lecture);
 
-// To be called after each turn of the window: show the scene that the speaker has asked for, or
-// compile the next one if that disturbs nobody. A scene that cannot be shown is reported, in the
+// To be called after each turn of the window: show the scene that the speaker has asked for, or, in
+// a turn that draws nothing, compile the next one. A scene that cannot be shown is reported, in the
 // window too, and the present one stays.
 //   of  a struct lecture
 void lecture_follow(void *of);

@@ -246,7 +246,7 @@ static bool set_overlay(struct options *options, const char *text)
 static bool set_backend(struct options *options, const char *text)
 {
     return context_backend_from_name(text, &options->backend) ||
-           refuse("backend", text, "unknown backend; there are glfw, egl, osmesa");
+           refuse("backend", text, "unknown backend; use glfw, egl or osmesa");
 }
 
 static bool set_shader(struct options *options, const char *text)

@@ -42,7 +42,7 @@ static const struct kind functions[] = {
                     "offered"},
     {"transition", "a GL Transition, which blends two pictures: there are none here"}};
 
-// What a first comment in JSON says of its file, or NULL.
+// What a first comment in JSON says about its file, or NULL.
 static const char *what_of_header(const struct glsl *code)
 {
     static const char isf[] = "an ISF file, because of its first comment: ISF is not read here: "

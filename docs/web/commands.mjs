@@ -74,14 +74,14 @@ function pairOf(command, above) {
     return {stem: stems[0], line, other};
 }
 
-// What a command is, as it stands in a page:
-//   {stem, line, still}  the chapter's program and its line; whether its time is held; of what it prints the page speaks of
-//                        the first `head` lines or the last `tail`, where it has one of these, or of all
+// What a command of a page does:
+//   {stem, line, still}  runs the chapter's program with a line; whether the time is paused; with `head` or `tail`, the page
+//                        shows only that many first or last lines of the output
 //   {stem, line, other}  two lines that write a picture each, to be compared
 //   {check, stem}        an exercise, "03_2", and its chapter
 //   {reason}             why it has no button; in the course for students, exercises cannot be checked in a page
 //   above                the commands above it in its block
-// Throws if it is none of these: then commands.txt lacks a line.
+// Throws if it does none of these: then commands.txt lacks a line.
 export function commandOf(command, above = []) {
     const pair = pairOf(command, above);
     if (pair) return pair;

@@ -69,9 +69,9 @@ class LiveChapter extends HTMLElement {
 
     // Run a command line here: what options.c reads behind the program's name. Returns the exit status once it is
     // done, or the window's first picture is there. The page's program moves here if it is elsewhere.
-    //   shown  {head} how many of the first lines that it prints are shown, {tail} how many of the last; else all;
-    //          {still} the time is held until it is let run; {probe} the pixel whose ray is shown, "0.5,0.5" of the
-    //          picture, and {step} up to which step
+    //   shown  {head} show only this many first lines of the output, {tail} this many last lines; {still} the time is
+    //          paused until the reader resumes it; {probe} the pixel whose ray is shown, "0.5,0.5" of the picture, and
+    //          {step} the step up to which it is shown
     async run(line = this.getAttribute('line') || '', shown = {still: this.isInPlace && !this.hasHands, probe: this.getAttribute('probe'), step: this.getAttribute('step')}) {
         if (!draws()) {
             this.say('This browser has no WebGL 2, so no program can run here; all text and pictures are shown.');

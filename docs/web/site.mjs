@@ -106,7 +106,7 @@ function parted(pages) {
 // ---- The surroundings of a page ----
 
 // The parts of the course, from docs/README.md: [{name, from, to}], where from and to are chapter numbers.
-const parts = [...read('docs/README.md').matchAll(/^\| (I+) \| (\d\d) to (\d\d) \|/gm)].map(([, name, from, to]) => ({name: `Part ${name}`, from, to}));
+const parts = [...read('docs/README.md').matchAll(/^\| ([IV]+) \| (\d\d) (?:to|and) (\d\d) \|/gm)].map(([, name, from, to]) => ({name: `Part ${name}`, from, to}));
 const partOf = (page) => page.stem && parts.find(({from, to}) => page.stem.slice(0, 2) >= from && page.stem.slice(0, 2) <= to);
 const BUILDING = ['teaching', 'architecture', 'contributing'];
 

@@ -1,6 +1,6 @@
 // The distance to a clay elephant at the points of a grid, 64 slices of 64 x 64, from -1 to 1 on
 // each axis: x to the right, y upwards, z from slice to slice. Red is the high byte, green the low
-// one. Read with linear and clamp, texel by texel.
+// one. It is read with linear and clamp, texel by texel.
 #include "elephant.h"
 #include "mesh_distance.h"
 #include "paint.h"

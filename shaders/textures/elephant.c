@@ -62,7 +62,7 @@ static const struct mesh_block MIDDLE[] = {
 enum {
     RIGHT_COUNT = sizeof RIGHT / sizeof RIGHT[0],
     MIDDLE_COUNT = sizeof MIDDLE / sizeof MIDDLE[0],
-    CENTRE = 7 // cell of the middle in x
+    CENTRE = 7 // the middle cell along x
 };
 
 // From the sketch to the cube.

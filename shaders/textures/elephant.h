@@ -8,7 +8,7 @@
 enum { ELEPHANT_SIDE = 64 };
 #define ELEPHANT_RANGE 0.5
 
-// The elephant: it looks along z, y is up, and its soles are near y = -0.57. It fits in the cube
+// The elephant: it faces along z, y is up, and its soles are near y = -0.57. It fits into the cube
 // from -1 to 1.
 //   steps  of subdivision, >= 0
 // Free with triangles_free.

@@ -46,7 +46,7 @@ static bool filled(const struct mesh_block *block, int count, const int cell[3])
     return false;
 }
 
-// Add the face of a block that looks along an axis.
+// Add the face of a block that faces along an axis.
 static void add_face(struct mesh *mesh, const int cell[3], int axis, int side)
 {
     // The other two axes turn from one to the other counter-clockwise as seen from outside.
@@ -61,7 +61,7 @@ static void add_face(struct mesh *mesh, const int cell[3], int axis, int side)
     }
 }
 
-// Replace the lattice's corners by the vertices that faces use, and place these.
+// Replace the lattice's corners with the vertices that faces use, and set their positions.
 static void place_vertices(struct mesh *mesh, const struct mesh_block *block, int count)
 {
     double(*sum)[4] = mesh_memory(LATTICE, sizeof *sum);
@@ -106,7 +106,8 @@ struct mesh mesh_of_blocks(const struct mesh_block *block, int count)
 
 // ---- Subdivision ----
 
-// The edges of a mesh: of each face's side from corner k to corner k + 1, the number of its edge.
+// The edges of a mesh: for each side of a face, from corner k to corner k + 1, the index of its
+// edge.
 struct edges {
     int (*of)[4];
     int (*end)[2];
@@ -147,7 +148,8 @@ static void add(double to[3], const double from[3], double share)
         to[a] += share * from[a];
 }
 
-// The points of faces and edges: after the vertices come those of the edges, then of the faces.
+// The points of edges and faces: after the vertices come those of the edges, then those of the
+// faces.
 static void place_points(struct mesh *fine, const struct mesh *mesh, const struct edges *edges)
 {
     double(*edge)[3] = fine->vertex + mesh->vertices, (*face)[3] = edge + edges->count;

@@ -6,8 +6,8 @@
 
 #include <stddef.h>
 
-// A block of a cage: a cell of a lattice, which tells what its neighbours are, and a box in space.
-// Blocks of neighbouring cells share a face; two blocks must not share only an edge or a corner.
+// A block of a cage: a cell of a lattice, which determines its neighbours, and a box in space.
+// Blocks of neighbouring cells share a face; no two blocks may share only an edge or a corner.
 struct mesh_block {
     int cell[3];      // each in [0, MESH_CELLS)
     double centre[3]; // of its box
@@ -24,15 +24,15 @@ struct mesh {
     int faces;
 };
 
-// The surface of some blocks. A vertex is the mean of the corners that its blocks have there.
+// The surface of some blocks. A vertex is the mean of the corners of the blocks that meet there.
 // Free the result with mesh_free.
 struct mesh mesh_of_blocks(const struct mesh_block *block, int count);
 
-// One step of Catmull and Clark: four faces for each. A closed mesh stays closed.
+// One step of Catmull and Clark: each face becomes four. A closed mesh stays closed.
 //   formula  a face's point is the mean of its corners; an edge's point the mean of its ends and of
 //            the points of its two faces; a vertex with n faces moves to (F + 2 E + (n - 3) V) / n,
 //            F and E the means of the points of its faces and of the middles of its edges
-// Free the result with mesh_free; the argument stays the caller's.
+// Free the result with mesh_free; the argument still belongs to the caller.
 // Source: E. Catmull, J. Clark, 'Recursively generated B-spline surfaces on arbitrary topological
 // meshes', Computer-Aided Design 10 (1978).
 struct mesh mesh_subdivide(const struct mesh *mesh);
@@ -51,7 +51,7 @@ struct triangles {
 struct triangles mesh_triangles(const struct mesh *mesh);
 void triangles_free(struct triangles *triangles);
 
-// Memory of count zeroed items; ends the program with a message if there is none.
+// Memory for count zeroed items; if there is not enough, prints a message and ends the program.
 void *mesh_memory(size_t count, size_t size);
 
 #endif

@@ -107,7 +107,7 @@ int mesh_nearest(const double *const corner[3], const double p[3], double neares
 
 // ---- Normals ----
 
-// Add each face's normal to those of its vertices, weighted with the angle there.
+// Add each face's normal to those of its vertices, weighted by its angle there.
 static void add_faces(struct mesh_tree *tree, double (*vertex_sum)[3])
 {
     const struct triangles *triangles = tree->triangles;
@@ -196,8 +196,8 @@ static void fit_box(const struct mesh_tree *tree, struct mesh_box *box)
     }
 }
 
-// Sort the triangles of a box into two halves, at the middle of its longest side; if all middles
-// are on one side of it, at the middle of the list.
+// Sort the triangles of a box into two parts, by the side of the plane through the middle of its
+// longest side on which their middles lie; if all lie on one side, by halves of the list.
 static int split(const struct mesh_tree *tree, const struct mesh_box *box)
 {
     int axis = 0, *order = tree->order + box->first, count = 0;
@@ -222,7 +222,7 @@ struct mesh_tree mesh_tree_build(const struct triangles *triangles)
     for (int i = 0; i < triangles->count; i++)
         tree.order[i] = i;
     tree.box[0].count = triangles->count;
-    // The list of boxes is its own list of what is still to do.
+    // The list of boxes is also the list of boxes that are still to be split.
     for (int i = 0; i < tree.boxes; i++) {
         struct mesh_box *box = &tree.box[i];
         fit_box(&tree, box);
@@ -282,8 +282,8 @@ static void try_triangle(const struct mesh_tree *tree, int triangle, const doubl
     }
 }
 
-// Search a box, the nearer of its two halves first; a box that is farther than the nearest point so
-// far is left out.
+// Search a box, the nearer of its two parts first; a box that is farther away than the nearest
+// point so far is skipped.
 static void search_box(const struct mesh_tree *tree, int index, const double p[3],
                        struct search *search)
 {

@@ -1,15 +1,16 @@
 // mesh_distance.h - the signed distance to a closed mesh of triangles.
 //
-// The distance is that of the nearest triangle, found with a tree of boxes. The sign is that of the
-// angle to a normal at the nearest point: of the face, of the edge, or of the vertex, where the
-// normals of the faces around it are weighted with their angles. docs/23_stored_distances.md proves
-// that this sign is right for every closed mesh that does not cross itself.
+// The distance is that to the nearest triangle, found with a tree of boxes. Its sign is the sign of
+// a dot product with the normal at the nearest point: the normal of the face, of the edge, or of
+// the vertex, where the normals of the faces around it are weighted by their angles.
+// docs/23_stored_distances.md proves that this sign is right for every closed mesh that does not
+// cross itself.
 #ifndef MESH_DISTANCE_H
 #define MESH_DISTANCE_H
 
 #include "mesh.h"
 
-enum { MESH_LEAF = 4 }; // triangles of a leaf, at most
+enum { MESH_LEAF = 4 }; // the most triangles in a leaf
 
 // A box of the tree: its triangles are order[first] to order[first + count - 1]. A leaf has no
 // children; the children of any other box are left and left + 1.
@@ -20,14 +21,14 @@ struct mesh_box {
 };
 
 struct mesh_tree {
-    const struct triangles *triangles; // the caller's, who keeps it until mesh_tree_free
+    const struct triangles *triangles; // the caller's, valid until mesh_tree_free
     double (*normal)[7][3]; // of each triangle: face, edges 01 12 20, vertices 0 1 2; owned
     int *order;             // owned
     struct mesh_box *box;   // box[0] contains all; owned
     int boxes;
 };
 
-// Which part of a triangle a point is nearest to: an index of mesh_tree.normal.
+// The part of a triangle to which a point is nearest: an index into mesh_tree.normal.
 enum mesh_feature { MESH_FACE, MESH_EDGE_01, MESH_EDGE_12, MESH_EDGE_20, MESH_VERTEX_0 };
 
 // The point of a triangle that is nearest to p.
@@ -45,8 +46,8 @@ void mesh_tree_free(struct mesh_tree *tree);
 // The distance from p to the mesh: exact but for rounding, positive outside, negative inside.
 double mesh_distance(const struct mesh_tree *tree, const double p[3]);
 
-// The angle between two vectors, neither of them zero, in [0, pi] radians: within 1e-12. The
-// library's acos differs from machine to machine.
+// The angle between two nonzero vectors, in [0, pi] radians, within 1e-12. The C library's acos
+// differs from machine to machine.
 double mesh_angle(const double a[3], const double b[3]);
 
 #endif

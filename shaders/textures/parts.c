@@ -67,7 +67,7 @@ struct part part_stored(struct part part)
 
 // ---- The grid ----
 
-// A box of cells, and the parts that may matter in it.
+// A box of cells and the parts that may matter in it.
 struct block {
     int low[3], high[3];
     uint16_t *id;
@@ -82,8 +82,8 @@ struct builder {
     bool failed;
 };
 
-// Keep of the parts those whose distance from the centre of a box of radius r is less than
-// PART_REACH k + 2 r above the least. Returns the scene's distance from the centre.
+// Keep only the parts whose distance from the centre of a box of radius r exceeds the smallest by
+// less than PART_REACH k + 2 r. Returns the scene's distance from the centre.
 static double prune(const struct builder *b, struct block *block, const double centre[3], double r)
 {
     double least = 1e9, value = 1e9;
@@ -104,14 +104,15 @@ static double prune(const struct builder *b, struct block *block, const double c
 }
 
 // Truncate the list of a cell, and store it.
-//   value  the scene's distance from the centre, r how far the corners are from it
+//   value  the scene's distance from the centre
+//   r      the corners' distance from the centre
 static void finish(struct builder *b, struct block *block, double value, double r)
 {
     struct part_grid *grid = b->grid;
     int kept = 0, nearest = 0;
     for (int i = 1; i < block->count; i++)
         nearest = block->distance[i] < block->distance[nearest] ? i : nearest;
-    bool solid = value < -r; // no march comes here
+    bool solid = value < -r; // no march gets here
     for (int i = 0; i < block->count; i++)
         if (solid ? i == nearest : block->distance[i] - r < PART_MARGIN * grid->blend)
             block->id[kept++] = block->id[i];
@@ -132,7 +133,7 @@ static void finish(struct builder *b, struct block *block, double value, double 
     grid->most = kept > grid->most ? kept : grid->most;
 }
 
-// The eighth of a box of cells; false if it has no cells.
+// One eighth of a box of cells; false if it has no cells.
 static bool eighth(const struct block *block, int number, struct block *part)
 {
     bool any = true;
@@ -145,7 +146,7 @@ static bool eighth(const struct block *block, int number, struct block *part)
     return any;
 }
 
-// Prune the list of a box for each of its eighths, down to the cells.
+// Prune the list of a box for each of its eighths, down to single cells.
 static void divide(struct builder *b, const struct block *box, const uint16_t *id, int count)
 {
     struct block block = *box;
@@ -176,7 +177,7 @@ static void divide(struct builder *b, const struct block *box, const uint16_t *i
     free(block.distance);
 }
 
-// The box around all parts and what their blends add.
+// The box around all parts and the material that their blends add.
 static void surround(struct part_grid *grid, const struct part *part, int count, double fineness)
 {
     double high[3], longest = 0.0, root = 1.0;

@@ -1,5 +1,5 @@
-// parts.h - a scene of thousands of parts that blend where they meet, and a grid of lists that says
-// which of them matter where. Chapter 22 explains both.
+// parts.h - a scene of thousands of parts that blend where they meet, and a grid with a list for
+// each cell of the parts that matter there. Chapter 22 explains both.
 //
 // A part is a capsule: the points within its radius of a segment. Lengths are scene units.
 #ifndef PARTS_H
@@ -13,39 +13,39 @@
 #define PART_HALF       (1.0 / 256.0)   // half segments are multiples of this
 #define PART_RADIUS     (1.0 / 65536.0) // radii are squares times this
 #define PART_REACH                                                                                 \
-    3.0 // times the blend: a part that is so much farther than the nearest is left out
-#define PART_MARGIN 3.0 // times the blend: and so is one that is so far from the whole cell
+    3.0 // times the blend: a part that is farther than the nearest by this much is left out
+#define PART_MARGIN 3.0 // times the blend: and so is a part that is this far from the whole cell
 
 #define PART_FINENESS 6.5 // of the grid that the chapter uses, as for part_grid_build
 
-// The corner of the scene from which positions are counted.
+// The corner of the scene from which positions are measured.
 extern const double part_low[3];
 
 struct part {
     double centre[3], half[3]; // the segment is from centre - half to centre + half
     double radius;
-    int paint; // colour, and how near to the tip: 16 colour + nearness
+    int paint; // colour and nearness to the tip: 16 colour + nearness
 };
 
-// The distance of a part from p, negative inside; exact.
+// The distance from p to a part, negative inside; exact.
 double part_distance(const struct part *part, const double p[3]);
 
 // opSmoothUnion of combine.glsl.
 double part_union(double a, double b, double blend);
 
-// The distance of parts from p: the smooth union of all, one after the other, in their order.
-//   id, count  which parts; id NULL: the first count
+// The distance from p to some parts: their smooth union, one after the other, in their order.
+//   id, count  the parts; if id is NULL, the first count
 //   blend      width of the blends, > 0
 double parts_distance(const struct part *part, const uint16_t *id, int count, double blend,
                       const double p[3]);
 
-// The part's numbers as they are stored: rounded to the multiples above.
+// The part with its numbers as they are stored: rounded to the multiples above.
 struct part part_stored(struct part part);
 
 // ---- The grid ----
 
-// What a cell knows: the parts that matter in it, in their order, or, if it has none, how far the
-// scene is from its centre at least.
+// The contents of a cell: the parts that matter in it, in their order, or, if there are none, a
+// lower bound of the distance from its centre to the scene.
 struct part_cell {
     int first, count;
     double bound;
@@ -54,7 +54,7 @@ struct part_cell {
 struct part_grid {
     double low[3], size; // corner; side of a cell, a multiple of 1/4096
     int cells[3];
-    struct part_cell *cell; // owned: cells[0] of a row along x, then along y, then along z
+    struct part_cell *cell; // owned: cells[0] in a row along x, then along y, then along z
     uint16_t *id;           // owned: all lists
     int ids;
     double blend;
@@ -71,7 +71,7 @@ bool part_grid_build(struct part_grid *grid, const struct part *part, int count,
 
 void part_grid_free(struct part_grid *grid);
 
-// The cell in which p is; p outside of the grid counts as the nearest point inside.
+// The cell that contains p; for p outside the grid, the cell of the nearest point inside.
 const struct part_cell *part_grid_cell(const struct part_grid *grid, const double p[3]);
 
 #endif

@@ -1,5 +1,5 @@
-// reef.c - the parts of a reef and their lists, as a table of bytes, to be read with linear and
-// clamp by texelFetch: chapters/reef.glsl says what the bytes mean.
+// reef.c - the parts of a reef and their lists, as a table of bytes. It is read by texelFetch, with
+// linear and clamp; chapters/reef.glsl says what the bytes mean.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -95,7 +95,9 @@ int main(void)
     static const int count[SIZES] = {64, 512, 4096};
     for (int i = 0; i < SIZES; i++)
         if (!put_reef(i, count[i])) {
-            fprintf(stderr, "reef: not enough room or memory for %d parts\n", count[i]);
+            fprintf(stderr,
+                    "reef: not enough space in the table or not enough memory for %d parts\n",
+                    count[i]);
             return EXIT_FAILURE;
         }
     rows = (used + WIDTH - 1) / WIDTH;

@@ -5,7 +5,7 @@
 
 #include "paint.h"
 
-// What grows. STAG, BUSH, FAN and TABLE fork again and again.
+// The kinds of corals. STAG, BUSH, FAN and TABLE fork again and again.
 enum kind { STAG, BUSH, FAN, TABLE, BRAIN, TUBES, ANEMONE };
 
 enum { STONE = 14, FISH = 15, PINK = 0, RED, ORANGE, YELLOW, GREEN, CYAN, BLUE, VIOLET, CREAM };
@@ -22,7 +22,7 @@ struct tip {
     int level;
 };
 
-// A reef in the making.
+// A reef that is being built.
 struct reef {
     struct part *part;
     int count, limit;
@@ -67,7 +67,8 @@ static struct v3 any_direction(struct reef *reef)
     }
 }
 
-// The direction in the plane after this one by the golden angle, so that many share the circle.
+// This direction turned by the golden angle about the y axis, so that many turns cover the circle
+// evenly.
 static struct v3 golden(struct v3 d)
 {
     const double c = -0.73736887807832, s = 0.67549029426152;
@@ -166,7 +167,7 @@ static void cluster(struct reef *reef, enum kind kind, struct v3 base, double si
 
 // ---- The whole ----
 
-// The bed of the reef: it rises to the left, to the right, and far behind, and leaves a gully free.
+// The bed of the reef: it rises to the left, to the right and far behind, around a gully.
 static double bed(double x, double z)
 {
     static const double hill[4][5] = {{-3.9, -1.2, 3.0, 6.0, 1.5}, // x, z, widths squared, height
@@ -182,7 +183,7 @@ static double bed(double x, double z)
     return height;
 }
 
-// The rock: stones that are as high as the bed.
+// The rock: stones as high as the bed.
 static void rock(struct reef *reef, int count)
 {
     struct v3 around = v3(0.6, 0.0, 0.8);
@@ -227,7 +228,7 @@ static void colony(struct reef *reef, int number, struct v3 base, double size, i
         cluster(reef, kind, base, size, colour, end);
     else
         fork(reef, kind, base, size, colour, end);
-    while (reef->count < end) { // what a coral that has ended early leaves becomes pebbles
+    while (reef->count < end) { // the parts left over by a coral that ended early become pebbles
         struct v3 p = plus(base, size * (0.5 + drawn(reef)), any_direction(reef));
         double radius = 0.02 + 0.04 * drawn(reef);
         p.y = bed(p.x, p.z) * 0.2 + 0.3 * radius;
@@ -236,7 +237,7 @@ static void colony(struct reef *reef, int number, struct v3 base, double size, i
     }
 }
 
-// A fish: body, and a tail of two fins.
+// A fish: a body, and a tail with two fins.
 static void fish(struct reef *reef, struct v3 p, struct v3 d, double size, int colour)
 {
     struct v3 tail = plus(p, -2.2 * size, d), up = v3(0.0, 1.0, 0.0);

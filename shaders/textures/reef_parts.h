@@ -9,8 +9,7 @@ enum { REEF_MOST = 8192 };
 #define REEF_BLEND 0.024 // width of the blends
 
 // Fill in a reef of count parts, from 64 to REEF_MOST. The fewer there are, the larger they are:
-// the corals are as many as there are groups of 128 parts, and their volume altogether stays the
-// same.
+// there is one coral for every 128 parts, and their total volume stays the same.
 void reef_build(int count, struct part *part);
 
 #endif

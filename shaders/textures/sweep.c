@@ -10,7 +10,7 @@
 struct grid {
     const double *value; // as given
     double *distance;    // without sign
-    bool *fixed;         // beside the surface
+    bool *fixed;         // next to the surface
     int side;
     double cell;
 };
@@ -21,8 +21,8 @@ static size_t index_of(const struct grid *grid, const int at[3])
     return (size_t)at[0] + side * ((size_t)at[1] + side * (size_t)at[2]);
 }
 
-// The way from a point to the crossing on one of its edges along an axis, the nearer one; INFINITY
-// if both neighbours have the same sign.
+// The distance from a point to the nearer crossing of the surface with its two edges along an axis;
+// INFINITY if both neighbours have its sign.
 static double to_crossing(const struct grid *grid, const int at[3], int axis)
 {
     double here = grid->value[index_of(grid, at)], nearest = INFINITY;
@@ -38,8 +38,8 @@ static double to_crossing(const struct grid *grid, const int at[3], int axis)
     return nearest;
 }
 
-// Beside the surface: the distance to the plane that cuts the axes at the crossings.
-//   formula  1 / sqrt(1 / a^2 + 1 / b^2 + 1 / c^2)
+// Next to the surface: the distance to the plane that cuts the axes at the crossings.
+//   formula  1 / sqrt(1 / a^2 + 1 / b^2 + 1 / c^2), a, b, c the distances to the crossings
 static void begin(struct grid *grid, const int at[3])
 {
     size_t i = index_of(grid, at);
@@ -56,7 +56,7 @@ static void begin(struct grid *grid, const int at[3])
         grid->distance[i] = 1.0 / sqrt(sum);
 }
 
-// The smaller of two neighbours along an axis.
+// The smaller distance of the two neighbours along an axis.
 static double upwind(const struct grid *grid, const int at[3], int axis)
 {
     double least = INFINITY;
@@ -69,8 +69,8 @@ static double upwind(const struct grid *grid, const int at[3], int axis)
     return least;
 }
 
-// The d > a, b, c with (d - a)^2 + (d - b)^2 + (d - c)^2 = cell^2, where terms with d below their
-// letter are left out.
+// The solution d of (d - a)^2 + (d - b)^2 + (d - c)^2 = cell^2, where a term counts only if d is
+// greater than its a, b or c.
 static double solve(double a, double b, double c, double cell)
 {
     double least = fmin(a, fmin(b, c)), most = fmax(a, fmax(b, c));
@@ -87,7 +87,8 @@ static double solve(double a, double b, double c, double cell)
     return d;
 }
 
-// Visit all points, each axis upwards or downwards as a bit of the order says.
+// Visit all points, along each axis upwards or downwards; bit k of the order is set if axis k goes
+// downwards.
 static void sweep(struct grid *grid, int order)
 {
     int last = grid->side - 1;

@@ -259,7 +259,7 @@ static const char *const mistakes[][2] = {
     {"-s 16x9 --probe 1,1 --probe 1,9", "--probe '1,9': outside the picture"},
     // Names.
     {"-v colours", "there are picture, normals, depth, steps, slice"},
-    {"-b vulkan", "there are glfw, egl, osmesa"},
+    {"-b vulkan", "use glfw, egl or osmesa"},
     {"-f ''", "--shader"},
     {"--root ''", "--root"},
     // Films and steps.

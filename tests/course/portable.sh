@@ -10,7 +10,7 @@ open_scratch
 
 # ---- Words ----
 
-# Words that only a bash newer than 3.2 or GNU's sed, mktemp, date, readlink, stat, sort or find know.
+# Words that only versions of bash after 3.2, or only GNU's sed, mktemp, date, readlink, stat, sort or find, know.
 cat >"$scratch/patterns" <<'END'
 \$\{[a-zA-Z_]+(\^|,|@[A-Z])
 (^|[ ;&(])(mapfile|readarray|coproc|nproc|tac|shuf|numfmt|realpath|md5sum|truncate) 

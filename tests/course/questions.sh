@@ -1,6 +1,6 @@
 #!/bin/bash
-# questions.sh - docs/questions.txt: five questions for each chapter, whose right answer is not known by its place or its
-# length; and what `make questions` writes, read back with parsers of GIFT and of XML.
+# questions.sh - docs/questions.txt: five questions for each chapter, whose right answer cannot be guessed from its position
+# or its length; and the files that `make questions` writes, read back with parsers of GIFT and of XML.
 # shellcheck disable=SC2154,SC2016 # open_scratch sets scratch; a dollar is awk's or GIFT's
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -13,7 +13,7 @@ check_empty() { # NAME FILE
 
 # ---- The source ----
 
-# A line for each question: its number, its answers, the place of the right one, the place of the longest.
+# A line for each question: its number, its answers, the position of the right one, the position of the longest.
 awk '
     function done() { if (id != "") print id, n, right, longest; n = right = most = 0 }
     /^## / { done(); id = $2 }
@@ -38,7 +38,7 @@ check 'and the longest one in at most half' at_most_half '$3 == $4'
 
 # ---- What is written ----
 
-# All that a file says, one thing a line: chapter, question, right, wrong, why.
+# The contents of a file, one item per line: chapter, question, right, wrong, why.
 said_by_source() { # FILE
     awk -F ' // ' '
         /^## / { print "question", substr($0, 4) }
@@ -46,7 +46,7 @@ said_by_source() { # FILE
         /^- / { print "wrong", substr($1, 3); print "why", $2 }' "$1"
 }
 
-# GIFT, letter by letter: a backslash takes the meaning from the next letter.
+# GIFT, letter by letter: after a backslash, a letter has no special meaning.
 said_by_gift() { # FILE
     awk '
         function say(kind) { gsub(/^[ \n]+|[ \n]+$/, "", text); print kind, text; text = "" }

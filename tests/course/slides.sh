@@ -1,5 +1,5 @@
 #!/bin/bash
-# slides.sh - `make slides` and `make handouts`: their pages, and what is on them.
+# slides.sh - `make slides` and `make handouts`: their pages and the contents of these.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh

@@ -74,10 +74,10 @@ static double depth(int wave, int kind)
                        : air_waves[wave].ozone * 1e-25 * 300.0 * 2.687e20;
 }
 
-// The share of the sun's light that arrives at a point, for each wavelength, including what the air
-// between the point and the eye takes. It is a mean over horizontal strips of the disc that are
-// above the horizon; the disc is as dark at its rim as a ball lit from the eye. Far from the
-// horizon, the disc is treated as a point.
+// The share of the sun's light that reaches the eye from a point, for each wavelength, after the
+// losses on the way to the point and from the point to the eye. It is a mean over horizontal strips
+// of the disc that are above the horizon; the disc is as dark at its rim as a ball lit from the
+// eye. Far from the horizon, the disc is treated as a point.
 static void lit(double radius, double sine, double tall, struct column past, double ozone,
                 double share[AIR_WAVES])
 {

@@ -13,20 +13,21 @@ struct cover_sample {
     double t, d;
 };
 
-// The least number of evaluations, between two bounds.
+// The smallest number of evaluations, between two bounds.
 struct cover_count {
     int least; // no choice of points on the ray needs fewer, if the distance is 1-Lipschitz
-    int most;  // the least number of the given samples: certainly enough
+    int most;  // the smallest number of the given samples that is enough
 };
 
 // How many evaluations cover a ray from its first sample to its last.
 //   sample  t ascending, count >= 1; a negative d counts as 0
-//   hit     what is found at the last sample is part of the answer: one evaluation is made there
-// COVER_NEVER stands for `most` where the samples do not suffice.
+//   hit     the hit at the last sample is part of the answer: one evaluation is made there
+// `most` is COVER_NEVER if the samples are not enough.
 //
-// Between two samples a 1-Lipschitz distance has t - d from the first one's on and t + d up to the
-// second one's, so all intervals of the gap lie in the one between these two: `least` is the least
-// number of such wide intervals.
+// Along a 1-Lipschitz distance, t - d and t + d never fall. So between two samples, t - d is at
+// least that of the first, and t + d at most that of the second: the intervals of all points
+// between them lie in the interval from the one to the other. `least` is the smallest number of
+// such wide intervals.
 struct cover_count cover_of(const struct cover_sample *sample, int count, bool hit);
 
 // The same for a distance that changes at a constant rate along the ray, d = height - slope t: -1 <
@@ -35,7 +36,7 @@ struct cover_count cover_of(const struct cover_sample *sample, int count, bool h
 // The number of evaluations of a march from t = 0 until d is below threshold, or t is at least far.
 int cover_plane_march(double height, double slope, double far, double threshold, bool *hit);
 
-// The least number for the same answer.
+// The smallest number of evaluations for the same answer.
 int cover_plane_least(double height, double slope, double far, double threshold);
 
 // The limit of their ratio: ln((1 - slope) / (1 + slope)) / ln(1 - slope), 2 for slope 0.

@@ -19,7 +19,7 @@
 void fuzz_include(const uint8_t *bytes, size_t size);
 
 // Annotated uniforms and an assignment.
-//   bytes  the first line is NAME=VALUE, the rest a text in the course's form
+//   bytes  the first line is NAME=VALUE, the rest a text in the course's dialect
 void fuzz_parameter(const uint8_t *bytes, size_t size);
 
 // A command line.

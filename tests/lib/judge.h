@@ -1,12 +1,12 @@
-// judge.h - the judgement of a reader's answer to an exercise: the numbers and words that `make
-// check` and a page share. Returned texts are valid until the next call.
+// judge.h - judges a reader's answer to an exercise, with the numbers and words that `make check`
+// and a page share. Returned texts are valid until the next call.
 #ifndef TESTS_JUDGE_H
 #define TESTS_JUDGE_H
 
 // Compare the answer's picture with the solution's.
 //   with          the picture's options, as the page spells them; "" for none
 //   width, height of both
-//   right, mine   3 bytes a pixel, row 0 on top
+//   right, mine   3 bytes per pixel, row 0 at the top
 //   shown         receives the picture of image_difference_picture; NULL: not needed
 // Returns what is wrong with it and where, or "" if the two pictures are the same.
 const char *judge_picture(const char *with, int width, int height, const unsigned char *right,

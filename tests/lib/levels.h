@@ -17,8 +17,8 @@ enum levels_reading { LEVELS_SIDES, LEVELS_LEVEL, LEVELS_FLOOR };
 bool levels_open(void);
 
 // The values that the shader reads at 1024 points.
-//   x, y    the two sides of the footprint in texels (of a floor the ray's width twice), or the
-//           level
+//   x, y    the two sides of the footprint in texels (for a floor, the ray's width for both), or
+//           the level
 //   factor  by which the footprint is multiplied before it is passed; 0 passes none
 //   sine    of the angle between the ray and the floor
 // 4 floats per point, which the caller frees; NULL, reported.
@@ -28,8 +28,8 @@ float *levels_read(enum levels_reading reading, double x, double y, double facto
 // these points, each texel summed in double precision. In linear light; negative if it cannot be
 // drawn.
 //   factor  as above
-//   sine    below 1 the height is that of a floor, which the shader finds by itself; 1 passes the
-//           sides
+//   sine    below 1, the shader itself computes the length of the footprint on a floor; 1 passes
+//           the sides
 double levels_error(double width, double height, double factor, double sine);
 
 #endif

@@ -11,7 +11,7 @@ static const double FAR = 20.0, THRESHOLD = 0.001;
 
 // ---- The tree ----
 
-static int axis; // by which by_axis compares; qsort passes nothing on
+static int axis; // the axis along which by_axis compares; qsort cannot pass it on
 
 static int by_axis(const void *a, const void *b)
 {
@@ -119,7 +119,7 @@ double part_tree_distance(const struct part_scene *scene, const double p[3], dou
 
 // ---- The march ----
 
-// How far a ray may go on inside a cell, and a little farther.
+// How far a ray may advance inside a cell, plus a little.
 static double exit_of(const struct part_grid *grid, const double p[3], const double direction[3])
 {
     double leave = 1e9;

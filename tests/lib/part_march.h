@@ -1,4 +1,4 @@
-// part_march.h - marches through a scene of parts, in double precision, that count the parts which
+// part_march.h - marches through a scene of parts, in double precision, that count the parts that
 // they evaluate.
 #ifndef PART_MARCH_H
 #define PART_MARCH_H
@@ -7,7 +7,7 @@
 
 enum { PARTS_WIDE = 24, PARTS_HIGH = 14, PART_RAYS = PARTS_WIDE * PARTS_HIGH };
 
-// What finds the parts that matter.
+// The methods that find the parts that matter.
 enum part_means {
     PARTS_FLAT,    // nothing: every part is evaluated
     PARTS_TREE,    // a tree of boxes; a box is skipped where its parts cannot change the value
@@ -16,11 +16,11 @@ enum part_means {
     PARTS_MEANS
 };
 
-// A node of the tree, in the order in which the tree is walked.
+// A node of the tree, in the order in which the tree is searched.
 struct part_node {
     double low[3], high[3];
-    int skip;         // the node after all below this one
-    int first, count; // parts of a leaf, of the tree's order; count 0: not a leaf
+    int skip;         // the node that follows everything below this one
+    int first, count; // parts of a leaf, in the tree's order; count 0: not a leaf
 };
 
 struct part_scene {
@@ -34,8 +34,8 @@ struct part_scene {
 // The width of the blends in a heap: a quarter of the largest radius.
 double part_heap_blend(int count);
 
-// Fill in a heap of count capsules in a dome of one size: the more, the smaller, so that it looks
-// alike from any number.
+// Fill in a heap of count capsules in a dome of fixed size. The more capsules there are, the
+// smaller they are, so the heap always looks much the same.
 void part_heap(int count, struct part *part);
 
 // A scene of count parts with its tree and grid, from reef_build or part_heap. Returns NULL if
@@ -44,9 +44,9 @@ struct part_scene *part_scene_build(void (*build)(int count, struct part *part),
                                     double blend);
 void part_scene_free(struct part_scene *scene);
 
-// The distance by the tree.
-//   hint   an upper bound of the distance, or 1e9; asked  increased by the parts that were
-//   evaluated
+// The distance, found with the tree.
+//   hint   an upper bound of the distance, or 1e9
+//   asked  increased by the number of parts that were evaluated
 double part_tree_distance(const struct part_scene *scene, const double p[3], double hint,
                           long *asked);
 
@@ -66,8 +66,8 @@ struct part_result part_march(const struct part_scene *scene, enum part_means me
 // A ray of a picture of the heap, from the pixel at x, y in [0, 1].
 struct part_ray part_heap_ray(double x, double y);
 
-// The mean of the parts that are evaluated for a ray of that picture, from PART_RAYS of them.
-//   hits  receives how many meet the heap
+// The mean number of parts that are evaluated for a ray of that picture, over PART_RAYS rays.
+//   hits  receives the number of rays that meet the heap
 double part_heap_asked(const struct part_scene *scene, enum part_means means, int *hits);
 
 #endif

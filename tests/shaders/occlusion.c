@@ -210,7 +210,7 @@ static bool near_ball_blocks(struct d3 w, const void *data)
 // the tap's ball is solid.
 TEST(a_whole_tap_proves_a_share_free)
 {
-    const double coarse = 2e-3; // of 200 x 200 places
+    const double coarse = 2e-3; // the error of 200 x 200 points
     double least = 1.0;
     for (int i = 0; i < 200; i++) {
         double height = 0.2 + random_of(i, 2, 0, 0), r = 2.0 * height * random_of(i, 2, 0, 1);

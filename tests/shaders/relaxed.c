@@ -151,8 +151,8 @@ TEST(thin_things_are_found)
     }
 }
 
-// A wall ahead: the last step but one is too long, once. Beside a wall, there are as many fewer
-// evaluations as the steps are longer.
+// A wall ahead: the last step but one is too long, once. Along a wall, the number of evaluations
+// falls in the same ratio as the steps become longer.
 TEST(the_worst_and_the_best_case)
 {
     const float ahead[4] = {0.0f, 0.001f, 1.5f, 0.0f}, beside[4] = {0.1f, 0.001f, 1.6f, 0.0f};

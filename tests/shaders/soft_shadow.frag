@@ -20,7 +20,7 @@ float sceneDistance(vec3 p)
 
 const vec3 TO_LIGHT = vec3(0.48, 0.6, -0.64);
 
-// A ball whose edge passes the lamp's centre at so many of the lamp's radii.
+// A ball whose edge passes the lamp's centre at a distance given in the lamp's radii.
 //   iMouse: spread, radius, distance
 vec4 ballAt(float clear)
 {

@@ -1,6 +1,6 @@
-// stored.c - shaders/stored.glsl on the clay elephant's own grid, against the file and the mesh in
-// double precision: the interpolation, its error and its Lipschitz constant, and that a step never
-// crosses the surface.
+// stored.c - shaders/stored.glsl with the clay elephant's own grid, compared with the file and the
+// mesh in double precision: the interpolation, its error and its Lipschitz constant, and that a
+// step never crosses the surface.
 #include "lib/test.h"
 
 #include "picture/image.h"
@@ -12,7 +12,7 @@
 enum { SIDE = ELEPHANT_SIDE, COUNT = CHAPTER_WIDTH * CHAPTER_HEIGHT, SOME = 7 };
 
 static const double cell = 2.0 / (SIDE - 1), root3 = 1.7320508075688772;
-static double value_at[SIDE][SIDE][SIDE]; // z, y, x: of the file
+static double value_at[SIDE][SIDE][SIDE]; // the file's values, by z, y, x
 
 static int read_grid(void **state)
 {
@@ -105,7 +105,7 @@ TEST(the_shader_interpolates_the_file)
         double truth = stored(p, &slope), value = ((double)number[4 * n] - 0.5) / 0.2;
         worst = fmax(worst, fabs(value - truth));
         assert_true(fabs(fabs((double)number[4 * n + 1] - 0.5) / 0.2 - step_of(truth)) < 2e-6);
-        // On the border of two cells, rounding decides which one it is.
+        // On the boundary of two cells, rounding decides which one is used.
         wrong += fabs(2.0 * (double)number[4 * n + 2] - slope) > 1e-3;
         steepest = fmax(steepest, slope);
     }
@@ -119,8 +119,8 @@ TEST(the_shader_interpolates_the_file)
 
 // ---- The claims ----
 
-// |F - d| <= sqrt(3) / 2 cell in the cube, and sqrt(a^2 + F^2) exceeds the distance by no more
-// outside.
+// |F - d| <= sqrt(3) / 2 cell in the cube; outside, sqrt(a^2 + F^2) exceeds the distance by no more
+// than that.
 TEST(the_error_is_within_its_bound)
 {
     struct triangles t = elephant_mesh(3);
@@ -157,7 +157,7 @@ TEST(a_step_crosses_no_surface)
             aside[a] = paint_random(n, a, 5) - 0.5;
             size += aside[a] * aside[a];
         }
-        for (int k = 0; k < 2; k++) { // the second time a step of the whole value
+        for (int k = 0; k < 2; k++) { // the second time, the step is the whole value
             for (int a = 0; a < 3; a++)
                 q[a] = p[a] + (k == 0 ? step_of(value) : fabs(value)) * aside[a] / sqrt(size);
             int *count = k == 0 ? &crossed : &beyond;
@@ -169,7 +169,7 @@ TEST(a_step_crosses_no_surface)
     assert_true(beyond > 0);
 }
 
-// The distance to a point of the grid: beside that point the gradient is sqrt(3) long.
+// The distance to a point of the grid: next to that point the gradient has length sqrt(3).
 TEST(the_lipschitz_constant_is_attained)
 {
     double p[3] = {-1.0 + 1e-9, -1.0 + 1e-9, -1.0 + 1e-9}, slope, keep[8];

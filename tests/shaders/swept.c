@@ -185,7 +185,7 @@ TEST(test_what_is_not_drawn_counts)
 {
     const struct {
         float centre, y;
-        double asked; // to six places
+        double asked; // to six decimals
     } rows[] = {
         {-0.8f, 1.0f, 0.280625}, // the tip of the lemon is 0.4 away
         {0.8f, 0.0f, -0.2},      // the rim of the apple is 0.6 away

@@ -87,7 +87,7 @@ static bool draw(const struct context *context, struct run *run, struct image *i
     return done;
 }
 
-// The title of a chapter, as its program has it.
+// The title of a chapter, from its program.
 static bool find_title(const char *stem, char title[LINE])
 {
     char path[PLATFORM_PATH], line[LINE];

@@ -36,12 +36,12 @@ static int print_plane(void)
     static const double angles[] = {90.0, 60.0, 45.0, 30.0, 20.0, 10.0, 5.0, 2.0, 1.0, 0.5};
     static const int limits[] = {60, 64, 128, 256};
     printf(
-        "# moves to a plane from height 1, threshold 0.001; one evaluation more is a step count\n");
+        "# moves to a plane from height 1, threshold 0.001; evaluations are one more than moves\n");
     printf("degrees,moves,formula\n");
     for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++)
         printf("%g,%d,%d\n", angles[i], measure_plane_moves(angles[i], 0.001),
                measure_plane_formula(angles[i], 0.001));
-    printf("# under this angle, in degrees, so many evaluations do not reach it\n");
+    printf("# the angle, in degrees, below which this number of evaluations does not reach it\n");
     printf("evaluations,threshold_0.01,threshold_0.001,threshold_0.0005\n");
     for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++)
         printf("%d,%.2f,%.2f,%.2f\n", limits[i], measure_plane_limit(limits[i], 0.01),
@@ -73,7 +73,8 @@ static int print_rate(void)
 
 static int print_foot(void)
 {
-    printf("# normal at the foot of the hit against where the ray meets a ball: worst, degrees\n");
+    printf("# angle between the normals at a hit's foot and where the ray meets the ball: worst, "
+           "degrees\n");
     printf("radius,threshold,measured,arccos(r / (r + threshold)),sqrt(2 threshold / r)\n");
     static const double cases[][2] = {{1.0, 5e-4},  {0.52, 5e-4}, {0.27, 5e-4},
                                       {0.16, 5e-4}, {1.0, 1e-2},  {1.0, 1e-5}};
@@ -137,7 +138,7 @@ static void print_bound_planes(void)
 static int print_bound(void)
 {
     print_bound_planes();
-    printf("# evaluations of a march, and the fewest that could do: between least and most\n");
+    printf("# evaluations of a march, and the smallest number possible, between least and most\n");
     printf("chapter,end,rays,march,least,most,march / least,of one ray,slope\n");
     for (int i = 0; i < bound_case_count; i++) {
         struct bound_sums sum[2];
@@ -168,8 +169,27 @@ static void print_wall(void)
     double sine = (0.43 * sun.y + 0.4 * sun.z) / hypot(0.43, 0.4);
     double clear = sine / sqrt(1.0 - sine * sine) / spread;
     double share = 0.5 + (asin(clear) + clear * sqrt(1.0 - clear * clear)) / MIRROR_PI;
-    printf("# 0.43 before a wall 0.4 high: clear %.3f, seen %.4f; of 2000 x 2000 places %.4f\n",
+    printf("# 0.43 in front of a wall 0.4 high: clear %.3f, visible %.4f; at 2000 x 2000 points "
+           "%.4f\n",
            clear, share, shadow_share(wall_blocks, NULL, sun, spread, 2000));
+}
+
+// A cell in polar coordinates is cut if the edge lies between its corners: r cos(angle) is
+// monotonic in both coordinates. The mean over edges from -0.95 to 0.95.
+static double cells_cut(int side)
+{
+    double length = 0.0;
+    for (int cell = 0; cell < side * side; cell++) {
+        double least = 0.95, most = -0.95;
+        for (int corner = 0; corner < 4; corner++) {
+            int ring = cell / side + corner / 2, sector = cell % side + corner % 2;
+            double x = sqrt(1.0 * ring / side) * cos(2.0 * MIRROR_PI * sector / side);
+            least = fmin(least, x);
+            most = fmax(most, x);
+        }
+        length += fmax(fmin(most, 0.95) - fmax(least, -0.95), 0.0);
+    }
+    return length / 1.9;
 }
 
 static int print_shadows(void)
@@ -178,7 +198,7 @@ static int print_shadows(void)
                                                    SHADOW_TWICE, SHADOW_SIGNED};
     struct shadow_error error;
     print_wall();
-    printf("# share of the sun that is seen: formula less truth; a sun of radius 0.04, 29 degrees "
+    printf("# visible share of the sun: formula minus truth; a sun of radius 0.04, 29 degrees "
            "high\n");
     printf("scene,formula,mean,mean of its size,worst\n");
     for (int obstacle = 0; obstacle < SHADOW_OBSTACLES; obstacle++)
@@ -191,6 +211,7 @@ static int print_shadows(void)
     measure_shadow_scene(scene);
     for (int i = 0; i < 5; i++)
         print_shadow_row("chapter 13", shadow_formula_names[in_scene[i]], &scene[i]);
+    printf("# of 8 x 8 cells of the disc, an edge cuts on average %.1f\n", cells_cut(8));
     return 0;
 }
 
@@ -199,8 +220,7 @@ static int print_shadows(void)
 static int print_gloss(void)
 {
     static const double roughnesses[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0};
-    printf(
-        "# share of the light that is sent back, all mirrors sending all: GGX; Blinn and Phong\n");
+    printf("# share of the light that is sent back, with perfect mirrors: GGX; Blinn and Phong\n");
     printf(
         "roughness,straight,at 60 degrees,at 80 degrees,mean,exponent,straight,at 60 degrees,at 80 "
         "degrees,mean,(n + 8) / (8 pi),no factor\n");
@@ -223,8 +243,8 @@ static int print_gloss(void)
 static int print_checkers(void)
 {
     static const char *const ways[] = {"middle of the pixel", "footprint of the ray", "fwidth"};
-    printf("# squares of the experiment 11_checkers: of 255, root mean square off the mean over "
-           "the pixel\n");
+    printf("# squares of the experiment 11_checkers: root mean square error of the mean over the "
+           "pixel, of 255\n");
     printf("orthographic,way,off\n");
     for (int v = 0; v < 3; v++)
         for (int way = 0; way < 3; way++) {
@@ -251,8 +271,8 @@ static int print_levels(void)
     static const double factors[] = {0.0, 0.25, 0.5, 1.0, 2.0, 4.0};
     if (!levels_open())
         return 1;
-    printf("# granite.png read with a factor times the footprint, against the mean over it: root "
-           "mean square, of 1\n");
+    printf("# granite.png read with a factor times the footprint: root mean square error of the "
+           "mean over it, of 1\n");
     printf("texels,sine,none,1/4,1/2,1,2,4\n");
     for (double sine = 1.0; sine > 0.05; sine /= 4.0)
         for (double n = 1.0; n <= 32.0; n *= 2.0) {
@@ -267,8 +287,8 @@ static int print_levels(void)
 // The means of a few samples, compared with that of 256.
 static int print_filters(void)
 {
-    printf("# a fan of fine rays, 64 x 64 pixels: root mean square off 256 samples of the same "
-           "filter, of 1\n");
+    printf("# a fan of fine rays, 64 x 64 pixels: root mean square difference from 256 samples of "
+           "the same filter, of 1\n");
     printf("samples");
     for (int way = 0; way < FILTER_WAYS; way++)
         printf(",%s", filter_way_names[way]);
@@ -292,25 +312,30 @@ static const struct measurement {
     {"normal", "error of the normal against the step of its differences", false, print_normal},
     {"plane", "steps to a plane against the angle", false, print_plane},
     {"sphere", "steps past a ball", false, print_sphere},
-    {"rate", "how fast a march nears a hit", false, print_rate},
-    {"foot", "normal at the foot of a hit against where the ray meets the surface", false,
+    {"rate", "how fast a march approaches a hit", false, print_rate},
+    {"foot", "normal at the foot of a hit, compared with that where the ray meets a ball", false,
      print_foot},
     {"threshold", "what a threshold adds to an outline", true, print_threshold},
     {"acne", "share of lit pixels in their own shadow against the offset", true, print_acne},
-    {"bound", "evaluations of a march against the fewest that could do", true, print_bound},
-    {"shadows", "soft shadows by one march, against what is seen of the sun", true, print_shadows},
-    {"occlusion", "the sky that is seen by five taps, against the truth", true, occlusion_print},
-    {"glass", "shares that glass mirrors; what is dark after so many surfaces", true, glass_print},
+    {"bound", "evaluations of a march against the smallest number possible", true, print_bound},
+    {"shadows", "soft shadows from one march, against the visible share of the sun", true,
+     print_shadows},
+    {"occlusion", "the visible share of the sky from five taps, against the truth", true,
+     occlusion_print},
+    {"glass", "shares that glass reflects; how much is dark after each number of surfaces", true,
+     glass_print},
     {"gloss", "share of the light that a highlight sends back", false, print_gloss},
-    {"filters", "error of a pixel's mean against the number and the places of its samples", false,
+    {"filters", "error of a pixel's mean against the number and positions of its samples", false,
      print_filters},
-    {"checkers", "squares averaged over a pixel, three ways, against samples", true,
+    {"checkers", "squares averaged over a pixel in three ways, against samples", true,
      print_checkers},
-    {"levels", "error of a texture against the footprint that its level is chosen by", true,
+    {"levels", "error of a texture against the footprint that selects its level", true,
      print_levels},
-    {"sky", "a sky from tables and by other ways, against the integral", true, sky_table_print},
+    {"sky", "a sky from tables and with other methods, against the integral", true,
+     sky_table_print},
     {"enlarge", "filters that enlarge a picture: their errors and costs", true, enlarge_print},
-    {"report", "three pictures of the report, drawn again, beside its engine", true, report_print},
+    {"report", "three pictures of the report, drawn again, compared with its engine", true,
+     report_print},
 };
 enum { MEASUREMENTS = sizeof measurements / sizeof *measurements };
 
@@ -320,8 +345,9 @@ static int usage(FILE *file)
     for (int i = 0; i < MEASUREMENTS; i++)
         fprintf(file, "  %-9s  %s\n", measurements[i].name, measurements[i].what);
     fputs("  speed A.frag B.frag [WxH]\n"
-          "             CPU time of two shaders, their frames in turn, and of a cold compilation;\n"
-          "             A.frag@X,Y,Z,PAN,TILT places the camera\n",
+          "             CPU time of two shaders, with alternating frames, and of a cold "
+          "compilation;\n"
+          "             A.frag@X,Y,Z,PAN,TILT sets the camera\n",
           file);
     return file == stdout ? 0 : 2;
 }

@@ -1,5 +1,5 @@
-// many_parts.c - what chapter 22 claims of its means, in double precision: each against the flat
-// loop.
+// many_parts.c - the claims of chapter 22, in double precision: each method is compared with the
+// flat loop.
 #include "lib/test.h"
 
 #include "lib/part_march.h"
@@ -12,8 +12,8 @@ static double drawn(int i, uint32_t seed)
     return paint_random(i, 0, seed);
 }
 
-// The dip: a fold of any number of distances is below their least by less than the width of the
-// blend.
+// The dip: a fold of any number of distances is below the smallest of them by less than the width
+// of the blend.
 TEST(the_dip_is_less_than_the_blend)
 {
     assert_true(fabs(part_union(0.0, 0.0, K) + K / 6.0) < 1e-12); // of two
@@ -36,7 +36,7 @@ TEST(the_dip_is_less_than_the_blend)
     }
 }
 
-// The order matters, so all means keep it.
+// The order matters, so all methods keep it.
 TEST(the_fold_is_not_associative)
 {
     double k = K, left = part_union(part_union(0.0, 0.5 * k, k), 0.5 * k, k);
@@ -45,7 +45,7 @@ TEST(the_fold_is_not_associative)
     assert_true(fabs(left - right) > 0.001 * k);
 }
 
-// Proof 2: what the fold loses if every distance of M k above the least is left out.
+// Proof 1: what the fold loses if all distances that exceed the smallest by M k are left out.
 TEST(far_parts_may_be_left_out)
 {
     double worst[2] = {0.0, 0.0};
@@ -68,8 +68,8 @@ TEST(far_parts_may_be_left_out)
     assert_true(worst[0] > 1e-5);
 }
 
-// The rate of proof 2: a distance that lowers the value by d k shrinks a difference to e^(-3 d) of
-// it.
+// The rate of proof 1: a distance that lowers the value by d k multiplies a difference by e^(-3 d)
+// or less.
 TEST(a_difference_shrinks_as_the_value_falls)
 {
     for (int i = 1; i <= 1000; i++) {
@@ -103,9 +103,9 @@ static void point(int i, double p[3])
         p[c] = grid->low[c] + grid->size * grid->cells[c] * paint_random(i, c, 3U);
 }
 
-// In the cell, the list gives the value of all parts, up to proof 2, wherever that value is near 0.
-// Where it is not, the list is at least as far as the margin allows. And an empty cell's bound is
-// one.
+// In the cell, the list gives the value of all parts, up to the loss of proof 1, wherever that
+// value is near 0. Elsewhere the value of the list is at least what the margin allows. The bound of
+// an empty cell is a lower bound.
 TEST_WITH(the_lists_lose_nothing, build, clear)
 {
     int near = 0, empty = 0;
@@ -139,7 +139,7 @@ TEST_WITH(the_lists_lose_nothing, build, clear)
     assert_true(near > 100 && empty > 5000 && worst < exp(-3.0));
 }
 
-// The tree skips only what cannot change the value.
+// The tree skips only parts that cannot change the value.
 TEST_WITH(the_tree_loses_nothing, build, clear)
 {
     long asked = 0, bounded = 0;
@@ -151,7 +151,7 @@ TEST_WITH(the_tree_loses_nothing, build, clear)
         double hint = part_tree_distance(scene, p, all + 0.1, &bounded);
         assert_true(fabs(hint - all) <= exp(-3.0) * K);
     }
-    print_message("# of %d parts the tree evaluates %.1f, with a bound %.1f\n", scene->count,
+    print_message("# of %d parts the tree evaluates %.1f, and %.1f with a bound\n", scene->count,
                   (double)asked / 5000.0, (double)bounded / 5000.0);
     assert_true(bounded < asked && asked < 5000L * scene->count);
 }
@@ -165,14 +165,14 @@ static double mean_asked(int count, enum part_means means, int *hits)
     return asked;
 }
 
-// All means find the same, and with the grid the parts that are evaluated hardly grow with their
-// number.
+// All methods find the same surfaces, and with the grid the number of parts that are evaluated
+// hardly grows with the number of parts.
 TEST(the_grid_evaluates_few_parts)
 {
     int hits[PARTS_MEANS], few, many;
     for (int means = 0; means < PARTS_MEANS; means++) {
         double asked = mean_asked(512, (enum part_means)means, &hits[means]);
-        print_message("# 512 parts, means %d: %.1f evaluated, %d hits\n", means, asked,
+        print_message("# 512 parts, method %d: %.1f evaluated, %d hits\n", means, asked,
                       hits[means]);
         assert_true(hits[means] == hits[PARTS_FLAT] && hits[means] > 100);
     }
@@ -181,13 +181,14 @@ TEST(the_grid_evaluates_few_parts)
     assert_true(at_8192 <= 2.0 * at_64 && few > 100 && many > 100);
 }
 
-// The lists are built from few distances: with 8,192 parts a thirtieth of all parts for all cells.
+// Building the lists takes few distances: with 8,192 parts, a thirtieth of all parts times all
+// cells.
 TEST(the_lists_are_built_from_few_distances)
 {
     struct part_scene *reef = part_scene_build(reef_build, REEF_MOST, K);
     assert_non_null(reef);
     double cells = (double)reef->grid.cells[0] * reef->grid.cells[1] * reef->grid.cells[2];
-    print_message("# %.0f cells, %ld distances, %.1f a cell\n", cells, reef->grid.tests,
+    print_message("# %.0f cells, %ld distances, %.1f per cell\n", cells, reef->grid.tests,
                   (double)reef->grid.tests / cells);
     assert_true((double)reef->grid.tests < cells * REEF_MOST / 30.0);
     part_scene_free(reef);

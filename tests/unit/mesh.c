@@ -1,6 +1,6 @@
-// mesh.c - shaders/textures/mesh.c and mesh_distance.c: the distance of the clay elephant's mesh
-// against every triangle one by one, its sign against the solid angle of the whole mesh, and the
-// sign at a sharp corner.
+// mesh.c - shaders/textures/mesh.c and mesh_distance.c: the distance to the clay elephant's mesh,
+// compared with the distance to every triangle; its sign, compared with the solid angle of the
+// whole mesh; and the sign at a sharp corner.
 #include "lib/test.h"
 
 #include "textures/elephant.h"
@@ -22,7 +22,7 @@ static double random_in(double low, double high, int i, uint32_t seed)
     return low + (high - low) * paint_random(i, 0, seed);
 }
 
-// Every other point is near the surface, where a wrong sign would be seen.
+// Every other point is near the surface, where a wrong sign would be visible.
 static struct d3 point_of(const struct triangles *t, int i)
 {
     struct d3 p =
@@ -42,7 +42,7 @@ static double to_segment(struct d3 p, struct d3 a, struct d3 b)
     return d3_length(d3_sub(p, d3_add(a, d3_times(fmin(fmax(share, 0.0), 1.0), ab))));
 }
 
-// The distance to the plane, where the point is on the inner side of all three edges; else to an
+// The distance to the plane if the point is on the inner side of all three edges; otherwise to an
 // edge.
 static double to_triangle(struct d3 p, const struct d3 v[3])
 {
@@ -129,7 +129,7 @@ TEST(the_mesh_is_closed)
     }
 }
 
-// The stored bytes are the nearest; outside of the range they are its ends.
+// The stored bytes are the nearest ones; a distance outside the range is stored as its end.
 TEST(two_bytes_keep_a_distance)
 {
     for (int i = 0; i < POINTS; i++) {
@@ -188,16 +188,16 @@ TEST(a_sharp_corner_has_the_right_sign)
         by_sum += d3_dot(aside, sum) < 0.0;
         near_tip++;
     }
-    print_message(
-        "# nearest to the tip: %d; a face's normal errs %d times of %d, the plain sum %d times\n",
-        near_tip, by_face, 4 * near_tip, by_sum);
+    print_message("# nearest to the tip: %d; a face's normal is wrong %d times of %d, the plain "
+                  "sum %d times\n",
+                  near_tip, by_face, 4 * near_tip, by_sum);
     assert_true(near_tip > 100 && by_face > near_tip / 10);
     mesh_tree_free(&tree);
 }
 
 // ---- Distances again ----
 
-// The largest error in cells of a ball's distances, which were spoilt before.
+// The largest error, in cells, of a ball's distances that are restored after they were distorted.
 static double swept_error(int side)
 {
     double *value = mesh_memory((size_t)side * (size_t)side * (size_t)side, sizeof *value);
@@ -218,7 +218,7 @@ static double swept_error(int side)
     return worst;
 }
 
-// The error is a share of a cell, and grows no faster than the logarithm of the number of cells.
+// The error is a fraction of a cell, and grows no faster than the logarithm of the number of cells.
 TEST(sweeping_makes_distances_again)
 {
     double coarse = swept_error(16), middle = swept_error(32), fine = swept_error(64);
@@ -228,7 +228,7 @@ TEST(sweeping_makes_distances_again)
     assert_true(fine < coarse + log(4.0));
 }
 
-// Beside a plane the distances are exact, however much the values are spoilt.
+// Near a plane the distances are exact, however much the values are distorted.
 TEST(sweeping_keeps_a_plane)
 {
     enum { FEW = 12 };

@@ -1,5 +1,5 @@
-// lecture.c - the scenes of a list in one window: the keys of a presenter's remote control, what is
-// compiled when, and what is said of a bad list.
+// lecture.c - the scenes of a list in one window: the keys of a presenter's remote control, when
+// scenes are compiled, and the messages about a bad list.
 #include "command/lecture.h"
 
 #include "lib/compare.h"
@@ -97,7 +97,7 @@ SESSION_TEST(page_keys_lead_through_the_scenes)
     assert_scene(stems[1], STILL);
     assert_true(session_off(0, (const int[]){9, 152, 50, 18}) > 0.2);  // the caption is gone
     assert_true(session_off(0, (const int[]){0, 0, 320, 140}) <= 0.0); // there was nothing else
-    back();                                                            // nothing is before it
+    back();                                                            // it is the first scene
     assert_scene(stems[1], STILL);
     on();
     session_keep(0);
@@ -107,10 +107,10 @@ SESSION_TEST(page_keys_lead_through_the_scenes)
     turns(2);
     session_assert_shown(stems[1], SIZE STILL " --view normals");
     on();
-    turns(60); // its time stands still
+    turns(60); // its time is paused
     assert_scene(stems[2], "--time 1 --set lampSpeed=50");
     session_assert_title("lampSpeed = 50"); // the first of --set is selected
-    on();                                   // nothing is behind it
+    on();                                   // it is the last scene
     key(GLFW_KEY_RIGHT, 0);
     session_assert_title("lampSpeed = 55");
     back();
@@ -128,7 +128,7 @@ SESSION_TEST(a_ray_comes_before_the_next_scene)
 {
     open_text("01 " STILL " --view slice --step 2\n01 " STILL "\n");
     assert_scene(stems[1], STILL " --view slice --step 2");
-    key(GLFW_KEY_Q, 0); // below its first step, Page Down goes along the ray too
+    key(GLFW_KEY_Q, 0); // before the scene's first step too, Page Down goes along the ray
     on();
     on();
     session_assert_shown(stems[1], SIZE STILL " --view slice --step 3");
@@ -218,7 +218,7 @@ SESSION_TEST(a_shader_that_is_saved_meanwhile_is_shown)
     on(); // the scene before it stays, with the error,
     assert_non_null(strstr(capture_end(), "undeclared"));
     session_keep(0);
-    on(); // and the lecture goes on
+    on(); // and the lecture continues
     assert_scene(stems[1], STILL " --view normals");
     capture_begin();
     back();
@@ -234,8 +234,8 @@ SESSION_TEST(a_bad_list_is_refused_with_its_line)
         const char *text, *why;
         int status;
     } bad[] = {
-        {"# nothing\n\n", "list.txt: has no scene", RUN_WRONG_COMMAND_LINE},
-        {"== One\n", "list.txt: has no scene", RUN_WRONG_COMMAND_LINE},
+        {"# nothing\n\n", "list.txt: contains no scene", RUN_WRONG_COMMAND_LINE},
+        {"== One\n", "list.txt: contains no scene", RUN_WRONG_COMMAND_LINE},
         {"\n  A sentence.\n", "list.txt:2: a sentence without a scene", RUN_WRONG_COMMAND_LINE},
         {"01\n\n33 --view steps\n", "list.txt:3: '33': no such chapter", RUN_WRONG_COMMAND_LINE},
         {"01\nWhy?\n", "list.txt:2: 'Why?': no such chapter", RUN_WRONG_COMMAND_LINE},
@@ -245,7 +245,7 @@ SESSION_TEST(a_bad_list_is_refused_with_its_line)
          RUN_WRONG_COMMAND_LINE},
         {"01 --output a.png\n", "list.txt:1: a scene is shown in a window", RUN_WRONG_COMMAND_LINE},
         {"01 --help\n", "list.txt:1: a scene is shown in a window", RUN_WRONG_COMMAND_LINE},
-        {"01 --shader 'my file.frag\n", "list.txt:1: a quote, ', has no end",
+        {"01 --shader 'my file.frag\n", "list.txt:1: a quote, ', is not closed",
          RUN_WRONG_COMMAND_LINE},
         {"01 --shader 'no file.frag'\n", "list.txt:1: no file.frag: cannot be read", RUN_NOT_DONE},
     };
@@ -267,7 +267,7 @@ SESSION_TEST(a_bad_list_is_refused_with_its_line)
     assert_string_equal(report_last(), "after a list, messages begin as before\n");
 }
 
-// The course's own list, to its end and back, by two keys.
+// The course's own list, to its end and back, with two keys.
 SESSION_TEST(the_lecture_goes_by_two_keys)
 {
     open_list("docs/lecture.txt");
@@ -281,7 +281,7 @@ SESSION_TEST(the_lecture_goes_by_two_keys)
     assert_scene("07_repetition", "--set period=3.5 --time 0");
     while (strstr(user.title, "timeOfDay = 17") == NULL && presses-- > -5)
         back();
-    assert_in_range(presses, 0, 5); // the ends of the march are not the only ones
+    assert_in_range(presses, 0, 5); // a scene with a ray takes more presses
     key(GLFW_KEY_ESCAPE, 0);
     key(GLFW_KEY_R, 0);
     assert_scene("09_sky_and_sunset", "--set timeOfDay=17 --time 0");

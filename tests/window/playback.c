@@ -42,7 +42,7 @@ SESSION_TEST(a_click_prints_the_table_of_the_command_line)
     snprintf(told, sizeof told, "%s", session_said(1));
     session_key(GLFW_KEY_H);
     session_key(GLFW_KEY_H);
-    session_click(170, 70); // lets it go
+    session_click(170, 70); // deselects it
     assert_string_equal(session_said(1), "");
     assert_true(session_off(0, NULL) <= 0.0);
     session_close();
@@ -132,7 +132,7 @@ SESSION_TEST(a_ray_outlives_a_new_size)
                                   "--probe 405,224 --step 0");
     user_resize(320, 200);
     assert_true(session_off(0, NULL) <= 0.0);
-    user_resize(180, 200); // beside it there is no such pixel: the ray is let go
+    user_resize(180, 200); // the picture no longer has this pixel: the ray is deselected
     session_assert_shown(CHAPTER, "--size 180x200 --camera 1.65,1.6,3.4,-26,-23.5 --view plot");
 }
 

@@ -48,7 +48,7 @@ TEST_WITH(a_change_is_reported_once, set_up, tear_down)
 {
     assert_int_equal(looks(), MANY);
     write_file(1, "another text");
-    assert_int_equal(looks(), 2); // seen at the first, told at the second
+    assert_int_equal(looks(), 2); // noticed at the first poll, reported at the second
     assert_int_equal(looks(), MANY);
 }
 
