@@ -346,6 +346,7 @@ gallery: ready ## render every picture of tests/pictures/images.txt into build/g
 	@tests/pictures/references.sh gallery
 
 benchmark: ready ## measure every chapter relative to the reference scene; with WRITE=1, write the table to docs/benchmark.md
+	+@$(if $(MARCHES),$(AGAIN) build/tests/measure$(EXE))
 	@.make/benchmark.sh
 
 book: ## typeset all pages as one PDF, build/book.pdf (installs pandoc and XeLaTeX)

@@ -3,11 +3,13 @@
 # tests/pictures/reference_scene.frag, and compare it with the table in docs/benchmark.md.
 #
 # Environment: CHAPTER, a single chapter; ROUNDS and FRAMES, the number of measurements and the number of frames in
-# each; WRITE=1 writes the table to docs/benchmark.md. With STEPS=1, steps.sh makes its table instead.
+# each; WRITE=1 writes the table to docs/benchmark.md. With STEPS=1, steps.sh makes its table instead,
+# and with MARCHES=1, marches.sh.
 set -u
 . .make/chapters.sh
 
 [ -z "${STEPS-}" ] || exec .make/steps.sh
+[ -z "${MARCHES-}" ] || exec .make/marches.sh
 page=docs/benchmark.md
 rounds=${ROUNDS:-3}
 frames=${FRAMES:-15}
@@ -94,8 +96,5 @@ else
 fi
 
 if [ "${WRITE:-0}" != 0 ]; then
-    awk -v table="$work/table" '
-        /^<!-- benchmark -->/ { print; while ((getline line < table) > 0) print line; skip = 1; next }
-        /^<!-- \/benchmark -->/ { skip = 0 }
-        !skip { print }' "$page" >"$work/page" && cat "$work/page" >"$page" && echo "$page: written"
+    write_table benchmark "$work/table"
 fi

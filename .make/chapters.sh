@@ -38,3 +38,11 @@ in_file() {
     mkdir -p build/gallery && "$@" -o "$picture" || exit 1
     echo "  $picture"
 }
+
+# write_table NAME FILE: replace the table between the comments NAME and /NAME of docs/benchmark.md.
+write_table() {
+    awk -v name="$1" -v table="$2" '
+        $0 == "<!-- " name " -->" { print; while ((getline line < table) > 0) print line; skip = 1; next }
+        $0 == "<!-- /" name " -->" { skip = 0 }
+        !skip { print }' docs/benchmark.md >"$2.page" && cat "$2.page" >docs/benchmark.md && echo 'docs/benchmark.md: written'
+}

@@ -8,7 +8,6 @@
 set -u
 . .make/chapters.sh
 
-page=docs/benchmark.md
 rounds=${ROUNDS:-3}
 frames=${FRAMES:-9}
 means=chapters/experiments/16_means.glsl
@@ -125,8 +124,5 @@ cell() { # STEM KIND
 cat "$work/table"
 
 if [ -n "${WRITE-}" ] && [ -z "${CHAPTER-}" ]; then
-    awk -v table="$work/table" '
-        /^<!-- steps -->/ { print; while ((getline line < table) > 0) print line; skip = 1; next }
-        /^<!-- \/steps -->/ { skip = 0 }
-        !skip { print }' "$page" >"$work/page" && cat "$work/page" >"$page" && echo "$page: written"
+    write_table steps "$work/table"
 fi
