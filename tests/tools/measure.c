@@ -12,6 +12,7 @@
 #include "lib/glass.h"
 #include "lib/gloss.h"
 #include "lib/levels.h"
+#include "lib/limits.h"
 #include "lib/marches.h"
 #include "lib/measure.h"
 #include "lib/occlusion.h"
@@ -335,6 +336,8 @@ static const struct measurement {
     {"sky", "a sky from tables and with other methods, against the integral", true,
      sky_table_print},
     {"enlarge", "filters that enlarge a picture: their errors and costs", true, enlarge_print},
+    {"limits", "a march in floats far from the origin, and the least sound threshold", true,
+     limits_print},
     {"marches", "seven marches in eleven scenes: evaluations, time, lockstep, errors", true,
      marches_print},
     {"report", "three pictures of the report, drawn again, compared with its engine", true,

@@ -1,0 +1,29 @@
+// limits.h - a march in 32-bit floats far from the origin, against double precision:
+// docs/16_fewer_steps.md, proof 5.
+#ifndef TESTS_LIMITS_H
+#define TESTS_LIMITS_H
+
+#include "lib/gpu.h"
+#include "lib/mirror.h"
+
+enum { LIMITS_CASES = 4096, LIMITS_SHEETS = 2 };
+
+// What rays towards one sheet without thickness did, a hollow ball or a hollow box.
+struct limits_sums {
+    double error;     // the largest error of a distance, over the bound that is proved
+    double absolute;  // the largest error of a distance, scene units
+    double threshold; // the proved threshold at t = 4, scene units
+    int rays;         // that meet the sheet
+    int passed;       // of these, that missed it or ended behind it by more than the proved bound
+};
+
+// March LIMITS_CASES rays.
+//   sheet      0 the ball, 1 the box
+//   away       coordinate of its middle, scene units
+//   threshold  in multiples of the one that is proved to be sound
+struct limits_sums limits_of(int sheet, double away, double threshold);
+
+// Print a table. Returns an exit status.
+int limits_print(void);
+
+#endif

@@ -1,0 +1,43 @@
+// limits.c - a march in 32-bit floats far from the origin: the bounds of proof 5 of
+// docs/16_fewer_steps.md.
+#include "lib/test.h"
+#include "lib/limits.h"
+
+static const double places[] = {1.0, 10.0, 100.0, 1000.0, 10000.0, 100000.0};
+enum { PLACES = sizeof places / sizeof *places };
+
+// The bound of the error holds, and a fifth of it would be too little.
+TEST(a_distance_errs_by_no_more_than_is_proved)
+{
+    for (int sheet = 0; sheet < LIMITS_SHEETS; sheet++)
+        for (int i = 0; i < PLACES; i++) {
+            struct limits_sums sums = limits_of(sheet, places[i], 1.0);
+            print_message("# sheet %d at %g: error %.2g, %.2f of the bound\n", sheet, places[i],
+                          sums.absolute, sums.error);
+            assert_true(sums.error <= 1.0 && sums.error > 0.2);
+        }
+}
+
+TEST(no_sheet_is_passed_with_the_proved_threshold)
+{
+    for (int sheet = 0; sheet < LIMITS_SHEETS; sheet++)
+        for (int i = 0; i < PLACES; i++) {
+            struct limits_sums sums = limits_of(sheet, places[i], 1.0);
+            assert_true(sums.rays > 1000);
+            assert_int_equal(sums.passed, 0);
+        }
+}
+
+// The proved threshold is not far too large: a sixteenth of it loses most of the sheets.
+TEST(sheets_are_passed_with_a_sixteenth)
+{
+    for (int sheet = 0; sheet < LIMITS_SHEETS; sheet++)
+        for (int i = 2; i < PLACES; i++) {
+            struct limits_sums sums = limits_of(sheet, places[i], 1.0 / 16.0);
+            print_message("# sheet %d at %g: %d of %d passed\n", sheet, places[i], sums.passed,
+                          sums.rays);
+            assert_true(sums.passed > sums.rays / 4);
+        }
+}
+
+TESTS(gpu_setup, gpu_teardown)
