@@ -51,7 +51,7 @@ Hit marchEnded(bool found, float t, float tMax, int steps)
 // RELAXED: over-relaxation.
 //   formula  t + omega d, 1 <= omega < 2. If the balls around the two points do not touch, back to the end of the
 //            first, and omega = 1 from then on
-//   bound    at most n + 1 evaluations where the plain march takes n
+//   bound    at most n + 1 evaluations where the plain march takes n, for a 1-Lipschitz distance
 //   safe     for all lower bounds. The balls of marchRelaxed have to overlap; these may just touch
 // Source: B. Keinert and others, 'Enhanced sphere tracing', STAG 2014.
 Hit marchKeinert(Ray ray, float tMin, float tMax, float threshold, float omega, int maxSteps)
@@ -80,7 +80,7 @@ Hit marchKeinert(Ray ray, float tMin, float tMax, float threshold, float omega, 
 //            next point touch, if the slope remains, after d + d (1 - s) / (1 + s); the second term is
 //            multiplied by omega, 0 <= omega <= 1. Back, as for RELAXED, if they do not touch, but with the
 //            next step relaxed again
-//   bound    at most 2 n - 2 evaluations where the plain march takes n >= 2
+//   bound    at most 2 n - 2 evaluations where the plain march takes n >= 2, for a 1-Lipschitz distance
 //   safe     for all lower bounds
 // Source: C. Balint, G. Valasek, 'Accelerating sphere tracing', Eurographics 2018. The clamp of s is ours: at
 // s = -1, moving straight away, the step would be infinite.

@@ -146,8 +146,11 @@ check 'docs/benchmark.md has a row for every chapter' committed
 marched() {
     local scene cell='[0-9.]+, ([0-9.]+|-), [0-9.]+' errors='[0-9.]+, [0-9]+, [0-9]+'
     for scene in 03 06 07 09 16 21 22 torus plane 'hollow cube' plates; do
-        grep -qE "^\| $scene \|( $cell \|| - \|){7}$" docs/benchmark.md && grep -qE "^\| $scene \|( $errors \|| - \|){7}$" docs/benchmark.md ||
-            { echo "# no rows: make benchmark MARCHES=1 WRITE=1"; return 1; }
+        if ! grep -qE "^\| $scene \|( $cell \|| - \|){7}$" docs/benchmark.md ||
+            ! grep -qE "^\| $scene \|( $errors \|| - \|){7}$" docs/benchmark.md; then
+            echo '# no rows: make benchmark MARCHES=1 WRITE=1'
+            return 1
+        fi
     done
 }
 check 'docs/benchmark.md has both rows of every scene that is marched' marched
