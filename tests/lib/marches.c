@@ -126,7 +126,9 @@ struct march_picture march_draw(struct renderer *renderer, const struct march_sc
                                     .evaluations = malloc(pixels * sizeof(int)),
                                     .t = malloc(pixels * sizeof(double)),
                                     .found = malloc(pixels * sizeof(bool))};
-    assert_true(picture.evaluations != NULL && picture.t != NULL && picture.found != NULL);
+    assert_non_null(picture.evaluations);
+    assert_non_null(picture.t);
+    assert_non_null(picture.found);
     float *values = draw(renderer, scene, width, height);
     for (size_t i = 0; i < pixels; i++) {
         picture.evaluations[i] = (int)(4096.0f * values[4 * i] + 0.5f);
