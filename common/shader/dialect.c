@@ -7,6 +7,7 @@
 #include "context/gl.h"
 #include "memory.h"
 #include "report.h"
+#include "shader/growth.h"
 #include "shader/inputs.h"
 #include "shader/parameter.h"
 #include "shader/translate.h"
@@ -96,9 +97,10 @@ static bool check_kind(const struct shader_source *source)
            refuse_vertex(source);
 }
 
-// Refuse a text of nothing but comments, and an array whose literal number of elements keeps some
-// drivers busy for minutes. Constants and macros can hide one: guard_begin limits the memory that
-// a driver may take.
+// Refuse a text of nothing but comments, and two kinds of texts that take some drivers minutes and
+// all the memory: an array with a literal number of elements, and macros or functions that double
+// again and again. Constants can hide an array: guard_begin limits the memory that a driver may
+// take.
 static bool check_sense(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -117,7 +119,14 @@ static bool check_sense(const struct shader_source *source)
                                  number->length < 20 ? number->length : 20,
                                  code->text + number->begin, ARRAY_LIMIT);
     }
-    return true;
+    t = growth_find(code);
+    return t == NULL ||
+           shader_refuse(source, t->line,
+                         "%.*s: stands for more than %.0f million words and signs, when "
+                         "each macro and function in it is expanded: more than a "
+                         "graphics driver can compile",
+                         t->length < 40 ? t->length : 40, code->text + t->begin,
+                         GROWTH_LIMIT / 1e6);
 }
 
 static bool refuse_image(const struct shader_source *source, const struct glsl_token *image)

@@ -30,7 +30,8 @@ enum shader_view {
 // and includes nothing; the rest, and the output of --print-shader, is in the course's dialect.
 // Returns false, reported with file and line: anything that shader_expand or translate refuses; a
 // file of another kind; nothing but comments; an array of more than 65536 elements by a literal
-// number; a #version above an include of main.glsl. Free with shader_free.
+// number; more than growth.h allows; a #version above an include of main.glsl. Free with
+// shader_free.
 bool shader_read_asked(struct shader_source *source, const char *path, const char *root,
                        const struct shader_request *request);
 

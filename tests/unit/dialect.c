@@ -49,9 +49,9 @@ static void assert_refused(const char *text, const char *words)
 {
     struct shader_source source;
     const char *said;
-    char whole[512];
-    snprintf(whole, sizeof whole, "#version 330 core\n%s", text);
+    char *whole = memory_text("#version 330 core\n%s", text);
     assert_false(read_text(&source, whole, &said));
+    free(whole);
     if (line_count(said) != 1 || strstr(said, words) == NULL)
         fail_msg("%s: '%s' is missing in: %s", text, words, said);
 }
@@ -247,6 +247,63 @@ IN_PROJECT(test_texts_without_sense)
     const char *said;
     assert_false(read_text(&source, "// nothing\n/* but\n */\n", &said));
     assert_non_null(strstr(said, "main.frag: contains only comments"));
+}
+
+// A text of lines in which each name stands for the one before it, twice.
+//   line   "%1$d" is its number, and "%2$d" the number before
+//   ascends  the lines are in this order
+static const char *doubled(const char *line, int count, bool ascends, const char *last)
+{
+    static char text[8192];
+    size_t used = 0;
+    for (int i = 1; i <= count; i++) {
+        int number = ascends ? i : count + 1 - i;
+        used += (size_t)snprintf(text + used, sizeof text - used, line, number, number - 1);
+    }
+    snprintf(text + used, sizeof text - used, "%s", last);
+    return text;
+}
+
+#define CALLS "float f0(float x) { return x; }\n"
+
+IN_PROJECT(test_texts_that_grow)
+{
+    static const char macro[] = "#define A%1$d A%2$d + A%2$d\n",
+                      call[] = "#define D%1$d(x) D%2$d(x) + D%2$d(x)\n",
+                      function[] = "float f%1$d(float x) { return f%2$d(x) + f%2$d(x); }\n",
+                      use[] = "out vec4 o; void main() { o = vec4(%s); }\n";
+    struct shader_source source;
+    char text[16384];
+    snprintf(text, sizeof text, use, "A19");
+    source = read_well(doubled(macro, 19, true, text));
+    shader_free(&source);
+    source = read_well(doubled(macro, 28, true, text)); // those that are not used cost nothing
+    shader_free(&source);
+    snprintf(text, sizeof text, use, "A28");
+    assert_refused(doubled(macro, 28, true, text),
+                   "main.frag:30: A28: stands for more than 4 mill");
+    assert_refused(doubled(macro, 28, false, text), "main.frag:30: A28: stands for");
+    assert_refused(doubled(macro, 28, true, "float a = A28;\n"), "main.frag:30: A28: stands for");
+    snprintf(text, sizeof text, use, "D28(1.0)");
+    assert_refused(doubled(call, 28, true, text), "main.frag:30: D28: stands for");
+    snprintf(text, sizeof text, CALLS "%s", doubled(function, 28, true, "out vec4 o;\n"));
+    assert_refused(text, "main.frag:21: f18: stands for");
+    // Arguments that are repeated, and a name that stays as it is inside itself.
+    char nested[512] = "1.0";
+    for (int i = 0; i < 24; i++) {
+        char before[512];
+        strcpy(before, nested);
+        snprintf(nested, sizeof nested, "D(%.500s)", before);
+    }
+    snprintf(text, sizeof text, "#define D(x) (x) + (x)\nfloat a = %s;\n", nested);
+    assert_refused(text, "main.frag:3: D: stands for");
+    snprintf(text, sizeof text,
+             "#define D(x) (x) + (x)\nout vec4 o; void main() { o = vec4(%s); }\n", nested);
+    assert_refused(text, "main.frag:3: D: stands for");
+    source =
+        read_well("#define f(x) f(x + 1.0) + g\n#define g f(2.0)\n"
+                  "float h(float x) { return x; }\nout vec4 o; void main() { o = vec4(h(g)); }\n");
+    shader_free(&source);
 }
 
 IN_PROJECT(test_inputs_and_textures)

@@ -75,6 +75,12 @@ SESSION_TEST(a_saved_shader_is_loaded)
     assert_int_equal(reloads("mine.frag"), 1);
     assert_false(session_titled("error"));
     assert_colour(255, 255);
+    char bomb[4096] = "#define A0 1.0\n"; // it would take all the driver's memory
+    for (int i = 1; i <= 28; i++)
+        snprintf(bomb + strlen(bomb), sizeof bomb - strlen(bomb), "#define A%d A%d + A%d\n", i,
+                 i - 1, i - 1);
+    save("mine.frag", bomb, "vec3(A28)");
+    assert_refused("A28: stands for more than 4 million", 255, 255);
     remove(scratch_path("mine.frag"));
     assert_refused("mine.frag", 255, 255);
     save("mine.frag", "", "vec3(0.0, 0.0, mine)");

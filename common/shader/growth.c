@@ -1,0 +1,201 @@
+#include "shader/growth.h"
+
+#include <stdlib.h>
+
+#include "memory.h"
+
+#define DEPTH_LIMIT 64 // definitions that are used before they are defined, and nested arguments
+
+// A definition of a name: the tokens that replace it.
+struct body {
+    const struct glsl_token *from, *end;
+    int name;
+    int next;      // another definition of the same name; -1: none
+    bool function; // no macro
+};
+
+struct growth {
+    const struct glsl *code;
+    struct body *body;
+    int bodies;
+    struct size {
+        int body;     // index of its last definition; -1: none
+        int uses;     // of a macro: how often it repeats an argument, at most
+        int mentions; // in the macro that is being counted
+        double words; // that one mention stands for, without arguments; 0: not known yet
+    } * of;           // of each name
+};
+
+static void add_body(struct growth *growth, struct body body)
+{
+    growth->body = memory_row(growth->body, growth->bodies, sizeof *growth->body);
+    body.next = growth->of[body.name].body;
+    growth->of[body.name].body = growth->bodies;
+    growth->body[growth->bodies++] = body;
+}
+
+// Count how often a macro mentions each of its parameters.
+//   close  the bracket behind them
+static int most_mentions(struct growth *growth, const struct glsl_token *open,
+                         const struct glsl_token *close, const struct glsl_token *end)
+{
+    int most = 0;
+    for (const struct glsl_token *t = close; t < end; t++)
+        if (t->kind == GLSL_WORD)
+            growth->of[t->name].mentions++;
+    for (const struct glsl_token *t = open; t < close; t++)
+        if (t->kind == GLSL_WORD && growth->of[t->name].mentions > most)
+            most = growth->of[t->name].mentions;
+    for (const struct glsl_token *t = close; t < end; t++)
+        if (t->kind == GLSL_WORD)
+            growth->of[t->name].mentions = 0;
+    return most;
+}
+
+// Add a macro, from the # of its definition.
+static void add_macro(struct growth *growth, const struct glsl_token *hash)
+{
+    const struct glsl_token *name = hash + 2, *from = name + 1, *end = from;
+    while (end->directive && end->kind != GLSL_HASH)
+        end++;
+    if (from < end && from->sign == '(' && from->begin == name->begin + name->length) {
+        const struct glsl_token *close = from;
+        while (close < end && close->sign != ')')
+            close++;
+        int uses = most_mentions(growth, from, close, end);
+        if (uses > growth->of[name->name].uses)
+            growth->of[name->name].uses = uses;
+        from = close;
+    }
+    add_body(growth, (struct body){.from = from, .end = end, .name = name->name});
+}
+
+// Find the definitions, in their order.
+static void add_bodies(struct growth *growth)
+{
+    const struct glsl *code = growth->code;
+    for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++)
+        if (t->kind == GLSL_HASH && t->live && glsl_is(code, t + 1, "define") &&
+            t[2].kind == GLSL_WORD)
+            add_macro(growth, t);
+    for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++)
+        if (t->kind == GLSL_WORD && t[1].sign == '(') {
+            const struct glsl_token *brace = glsl_next(code, t + 1);
+            if (brace->sign == '{')
+                add_body(growth,
+                         (struct body){brace, glsl_partner(code, brace), t->name, -1, true});
+        }
+}
+
+// How many words some tokens stand for.
+//   heaviest  receives the word with the largest part, or NULL; may be NULL
+static double words_of(struct growth *growth, const struct glsl_token *from,
+                       const struct glsl_token *end, int depth, const struct glsl_token **heaviest);
+
+// How many words a mention of a name stands for.
+static double words_of_name(struct growth *growth, int name, int depth)
+{
+    struct size *size = &growth->of[name];
+    if (size->words > 0.0)
+        return size->words;
+    if (size->body < 0 || depth == 0)
+        return 1.0;
+    size->words = 1.0; // where it mentions itself, it stays as it is
+    double most = 1.0;
+    for (int i = size->body; i >= 0; i = growth->body[i].next) {
+        const struct body *body = &growth->body[i];
+        double words = words_of(growth, body->from, body->end, depth - 1, NULL);
+        most = words > most ? words : most;
+    }
+    return size->words = most;
+}
+
+// The bracket that ends the arguments behind a macro's name; NULL if there are none.
+static const struct glsl_token *end_of_arguments(const struct glsl_token *name,
+                                                 const struct glsl_token *end)
+{
+    int open = 0;
+    for (const struct glsl_token *t = name + 1; t < end; t++) {
+        open += (t->sign == '(') - (t->sign == ')');
+        if (open <= 0)
+            return t > name + 1 ? t : NULL;
+    }
+    return NULL;
+}
+
+static double words_of(struct growth *growth, const struct glsl_token *from,
+                       const struct glsl_token *end, int depth, const struct glsl_token **heaviest)
+{
+    double all = 0.0, most = 0.0;
+    bool closed = true; // so far, the brackets of arguments are
+    for (const struct glsl_token *t = from; t < end; t++) {
+        const struct glsl_token *word = t, *close = NULL;
+        double words = t->kind < GLSL_HASH ? 1.0 : 0.0;
+        if (t->kind == GLSL_WORD) {
+            int uses = growth->of[t->name].uses;
+            words = words_of_name(growth, t->name, depth);
+            if (uses > 1 && depth > 0 && closed && t + 1 < end && t[1].sign == '(') {
+                close = end_of_arguments(t, end);
+                closed = close != NULL;
+            }
+            if (close != NULL) {
+                words += uses * words_of(growth, t + 1, close, depth - 1, NULL);
+                t = close;
+            }
+        }
+        all += words;
+        if (word->kind == GLSL_WORD && words > most) {
+            most = words;
+            if (heaviest != NULL)
+                *heaviest = word;
+        }
+    }
+    return all;
+}
+
+// The heaviest word in a function that passes the limit, or NULL; a macro is none.
+static const struct glsl_token *heaviest_in(struct growth *growth, int name)
+{
+    for (int i = growth->of[name].body; i >= 0; i = growth->body[i].next) {
+        const struct body *body = &growth->body[i];
+        const struct glsl_token *heaviest = NULL;
+        if (body->function &&
+            words_of(growth, body->from, body->end, DEPTH_LIMIT, &heaviest) > GROWTH_LIMIT)
+            return heaviest;
+    }
+    return NULL;
+}
+
+const struct glsl_token *growth_find(const struct glsl *code)
+{
+    struct growth growth = {.code = code};
+    const struct glsl_token *found = NULL, *within;
+    growth.of = memory_zeros((size_t)code->name_count + 1, sizeof *growth.of);
+    for (int i = 0; i < code->name_count; i++)
+        growth.of[i].body = -1;
+    add_bodies(&growth);
+    for (int i = 0; i < growth.bodies && found == NULL; i++) {
+        int name = growth.body[i].name;
+        found = words_of_name(&growth, name, DEPTH_LIMIT) > GROWTH_LIMIT
+                    ? heaviest_in(&growth, name)
+                    : NULL;
+    }
+    // Outside of functions, a constant may be as long.
+    const struct glsl_token *from = code->statement, *end = from;
+    while (end->kind != GLSL_END && found == NULL) {
+        while (end->kind != GLSL_END && end->sign != '{')
+            end++;
+        within = NULL;
+        if (words_of(&growth, from, end, DEPTH_LIMIT, &within) > GROWTH_LIMIT)
+            found = within;
+        from = end = end->kind != GLSL_END ? glsl_partner(code, end) : end;
+    }
+    // A function is named by what is in it. Two that call each other have no end.
+    for (int i = 0; found != NULL && i < DEPTH_LIMIT; i++) {
+        within = heaviest_in(&growth, found->name);
+        found = within != NULL ? within : found;
+    }
+    free(growth.body);
+    free(growth.of);
+    return found;
+}
