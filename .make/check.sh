@@ -10,7 +10,8 @@
 # Environment: EXERCISE; FILE, or FILES for a table with one line for each file. FILES is a pattern, or several patterns
 # separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file.
 # For `make marks`, the files are arguments, and MARKS names a file that gets a line for each of them, its fields
-# separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' for none). For `make student`,
+# separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' for none). With either, wrong.txt in
+# the same folder lists the wrong pictures, as scenes for `make lecture`, if the solution is there. For `make student`,
 # STORE is a folder in which the solution's pictures and rays are stored; no file is checked.
 # Exit status: 0 if every file is right, 1 if one is not, 2 if the arguments are wrong.
 set -u
@@ -52,13 +53,19 @@ describe() { # SHADER OPTIONS X,Y
 
 # Say where to look; this is printed below the message on a wrong picture.
 look() { # FILE OPTIONS PLACE N
-    echo "  look at yours: $program --shader $1${shown:+ $shown}"
+    echo "  look at yours: $program --shader $(quoted "$1")${shown:+ $shown}"
     echo "  your pixel $3: $(describe "$1" "$2" "$3")"
     if [ -e "$solution" ]; then
         echo "  the solution's: $(describe "$solution" "$2" "$3")"
     else
         echo "  the solution's: $(build/tests/judge pixel "$3" "$scratch/$4.png")"
     fi
+}
+
+# Add a picture that differs to the list of scenes for `make lecture`: the file on the left, the solution on the right.
+list_wrong() { # FILE WORDS
+    [[ "$1" != *[$'\r\n']* && -e "$solution" ]] || return
+    printf '%s --shader %s --compare %s %s\n    %s, on the left: %s\n' "$stem" "$(quoted "$1")" "$solution" "$shown" "$1" "$2" >>"$folder/wrong.txt"
 }
 
 # The solution's picture for line N of the options, and its nine rays; each is made when it is first needed.
@@ -150,14 +157,23 @@ judge() { # FILE
         said=$(build/tests/judge picture "$shown" "$scratch/$number.png" "$mine" "$difference")
         status=$?
         { read -r place; read -r share; read -r said; } <<<"$said"
-        [ "$status" = 0 ] || { echo "$said: see $difference"; look "$file" "$options" "$place" "$number"; return 1; }
+        [ "$status" = 0 ] || {
+            echo "$said: see $difference"
+            look "$file" "$options" "$place" "$number"
+            list_wrong "$file" "$said"
+            return 1
+        }
         shares+=("$share")
         [ "$number" = 1 ] || continue
         places=$(places_of "$options")
         right_rays "$options" "$places"
         # shellcheck disable=SC2086 # the pixels are separate words
         probes "$file" "$options" $places >"$scratch/mine"
-        build/tests/judge rays "$shown" "$places" "$scratch/rays" "$scratch/mine" || return 1
+        said=$(build/tests/judge rays "$shown" "$places" "$scratch/rays" "$scratch/mine") || {
+            echo "$said"
+            list_wrong "$file" "$(head -n 1 <<<"$said")"
+            return 1
+        }
     done <<<"$wanted"
     build/tests/judge right "${shares[@]}"
 }
@@ -250,5 +266,8 @@ for file in "${files[@]}"; do
     fi
 done
 find "$folder" -depth -type d -empty -delete
-[ -z "${FILES-}" ] || [ -n "${MARKS-}" ] || echo "$((${#files[@]} - wrong)) of ${#files[@]} right"
+[ -z "${FILES-}" ] || [ -n "${MARKS-}" ] || {
+    echo "$((${#files[@]} - wrong)) of ${#files[@]} right"
+    [ ! -e "$folder/wrong.txt" ] || beside "$folder/wrong.txt"
+}
 [ "$wrong" = 0 ]

@@ -61,6 +61,17 @@ text_of() { # FILE
     without_comments "$1" | tr -d '[:space:]' | cksum
 }
 
+# Print a word as a command line, or a lecture's list, needs it: in quotes if it has a blank or another special character.
+quoted() { # WORD
+    local quote="'\"'\"'"
+    if [[ "$1" =~ ^[A-Za-z0-9_./:,+@%=-]+$ ]]; then echo "$1"; else echo "'${1//"'"/"$quote"}'"; fi
+}
+
+# Say how to see the wrong pictures of a list beside the right ones.
+beside() { # LIST
+    echo "Each wrong picture beside the solution's, and N for the next one: make lecture LIST=$(quoted "$1")"
+}
+
 # Set files to those named by FILE or FILES. FILES is first tried as a single pattern, because folders may have spaces.
 find_files() {
     local IFS='' file

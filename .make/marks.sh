@@ -1,7 +1,8 @@
 #!/bin/bash
 # marks.sh - `make marks FILES='hand-in/*/*.frag' EXERCISES='03_1 03_2' CSV=marks.csv`: mark a class. check.sh judges each
 # file. A file whose text is the published solution, or another student's, is marked as such; blanks and comments do
-# not count. The table has a row for each student; build/marks/index.html shows each picture beside the right one.
+# not count. The table has a row for each student; build/marks/index.html shows each picture beside the right one, and
+# build/marks/wrong.txt lists the wrong ones as scenes for `make lecture`.
 #
 # A student is a folder. If all files lie in one folder, a student is the part of the file's name before the exercise.
 # With several exercises, the name of each file contains its exercise, such as 03_1 in "lamp 03_1.frag".
@@ -133,6 +134,11 @@ sort -t $'\t' -k 2,2 -k 1,1 "$folder/named" | CSV=$table awk -F '\t' -v page="$f
         }
         printf "%d students: %d right, %d wrong, %d copied\n", students, total["right"], total["wrong"], total["copied"]
     }'
+for exercise in "${exercises[@]}"; do
+    list=$folder/pictures/$exercise/wrong.txt
+    [ ! -e "$list" ] || { echo "== $exercise" && cat "$list" && rm "$list"; } >>"$folder/wrong.txt" || exit 2
+done
 rm -rf "$folder/named" "$folder/judged"
 find "$folder/pictures" -depth -type d -empty -delete
 echo "The table: $table. The pictures: $folder/index.html"
+[ ! -e "$folder/wrong.txt" ] || beside "$folder/wrong.txt"

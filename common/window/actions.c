@@ -101,10 +101,16 @@ static bool goes_on(const struct window *window, int by)
 }
 
 // A lecture's next scene, or the one before; never by a key that is held.
+static void change_scene(struct window *window, int by)
+{
+    if (window->start->caption != NULL)
+        window->asked.scenes += by;
+}
+
 static void turn_page(struct window *window, int by)
 {
-    if (window->start->caption != NULL && !goes_on(window, by))
-        window->asked.scenes += by;
+    if (!goes_on(window, by))
+        change_scene(window, by);
 }
 
 static void step_by_page(struct window *window, int by)
@@ -145,6 +151,7 @@ static const struct {
     {NULL, change, GLFW_KEY_RIGHT, 1, 10, true},
     {NULL, window_step, GLFW_KEY_E, 1, 1, true},
     {NULL, window_step, GLFW_KEY_Q, -1, -1, true},
+    {NULL, change_scene, GLFW_KEY_N, 1, -1, false},
     // A presenter's remote control has these two.
     {NULL, turn_page, GLFW_KEY_PAGE_DOWN, 1, 1, false},
     {NULL, turn_page, GLFW_KEY_PAGE_UP, -1, -1, false},

@@ -15,6 +15,7 @@ static const struct {
     enum condition condition;
 } entries[] = {
     {"scene, step", "Page Up Page Down", IN_LECTURE},
+    {"next scene", "N", IN_LECTURE},
     {"part", "Shift+1…9", IN_LECTURE},
     {"move", "W A S D", ALWAYS},
     {"up, down", "Space C", ALWAYS},

@@ -45,6 +45,14 @@ pictures() {
         while read -r picture; do [ -s "build/marks/${picture#src=?}" ] || { echo "# no $picture"; return 1; }; done <"$scratch/pictures"
 }
 check 'the page shows pictures that there are' pictures
+# Of the wrong files, those with a picture are scenes. Reading the list finds each file, whatever its name is.
+{ cat chapters/00_first_scene.frag; echo '#define THEIRS'; } | hand_in "O'Neil \"the\" wrong" 00_2.frag
+beside() {
+    marks "$class/*/00_2.frag" 00_2 && grep -q 'N for the next one: make lecture LIST=build/marks/wrong.txt$' "$scratch/said" &&
+        build/lecture --print build/marks/wrong.txt >"$scratch/scenes" && [ "$(wc -l <"$scratch/scenes")" = 3 ] &&
+        [ "$(grep -c 'frag. --compare chapters/solutions/00_first_scene_2.frag .*, on the left: .* differ ' "$scratch/scenes")" = 3 ]
+}
+check 'the wrong pictures are scenes for make lecture' beside || sed 's/^/# /' "$scratch/said" "$scratch/scenes"
 one_folder() { cp "$class/copy/00_2.frag" "$scratch/ada_00_2.frag" && marks "$scratch/*.frag" 00_2 && row '^"ada",copied,'; }
 check 'in one folder, the name of the file is that of the student' one_folder
 refuses() { # WORDS FILES EXERCISES CSV

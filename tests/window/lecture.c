@@ -146,6 +146,21 @@ SESSION_TEST(a_ray_comes_before_the_next_scene)
     close_list();
 }
 
+SESSION_TEST(n_skips_the_steps_of_a_ray)
+{
+    open_text("01 " STILL " --view slice --step 2\n01 " STILL "\n01 " STILL " --view normals\n");
+    key(GLFW_KEY_N, 0);
+    assert_scene(stems[1], STILL);
+    key(GLFW_KEY_N, 0);
+    user.calls.key(NULL, GLFW_KEY_N, 0, GLFW_REPEAT, 0); // nothing is behind it
+    turns(2);
+    assert_scene(stems[1], STILL " --view normals");
+    key(GLFW_KEY_N, GLFW_MOD_SHIFT);
+    key(GLFW_KEY_N, GLFW_MOD_SHIFT);
+    assert_scene(stems[1], STILL " --view slice --step 4"); // all steps, as with Page Up
+    close_list();
+}
+
 SESSION_TEST(digits_with_shift_lead_to_the_parts)
 {
     open_text("01 --view depth\n== One\n01 " STILL "\n01 " STILL " --view depth\n"
