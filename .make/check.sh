@@ -27,6 +27,14 @@ fail() {
     exit 2
 }
 
+# A full disk must not look like a wrong answer.
+need_room() {
+    { head -c 4096 /dev/zero >"$scratch/room"; } 2>/dev/null || no_room
+}
+no_room() {
+    fail "$scratch: the disk has no room for the pictures: free some, or set TMPDIR to a folder on another disk"
+}
+
 # Run the program; OPTIONS is one word. A file that was handed in has a time limit, because its loop may be endless.
 render() { # OPTIONS SHADER OPTION...
     local options=$1 shader=$2
@@ -65,7 +73,7 @@ look() { # FILE OPTIONS PLACE N
 # Add a picture that differs to the list of scenes for `make lecture`: the file on the left, the solution on the right.
 list_wrong() { # FILE WORDS
     [[ "$1" != *[$'\r\n']* && -e "$solution" ]] || return
-    printf '%s --shader %s --compare %s %s\n    %s, on the left: %s\n' "$stem" "$(quoted "$1")" "$solution" "$shown" "$1" "$2" >>"$folder/wrong.txt"
+    printf '%s --shader %s --compare %s %s\n    %s, on the left: %s\n' "${program#build/}" "$(quoted "$1")" "$solution" "$shown" "$1" "$2" >>"$folder/wrong.txt"
 }
 
 # The solution's picture for line N of the options, and its nine rays; each is made when it is first needed.
@@ -152,10 +160,15 @@ judge() { # FILE
         right_picture "$number" "$options"
         render "$options" "$file" -o "$mine" >/dev/null 2>"$scratch/errors"
         status=$?
-        [ "$status" = 0 ] || { why_not "$status"; return 1; }
+        [ "$status" = 0 ] || {
+            ! grep -qF "$mine: cannot be written: " "$scratch/errors" || no_room
+            why_not "$status"
+            return 1
+        }
         [ -z "${MARKS-}" ] || keep_pictures "$number" "${difference%.difference.png}.png"
         said=$(build/tests/judge picture "$shown" "$scratch/$number.png" "$mine" "$difference")
         status=$?
+        [ "$status" -le 1 ] || exit 2 # reported
         { read -r place; read -r share; read -r said; } <<<"$said"
         [ "$status" = 0 ] || {
             echo "$said: see $difference"
@@ -170,6 +183,7 @@ judge() { # FILE
         # shellcheck disable=SC2086 # the pixels are separate words
         probes "$file" "$options" $places >"$scratch/mine"
         said=$(build/tests/judge rays "$shown" "$places" "$scratch/rays" "$scratch/mine") || {
+            [ $? = 1 ] || exit 2 # reported
             echo "$said"
             list_wrong "$file" "$(head -n 1 <<<"$said")"
             return 1
@@ -254,11 +268,12 @@ for file in "${files[@]}"; do
 done
 for file in "${files[@]}"; do
     mark=right
+    need_room
     printf -- '-\t-\n' >"$scratch/kept"
-    verdict=$(judge "$file") || { [ $? = 2 ] && exit 2; mark=wrong wrong=$((wrong + 1)); }
+    verdict=$(judge "$file") || { [ $? = 2 ] && exit 2; need_room; mark=wrong wrong=$((wrong + 1)); }
     ! is_published "$file" || verdict="the published solution; $verdict"
     if [ -n "${MARKS-}" ]; then
-        printf '%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "$(head -n 1 <<<"$verdict" | tr '\t' ' ')" "$(cat "$scratch/kept")" >>"$MARKS"
+        printf '%s\t%s\t%s\t%s\t%s\n' "$EXERCISE" "$file" "$mark" "$(head -n 1 <<<"$verdict" | tr '\t' ' ')" "$(cat "$scratch/kept")" >>"$MARKS" || exit 2
     elif [ -n "${FILES-}" ]; then
         printf '%-5s  %-*s  %s\n' "$mark" "$width" "$file" "${verdict%%$'\n'*}"
     else

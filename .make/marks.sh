@@ -93,7 +93,7 @@ while IFS=$'\t' read -r exercise file mark verdict picture right; do
         mv "$picture" "$folder/$number.png" && mv "$right" "$folder/$number.right.png" || exit 2
         picture=$number
     fi
-    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$(student_of "$file")" "$mark" "$verdict" "$picture" "$text" "$file"
+    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$(student_of "$file")" "$mark" "$verdict" "$picture" "$text" "$file" || exit 2
 done <"$folder/judged" >"$folder/named"
 sort -t $'\t' -k 2,2 -k 1,1 "$folder/named" | CSV=$table awk -F '\t' -v page="$folder/index.html" -v exercises="${exercises[*]}" '
     function cell(s) { if (s ~ /^[-=+@]/) s = "\047" s; gsub(/"/, "\"\"", s); return "\"" s "\"" } # no formula of a spreadsheet
@@ -133,7 +133,7 @@ sort -t $'\t' -k 2,2 -k 1,1 "$folder/named" | CSV=$table awk -F '\t' -v page="$f
             printf "%-24s%s\n", student[s], text
         }
         printf "%d students: %d right, %d wrong, %d copied\n", students, total["right"], total["wrong"], total["copied"]
-    }'
+    }' 2>/dev/null || fail "$table or $folder/index.html: cannot be written: is the disk full?"
 for exercise in "${exercises[@]}"; do
     list=$folder/pictures/$exercise/wrong.txt
     [ ! -e "$list" ] || { echo "== $exercise" && cat "$list" && rm "$list"; } >>"$folder/wrong.txt" || exit 2

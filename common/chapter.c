@@ -1,6 +1,5 @@
 #include "chapter.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -8,7 +7,6 @@
 #include "context/guard.h"
 #include "memory.h"
 #include "picture/benchmark.h"
-#include "platform.h"
 #include "report.h"
 #include "shader/export.h"
 
@@ -153,14 +151,7 @@ int chapter_run(const struct chapter *chapter, int argc, char **argv)
     if (run->window != NULL && !window_run(run->window, NULL, NULL))
         status = RUN_NOT_DONE;
     chapter_close(run);
-    errno = 0;
-    if (fflush(stdout) == 0 && !ferror(stdout))
-        return status;
-    if (errno == EBADF)
-        report("standard output: is closed: leave out >&-");
-    else if (!platform_reader_left()) // a reader that has closed the pipe needs no message
-        report("standard output: cannot be written: is the disk full?");
-    return RUN_NOT_DONE;
+    return run_end(status);
 }
 
 void chapter_visit_files(const struct chapter *chapter, int argc, char **argv,

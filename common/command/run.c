@@ -1,9 +1,11 @@
 #include "command/run.h"
 
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "platform.h"
 #include "report.h"
 #include "command/sequence.h"
 
@@ -191,4 +193,16 @@ bool run_check_targets(const struct run *run)
             !check_unread(run, path))
             return false;
     return true;
+}
+
+int run_end(int status)
+{
+    errno = 0;
+    if (fflush(stdout) == 0 && !ferror(stdout))
+        return status;
+    if (errno == EBADF)
+        report("standard output: is closed: leave out >&-");
+    else if (!platform_reader_left()) // a reader that has closed the pipe needs no message
+        report("standard output: cannot be written: is the disk full?");
+    return RUN_NOT_DONE;
 }

@@ -63,6 +63,10 @@ struct window_start run_window_start(struct run *run);
 // it: a picture must never overwrite a shader or a texture. Returns false, reported.
 bool run_check_targets(const struct run *run);
 
+// The exit status of a program that ends with this one: it is RUN_NOT_DONE, reported, if what was
+// printed could not be written.
+int run_end(int status);
+
 // ---- Without a window (run_still.c) ----
 
 // The inputs of a command line's picture. No clock is read: a picture is a function of its options

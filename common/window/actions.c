@@ -100,11 +100,12 @@ static bool goes_on(const struct window *window, int by)
            to >= first && to <= probe_rows(window->ray.probe);
 }
 
-// A lecture's next scene, or the one before; never by a key that is held.
+// A lecture's next scene, or the one before; never by a key that is held. Presses that have piled
+// up while a scene was compiled count once, or an impatient speaker would pass over scenes.
 static void change_scene(struct window *window, int by)
 {
     if (window->start->caption != NULL)
-        window->asked.scenes += by;
+        window->asked.scenes = by;
 }
 
 static void turn_page(struct window *window, int by)

@@ -23,8 +23,8 @@ struct window *window_open(struct context *context, const struct window_start *s
 //   at_last  with a selected ray: show all its steps, instead of start's
 void window_show(struct window *window, const struct window_start *start, bool at_last);
 
-// In a lecture, how many scenes the speaker has asked to go on, or back if negative, since the last
-// call.
+// In a lecture: 1 if the speaker has asked for the next scene since the last call, -1 for the one
+// before, or 0.
 //   part  receives the part of the lecture that was asked for, from 1; 0: none
 int window_asked(struct window *window, int *part);
 

@@ -114,6 +114,25 @@ endless() {
     [ $? = 1 ] && says '^wrong .*does not end: no picture after 1 s'
 }
 check "a file that never ends is refused" endless
+# A limit on the size of files acts as a full disk: the solution's picture fits, and one of noise does not.
+cat >"$scratch/noise.frag" <<'END'
+#version 330 core
+out vec4 FragColor;
+void main()
+{
+    FragColor = fract(sin(dot(gl_FragCoord.xy, vec2(12.9898, 78.233))) * vec4(43758.5, 22578.1, 19642.3, 1.0));
+}
+END
+full_disk() {
+    (ulimit -f 400; trap '' XFSZ; table 00_2 "$scratch/noise.frag")
+    [ $? = 2 ] && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says 'the disk has no room'
+}
+check "a disk without room is no wrong answer" full_disk
+blank_name() {
+    cp chapters/00_first_scene.frag "$handed_in/ada's ball.frag"
+    ! accepted 00_2 "$handed_in/ada's ball.frag" && cp "$scratch/answer.00_2" "$scratch/answer.03_2" && says "look at yours: build/00_first_scene --shader '.*/hand.*ada'\"'\"'s ball.frag'"
+}
+check "a name with blanks and quotes is quoted in a command to copy" blank_name
 asks_wrong() { # EXERCISE WORDS
     EXERCISE=$1 FILE=x FILES='' .make/check.sh >"$scratch/answer.03_2" 2>&1
     [ $? = 2 ] && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says "$2"

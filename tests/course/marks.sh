@@ -53,15 +53,19 @@ beside() {
         [ "$(grep -c 'frag. --compare chapters/solutions/00_first_scene_2.frag .*, on the left: .* differ ' "$scratch/scenes")" = 3 ]
 }
 check 'the wrong pictures are scenes for make lecture' beside || sed 's/^/# /' "$scratch/said" "$scratch/scenes"
+to_full() { ! build/lecture --print build/marks/wrong.txt 2>"$scratch/said" >/dev/full && grep -q '^standard output: cannot be written' "$scratch/said"; }
+[ ! -w /dev/full ] || check 'scenes that cannot be printed are reported' to_full
 one_folder() { cp "$class/copy/00_2.frag" "$scratch/ada_00_2.frag" && marks "$scratch/*.frag" 00_2 && row '^"ada",copied,'; }
 check 'in one folder, the name of the file is that of the student' one_folder
 refuses() { # WORDS FILES EXERCISES CSV
     marks "${@:2}"
     [ $? = 2 ] && [ "$(wc -l <"$scratch/said")" = 1 ] && grep -q -e "$1" "$scratch/said"
 }
+refuses_late() { marks "$class/copy/*.frag" 00_2 /dev/full; [ $? = 2 ] && [ "$(tail -n 1 "$scratch/said")" = 'make: /dev/full or build/marks/index.html: cannot be written: is the disk full?' ]; }
 check 'no exercise' refuses 'which exercises' x ''
 check 'an exercise without a solution' refuses 'EXERCISES: 00_9: no solution' x '00_2 00_9'
 check 'no file' refuses 'which files' '' 00_2
 check 'a pattern that fits no file' refuses 'no file has such a name' "$class/eve/*" 00_2
+[ ! -w /dev/full ] || check 'a table on a full disk' refuses_late
 check 'a table that cannot be written' refuses 'CSV=/: cannot be written' "$class/copy/*.frag" 00_2 /
 plan

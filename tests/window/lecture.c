@@ -161,6 +161,16 @@ SESSION_TEST(n_skips_the_steps_of_a_ray)
     close_list();
 }
 
+SESSION_TEST(presses_that_pile_up_count_once)
+{
+    open_text("01 " STILL "\n01 " STILL " --view normals\n01 " STILL " --view depth\n");
+    for (int i = 0; i < 5; i++)
+        user_key(GLFW_KEY_PAGE_DOWN, 0);
+    turns(2);
+    assert_scene(stems[1], STILL " --view normals");
+    close_list();
+}
+
 SESSION_TEST(digits_with_shift_lead_to_the_parts)
 {
     open_text("01 --view depth\n== One\n01 " STILL "\n01 " STILL " --view depth\n"
