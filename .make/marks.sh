@@ -69,13 +69,19 @@ folder=build/marks table=${CSV:-build/marks/marks.csv}
 rm -rf "$folder" && mkdir -p "$folder" || exit 2
 { : >"$table"; } 2>/dev/null || fail "CSV=$table: cannot be written"
 
+# It ends with this script, whose signals do not reach it. Its present picture is finished first.
+judge=
+trap '[ -z "$judge" ] || kill "$judge" 2>/dev/null; exit 2' HUP INT TERM
 # A line for each file: exercise, file, mark, verdict, picture, right picture.
 for exercise in "${exercises[@]}"; do
     answers=()
     for file in "${files[@]}"; do
         [ "$(exercise_of "$file")" != "$exercise" ] || answers+=("$file")
     done
-    [ ${#answers[@]} = 0 ] || FILE='' FILES='' EXERCISE=$exercise CHECK_FOLDER=$folder/pictures MARKS=$folder/judged .make/check.sh "${answers[@]}" || [ $? = 1 ] || exit 2
+    [ ${#answers[@]} != 0 ] || continue
+    FILE='' FILES='' EXERCISE=$exercise CHECK_FOLDER=$folder/pictures MARKS=$folder/judged .make/check.sh "${answers[@]}" &
+    judge=$!
+    wait "$judge" || [ $? = 1 ] || exit 2
 done
 for file in "${files[@]}"; do
     [ -n "$(exercise_of "$file")" ] || echo "$file: its name contains none of ${exercises[*]}: not marked" >&2

@@ -55,6 +55,21 @@ beside() {
 check 'the wrong pictures are scenes for make lecture' beside || sed 's/^/# /' "$scratch/said" "$scratch/scenes"
 to_full() { ! build/lecture --print build/marks/wrong.txt 2>"$scratch/said" >/dev/full && grep -q '^standard output: cannot be written' "$scratch/said"; }
 [ ! -w /dev/full ] || check 'scenes that cannot be printed are reported' to_full
+# The judge would go through all files if it did not end too. A process that has ended has no folder in /proc.
+interrupted() {
+    local marks judge
+    rm -rf build/marks
+    FILES="$class/*/00_2.frag" EXERCISES=00_2 .make/marks.sh >"$scratch/said" 2>&1 &
+    marks=$!
+    until [ -d build/marks/pictures/00_2 ] || ! kill -0 "$marks"; do sleep 0.1; done
+    judge=$(cat "/proc/$marks/task/$marks/children")
+    kill "$marks"
+    wait "$marks"
+    [ $? = 2 ] && [ -n "$judge" ] || return
+    while [ -d "/proc/${judge// /}" ]; do sleep 0.1; done
+    [ ! -e build/marks/judged ] || [ "$(wc -l <build/marks/judged)" -lt 5 ]
+}
+[ ! -r "/proc/$$/task/$$/children" ] || check 'a judge ends with marks.sh' interrupted
 one_folder() { cp "$class/copy/00_2.frag" "$scratch/ada_00_2.frag" && marks "$scratch/*.frag" 00_2 && row '^"ada",copied,'; }
 check 'in one folder, the name of the file is that of the student' one_folder
 refuses() { # WORDS FILES EXERCISES CSV
