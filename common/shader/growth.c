@@ -168,7 +168,7 @@ static const struct glsl_token *heaviest_in(struct growth *growth, int name)
 
 const struct glsl_token *growth_find(const struct glsl *code)
 {
-    struct growth growth = {.code = code};
+    struct growth growth = {.code = code, .body = memory_zeros(1, sizeof *growth.body)};
     const struct glsl_token *found = NULL, *within;
     growth.of = memory_zeros((size_t)code->name_count + 1, sizeof *growth.of);
     for (int i = 0; i < code->name_count; i++)
