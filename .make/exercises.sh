@@ -63,8 +63,9 @@ text_of() { # FILE
 
 # Print a word as a command line, or a lecture's list, needs it: in quotes if it has a blank or another special character.
 quoted() { # WORD
-    local quote="'\"'\"'"
-    if [[ "$1" =~ ^[A-Za-z0-9_./:,+@%=-]+$ ]]; then echo "$1"; else echo "'${1//"'"/"$quote"}'"; fi
+    local end="'" quote="'\"'\"'" text
+    text=${1//$end/$quote}
+    if [[ "$1" =~ ^[A-Za-z0-9_./:,+@%=-]+$ ]]; then echo "$1"; else echo "'$text'"; fi
 }
 
 # Say how to see the wrong pictures of a list beside the right ones.

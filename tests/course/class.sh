@@ -42,7 +42,7 @@ for exercise in 00_2 03_2; do
     hand_in 21 $exercise wrong 'differ\|compile' <"$(chapter $exercise)"
     # The published solution, disguised and included; and one answer twice.
     { echo '/* all * my own */'; sed 's/; *$/ ;  \/\/ mine/' "$(solution $exercise)"; } | hand_in 22 $exercise copied '^the published solution; as the'
-    echo '#include "solutions/'"$(basename "$(solution $exercise)")"'"' | hand_in 23 $exercise copied '^the published solution; as the'
+    echo '#include "solutions/'"$(basename "$(solution $exercise)")"'"' | hand_in 23 $exercise copied '^the published solution; '
     for student in 24 25; do
         { cat "$(solution $exercise)"; echo "#define TWIN // $student"; } | hand_in $student $exercise copied '^one text: 24, 25; as the solution'
     done
