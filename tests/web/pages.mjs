@@ -88,6 +88,9 @@ for (const name of svgs) {
 fs.rmSync(folder, {recursive: true});
 check('every figure has its letters within it, and a dark theme', svgs.length > 15 && homeless.length === 0, svgs.length, homeless.slice(0, 8));
 
+const uneven = [...text].filter(([, html]) => /<div class="table"><table>(?:(?!<\/table>).)*<td[^>]*>\s*<(?:img|live-chapter)/s.test(html)).map(([name]) => name);
+check('pictures in one row of a table share its width', uneven.length === 0, uneven);
+
 // ---- Commands ----
 
 // Read from the sources, not from the output of the builder: each command of a shell block is in the page, in a block
