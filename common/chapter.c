@@ -8,6 +8,7 @@
 #include "memory.h"
 #include "picture/benchmark.h"
 #include "report.h"
+#include "shader/compile.h"
 #include "shader/export.h"
 
 static int print_shader(struct run *run)
@@ -67,6 +68,17 @@ static bool open_loop(struct run *run)
     return run->window != NULL;
 }
 
+static int open_context(struct run *run)
+{
+    const struct options *options = &run->options;
+    if (!options->window)
+        return context_open_offscreen(&run->context, options->backend) ? RUN_DONE : RUN_NOT_DONE;
+    return context_open_window(&run->context, options->backend, run->title, options->width,
+                               options->height)
+               ? RUN_DONE
+               : RUN_NO_WINDOW;
+}
+
 static int open_and_draw(struct run *run)
 {
     struct context *context = &run->context;
@@ -76,11 +88,9 @@ static int open_and_draw(struct run *run)
         guard_forget_caches();
     if (!run_check_targets(run))
         return RUN_NOT_DONE;
-    if (options->window && !context_open_window(context, options->backend, run->title,
-                                                options->width, options->height))
-        return RUN_NO_WINDOW;
-    if (!options->window && !context_open_offscreen(context, options->backend))
-        return RUN_NOT_DONE;
+    int status = open_context(run);
+    if (status != RUN_DONE)
+        return status;
     if (options->benchmark > 0)
         done = run_benchmark(run);
     else
@@ -131,6 +141,21 @@ int chapter_open(struct run **run, const struct chapter *chapter, int argc, char
     return run_parse(*run, chapter->stem, chapter->title, &chapter->camera, argc, argv)
                ? act(*run, chapter, argv[0])
                : RUN_WRONG_COMMAND_LINE;
+}
+
+void chapter_begin(struct run **run, const struct chapter *chapter, int argc, char **argv)
+{
+    *run = memory_zeros(1, sizeof **run);
+    if (run_parse(*run, chapter->stem, chapter->title, &chapter->camera, argc, argv) &&
+        (*run)->options.action == OPTIONS_RUN && (*run)->options.benchmark == 0 &&
+        run_find_root(*run) && run_find_shader(*run) && run_read_shaders(*run) == RUN_DONE &&
+        open_context(*run) == RUN_DONE)
+        run_begin(*run, &(*run)->context.gl);
+}
+
+bool chapter_ready(const struct run *run)
+{
+    return shader_ready(&run->context.gl);
 }
 
 struct window *chapter_window(const struct run *run)

@@ -10,6 +10,8 @@
 #ifndef CHAPTER_H
 #define CHAPTER_H
 
+#include <stdbool.h>
+
 #include "camera.h"
 
 // A chapter. Its shader is chapters/STEM.frag.
@@ -35,6 +37,13 @@ struct window;
 //   chapter, argv  must outlive the run
 // Returns the exit status so far, as chapter_run does.
 int chapter_open(struct run **run, const struct chapter *chapter, int argc, char **argv);
+
+// Read the shaders of a command line, and let the driver begin to compile them: chapter_open then
+// does not wait for it, once chapter_ready returns true. What fails is reported, and fails again
+// there.
+//   run  as for chapter_open, which gets another one
+void chapter_begin(struct run **run, const struct chapter *chapter, int argc, char **argv);
+bool chapter_ready(const struct run *run);
 
 // The window that waits for its turns; NULL if none was requested or none could be opened.
 struct window *chapter_window(const struct run *run);

@@ -40,7 +40,7 @@ struct GLFWcursor {
 
 static struct {
     struct GLFWwindow window;
-    bool open, hidden, cleared, half;
+    bool open, hidden, cleared, half, threads;
     int size[2], pixels[2]; // of the canvas in the page's units, and of its drawing buffer
     double hidden_at, away; // seconds: when it was last hidden, and for how long before that
     const char *why;        // reason of the last failure
@@ -59,16 +59,36 @@ static void finish(void)
 
 // A browser clears the canvas before the first draw of a frame. A blit does not count as a draw, so
 // the overlay, which comes after it, would be drawn over black.
-static void blit(GLint left, GLint bottom, GLint right, GLint top, GLint to_left, GLint to_bottom,
-                 GLint to_right, GLint to_top, GLbitfield mask, GLenum filter)
+static GLint drawn(void)
 {
     GLint target = 0;
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &target);
-    if (target == 0 && !web.cleared) {
+    return target;
+}
+
+static void draw(GLenum mode, GLint first, GLsizei count)
+{
+    web.cleared |= drawn() == 0;
+    glDrawArrays(mode, first, count);
+}
+
+static void blit(GLint left, GLint bottom, GLint right, GLint top, GLint to_left, GLint to_bottom,
+                 GLint to_right, GLint to_top, GLbitfield mask, GLenum filter)
+{
+    if (drawn() == 0 && !web.cleared) {
         glClear(GL_COLOR_BUFFER_BIT);
         web.cleared = true;
     }
     glBlitFramebuffer(left, bottom, right, top, to_left, to_bottom, to_right, to_top, mask, filter);
+}
+
+// A browser without the extension would answer that nothing is ever compiled.
+static void get_program(GLuint program, GLenum name, GLint *value)
+{
+    if (name == GL_COMPLETION_STATUS_KHR && !web.threads)
+        *value = GL_TRUE;
+    else
+        glGetProgramiv(program, name, value);
 }
 
 // Every draw blends. If float targets cannot, half floats are used.
@@ -87,6 +107,8 @@ GLFWglproc glfwGetProcAddress(const char *name)
         GLFWglproc function;
     } ours[] = {{"glFinish", (GLFWglproc)finish},
                 {"glBlitFramebuffer", (GLFWglproc)blit},
+                {"glDrawArrays", (GLFWglproc)draw},
+                {"glGetProgramiv", (GLFWglproc)get_program},
                 {"glTexImage2D", (GLFWglproc)tex_image}};
     for (size_t i = 0; i < sizeof ours / sizeof *ours; i++)
         if (strcmp(name, ours[i].name) == 0)
@@ -123,6 +145,7 @@ GLFWwindow *glfwCreateWindow(int width, int height, const char *title, GLFWmonit
     }
     web.window = (struct GLFWwindow){.focused = web.window.focused};
     web.half = !page_blends_floats();
+    web.threads = page_has_threads() != 0;
     return &web.window;
 }
 

@@ -12,6 +12,7 @@
 #include "picture/comparison.h"
 #include "platform.h"
 #include "report.h"
+#include "shader/compile.h"
 #include "window/ray.h"
 #include "window/state.h"
 #include "window/window.h"
@@ -27,6 +28,7 @@ static struct {
     char *argument[ARGUMENTS + 1];
     int count;
     bool visits;  // the next main only visits its files
+    bool begins;  // the next main only begins to compile
     char *answer; // the last one
 } live;
 
@@ -98,6 +100,10 @@ static void add_file(void *json, const char *path)
 int live_run(const struct chapter *chapter, int argc, char **argv)
 {
     live.chapter = *chapter;
+    if (live.begins)
+        chapter_begin(&live.run, &live.chapter, argc, argv);
+    if (live.begins)
+        return 0;
     if (!live.visits)
         return chapter_open(&live.run, &live.chapter, argc, argv);
     struct json json = {.stream = memory_open(&live.answer)};
@@ -130,6 +136,20 @@ int live_start(const char *stem, const char *line)
     live_stop();
     forget();
     return split(stem, line) ? start() : 2;
+}
+
+void live_begin(const char *stem, const char *line)
+{
+    live_stop();
+    live.begins = true;
+    if (split(stem, line))
+        live.program->main(live.count, live.argument);
+    live.begins = false;
+}
+
+int live_ready(void)
+{
+    return live.run == NULL || chapter_ready(live.run);
 }
 
 const char *live_files(const char *stem, const char *line)
@@ -205,8 +225,10 @@ static void give_back(struct window *window)
 
 int live_restore(void)
 {
-    if (window() != NULL)
+    if (window() != NULL) {
+        shader_forget(window()->renderer->gl); // they were of the lost context
         keep(window());
+    }
     if (!kept.is)
         return 2;
     live_stop();

@@ -16,6 +16,12 @@
 // everything is done.
 int live_start(const char *stem, const char *line);
 
+// Let the driver begin to compile the shaders of a command line, after closing what ran before.
+// Once live_ready returns 1, live_start does not wait for the driver. What fails, fails again
+// there.
+void live_begin(const char *stem, const char *line);
+int live_ready(void);
+
 // The files that a command line needs, as a JSON list of paths. The page provides those that the
 // course has.
 const char *live_files(const char *stem, const char *line);

@@ -13,6 +13,9 @@ void page_close_context(void);
 // True if float targets blend: EXT_float_blend.
 int page_blends_floats(void);
 
+// True if the driver may compile on threads of its own: KHR_parallel_shader_compile.
+int page_has_threads(void);
+
 // The size that a command line asks for, pixels.
 void page_size(int width, int height);
 

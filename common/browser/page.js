@@ -22,6 +22,9 @@ mergeInto(LibraryManager.library, {
     page_blends_floats: function () {
         return GLctx.getExtension('EXT_float_blend') ? 1 : 0;
     },
+    page_has_threads: function () {
+        return GLctx.getExtension('KHR_parallel_shader_compile') ? 1 : 0;
+    },
     page_size: function (width, height) {
         if (Module['onSize']) Module['onSize'](width, height);
     },

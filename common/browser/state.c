@@ -87,6 +87,7 @@ static void write_window(struct json *json, const struct window *window)
     json_text(json, "view", shader_view_name(renderer->view));
     json_number(json, "time", inputs->time, -1);
     json_flag(json, "paused", window->paused);
+    json_flag(json, "compiles", window->compiles);
     const double eye[] = {(double)camera->position[0], (double)camera->position[1],
                           (double)camera->position[2], (double)camera->pan, (double)camera->tilt};
     write_numbers(json, "camera", 5, eye);

@@ -15,6 +15,7 @@ enum { STATE_NAME = 160 }; // bytes of a parameter's name, such as "factor (righ
 //   error                 why the last text of the shader is not shown, or ""
 //   runs                  there is a window; without one nothing follows
 //   view, time, paused    the view's name; seconds
+//   compiles              the driver compiles the last text of the shader
 //   camera                position, pan and tilt, as for --camera
 //   rate, milliseconds    frames per second, and the time that the last picture took
 //   divisor, size, pixel  the picture's sides are divided by it; pixels; the selected pixel or -1

@@ -8,6 +8,7 @@
 #include "platform.h"
 #include "report.h"
 #include "command/sequence.h"
+#include "shader/compile.h"
 
 static const char *name_of(const char *path)
 {
@@ -114,20 +115,34 @@ int run_read_shaders(struct run *run)
     return read_shader(run, 1, other != NULL ? other : run->shader);
 }
 
+static bool open_renderer(struct run *run, int number, const struct gl *gl)
+{
+    struct renderer *renderer = &run->picture[number].renderer;
+    if (renderer->gl == NULL && !renderer_open(renderer, gl, run->root))
+        return false;
+    renderer->comparison = NULL;
+    renderer->view = run->options.view;
+    return true;
+}
+
+bool run_begin(struct run *run, const struct gl *gl)
+{
+    shader_forget(gl);
+    for (int i = 0; i < (run->options.compares ? 2 : 1); i++) {
+        if (!open_renderer(run, i, gl))
+            return false;
+        loader_begin(&run->picture[i]);
+    }
+    return true;
+}
+
 bool run_compile(struct run *run, const struct gl *gl)
 {
     const struct options *options = &run->options;
     struct renderer *first = &run->picture[0].renderer;
-    for (int i = 0; i < (options->compares ? 2 : 1); i++) {
-        struct loader *picture = &run->picture[i];
-        struct renderer *renderer = &picture->renderer;
-        if (renderer->gl == NULL && !renderer_open(renderer, gl, run->root))
+    for (int i = 0; i < (options->compares ? 2 : 1); i++)
+        if (!open_renderer(run, i, gl) || !loader_update(&run->picture[i]))
             return false;
-        renderer->comparison = NULL;
-        renderer->view = options->view;
-        if (!loader_update(picture))
-            return false;
-    }
     if (!options->compares)
         return true;
     run->comparison =

@@ -50,6 +50,10 @@ bool run_find_shader(struct run *run);
 // the exit status.
 int run_read_shaders(struct run *run);
 
+// Let the driver begin to compile the shaders that were read; shader_ready tells when run_compile
+// no longer has to wait. Returns false, reported.
+bool run_begin(struct run *run, const struct gl *gl);
+
 // Compile the shaders that were read, and put the second picture beside the first. A renderer that
 // is open already is kept, and a shader that it has is not compiled again.
 //   gl  must outlive the run

@@ -5,11 +5,10 @@
 
 #include "memory.h"
 #include "picture/letters.h"
-#include "picture/slice.h"
 #include "picture/target.h"
 
 // In cells. A row's letters stand on a line above its lower end.
-enum { WIDTH = 48, ROW = 8, LINE = 2, DIGIT_HEIGHT = 5, DIGIT_WIDTH = 4, POINT_WIDTH = 2 };
+enum { WIDTH = 48, ROW = 8, LINE = 2, DIGIT_WIDTH = 4, POINT_WIDTH = 2 };
 
 // Row 0 has the digits, the point and the minus, each in the middle of its cells; each further row
 // has a word.
@@ -44,7 +43,7 @@ static unsigned char *draw_table(int cell)
     struct letters letters = {0};
     unsigned char *pixel = memory_zeros((size_t)(WIDTH * cell), (size_t)(ROWS * ROW * cell));
     const float capital = 7.3f; // units, see LETTERS_EM
-    float scale = (float)(DIGIT_HEIGHT * cell) / capital;
+    float scale = (float)(AXIS_LABELS_DIGIT * cell) / capital;
     letters_begin(&letters, scale);
     for (int i = 0; i < SINGLE; i++) {
         float room = (float)((single[i] == '.' ? POINT_WIDTH : DIGIT_WIDTH) * cell);
@@ -64,9 +63,8 @@ static unsigned char *draw_table(int cell)
     return pixel;
 }
 
-void axis_labels_bind(struct axis_labels *labels, const struct gl *gl, int height)
+void axis_labels_bind(struct axis_labels *labels, const struct gl *gl, int cell)
 {
-    int cell = (int)slice_cell(height);
     if (labels->texture == 0)
         gl->GenTextures(1, &labels->texture);
     gl->BindTexture(GL_TEXTURE_2D, labels->texture);

@@ -1,20 +1,21 @@
 // axis_labels.h - the numbers and words that views write into a picture: the texture iSigns of
-// shaders/signs.glsl, in the overlay's font, at a size that follows the picture's height.
+// shaders/signs.glsl, in the overlay's font.
 #ifndef AXIS_LABELS_H
 #define AXIS_LABELS_H
 
 #include "context/gl.h"
 
+#define AXIS_LABELS_DIGIT 5 // cells: height of a digit
+
 // Zeros: empty.
 struct axis_labels {
     GLuint texture;
-    int cell; // pixels; a digit is 5 cells high
+    int cell; // pixels
 };
 
-// Bind the texture to the active unit; draw it first if a picture of another height needs another
-// size.
-//   height  of the picture, pixels
-void axis_labels_bind(struct axis_labels *labels, const struct gl *gl, int height);
+// Bind the texture to the active unit; draw it first if it has another size.
+//   cell  pixels, at least 1
+void axis_labels_bind(struct axis_labels *labels, const struct gl *gl, int cell);
 
 // Free the texture; zeros are allowed.
 void axis_labels_free(struct axis_labels *labels, const struct gl *gl);

@@ -10,6 +10,14 @@ bool loader_read(struct loader *loader)
            parameters_read(&loader->parameters, &loader->source);
 }
 
+void loader_begin(const struct loader *loader)
+{
+    const struct renderer *renderer = &loader->renderer;
+    shader_begin(renderer->gl, &renderer->vertex, &loader->source, renderer->view);
+    if (glsl_mentions(&loader->source.code, "coarseStart") > 0)
+        shader_begin(renderer->gl, &renderer->vertex, &loader->source, SHADER_COARSE);
+}
+
 bool loader_compile(struct loader *loader)
 {
     return renderer_load(&loader->renderer, &loader->source, &loader->parameters);

@@ -22,6 +22,10 @@ struct loader {
 // Returns false, reported.
 bool loader_read(struct loader *loader);
 
+// Let the driver begin to compile what was read; the renderer must be open. shader_ready tells when
+// loader_compile no longer has to wait.
+void loader_begin(const struct loader *loader);
+
 // Compile what was read; the renderer must be open.
 // Returns false, reported; then the renderer still draws the last good shader.
 bool loader_compile(struct loader *loader);

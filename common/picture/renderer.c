@@ -145,14 +145,16 @@ static void share_frame(struct march *march, struct march *shared)
 }
 
 // Bind the numbers and words of a view that writes some, after the shader's own textures.
-static void set_labels(struct renderer *renderer, int height)
+static void set_labels(struct renderer *renderer, const struct renderer_inputs *inputs)
 {
     const struct gl *gl = renderer->gl;
-    int unit = 1 + renderer->textures.count;
+    int unit = 1 + renderer->textures.count, cell = (int)slice_cell(inputs->height);
+    if (renderer->view == SHADER_PICTURE)
+        cell = (int)fmaxf((float)cell, roundf(inputs->digits / AXIS_LABELS_DIGIT));
     if (!renderer_reads(renderer, renderer->view, UNIFORM_iSigns))
         return;
     gl->ActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-    axis_labels_bind(&renderer->labels, gl, height);
+    axis_labels_bind(&renderer->labels, gl, cell);
     gl->Uniform1i(renderer->used[UNIFORM_iSigns], unit);
     gl->ActiveTexture(GL_TEXTURE0);
 }
@@ -174,7 +176,7 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
         return false;
     share_frame(&march, part->shared);
     renderer_use(renderer, inputs, renderer->view);
-    set_labels(renderer, inputs->height);
+    set_labels(renderer, inputs);
     if (slice)
         renderer_set_slice(renderer, &march);
     else if (reads)

@@ -43,6 +43,7 @@ struct renderer_inputs {
     float mouse[4];    // Shadertoy's iMouse; zeros for a file
     float date[4];     // Shadertoy's iDate: year, month from 0, day, seconds of the day
     int samples;       // along each side of a pixel
+    float digits;      // least height of a figure's digits, pixels; 0: it follows the picture's
     int pixel[2];      // of the selected ray, 0,0 bottom left; -1,-1: none, a slice has the middle
     const struct renderer_eye *eye; // where the selected ray starts; NULL: at the camera
     const double *lens;             // values that replace renderer_lens; NULL: the parameters' own

@@ -47,56 +47,126 @@ static char *read_log(void (*get)(GLuint object, GLsizei size, GLsizei *length, 
     return log;
 }
 
-static GLuint compile(const struct gl *gl, GLenum stage, const char *text, char **log)
+static GLuint compile(const struct gl *gl, GLenum stage, const char *text)
 {
-    GLint compiled = GL_FALSE, size = 0;
     GLuint shader = gl->CreateShader(stage);
     gl->ShaderSource(shader, 1, &text, NULL);
     gl->CompileShader(shader);
-    gl->GetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (shader != 0 && compiled == GL_TRUE)
-        return shader;
-    gl->GetShaderiv(shader, GL_INFO_LOG_LENGTH, &size);
-    *log = read_log(gl->GetShaderInfoLog, shader, size);
-    gl->DeleteShader(shader);
-    return 0;
+    return shader;
 }
 
-static GLuint link_stages(const struct gl *gl, const GLuint stage[2], char **log)
+// A program whose result was not asked for, because the answer waits for the driver.
+struct begun {
+    GLuint stage[2], program; // 0: none
+    char *text[2];            // of one in the list
+};
+
+static struct begun begin(const struct gl *gl, const char *vertex, const char *fragment)
 {
+    struct begun one = {
+        .stage = {compile(gl, GL_VERTEX_SHADER, vertex), compile(gl, GL_FRAGMENT_SHADER, fragment)},
+        .program = gl->CreateProgram()};
+    gl->AttachShader(one.program, one.stage[0]);
+    gl->AttachShader(one.program, one.stage[1]);
+    gl->LinkProgram(one.program);
+    return one;
+}
+
+// The first step that failed, or the last.
+static enum shader_step step_of(const struct gl *gl, const struct begun *one)
+{
+    for (int i = 0; i < 2; i++) {
+        GLint compiled = GL_FALSE;
+        gl->GetShaderiv(one->stage[i], GL_COMPILE_STATUS, &compiled);
+        if (compiled != GL_TRUE)
+            return i == 0 ? SHADER_COMPILE_VERTEX : SHADER_COMPILE_FRAGMENT;
+    }
+    return SHADER_LINK;
+}
+
+// Free all but the program.
+static void leave(const struct gl *gl, struct begun *one)
+{
+    // An attached shader lives until its program is deleted; 0 is ignored.
+    gl->DeleteShader(one->stage[0]);
+    gl->DeleteShader(one->stage[1]);
+    free(one->text[0]);
+    free(one->text[1]);
+    *one = (struct begun){.program = 0};
+}
+
+// As shader_link_texts.
+static GLuint end(const struct gl *gl, struct begun *one, enum shader_step *step, char **log)
+{
+    GLuint program = one->program;
     GLint linked = GL_FALSE, size = 0;
-    GLuint program = gl->CreateProgram();
-    gl->AttachShader(program, stage[0]);
-    gl->AttachShader(program, stage[1]);
-    gl->LinkProgram(program);
+    *log = NULL;
+    *step = SHADER_LINK;
     gl->GetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (program != 0 && linked == GL_TRUE)
-        return program;
-    gl->GetProgramiv(program, GL_INFO_LOG_LENGTH, &size);
-    *log = read_log(gl->GetProgramInfoLog, program, size);
-    gl->DeleteProgram(program);
-    return 0;
+    if (program == 0 || linked != GL_TRUE) {
+        *step = step_of(gl, one);
+        if (*step == SHADER_LINK) {
+            gl->GetProgramiv(program, GL_INFO_LOG_LENGTH, &size);
+            *log = read_log(gl->GetProgramInfoLog, program, size);
+        } else {
+            GLuint stage = one->stage[*step == SHADER_COMPILE_FRAGMENT];
+            gl->GetShaderiv(stage, GL_INFO_LOG_LENGTH, &size);
+            *log = read_log(gl->GetShaderInfoLog, stage, size);
+        }
+        gl->DeleteProgram(program);
+        program = 0;
+    }
+    leave(gl, one);
+    return program;
+}
+
+// ---- Programs that were begun ----
+
+// Two pictures, each with its coarse pass.
+static struct begun list[4];
+enum { LIST = sizeof list / sizeof *list };
+
+// The one with these texts, or NULL.
+static struct begun *find(const char *vertex, const char *fragment)
+{
+    for (int i = 0; i < LIST; i++)
+        if (list[i].program != 0 && strcmp(list[i].text[0], vertex) == 0 &&
+            strcmp(list[i].text[1], fragment) == 0)
+            return &list[i];
+    return NULL;
+}
+
+bool shader_ready(const struct gl *gl)
+{
+    for (int i = 0; i < LIST; i++) {
+        GLint done = GL_TRUE; // a driver without the extension leaves it, with an error
+        if (list[i].program == 0)
+            continue;
+        gl->GetProgramiv(list[i].program, GL_COMPLETION_STATUS_KHR, &done);
+        gl->GetError();
+        if (done != GL_TRUE)
+            return false;
+    }
+    return true;
+}
+
+void shader_forget(const struct gl *gl)
+{
+    for (int i = 0; i < LIST; i++)
+        if (list[i].program != 0) {
+            gl->DeleteProgram(list[i].program);
+            leave(gl, &list[i]);
+        }
 }
 
 GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fragment,
                          enum shader_step *step, char **log)
 {
-    GLuint program = 0, stage[2] = {0, 0};
-    *log = NULL;
-    *step = SHADER_COMPILE_VERTEX;
-    stage[0] = compile(gl, GL_VERTEX_SHADER, vertex, log);
-    if (stage[0] != 0) {
-        *step = SHADER_COMPILE_FRAGMENT;
-        stage[1] = compile(gl, GL_FRAGMENT_SHADER, fragment, log);
-    }
-    if (stage[1] != 0) {
-        *step = SHADER_LINK;
-        program = link_stages(gl, stage, log);
-    }
-    // An attached shader lives until its program is deleted; 0 is ignored.
-    gl->DeleteShader(stage[0]);
-    gl->DeleteShader(stage[1]);
-    return program;
+    struct begun *begun = find(vertex, fragment), one;
+    if (begun != NULL)
+        return end(gl, begun, step, log);
+    one = begin(gl, vertex, fragment);
+    return end(gl, &one, step, log);
 }
 
 // ---- A program ----
@@ -115,19 +185,46 @@ static struct shader_source vertex_for(const struct shader_source *vertex,
     return stage;
 }
 
-GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
-                   struct shader_source *fragment, enum shader_view view)
+// A recursive compiler runs out of stack on a long sum.
+static void guard(const struct gl *gl, const struct shader_source *fragment)
 {
-    struct shader_source stage = vertex_for(vertex, fragment);
-    char *first = shader_text(&stage, view), *second = shader_text(fragment, view), *log;
-    enum shader_step step;
-    // A recursive compiler runs out of stack on a long sum.
     guard_begin("%.800s: the graphics driver crashed on it, or needs more than 4 GB for it: "
                 "split its longest statement, shorten its arrays and macros",
                 fragment->files[0]);
     const char *version = (const char *)gl->GetString(GL_VERSION);
     if (version != NULL && strstr(version, "Mesa") != NULL)
         guard_memory();
+}
+
+void shader_begin(const struct gl *gl, const struct shader_source *vertex,
+                  const struct shader_source *fragment, enum shader_view view)
+{
+    struct shader_source stage = vertex_for(vertex, fragment);
+    char *first = shader_text(&stage, view), *second = shader_text(fragment, view);
+    struct begun *one = list;
+    while (one < list + LIST && one->program != 0)
+        one++;
+    if (one < list + LIST && find(first, second) == NULL) {
+        guard(gl, fragment);
+        *one = begin(gl, first, second);
+        guard_end();
+        one->text[0] = first;
+        one->text[1] = second;
+    } else {
+        free(first);
+        free(second);
+    }
+    free(stage.prelude);
+    free(stage.body);
+}
+
+GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
+                   struct shader_source *fragment, enum shader_view view)
+{
+    struct shader_source stage = vertex_for(vertex, fragment);
+    char *first = shader_text(&stage, view), *second = shader_text(fragment, view), *log;
+    enum shader_step step;
+    guard(gl, fragment);
     GLuint program = shader_link_texts(gl, first, second, &step, &log);
     if (GL_IS_ES && program == 0 && step == SHADER_COMPILE_FRAGMENT && fragment->body != NULL) {
         // The desktop accepts integers as floats. Of two errors, the one in the author's text is

@@ -19,6 +19,19 @@ char *shader_text(const struct shader_source *source, enum shader_view view);
 GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
                    struct shader_source *fragment, enum shader_view view);
 
+// Give a program to the driver, which may compile it on threads of its own. The next shader_link of
+// the same texts takes it; until then, shader_ready tells whether that would have to wait. A few
+// programs can wait at a time; further ones are not begun.
+void shader_begin(const struct gl *gl, const struct shader_source *vertex,
+                  const struct shader_source *fragment, enum shader_view view);
+
+// True if no program that was begun is still being compiled. Without KHR_parallel_shader_compile,
+// it always is.
+bool shader_ready(const struct gl *gl);
+
+// Delete the programs that were begun and not taken.
+void shader_forget(const struct gl *gl);
+
 // The steps to a program.
 enum shader_step { SHADER_COMPILE_VERTEX, SHADER_COMPILE_FRAGMENT, SHADER_LINK };
 

@@ -68,6 +68,9 @@ bool window_uses_time(const struct window *window)
 static void fill_overlay(struct window *window)
 {
     const struct renderer_inputs *inputs = &window->inputs;
+    // A telephone's picture is small although it has many pixels.
+    float own = fmaxf(overlay_scale_of(inputs->height),
+                      fminf(window->density, (float)OVERLAY_SCALE_MAXIMUM));
     double scale = window->start->overlay_scale;
     window_list_keys(window);
     struct panel panel = {
@@ -103,7 +106,7 @@ static void fill_overlay(struct window *window)
     char tip[512];
     window_panel_fill(window, &panel, tip);
     panel_gather(&panel, &window->panel.overlay, inputs->width, inputs->height,
-                 scale > 0.0 ? (float)scale : overlay_scale_of(inputs->height));
+                 scale > 0.0 ? (float)scale : own);
     window_draw_handles(window);
     window->renderer->overlay = window->start->overlay_kept ? &window->panel.overlay : NULL;
 }
@@ -127,6 +130,7 @@ static bool draw_at(struct window *window, int level, double *cost)
         inputs.pixel[i] = (int)(inputs.pixel[i] / divisor);
     for (int i = 0; i < 4; i++)
         inputs.mouse[i] /= (float)divisor;
+    inputs.digits /= (float)divisor;
     double begin = glfwGetTime();
     if (!renderer_draw(window->renderer, &inputs, 0, inputs.height))
         return false;

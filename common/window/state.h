@@ -57,11 +57,13 @@ struct window {
         bool pressed;             // the picture was pressed in this turn
         double press[2], last[2]; // where it was pressed, and where the pointer was last held
     } pointer;
+    float density;     // pixels in a unit of the page; 0 in a window of its own
     int rectangle[4];  // x, y, width, height before full screen
     bool has_keyboard; // the window has had the focus; before that, labels of keys are unknown
     bool turning;      // a turn of the loop is under way
     bool failed;       // a turn has failed
     bool broken;       // the last text of the shader has an error; an older one is shown
+    bool compiles;     // the driver compiles the last text; an older one is shown
     bool paused;
     bool moved;    // what the picture shows has changed in this turn
     bool stale;    // the picture must be drawn again

@@ -8,6 +8,7 @@
 #include "memory.h"
 #include "picture/comparison.h"
 #include "report.h"
+#include "shader/compile.h"
 #include "window/actions.h"
 #include "window/draw.h"
 #include "window/full_screen.h"
@@ -23,6 +24,7 @@
 #define WATCH_SECONDS   0.1  // between two looks at the shader's files
 #define TRANSITION_STEP 0.1  // seconds: a slow machine too shows something between the ends
 #define TITLE_SECONDS   0.25 // between two changes of the title bar
+#define DIGITS          8.0f // height of a figure's digits at least, units of the page
 #define SHOWN_SECONDS   2.0  // that a moving picture is shown before something disturbs it
 
 // ---- Reload ----
@@ -32,17 +34,28 @@ static void add_file(void *watch, const char *path)
     watch_add(watch, path);
 }
 
-// Load the shaders again, while their readings add each file to the watch. If one has an error, its
-// last good picture stays, and the files of both versions are watched for the correction.
+// Load the shaders again, while their readings add each file to the watch. While the driver
+// compiles them, and if one has an error, the last good picture stays. Then the files of both
+// versions are watched for the correction.
 static void reload(struct window *window)
 {
     const struct window_start *start = window->start;
-    bool all = true;
+    bool all = true, read[2];
     watch_begin(&window->watch);
     for (int i = 0; i < start->pictures; i++) {
         struct loader *picture = &start->picture[i];
         watch_add(&window->watch, picture->path);
-        bool loaded = loader_read(picture) && loader_compile(picture);
+        read[i] = loader_read(picture);
+        if (read[i])
+            loader_begin(picture);
+        all &= read[i];
+    }
+    window->compiles = all && !shader_ready(window->renderer->gl);
+    if (window->compiles)
+        return;
+    for (int i = 0; i < start->pictures; i++) {
+        struct loader *picture = &start->picture[i];
+        bool loaded = read[i] && loader_compile(picture);
         if (loaded)
             printf("%s: reloaded\n", picture->path);
         window->stale |= loaded;
@@ -65,7 +78,7 @@ static void reload(struct window *window)
 // false while there is nothing to draw on.
 static bool update_size(struct window *window)
 {
-    int width = 0, height = 0;
+    int width = 0, height = 0, units[2] = {0, 0};
     glfwGetFramebufferSize(window->handle, &width, &height);
     bool hidden = glfwGetWindowAttrib(window->handle, GLFW_ICONIFIED) != 0;
     window->dirty |= width < 1 || height < 1 || hidden;
@@ -77,6 +90,10 @@ static bool update_size(struct window *window)
     }
     window->inputs.width = width;
     window->inputs.height = height;
+    glfwGetWindowSize(window->handle, &units[0], &units[1]);
+    window->density =
+        window->panel.in_page && units[1] > 0 ? (float)height / (float)units[1] : 0.0f;
+    window->inputs.digits = DIGITS * window->density;
     return !hidden;
 }
 
@@ -98,7 +115,7 @@ static void wait_for_turn(const struct window *window)
 static bool turn(struct window *window)
 {
     double now = glfwGetTime();
-    bool visible = update_size(window);
+    bool visible = update_size(window), changed = false;
     window->moved = false;
     if (!window->has_keyboard && glfwGetWindowAttrib(window->handle, GLFW_FOCUSED) != 0)
         window->has_keyboard = window->dirty = true;
@@ -117,9 +134,12 @@ static bool turn(struct window *window)
     window->stale |= window->moved;
     if (now >= window->pace.watch_due) {
         window->pace.watch_due = now + WATCH_SECONDS;
-        if (watch_look(&window->watch))
-            reload(window);
+        changed = watch_look(&window->watch);
     }
+    if (changed)
+        shader_forget(window->renderer->gl);
+    if (changed || (window->compiles && shader_ready(window->renderer->gl)))
+        reload(window);
     if (visible && (window->dirty || window->stale || window->handles.moving) &&
         !window_place_handles(window))
         return false;

@@ -213,7 +213,7 @@ const enlarged = (html) => html.replace(/(<live-chapter[^>]*>|<button type="butt
 
 // In a table of pictures, the cells share the width; a table of numbers scrolls if it is wider than the page.
 const tables = (html) => html.replace(/<table>(.*?)<\/table>/gs, (whole, inside) => {
-    const kind = /<td[^>]*>\s*<img/.test(inside) ? ' pictures' : wordy(inside) ? ' words' : '';
+    const kind = /<td[^>]*>\s*<(?:img|live-chapter)/.test(inside) ? ' pictures' : wordy(inside) ? ' words' : '';
     const clean = inside.replace(/<tr class="[^"]*">/g, '<tr>').replace(/<th([^>]*)><\/th>/g, '<td$1></td>');
     return `<div class="table${kind}"><table>${clean}</table></div>`;
 });

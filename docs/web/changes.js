@@ -110,6 +110,8 @@ export class Changes {
     async change(name, text) {
         const {program} = this.stage;
         program.write(name, text); // the program looks at its files, and loads them again
+        const later = [...program.later].some((one) => text.includes(`"${one.slice(one.lastIndexOf('/') + 1)}"`));
+        if (later && this.stage.at) program.fetchFiles(this.stage.at.stem, this.stage.line).catch(() => {}); // the text includes files that were not needed before
         const original = await this.original(name);
         if (text === original) delete this.files[name];
         else this.files[name] = text;

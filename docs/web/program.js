@@ -5,6 +5,7 @@ import loadHarness from './harness.js';
 const ROOT = '/course/';
 const PRESS = 1, RELEASE = 0, REPEAT = 2;
 const FINGER = 30; // of the page's units around a handle where a finger grabs it
+const POLL = 20; // milliseconds between two looks at a driver that compiles
 const PIXELS = 1280 * 720; // of the drawing buffer at most: the harness uses less if a picture takes long
 
 // GLFW's key codes by the position of the key. Tab and the function keys are left to the browser.
@@ -142,7 +143,14 @@ export class Program {
     async start(stem, line = '', still = false) {
         const turn = this.starting = Symbol(stem);
         await this.fetchFiles(stem, line);
-        if (this.starting !== turn) return 0; // another start was requested meanwhile
+        if (this.starting !== turn) return 0; // another start or a stop was requested meanwhile
+        this.quiet = true; // what fails here fails again below
+        this.call('live_begin', stem, line);
+        this.quiet = false;
+        while (!this.call('live_ready')) {
+            await new Promise((done) => setTimeout(done, POLL));
+            if (this.starting !== turn) return 0;
+        }
         const status = this.call('live_start', stem, line);
         if (still || calm.matches) this.call('live_pause', 1);
         this.fresh = true;
@@ -156,6 +164,7 @@ export class Program {
     }
 
     stop() {
+        this.starting = null;
         this.call('live_stop');
     }
 

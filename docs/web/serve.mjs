@@ -3,12 +3,15 @@ import fs from 'node:fs';
 import http from 'node:http';
 import path from 'node:path';
 import {fileURLToPath} from 'node:url';
+import zlib from 'node:zlib';
 
 const TYPES = {
     '.html': 'text/html; charset=utf-8', '.js': 'text/javascript', '.css': 'text/css', '.wasm': 'application/wasm', '.json': 'application/json',
     '.png': 'image/png', '.webp': 'image/webp', '.svg': 'image/svg+xml', '.woff2': 'font/woff2', '.txt': 'text/plain; charset=utf-8',
     '.zip': 'application/zip',
 };
+
+const PACKED = /\.(png|webp|woff2|zip)$/; // these are compressed already
 
 // The path in an address; '' if it is not valid text, such as %FF.
 function nameIn(address) {
@@ -25,12 +28,13 @@ export function folderServer(folder, more = {}) {
     return http.createServer((request, answer) => {
         const name = path.normalize(nameIn(request.url));
         const file = path.join(folder, name.endsWith('/') ? `${name}index.html` : name);
-        const head = (extension) => answer.writeHead(200, {'content-type': TYPES[extension] ?? 'text/plain; charset=utf-8', 'cache-control': 'no-cache'});
+        const head = (extension, more = {}) => answer.writeHead(200, {'content-type': TYPES[extension] ?? 'text/plain; charset=utf-8', 'cache-control': 'no-cache', ...more});
         if (more[name] !== undefined) {
             head('.html').end(more[name]);
         } else if (fs.existsSync(file) && fs.statSync(file).isFile()) {
-            head(path.extname(file));
-            fs.createReadStream(file).pipe(answer);
+            const packs = !PACKED.test(file) && /\bgzip\b/.test(request.headers['accept-encoding']), data = fs.createReadStream(file);
+            head(path.extname(file), packs ? {'content-encoding': 'gzip', vary: 'accept-encoding'} : {});
+            (packs ? data.pipe(zlib.createGzip()) : data).pipe(answer);
         } else {
             answer.writeHead(404, {'content-type': 'text/plain'}).end(`${name}: not found\n`);
         }

@@ -7,6 +7,7 @@ import {Values} from './values.js';
 import {Ray} from './ray.js';
 
 const LOOK = 200; // milliseconds between two updates from the program's state
+const LONG = 2000; // milliseconds after which compiling takes long
 const PRESS = 1, RELEASE = 0;
 const PAD = [['◀', 65, 'left'], ['▲', 87, 'forwards'], ['▼', 83, 'backwards'], ['▶', 68, 'right'], ['⤒', 32, 'up'], ['⤓', 67, 'down']];
 const RESTART = 82, SHIFT = 1, NEXT_HANDLE = 257;
@@ -29,8 +30,7 @@ export class Stage {
             onSize: (width, height) => { stage.asked = [width, height]; },
             onDraw: () => stage.drew(),
             onEnd: () => stage.ended(),
-            onLost: () => stage.note('The graphics driver stopped drawing this picture. It is drawn again as soon as the browser allows.',
-                ...(stage.changes.any ? [' Does your change never end? ', stage.button('Undo all', () => stage.changes.undo(Object.keys(stage.changes.files)))] : [])),
+            onLost: () => stage.note('The graphics driver stopped drawing this picture. It is drawn again as soon as the browser allows.', ...stage.undoing()),
             onFound: (fails) => stage.found(fails),
         });
         setInterval(() => stage.look(), LOOK);
@@ -88,8 +88,8 @@ export class Stage {
         this.ray = new Ray(this);
         const flips = (name) => () => this.controls.classList.toggle(name), unfolds = ({element}) => () => { element.open = !element.open; return element.open; };
         this.bar = part('div', {className: 'live-bar'}, this.views,
-            part('span', {className: 'live-clock'}, this.pause, this.icon('Restart', () => this.press(RESTART)), this.back, part('label', {}, this.time, ' s'), this.still),
-            part('span', {className: 'live-tools'}, this.toggle('Views', flips('live-more')), this.toggle('Values', unfolds(this.values)), this.toggle('Ray', unfolds(this.ray)), this.mover = this.toggle('Move', flips('live-moves')),
+            this.clock = part('span', {className: 'live-clock'}, this.pause, this.icon('Restart', () => this.press(RESTART)), this.back, part('label', {}, this.time, ' s'), this.still),
+            part('span', {className: 'live-tools'}, this.viewer = this.toggle('Views', flips('live-more')), this.toggle('Values', unfolds(this.values)), this.rays = this.toggle('Ray', unfolds(this.ray)), this.mover = this.toggle('Move', flips('live-moves')),
                 this.changes.open, this.icon('Full screen', () => this.full(), {className: 'live-full'}), this.icon('Close', () => this.close())));
         this.bar.setAttribute('role', 'toolbar');
         this.bar.setAttribute('aria-label', 'The program');
@@ -141,12 +141,15 @@ export class Stage {
         at.said?.remove();
         scrollBy({top: asked.getBoundingClientRect().top - top, behavior: 'instant'}); // elements above may have been removed
         // Let the browser paint the message before the program uses the processor.
-        at.classList.add('live-waits');
+        this.compiles(false);
+        this.compiles(true);
+        this.again = () => this.start(at, line, shown);
         await new Promise((painted) => requestAnimationFrame(() => setTimeout(painted)));
         this.line = await this.changes.begin(at) ?? line;
         const status = this.turn === turn ? await this.carry(at.stem, this.line, shown.still) : 0;
         if (this.turn !== turn) return 0;
-        at.classList.remove('live-waits');
+        this.compiles(false);
+        this.again = null;
         this.starting = false;
         this.shown = shown;
         this.tell(at, status);
@@ -178,6 +181,27 @@ export class Stage {
         if (this.turn === turn) this.program.restore();
         await this.changes.lay(false);
         if (this.turn === turn && !this.program.call('live_runs')) this.ended();
+    }
+
+    // While the driver compiles, say so; if it takes long, offer to undo the reader's changes.
+    compiles(does) {
+        this.at?.classList.toggle('live-waits', does);
+        if (does) this.patience ??= setTimeout(() => { this.slow = true; this.note('The graphics driver is still compiling.', ...this.undoing()); }, LONG);
+        else {
+            clearTimeout(this.patience);
+            this.patience = null;
+            if (this.slow) this.note('');
+            this.slow = false;
+        }
+    }
+
+    undoing() {
+        const undo = async () => {
+            await this.changes.undo(Object.keys(this.changes.files));
+            this.note('');
+            this.again?.();
+        };
+        return this.changes.any ? [' Does your change never end? ', this.button('Undo all', undo)] : [];
     }
 
     // Move to an element; the previous one shows its poster again.
@@ -293,6 +317,8 @@ export class Stage {
 
     close() {
         const {at} = this;
+        this.turn = null;
+        this.compiles(false);
         if (document.fullscreenElement) document.exitFullscreen();
         at?.classList.remove('live-wide');
         this.leave();
@@ -335,8 +361,10 @@ export class Stage {
         const state = this.state = this.program.state();
         if (this.views.childElementCount !== state.views.length)
             this.views.replaceChildren(...state.views.map((name, view) => this.button(name, () => this.call('live_view', view))));
-        // A text with its own main has no camera, no views and no trace of a ray; an interactive figure needs none.
-        this.views.hidden = this.pad.hidden = this.mover.hidden = this.back.hidden = this.ray.element.hidden = state.views.length === 1 || this.at.hasHands;
+        // A text with its own main has no camera, no views and no trace of a ray; an interactive figure needs none, and
+        // no time.
+        this.views.hidden = this.pad.hidden = this.mover.hidden = this.back.hidden = this.rays.hidden = this.ray.element.hidden = state.views.length === 1 || this.at.hasHands;
+        this.viewer.hidden = this.clock.hidden = this.status.hidden = this.at.hasHands;
         state.views.forEach((name, view) => this.views.children[view].setAttribute('aria-pressed', name === state.view));
         this.name(this.pause, state.paused ? 'Resume' : 'Pause');
         this.still.hidden = !(state.paused && calm.matches);
@@ -351,6 +379,7 @@ export class Stage {
         this.unset = state.unset;
         if (this.wrong && error === '') this.note(this.wrong.replaceAll('/course/', ''));
         this.wrong = '';
+        this.compiles(state.compiles);
         this.changes.show(state);
         this.values.show(state.parameters);
         this.ray.show(state);

@@ -60,6 +60,13 @@ export function launch(angle = 'gl-egl') {
     });
 }
 
+// In a page, before its scripts: a driver that compiles on threads of its own, and is ready once window.compiled is set.
+export function threads() {
+    const {getExtension, getProgramParameter} = WebGL2RenderingContext.prototype;
+    WebGL2RenderingContext.prototype.getExtension = function (name) { return name === 'KHR_parallel_shader_compile' ? {} : getExtension.call(this, name); };
+    WebGL2RenderingContext.prototype.getProgramParameter = function (program, name) { return name === 0x91B1 ? window.compiled === true : getProgramParameter.call(this, program, name); };
+}
+
 // In a page: load a program for its canvas, store its messages and pictures, and count the calls of WebGL's functions.
 export async function loadProgram() {
     window.calls = {};

@@ -1,7 +1,7 @@
 // live.mjs - the live chapter in a page of the site, which chapter.mjs tests in a page of its own: what the page loads,
 // a command beside the text, what axe-core finds, a phone, the check of an exercise, and the line of every button.
 import fs from 'node:fs';
-import {blankPage, check, finish, frames, launch, openPage, PATIENCE, serve, SITE} from './browser.mjs';
+import {blankPage, check, finish, frames, launch, openPage, PATIENCE, serve, SITE, threads} from './browser.mjs';
 
 const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
 const server = await serve(SITE), browser = await launch();
@@ -163,6 +163,30 @@ check('search results are in front of a picture that runs', await page.locator('
     const {left, top, width, height} = one.getBoundingClientRect();
     return document.elementFromPoint(left + width / 2, top + height / 2)?.closest('.results');
 })));
+check('no error in the console', said.length === 0, said);
+await page.close();
+
+// ---- A change that does not end ----
+
+({page, said} = await blankPage(browser, {context: {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true}, before: threads}));
+await page.goto(`${server.at}/03_shadows.html`);
+await page.locator('.live-start').first().tap();
+await page.waitForSelector('.live-waits');
+await page.evaluate(() => { window.compiled = true; });
+await until(page, (s) => s.rate > 0);
+await page.getByRole('button', {name: 'Edit', exact: true}).tap();
+await page.locator('.cm-content').tap();
+await page.evaluate(() => { window.compiled = false; });
+await page.keyboard.type('// ');
+await page.waitForSelector('.live-waits');
+const undo = page.locator('.live-notice').getByRole('button', {name: 'Undo all'});
+await undo.waitFor();
+check('a change that compiles for long can be undone, over the picture', /Does your change never end/.test(await page.locator('.live-notice').textContent()) && await undo.evaluate((one) => { const {top, bottom} = one.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight; }));
+await undo.tap();
+await page.waitForFunction(() => document.querySelector('.live-notice').hidden);
+await page.evaluate(() => { window.compiled = true; });
+await page.waitForFunction(() => !document.querySelector('.live-waits'));
+check('then the picture is the chapter\'s', await page.locator('.live-changes').isHidden() && (await stateOf(page)).error === '');
 check('no error in the console', said.length === 0, said);
 await page.close();
 

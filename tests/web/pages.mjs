@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import zlib from 'node:zlib';
-import {check, finish, SITE} from './browser.mjs';
+import {check, finish, serve, SITE} from './browser.mjs';
 
 const walk = (folder) => fs.readdirSync(folder, {withFileTypes: true}).flatMap((one) => one.isDirectory() ? walk(`${folder}/${one.name}`) : [`${folder}/${one.name}`]);
 const files = new Set(walk(SITE).map((file) => path.relative(SITE, file)));
@@ -88,6 +88,9 @@ for (const name of svgs) {
 fs.rmSync(folder, {recursive: true});
 check('every figure has its letters within it, and a dark theme', svgs.length > 15 && homeless.length === 0, svgs.length, homeless.slice(0, 8));
 
+const uneven = [...text].filter(([, html]) => /<div class="table"><table>(?:(?!<\/table>).)*<td[^>]*>\s*<(?:img|live-chapter)/s.test(html)).map(([name]) => name);
+check('pictures in one row of a table share its width', uneven.length === 0, uneven);
+
 // ---- Commands ----
 
 // Read from the sources, not from the output of the builder: each command of a shell block is in the page, in a block
@@ -118,6 +121,13 @@ check('every line of guesses.txt has its question', right.length > 10 && asked.l
 // The exit questions are at the end of each chapter.
 const asking = [...text].filter(([, html]) => (html.match(/<form class="question"/g) ?? []).length === 5).map(([name]) => name);
 check('every chapter asks its five questions', asking.length === fs.readdirSync('docs').filter((name) => /^\d\d_.*md$/.test(name)).length, asking);
+
+// ---- The server ----
+
+const server = await serve(SITE), sent = await fetch(`${server.at}/index.html`), still = await fetch(`${server.at}/day.webp`);
+check('make serve compresses a page, and no picture', sent.headers.get('content-encoding') === 'gzip' && await sent.text() === text.get('index.html') && still.headers.get('content-encoding') === null, [...sent.headers]);
+await still.arrayBuffer();
+server.close();
 
 // ---- Weight ----
 

@@ -1,7 +1,7 @@
 // program.mjs - the program in a page: keys, mouse and fingers, a hidden page, a lost context, and WebGL's peculiarities.
 import {execFileSync} from 'node:child_process';
 import fs from 'node:fs';
-import {check, finish, frames, launch, openPage, rest, serve, start, state, until, WEB} from './browser.mjs';
+import {check, finish, frames, launch, openPage, rest, serve, start, state, threads, until, WEB} from './browser.mjs';
 
 const server = await serve(WEB), browser = await launch();
 const {page, said} = await openPage(browser, server.at);
@@ -308,6 +308,62 @@ const none = await openPage(browser, server.at, {before: () => {
 }});
 check('without WebGL 2 there is no window: status 3', await start(none.page, '03_shadows') === 3);
 check('and one line says why', (await none.page.evaluate(() => window.lines.join('\n'))).includes('this browser has no WebGL 2'));
+
+// ---- A driver that compiles on threads of its own ----
+
+const apart = await openPage(browser, server.at, {before: threads});
+await apart.page.evaluate(() => { window.started = window.program.start('03_shadows'); });
+await frames(apart.page, 60);
+check('a start waits for a driver that still compiles', !(await state(apart.page)).runs);
+await apart.page.evaluate(() => { window.compiled = true; });
+check('and then runs', await apart.page.evaluate(() => window.started) === 0 && (await until(apart.page, (s) => s.rate > 0)).runs);
+const rewrite = (more) => apart.page.evaluate((more) => {
+    window.compiled = false;
+    window.program.write('chapters/03_shadows.frag', `${window.program.read('chapters/03_shadows.frag')}${more}\n`);
+}, more);
+await rewrite('//');
+await until(apart.page, (s) => s.compiles);
+const drawn = await apart.page.evaluate(() => window.calls.drawArrays), at = (await state(apart.page)).time;
+now = await until(apart.page, (s) => s.time > at + 0.2);
+check('while a changed text compiles, the picture moves on', now.compiles && now.error === '' && await apart.page.evaluate(() => window.calls.drawArrays) > drawn);
+await rewrite('wrong');
+await frames(apart.page, 60);
+check('a further change is compiled instead', (await state(apart.page)).compiles);
+await apart.page.evaluate(() => { window.compiled = true; });
+now = await until(apart.page, (s) => !s.compiles);
+check('and its errors are those of its text', /03_shadows\.frag:\d+: error/.test(now.error), now.error);
+await apart.page.close();
+
+// ---- A slow driver ----
+
+// Each draw takes a tenth of a second, so the picture is drawn coarsely and sharpened row by row.
+const slow = await openPage(browser, server.at, {before: () => {
+    const now = performance.now.bind(performance), {drawArrays} = WebGL2RenderingContext.prototype;
+    let more = 0;
+    performance.now = () => now() + more;
+    WebGL2RenderingContext.prototype.drawArrays = function (...values) {
+        more += 100;
+        drawArrays.apply(this, values);
+    };
+}});
+await start(slow.page, '01_normal_colouring');
+const blacks = await slow.page.evaluate(() => new Promise((done) => {
+    const canvas = document.getElementById('canvas'), to = new OffscreenCanvas(320, 180).getContext('2d', {willReadFrequently: true});
+    let blits = window.calls.blitFramebuffer, looks = 0, black = 0;
+    const turn = () => {
+        if (window.calls.blitFramebuffer > blits) { // in this frame, before the browser shows it
+            to.drawImage(canvas, 0, 0, 320, 180);
+            looks++;
+            black += to.getImageData(160, 178, 1, 1).data.slice(0, 3).every((byte) => byte === 0);
+        }
+        blits = window.calls.blitFramebuffer;
+        if (looks < 10) requestAnimationFrame(turn);
+        else done(black);
+    };
+    requestAnimationFrame(turn);
+}));
+check('while rows are sharpened, the coarse picture is below them', blacks === 0 && (await state(slow.page)).divisor > 1, blacks);
+await slow.page.close();
 
 // ---- Size ----
 
