@@ -85,8 +85,8 @@ static size_t bytes_of(const struct sculpture *sculpture)
 }
 
 // Read the volume as its file has it.
-static bool open(struct sculpture *sculpture, const struct sampler *sampler,
-                 const struct shader_source *source)
+static bool read_volume(struct sculpture *sculpture, const struct sampler *sampler,
+                        const struct shader_source *source)
 {
     struct texture_image image;
     char why[IMAGE_WHY];
@@ -107,7 +107,8 @@ static bool open(struct sculpture *sculpture, const struct sampler *sampler,
 static void work(struct sculpture *sculpture, const struct strokes *strokes, int slices[2])
 {
     size_t bytes = bytes_of(sculpture);
-    for (; sculpture->done < strokes->count; sculpture->done++, sculpture->points = 0) {
+    for (; strokes->item != NULL && sculpture->done < strokes->count;
+         sculpture->done++, sculpture->points = 0) {
         const struct stroke *stroke = &strokes->item[sculpture->done];
         for (; sculpture->points < stroke->points; sculpture->points++) {
             int i = sculpture->points, changed[2];
@@ -151,7 +152,7 @@ bool sculpture_follow(struct sculpture *sculpture, const struct gl *gl,
         i++;
     if (i == textures->count || textures->item[i].target != GL_TEXTURE_3D)
         return true;
-    if (sculpture->now == NULL && !open(sculpture, &samplers->item[i], source))
+    if (sculpture->now == NULL && !read_volume(sculpture, &samplers->item[i], source))
         return false;
     int slices[2] = {sculpture->tool->size[2], 0};
     if (strokes != sculpture->strokes || strokes->taken_back != sculpture->taken_back) {
