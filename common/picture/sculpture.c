@@ -95,9 +95,13 @@ static bool read_volume(struct sculpture *sculpture, const struct sampler *sampl
     const int *size = sculpture->tool->size;
     bool fits = memcmp(size, image.size[0], sizeof image.size[0]) == 0;
     size_t bytes = bytes_of(sculpture);
-    unsigned char **volume[] = {&sculpture->original, &sculpture->before, &sculpture->now};
-    for (int i = 0; i < 3 && fits; i++)
-        memcpy(*volume[i] = memory_zeros(bytes, 1), image.level[0], bytes);
+    if (fits) {
+        sculpture->original = memory_zeros(bytes, 1);
+        sculpture->before = memory_zeros(bytes, 1);
+        sculpture->now = memory_zeros(bytes, 1);
+        memcpy(sculpture->original, image.level[0], bytes);
+        memcpy(sculpture->now, image.level[0], bytes);
+    }
     texture_image_free(&image);
     return fits || sampler_refuse(source, sampler, "a stroke needs a volume of %dx%dx%d texels",
                                   size[0], size[1], size[2]);
