@@ -90,12 +90,17 @@ static bool read_volume(struct sculpture *sculpture, const struct sampler *sampl
 {
     struct texture_image image;
     char why[IMAGE_WHY];
-    if (!texture_image_read(&image, sampler, source->paths[sampler->file], why))
-        return sampler_refuse(source, sampler, "%s", why);
+    if (!texture_image_read(&image, sampler, source->paths[sampler->file], why)) {
+        sampler_refuse(source, sampler, "%s", why);
+        return false;
+    }
     const int *size = sculpture->tool->size;
     bool fits = memcmp(size, image.size[0], sizeof image.size[0]) == 0;
     size_t bytes = bytes_of(sculpture);
-    if (fits) {
+    if (!fits) {
+        sampler_refuse(source, sampler, "a stroke needs a volume of %dx%dx%d texels", size[0],
+                       size[1], size[2]);
+    } else {
         sculpture->original = memory_zeros(bytes, 1);
         sculpture->before = memory_zeros(bytes, 1);
         sculpture->now = memory_zeros(bytes, 1);
@@ -103,8 +108,7 @@ static bool read_volume(struct sculpture *sculpture, const struct sampler *sampl
         memcpy(sculpture->now, image.level[0], bytes);
     }
     texture_image_free(&image);
-    return fits || sampler_refuse(source, sampler, "a stroke needs a volume of %dx%dx%d texels",
-                                  size[0], size[1], size[2]);
+    return fits;
 }
 
 // Carry out the points that are missing, and widen the slices that have changed.
