@@ -118,6 +118,7 @@ INSTRUMENT = -fsanitize=fuzzer-no-link,$(CHECKS)
 EXTRA =
 else ifneq ($(WEB),)
 CC = emcc
+AR = emar
 BUILD = build/web/objects
 INSTRUMENT =
 EXTRA =
@@ -162,6 +163,8 @@ FIRST_STEPS := $(FIRST_STEPS:chapters/%.c=$(BUILD)/%)
 FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
 # A source that has a header draws nothing: it contains functions for the others.
 PAINT := $(patsubst %.h,$(BUILD)/%.o,$(wildcard shaders/textures/*.h))
+# The same as an archive, from which the linker takes what a chapter's program uses.
+PAINTED := $(BUILD)/shaders/textures/painted.a
 TEXTURES := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard shaders/textures/*.c)))
 TEXTURES := $(filter-out $(PAINT:%.o=%),$(TEXTURES))
 TESTS := $(sort $(wildcard $(addprefix tests/,$(addsuffix /*.c,unit shaders pictures window command course))))
@@ -179,7 +182,7 @@ lecture_program: $(LECTURE)
 # In the package for Windows, the code that all programs share is in one library beside them.
 SHARED := $(if $(WINDOWS),$(BUILD)/harness.dll)
 ENTRY := $(BUILD)/common/platform/windows_main.o
-$(PROGRAMS): $(BUILD)/%$(EXE): $(BUILD)/chapters/%.o $(if $(SHARED),$(ENTRY) $(SHARED),$(COMMON)) $(EXTRA)
+$(PROGRAMS): $(BUILD)/%$(EXE): $(BUILD)/chapters/%.o $(if $(SHARED),$(ENTRY) $(SHARED),$(COMMON)) $(PAINTED) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 $(BUILD)/harness.dll: $(filter-out $(ENTRY),$(COMMON))
@@ -188,6 +191,10 @@ $(BUILD)/harness.dll: $(filter-out $(ENTRY),$(COMMON))
 $(FIRST_STEPS): $(BUILD)/first_steps/%: $(BUILD)/chapters/first_steps/%.o $(EXTRA)
 	@mkdir -p $(@D)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
+
+$(PAINTED): $(PAINT)
+	@rm -f $@
+	@$(AR) rcs $@ $^
 
 # PAINT is included, so that the code that computes the tables of the sky is itself tested.
 $(PARTS): $(SUPPORT) $(PAINT) $(COMMON)
@@ -198,11 +205,15 @@ TEST_PARTS := $(BUILD)/tests/lib/choice.o $(PARTS) $(EXTRA)
 $(TESTS): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/%.o $(TEST_PARTS)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(CMOCKA) $(LINK)
 
+# What the chapters pass to chapter_run.
+TOGETHER_PARTS := $(STEMS:%=$(BUILD)/chapters/together/%.o) $(BUILD)/chapters.o
+$(BUILD)/tests/draw$(EXE): $(TOGETHER_PARTS)
+
 $(patsubst %,$(BUILD)/tests/%$(EXE),measure draw): $(BUILD)/tests/%$(EXE): $(BUILD)/tests/tools/%.o $(TEST_PARTS)
-	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(CMOCKA) $(LINK)
+	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $(filter %.o,$^) $(filter %.a,$^) $(CMOCKA) $(LINK)
 
 # The tests of the window replace some functions of GLFW, which is not a separate library on Windows.
-$(filter-out %/watch$(EXE),$(filter $(BUILD)/tests/window/%,$(TESTS))): $(patsubst %,$(BUILD)/tests/lib/%.o,$(if $(filter egl,$(BACKENDS)),session) user)
+$(filter-out %/watch$(EXE),$(filter $(BUILD)/tests/window/%,$(TESTS))): $(patsubst %,$(BUILD)/tests/lib/%.o,$(if $(filter egl,$(BACKENDS)),session) user) $(TOGETHER_PARTS)
 $(BUILD)/tests/window/%.exe: LDFLAGS += -Wl,--allow-multiple-definition
 
 # compare measures how much two pictures differ; judge uses this to check the solution of an exercise.
@@ -235,7 +246,7 @@ $(BUILD)/chapters.c: Makefile $(STEMS:%=chapters/%.c)
 	    echo '    {0, 0}};'; } > $@
 
 TOGETHER = -Dmain=main_$(notdir $*) -Dchapter_run=live_run
-$(LECTURE): $(STEMS:%=$(BUILD)/chapters/together/%.o) $(BUILD)/chapters.o $(BUILD)/chapters/lecture.o $(COMMON) $(EXTRA)
+$(LECTURE): $(TOGETHER_PARTS) $(BUILD)/chapters/lecture.o $(COMMON) $(PAINTED) $(EXTRA)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
 $(BUILD)/chapters/together/%.o: chapters/%.c $(BUILD)/flags
@@ -252,9 +263,9 @@ EMSCRIPTEN = -sMIN_WEBGL_VERSION=2 -sMAX_WEBGL_VERSION=2 -sALLOW_MEMORY_GROWTH -
 # Debian's Emscripten has its JavaScript tools there.
 export NODE_PATH = /usr/share/nodejs
 module: build/web/harness.js
-build/web/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COMMON) $(JUDGE) common/browser/page.js
+build/web/harness.js: $(STEMS:%=$(BUILD)/chapters/%.o) $(BUILD)/chapters.o $(COMMON) $(JUDGE) $(PAINTED) common/browser/page.js
 	$(call say,link $@) $(CC) $(CFLAGS) --no-entry $(EMSCRIPTEN) -sEXPORTED_FUNCTIONS=$(EXPORTS) \
-	    --js-library common/browser/page.js -o $@ $(filter %.o,$^)
+	    --js-library common/browser/page.js -o $@ $(filter %.o %.a,$^)
 
 # Headers that are the same on all systems; emcc has its own versions of the others.
 $(BUILD)/flags: $(BUILD)/include

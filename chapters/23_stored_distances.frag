@@ -6,8 +6,7 @@
 #include "coarse.glsl"      // coarseStart
 #include "bounds.glsl"      // boxInterval
 #include "normal.glsl"      // normalAt
-#include "solids.glsl"      // sdCapsule; sdRectangle of plane.glsl
-#include "combine.glsl"     // opSmoothUnionQuadratic
+#include "plane.glsl"       // sdRectangle
 #include "transform.glsl"   // rotationY
 #include "stored.glsl"      // storedDistance, storedStep
 #include "occlusion.glsl"   // tapHeight, skyAndBounces; shadowRay, shadowReach of shadow.glsl
@@ -20,10 +19,7 @@
 uniform sampler3D grid; // "clay.png" linear clamp 64: the distance to the elephant, high and low byte
 
 uniform int   stepping;     // 2 in [0, 2]: length of a step: 0 the stored value, 1 divided by sqrt(3), 2 storedStep
-uniform int   tool;         // 0 in [-1, 1]: 1 adds a roll of clay from strokeFrom to strokeTo, -1 takes it away, 0 does nothing
-uniform vec3  strokeFrom;   // (-0.52, 0.06, 0.05) handle scene units: where the stroke begins
-uniform vec3  strokeTo;     // (-0.42, -0.14, 0.14) handle scene units: where it ends
-uniform float toolRadius;   // 0.09 in [0.02, 0.3] step 0.01, scene units: of the roll of clay
+uniform float tool;         // 0 in [-0.2, 0.2] step 0.01, scene units: radius of the roll of clay that a drag adds; below 0 it takes it away, at 0 it turns the view
 uniform float turn;         // 52 in [-360, 360] step 2, degrees: of the turntable at the start
 uniform float turnSpeed;    // 12 in [-90, 90] step 2, degrees per second: of the turntable
 uniform float normalStep;   // 1 in [0.02, 3] step 0.05, cells: step of the differences for the normal
@@ -61,13 +57,11 @@ vec3 onTurntable(vec3 p)
     return rotationY(-radians(turn + turnSpeed * iTime)) * p;
 }
 
-// The clay, with the stroke of the tool: to take away is to add to what is not clay.
+// A step towards the clay.
 float clayDistance(vec3 p)
 {
     float value = storedDistance(grid, onTurntable(p));
-    float clay = stepping == 2 ? storedStep(value) : (stepping == 1 ? 0.5773502 * value : value);
-    float roll = sdCapsule(p, strokeFrom, strokeTo, toolRadius), side = tool < 0 ? -1.0 : 1.0;
-    return tool != 0 ? side * opSmoothUnionQuadratic(side * clay, roll, 0.05) : clay;
+    return stepping == 2 ? storedStep(value) : (stepping == 1 ? 0.5773502 * value : value);
 }
 
 // A disc with a rounded rim on a foot: a figure of two rectangles, turned about the axis.

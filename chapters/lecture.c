@@ -23,7 +23,7 @@ int live_run(const struct chapter *chapter, int argc, char **argv)
     (void)argc;
     (void)argv;
     chapters[chapter_count++] =
-        (struct lecture_chapter){chapter->stem, chapter->title, chapter->camera};
+        (struct lecture_chapter){chapter->stem, chapter->title, chapter->camera, chapter->tool};
     return RUN_DONE;
 }
 

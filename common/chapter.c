@@ -138,7 +138,8 @@ static int act(struct run *run, const struct chapter *chapter, const char *progr
 int chapter_open(struct run **run, const struct chapter *chapter, int argc, char **argv)
 {
     *run = memory_zeros(1, sizeof **run);
-    return run_parse(*run, chapter->stem, chapter->title, &chapter->camera, argc, argv)
+    return run_parse(*run, chapter->stem, chapter->title, &chapter->camera, chapter->tool, argc,
+                     argv)
                ? act(*run, chapter, argv[0])
                : RUN_WRONG_COMMAND_LINE;
 }
@@ -185,7 +186,8 @@ void chapter_visit_files(const struct chapter *chapter, int argc, char **argv,
     struct run run = {0};
     for (int i = 0; i < 2; i++)
         run.picture[i].request = (struct shader_request){.see = visit, .to = to};
-    if (run_parse(&run, chapter->stem, chapter->title, &chapter->camera, argc, argv) &&
+    if (run_parse(&run, chapter->stem, chapter->title, &chapter->camera, chapter->tool, argc,
+                  argv) &&
         run_find_root(&run) && run_find_shader(&run)) {
         visit(to, run.shader); // even if the file is missing
         if (run.options.compare != NULL)

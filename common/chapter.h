@@ -13,13 +13,15 @@
 #include <stdbool.h>
 
 #include "camera.h"
+#include "picture/sculpture.h"
 
 // A chapter. Its shader is chapters/STEM.frag.
 struct chapter {
-    const char *stem;     // "01_normal_colouring"
-    const char *title;    // for the window's title bar and --help
-    const char *shows;    // one sentence: what the picture shows
-    struct camera camera; // where the eye starts
+    const char *stem;                  // "01_normal_colouring"
+    const char *title;                 // for the window's title bar and --help
+    const char *shows;                 // one sentence: what the picture shows
+    struct camera camera;              // where the eye starts
+    const struct sculpture_tool *tool; // with which the pointer changes a texture; NULL: none
 };
 
 // Carry out the command line: options -> shader -> context -> renderer -> picture or window.

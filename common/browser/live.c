@@ -39,12 +39,14 @@ static struct {
     enum shader_view view;
     struct parameters parameters[2]; // of the picture, and of the second of a comparison
     double divider;
+    struct strokes strokes;
 } kept;
 
 static void forget(void)
 {
     parameters_free(&kept.parameters[0]);
     parameters_free(&kept.parameters[1]);
+    strokes_free(&kept.strokes);
     memset(&kept, 0, sizeof kept);
 }
 
@@ -196,6 +198,8 @@ static void keep(const struct window *window)
     kept.view = first->view;
     kept.parameters[0] = first->parameters;
     first->parameters = (struct parameters){0};
+    kept.strokes = *window->start->strokes;
+    *window->start->strokes = (struct strokes){0};
     if (second == NULL)
         return;
     kept.divider = first->comparison->divider;
@@ -213,6 +217,10 @@ static void give_back(struct window *window)
         first->comparison->divider = kept.divider;
     }
     window->inputs = was->inputs;
+    strokes_free(window->start->strokes);
+    *window->start->strokes = kept.strokes;
+    kept.strokes = (struct strokes){0};
+    window->inputs.strokes = window->start->strokes;
     window->ray.eye = was->ray.eye;
     memcpy(window->ray.position, was->ray.position, sizeof was->ray.position);
     window->inputs.eye = was->inputs.eye != NULL ? &window->ray.eye : NULL;

@@ -7,6 +7,7 @@
 #include "picture/comparison.h"
 #include "report.h"
 #include "window/state.h"
+#include "window/stroke.h"
 #include "window/window.h"
 
 static void write_numbers(struct json *json, const char *name, int count, const double *value)
@@ -115,6 +116,7 @@ static void write_window(struct json *json, const struct window *window)
         write_parameter(json, renderer, i);
     json_end(json, ']');
     write_handles(json, window);
+    json_flag(json, "tool", window_has_tool(window));
     if (inputs->pixel[0] >= 0 && window->ray.why[0] == '\0' && !window->ray.follow)
         write_probe(json, window->ray.probe);
 }

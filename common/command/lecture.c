@@ -90,7 +90,7 @@ static int read_scene(struct scene *scene, const struct lecture_chapter *chapter
     const struct lecture_chapter *chapter =
         words > 0 ? find(chapters, count, scene->word[0]) : NULL;
     if (chapter == NULL || !run_parse(&scene->run, chapter->stem, chapter->title, &chapter->camera,
-                                      words, scene->word))
+                                      chapter->tool, words, scene->word))
         return RUN_WRONG_COMMAND_LINE;
     const struct options *options = &scene->run.options;
     if (options->action != OPTIONS_RUN || !options->window) {

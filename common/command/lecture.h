@@ -18,6 +18,7 @@
 struct lecture_chapter {
     const char *stem, *title;
     struct camera camera; // where the eye starts
+    const struct sculpture_tool *tool;
 };
 
 struct lecture;

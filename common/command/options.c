@@ -193,5 +193,6 @@ void options_free(struct options *options)
     free(options->probe);
     free(options->probe_text);
     free(options->textures);
+    strokes_free(&options->strokes);
     *options = (struct options){0};
 }

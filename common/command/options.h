@@ -7,6 +7,7 @@
 
 #include "camera.h"
 #include "context/context.h"
+#include "picture/sculpture.h"
 #include "shader/dialect.h"
 
 #define OPTIONS_SIZE_LIMIT    16384 // pixels, each way
@@ -44,6 +45,7 @@ struct options {
     double divider;        // fraction of the width that the first picture has, 0 to 1
     const char **textures; // NAME=FILE, in the order given; owned
     int texture_count;
+    struct strokes strokes;  // --stroke, in the order given; owned
     const char *channels[4]; // the files of Shadertoy's iChannel0 to 3, or NULL
     struct camera camera;    // meaningful when has_camera
     int samples;             // 1 to OPTIONS_SAMPLES_LIMIT, along each side of a pixel

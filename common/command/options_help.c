@@ -18,6 +18,8 @@ static const char ending[] =
     "  up, down           select a parameter\n"
     "  left, right        change it, with Shift by ten steps; Delete: reset it\n"
     "  Enter              focus the next handle, which the arrow keys then move\n"
+    "  drag, U            in chapter 23 with tool set: change the clay; undo the last\n"
+    "                     stroke, with Shift all\n"
     "  Escape, R          pause or resume; restart the time, with Shift the camera too\n"
     "  H, K               hide or show the overlay; show all keys and ranges\n"
     "  O, T               move the panel to the other side; collapse or expand it\n"

@@ -116,6 +116,14 @@ static bool add_texture(struct options *options, const char *text)
            refuse("texture", text, "must be NAME=FILE.png; --list shows the names");
 }
 
+static bool add_stroke(struct options *options, const char *text)
+{
+    return strokes_read(&options->strokes, text) ||
+           refuse(
+               "stroke", text,
+               "must be AMOUNT,X,Y,Z and more points X,Y,Z, as in 0.09,-0.5,0,0.1,-0.4,-0.1,0.1");
+}
+
 static bool set_channel(struct options *options, const char *text)
 {
     if (text[0] < '0' || text[0] > '3' || text[1] != '=' || text[2] == '\0')
@@ -278,6 +286,8 @@ const struct options_row options_rows[] = {
      "set a parameter of the shader; repeatable", ""},
     {"", "texture", " NAME=FILE.png", add_texture, OPTIONS_RUN,
      "use another picture for a texture of the shader; repeatable", ""},
+    {"", "stroke", " A,X,Y,Z,...", add_stroke, OPTIONS_RUN,
+     "change the clay of chapter 23 along points; A: radius; repeatable", ""},
     {"", "channel", " N=FILE.png", set_channel, OPTIONS_RUN,
      "picture of iChannelN for a shader from elsewhere, N from 0 to 3", ""},
     {"-c,", "camera", " X,Y,Z,PAN,TILT", set_camera, OPTIONS_RUN,

@@ -17,10 +17,13 @@ static const char *name_of(const char *path)
 }
 
 bool run_parse(struct run *run, const char *stem, const char *title, const struct camera *camera,
-               int argc, char **argv)
+               const struct sculpture_tool *tool, int argc, char **argv)
 {
     if (!options_parse(&run->options, argc, argv))
         return false;
+    if (tool == NULL && run->options.strokes.count > 0)
+        return report("--stroke: %s has no tool; chapter 23 has one", stem);
+    run->tool = tool;
     if (!run->options.has_camera)
         run->options.camera = *camera;
     run->stem = stem;
@@ -106,10 +109,34 @@ static int read_shader(struct run *run, int number, const char *path)
     return RUN_DONE;
 }
 
+// Check that the first shader has the tool's texture, and that the strokes are in the range of its
+// parameter. Returns false, reported.
+static bool check_strokes(const struct run *run)
+{
+    const struct strokes *strokes = &run->options.strokes;
+    const struct parameters *parameters = &run->picture[0].parameters;
+    if (strokes->count == 0)
+        return true;
+    const struct parameter *amount = parameters_find(parameters, run->tool->amount);
+    bool has = false;
+    for (int i = 0; i < parameters->samplers.count; i++)
+        has |= strcmp(parameters->samplers.item[i].name, run->tool->texture) == 0;
+    if (!has || amount == NULL)
+        return report("--stroke: %s has no sampler '%s' and parameter '%s'", run->title,
+                      run->tool->texture, run->tool->amount);
+    for (int i = 0; i < strokes->count; i++)
+        if (strokes->item[i].amount < amount->minimum || strokes->item[i].amount > amount->maximum)
+            return report("--stroke %g,...: the amount must be between %g and %g",
+                          strokes->item[i].amount, amount->minimum, amount->maximum);
+    return true;
+}
+
 int run_read_shaders(struct run *run)
 {
     const char *other = run->options.compare;
     int status = read_shader(run, 0, run->shader);
+    if (status == RUN_DONE && !check_strokes(run))
+        status = RUN_WRONG_COMMAND_LINE;
     if (status != RUN_DONE || !run->options.compares)
         return status;
     return read_shader(run, 1, other != NULL ? other : run->shader);
@@ -121,6 +148,7 @@ static bool open_renderer(struct run *run, int number, const struct gl *gl)
     if (renderer->gl == NULL && !renderer_open(renderer, gl, run->root))
         return false;
     renderer->comparison = NULL;
+    renderer->sculpture.tool = run->tool;
     renderer->view = run->options.view;
     return true;
 }
@@ -168,6 +196,7 @@ struct window_start run_window_start(struct run *run)
                                  .camera = options->camera,
                                  .time = options->time,
                                  .samples = options->samples,
+                                 .strokes = &run->options.strokes,
                                  .overlay_scale = options->overlay,
                                  .overlay_kept = options->has_overlay,
                                  .shown = options->step + 1};

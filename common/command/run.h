@@ -17,7 +17,8 @@ enum { RUN_DONE = 0, RUN_NOT_DONE = 1, RUN_WRONG_COMMAND_LINE = 2, RUN_NO_WINDOW
 
 // A run of zeros is closed.
 struct run {
-    const char *stem;  // of the chapter
+    const char *stem;                  // of the chapter
+    const struct sculpture_tool *tool; // of the chapter, or NULL
     const char *title; // of the chapter, or the name of the file that runs instead of its shader
     struct options options;
     char root[PLATFORM_PATH];     // the project's folder
@@ -30,10 +31,10 @@ struct run {
 };
 
 // Read the command line.
-//   stem, title, camera  the chapter's; the strings and argv must outlive the run
+//   stem, title, camera, tool  the chapter's; the strings, the tool and argv must outlive the run
 // Returns false, reported: the command line is wrong.
 bool run_parse(struct run *run, const char *stem, const char *title, const struct camera *camera,
-               int argc, char **argv);
+               const struct sculpture_tool *tool, int argc, char **argv);
 
 void run_close(struct run *run);
 

@@ -70,6 +70,7 @@ struct renderer_inputs run_still_inputs(const struct options *options)
         .date = {1970.0f, 0.0f, 1.0f, (float)options->time},
         .samples = options->samples,
         .pixel = {pixel != NULL ? pixel[0] : -1, pixel != NULL ? pixel[1] : -1},
+        .strokes = &options->strokes,
         .zoom = 1.0f,
         .shown = (float)(options->step + 1)};
 }

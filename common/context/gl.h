@@ -85,6 +85,9 @@ enum { GL_NEEDED_MAJOR = 3, GL_NEEDED_MINOR = 3 };
     X(void, TexImage3D, \
       (GLenum, GLint, GLint, GLsizei, GLsizei, GLsizei, GLint, GLenum, GLenum, const void *)) \
     X(void, TexParameteri, (GLenum, GLenum, GLint)) \
+    X(void, TexSubImage3D, \
+      (GLenum, GLint, GLint, GLint, GLint, GLsizei, GLsizei, GLsizei, GLenum, GLenum, \
+       const void *)) \
     X(void, Uniform1f, (GLint, GLfloat)) \
     X(void, Uniform1i, (GLint, GLint)) \
     X(void, Uniform2f, (GLint, GLfloat, GLfloat)) \

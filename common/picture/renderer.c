@@ -44,6 +44,7 @@ static void unload(struct renderer *renderer)
 {
     renderer_unlink(renderer);
     textures_free(&renderer->textures, renderer->gl);
+    sculpture_forget(&renderer->sculpture);
     shader_free(&renderer->fragment);
     parameters_free(&renderer->parameters);
 }
@@ -70,6 +71,7 @@ bool renderer_load(struct renderer *renderer, struct shader_source *source,
         return false;
     next.fragment = *source;
     next.parameters = *parameters;
+    next.sculpture = (struct sculpture){.tool = renderer->sculpture.tool};
     memset(next.program, 0, sizeof next.program);
     memset(next.location, 0, sizeof next.location);
     if (!renderer_link(&next, next.view)) {
@@ -170,7 +172,8 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
     bool reads = slice || renderer_reads(renderer, renderer->view, UNIFORM_iMarched);
     const int low[2] = {part->left, part->bottom + part->from};
     const int high[2] = {part->right, part->bottom + part->to};
-    if ((reads && !renderer_march_selected(renderer, part->beside, inputs, &march)) ||
+    if (!renderer_sculpt(renderer, inputs) ||
+        (reads && !renderer_march_selected(renderer, part->beside, inputs, &march)) ||
         !renderer_run_coarse(renderer, inputs, renderer->view, low, high) ||
         !target_bind(part->target, gl, inputs->width, part->height))
         return false;

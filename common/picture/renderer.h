@@ -12,6 +12,7 @@
 #include "picture/enlarge.h"
 #include "picture/image.h"
 #include "picture/overlay.h"
+#include "picture/sculpture.h"
 #include "picture/slice.h"
 #include "picture/target.h"
 #include "picture/texture.h"
@@ -47,6 +48,7 @@ struct renderer_inputs {
     int pixel[2];      // of the selected ray, 0,0 bottom left; -1,-1: none, a slice has the middle
     const struct renderer_eye *eye; // where the selected ray starts; NULL: at the camera
     const double *lens;             // values that replace renderer_lens; NULL: the parameters' own
+    const struct strokes *strokes;  // over the chapter's volume; NULL: none
     float zoom;                     // of the slice view; 1, or 0: the whole march
     float shown; // steps of the selected ray's march that are shown, with a fraction of the next
                  // one; 0: all
@@ -105,6 +107,7 @@ struct renderer {
     struct shader_source fragment; // the last one that compiled
     struct parameters parameters;  // of that one
     struct textures textures;      // of its samplers
+    struct sculpture sculpture;    // one of them, if the chapter has a tool
     struct axis_labels labels;     // that its views write
     enum shader_view view;
     float focal_length;                   // for shaders that declare no focalLength of their own
@@ -248,6 +251,9 @@ void renderer_unlink(struct renderer *renderer);
 // other dialects the name is the author's.
 bool renderer_reads(const struct renderer *renderer, enum shader_view view,
                     enum renderer_uniform uniform);
+
+// Carry out the strokes that the texture does not have yet. Returns false, reported.
+bool renderer_sculpt(struct renderer *renderer, const struct renderer_inputs *inputs);
 
 // Use a linked view, and set everything that is the same for all tiles and samples of a picture,
 // including the table of the coarse pass, which has run.

@@ -132,6 +132,12 @@ bool renderer_wants_coarse(const struct renderer *renderer, enum shader_view vie
            parameter->value[0] > 0.5;
 }
 
+bool renderer_sculpt(struct renderer *renderer, const struct renderer_inputs *inputs)
+{
+    return sculpture_follow(&renderer->sculpture, renderer->gl, &renderer->textures,
+                            &renderer->parameters.samplers, &renderer->fragment, inputs->strokes);
+}
+
 void renderer_use(struct renderer *renderer, const struct renderer_inputs *inputs,
                   enum shader_view view)
 {

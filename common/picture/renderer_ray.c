@@ -58,7 +58,7 @@ bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inp
     const struct gl *gl = renderer->gl;
     const int low[2] = {x, y}, high[2] = {x + 1, y + 1};
     struct target *table = &renderer->table;
-    if (!renderer_link(renderer, SHADER_PROBE) ||
+    if (!renderer_link(renderer, SHADER_PROBE) || !renderer_sculpt(renderer, inputs) ||
         !renderer_run_coarse(renderer, inputs, SHADER_PROBE, low, high) ||
         !target_bind(table, gl, PROBE_STEPS, PROBE_ROWS))
         return false;

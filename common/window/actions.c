@@ -1,5 +1,6 @@
 #include "window/actions.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stddef.h>
 
@@ -12,6 +13,7 @@
 #include "window/projection.h"
 #include "window/ray.h"
 #include "window/selection.h"
+#include "window/stroke.h"
 
 #define SPEED 2.0f // scene units per second
 
@@ -146,6 +148,7 @@ static const struct {
     {.key = GLFW_KEY_O, FLAG(panel.right)},
     {.key = GLFW_KEY_T, FLAG(panel.rolled)},
     {NULL, restart, GLFW_KEY_R, false, true, false},
+    {NULL, window_take_back, GLFW_KEY_U, 1, INT_MAX, true},
     {NULL, select_next, GLFW_KEY_UP, -1, -10, true},
     {NULL, select_next, GLFW_KEY_DOWN, 1, 10, true},
     {NULL, change, GLFW_KEY_LEFT, -1, -10, true},

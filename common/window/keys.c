@@ -7,7 +7,15 @@
 #include "picture/comparison.h"
 #include "window/projection.h"
 
-enum condition { ALWAYS, WITH_RAY, WITH_PARAMETERS, WITH_HANDLES, WITH_PROJECTIONS, IN_LECTURE };
+enum condition {
+    ALWAYS,
+    WITH_RAY,
+    WITH_PARAMETERS,
+    WITH_HANDLES,
+    WITH_TOOL,
+    WITH_PROJECTIONS,
+    IN_LECTURE
+};
 
 // A single letter or digit of the labels names a key of an American keyboard.
 static const struct {
@@ -32,6 +40,7 @@ static const struct {
     {"change", "← →", WITH_PARAMETERS},
     {"reset", "Delete", WITH_PARAMETERS},
     {"next handle", "Enter", WITH_HANDLES},
+    {"undo stroke, all", "U Shift+U", WITH_TOOL},
     {"orthographic", "Tab", WITH_PROJECTIONS},
     {"pause", "Esc", ALWAYS},
     {"restart", "R", ALWAYS},
@@ -83,6 +92,7 @@ void window_list_keys(struct window *window)
                           [WITH_RAY] = window->inputs.pixel[0] >= 0,
                           [WITH_PARAMETERS] = comparison_parameter_count(window->renderer) > 0,
                           [WITH_HANDLES] = window->handles.count > 0,
+                          [WITH_TOOL] = window->renderer->sculpture.tool != NULL,
                           [WITH_PROJECTIONS] = window_has_orthographic(window),
                           [IN_LECTURE] = window->start->caption != NULL};
     char show[16], hide[16];

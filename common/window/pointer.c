@@ -1,6 +1,6 @@
 // The first part that claims a press owns the pointer until the release, in this order: an open
-// colour picker, the panel, the table of a march, a handle, the divider of a comparison, and the
-// picture, where a drag looks around and a click selects a ray.
+// colour picker, the panel, the table of a march, a handle, the divider of a comparison, a stroke
+// of the chapter's tool, and the picture, where a drag looks around and a click selects a ray.
 #include "window/pointer.h"
 
 #include <math.h>
@@ -12,6 +12,7 @@
 #include "window/handle.h"
 #include "window/panel_input.h"
 #include "window/ray.h"
+#include "window/stroke.h"
 
 #define DEGREES 0.15f // of a turn, for each pixel of the pointer
 #define REACH   6.0   // units of the overlay on either side of the divider
@@ -123,7 +124,9 @@ static enum pointer_owner claim(struct window *window, const struct window_event
         return OWNER_NONE;
     if (window_handle_claims(window, press))
         return OWNER_HANDLE;
-    return divider_covers(window, press->unit) ? OWNER_DIVIDER : OWNER_PICTURE;
+    if (divider_covers(window, press->unit))
+        return OWNER_DIVIDER;
+    return window_stroke_claims(window, press) ? OWNER_STROKE : OWNER_PICTURE;
 }
 
 // Give the pointer the shape for what is below it.
@@ -153,7 +156,8 @@ bool window_pointer_input(struct window *window, struct window_event *event)
     static void (*const input[])(struct window *, const struct window_event *) = {
         [OWNER_PICKER] = window_picker_input, [OWNER_PANEL] = window_panel_input,
         [OWNER_TABLE] = window_table_input,   [OWNER_HANDLE] = window_handle_input,
-        [OWNER_DIVIDER] = divider_input,      [OWNER_PICTURE] = picture_input};
+        [OWNER_DIVIDER] = divider_input,      [OWNER_STROKE] = window_stroke_input,
+        [OWNER_PICTURE] = picture_input};
     if (event->kind < EVENT_PRESS || event->kind == EVENT_MOVE)
         return false;
     locate(window, event);
@@ -181,6 +185,7 @@ void window_pointer_rest(struct window *window)
     // The release may have been one event too many for a turn.
     if (window->input.state == BUTTON_UP)
         window->pointer.owner = OWNER_NONE;
+    window_stroke_rest(window);
     window_picker_update(window);
     window_panel_rest(window);
     update_mouse(window);

@@ -8,19 +8,20 @@
 
 // The state in which a window opens, and to which R returns.
 struct window_start {
-    const char *title;      // of the chapter, for the title bar
-    const char *stem;       // screenshots are STEM-0001.png, ... in the current folder
-    struct loader *picture; // compiled; reloaded when their files change. Not owned
-    int pictures;           // 1, or 2 with a comparison
-    struct camera camera;   // where the eye starts
-    double time;            // seconds
-    bool paused;            // the time stands still until Escape is pressed
-    int samples;            // along each side of a pixel
-    double overlay_scale;   // 0: chosen by the picture's height
-    bool overlay_kept;      // screenshots show the overlay too
-    int shown;              // steps of the middle ray, which is selected; 0: no ray is selected
-    const char *selected;   // "NAME=VALUE": the parameter that is selected; NULL: the first one
-    const char *caption;    // of a lecture's scene, for the speaker; NULL: not a lecture
+    const char *title;       // of the chapter, for the title bar
+    const char *stem;        // screenshots are STEM-0001.png, ... in the current folder
+    struct loader *picture;  // compiled; reloaded when their files change. Not owned
+    int pictures;            // 1, or 2 with a comparison
+    struct camera camera;    // where the eye starts
+    double time;             // seconds
+    bool paused;             // the time stands still until Escape is pressed
+    int samples;             // along each side of a pixel
+    struct strokes *strokes; // of the command line; the pointer adds more. Not owned
+    double overlay_scale;    // 0: chosen by the picture's height
+    bool overlay_kept;       // screenshots show the overlay too
+    int shown;               // steps of the middle ray, which is selected; 0: no ray is selected
+    const char *selected;    // "NAME=VALUE": the parameter that is selected; NULL: the first one
+    const char *caption;     // of a lecture's scene, for the speaker; NULL: not a lecture
 };
 
 #endif

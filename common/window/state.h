@@ -14,7 +14,7 @@
 #include "window/resolution.h"
 #include "window/start.h"
 
-#define WINDOW_KEYS 28 // entries of the overlay's list of keys, at most
+#define WINDOW_KEYS 29 // entries of the overlay's list of keys, at most
 
 // The part of the window that owns the pointer from a press to the release.
 enum pointer_owner {
@@ -24,6 +24,7 @@ enum pointer_owner {
     OWNER_TABLE,
     OWNER_HANDLE,
     OWNER_DIVIDER,
+    OWNER_STROKE,
     OWNER_PICTURE
 };
 

@@ -194,6 +194,7 @@ void window_show(struct window *window, const struct window_start *start, bool a
                    .camera = start->camera,
                    .time = start->time,
                    .samples = start->samples,
+                   .strokes = start->strokes,
                    .pixel = {-1, -1},
                    .zoom = 1.0f},
         .paused = start->paused,

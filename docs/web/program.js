@@ -242,7 +242,7 @@ export class Program {
         canvas.addEventListener('keydown', (event) => key(event, event.repeat ? REPEAT : PRESS));
         canvas.addEventListener('keyup', (event) => key(event, RELEASE));
         canvas.addEventListener('focus', () => module._live_focus(1));
-        // A finger on a handle drags it, and one beside it scrolls the page.
+        // A finger on a handle drags it, and one beside it scrolls the page; with a tool, every finger works on the picture.
         canvas.addEventListener('touchstart', (event) => { if (event.touches.length === 1 && this.toHandle(event.touches[0])) event.preventDefault(); }, {passive: false});
         canvas.addEventListener('blur', () => module._live_focus(0));
         // The wheel scrolls the page unless the picture has the focus.
@@ -257,7 +257,9 @@ export class Program {
     // The distance and direction from a finger to the handle that it grabs, in the page's units; null: none is near.
     toHandle({clientX, clientY}) {
         const {left, top, width, height} = this.canvas.getBoundingClientRect();
-        const ways = (this.state().handles ?? []).map(({x, y}) => [left + x * width - clientX, top + y * height - clientY]);
+        const {handles = [], tool} = this.state();
+        if (tool) return [0, 0]; // the finger works on the picture
+        const ways = handles.map(({x, y}) => [left + x * width - clientX, top + y * height - clientY]);
         const near = ways.sort((a, b) => Math.hypot(...a) - Math.hypot(...b))[0];
         return near && Math.hypot(...near) <= FINGER ? near : null;
     }

@@ -10,7 +10,7 @@ const LOOK = 200; // milliseconds between two updates from the program's state
 const LONG = 2000; // milliseconds after which compiling takes long
 const PRESS = 1, RELEASE = 0;
 const PAD = [['◀', 65, 'left'], ['▲', 87, 'forwards'], ['▼', 83, 'backwards'], ['▶', 68, 'right'], ['⤒', 32, 'up'], ['⤓', 67, 'down']];
-const RESTART = 82, SHIFT = 1, NEXT_HANDLE = 257;
+const RESTART = 82, SHIFT = 1, NEXT_HANDLE = 257, TAKE_BACK = 85;
 // The drawing of a button on a narrow page, within 24 by 24 units.
 const ICONS = {
     'Pause': 'M8 5v14M16 5v14', 'Resume': 'M8 5l11 7-11 7z', 'Restart': 'M5 12a7 7 0 1 0 2-5M5 3v5h5', 'Views': 'M2 12q10-14 20 0q-10 14-20 0zM12 9a3 3 0 1 0 .1 0',
@@ -82,13 +82,14 @@ export class Stage {
         this.time.setAttribute('aria-label', 'Time in seconds');
         this.time.addEventListener('change', () => this.call('live_time', Number(this.time.value)));
         this.back = this.button('Reset camera', () => this.press(RESTART, SHIFT), {title: 'Reset the camera and the time'});
+        this.undo = this.button('Undo stroke', () => this.press(TAKE_BACK));
         this.still = part('small', {className: 'live-still', textContent: 'time is paused, because your system asks for reduced motion', hidden: true});
         this.changes = new Changes(this);
         this.values = new Values(this);
         this.ray = new Ray(this);
         const flips = (name) => () => this.controls.classList.toggle(name), unfolds = ({element}) => () => { element.open = !element.open; return element.open; };
         this.bar = part('div', {className: 'live-bar'}, this.views,
-            this.clock = part('span', {className: 'live-clock'}, this.pause, this.icon('Restart', () => this.press(RESTART)), this.back, part('label', {}, this.time, ' s'), this.still),
+            this.clock = part('span', {className: 'live-clock'}, this.pause, this.icon('Restart', () => this.press(RESTART)), this.back, this.undo, part('label', {}, this.time, ' s'), this.still),
             part('span', {className: 'live-tools'}, this.viewer = this.toggle('Views', flips('live-more')), this.toggle('Values', unfolds(this.values)), this.rays = this.toggle('Ray', unfolds(this.ray)), this.mover = this.toggle('Move', flips('live-moves')),
                 this.changes.open, this.icon('Full screen', () => this.full(), {className: 'live-full'}), this.icon('Close', () => this.close())));
         this.bar.setAttribute('role', 'toolbar');
@@ -365,6 +366,7 @@ export class Stage {
         // no time.
         this.views.hidden = this.pad.hidden = this.mover.hidden = this.back.hidden = this.rays.hidden = this.ray.element.hidden = state.views.length === 1 || this.at.hasHands;
         this.viewer.hidden = this.clock.hidden = this.status.hidden = this.at.hasHands;
+        this.undo.hidden = !state.tool;
         state.views.forEach((name, view) => this.views.children[view].setAttribute('aria-pressed', name === state.view));
         this.name(this.pause, state.paused ? 'Resume' : 'Pause');
         this.still.hidden = !(state.paused && calm.matches);

@@ -1,80 +1,72 @@
 #include "sweep.h"
 
 #include <math.h>
-#include <stdbool.h>
+#include <stddef.h>
 #include <stdlib.h>
-#include <string.h>
 
 #include "mesh.h"
 
+// The points with one more layer around them, whose distances are infinite.
 struct grid {
-    const double *value; // as given
+    double *value;       // as given; the outer layer repeats the points beside it
     double *distance;    // without sign
-    bool *fixed;         // next to the surface
-    int side;
+    bool *fixed;         // kept, or next to the surface, or in the outer layer
+    int size[3];         // without the layer
+    ptrdiff_t stride[3]; // from a point to its neighbour on each axis
     double cell;
+    bool keeps; // the values next to the surface too
 };
 
-static size_t index_of(const struct grid *grid, const int at[3])
+static double least_of(double a, double b)
 {
-    size_t side = (size_t)grid->side;
-    return (size_t)at[0] + side * ((size_t)at[1] + side * (size_t)at[2]);
+    return a < b ? a : b;
 }
 
-// The distance from a point to the nearer crossing of the surface with its two edges along an axis;
-// INFINITY if both neighbours have its sign.
-static double to_crossing(const struct grid *grid, const int at[3], int axis)
+static double most_of(double a, double b)
 {
-    double here = grid->value[index_of(grid, at)], nearest = INFINITY;
+    return a > b ? a : b;
+}
+
+static ptrdiff_t index_of(const struct grid *grid, int x, int y, int z)
+{
+    return (x + 1) + (y + 1) * grid->stride[1] + (z + 1) * grid->stride[2];
+}
+
+// The distance from a point to the crossing on one of its edges along an axis, the nearer one;
+// INFINITY if both neighbours have the same sign.
+static double to_crossing(const struct grid *grid, ptrdiff_t i, int axis)
+{
+    double here = grid->value[i], nearest = INFINITY;
     for (int side = -1; side <= 1; side += 2) {
-        int beside[3] = {at[0], at[1], at[2]};
-        beside[axis] += side;
-        if (beside[axis] < 0 || beside[axis] >= grid->side)
-            continue;
-        double there = grid->value[index_of(grid, beside)];
+        double there = grid->value[i + side * grid->stride[axis]];
         if ((here < 0.0) != (there < 0.0))
-            nearest = fmin(nearest, grid->cell * here / (here - there));
+            nearest = least_of(nearest, grid->cell * here / (here - there));
     }
     return nearest;
 }
 
-// Next to the surface: the distance to the plane that cuts the axes at the crossings.
-//   formula  1 / sqrt(1 / a^2 + 1 / b^2 + 1 / c^2), a, b, c the distances to the crossings
-static void begin(struct grid *grid, const int at[3])
+// Next to the surface: the distance to the plane that cuts the axes at the crossings, or the value.
+//   formula  1 / sqrt(1 / a^2 + 1 / b^2 + 1 / c^2)
+static void begin(struct grid *grid, ptrdiff_t i)
 {
-    size_t i = index_of(grid, at);
     double sum = 0.0;
-    grid->distance[i] = INFINITY;
     for (int axis = 0; axis < 3; axis++) {
-        double way = to_crossing(grid, at, axis);
+        double way = to_crossing(grid, i, axis);
         if (way < INFINITY) {
             grid->fixed[i] = true;
-            sum += 1.0 / fmax(way * way, 1e-30);
+            sum += 1.0 / most_of(way * way, 1e-30);
         }
     }
-    if (grid->fixed[i])
-        grid->distance[i] = 1.0 / sqrt(sum);
+    double beside = grid->keeps ? fabs(grid->value[i]) : 1.0 / sqrt(sum);
+    grid->distance[i] = grid->fixed[i] ? beside : INFINITY;
 }
 
-// The smaller distance of the two neighbours along an axis.
-static double upwind(const struct grid *grid, const int at[3], int axis)
-{
-    double least = INFINITY;
-    for (int side = -1; side <= 1; side += 2) {
-        int beside[3] = {at[0], at[1], at[2]};
-        beside[axis] += side;
-        if (beside[axis] >= 0 && beside[axis] < grid->side)
-            least = fmin(least, grid->distance[index_of(grid, beside)]);
-    }
-    return least;
-}
-
-// The solution d of (d - a)^2 + (d - b)^2 + (d - c)^2 = cell^2, where a term counts only if d is
-// greater than its a, b or c.
+// The d > a, b, c with (d - a)^2 + (d - b)^2 + (d - c)^2 = cell^2, where terms with d below their
+// letter are left out.
 static double solve(double a, double b, double c, double cell)
 {
-    double least = fmin(a, fmin(b, c)), most = fmax(a, fmax(b, c));
-    double middle = fmax(fmin(a, b), fmin(fmax(a, b), c));
+    double least = least_of(a, least_of(b, c)), most = most_of(a, most_of(b, c));
+    double middle = most_of(least_of(a, b), least_of(most_of(a, b), c));
     double d = least + cell;
     if (d > middle) {
         double apart = middle - least;
@@ -87,38 +79,80 @@ static double solve(double a, double b, double c, double cell)
     return d;
 }
 
-// Visit all points, along each axis upwards or downwards; bit k of the order is set if axis k goes
-// downwards.
+// Solve for a point from the smaller of its two neighbours on each axis.
+static void relax(struct grid *grid, ptrdiff_t i)
+{
+    const double *here = &grid->distance[i];
+    const ptrdiff_t *stride = grid->stride;
+    double a = least_of(here[-stride[0]], here[stride[0]]);
+    double b = least_of(here[-stride[1]], here[stride[1]]);
+    double c = least_of(here[-stride[2]], here[stride[2]]);
+    grid->distance[i] = least_of(*here, solve(a, b, c, grid->cell));
+}
+
+// Visit all points, each axis upwards or downwards as a bit of the order says.
 static void sweep(struct grid *grid, int order)
 {
-    int last = grid->side - 1;
-    for (int z = 0; z <= last; z++)
-        for (int y = 0; y <= last; y++)
-            for (int x = 0; x <= last; x++) {
-                const int at[3] = {order & 1 ? last - x : x, order & 2 ? last - y : y,
-                                   order & 4 ? last - z : z};
-                size_t i = index_of(grid, at);
-                double a = upwind(grid, at, 0), b = upwind(grid, at, 1), c = upwind(grid, at, 2);
-                if (!grid->fixed[i] && fmin(a, fmin(b, c)) < INFINITY)
-                    grid->distance[i] = fmin(grid->distance[i], solve(a, b, c, grid->cell));
+    const int *size = grid->size;
+    for (int z = 0; z < size[2]; z++)
+        for (int y = 0; y < size[1]; y++)
+            for (int x = 0; x < size[0]; x++) {
+                ptrdiff_t i =
+                    index_of(grid, order & 1 ? size[0] - 1 - x : x, order & 2 ? size[1] - 1 - y : y,
+                             order & 4 ? size[2] - 1 - z : z);
+                if (!grid->fixed[i])
+                    relax(grid, i);
             }
 }
 
-void sweep_distances(double *value, int side, double cell)
+// Copy the values and those that are kept.
+static void open_grid(struct grid *grid, const double *value, const bool *keep, const int size[3],
+                      double cell)
 {
-    size_t count = (size_t)side * (size_t)side * (size_t)side;
-    struct grid grid = {value, mesh_memory(count, sizeof(double)), mesh_memory(count, sizeof(bool)),
-                        side, cell};
-    for (size_t i = 0; i < count; i++) {
-        size_t s = (size_t)side;
-        const int at[3] = {(int)(i % s), (int)(i / s % s), (int)(i / s / s)};
-        begin(&grid, at);
+    ptrdiff_t row = size[0] + 2, slice = row * (size[1] + 2), count = slice * (size[2] + 2);
+    *grid = (struct grid){.value = mesh_memory((size_t)count, sizeof(double)),
+                          .distance = mesh_memory((size_t)count, sizeof(double)),
+                          .fixed = mesh_memory((size_t)count, sizeof(bool)),
+                          .size = {size[0], size[1], size[2]},
+                          .stride = {1, row, slice},
+                          .cell = cell,
+                          .keeps = keep != NULL};
+    for (ptrdiff_t i = 0; i < count; i++) {
+        const int padded[3] = {(int)(i % row), (int)(i / row % (size[1] + 2)), (int)(i / slice)};
+        int at[3];
+        bool inner = true;
+        for (int k = 0; k < 3; k++) {
+            at[k] = padded[k] < 1 ? 0 : padded[k] > size[k] ? size[k] - 1 : padded[k] - 1;
+            inner = inner && at[k] == padded[k] - 1;
+        }
+        int from = at[0] + size[0] * (at[1] + size[1] * at[2]);
+        bool kept = inner && keep != NULL && keep[from];
+        grid->value[i] = value[from];
+        grid->distance[i] = kept ? fabs(value[from]) : INFINITY;
+        grid->fixed[i] = kept || !inner;
     }
-    for (int order = 0; order < 16; order++)
-        sweep(&grid, order % 8);
-    for (size_t i = 0; i < count; i++)
-        if (grid.distance[i] < INFINITY)
-            value[i] = value[i] < 0.0 ? -grid.distance[i] : grid.distance[i];
+}
+
+void sweep_distances(double *value, const bool *keep, const int size[3], double cell)
+{
+    struct grid grid;
+    open_grid(&grid, value, keep, size, cell);
+    for (int z = 0; z < size[2]; z++)
+        for (int y = 0; y < size[1]; y++)
+            for (int x = 0; x < size[0]; x++) {
+                ptrdiff_t i = index_of(&grid, x, y, z);
+                if (!grid.fixed[i])
+                    begin(&grid, i);
+            }
+    for (int order = 0; order < 8; order++)
+        sweep(&grid, order);
+    for (int i = 0; i < size[0] * size[1] * size[2]; i++) {
+        double distance = grid.distance[index_of(&grid, i % size[0], i / size[0] % size[1],
+                                                 i / (size[0] * size[1]))];
+        if (distance < INFINITY)
+            value[i] = value[i] < 0.0 ? -distance : distance;
+    }
+    free(grid.value);
     free(grid.distance);
     free(grid.fixed);
 }

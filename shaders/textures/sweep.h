@@ -1,19 +1,23 @@
-// sweep.h - restores distances in a grid whose values have been changed and are no longer
-// distances.
+// sweep.h - distances again, where a grid has been changed and its values are no distances any
+// more.
 #ifndef SWEEP_H
 #define SWEEP_H
 
-// Replace the values of a grid with the distances to the surface on which they are 0.
-//   value  side x side x side numbers, x fastest: negative inside, positive outside, continuous;
-//          only their signs and their ratios across the surface matter
-//   side   points on each axis, >= 2
+#include <stdbool.h>
+
+// Replace the values of a grid by the distances to the surface on which they are 0.
+//   value  size[0] x size[1] x size[2] numbers, x fastest: negative inside, positive outside,
+//          continuous; only their signs and their ratios across the surface matter
+//   keep   of each point, whether its value is a distance already and stays. The values beside the
+//          surface then stay too, so that it does not move. NULL: no value stays
+//   size   points on each axis, >= 2
 //   cell   distance between neighbours, > 0
-// Points next to the surface get the distance to the plane through the crossings of their edges.
-// All others get the solution of |gradient| = 1 with differences towards the surface, in eight
-// sweeps, made twice. The error is a fraction of a cell near the surface, and grows like
-// cell log(1 / cell). If there is no surface, nothing changes.
+// Points next to the surface get the distance to the plane through the crossings of their edges; all
+// others the solution of |gradient| = 1 with differences towards the surface, by eight sweeps. The
+// error is a share of a cell near the surface and grows like cell log(1 / cell). Where there is no
+// surface and nothing is kept, nothing changes.
 // Source: H. Zhao, 'A fast sweeping method for eikonal equations', Mathematics of Computation 74
 // (2005).
-void sweep_distances(double *value, int side, double cell);
+void sweep_distances(double *value, const bool *keep, const int size[3], double cell);
 
 #endif

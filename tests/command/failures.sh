@@ -106,6 +106,15 @@ for action in --list --print-shader=shadertoy; do
 done
 refuse 'a parameter of a whole file' 2 'sun' "$root/$BUILD/00_first_scene" "${to[@]}" -p sun=1
 
+clay=$root/$BUILD/23_stored_distances
+refuse 'a stroke without points' 2 "--stroke '0.09': must be AMOUNT,X,Y,Z" "$clay" "${to[@]}" --stroke 0.09
+refuse 'a stroke with half a point' 2 "--stroke '0.09,1,2': must be AMOUNT,X,Y,Z" "$clay" "${to[@]}" --stroke 0.09,1,2
+refuse 'a stroke that is too thick' 2 '--stroke 0.5,...: the amount must be between -0.2 and 0.2' "$clay" "${to[@]}" --stroke 0.5,1,2,3
+refuse 'a stroke of a chapter without a tool' 2 '--stroke: 03_shadows has no tool; chapter 23 has one' "$chapter" "${to[@]}" --stroke 0.1,1,2,3
+refuse 'a stroke on another shader' 2 "--stroke: .* has no sampler 'grid'" "$clay" "${to[@]}" --stroke 0.1,1,2,3 -f "$root/chapters/figures/23_sign.frag"
+refuse 'a stroke on a grid of another size' 1 'a stroke needs a volume of 64x64x64 texels' \
+    "$clay" "${to[@]}" --stroke 0.1,1,2,3 --texture grid="$root/shaders/textures/clouds_fair.png"
+
 # ---- Shader files ----
 
 good=$root/chapters/01_normal_colouring.frag

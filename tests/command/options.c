@@ -177,6 +177,20 @@ TEST(a_comparison_has_a_file_or_values)
     ACCEPTED("-p a=1 -p b=1", !o.compares && o.shared_settings == 2);
 }
 
+TEST(strokes_are_numbers)
+{
+    struct options o = parsed("--stroke 0.09,-0.5,0,1e-1 --stroke=-.1,1,2,3,4,5,6.00004");
+    const struct stroke *one = &o.strokes.item[0], *two = &o.strokes.item[1];
+    assert_true(o.strokes.count == 2 && one->points == 1 && two->points == 2);
+    assert_true(one->amount == 0.09 && one->point[0][0] == -0.5 && one->point[0][2] == 0.1);
+    assert_true(two->amount == -0.1 && two->point[0][1] == 2.0 && two->point[1][2] == 6.0);
+    char *text = stroke_text(two);
+    assert_string_equal(text, "-0.1,1,2,3,4,5,6");
+    free(text);
+    options_free(&o);
+    assert_null(o.strokes.item);
+}
+
 TEST(textures_and_channels_have_files)
 {
     struct options o = parsed("--texture a=b.png --texture a=c=d --channel 2=x.png --channel 2=y");
@@ -227,6 +241,8 @@ TEST(values_out_of_range_are_refused)
         {"-p ", "a =1", "NAME=VALUE"},
         {"-o ", "'' a.txt a.frag a .png - a.png.jpg", "must name a file that ends in .png"},
         {"--benchmark ", "0 -1 1.5 x '' 10001 yaml", "whole number of frames"},
+        {"--stroke ", "a 1 1,2,3 1,2,3,4,5 1,2,3,x 1,2,3,4, 1,2,3,1e10 nan,1,2,3",
+         "must be AMOUNT,X,Y,Z"},
         {"--texture ", "a =b a= ''", "must be NAME=FILE.png"},
         {"--channel ", "4=a 0 0= '' =a -1=a 10=a", "must be N=FILE.png"},
     };

@@ -2,10 +2,9 @@
 
 #include <unistd.h>
 
-#include "../common/chapter.h"
 #include "lib/compare.h"
 #include "lib/gpu.h"
-#include "lib/mirror.h"
+#include "lib/programs.h"
 #include "lib/scratch.h"
 #include "lib/system.h"
 #include "window/window.h"
@@ -107,8 +106,8 @@ static void open_window(const char *stem, const char *options, va_list values)
     while ((word = strtok(count == 0 ? rest : NULL, " ")) != NULL && count < ARGUMENTS)
         session.argument[count++] = word;
     session.argument[count] = NULL;
-    session.chapter = (struct chapter){.stem = stem, .title = stem, .shows = ""};
-    assert_true(mirror_camera(gpu_project_root(), stem, &session.chapter.camera));
+    assert_true(programs_find(stem, &session.chapter));
+    session.chapter.title = stem;
     listen();
     int status = chapter_open(&session.run, &session.chapter, count, session.argument);
     if (status != 0 || chapter_window(session.run) == NULL)

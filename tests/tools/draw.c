@@ -17,7 +17,7 @@
 #include "memory.h"
 #include "report.h"
 #include "lib/compare.h"
-#include "lib/mirror.h"
+#include "lib/programs.h"
 
 enum { WORDS = 64, LINE = 4096 };
 
@@ -87,32 +87,17 @@ static bool draw(const struct context *context, struct run *run, struct image *i
     return done;
 }
 
-// The title of a chapter, from its program.
-static bool find_title(const char *stem, char title[LINE])
-{
-    char path[PLATFORM_PATH], line[LINE];
-    snprintf(path, sizeof path, "chapters/%.200s.c", stem);
-    FILE *file = fopen(path, "r");
-    bool found = false;
-    while (file != NULL && !found && fgets(line, sizeof line, file) != NULL)
-        found = sscanf(line, " .title = \"%4000[^\"]\"", title) == 1;
-    if (file != NULL)
-        fclose(file);
-    return found || report("%s: has no title", path);
-}
-
 // The picture with the shaders of a folder.
 static bool draw_in(const struct context *context, const char *name, const char *root,
                     struct image *image)
 {
     static struct listed listed;
-    char title[LINE];
-    struct camera camera;
+    struct chapter chapter;
     struct run run = {0};
     char here[PLATFORM_PATH], output[] = "picture.png";
-    if (!find_picture(&listed, name, output) || !find_title(listed.stem, title) ||
-        !mirror_camera(".", listed.stem, &camera) ||
-        !run_parse(&run, listed.stem, title, &camera, listed.count, listed.word))
+    if (!find_picture(&listed, name, output) || !programs_find(listed.stem, &chapter) ||
+        !run_parse(&run, chapter.stem, chapter.title, &chapter.camera, chapter.tool, listed.count,
+                   listed.word))
         return false;
     bool alone = run.options.frames == 0;
     bool moved = alone && getcwd(here, sizeof here) != NULL && chdir(root) == 0;

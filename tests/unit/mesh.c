@@ -212,7 +212,7 @@ static double swept_error(int side)
                 worst = fmax(worst, fabs(value[i] - d) / cell);
         }
         if (pass == 0)
-            sweep_distances(value, side, cell);
+            sweep_distances(value, NULL, (const int[]){side, side, side}, cell);
     }
     free(value);
     return worst;
@@ -235,7 +235,7 @@ TEST(sweeping_keeps_a_plane)
     double value[FEW * FEW * FEW];
     for (int i = 0; i < FEW * FEW * FEW; i++)
         value[i] = 5.0 * (i % FEW - 4.3);
-    sweep_distances(value, FEW, 1.0);
+    sweep_distances(value, NULL, (const int[]){FEW, FEW, FEW}, 1.0);
     for (int i = 0; i < FEW * FEW * FEW; i++)
         assert_true(fabs(value[i] - (i % FEW - 4.3)) < 1e-12);
 }

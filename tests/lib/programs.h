@@ -1,0 +1,10 @@
+// programs.h - the programs of all chapters: what each passes to chapter_run.
+#ifndef TESTS_PROGRAMS_H
+#define TESTS_PROGRAMS_H
+
+#include "../common/chapter.h"
+
+// Find a chapter by its stem, "03_shadows". Returns false if there is none.
+bool programs_find(const char *stem, struct chapter *chapter);
+
+#endif

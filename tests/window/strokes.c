@@ -1,0 +1,92 @@
+// strokes.c - the clay of chapter 23 under the pointer: a drag with the tool changes it, and the
+// printed option draws the same picture.
+#include "lib/session.h"
+
+#define CHAPTER "23_stored_distances"
+#define OPTIONS "--size 320x180 --set turnSpeed=0 --set tool="
+
+// Open the chapter, and drag over the elephant's flank.
+static void sculpt(const char *tool)
+{
+    session_open_bare(CHAPTER, OPTIONS "%s", tool);
+    session_keep(0);
+    session_said(1);
+    user_drag(118, 80, 8, 8);
+    session_turn();
+}
+
+// End the drag. Returns the option that was printed.
+static const char *let_go(void)
+{
+    static char option[512];
+    user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);
+    session_turn();
+    session_turn();
+    snprintf(option, sizeof option, "%s", session_said(1));
+    option[strcspn(option, "\n")] = '\0';
+    return option;
+}
+
+static void assert_drawn_again(const char *tool)
+{
+    sculpt(tool);
+    const char *option = let_go();
+    assert_int_equal(strncmp(option, "--stroke ", 9), 0);
+    assert_true(session_off(0, NULL) > 0.002);
+    session_wait(1.0); // until it is sharp
+    session_assert_shown(CHAPTER, OPTIONS "%s %s", tool, option);
+    session_close();
+}
+
+SESSION_TEST(a_stroke_is_printed_as_the_option_that_draws_it)
+{
+    assert_drawn_again("0.06");
+    assert_drawn_again("-0.06");
+}
+
+SESSION_TEST(strokes_are_taken_back)
+{
+    sculpt("0.06");
+    let_go();
+    user_drag(140, 55, 6, 15);
+    session_turn();
+    let_go();
+    session_keep(1);
+    session_key(GLFW_KEY_U);
+    session_wait(1.0);
+    assert_true(session_off(1, NULL) > 0.001);
+    assert_true(session_off(0, NULL) > 0.001);
+    session_key(GLFW_KEY_U);
+    session_wait(1.0);
+    session_assert_shown(CHAPTER, OPTIONS "0");
+    session_key(GLFW_KEY_U); // there is none left
+    session_close();
+}
+
+SESSION_TEST(shift_takes_back_those_of_the_command_line_too)
+{
+    session_open_bare(CHAPTER, OPTIONS "0.06 --stroke 0.09,-0.36,0.06,-0.38,-0.37,-0.14,-0.25");
+    session_shift_key(GLFW_KEY_U);
+    session_wait(1.0);
+    session_assert_shown(CHAPTER, OPTIONS "0");
+    session_close();
+}
+
+// Beside the clay, and with the tool put away, a drag turns the view.
+SESSION_TEST(a_drag_beside_the_clay_looks_around)
+{
+    sculpt("0");
+    assert_string_equal(let_go(), "");
+    assert_true(session_off(0, NULL) > 0.05);
+    session_close();
+    session_open_bare(CHAPTER, OPTIONS "0.06");
+    session_said(1);
+    session_keep(0);
+    user_drag(20, 20, 12, 6);
+    session_turn();
+    assert_string_equal(let_go(), "");
+    assert_true(session_off(0, NULL) > 0.05);
+    session_close();
+}
+
+TESTS(NULL, NULL)
