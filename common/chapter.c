@@ -147,7 +147,8 @@ int chapter_open(struct run **run, const struct chapter *chapter, int argc, char
 void chapter_begin(struct run **run, const struct chapter *chapter, int argc, char **argv)
 {
     *run = memory_zeros(1, sizeof **run);
-    if (run_parse(*run, chapter->stem, chapter->title, &chapter->camera, argc, argv) &&
+    if (run_parse(*run, chapter->stem, chapter->title, &chapter->camera, chapter->tool, argc,
+                  argv) &&
         (*run)->options.action == OPTIONS_RUN && (*run)->options.benchmark == 0 &&
         run_find_root(*run) && run_find_shader(*run) && run_read_shaders(*run) == RUN_DONE &&
         open_context(*run) == RUN_DONE)
