@@ -163,7 +163,7 @@ FIRST_STEPS := $(FIRST_STEPS:chapters/%.c=$(BUILD)/%)
 FIGURES := $(patsubst docs/figures/%.c,%,$(filter-out %/svg.c,$(sort $(wildcard docs/figures/*.c))))
 # A source that has a header draws nothing: it contains functions for the others.
 PAINT := $(patsubst %.h,$(BUILD)/%.o,$(wildcard shaders/textures/*.h))
-# The same as an archive, from which the linker takes what a chapter's program uses.
+# The same as an archive, from which the linker takes what a chapter's program uses; a browser has no libpng.
 PAINTED := $(BUILD)/shaders/textures/painted.a
 TEXTURES := $(patsubst %.c,$(BUILD)/%,$(sort $(wildcard shaders/textures/*.c)))
 TEXTURES := $(filter-out $(PAINT:%.o=%),$(TEXTURES))
@@ -192,7 +192,7 @@ $(FIRST_STEPS): $(BUILD)/first_steps/%: $(BUILD)/chapters/first_steps/%.o $(EXTR
 	@mkdir -p $(@D)
 	$(call say,link $@) $(CC) $(INSTRUMENT) $(LDFLAGS) -o $@ $^ $(LINK)
 
-$(PAINTED): $(PAINT)
+$(PAINTED): $(filter-out $(if $(WEB),%/paint.o),$(PAINT))
 	@rm -f $@
 	@$(AR) rcs $@ $^
 
