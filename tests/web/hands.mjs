@@ -109,6 +109,48 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     await page.close();
 }
 
+// ---- Clay that is sculpted ----
+
+for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
+    ({page, said} = await open('23_stored_distances.html', {...context, bypassCSP: true}));
+    const finger = context === PHONE;
+    await page.locator('.in-place .live-start').first()[finger ? 'tap' : 'click']();
+    await comes(page, 's.parameters.some((p) => p.name === "tool")');
+    await page.evaluate(() => {
+        const {program} = document.querySelector('.live-window');
+        program.call('live_set', 'turnSpeed', 0, 0);
+        program.call('live_set', 'tool', 0, 0.1);
+    });
+    now = await comes(page, 's.tool');
+    check(`${name}: a tool has a button that takes back its last stroke`, now.tool === true && await page.getByRole('button', {name: 'Undo stroke'}).count() === 1);
+    await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
+    const still = async () => { // the picture, once it no longer changes
+        for (let last = '', next; ; last = next) {
+            await page.waitForTimeout(400);
+            next = (await page.locator('.live-canvas').screenshot()).toString('base64');
+            if (next === last) return next;
+        }
+    };
+    const bare = await still(), box = await page.locator('.live-canvas').boundingBox();
+    const at = (share) => [box.x + (0.42 + share) * box.width, box.y + 0.5 * box.height];
+    if (finger) {
+        const fingers = await page.context().newCDPSession(page), touch = (type, ...points) => fingers.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([x, y]) => ({x, y}))});
+        await touch('touchStart', at(0));
+        for (let i = 1; i <= 4; i++) await touch('touchMove', at(0.02 * i));
+        await touch('touchEnd');
+    } else {
+        await page.mouse.move(...at(0));
+        await page.mouse.down();
+        await page.mouse.move(...at(0.08), {steps: 4});
+        await page.mouse.up();
+    }
+    check(`${name}: a drag over the clay adds clay`, await still() !== bare);
+    await page.evaluate(() => [...document.querySelectorAll('button')].find((one) => one.textContent.trim() === 'Undo stroke' || one.title === 'Undo stroke' || one.ariaLabel === 'Undo stroke').click());
+    check(`${name}: which the button takes back`, await still() === bare);
+    check(`${name}: no error in the console`, said.length === 0, said);
+    await page.close();
+}
+
 // ---- Numbers in sentences ----
 
 ({page, said} = await open('03_shadows.html', {...DESK, bypassCSP: true}));
