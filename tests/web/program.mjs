@@ -323,9 +323,9 @@ const rewrite = (more) => apart.page.evaluate((more) => {
 }, more);
 await rewrite('//');
 await until(apart.page, (s) => s.compiles);
-const frames = await apart.page.evaluate(() => window.calls.drawArrays), at = (await state(apart.page)).time;
+const drawings = await apart.page.evaluate(() => window.calls.drawArrays), at = (await state(apart.page)).time;
 now = await until(apart.page, (s) => s.time > at + 0.2);
-check('while a changed text compiles, the picture moves on', now.compiles && now.error === '' && await apart.page.evaluate(() => window.calls.drawArrays) > frames);
+check('while a changed text compiles, the picture moves on', now.compiles && now.error === '' && await apart.page.evaluate(() => window.calls.drawArrays) > drawings);
 await rewrite('wrong');
 await frames(apart.page, 60);
 check('a further change is compiled instead', (await state(apart.page)).compiles);
