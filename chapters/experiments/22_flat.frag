@@ -16,8 +16,14 @@ float sceneDistance(vec3 p)
 {
     listValue = 1e9;
     for (int i = 0; i < grid.count; i += 8) {
-        takePart(i, p), takePart(i + 1, p), takePart(i + 2, p), takePart(i + 3, p);
-        takePart(i + 4, p), takePart(i + 5, p), takePart(i + 6, p), takePart(i + 7, p);
+        takePart(i, p);
+        takePart(i + 1, p);
+        takePart(i + 2, p);
+        takePart(i + 3, p);
+        takePart(i + 4, p);
+        takePart(i + 5, p);
+        takePart(i + 6, p);
+        takePart(i + 7, p);
     }
     here = Cell(vec3(-1e4), 2e4, 0, 1, 0.0); // one cell around everything
     return listValue;
