@@ -148,7 +148,7 @@ static void store(const struct box *box, unsigned char *grid)
 void sculpt_piece(unsigned char *grid, const unsigned char *before, const double from[3],
                   const double to[3], double radius, int slices[2])
 {
-    struct box box;
+    struct box box = {.value = NULL};
     slices[0] = slices[1] = 0;
     if (!find_box(from, to, fabs(radius), box.low, box.size))
         return;

@@ -114,7 +114,9 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
 for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
     ({page, said} = await open('23_stored_distances.html', {...context, bypassCSP: true}));
     const finger = context === PHONE;
-    await page.locator('.in-place .live-start').first()[finger ? 'tap' : 'click']();
+    const hat = page.locator('.in-place:has(img[src*="-hat"])');
+    await hat.scrollIntoViewIfNeeded();
+    await hat.locator('.live-start')[finger ? 'tap' : 'click']();
     await comes(page, 's.parameters.some((p) => p.name === "tool")');
     await page.evaluate(() => {
         const {program} = document.querySelector('.live-window');
