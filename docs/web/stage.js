@@ -13,7 +13,7 @@ const PAD = [['◀', 65, 'left'], ['▲', 87, 'forwards'], ['▼', 83, 'backward
 const RESTART = 82, SHIFT = 1, NEXT_HANDLE = 257, TAKE_BACK = 85;
 // The drawing of a button on a narrow page, within 24 by 24 units.
 const ICONS = {
-    'Pause': 'M8 5v14M16 5v14', 'Resume': 'M8 5l11 7-11 7z', 'Restart': 'M5 12a7 7 0 1 0 2-5M5 3v5h5', 'Views': 'M2 12q10-14 20 0q-10 14-20 0zM12 9a3 3 0 1 0 .1 0',
+    'Pause': 'M8 5v14M16 5v14', 'Resume': 'M8 5l11 7-11 7z', 'Restart': 'M5 12a7 7 0 1 0 2-5M5 3v5h5', 'Undo stroke': 'M9 4L4 9l5 5M4 9h10a5 5 0 0 1 0 10H9', 'Views': 'M2 12q10-14 20 0q-10 14-20 0zM12 9a3 3 0 1 0 .1 0',
     'Values': 'M4 6h16M4 12h16M4 18h16M9 4v4M15 10v4M7 16v4', 'Ray': 'M12 3v6M12 15v6M3 12h6M15 12h6M12 11.5v1', 'Move': 'M12 3v18M3 12h18M9 6l3-3 3 3M9 18l3 3 3-3M6 9l-3 3 3 3M18 9l3 3-3 3',
     'Edit': 'M4 20l1-5L16 4l4 4L9 19z', 'Full screen': 'M4 9V4h5M15 4h5v5M20 15v5h-5M9 20H4v-5', 'Close': 'M5 5l14 14M19 5L5 19',
 };
@@ -82,7 +82,7 @@ export class Stage {
         this.time.setAttribute('aria-label', 'Time in seconds');
         this.time.addEventListener('change', () => this.call('live_time', Number(this.time.value)));
         this.back = this.button('Reset camera', () => this.press(RESTART, SHIFT), {title: 'Reset the camera and the time'});
-        this.undo = this.button('Undo stroke', () => this.press(TAKE_BACK));
+        this.undo = this.icon('Undo stroke', () => this.press(TAKE_BACK));
         this.still = part('small', {className: 'live-still', textContent: 'time is paused, because your system asks for reduced motion', hidden: true});
         this.changes = new Changes(this);
         this.values = new Values(this);
