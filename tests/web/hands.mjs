@@ -231,7 +231,7 @@ await page.close();
 ({page, said} = await open('01_normal_colouring.html', {...PHONE, bypassCSP: true}));
 await page.locator('.live-start').first().tap();
 await comes(page, 's.rate > 0');
-const icons = await page.locator('.live-iconed').evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({top, height, width}) => [Math.round(top), height, width]));
+const icons = await page.locator('.live-iconed:not([hidden])').evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({top, height, width}) => [Math.round(top), height, width]));
 check('the controls are one row of drawings, large enough for a thumb', icons.length === 9 && new Set(icons.map(([top]) => top)).size === 1 && icons.every(([, height, width]) => height >= 44 && width >= 32), icons);
 await page.locator('.live-canvas').tap({position: {x: 190, y: 120}});
 await page.waitForSelector('.live-slice:not([hidden])');
