@@ -26,7 +26,8 @@ let from = await page.evaluate(() => scrollY);
 await page.mouse.wheel(0, 200);
 check('the wheel scrolls the page over a program that has just started', await scrolled(page, from));
 for (const key of ['Space', 'PageDown']) {
-    await page.evaluate(() => scrollTo(0, 0));
+    await page.evaluate(() => scrollTo({top: 0, behavior: 'instant'})); // a smooth scroll would end the key's
+    await page.waitForFunction(() => scrollY === 0);
     await page.keyboard.press(key);
     check(`so does ${key}`, await scrolled(page, 0));
 }
