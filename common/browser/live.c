@@ -102,10 +102,10 @@ static void add_file(void *json, const char *path)
 int live_run(const struct chapter *chapter, int argc, char **argv)
 {
     live.chapter = *chapter;
-    if (live.begins)
+    if (live.begins) {
         chapter_begin(&live.run, &live.chapter, argc, argv);
-    if (live.begins)
         return 0;
+    }
     if (!live.visits)
         return chapter_open(&live.run, &live.chapter, argc, argv);
     struct json json = {.stream = memory_open(&live.answer)};

@@ -122,9 +122,8 @@ static bool check_sense(const struct shader_source *source)
     t = growth_find(code);
     return t == NULL ||
            shader_refuse(source, t->line,
-                         "%.*s: stands for more than %.0f million words and signs, when "
-                         "each macro and function in it is expanded: more than a "
-                         "graphics driver can compile",
+                         "%.*s: expands to more than %.0f million tokens, with all macros and "
+                         "functions in it: more than a graphics driver can compile",
                          t->length < 40 ? t->length : 40, code->text + t->begin,
                          GROWTH_LIMIT / 1e6);
 }

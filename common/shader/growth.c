@@ -19,11 +19,11 @@ struct growth {
     struct body *body;
     int bodies;
     struct size {
-        int body;     // index of its last definition; -1: none
-        int uses;     // of a macro: how often it repeats an argument, at most
-        int mentions; // in the macro that is being counted
-        double words; // that one mention stands for, without arguments; 0: not known yet
-    } * of;           // of each name
+        int body;      // index of its last definition; -1: none
+        int uses;      // of a macro: how often it repeats an argument, at most
+        int mentions;  // in the macro that is being counted
+        double tokens; // to which one mention expands, without arguments; 0: not known yet
+    } * of;            // of each name
 };
 
 static void add_body(struct growth *growth, struct body body)
@@ -87,27 +87,28 @@ static void add_bodies(struct growth *growth)
         }
 }
 
-// How many words some tokens stand for.
+// How many tokens a part of the text expands to.
 //   heaviest  receives the word with the largest part, or NULL; may be NULL
-static double words_of(struct growth *growth, const struct glsl_token *from,
-                       const struct glsl_token *end, int depth, const struct glsl_token **heaviest);
+static double tokens_of(struct growth *growth, const struct glsl_token *from,
+                        const struct glsl_token *end, int depth,
+                        const struct glsl_token **heaviest);
 
-// How many words a mention of a name stands for.
-static double words_of_name(struct growth *growth, int name, int depth)
+// How many tokens a mention of a name expands to.
+static double tokens_of_name(struct growth *growth, int name, int depth)
 {
     struct size *size = &growth->of[name];
-    if (size->words > 0.0)
-        return size->words;
+    if (size->tokens > 0.0)
+        return size->tokens;
     if (size->body < 0 || depth == 0)
         return 1.0;
-    size->words = 1.0; // where it mentions itself, it stays as it is
+    size->tokens = 1.0; // where it mentions itself, it stays as it is
     double most = 1.0;
     for (int i = size->body; i >= 0; i = growth->body[i].next) {
         const struct body *body = &growth->body[i];
-        double words = words_of(growth, body->from, body->end, depth - 1, NULL);
-        most = words > most ? words : most;
+        double tokens = tokens_of(growth, body->from, body->end, depth - 1, NULL);
+        most = tokens > most ? tokens : most;
     }
-    return size->words = most;
+    return size->tokens = most;
 }
 
 // The bracket that ends the arguments behind a macro's name; NULL if there are none.
@@ -123,29 +124,29 @@ static const struct glsl_token *end_of_arguments(const struct glsl_token *name,
     return NULL;
 }
 
-static double words_of(struct growth *growth, const struct glsl_token *from,
-                       const struct glsl_token *end, int depth, const struct glsl_token **heaviest)
+static double tokens_of(struct growth *growth, const struct glsl_token *from,
+                        const struct glsl_token *end, int depth, const struct glsl_token **heaviest)
 {
     double all = 0.0, most = 0.0;
     bool closed = true; // so far, the brackets of arguments are
     for (const struct glsl_token *t = from; t < end; t++) {
         const struct glsl_token *word = t, *close = NULL;
-        double words = t->kind < GLSL_HASH ? 1.0 : 0.0;
+        double tokens = t->kind < GLSL_HASH ? 1.0 : 0.0;
         if (t->kind == GLSL_WORD) {
             int uses = growth->of[t->name].uses;
-            words = words_of_name(growth, t->name, depth);
+            tokens = tokens_of_name(growth, t->name, depth);
             if (uses > 1 && depth > 0 && closed && t + 1 < end && t[1].sign == '(') {
                 close = end_of_arguments(t, end);
                 closed = close != NULL;
             }
             if (close != NULL) {
-                words += uses * words_of(growth, t + 1, close, depth - 1, NULL);
+                tokens += uses * tokens_of(growth, t + 1, close, depth - 1, NULL);
                 t = close;
             }
         }
-        all += words;
-        if (word->kind == GLSL_WORD && words > most) {
-            most = words;
+        all += tokens;
+        if (word->kind == GLSL_WORD && tokens > most) {
+            most = tokens;
             if (heaviest != NULL)
                 *heaviest = word;
         }
@@ -160,7 +161,7 @@ static const struct glsl_token *heaviest_in(struct growth *growth, int name)
         const struct body *body = &growth->body[i];
         const struct glsl_token *heaviest = NULL;
         if (body->function &&
-            words_of(growth, body->from, body->end, DEPTH_LIMIT, &heaviest) > GROWTH_LIMIT)
+            tokens_of(growth, body->from, body->end, DEPTH_LIMIT, &heaviest) > GROWTH_LIMIT)
             return heaviest;
     }
     return NULL;
@@ -176,7 +177,7 @@ const struct glsl_token *growth_find(const struct glsl *code)
     add_bodies(&growth);
     for (int i = 0; i < growth.bodies && found == NULL; i++) {
         int name = growth.body[i].name;
-        found = words_of_name(&growth, name, DEPTH_LIMIT) > GROWTH_LIMIT
+        found = tokens_of_name(&growth, name, DEPTH_LIMIT) > GROWTH_LIMIT
                     ? heaviest_in(&growth, name)
                     : NULL;
     }
@@ -186,7 +187,7 @@ const struct glsl_token *growth_find(const struct glsl *code)
         while (end->kind != GLSL_END && end->sign != '{')
             end++;
         within = NULL;
-        if (words_of(&growth, from, end, DEPTH_LIMIT, &within) > GROWTH_LIMIT)
+        if (tokens_of(&growth, from, end, DEPTH_LIMIT, &within) > GROWTH_LIMIT)
             found = within;
         from = end = end->kind != GLSL_END ? glsl_partner(code, end) : end;
     }

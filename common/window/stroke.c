@@ -108,6 +108,8 @@ void window_stroke_rest(struct window *window)
 
 void window_take_back(struct window *window, int count)
 {
+    if (window->pointer.owner == OWNER_STROKE)
+        return;
     strokes_take_back(window->start->strokes, count);
     window->moved = window->stale = window->dirty = true;
 }

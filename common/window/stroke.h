@@ -17,7 +17,7 @@ void window_stroke_input(struct window *window, const struct window_event *event
 // after the events.
 void window_stroke_rest(struct window *window);
 
-// Take back the last strokes, at most this many.
+// Take back the last strokes, at most this many; nothing while one is being made.
 void window_take_back(struct window *window, int count);
 
 #endif

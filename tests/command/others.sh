@@ -155,7 +155,7 @@ if [ "$BUILD" = build ]; then
     limited() { (ulimit -v 1000000; bomb); }
     check 'within the limit of the process' limited
 fi
-refused bomb 'bomb.frag:42: A40: stands for more than 4 million' 'macros that grow without end' \
+refused bomb 'bomb.frag:42: A40: expands to more than 4 million' 'macros that grow without end' \
     < <(echo '#define A0 p.x'; for i in {1..40}; do echo "#define A$i A$((i - 1)) + A$((i - 1))"; done; echo "$head { c = vec4(A40); }")
 
 # ---- make play ----

@@ -249,7 +249,7 @@ IN_PROJECT(test_texts_without_sense)
     assert_non_null(strstr(said, "main.frag: contains only comments"));
 }
 
-// A text of lines in which each name stands for the one before it, twice.
+// A text of lines in which each name expands to the one before it, twice.
 //   line   "%1$d" is its number, and "%2$d" the number before
 //   ascends  the lines are in this order
 static const char *doubled(const char *line, int count, bool ascends, const char *last)
@@ -281,13 +281,13 @@ IN_PROJECT(test_texts_that_grow)
     shader_free(&source);
     snprintf(text, sizeof text, use, "A28");
     assert_refused(doubled(macro, 28, true, text),
-                   "main.frag:30: A28: stands for more than 4 mill");
-    assert_refused(doubled(macro, 28, false, text), "main.frag:30: A28: stands for");
-    assert_refused(doubled(macro, 28, true, "float a = A28;\n"), "main.frag:30: A28: stands for");
+                   "main.frag:30: A28: expands to more than 4 mill");
+    assert_refused(doubled(macro, 28, false, text), "main.frag:30: A28: expands to");
+    assert_refused(doubled(macro, 28, true, "float a = A28;\n"), "main.frag:30: A28: expands to");
     snprintf(text, sizeof text, use, "D28(1.0)");
-    assert_refused(doubled(call, 28, true, text), "main.frag:30: D28: stands for");
+    assert_refused(doubled(call, 28, true, text), "main.frag:30: D28: expands to");
     snprintf(text, sizeof text, CALLS "%s", doubled(function, 28, true, "out vec4 o;\n"));
-    assert_refused(text, "main.frag:21: f18: stands for");
+    assert_refused(text, "main.frag:21: f18: expands to");
     // Arguments that are repeated, and a name that stays as it is inside itself.
     char nested[512] = "1.0";
     for (int i = 0; i < 24; i++) {
@@ -296,10 +296,10 @@ IN_PROJECT(test_texts_that_grow)
         snprintf(nested, sizeof nested, "D(%.500s)", before);
     }
     snprintf(text, sizeof text, "#define D(x) (x) + (x)\nfloat a = %s;\n", nested);
-    assert_refused(text, "main.frag:3: D: stands for");
+    assert_refused(text, "main.frag:3: D: expands to");
     snprintf(text, sizeof text,
              "#define D(x) (x) + (x)\nout vec4 o; void main() { o = vec4(%s); }\n", nested);
-    assert_refused(text, "main.frag:3: D: stands for");
+    assert_refused(text, "main.frag:3: D: expands to");
     source =
         read_well("#define f(x) f(x + 1.0) + g\n#define g f(2.0)\n"
                   "float h(float x) { return x; }\nout vec4 o; void main() { o = vec4(h(g)); }\n");

@@ -63,6 +63,20 @@ SESSION_TEST(strokes_are_taken_back)
     session_close();
 }
 
+SESSION_TEST(a_stroke_that_is_being_made_is_not_taken_back)
+{
+    session_open_bare(CHAPTER, OPTIONS "0.06");
+    session_said(1);
+    user_point(118, 80);
+    user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
+    session_turn();
+    session_shift_key(GLFW_KEY_U);
+    user_point(126, 88);
+    session_turn();
+    assert_int_equal(strncmp(let_go(), "--stroke ", 9), 0);
+    session_close();
+}
+
 SESSION_TEST(shift_takes_back_those_of_the_command_line_too)
 {
     session_open_bare(CHAPTER, OPTIONS "0.06 --stroke 0.09,-0.36,0.06,-0.38,-0.37,-0.14,-0.25");
