@@ -147,14 +147,13 @@ check 'and fills it, whatever its size' square "$sources/1_screen.frag"
 check 'Backspace ends it with status 0' backspace
 check 'nothing was reported' [ ! -s "$scratch/said" ]
 
-mine=$scratch/mine.frag
 cp "$sources/2_distance.frag" "$mine"
 check 'step 2 opens a file' begin 2 "$mine"
 check 'and shows it' square "$sources/2_distance.frag"
-told() { cp "$scratch/wrong.frag" "$mine" && eventually grep -q "^engine: $mine:13: .*rde" "$scratch/said" && shown wanted; }
+told() { save "$(cat "$scratch/wrong.frag")" && eventually grep -q "^engine: $mine:13: .*rde" "$scratch/said" && shown wanted; }
 sed 's/red, green/rde, green/' "$sources/1_screen.frag" >"$scratch/wrong.frag"
 check 'a mistake is told, and the last good picture stays' told
-follows() { cp "$sources/1_screen.frag" "$mine" && square "$sources/1_screen.frag"; }
+follows() { save "$(cat "$sources/1_screen.frag")" && square "$sources/1_screen.frag"; }
 check 'a file that is saved is shown' follows
 check 'it is one line' [ "$(wc -l <"$scratch/said")" = 1 ]
 check 'the button that closes ends it with status 0' closes
