@@ -35,15 +35,22 @@ float wordCover(int word, vec2 place)
     return signCover(word, ivec2(floor(place)));
 }
 
+// 10^n, for n in [0, 9], as a product of powers whose exponents are powers of 2. A loop over the digits would be copied
+// into each number of a picture; llvmpipe then needs minutes to compile four numbers.
+int powerOfTen(int n)
+{
+    return ((n & 1) != 0 ? 10 : 1) * ((n & 2) != 0 ? 100 : 1) * ((n & 4) != 0 ? 10000 : 1) * (n > 7 ? 100000000 : 1);
+}
+
 // How many digits a number has, at least one before the point.
 //   number    >= 0
 //   decimals  how many of the digits are behind the point
 int digitsOf(int number, int decimals)
 {
     int digits = 1;
-    for (int rest = number / 10; rest > 0 || digits <= decimals; rest /= 10)
-        digits++;
-    return digits;
+    digits += int(number > 9) + int(number > 99) + int(number > 999) + int(number > 9999) + int(number > 99999);
+    digits += int(number > 999999) + int(number > 9999999) + int(number > 99999999) + int(number > 999999999);
+    return max(digits, decimals + 1);
 }
 
 // The width in cells of number / 10^decimals: 4 per digit, 2 for the point, 4 for the sign, without the last
@@ -72,9 +79,8 @@ float numberCover(int number, int decimals, vec2 place)
             return signCover(0, at + ivec2(SIGN_POINT * wide - point, 0));
         at.x -= 2 * cell;
     }
-    for (int i = digits - 1 - at.x / wide; i > 0; i--)
-        rest /= 10;
-    return signCover(0, ivec2(rest % 10 * wide + at.x % wide, at.y));
+    int digit = rest / powerOfTen(max(digits - 1 - at.x / wide, 0)) % 10;
+    return signCover(0, ivec2(digit * wide + at.x % wide, at.y));
 }
 
 #endif
