@@ -40,7 +40,7 @@ vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
 // ---- A panorama ----
 
 // The position of a direction in a panorama of the upper half of the sky.
-//   direction  length 1; below the horizon as at it
+//   direction  length 1; below the horizon it counts as horizontal
 //   returns    u, turns from north through east, in [-1/2, 1/2], with a jump at the south; v, the root of the height
 //              above the horizon, where a quarter turn is 1
 vec2 panoramaPlace(vec3 direction)
@@ -87,7 +87,7 @@ Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float widt
 // The clouds of a thin layer over a round Earth.
 //   layer     its cover, seen from below; repeats in u, to the north, and in v, to the east
 //   eye       above the ground, km; x and z grow as the eye moves, and against the wind
-//   direction, altitude  as of layerHit; below the horizon as at it
+//   direction, altitude  as of layerHit; below the horizon the direction counts as horizontal
 //   period    of the picture, km
 //   width     angle of a pixel, radians
 //   formula   the picture at eye + t direction, t of layerHit, averaged over width t / sin of the angle at which
@@ -187,7 +187,7 @@ float discLeft(float weather)
 }
 
 // The light of an overcast sky in a direction: three times as bright overhead as at the horizon.
-//   sinHeight  the direction's y; below the horizon as at it
+//   sinHeight  the direction's y; below 0 it counts as 0
 //   white      the light of a horizontal white surface under such a sky
 //   formula    9/7 white (1 + 2 y) / 3: a horizontal surface receives pi white from all of it together
 // Source: P. Moon, D. E. Spencer, 'Illumination from a non-uniform sky', Illuminating Engineering 37 (1942);

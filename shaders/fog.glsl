@@ -31,7 +31,7 @@ float fogDepth(float height, float climb, float t, float density, float scale)
 
 // The optical depth of a whole ray to the sky.
 //   the other parameters are those of fogDepth
-//   formula  density exp(-height / scale) scale / climb, the limit for t to infinity. If climb is less than 1e-5,
+//   formula  density exp(-height / scale) scale / climb, the limit as t tends to infinity. If climb is less than 1e-5,
 //            also below the horizon, 1e-5 replaces it. Exact above
 float skyFogDepth(float height, float climb, float density, float scale)
 {

@@ -208,7 +208,7 @@ vec2 moonPlace(vec3 seen, float radius)
 // The light of the moon's face above the air, lit by the sun and the Earth.
 //   face     textures/moon.png, linear: the albedo / 0.40, and the slopes to the right and upwards, with 0 for
 //            -0.30 and 1 for 0.30
-//   place    from moonPlace; outside the disc as at its rim
+//   place    from moonPlace; outside the disc it counts as on its rim
 //   width    of the pixel, in radii
 //   toSun    in the moon's frame, length 1
 //   relief   factor by which the slopes are exaggerated

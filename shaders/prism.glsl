@@ -59,7 +59,7 @@ struct Beam {
 //   radius     from the centre to a side, scene units
 //   glass      Cauchy's two numbers; the plan's index of green must be below 2, or no light passes symmetrically
 //   rise       as for planIndex
-//   halfWidth  of the beam, scene units, small against radius
+//   halfWidth  of the beam, scene units, small compared with radius
 //   formula    the light at q has left the second side at a point that depends on its wavelength. prismIndex for
 //              the direction from there gives the index, and the index the point: three iterations, for each edge
 //              of the beam. In the middle of the beam the wavelength is right to 0.0005. The beam is assumed to be as

@@ -14,7 +14,7 @@ const vec3 RAYLEIGH = vec3(0.04, 0.1, 0.25);
 const float EARTH = 721.5;
 
 // How much air a ray passes, as a multiple of the air overhead.
-//   sinHeight  sine of the height above the horizon, in [-1, 1]; below the horizon as at it
+//   sinHeight  sine of the height above the horizon, in [-1, 1]; below 0 it counts as 0
 //   returns    1 at the zenith, 38 at the horizon; about 1 / sinHeight where that is large
 //   formula    (2 E + 1) / (sqrt((E y)^2 + 2 E + 1) + E y), E = EARTH, y = max(sinHeight, 0)
 float airMass(float sinHeight)
@@ -101,7 +101,7 @@ float daylight(float sinHeight)
 
 // The light of the sky in a direction, from the sun alone: light that the air scatters, and the halo of the
 // dust. 1 is about the brightness of a sky at noon.
-//   direction  length 1; below the horizon as at it
+//   direction  length 1; below the horizon it counts as horizontal
 //   sun        direction of the sun, length 1
 //   depth      optical depth of the air overhead, per channel, > 0
 //   formula    gain day^2 (0.6 + 0.4 c^2) scatteredLight + day transmittance glow, c the cosine of the

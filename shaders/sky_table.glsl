@@ -41,8 +41,8 @@ float drawnOut(float sine, float k)
 }
 
 // Column (x) and row (y) of the sky in a table: 0 is the centre of the first one, 1 that of the last one.
-//   sun        sine of the sun's height; below LOWEST_SUN as at it
-//   direction  sine of its height; below 0 as at 0
+//   sun        sine of the sun's height; below LOWEST_SUN it counts as that
+//   direction  sine of its height; below 0 it counts as 0
 vec2 skyPlace(float sun, float direction)
 {
     float lowest = drawnOut(LOWEST_SUN, SKY_WIDTH.x), column = drawnOut(max(sun, LOWEST_SUN), SKY_WIDTH.x);
@@ -197,7 +197,7 @@ vec3 tableSunlight(vec3 sun)
 //   direction  of the ray, length 1
 //   sun        direction of the sun, length 1
 //   radius     of the disc, radians: 0.00466 is the real one. A larger disc sends as much light in all
-//   returns    linear light: 46,000 times tableSunlight in the mean of a disc of the real radius
+//   returns    linear light: 46,000 times tableSunlight on average over a disc of the real radius
 //   formula    the table by |direction - sun| / radius and by the direction's height, times the light of a
 //              disc of this size, and outside of it times 0.004 (1 + 0.054 x^2)^(-3/2), x the distance in radii: the
 //              dust's coarsest grains scatter like this, by phaseDust with 0.98 for DUST_FORWARD
@@ -243,7 +243,7 @@ float hourStops(float sinSunHeight)
     return -2.0 - 0.85 * log2(exp2(skyBrightness(max(sinSunHeight, -0.4))) + 6e-8);
 }
 
-// Light as a daylight film records it: white is the colour of white paper at noon in sunlight alone, where the screen's
+// Light as a daylight film records it: white is the colour of white paper at noon in sunlight alone, whereas the screen's
 // white would be bluer. Before exposed(), after all light is added.
 //   light    linear, >= 0
 //   formula  light over the colour of tableSunlight with the sun 48 degrees high, of brightness 1

@@ -28,7 +28,7 @@ float cauchyWave(vec2 glass, float index)
     return sqrt(glass.y / max(index - glass.x, 1e-9));
 }
 
-// A bell with two different halves: 1 at middle, 1 / e at a distance of below under it and of above over it.
+// A bell with two different halves: 1 at middle, 1 / e at middle - below and at middle + above.
 float bell(float x, float middle, float below, float above)
 {
     float part = (x - middle) / (x < middle ? below : above);

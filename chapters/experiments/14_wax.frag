@@ -1,5 +1,5 @@
 // Experiment of chapter 14: three candles and a sprig of leaves on a sill, at dusk. The light that
-// shines through wax and leaf comes from the flames, weakened by its path inside.
+// shines through wax and leaf comes from the flames, and the path inside weakens it.
 #include "main.glsl"
 #include "bounds.glsl"
 #include "combine.glsl"

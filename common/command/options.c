@@ -161,7 +161,7 @@ static bool complete(struct options *options)
                "frame-%%04d.png",
                options->output);
     else if (film && options->probe_count > 0 && !shader_shows_ray(options->view) && !options->walk)
-        report("--probe: cannot be combined with --frames, except in the views slice and plot and "
+        report("--probe: cannot be combined with --frames, except in the slice and plot views and "
                "with --step walk");
     else if (film && fabs(options->time) + options->frames / options->fps > OPTIONS_LIMIT)
         report("--frames: the last time must be between -1e9 and 1e9 seconds");

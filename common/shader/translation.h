@@ -10,7 +10,7 @@
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 enum {
-    MARK_OWN = 1, // the author's name for something else than the target's: it gets own_
+    MARK_OWN = 1, // the author uses the name for something other than the target does: it gets own_
     MARK_LINE = 2 // a sampler1D
 };
 

@@ -4,7 +4,7 @@
 
 #include "window/state.h"
 
-// Change the focal length, or in the views slice and plot their zoom, by notches of the wheel.
+// Change the focal length, or in the slice and plot views their zoom, by notches of the wheel.
 void window_zoom(struct window *window, double notches);
 
 // True if the shader has both projections: it has a parameter named orthographic, or it is a

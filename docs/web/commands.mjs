@@ -33,7 +33,7 @@ export function pictureOf(name) {
 // An interactive figure's shader.
 export const isFigure = (line) => /(?:-f|--shader)[ =]chapters\/figures\//.test(line);
 
-// The words of a command as a shell reads them; a comment after it ends it.
+// The words of a command as a shell reads them; a comment ends it.
 function wordsOf(command) {
     const words = [];
     for (const [word] of command.matchAll(/(?:'[^']*'|[^\s'])+/g)) {

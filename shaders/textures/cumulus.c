@@ -180,7 +180,7 @@ static double light_from(const struct cumulus *field, const double p[3], double 
 // ---- The panorama ----
 
 // Cosine and sine of a part of a turn: a half, a quarter, an eighth, ..., each halved with the
-// root, are combined as the bits of u say.
+// root, are combined according to the bits of u.
 static void turn(double u, double *cosine, double *sine)
 {
     double c = 1.0, s = 0.0, half_c = -1.0, half_s = 0.0, rest = 2.0 * (u - floor(u));

@@ -90,7 +90,7 @@ static void relax(struct grid *grid, ptrdiff_t i)
     grid->distance[i] = least_of(*here, solve(a, b, c, grid->cell));
 }
 
-// Visit all points, each axis upwards or downwards as a bit of the order says.
+// Visit all points, each axis upwards or downwards, according to a bit of the order.
 static void sweep(struct grid *grid, int order)
 {
     const int *size = grid->size;

@@ -1,5 +1,4 @@
-// sweep.h - distances again, where a grid has been changed and its values are no distances any
-// more.
+// sweep.h - makes the values of a grid distances again after some of them have been changed.
 #ifndef SWEEP_H
 #define SWEEP_H
 
@@ -8,7 +7,7 @@
 // Replace the values of a grid by the distances to the surface on which they are 0.
 //   value  size[0] x size[1] x size[2] numbers, x fastest: negative inside, positive outside,
 //          continuous; only their signs and their ratios across the surface matter
-//   keep   of each point, whether its value is a distance already and stays. The values beside the
+//   keep   for each point, whether its value is already a distance and stays. The values beside the
 //          surface then stay too, so that it does not move. NULL: no value stays
 //   size   points on each axis, >= 2
 //   cell   distance between neighbours, > 0

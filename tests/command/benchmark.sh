@@ -99,7 +99,7 @@ known() {
 }
 check 'a known march, and rays that do not march left out' known
 # Parallel rays perpendicular to a plane 10 away: a march takes 2 evaluations. The picture has two blocks, whose
-# cylinder also takes 2: 4 shared among 128 pixels, in the mean and in the march. The bound is that of single rays.
+# cylinder also takes 2: 4 shared among 128 pixels, counted in the mean and in the march. The bound is that of single rays.
 cat >"$scratch/shared.frag" <<'GLSL'
 #include "main.glsl"
 #include "march.glsl"

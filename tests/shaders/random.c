@@ -159,9 +159,9 @@ static void numbers_of(int sample, int dimension, double number[COUNT])
         number[i] = random_of(i % SIDE, i / SIDE, sample, dimension);
 }
 
-// The mean of n numbers has a standard deviation of 1 / sqrt(12 n), their second moment about 1/2
-// one of 1 / sqrt(180 n). A value beyond 4.5 of these occurs once in 150,000 tries, and here are
-// 108.
+// The mean of n numbers has a standard deviation of 1 / sqrt(12 n), and their second moment about
+// 1/2 one of 1 / sqrt(180 n). A value beyond 4.5 of these occurs once in 150,000 tries, and there
+// are 108 values.
 TEST(their_mean_is_a_half_their_variance_a_twelfth)
 {
     static double number[COUNT];

@@ -53,7 +53,7 @@ TEST(test_tables_are_right_along_their_middles)
     for (int half = -1; half <= 1; half += 2) {
         struct sky_table_error e = sky_table_error(0, half, false);
         print_message(
-            "# azimuth %3d: off by %.2f of 255 in the mean, %.2f at most, sun %.1f, height %.1f\n",
+            "# azimuth %3d: off by %.2f of 255 on average, %.2f at most, sun %.1f, height %.1f\n",
             half > 0 ? 0 : 180, e.mean, e.most, e.sun, e.height);
         assert_true(e.most >= 0.0 && e.most <= 1.4 && e.mean < 0.15);
     }
@@ -68,7 +68,7 @@ TEST(test_between_the_tables)
         struct sky_table_error e[3];
         for (int way = 0; way < 3; way++) {
             e[way] = sky_table_error(way, azimuth, false);
-            print_message("# azimuth %3d, way %d: off by %.2f of 255 in the mean, %.1f at most, "
+            print_message("# azimuth %3d, way %d: off by %.2f of 255 on average, %.1f at most, "
                           "sun %.1f, height %.1f\n",
                           angle, way, e[way].mean, e[way].most, e[way].sun, e[way].height);
         }

@@ -121,7 +121,7 @@ static void print_bound_row(const char *stem, const char *rays, const struct bou
            sum->lipschitz);
 }
 
-// Rays from height 1: at an angle towards a plane, beside it (0), or away from it.
+// Rays from height 1: at an angle towards a plane, parallel to it (0), or away from it.
 static void print_bound_planes(void)
 {
     static const double angles[] = {60.0, 45.0, 30.0, 10.0, 5.0, 0.0, -5.0, -10.0, -30.0, -60.0};

@@ -47,7 +47,7 @@ export async function serve(folder) {
 
 // ---- The browser ----
 
-export const PATIENCE = Number(process.env.WEB_PATIENCE || 180e3); // milliseconds after which a state that does not come counts as missing
+export const PATIENCE = Number(process.env.WEB_PATIENCE || 180e3); // milliseconds after which a state that has not come counts as missing
 
 //   angle  the renderer: 'gl-egl' is Mesa, 'swiftshader' Chromium's own
 export function launch(angle = 'gl-egl') {
