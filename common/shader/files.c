@@ -63,7 +63,7 @@ static bool is_portable(const char *name, const char *folder, char why[TEXT_FILE
         snprintf(why, TEXT_FILE_WHY, "an absolute path: give one from this file or from %s",
                  folder);
     else if (strchr(name, '\\') != NULL)
-        snprintf(why, TEXT_FILE_WHY, "a \\ separates folders on Windows alone: write /");
+        snprintf(why, TEXT_FILE_WHY, "a \\ separates folders only on Windows: write /");
     return !absolute && strchr(name, '\\') == NULL;
 }
 

@@ -153,7 +153,7 @@ interrupted() { # SIGNAL [STATUS]
     status=$?
     [ $status = "${2-$((128 + $(kill -l "$1")))}" ] && [ -e "$out/00003.png" ] && [ ! -e "$out/04999.png" ] && whole
 }
-if [ "${SYSTEM-}" = Windows ]; then # which has Ctrl+C alone; Wine ends any program at it with 0
+if [ "${SYSTEM-}" = Windows ]; then # which has only Ctrl+C; Wine ends any program at it with 0
     for name in 'a signal in the midst leaves whole pictures' 'a lost terminal too'; do skip "$name" 'Windows has no such signal'; done
     check 'and Ctrl+C' interrupted INT 0
 else

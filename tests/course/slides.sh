@@ -52,7 +52,7 @@ labs=$(grep -cE '^### (Lab [0-9]+|A lab in C):' docs/teaching.md)
 check 'the guide for teachers has labs' [ "$labs" -ge 19 ]
 check 'each lab has two pages' [ "$(pages handouts)" = $((2 * labs)) ]
 check 'and a page with its answers' [ "$(pages handouts-answers)" = "$labs" ]
-apart() { # a question of each kind is on both, its answer on the sheet of answers alone
+apart() { # a question of each kind is on both, its answer only on the sheet of answers
     has handouts 'How many reflections draw 4096 tetrahedra?' && has handouts-answers 'three for each of six levels' &&
         ! has handouts 'three for each of six levels' && has handouts 'Does the ball cast a shadow on the wall?' &&
         has handouts-answers 'it hits the ball behind the lamp' && ! has handouts 'it hits the ball behind the lamp'

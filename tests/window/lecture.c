@@ -188,7 +188,7 @@ SESSION_TEST(digits_with_shift_lead_to_the_parts)
     close_list();
 }
 
-// What the next scene needs is linked before it is asked for; scenes that differ in values alone
+// What the next scene needs is linked before it is asked for; scenes that differ only in values
 // need nothing new.
 SESSION_TEST(the_next_scene_is_compiled_ahead)
 {

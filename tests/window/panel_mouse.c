@@ -67,7 +67,7 @@ static void type(const char *text, int key)
     session_turn();
 }
 
-// Now the selected parameter alone shows its range or its components.
+// Now only the selected parameter shows its range or its components.
 static void leave_panel(void)
 {
     point(400, 200);
