@@ -308,7 +308,7 @@ const struct options_row options_rows[] = {
     {"-f,", "shader", " FILE", set_shader, OPTIONS_RUN,
      "run this fragment shader instead of the chapter's", ""},
     {"", "compare", " [FILE]", set_compare, OPTIONS_RUN,
-     "second shader beside the first; --set after this is for it alone", ""},
+     "second shader beside the first; --set after this is only for it", ""},
     {"", "divider", " FRACTION", set_divider, OPTIONS_RUN,
      "where the second picture of --compare begins, 0 to 1", "0.5"},
     {"", "root", " DIR", set_root, OPTIONS_RUN, "the project's folder",
