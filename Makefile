@@ -442,7 +442,7 @@ web: ## build the programs for a browser in build/web/ (installs Emscripten)
 	@.make/web.sh
 
 test-web: ready site build/tests/compare ## test and measure the programs in Chromium and Firefox, without a display, on Mesa's software renderer
-	@JOBS=1 tests/run web
+	@JOBS=2 tests/run web
 
 # The npm packages of docs/web/, in the versions of its lock file.
 build/node/package-lock.json: docs/web/package.json docs/web/package-lock.json
