@@ -1,5 +1,5 @@
 #!/bin/bash
-# fuzz.sh - `make fuzz`: libFuzzer invents inputs for the parsers of text that people write, which run with clang's
+# fuzz.sh - `make fuzz`: libFuzzer generates inputs for the parsers of user-written text, which are built with clang's
 # sanitizers. It starts from the files in tests/corpus/NAME; tests/lib/fuzz.h lists the conditions that must hold.
 #
 # Environment: DURATION, seconds for each target, 60 by default. Exit status: 0 if nothing was found;

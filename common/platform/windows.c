@@ -253,7 +253,7 @@ static bool may_create(const char *path, char why[PLATFORM_WHY])
     if (strpbrk(path + name_at(path), "<>:\"|?*") != NULL)
         return refuse(why, "a name has none of < > : \" | ? * here: give another");
     if (widen(path, wide) && GetFileAttributesW(wide) != INVALID_FILE_ATTRIBUTES)
-        return refuse(why, "it is a link that leads nowhere: give the name of a file");
+        return refuse(why, "it is a broken link: give the name of a file");
     return true;
 }
 

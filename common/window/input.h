@@ -72,7 +72,7 @@ struct window_input {
     int button; // that is held: 0 left, 1 right
     struct {
         double time, position[2];
-    } press; // the last one of the left button
+    } press; // the last press of the left button
     bool captured;
     bool jumped;        // the next position of the pointer is no movement
     double previous[2]; // the position up to which movement has been counted

@@ -378,7 +378,7 @@ check_pages() {
             "$(.make/listings.sh --check "$page" 2>&1)"
         judge "$page: links, pictures and anchors exist" "$(bad_links "$page")"
         judge "$page: pictures are references that are tested" "$(bad_pictures "$page")"
-        judge "$page: has no mark of an unfinished merge" "$(bad_merges "$page")"
+        judge "$page: has no merge conflict markers" "$(bad_merges "$page")"
         judge "$page: GitHub renders its formulas" "$(bad_formulas "$page")"
         judge "$page: commands are accepted by their programs" "$(bad_commands "$page")"
         judge "$page: probes print the last line that the page shows" "$(bad_outputs "$page")"

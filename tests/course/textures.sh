@@ -43,7 +43,7 @@ for name in $(names); do
     check "$name.png has at most 512 KiB" at_most "$(bytes_of "shaders/textures/$name.png")" $one_limit
 done
 check "there are textures" [ "$(names | wc -l)" -ge 5 ]
-check "together they have at most 4 MiB" at_most "$(bytes_of shaders/textures/*.png)" $all_limit
+check "all textures together have at most 4 MiB" at_most "$(bytes_of shaders/textures/*.png)" $all_limit
 
 alone() { # FOLDER
     local file

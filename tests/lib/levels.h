@@ -1,4 +1,4 @@
-// levels.h - how far a texture that is read at a level is from the mean over the part of it that a
+// levels.h - the difference between a texture lookup at a level and the mean over the area that a
 // pixel covers.
 #ifndef TESTS_LEVELS_H
 #define TESTS_LEVELS_H

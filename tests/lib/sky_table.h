@@ -36,8 +36,8 @@ struct sky_table_error sky_table_error(int way, double azimuth, bool encoded);
 // Naval Observatory circular 171 (1987), a fit to measurements, from 90 degrees to -18.
 double sky_measured_lux(double degrees);
 
-// The same from the integral, in parts: from the sky, scattered once and more often, from the sun,
-// and from the night sky of chapter 18.
+// The same from the integral, in parts: single and multiple scattering in the sky, the sun, and the
+// night sky of chapter 18.
 struct sky_lux {
     double once, more, sun, night;
 };

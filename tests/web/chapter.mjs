@@ -189,7 +189,7 @@ check('a broken link is reported, and the chapter runs', (await torn.page.locato
 await torn.context.close();
 await press(page, 'Undo all');
 await page.waitForSelector('.live-changes', {state: 'hidden'});
-check('what is undone is gone from the address too', await page.evaluate(() => location.hash) === '');
+check('undone edits are gone from the address too', await page.evaluate(() => location.hash) === '');
 await press(page, 'Edit');
 
 // ---- Beside the text ----

@@ -105,10 +105,10 @@ const contrast = await start.evaluate((one) => {
     const [a, b] = [getComputedStyle(one).color, getComputedStyle(one).backgroundColor].map(light);
     return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
 });
-check('the button is read below the pointer', contrast > 4.5, contrast);
+check('the button is legible below the pointer', contrast > 4.5, contrast);
 const [picture, button] = [await page.locator('.live-screen').first().boundingBox(), await start.boundingBox()];
 check('and is in a corner of the picture', button.x + button.width < picture.x + picture.width / 3 && button.y > picture.y + picture.height * 0.75, picture, button);
-check('what is pressed has the letters of the text', await page.evaluate(() => new Set(['.live-start', '.run', 'main p'].map((one) => getComputedStyle(document.querySelector(one)).fontFamily)).size) === 1);
+check('the buttons have the font of the text', await page.evaluate(() => new Set(['.live-start', '.run', 'main p'].map((one) => getComputedStyle(document.querySelector(one)).fontFamily)).size) === 1);
 await page.close();
 
 // ---- The search ----

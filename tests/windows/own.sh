@@ -32,7 +32,7 @@ own_shader() { picture -f "$strange/ombre à midi.frag" -o "$strange/a.png" && a
 check 'a shader with such a name' own_shader
 printf 'x\n' >>"$strange/ombre à midi.frag"
 names_it() { ! picture -f "$strange/ombre à midi.frag" -o "$strange/b.png" && grep -q 'Élève 1 – мир 漢字 𝄞/ombre à midi.frag:[0-9]*: error' "$scratch/why"; }
-check 'an error names it as it is' names_it
+check 'an error prints this name unchanged' names_it
 deep=$strange
 for number in 1 2 3 4 5 6; do deep="$deep/un dossier profond au nom assez long, n° $number"; done
 mkdir -p "$deep"
