@@ -79,6 +79,12 @@ float sceneDistance(vec3 p)
     return min(min(parapet, ball), min(slender, stairDistance(p)));
 }
 
+// The camera stops in front of the objects and above the floor.
+float cameraRoom(vec3 p)
+{
+    return min(sceneDistance(p), p.y) - 0.1;
+}
+
 vec3 sunDirection()
 {
     float azimuth = radians(sunAzimuth + sunSpeed * iTime), elevation = radians(sunElevation);
