@@ -67,8 +67,9 @@ static const float *camera_vector(const struct export *e, enum input_meaning mea
 static bool is_left_out(const char *file)
 {
     static const char *const names[] = {
-        "shaders/main.glsl", "shaders/views.glsl",  "shaders/ramp.glsl",  "shaders/slice.glsl",
-        "shaders/plot.glsl", "shaders/places.glsl", "shaders/signs.glsl", "shaders/cover.glsl"};
+        "shaders/main.glsl",  "shaders/views.glsl", "shaders/ramp.glsl",
+        "shaders/slice.glsl", "shaders/plot.glsl",  "shaders/places.glsl",
+        "shaders/signs.glsl", "shaders/cover.glsl", "shaders/room.glsl"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(file, names[i]) == 0)
             return true;
