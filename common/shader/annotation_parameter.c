@@ -180,14 +180,13 @@ static bool read_type(struct annotation *a)
                  {"vec3", PARAMETER_FLOAT, 3},  {"vec4", PARAMETER_FLOAT, 4},
                  {"int", PARAMETER_INT, 1},     {"bool", PARAMETER_BOOL, 1}};
     for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-        if (glsl_is(&a->source->code, a->type, types[i].name)) {
+        if (glsl_is(a->type, types[i].name)) {
             a->parameter.type = types[i].type;
             a->parameter.components = types[i].components;
             return true;
         }
     return annotation_refuse(
-        a, "a %.*s cannot be a parameter: use float, vec2, vec3, vec4, int or bool",
-        GLSL_TEXT(&a->source->code, a->type));
+        a, "a %s cannot be a parameter: use float, vec2, vec3, vec4, int or bool", a->type->text);
 }
 
 static bool read_parameter(struct annotation *a)
@@ -230,12 +229,11 @@ bool parameter_declared(const struct shader_source *source, const struct glsl_to
         else
             high = middle;
     }
-    while (low > 0 && code->item[low].line == name->line &&
-           !glsl_is(code, &code->item[low], "uniform"))
+    while (low > 0 && code->item[low].line == name->line && !glsl_is(&code->item[low], "uniform"))
         low--;
     struct annotation a;
     bool found = false;
-    return glsl_is(code, &code->item[low], "uniform") && code->item[low].line == name->line &&
+    return glsl_is(&code->item[low], "uniform") && code->item[low].line == name->line &&
            read_uniform(&a, source, &code->item[low], &found) && found;
 }
 
@@ -258,7 +256,7 @@ bool parameters_read(struct parameters *parameters, struct shader_source *source
     bool done = samplers_read(&parameters->samplers, source);
     for (const struct glsl_token *t = code->item; done && t->kind != GLSL_END; t++) {
         struct annotation a;
-        bool uniform = glsl_is(code, t, "uniform"), found;
+        bool uniform = glsl_is(t, "uniform"), found;
         // In another tool's file, the library of the course keeps its parameters.
         if (uniform && t->line > line && (course || (t->live && source->lines[t->line].file == 0)))
             done = read_uniform(&a, source, t, &found) ? !found || add_parameter(parameters, &a)

@@ -80,8 +80,7 @@ static int mentions(const struct export *e, const char *name)
 {
     int count = 0;
     for (const struct glsl_token *t = e->code->item; t->kind != GLSL_END; t++)
-        count += glsl_is(e->code, t, name) &&
-                 !is_left_out(e->source->files[e->source->lines[t->line].file]);
+        count += glsl_is(t, name) && !is_left_out(e->source->files[e->source->lines[t->line].file]);
     return count;
 }
 
@@ -101,10 +100,9 @@ static void put_value(struct export *e, const struct parameter *parameter)
 static bool put_uniform(struct export *e, const struct glsl_token *uniform)
 {
     const struct glsl_token *name = uniform + 2, *end = uniform;
-    char word[64];
     if (uniform[1].kind != GLSL_WORD || name->kind != GLSL_WORD)
         return false;
-    snprintf(word, sizeof word, "%.*s", GLSL_TEXT(e->code, name));
+    const char *word = name->text;
     const struct parameter *parameter = parameters_find(e->parameters, word);
     const struct input *input = inputs_find(word);
     if (input != NULL && !inputs_is_course(input))
@@ -154,7 +152,7 @@ static void put_files(struct export *e)
         const char *name = source->files[from];
         const struct glsl_token *uniform = NULL;
         for (; t->kind != GLSL_END && t->line == i; t++)
-            uniform = uniform == NULL && glsl_is(e->code, t, "uniform") ? t : uniform;
+            uniform = uniform == NULL && glsl_is(t, "uniform") ? t : uniform;
         if (is_left_out(name))
             continue;
         if (from != file && from == 0)

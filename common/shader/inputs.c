@@ -208,11 +208,9 @@ bool inputs_offers(const struct shader_source *source, const struct input *input
 // ---- Messages ----
 
 // The channel whose picture a token names, or -1.
-static int channel_of(const struct glsl *code, const struct glsl_token *t)
+static int channel_of(const struct glsl_token *t)
 {
-    char name[16];
-    snprintf(name, sizeof name, "%.*s", GLSL_TEXT(code, t));
-    const struct input *input = t->kind == GLSL_WORD && !t->macro ? inputs_find(name) : NULL;
+    const struct input *input = !t->macro ? inputs_find(t->text) : NULL;
     return input != NULL && input->meaning == INPUT_CHANNEL ? input->channel : -1;
 }
 
@@ -220,7 +218,7 @@ static int channel_of(const struct glsl *code, const struct glsl_token *t)
 static bool is_direction(const struct glsl *code, const struct glsl_token *t)
 {
     static const char *const words[] = {"vec3", "reflect", "refract", "normalize", NULL};
-    if (glsl_is_any(code, t, words))
+    if (glsl_is_any(t, words))
         return glsl_is_sign(glsl_next(code, t + 1), ",)");
     if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
         return false;
@@ -228,17 +226,16 @@ static bool is_direction(const struct glsl *code, const struct glsl_token *t)
     while (v >= code->statement &&
            !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
         v--;
-    return v >= code->statement && glsl_is(code, v - 1, "vec3");
+    return v >= code->statement && glsl_is(v - 1, "vec3");
 }
 
 const struct glsl_token *inputs_cube_map(const struct glsl *code)
 {
     static const char *const lookups[] = {"texture", "textureLod", NULL};
     const struct glsl_token *t = code->statement;
-    while (t->kind != GLSL_END &&
-           !(channel_of(code, t) >= 0 && t[-1].sign == '(' && t[1].sign == ',' &&
-             (glsl_is(code, t - 2, "textureCube") ||
-              (glsl_is_any(code, t - 2, lookups) && is_direction(code, t + 2)))))
+    while (t->kind != GLSL_END && !(channel_of(t) >= 0 && t[-1].sign == '(' && t[1].sign == ',' &&
+                                    (glsl_is(t - 2, "textureCube") ||
+                                     (glsl_is_any(t - 2, lookups) && is_direction(code, t + 2)))))
         t++;
     return t->kind != GLSL_END ? t : NULL;
 }
@@ -262,15 +259,13 @@ static const char *kind_of_channel(const struct shader_source *source, int chann
         if (strcmp(source->was[channel], names[i].was) == 0)
             return names[i].words;
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
-        if (channel_of(code, t) != channel || t[-1].sign != '(' || t[1].sign != ',')
+        if (channel_of(t) != channel || t[-1].sign != '(' || t[1].sign != ',')
             continue;
         const struct glsl_token *end = glsl_partner(code, t - 1);
-        bool fetch = glsl_is(code, t - 2, "texelFetch");
+        bool fetch = glsl_is(t - 2, "texelFetch");
         for (const struct glsl_token *word = t + 2; word < end; word++) {
-            const char *text = code->text + word->begin;
-            long number = word->kind == GLSL_NUMBER ? strtol(text, NULL, 10) : 0;
-            if ((word->kind == GLSL_WORD && strncmp(text, "KEY", 3) == 0) || number == 256 ||
-                (fetch && number > 7))
+            long number = strtol(word->text, NULL, 10);
+            if (strncmp(word->text, "KEY", 3) == 0 || number == 256 || (fetch && number > 7))
                 return names[1].words;
         }
         if (fetch)
