@@ -220,21 +220,13 @@ static bool read_uniform(struct annotation *a, const struct shader_source *sourc
 
 bool parameter_declared(const struct shader_source *source, const struct glsl_token *name)
 {
-    const struct glsl *code = &source->code;
-    int low = 0, high = code->count;
-    while (low < high) { // find the name among all tokens
-        int middle = (low + high) / 2;
-        if (code->item[middle].begin < name->begin)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    while (low > 0 && code->item[low].line == name->line && !glsl_is(&code->item[low], "uniform"))
-        low--;
+    const struct glsl_token *t = &source->code.item[name->item];
     struct annotation a;
     bool found = false;
-    return glsl_is(&code->item[low], "uniform") && code->item[low].line == name->line &&
-           read_uniform(&a, source, &code->item[low], &found) && found;
+    while (t > source->code.item && t->line == name->line && !glsl_is(t, "uniform"))
+        t--;
+    return t->line == name->line && glsl_is(t, "uniform") && read_uniform(&a, source, t, &found) &&
+           found;
 }
 
 static bool add_parameter(struct parameters *parameters, const struct annotation *a)

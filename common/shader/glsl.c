@@ -281,6 +281,7 @@ static void add_statement(struct glsl_reader *r, const struct glsl_token *token)
     row = memory_row(row, code->statement_count + 1, sizeof *row); // the end before the first one
     code->statement = row + 1;
     code->statement[code->statement_count] = *token;
+    code->statement[code->statement_count].item = code->count;
     code->statement[code->statement_count++].parted = r->parted;
     r->parted = false;
 }

@@ -36,6 +36,7 @@ struct glsl_token {
         int partner; // of a bracket in a statement: index of the other one, or of the end
     };
     const char *text; // of a word or a number; else ""
+    int item;         // of a statement: its index among all tokens
 };
 
 // What is known of a condition before the driver has seen it.
