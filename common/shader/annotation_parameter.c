@@ -172,21 +172,14 @@ static bool read_words(struct annotation *a)
 
 static bool read_type(struct annotation *a)
 {
-    static const struct {
-        const char *name;
-        enum parameter_type type;
-        int components;
-    } types[] = {{"float", PARAMETER_FLOAT, 1}, {"vec2", PARAMETER_FLOAT, 2},
-                 {"vec3", PARAMETER_FLOAT, 3},  {"vec4", PARAMETER_FLOAT, 4},
-                 {"int", PARAMETER_INT, 1},     {"bool", PARAMETER_BOOL, 1}};
-    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-        if (glsl_is(a->type, types[i].name)) {
-            a->parameter.type = types[i].type;
-            a->parameter.components = types[i].components;
-            return true;
-        }
-    return annotation_refuse(
-        a, "a %s cannot be a parameter: use float, vec2, vec3, vec4, int or bool", a->type->text);
+    struct parameter *p = &a->parameter;
+    char base = '\0';
+    p->components = glsl_type(a->type->text, &base);
+    p->type = base == 'b' ? PARAMETER_BOOL : base == 'i' ? PARAMETER_INT : PARAMETER_FLOAT;
+    return base == 'f' || (p->type != PARAMETER_FLOAT && p->components == 1) ||
+           annotation_refuse(a,
+                             "a %s cannot be a parameter: use float, vec2, vec3, vec4, int or bool",
+                             a->type->text);
 }
 
 static bool read_parameter(struct annotation *a)

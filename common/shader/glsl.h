@@ -100,6 +100,13 @@ bool glsl_is(const struct glsl_token *token, const char *word);
 bool glsl_is_any(const struct glsl_token *token, const char *const words[]);
 bool glsl_is_precision(const struct glsl_token *token);
 
+// The number of components of a type of numbers, of columns of a matrix; 0 for any other type. The
+// size of an array may follow.
+//   base  receives 'f', 'i', 'u' or 'b' for floats, integers, unsigned ones and truth values; 'm'
+//   for
+//         a matrix
+int glsl_type(const char *type, char *base);
+
 // As glsl_is; or it is a macro that always stands for this one word.
 bool glsl_means(const struct glsl *code, const struct glsl_token *token, const char *word);
 

@@ -17,6 +17,22 @@ bool glsl_is(const struct glsl_token *token, const char *word)
     return !token->macro && strcmp(token->text, word) == 0;
 }
 
+int glsl_type(const char *type, char *base)
+{
+    static const char *const words[] = {"float", "int",  "uint", "bool", "vec",
+                                        "ivec",  "uvec", "bvec", "mat"};
+    size_t length = strcspn(type, "234[");
+    for (int i = 0; i < 9; i++) {
+        const char *end = type + length + (i > 3 && type[length] != '\0');
+        if (strlen(words[i]) != length || strncmp(type, words[i], length) != 0 ||
+            (*end != '\0' && *end != '[') || (i > 3 && end == type + length))
+            continue;
+        *base = "fiubfiubm"[i];
+        return i > 3 ? type[length] - '0' : 1;
+    }
+    return 0;
+}
+
 bool glsl_means(const struct glsl *code, const struct glsl_token *token, const char *word)
 {
     const char *macro = token->macro ? code->name[token->name].word : NULL;

@@ -145,22 +145,18 @@ const struct input *inputs_nearest(const char *name)
     return best;
 }
 
-bool inputs_type(const char *type, int length, struct shader_input *into)
+bool inputs_type(const char *type, struct shader_input *into)
 {
-    static const char *const names[] = {"float", "vec2", "vec3", "vec4", "int"};
-    for (int i = 0; i < COUNT(names); i++)
-        if (strlen(names[i]) == (size_t)length && strncmp(type, names[i], (size_t)length) == 0) {
-            into->components = i < 4 ? i + 1 : 1;
-            into->integer = i == 4;
-            return true;
-        }
-    return false;
+    char base = '\0';
+    into->components = glsl_type(type, &base);
+    into->integer = base == 'i';
+    return base == 'f' || (into->integer && into->components == 1);
 }
 
 struct shader_input inputs_default(const struct input *input)
 {
     struct shader_input in = {.input = input};
-    inputs_type(input->type, (int)strcspn(input->type, "["), &in);
+    inputs_type(input->type, &in);
     return in;
 }
 

@@ -130,7 +130,7 @@ static bool take_input(struct translation *t, struct declared *at)
 {
     struct shader_input in = {.input = inputs_find(at->word), .declared = true};
     const struct input *input = in.input;
-    bool typed = inputs_type(at->type->text, at->type->length, &in) && !declared_is_array(at);
+    bool typed = inputs_type(at->type->text, &in) && !declared_is_array(at);
     bool varies = at->kind == DECLARED_IN;
     const char *type = at->type->text;
     if (at->type->macro || at->name->macro || (varies && strncmp(at->word, "gl_", 3) == 0))
@@ -270,8 +270,7 @@ bool translation_declarations(struct translation *t)
         else if (at.kind == DECLARED_OUT && !t->toy && outputs.count == 1)
             store(t, &at, "out");
     }
-    t->coloured = declared_output(t->code).kind != DECLARED_NONE;
-    t->old = !t->toy && !t->coloured &&
+    t->old = !t->toy && declared_output(t->code).kind == DECLARED_NONE &&
              glsl_mentions(t->code, "gl_FragColor") + glsl_mentions(t->code, "gl_FragData") > 0;
     return done;
 }

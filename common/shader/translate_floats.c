@@ -13,18 +13,11 @@ struct floats {
     bool *takes; // for each name: a function that takes one
 };
 
-static bool is_whole_type(const struct glsl_token *t)
+// True for a type of integers, or of floats.
+static bool is_type(const struct glsl_token *t, const char *bases)
 {
-    static const char *const words[] = {"int",   "uint",  "ivec2", "ivec3", "ivec4",
-                                        "uvec2", "uvec3", "uvec4", NULL};
-    return glsl_is_any(t, words);
-}
-
-static bool is_float_type(const struct glsl_token *t)
-{
-    static const char *const words[] = {"float", "vec2", "vec3", "vec4",
-                                        "mat2",  "mat3", "mat4", NULL};
-    return glsl_is_any(t, words);
+    char base;
+    return !t->macro && glsl_type(t->text, &base) > 0 && strchr(bases, base) != NULL;
 }
 
 // Learn which names are integers.
@@ -38,13 +31,13 @@ static void learn(struct floats *f)
             function = t;
         if (glsl_is_any(t, functions))
             f->takes[t->name] = true;
-        if (!is_whole_type(t))
+        if (!is_type(t, "iu"))
             continue;
         f->whole[t->name] = true;
         if (t->depth == 1 && function != NULL && t < glsl_next(code, function + 1))
             f->takes[function->name] = true;
         const struct glsl_token *name = t[1].sign == '[' ? glsl_next(code, t + 1) : t + 1;
-        while (name->kind == GLSL_WORD && !is_float_type(name) && !is_whole_type(name)) {
+        while (name->kind == GLSL_WORD && !is_type(name, "fmiu")) {
             f->whole[name->name] = true;
             const struct glsl_token *end = glsl_skip(code, name + 1, ",;)}");
             name = end->sign == ',' ? end + 1 : end;
@@ -92,7 +85,7 @@ static bool convert(struct floats *f, const struct glsl_token *from, const struc
             const struct glsl_token *word = t - 1, *close = glsl_partner(code, t);
             bool call = t->sign == '(' && word->kind == GLSL_WORD;
             bool own = call && glsl_is_any(word, heads);
-            bool type = call && is_float_type(word);
+            bool type = call && is_type(word, "fm");
             bool hands =
                 t->depth == 0 && t->sign == '{' ? is_whole_statement(f, begin, false) : returns;
             bool loop = call && glsl_is(word, "for");

@@ -27,11 +27,8 @@ static bool is_plain(const struct glsl_token *t)
 static bool zero_of(const struct zeros *all, const struct glsl_token *type,
                     const struct glsl_token *size, char text[VALUE_SIZE])
 {
-    static const char *const words[] = {
-        "float", "int",   "uint",  "bool",  "vec2",  "vec3",  "vec4", "ivec2", "ivec3", "ivec4",
-        "uvec2", "uvec3", "uvec4", "bvec2", "bvec3", "bvec4", "mat2", "mat3",  "mat4",  NULL};
-    char one[VALUE_SIZE];
-    if (glsl_is_any(type, words))
+    char one[VALUE_SIZE], base;
+    if (!type->macro && glsl_type(type->text, &base) > 0)
         snprintf(one, sizeof one, "%s(0)", type->text);
     else if (is_plain(type) && all->structure[type->name] != NULL && all->edits->size < SIZE_LIMIT)
         snprintf(one, sizeof one, "%s", all->structure[type->name]);
