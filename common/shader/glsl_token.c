@@ -14,7 +14,8 @@ bool glsl_is_sign(const struct glsl_token *token, const char *signs)
 
 bool glsl_is(const struct glsl_token *token, const char *word)
 {
-    return !token->macro && strcmp(token->text, word) == 0;
+    // Most words differ in length, which is nearer than their text.
+    return (size_t)token->length == strlen(word) && !token->macro && strcmp(token->text, word) == 0;
 }
 
 int glsl_type(const char *type, char *base)

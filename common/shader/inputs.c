@@ -203,10 +203,11 @@ bool inputs_offers(const struct shader_source *source, const struct input *input
 
 // ---- Messages ----
 
-// The channel whose picture a token names, or -1.
+// The channel whose picture a token names as the first of several arguments, or -1.
 static int channel_of(const struct glsl_token *t)
 {
-    const struct input *input = !t->macro ? inputs_find(t->text) : NULL;
+    bool may = t->kind == GLSL_WORD && !t->macro && t[-1].sign == '(' && t[1].sign == ',';
+    const struct input *input = may ? inputs_find(t->text) : NULL;
     return input != NULL && input->meaning == INPUT_CHANNEL ? input->channel : -1;
 }
 
@@ -229,9 +230,9 @@ const struct glsl_token *inputs_cube_map(const struct glsl *code)
 {
     static const char *const lookups[] = {"texture", "textureLod", NULL};
     const struct glsl_token *t = code->statement;
-    while (t->kind != GLSL_END && !(channel_of(t) >= 0 && t[-1].sign == '(' && t[1].sign == ',' &&
-                                    (glsl_is(t - 2, "textureCube") ||
-                                     (glsl_is_any(t - 2, lookups) && is_direction(code, t + 2)))))
+    while (t->kind != GLSL_END &&
+           !(channel_of(t) >= 0 && (glsl_is(t - 2, "textureCube") ||
+                                    (glsl_is_any(t - 2, lookups) && is_direction(code, t + 2)))))
         t++;
     return t->kind != GLSL_END ? t : NULL;
 }
@@ -255,7 +256,7 @@ static const char *kind_of_channel(const struct shader_source *source, int chann
         if (strcmp(source->was[channel], names[i].was) == 0)
             return names[i].words;
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
-        if (channel_of(t) != channel || t[-1].sign != '(' || t[1].sign != ',')
+        if (channel_of(t) != channel)
             continue;
         const struct glsl_token *end = glsl_partner(code, t - 1);
         bool fetch = glsl_is(t - 2, "texelFetch");
