@@ -264,6 +264,7 @@ await page.waitForSelector('.live-window.live-editing .cm-content');
 check('its button begins a ball, with its text', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
 const [left, right] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-editor').boundingBox()];
 check('which is beside the picture', right.x >= left.x + left.width, left, right);
+check('the button for a file has the font of the page', await page.evaluate(() => getComputedStyle(document.querySelector('#file'), '::file-selector-button').fontFamily === getComputedStyle(document.body).fontFamily));
 check('no error in the console', said.length === 0, said);
 await page.close();
 ({page} = await open('index.html', {...DESK, reducedMotion: 'reduce'}, hold));
