@@ -121,10 +121,8 @@
     // ---- Boxes that scroll sideways can be reached with the keyboard ----
 
     const wide = new ResizeObserver((seen) => {
-        for (const {target} of seen) {
-            if (target.scrollWidth > target.clientWidth + 1) target.tabIndex = 0;
-            else target.removeAttribute('tabindex');
-        }
+        const overflows = seen.map(({target}) => target.scrollWidth > target.clientWidth + 1); // all, before the first changes
+        seen.forEach(({target}, i) => { if (overflows[i]) target.tabIndex = 0; else target.removeAttribute('tabindex'); });
     });
     for (const box of document.querySelectorAll('main pre, .table, .formula')) wide.observe(box);
 
