@@ -52,7 +52,7 @@ while read -r name kind right; do
     :) if [ "$status" = 0 ] && near "$colour" "$right" && [ "$lines" = 1 ]; then
             ok "$name is drawn"
         elif [ "$status" = 0 ] && near "$colour" "$right" && [[ $name = *silent* ]] && [ "$lines" -gt 1 ]; then
-            ok "$name is drawn, and says what is silent"
+            ok "$name is drawn, and reports the channels that are silent"
         else not_ok "$name is drawn" "status $status: $(tr '\n' ' ' <<<"$said")"; fi ;;
     \!) if [ "$status" = 1 ] && { [ "$lines" = 1 ] || [[ $right = *:[0-9]*:* ]]; } && grep -qF "$right" <<<"$said"; then
             ok "$name is refused"

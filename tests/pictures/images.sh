@@ -69,7 +69,7 @@ judge_backends() { # NAME FIRST OTHER...
     shift 2
     for other in "$@"; do
         if [ ! -e "$scratch/$name.$first.png" ] || [ ! -e "$scratch/$name.$other.png" ]; then
-            echo "not ok $name: $first and $other: not both were rendered"
+            echo "not ok $name: $first and $other: at least one was not rendered"
             return
         fi
         if ! cmp -s "$scratch/$name.$first.png" "$scratch/$name.$other.png"; then
@@ -102,7 +102,7 @@ grep -v '^ *\(#\|$\)' tests/pictures/images.txt | while read -r stem variant opt
     done
 done >"$scratch/list"
 asked=$# count=$(grep -c . "$scratch/list")
-check "tests/pictures/images.txt lists what is asked for" [ "$count" -ge "$(($# > 0 ? $# : 1))" ]
+check "tests/pictures/images.txt lists the requested pictures" [ "$count" -ge "$(($# > 0 ? $# : 1))" ]
 [ "$count" -gt 0 ] || { plan; exit; }
 stem=$(cut -d ' ' -f 1 "$scratch/list" | tail -n 1)
 
@@ -120,7 +120,7 @@ for backend in egl osmesa glfw; do
 done
 
 check "at least one backend renders" [ ${#backends[@]} -gt 0 ] || { plan; exit; }
-all=("${backends[@]}") # of the backends that draw all pictures
+all=("${backends[@]}") # the backends that draw all pictures
 [ $# != 0 ] || all=("${backends[0]}")
 # The backends share a driver, so the own pictures of every fourth chapter show that they agree.
 everywhere() { [ $asked != 0 ] || [ -n "${ALL-}" ] || [ $((10#${1%%_*} % 4)) = 0 ]; } # NAME

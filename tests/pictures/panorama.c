@@ -74,7 +74,7 @@ TEST(test_clouds_are_the_panorama_turned)
         }
     free(values);
     free(image.value);
-    print_message("# %d places of the panorama: worst %.4f\n", count, worst);
+    print_message("# %d points of the panorama: worst %.4f\n", count, worst);
     assert_true(count > 500 && spread > 0.9 && worst < 3.0 / 256.0);
 }
 

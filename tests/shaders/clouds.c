@@ -138,7 +138,7 @@ TEST(test_places_are_angles)
     }
     free(directions);
     free(places);
-    print_message("# panorama: places off by %.2g, footprints by a share of %.2g\n", worst, reach);
+    print_message("# panorama: points off by %.2g, footprints by a share of %.2g\n", worst, reach);
     assert_true(worst < 2e-6 && reach < 2e-3);
 }
 

@@ -28,7 +28,7 @@ TEST(test_four_cells_are_enough)
             met += truth > 0.0;
         }
         free(values);
-        print_message("# width %.4f: %d of 65536 places see a star, off by at most %.2g\n",
+        print_message("# width %.4f: %d of 65536 points see a star, off by at most %.2g\n",
                       (double)asked[k][0], met, worst);
         assert_true(met > 5000 && peak > 40.0 && worst < 0.03);
     }

@@ -61,7 +61,7 @@ TEST(test_air_mass_is_near_the_measured_one)
             at = height;
         }
     }
-    print_message("# even shell against Kasten and Young: worst %.2f %%, at %.2f degrees\n",
+    print_message("# uniform shell against Kasten and Young: worst %.2f %%, at %.2f degrees\n",
                   100.0 * worst, at);
     for (int h = 0; h <= 90; h += h < 30 ? 5 : 30)
         print_message("# height %2d: shell %.2f, Kasten and Young %.2f\n", h, mass_at(h),
@@ -301,7 +301,7 @@ TEST(test_city_is_never_farther_than_it_says)
     }
     free(places);
     free(distances);
-    print_message("# city: %d places, %d in towers, %d where the cap or a corner is felt; "
+    print_message("# city: %d points, %d in towers, %d where the cap or a corner matters; "
                   "least share %.3f\n",
                   asked, inside, capped, closest);
     assert_true(inside > 1000 && capped > 1000);

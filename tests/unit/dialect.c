@@ -43,7 +43,7 @@ static void assert_dialect(const char *text, enum shader_dialect dialect)
     shader_free(&source);
 }
 
-// A whole file with this text behind its #version is refused with one line that contains these
+// A whole file with this text after its #version is refused with one line that contains these
 // words.
 static void assert_refused(const char *text, const char *words)
 {

@@ -82,7 +82,7 @@ TEST(the_status_is_described)
     assert_true(says("H: help"));
     panel.resolution = 35;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(says("H: help    35 % resolution")); // the hint is seen although something moves
+    assert_true(says("H: help    35 % resolution")); // the hint is visible although something moves
     panel.sharp = 40;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("H: help    35 % resolution, sharpening: 40 %"));

@@ -153,7 +153,7 @@ TEST(what_is_far_from_a_stroke_stays)
     free(before);
 }
 
-// A stroke that misses the grid, and one at the end of all numbers.
+// A stroke that misses the grid, and one with the largest numbers.
 TEST(a_stroke_outside_changes_nothing)
 {
     unsigned char *grid = ball(), *before = ball();

@@ -21,7 +21,7 @@ export function check(name, right, ...more) {
     if (!right) failed++;
     console.log(`${right ? 'ok' : 'not ok'} ${count} - ${name}`);
     if (!right && more.length > 0) console.log(`# ${more.map((x) => typeof x === 'string' ? x : JSON.stringify(x)).join(' ')}`);
-    if (!right && name.endsWith(process.env.WEB_UNTIL ?? '\n')) process.exit(1); // for a mistake that is made on purpose
+    if (!right && name.endsWith(process.env.WEB_UNTIL ?? '\n')) process.exit(1); // for a deliberate mistake
     return right;
 }
 
@@ -37,7 +37,7 @@ export function finish() {
 // The folders under test: the programs alone, and the site. Deliberate mistakes are made in a copy.
 export const WEB = process.env.WEB_FOLDER || 'build/web', SITE = process.env.SITE_FOLDER || 'build/site';
 
-// Serve a folder only to this machine; /test.html is a page with a canvas. Returns its address and a function that ends
+// Serve a folder to this machine only; /test.html is a page with a canvas. Returns its address and a function that ends
 // it.
 export async function serve(folder) {
     const server = folderServer(folder, {'/test.html': PAGE});
@@ -60,7 +60,7 @@ export function launch(angle = 'gl-egl') {
     });
 }
 
-// In a page, before its scripts: a driver that compiles on threads of its own, and is ready once window.compiled is set.
+// In a page, before its scripts: a driver that compiles on separate threads, and is ready once window.compiled is set.
 export function threads() {
     const {getExtension, getProgramParameter} = WebGL2RenderingContext.prototype;
     WebGL2RenderingContext.prototype.getExtension = function (name) { return name === 'KHR_parallel_shader_compile' ? {} : getExtension.call(this, name); };
@@ -153,8 +153,8 @@ export const frames = (page, count) => page.evaluate((count) => new Promise((don
     turn();
 }), count);
 
-// Wait until a paused program has drawn everything: nothing is drawn in a number of frames of the page that is longer
-// than the rest after which a picture is sharpened.
+// Wait until a paused program has drawn everything: until nothing is drawn for longer than the rest after which a
+// picture is sharpened.
 export const rest = (page) => page.evaluate((patience) => new Promise((done) => {
     const begun = performance.now();
     let still = 0, before = -1;

@@ -37,7 +37,7 @@ async function exported() {
     return {name: download.suggestedFilename(), text: fs.readFileSync(await download.path(), 'utf8')};
 }
 
-check('before a file comes nothing can be exported', await page.locator('button.export').isDisabled());
+check('nothing can be exported before a file is opened', await page.locator('button.export').isDisabled());
 await drop('Green sky (1).glsl', '// iTime\nvoid mainImage(out vec4 c, in vec2 p) { c = vec4(0.2, p.x > 0.0 ? 0.8 : 0.0, 0.4, 1.0); }\n');
 let now = await until((s) => s.rate > 0);
 await page.waitForSelector('.cm-content');
@@ -83,14 +83,14 @@ await page.keyboard.type('// older\n');
 await page.waitForSelector('.live-changes:not([hidden])');
 await drop('mine.frag', flat('1.0, 0.0, 0.0'));
 await page.waitForFunction((newer) => document.querySelector('.live-on')?.stage.changes.editor.text() === newer, flat('1.0, 0.0, 0.0'));
-check('a file of the same name takes the place of the text in the editor', await text() === flat('1.0, 0.0, 0.0') && await page.locator('.live-changes').isHidden());
+check('a file of the same name replaces the text in the editor', await text() === flat('1.0, 0.0, 0.0') && await page.locator('.live-changes').isHidden());
 await page.locator('.cm-content').click();
 await page.keyboard.press('Control+Home');
 await page.keyboard.type('// newer\n');
 await page.waitForSelector('.live-changes:not([hidden])');
 await page.getByRole('button', {name: 'Reset this file'}).click();
 await page.waitForSelector('.live-changes', {state: 'hidden'});
-check('and is what Reset goes back to', await text() === flat('1.0, 0.0, 0.0'));
+check('and is the text to which Reset returns', await text() === flat('1.0, 0.0, 0.0'));
 await page.locator('.cm-content').click();
 await page.keyboard.press('Control+Home');
 await page.keyboard.type('// kept\n');
@@ -125,7 +125,7 @@ await page.keyboard.type('nonsense ');
 await page.waitForSelector('.live-error:not([hidden])');
 await page.reload();
 await page.getByRole('button', {name: 'blank', exact: true}).click();
-check('a draft whose last text was not drawn runs nothing unasked', await page.getByRole('button', {name: 'Run it'}).isVisible() && await page.locator('.live-window').count() === 0);
+check('a draft whose last text was not drawn does not run by itself', await page.getByRole('button', {name: 'Run it'}).isVisible() && await page.locator('.live-window').count() === 0);
 await page.getByRole('button', {name: 'Go back to the previous text'}).click();
 now = await until((s) => s.files?.[0]?.endsWith('/blank.frag') && s.rate > 0);
 check('and is undone before it runs', now?.error === '' && now.runs);

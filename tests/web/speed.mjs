@@ -11,8 +11,8 @@ const own = () => Number(/frame, median +([0-9.]+)/.exec(execFileSync('build/03_
 
 // ---- A frame ----
 
-// The work of a benchmark besides its frames is in both of two, and cancels in their difference. The processor's speed
-// changes while other programs run, so the three shares of time are interleaved.
+// The work of a benchmark besides its frames is the same in both runs, and cancels in their difference. The
+// processor's speed changes while other programs run, so the three shares of time are interleaved.
 const FEW = 5, MANY = 85;
 await bench(FEW);
 let here = 0, there = 0;
