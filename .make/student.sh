@@ -30,7 +30,7 @@ for exercise in ${EXERCISES:-$(exercises) $(engine_exercises)}; do
     [ -e "$stored/$exercise/text" ] || left+=("$exercise") # the file that is stored last
 done
 if [ ${#left[@]} -gt 0 ]; then
-    echo "Drawing what make check needs of ${#left[@]} solutions; for all of them, this takes some minutes."
+    echo "Drawing what make check needs for ${#left[@]} solutions; all solutions together take some minutes."
     printf '%s\n' "${left[@]}" | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I '{}' \
         env EXERCISE='{}' STORE="$stored/{}" CHECK_FOLDER="$stored/.check" .make/check.sh || exit 2
     rm -rf "$stored/.check"

@@ -10,7 +10,7 @@ const temml = (await import(new URL('../../build/node/node_modules/temml/dist/te
 
 // ---- Formulas ----
 
-// Leaves out everything that a browser adds by itself: the forms of operators at their position, groups of one element.
+// Leaves out everything that a browser adds by itself: the default forms of operators, and groups of one element.
 function compact(mathml) {
     return mathml.replaceAll(' separator="true"', '').replaceAll(' fence="true"', '').replaceAll('></mspace>', '/>')
         .replace(/(?<=<mrow>|<math>)<mo form="prefix" stretchy="false">/g, '<mo stretchy="false">').replace(/<mo form="prefix" stretchy="false">(?=[([{⌈⌊])/g, '<mo stretchy="false">')

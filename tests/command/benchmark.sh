@@ -135,7 +135,7 @@ table() {
         grep -qE '^\| 00_first_scene \| [0-9]\.[0-9]{2} \| [0-9.]+ \| [0-9.]+ \| [0-9]+ \| - \| - \| - \| - \|$' "$scratch/out" &&
         grep -qE '^00_first_scene .*units|not compared' "$scratch/out"
 }
-check 'make benchmark prints a table and compares' table
+check 'make benchmark prints a table and a comparison' table
 committed() {
     local stem
     for stem in chapters/[0-9][0-9]_*.c; do

@@ -1,7 +1,7 @@
 #!/bin/bash
 # dialects.sh - the small shaders of tests/shaders/dialects.txt: each is drawn or refused as its heading says, and a
-# drawn one is drawn again from the file that --print-shader=shadertoy writes, which Shadertoy would take, or its export
-# is refused in the words of its heading.
+# drawn one is drawn again from the file that --print-shader=shadertoy writes, which Shadertoy would accept, or its
+# export is refused in the words of its heading.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh

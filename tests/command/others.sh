@@ -1,6 +1,6 @@
 #!/bin/bash
 # others.sh - shaders that were written for other programs, the report's engine and Shadertoy: their inputs, textures,
-# samples and films, and texts that no reader expects. tests/command/dialects.sh draws a shader of each kind.
+# samples and films, and texts that no parser expects. tests/command/dialects.sh draws a shader of each kind.
 #
 # A shader that checks its inputs draws white where they have the right values, and black elsewhere.
 set -u
@@ -114,7 +114,7 @@ out vec4 c;
 void main() { c = vec4($reads); }
 GLSL
 
-# ---- Texts that no reader expects ----
+# ---- Texts that no parser expects ----
 
 # Reading takes time in proportion to the length of the text. A suite that hangs is ended.
 crowd() { # FORMAT: white, after 30,000 such lines with numbers for %d

@@ -257,7 +257,7 @@ bad_glossary() { # PAGE
         END { if (count < 100) print "there are " count + 0 " terms" }' "$1"
 }
 
-# Each lab of the guide has all parts of a lab; none of the first six is left out.
+# Each lab of the guide has all its parts, and the first six labs are all there.
 bad_labs() { # PAGE
     awk '
         function judge(i) {
@@ -302,7 +302,7 @@ bad_commands() { # PAGE
     code_of "$1" | grep -E '(^|[;&|(] *)(build/[0-9]|make [a-z]|[A-Z]+=)' | sed 's/ && /\n/g; s/[;|].*//' |
         while IFS= read -r command; do
             case $command in
-            [A-Z]*=*) # a variable that later commands use; what comes after one would be run
+            [A-Z]*=*) # a variable that later commands use; anything after it would be executed
                 [[ $command =~ ^[A-Z_]+=[^\ ]*\ *$ || $command =~ ^[A-Z_]+=\'[^\']*\'\ *$ || $command =~ ^[A-Z_]+=\"[^\"]*\"\ *$ ]] ||
                     { echo "$1: $command: a variable in front of a command" && continue; }
                 eval "$command"
@@ -457,7 +457,7 @@ check_checks() {
     refuses 'a missing shader' "\`build/${chapters[0]} -f chapters/gone.frag\`\n" bad_commands
     refuses 'an unknown parameter' "\`build/${chapters[0]} -p gone=1\`\n" bad_commands
     refuses 'a command that is accepted although it is marked as refused' "\`build/${chapters[0]} # refused\`\n" bad_commands
-    check 'a colour may be one off' same_line '# hit; colour: 1, 20, 3' '# hit; colour: 2, 20, 2'
+    check 'a colour may be off by one' same_line '# hit; colour: 1, 20, 3' '# hit; colour: 2, 20, 2'
     check 'not two' eval "! same_line '# hit; colour: 1, 20, 3' '# hit; colour: 1, 20, 5'"
     refuses 'an output that the command does not print' "\`\`\`\n$probe\n# hit; evaluations of the scene: 0; colour: 1, 2, 3\n\`\`\`\n" bad_outputs
     refuses 'an unknown target' '`make nonsense`\n' bad_commands

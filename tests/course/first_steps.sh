@@ -94,7 +94,7 @@ check 'so is an input of another type' fails 1 "^engine: $scratch/unfit.frag: .*
 check 'a missing picture' fails 1 '^engine: gone.png: ' draw "$sources/engine_5.frag" gone.png
 check 'a file that is not a picture' fails 1 '^engine: README.md: ' draw "$sources/engine_5.frag" README.md
 head -c 2000 "$plank" >"$scratch/half.png"
-check 'half of a picture' fails 1 "^engine: $scratch/half.png: " draw "$sources/engine_5.frag" "$scratch/half.png"
+check 'half a picture' fails 1 "^engine: $scratch/half.png: " draw "$sources/engine_5.frag" "$scratch/half.png"
 check 'a missing folder' fails 1 "^engine: $scratch/gone/a.png: " "$steps/engine_6" -o "$scratch/gone/a.png" "$sources/1_screen.frag"
 full() { fails 1 'full.png: ' within_kib 1 "$steps/engine_6" -o "$scratch/full.png" "$sources/engine_4.frag" && [ ! -e "$scratch/full.png" ]; }
 check 'a full disk, which leaves no picture' full

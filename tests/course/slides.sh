@@ -1,5 +1,5 @@
 #!/bin/bash
-# slides.sh - `make slides` and `make handouts`: their pages and the contents of these.
+# slides.sh - `make slides` and `make handouts`: the number of their pages, and what is on them.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -35,7 +35,7 @@ check 'the slides are typeset' typeset docs/lecture.txt || sed 's/^/# /' "$scrat
 scenes=$(grep -c '^[0-9]' docs/lecture.txt)
 check 'each scene has a slide, after the title' [ "$(pages slides)" = $((scenes + 1)) ]
 check 'there are 15 to 20 slides' [ $((scenes + 1)) -ge 15 -a $((scenes + 1)) -le 20 ]
-sentences() { # of the list, each on one slide as it is
+sentences() { # each sentence of the list, unchanged on one slide
     local missing
     [ "$(build/lecture --print docs/lecture.txt | wc -l)" = "$scenes" ] || return
     missing=$(build/lecture --print docs/lecture.txt | cut -d "$(printf '\037')" -f 5 | while read -r sentence; do

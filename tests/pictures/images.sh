@@ -13,9 +13,10 @@ failures=build/test-failures
 # measure.c tests its numbers.
 measured=01_normal_colouring-normal-error
 
-# Draw the pictures of each backend: a chapter's own pictures with the chapter's program, as people start it, all others
-# in one process, build/tests/draw, which has the programs' code. Leaves NAME.BACKEND.png and, for the others, a line of
-# numbers each; prints the name of the current one, so that run.sh sees that the suite goes on.
+# Draw the pictures of each backend: a chapter's own pictures with the chapter's program, as a user starts it, all
+# others in one process, build/tests/draw, which has the programs' code. Leaves NAME.BACKEND.png and, for each of the
+# others, a line of numbers; prints the name of the current picture, so that tests/run sees that the suite makes
+# progress.
 draw_by_program() { # NAME BACKEND
     local options
     options=$(sed -n "s/^$1 - //p" "$scratch/list")

@@ -262,7 +262,7 @@ TEST(rows_are_below_each_other)
     panel_rows_free(&rows);
 }
 
-// The value at a position has that position again; in decades, the middle of [0.01, 1] is 0.1.
+// The value at a position is shown at that position; in decades, the middle of [0.01, 1] is 0.1.
 TEST(a_place_is_a_value)
 {
     struct parameter linear = {.components = 1, .minimum = -2.0, .maximum = 6.0};

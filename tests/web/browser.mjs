@@ -1,8 +1,8 @@
 // browser.mjs - what the tests of the browser share: a server for a folder, Chromium on Mesa's software renderer, a
 // page with one program, waits for a state, and TAP.
 //
-// Nothing here depends on a clock. A test waits for what must happen; what must not happen had its chance after a
-// number of frames of the page.
+// Nothing here depends on a clock. A test waits for what must happen. To check that something does not happen, it lets
+// a number of frames of the page pass.
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
 import {chromium} from '../../build/node/node_modules/playwright-core/index.mjs';
@@ -97,7 +97,7 @@ export async function loadProgram() {
     });
 }
 
-// A page, and the complaints of its console and its scripts.
+// A page, and the errors of its console and its scripts.
 //   context  playwright's options of a context
 //   before   is evaluated in the page before any of its scripts
 export async function blankPage(browser, {context = {}, before = () => {}} = {}) {

@@ -19,7 +19,7 @@ ${command(PAIR[0], `data-other="${PAIR[1]}"`)}</main></html>`;
 
 const server = await serve(WEB), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
 
-// A separate page, with its requests and its complaints.
+// A separate page, with its requests and its errors.
 async function open(options = {}, fragment = '', context = null) {
     context ??= await browser.newContext({viewport: {width: 1280, height: 800}, permissions: ['clipboard-read', 'clipboard-write'], ...options});
     const page = await context.newPage(), asked = [];
@@ -302,7 +302,7 @@ await page.evaluate(() => document.querySelector('.live-on').stage.call('live_pi
 await seen(true);
 check('it says why it has no ray', (await comes(page, 's.why')).why.startsWith('no march'));
 await page.evaluate(() => document.querySelector('live-chapter').run(''));
-check('and any chapter is exported', (await page.evaluate(() => document.querySelector('live-chapter').exported())).includes('void mainImage'));
+check('and any chapter can be exported', (await page.evaluate(() => document.querySelector('live-chapter').exported())).includes('void mainImage'));
 
 // ---- What axe-core finds ----
 

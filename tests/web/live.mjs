@@ -181,7 +181,7 @@ await page.keyboard.type('// ');
 await page.waitForSelector('.live-waits');
 const undo = page.locator('.live-notice').getByRole('button', {name: 'Undo all'});
 await undo.waitFor();
-check('a change that compiles for long can be undone, over the picture', /Does your change never end/.test(await page.locator('.live-notice').textContent()) && await undo.evaluate((one) => { const {top, bottom} = one.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight; }));
+check('a change that takes long to compile can be undone, over the picture', /Does your change contain an endless loop/.test(await page.locator('.live-notice').textContent()) && await undo.evaluate((one) => { const {top, bottom} = one.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight; }));
 await undo.tap();
 await page.waitForFunction(() => document.querySelector('.live-notice').hidden);
 await page.evaluate(() => { window.compiled = true; });

@@ -49,7 +49,7 @@ await page.waitForSelector('button.export:not(:disabled)');
 const toy = await exported();
 check('it is exported as a file for Shadertoy', toy.name === 'shadertoy.glsl' && toy.text.includes('void mainImage') && !toy.text.includes('#include'), toy.text.slice(0, 300));
 await page.waitForFunction(() => /is written/.test(document.querySelector('.said').textContent));
-check('while the program in the page goes on', (await state())?.runs === true);
+check('while the program in the page continues', (await state())?.runs === true);
 await drop('again.txt', toy.text);
 now = await until((s) => s.files?.[0]?.endsWith('/again.frag') && s.rate > 0);
 check('what was exported runs again', now?.runs && now.error === '' && near(await middle(), [51, 204, 102]), now?.error);

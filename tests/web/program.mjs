@@ -52,7 +52,7 @@ for (const [stem, place] of [['01_normal_colouring', '340,140'], ['03_shadows', 
         worst = Math.max(worst, Math.abs(a - b) / Math.max(1, Math.abs(b)));
     }));
 }
-console.log(`# ${compared} numbers of probes, the worst differs by ${worst.toExponential(1)} of itself, or of 1`);
+console.log(`# ${compared} numbers of probes, the worst differs by ${worst.toExponential(1)} relative to itself or to 1`);
 check('the probe\'s numbers are those of the program', compared > 200 && worst < 5e-6, worst);
 
 // ---- The window ----

@@ -1,4 +1,4 @@
-// watch.c - a change of a file is reported once, when the writing is over, and only for watched
+// watch.c - a change of a file is reported once, after it is complete, and only for watched
 // files.
 #include "lib/test.h"
 #include "window/watch.h"

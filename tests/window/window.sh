@@ -94,7 +94,7 @@ else
     frenchwalk() { walk z && xdotool keydown w sleep 0.15 keyup w && shoot_as a && same there a; }
     check 'AZERTY: Z, in the place of W, moves; W, in the place of Z, does not' frenchwalk
     digit() { xdotool key eacute && shows ' - normals - ' && key Down && shows 'normalStep'; }
-    check 'AZERTY: the key of 2 shows the normals' digit
+    check 'AZERTY: the 2 key shows the normals' digit
     setxkbmap us
     check 'Backspace closes the window with status 0' backspace
 fi
