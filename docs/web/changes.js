@@ -8,7 +8,7 @@ export class Changes {
     constructor(stage) {
         const {part} = stage;
         this.stage = stage;
-        this.files = {}; // what has been changed from its first state
+        this.files = {}; // those that differ from their first state
         this.brought = new Map(); // texts that the course does not have, in their first state
         this.said = part('span');
         this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(this.named)));

@@ -208,7 +208,7 @@ static void check_sun(float latitude, float declination)
         double angle = ((double)values[4 * i + 3] - 12.0) * MIRROR_PI / 12.0;
         assert_true(fabs(d3_length(sun) - 1.0) < 2e-6);
         assert_true(fabs(d3_dot(sun, pole) - sin(d)) < 1e-6);
-        // The root of a remainder of 1 has few digits where nothing is left, at midnight.
+        // At midnight, a root of 1 minus a number near 1 has few correct digits.
         double slack = 2e-6 + 4e-7 / fmax(cos(0.5 * angle), 6e-4);
         assert_true(fabs(d3_dot(sun, rise) + cos(d) * sin(angle)) < slack);
         assert_true(fabs(d3_dot(sun, meridian) - cos(d) * cos(angle)) < 2e-6);
