@@ -98,7 +98,7 @@ few_files() { # far fewer files than there are pictures may be open at once
     (ulimit -n 40 && "$program" -s 16x9 --frames 60 -o "$out/%d.png") && [ "$(names | wc -w)" = 60 ]
 }
 if [ "${SYSTEM-}" = Windows ]; then
-    skip 'a row of pictures leaves no file open' 'ulimit limits no program of Windows'
+    skip 'a row of pictures leaves no file open' 'ulimit does not limit programs of Windows'
 else
     check 'a row of pictures leaves no file open' few_files
 fi

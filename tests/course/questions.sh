@@ -46,7 +46,7 @@ said_by_source() { # FILE
         /^- / { print "wrong", substr($1, 3); print "why", $2 }' "$1"
 }
 
-# GIFT, letter by letter: after a backslash, a letter has no special meaning.
+# GIFT, character by character: after a backslash, a character has no special meaning.
 said_by_gift() { # FILE
     awk '
         function say(kind) { gsub(/^[ \n]+|[ \n]+$/, "", text); print kind, text; text = "" }

@@ -27,7 +27,7 @@ export function check(name, right, ...more) {
 
 // Call it while the browsers are still running, because their time is counted.
 export function finish() {
-    console.log(`# ${(processors() + process.cpuUsage().user / 1e6).toFixed(0)} s of processors`);
+    console.log(`# ${(processors() + process.cpuUsage().user / 1e6).toFixed(0)} s of processor time`);
     console.log(`1..${count}`);
     process.exitCode = failed > 0 ? 1 : 0;
 }

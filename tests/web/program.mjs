@@ -120,7 +120,7 @@ await page.mouse.wheel(0, 120);
 await page.waitForFunction((before) => window.scrollY > 0 || window.program.state().parameters.find((p) => p.name === 'focalLength').value[0] !== before, parameter(await state(page), 'focalLength')[0]).catch(() => {});
 check('without the focus the wheel scrolls the page', await page.evaluate(() => window.scrollY) > 0);
 await page.waitForFunction(() => { window.scrollTo(0, 0); return window.scrollY === 0; });
-await frames(page, 20); // a wheel's smooth scrolling has an end
+await frames(page, 20); // until the smooth scrolling of the wheel has ended
 await page.waitForFunction(() => { window.scrollTo(0, 0); return window.scrollY === 0; });
 await canvas.focus();
 const length = parameter(await state(page), 'focalLength')[0];
@@ -135,7 +135,7 @@ const fingers = await phone.page.context().newCDPSession(phone.page);
 const touch = (type, ...points) => fingers.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
 await start(phone.page, '03_shadows');
 now = await state(phone.page);
-check('a phone\'s canvas has its screen\'s pixels', now.size.join() === '640,360', now.size);
+check('a phone\'s canvas has the resolution of its screen', now.size.join() === '640,360', now.size);
 await phone.page.evaluate(() => window.program.call('live_pause', 1));
 await rest(phone.page);
 const turned = (await state(phone.page)).camera;

@@ -25,7 +25,7 @@ for (let round = 0; round < 3; round++) {
     there += own() / 3000;
 }
 const ratio = here / there;
-console.log(`# a frame of 03_shadows, 640x360: ${(1000 * here).toFixed(1)} ms of processors in the browser, ${(1000 * there).toFixed(1)} in the program: ${ratio.toFixed(2)} times`);
+console.log(`# a frame of 03_shadows, 640x360: ${(1000 * here).toFixed(1)} ms of processor time in the browser, ${(1000 * there).toFixed(1)} in the program: ${ratio.toFixed(2)} times`);
 check('a frame takes at most 1.5 times what it takes in the program', ratio <= 1.5, ratio);
 
 // ---- The first picture ----
