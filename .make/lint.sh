@@ -59,7 +59,7 @@ check_glsl() {
             NR == 2 { own = /^#define VIEW / }
             NR > 2 && /VIEW/ { distinguishes = 1 }
             END {
-                for (view = 0; view < (own && distinguishes ? 10 : 1); view++)
+                for (view = 0; view < (own && distinguishes ? 11 : 1); view++)
                     for (dialect = 0; dialect <= es; dialect++) {
                         if (own)
                             line[2] = "#define VIEW " view

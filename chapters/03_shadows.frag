@@ -47,6 +47,12 @@ float sceneDistance(vec3 p)
     return min(min(min(stage, frame), min(inside, above)), min(resting, block));
 }
 
+// The camera stops at this distance from the scene.
+float cameraRoom(vec3 p)
+{
+    return sceneDistance(p) - 0.15;
+}
+
 vec3 lampPosition()
 {
     float angle = radians(35.0 + lampSpeed * iTime);

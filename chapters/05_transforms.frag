@@ -121,6 +121,12 @@ float sceneDistance(vec3 p)
     return stepScale * min(seaDistance(p), thingsDistance(p));
 }
 
+// The camera stays above the waves and outside the objects.
+float cameraRoom(vec3 p)
+{
+    return min(seaDistance(p), thingsDistance(p)) - 0.15;
+}
+
 // The interval in which a ray is inside a cube that encloses an object.
 vec2 cubeInterval(Ray ray, vec3 middle, float reach)
 {

@@ -92,6 +92,12 @@ float sceneDistance(vec3 p)
     return capped ? min(own, others) : own;
 }
 
+// The camera stops above the ground. The lanterns drift past it, so it passes through them.
+float cameraRoom(vec3 p)
+{
+    return p.y - 0.1;
+}
+
 // The light of the sky from a direction: an afterglow above the horizon. The light of the mist is
 // the same.
 vec3 skyLight(vec3 direction)

@@ -36,6 +36,12 @@ float sceneDistance(vec3 p)
     return cityDistance(p);
 }
 
+// The camera stops above the ground and in front of the city.
+float cameraRoom(vec3 p)
+{
+    return min(cityDistance(p), p.y) - 0.06;
+}
+
 // ---- The sun and the sky ----
 
 float hour()

@@ -49,6 +49,12 @@ float sceneDistance(vec3 p)
     return opUnion(opUnion(opUnion(fruit, vessels), small), opUnion(p.y, p.z - WALL));
 }
 
+// The camera stops in front of the objects, the table and the wall.
+float cameraRoom(vec3 p)
+{
+    return sceneDistance(p) - 0.1;
+}
+
 // ---- Where to look ----
 
 // The interval of a ray: from where it enters a box, or from just in front of the plane that it

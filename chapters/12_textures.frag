@@ -116,6 +116,12 @@ float sceneDistance(vec3 p)
     return min(min(stones, part.y), min(part.z, part.w));
 }
 
+// The camera stops in front of the objects and above the ground.
+float cameraRoom(vec3 p)
+{
+    return min(sceneDistance(p), p.y) - 0.1;
+}
+
 vec2 sceneInterval(Ray ray)
 {
     return intervalUnion(boxInterval(ray, LOW, HIGH), boxInterval(ray, ROW_LOW, ROW_HIGH));

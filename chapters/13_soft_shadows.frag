@@ -50,7 +50,7 @@ float trellisDistance(vec3 p)
     return min(posts, sdBox(q - vec3(0.0, 1.37, -0.9), vec3(0.09, 0.07, 3.7)));
 }
 
-// A slender figure on a plinth: a body that tapers upwards, shoulders and a head. A lower bound.
+// A slender figure on a plinth: a body that tapers upwards, shoulders, a neck and a head. A lower bound.
 float figureDistance(vec3 p)
 {
     vec3 q = p - vec3(1.45, 0.0, 0.1);
@@ -60,7 +60,8 @@ float figureDistance(vec3 p)
     float shoulders = sdSphere(q - vec3(0.0, 1.40, 0.0), 0.115);
     float head = sdSphere(q - vec3(0.0, 1.76, 0.0), 0.1);
     float plinth = sdBox(q - vec3(0.0, 0.1, 0.0), vec3(0.24, 0.1, 0.24));
-    return min(plinth, min(opSmoothUnion(body, shoulders, 0.25), head));
+    float figure = opSmoothUnion(opSmoothUnion(body, shoulders, 0.25), head, 0.14);
+    return min(plinth, figure);
 }
 
 // Three steps; each is a box whose lower half is in the ground.
@@ -77,6 +78,12 @@ float sceneDistance(vec3 p)
     float ball = sdSphere(p - BALL.xyz, BALL.w);
     float slender = min(trellisDistance(p), figureDistance(p));
     return min(min(parapet, ball), min(slender, stairDistance(p)));
+}
+
+// The camera stops in front of the objects and above the floor.
+float cameraRoom(vec3 p)
+{
+    return min(sceneDistance(p), p.y) - 0.1;
 }
 
 vec3 sunDirection()

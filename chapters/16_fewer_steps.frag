@@ -96,6 +96,12 @@ float sceneDistance(vec3 p)
     return min(min(pierDistance(q), pavilionDistance(q)), polesDistance(q));
 }
 
+// The camera stops in front of the pier and above the water.
+float cameraRoom(vec3 p)
+{
+    return min(sceneDistance(p), p.y - SEA) - 0.08;
+}
+
 // ---- Where to march, and how ----
 
 // The interval in which a ray can hit: a box for the pier, and one for the poles on each side.

@@ -86,6 +86,12 @@ float sceneDistance(vec3 p)
     return min(tumblerDistance(p), min(prismDistance(p), ballDistance(p)));
 }
 
+// The camera stops in front of the glass and above the table.
+float cameraRoom(vec3 p)
+{
+    return min(sceneDistance(p), p.y) - 0.05;
+}
+
 // The material of the glass near p: Cauchy's coefficients and absorption.
 struct Glass {
     vec2 cauchy;

@@ -100,6 +100,12 @@ float sceneDistance(vec3 p)
     return min(landDistance(q), pineDistance(q));
 }
 
+// The camera stops in front of the islet and above the water.
+float cameraRoom(vec3 p)
+{
+    return min(sceneDistance(p), p.y) - 0.3;
+}
+
 // ---- The water ----
 
 // The slope of the water at a point: two trains of waves, each damped where a pixel of this width

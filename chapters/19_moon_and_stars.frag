@@ -87,6 +87,12 @@ float sceneDistance(vec3 p)
     return min(forest(p), observatory(p));
 }
 
+// The camera stops in front of the trees and above the water.
+float cameraRoom(vec3 p)
+{
+    return min(sceneDistance(p), p.y) - 0.3;
+}
+
 // ---- The sky ----
 
 // The values that are the same for all pixels.

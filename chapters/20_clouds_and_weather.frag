@@ -52,6 +52,12 @@ float sceneDistance(vec3 p)
     return opUnion(part.x, opUnion(part.y, part.z));
 }
 
+// The camera stops in front of the coast and above the sea.
+float cameraRoom(vec3 p)
+{
+    return min(sceneDistance(p), p.y) - 0.1;
+}
+
 // ---- The sources of light ----
 
 // Computed once for each pixel. The full moon is opposite the sun: it fades in while the sun sinks

@@ -74,6 +74,12 @@ float sceneDistance(vec3 p)
     return land - (below ? mirrorBlur * length(p - bend.place) : 0.0);
 }
 
+// The camera stops above the land and above the water.
+float cameraRoom(vec3 p)
+{
+    return min(landDistance(p, octaves), p.y) - 0.02;
+}
+
 float coarseMargin(float t)
 {
     return hitThreshold + footprint * pixelSpread() * t;

@@ -33,6 +33,12 @@ float sceneDistance(vec3 p)
     return reefDistance(p);
 }
 
+// The camera stops in front of the reef and above the sand.
+float cameraRoom(vec3 p)
+{
+    return min(sceneDistance(p), p.y) - 0.05;
+}
+
 // ---- Light through the waves ----
 
 // How strongly the waves on the surface focus the light that reaches p, about 1 on average: each wave is a lens.

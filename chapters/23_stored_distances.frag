@@ -77,6 +77,12 @@ float sceneDistance(vec3 p)
     return min(clayDistance(p), turntableDistance(p));
 }
 
+// The camera stops in front of the clay and above the table.
+float cameraRoom(vec3 p)
+{
+    return min(sceneDistance(p), p.y - TABLE) - 0.05;
+}
+
 float coarseMargin(float t)
 {
     return hitThreshold + pixelSpread() * t;

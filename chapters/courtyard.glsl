@@ -131,6 +131,12 @@ float troughDistance(vec3 p)
     return min(p.y, cornersDistance(corner(vec2(COURT_SIDE - abs(p.x), p.y - COURT_TOP))));
 }
 
+// The camera stops in front of everything in the court.
+float cameraRoom(vec3 p)
+{
+    return min(courtyardDistance(p), troughDistance(p)) - 0.1;
+}
+
 // Where a ray that starts in the court meets floor or side walls.
 //   returns  t, scene units; COURT_FAR where it meets neither, or passes over a wall's top. Exact
 float troughReached(Ray ray)

@@ -3,12 +3,14 @@
 //
 // The harness sets VIEW: 0 the picture, 1 normals, 2 depth, 3 steps, 4 a slice, 5 a plot below it,
 // 6 the numbers of a probe, 7 evaluations of the scene and how few of the march would be enough, 8 the
-// coarse pass of coarse.glsl, one pixel per block of the picture, 9 the positions of points in the picture.
+// coarse pass of coarse.glsl, one pixel per block of the picture, 9 the positions of points in the picture,
+// 10 where a camera that moves comes to rest.
 
 #include "cover.glsl"
 #include "inputs.glsl"
 #include "places.glsl"
 #include "plot.glsl"
+#include "room.glsl"
 #include "scene.glsl"
 #include "slice.glsl"
 #include "views.glsl"
@@ -67,6 +69,15 @@ void main()
 void main()
 {
     fragColour = placeOf(placeWanted(int(gl_FragCoord.x)));
+}
+
+#elif VIEW == 10
+
+void main()
+{
+    traceReset(-1);
+    pixelRay(vec2(0.0)); // a chapter may prepare its scene there
+    fragColour = vec4(cameraStop(iCameraPosition, iCameraTo) - iCameraTo, 1.0); // half floats carry it too
 }
 
 #else

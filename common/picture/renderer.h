@@ -93,7 +93,8 @@ struct comparison {
     X(iPlotDecimals)                                                                               \
     X(iPlotEnd)                                                                                    \
     X(iHandlePoints)                                                                               \
-    X(iHandlePoint) X(focalLength) X(orthographic) X(harnessPixelOffset) X(harnessResolution)
+    X(iHandlePoint)                                                                                \
+    X(iCameraTo) X(focalLength) X(orthographic) X(harnessPixelOffset) X(harnessResolution)
 #define RENDERER_UNIFORM(name) UNIFORM_##name,
 enum renderer_uniform { RENDERER_UNIFORMS(RENDERER_UNIFORM) RENDERER_UNIFORM_COUNT };
 #undef RENDERER_UNIFORM

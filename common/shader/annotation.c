@@ -63,12 +63,11 @@ bool annotation_copy(struct annotation *a, const char *part, char *to, size_t si
 
 bool annotation_declaration(struct annotation *a)
 {
-    const struct glsl *code = &a->source->code;
     const struct glsl_token *word[4] = {0}; // type, name, semicolon, and one too many
     const struct glsl_token *uniform = a->uniform, *t = uniform + 1;
     int count = 0;
     for (; t != a->comment && t->kind != GLSL_END && t->line == uniform->line && count < 4; t++) {
-        if (t->kind < GLSL_COMMENT && !(count == 0 && glsl_is_precision(code, t)))
+        if (t->kind < GLSL_COMMENT && !(count == 0 && glsl_is_precision(t)))
             word[count++] = t;
         else
             continue;
@@ -85,7 +84,7 @@ bool annotation_declaration(struct annotation *a)
                              "%d letters",
                              a->what, a->example, ANNOTATION_NAME - 1);
     a->type = word[0];
-    snprintf(a->name, sizeof a->name, "%.*s", GLSL_TEXT(code, word[1]));
+    snprintf(a->name, sizeof a->name, "%s", word[1]->text);
     return (count == 3 && word[2]->sign == ';') ||
            annotation_refuse(a,
                              "must be declared alone on its line, with nothing between its name "

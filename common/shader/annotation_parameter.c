@@ -172,22 +172,14 @@ static bool read_words(struct annotation *a)
 
 static bool read_type(struct annotation *a)
 {
-    static const struct {
-        const char *name;
-        enum parameter_type type;
-        int components;
-    } types[] = {{"float", PARAMETER_FLOAT, 1}, {"vec2", PARAMETER_FLOAT, 2},
-                 {"vec3", PARAMETER_FLOAT, 3},  {"vec4", PARAMETER_FLOAT, 4},
-                 {"int", PARAMETER_INT, 1},     {"bool", PARAMETER_BOOL, 1}};
-    for (size_t i = 0; i < sizeof types / sizeof *types; i++)
-        if (glsl_is(&a->source->code, a->type, types[i].name)) {
-            a->parameter.type = types[i].type;
-            a->parameter.components = types[i].components;
-            return true;
-        }
-    return annotation_refuse(
-        a, "a %.*s cannot be a parameter: use float, vec2, vec3, vec4, int or bool",
-        GLSL_TEXT(&a->source->code, a->type));
+    struct parameter *p = &a->parameter;
+    char base = '\0';
+    p->components = glsl_type(a->type->text, &base);
+    p->type = base == 'b' ? PARAMETER_BOOL : base == 'i' ? PARAMETER_INT : PARAMETER_FLOAT;
+    return base == 'f' || (p->type != PARAMETER_FLOAT && p->components == 1) ||
+           annotation_refuse(a,
+                             "a %s cannot be a parameter: use float, vec2, vec3, vec4, int or bool",
+                             a->type->text);
 }
 
 static bool read_parameter(struct annotation *a)
@@ -221,22 +213,13 @@ static bool read_uniform(struct annotation *a, const struct shader_source *sourc
 
 bool parameter_declared(const struct shader_source *source, const struct glsl_token *name)
 {
-    const struct glsl *code = &source->code;
-    int low = 0, high = code->count;
-    while (low < high) { // find the name among all tokens
-        int middle = (low + high) / 2;
-        if (code->item[middle].begin < name->begin)
-            low = middle + 1;
-        else
-            high = middle;
-    }
-    while (low > 0 && code->item[low].line == name->line &&
-           !glsl_is(code, &code->item[low], "uniform"))
-        low--;
+    const struct glsl_token *t = &source->code.item[name->item];
     struct annotation a;
     bool found = false;
-    return glsl_is(code, &code->item[low], "uniform") && code->item[low].line == name->line &&
-           read_uniform(&a, source, &code->item[low], &found) && found;
+    while (t > source->code.item && t->line == name->line && !glsl_is(t, "uniform"))
+        t--;
+    return t->line == name->line && glsl_is(t, "uniform") && read_uniform(&a, source, t, &found) &&
+           found;
 }
 
 static bool add_parameter(struct parameters *parameters, const struct annotation *a)
@@ -258,7 +241,7 @@ bool parameters_read(struct parameters *parameters, struct shader_source *source
     bool done = samplers_read(&parameters->samplers, source);
     for (const struct glsl_token *t = code->item; done && t->kind != GLSL_END; t++) {
         struct annotation a;
-        bool uniform = glsl_is(code, t, "uniform"), found;
+        bool uniform = glsl_is(t, "uniform"), found;
         // In another tool's file, the library of the course keeps its parameters.
         if (uniform && t->line > line && (course || (t->live && source->lines[t->line].file == 0)))
             done = read_uniform(&a, source, t, &found) ? !found || add_parameter(parameters, &a)

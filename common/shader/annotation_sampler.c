@@ -93,16 +93,12 @@ static bool add_sampler(struct samplers *samplers, const struct sampler *sampler
 }
 
 // The type of a uniform if it is a sampler of any kind, or NULL.
-static const struct glsl_token *sampler_type(const struct glsl *code,
-                                             const struct glsl_token *uniform)
+static const struct glsl_token *sampler_type(const struct glsl_token *uniform)
 {
     const struct glsl_token *t = uniform + 1;
-    while (t->kind >= GLSL_COMMENT || glsl_is_precision(code, t))
+    while (t->kind >= GLSL_COMMENT || glsl_is_precision(t))
         t++;
-    char type[ANNOTATION_NAME] = "";
-    if (t->kind == GLSL_WORD && t->length < ANNOTATION_NAME)
-        snprintf(type, sizeof type, "%.*s", GLSL_TEXT(code, t));
-    return strstr(type, "sampler") != NULL ? t : NULL;
+    return strstr(t->text, "sampler") != NULL ? t : NULL;
 }
 
 static bool read_sampler(struct samplers *samplers, struct shader_source *source,
@@ -110,21 +106,20 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
 {
     // Tables of the slice, of the coarse pass and of letters, which the harness fills in.
     static const char *const own[] = {"iMarch", "iCoarse", "iSigns", NULL};
-    const struct glsl *code = &source->code;
-    bool volume = glsl_is(code, type, "sampler3D"), twice = false;
+    bool volume = glsl_is(type, "sampler3D"), twice = false;
     struct annotation a;
     char file[256];
-    if (glsl_is_any(code, type + 1, own))
+    if (glsl_is_any(type + 1, own))
         return true;
     annotation_begin(&a, source, uniform, "sampler", volume ? EXAMPLE3 : EXAMPLE2);
     a.sampler.line = a.line;
     bool done =
         annotation_declaration(&a) &&
-        (volume || glsl_is(code, type, "sampler2D") ||
+        (volume || glsl_is(type, "sampler2D") ||
          annotation_refuse(&a,
-                           "the type %.*s cannot be filled in: use sampler2D, or sampler3D for a "
+                           "the type %s cannot be filled in: use sampler2D, or sampler3D for a "
                            "volume",
-                           GLSL_TEXT(code, type))) &&
+                           type->text)) &&
         read_picture(&a, volume, file);
     memcpy(a.sampler.name, a.name, sizeof a.name);
     for (int i = 0; i < samplers->count; i++)
@@ -163,17 +158,16 @@ static bool check_hidden(const struct shader_source *source, const struct glsl_t
     static const char *const parameter[] = {"in", "const", "precision", NULL};
     const struct glsl *code = &source->code;
     const struct glsl_token *t = type - 1;
-    if (!type->live || !glsl_is_any(code, type, types))
+    if (!type->live || !glsl_is_any(type, types))
         return true;
-    while (t >= code->item && (t->kind >= GLSL_COMMENT || glsl_is_precision(code, t)))
+    while (t >= code->item && (t->kind >= GLSL_COMMENT || glsl_is_precision(t)))
         t--;
-    return (t >= code->item && (glsl_is_sign(t, "(,") || glsl_is_any(code, t, parameter) ||
-                                (!type->directive && glsl_is(code, t, "uniform")))) ||
+    return (t >= code->item && (glsl_is_sign(t, "(,") || glsl_is_any(t, parameter) ||
+                                (!type->directive && glsl_is(t, "uniform")))) ||
            shader_refuse(source, type->line,
-                         "a %.*s must be a uniform of its own, in no structure or macro: write as "
+                         "a %s must be a uniform of its own, in no structure or macro: write as "
                          "in \"%s\"",
-                         GLSL_TEXT(code, type),
-                         glsl_is(code, type, "sampler3D") ? EXAMPLE3 : EXAMPLE2);
+                         type->text, glsl_is(type, "sampler3D") ? EXAMPLE3 : EXAMPLE2);
 }
 
 bool samplers_read(struct samplers *samplers, struct shader_source *source)
@@ -182,8 +176,8 @@ bool samplers_read(struct samplers *samplers, struct shader_source *source)
     bool course = source->dialect == DIALECT_COURSE;
     bool done = course || add_channels(samplers, source);
     for (const struct glsl_token *t = code->item; course && done && t->kind != GLSL_END; t++) {
-        bool uniform = glsl_is(code, t, "uniform") && t->live && !t->directive;
-        const struct glsl_token *type = uniform ? sampler_type(code, t) : NULL;
+        bool uniform = glsl_is(t, "uniform") && t->live && !t->directive;
+        const struct glsl_token *type = uniform ? sampler_type(t) : NULL;
         done = (type == NULL || read_sampler(samplers, source, t, type)) && check_hidden(source, t);
     }
     return done;

@@ -55,21 +55,20 @@ static GLuint compile(const struct gl *gl, GLenum stage, const char *text)
     return shader;
 }
 
-// A program whose result was not asked for, because the answer waits for the driver.
+// A program on its way, whose result was not asked for, because the answer waits for the driver.
 struct begun {
-    GLuint stage[2], program; // 0: none
-    char *text[2];            // of one in the list
+    char *text[2];            // of its stages, owned; NULL for another's
+    GLuint stage[2], program; // 0: not begun
 };
 
-static struct begun begin(const struct gl *gl, const char *vertex, const char *fragment)
+static void begin(const struct gl *gl, struct begun *one, const char *vertex, const char *fragment)
 {
-    struct begun one = {
-        .stage = {compile(gl, GL_VERTEX_SHADER, vertex), compile(gl, GL_FRAGMENT_SHADER, fragment)},
-        .program = gl->CreateProgram()};
-    gl->AttachShader(one.program, one.stage[0]);
-    gl->AttachShader(one.program, one.stage[1]);
-    gl->LinkProgram(one.program);
-    return one;
+    one->stage[0] = compile(gl, GL_VERTEX_SHADER, vertex);
+    one->stage[1] = compile(gl, GL_FRAGMENT_SHADER, fragment);
+    one->program = gl->CreateProgram();
+    gl->AttachShader(one->program, one->stage[0]);
+    gl->AttachShader(one->program, one->stage[1]);
+    gl->LinkProgram(one->program);
 }
 
 // The first step that failed, or the last.
@@ -162,11 +161,10 @@ void shader_forget(const struct gl *gl)
 GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fragment,
                          enum shader_step *step, char **log)
 {
-    struct begun *begun = find(vertex, fragment), one;
-    if (begun != NULL)
-        return end(gl, begun, step, log);
-    one = begin(gl, vertex, fragment);
-    return end(gl, &one, step, log);
+    struct begun *begun = find(vertex, fragment), one = {.program = 0};
+    if (begun == NULL)
+        begin(gl, begun = &one, vertex, fragment);
+    return end(gl, begun, step, log);
 }
 
 // ---- A program ----
@@ -200,20 +198,17 @@ void shader_begin(const struct gl *gl, const struct shader_source *vertex,
                   const struct shader_source *fragment, enum shader_view view)
 {
     struct shader_source stage = vertex_for(vertex, fragment);
-    char *first = shader_text(&stage, view), *second = shader_text(fragment, view);
-    struct begun *one = list;
-    while (one < list + LIST && one->program != 0)
-        one++;
-    if (one < list + LIST && find(first, second) == NULL) {
+    struct begun one = {.text = {shader_text(&stage, view), shader_text(fragment, view)}};
+    struct begun *free_one = list;
+    while (free_one < list + LIST && free_one->program != 0)
+        free_one++;
+    if (free_one < list + LIST && find(one.text[0], one.text[1]) == NULL) {
         guard(gl, fragment);
-        *one = begin(gl, first, second);
+        begin(gl, &one, one.text[0], one.text[1]);
         guard_end();
-        one->text[0] = first;
-        one->text[1] = second;
-    } else {
-        free(first);
-        free(second);
-    }
+        *free_one = one;
+    } else
+        leave(gl, &one);
     free(stage.prelude);
     free(stage.body);
 }

@@ -5,10 +5,10 @@
 
 static enum declared_kind kind_of(const struct glsl *code, const struct glsl_token *t)
 {
-    return glsl_means(code, t, "in") || glsl_is(code, t, "varying")       ? DECLARED_IN
-           : glsl_means(code, t, "out")                                   ? DECLARED_OUT
-           : glsl_means(code, t, "uniform") || glsl_is(code, t, "buffer") ? DECLARED_UNIFORM
-                                                                          : DECLARED_VARIABLE;
+    return glsl_means(code, t, "in") || glsl_is(t, "varying")       ? DECLARED_IN
+           : glsl_means(code, t, "out")                             ? DECLARED_OUT
+           : glsl_means(code, t, "uniform") || glsl_is(t, "buffer") ? DECLARED_UNIFORM
+                                                                    : DECLARED_VARIABLE;
 }
 
 // Take a name, if it can be one of this kind.
@@ -17,13 +17,12 @@ static bool take_name(struct declared *at, const struct glsl_token *name)
     const struct glsl_token *t = name + 1;
     while (t->sign == '[')
         t = glsl_next(at->code, t);
-    if (name->kind != GLSL_WORD || name->length >= DECLARED_NAME ||
-        (at->kind == DECLARED_VARIABLE && !glsl_is_sign(t, ",;=")))
+    if (name->kind != GLSL_WORD || (at->kind == DECLARED_VARIABLE && !glsl_is_sign(t, ",;=")))
         return false;
     at->name = name;
     at->value = t->sign == '=' && at->kind != DECLARED_BLOCK ? t : NULL;
     at->end = at->kind == DECLARED_BLOCK ? name + 1 : glsl_skip(at->code, t, ",;)}");
-    snprintf(at->word, sizeof at->word, "%.*s", GLSL_TEXT(at->code, name));
+    at->word = name->text;
     return true;
 }
 
@@ -40,18 +39,18 @@ static bool take_declaration(struct declared *at, const struct glsl_token *t)
     at->kind = DECLARED_VARIABLE;
     at->storage = NULL;
     for (;; t++)
-        if (glsl_is(code, t, "layout") && t[1].sign == '(') {
+        if (glsl_is(t, "layout") && t[1].sign == '(') {
             at->layout = t;
             t = glsl_partner(code, t + 1);
         } else if (at->kind == DECLARED_VARIABLE && kind_of(code, t) != DECLARED_VARIABLE) {
             at->kind = kind_of(code, t);
-        } else if (!glsl_is_any(code, t, qualifiers) && !glsl_is_precision(code, t)) {
+        } else if (!glsl_is_any(t, qualifiers) && !glsl_is_precision(t)) {
             break;
         }
-    bool structure = glsl_is(code, t, "struct") && at->kind == DECLARED_VARIABLE &&
+    bool structure = glsl_is(t, "struct") && at->kind == DECLARED_VARIABLE &&
                      t[1].kind == GLSL_WORD && t[2].sign == '{';
     if ((at->kind != DECLARED_VARIABLE && at->begin->depth > 0) || t->kind != GLSL_WORD ||
-        t->length >= DECLARED_NAME || (!structure && glsl_is_any(code, t, others)))
+        (!structure && glsl_is_any(t, others)))
         return false;
     at->type = t + structure;
     t = structure ? glsl_next(code, t + 2) : t + 1;
@@ -77,7 +76,7 @@ bool declared_next(struct declared *at)
         return true;
     for (t = t != NULL ? t : code->statement - 1;
          t == code->statement - 1 || t->kind != GLSL_END;) {
-        bool loop = t->sign == '(' && glsl_is(code, t - 1, "for");
+        bool loop = t->sign == '(' && glsl_is(t - 1, "for");
         bool begins = t < code->statement || loop || glsl_is_sign(t, ";{}");
         t = t->sign == '{' && holds_members(code, t) ? glsl_next(code, t) - 1 : t;
         if (begins && take_declaration(at, t + 1))
@@ -94,8 +93,8 @@ bool declared_is_first(const struct declared *at)
     const struct glsl *code = at->code;
     const struct glsl_token *end = at->layout != NULL ? glsl_partner(code, at->layout + 1) : NULL;
     for (const struct glsl_token *t = at->layout; end != NULL && t < end; t++)
-        if (glsl_is(code, t, "location"))
-            return t[1].sign == '=' && glsl_is(code, t + 2, "0");
+        if (glsl_is(t, "location"))
+            return t[1].sign == '=' && glsl_is(t + 2, "0");
     return false;
 }
 
@@ -130,18 +129,16 @@ void declared_store(struct declared *at, struct edits *edits, const char *storag
                                         [DECLARED_OUT] = "out",
                                         [DECLARED_UNIFORM] = "uniform",
                                         [DECLARED_BLOCK] = "uniform"};
-    const struct glsl *code = at->code;
     const struct glsl_token *last = at->type - 1, *size = at->type + 1;
     if (at->name == at->first) {
-        bool same = at->begin == last && glsl_is(code, last, words[at->kind]) &&
-                    glsl_is(code, last, storage);
+        bool same = at->begin == last && glsl_is(last, words[at->kind]) && glsl_is(last, storage);
         if (!same)
             edits_add(edits, at->begin->begin, last->begin + last->length - at->begin->begin, "%s",
                       storage);
     } else if (at->storage == NULL || strcmp(at->storage, storage) != 0) {
         int length = size->sign == '[' && size[2].sign == ']' ? size[2].begin + 1 - size->begin : 0;
-        edits_add(edits, at->name[-1].begin, 1, "; %s %.*s%.*s ", storage,
-                  GLSL_TEXT(code, at->type), length, code->text + size->begin);
+        edits_add(edits, at->name[-1].begin, 1, "; %s %s%.*s ", storage, at->type->text, length,
+                  at->code->text + size->begin);
     }
     at->storage = storage;
 }
@@ -154,9 +151,9 @@ bool declared_anywhere(const struct glsl *code, const char *word)
             return true;
     bool uniform = false; // a macro may hold the whole declaration
     for (t = code->item; t->kind != GLSL_END; t++) {
-        uniform = t->live && t->directive && t->kind != GLSL_HASH &&
-                  (uniform || glsl_is(code, t, "uniform"));
-        if (uniform && glsl_is(code, t, word))
+        uniform =
+            t->live && t->directive && t->kind != GLSL_HASH && (uniform || glsl_is(t, "uniform"));
+        if (uniform && glsl_is(t, word))
             return true;
     }
     return false;

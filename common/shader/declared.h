@@ -7,8 +7,6 @@
 #include "shader/edits.h"
 #include "shader/glsl.h"
 
-enum { DECLARED_NAME = 64 }; // size of a name or a type that is judged
-
 enum declared_kind {
     DECLARED_NONE,
     DECLARED_VARIABLE, // also in a function, but no parameter and no member
@@ -28,7 +26,7 @@ struct declared {
     const struct glsl_token *value;               // the = behind the name and its size, or NULL
     const struct glsl_token *end; // behind all these: a comma, a semicolon, ...; of a block its {
     const char *storage;          // what declared_store last wrote
-    char word[DECLARED_NAME];     // the name
+    const char *word;             // the name
 };
 
 // Move to the next declared name; false at the end.

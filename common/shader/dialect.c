@@ -89,7 +89,7 @@ static bool check_kind(const struct shader_source *source)
     if (why != NULL)
         return report("%s: %s", source->files[0], why);
     const struct glsl_token *glslify = glsl_find(code, "glslify");
-    if (glslify != NULL && glslify->directive && glsl_is(code, glslify - 1, "pragma"))
+    if (glslify != NULL && glslify->directive && glsl_is(glslify - 1, "pragma"))
         return shader_refuse(source, glslify->line,
                              "#pragma glslify: a file for glslify, a tool in JavaScript: run that "
                              "first and give its output");
@@ -112,20 +112,18 @@ static bool check_sense(const struct shader_source *source)
     for (t = code->statement; t->kind != GLSL_END; t++) {
         const struct glsl_token *number = t + 1;
         if (t->sign == '[' && number->kind == GLSL_NUMBER && number[1].sign == ']' &&
-            strtod(code->text + number->begin, NULL) > ARRAY_LIMIT)
+            strtod(number->text, NULL) > ARRAY_LIMIT)
             return shader_refuse(source, t->line,
-                                 "an array of %.*s elements: a graphics processor has room for at "
+                                 "an array of %.20s elements: a graphics processor has room for at "
                                  "most %d",
-                                 number->length < 20 ? number->length : 20,
-                                 code->text + number->begin, ARRAY_LIMIT);
+                                 number->text, ARRAY_LIMIT);
     }
     t = growth_find(code);
     return t == NULL ||
            shader_refuse(source, t->line,
-                         "%.*s: expands to more than %.0f million tokens, with all macros and "
+                         "%.40s: expands to more than %.0f million tokens, with all macros and "
                          "functions in it: more than a graphics driver can compile",
-                         t->length < 40 ? t->length : 40, code->text + t->begin,
-                         GROWTH_LIMIT / 1e6);
+                         t->text, GROWTH_LIMIT / 1e6);
 }
 
 static bool refuse_image(const struct shader_source *source, const struct glsl_token *image)
@@ -143,13 +141,13 @@ static bool check_image(const struct shader_source *source)
     const struct glsl_token *old = glsl_find(code, "gl_FragColor");
     if (image == NULL || !image->certain || image[2].macro)
         return true;
-    if (!glsl_is_any(code, image + 2, (const char *const[]){"out", "inout", NULL}))
+    if (!glsl_is_any(image + 2, (const char *const[]){"out", "inout", NULL}))
         return refuse_image(source, image);
     const struct glsl_token *colour = glsl_skip(code, image + 2, ",)") - 1;
     return old == NULL || !old->certain ||
            shader_refuse(source, old->line,
-                         "gl_FragColor: mainImage returns its colour in %.*s: write %.*s = ...",
-                         GLSL_TEXT(code, colour), GLSL_TEXT(code, colour));
+                         "gl_FragColor: mainImage returns its colour in %s: write %s = ...",
+                         colour->text, colour->text);
 }
 
 // ---- Which dialect ----
@@ -276,9 +274,9 @@ bool dialect_refuses(const struct shader_source *source, const char *log, bool l
         return !refuse_vertex(source);
     if (cube != NULL)
         return !shader_refuse(source, cube->line,
-                              "%.*s is read as a cube map, which is not offered here: a picture is "
+                              "%s is read as a cube map, which is not offered here: a picture is "
                               "read at a vec2",
-                              GLSL_TEXT(code, cube));
+                              cube->text);
     for (int i = 0; source->dialect != DIALECT_COURSE && (input = inputs_row(i)) != NULL; i++) {
         bool lacks = !inputs_offers(source, input) && strstr(log, input->name) != NULL;
         const struct glsl_token *token = lacks ? glsl_find(code, input->name) : NULL;
@@ -305,10 +303,10 @@ static bool writes(const struct glsl *code)
 {
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END;
          t = t->sign == '(' ? glsl_next(code, t) : t + 1) // a parameter is no output
-        if (glsl_is(code, t, "out"))
+        if (glsl_is(t, "out"))
             return true;
     for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++)
-        if (t->directive && t->live && glsl_is(code, t, "out"))
+        if (t->directive && t->live && glsl_is(t, "out"))
             return true;
     return glsl_mentions(code, "gl_FragColor") + glsl_mentions(code, "gl_FragData") > 0;
 }
@@ -324,9 +322,8 @@ static void warn(struct shader_source *source, const struct declared *at)
                                            {"vec4", "vec4(1.0)", "1 in [0, 4]"}};
     const struct input *input = inputs_find(at->word);
     bool silent = input != NULL && input->meaning == INPUT_SILENT;
-    char type[DECLARED_NAME];
+    const char *type = at->type->text;
     size_t i = 0;
-    snprintf(type, sizeof type, "%.*s", GLSL_TEXT(at->code, at->type));
     while (i < COUNT(types) && strcmp(type, types[i][0]) != 0)
         i++;
     char *why;
@@ -360,7 +357,7 @@ static void warn_of_unset(struct shader_source *source)
         bool set =
             input != NULL && input->meaning != INPUT_SILENT && input->meaning != INPUT_POSITION;
         bool unset = at.kind == DECLARED_UNIFORM && !set && at.value == NULL;
-        bool block = at.kind == DECLARED_BLOCK && !glsl_is(at.code, at.type - 1, "in");
+        bool block = at.kind == DECLARED_BLOCK && !glsl_is(at.type - 1, "in");
         if ((block || unset) && declared_is_read(&at) && !parameter_declared(source, at.name))
             warn(source, &at);
     }
@@ -376,8 +373,8 @@ bool dialect_accepts(struct shader_source *source)
     struct declared shown = declared_output(code);
     if (shown.kind != DECLARED_NONE && shown.name->certain && !declared_is_read(&shown))
         return shader_refuse(source, shown.name->line,
-                             "out %.*s %s: never gets a value: write %s = vec4(...); in main",
-                             GLSL_TEXT(code, shown.type), shown.word, shown.word);
+                             "out %s %s: never gets a value: write %s = vec4(...); in main",
+                             shown.type->text, shown.word, shown.word);
     return writes(code) ||
            report("%s: writes no colour: declare out vec4 FragColor; and give it a value in main",
                   source->files[0]);

@@ -20,6 +20,7 @@ enum shader_view {
     SHADER_COUNT,                     // nor this: evaluations of the scene for each pixel
     SHADER_COARSE,                    // nor this: where the rays of a block of pixels may start
     SHADER_PLACES,                    // nor this: where a ray's steps are in the picture
+    SHADER_ROOM,                      // nor this: where a camera that moves comes to rest
     SHADER_PROGRAM_COUNT
 };
 

@@ -246,14 +246,14 @@ static bool check_directive(struct expansion *e, struct shader_line at,
     const struct glsl_token *end = code->item + code->count;
     if (hash + 1 >= end || !hash->live)
         return true;
-    if (glsl_is(code, hash + 1, "include")) // behind a comment, or divided
+    if (glsl_is(hash + 1, "include")) // behind a comment, or divided
         return take_include(e, at, "");
-    if (!glsl_is(code, hash + 1, "version"))
+    if (!glsl_is(hash + 1, "version"))
         return true;
     if (at.file > 0)
         return report("%s:%d: #version in an included file: take it out", file, at.line);
     bool number = hash + 2 < end && hash[2].kind == GLSL_NUMBER;
-    e->source->version = number ? atoi(code->text + hash[2].begin) : 1;
+    e->source->version = number ? atoi(hash[2].text) : 1;
     return first || report("%s:%d: #version must come first: move it to the top", file, at.line);
 }
 

@@ -43,22 +43,66 @@ static void put_vector(struct export *e, const double *value, int components)
         fprintf(e->text, ")");
 }
 
-static void put_floats(struct export *e, const float *value, int components)
+static void put_value(struct export *e, const struct parameter *parameter)
 {
-    double all[3] = {0.0};
-    for (int i = 0; i < components; i++)
-        all[i] = (double)value[i];
-    put_vector(e, all, components);
+    if (parameter->type == PARAMETER_BOOL)
+        fprintf(e->text, "%s", parameter->value[0] > 0.5 ? "true" : "false");
+    else if (parameter->type == PARAMETER_INT)
+        fprintf(e->text, "%d", (int)parameter->value[0]);
+    else
+        put_vector(e, parameter->value, parameter->components);
 }
 
-// The vector of the camera that an input means, or NULL.
-static const float *camera_vector(const struct export *e, enum input_meaning meaning)
+// Write the value of an input on Shadertoy, where the camera is constant, and the picture is drawn
+// in one part, with one sample. Returns its number of components.
+static int put_meaning(struct export *e, const struct input *input)
 {
-    return meaning == INPUT_EYE       ? e->camera->position
-           : meaning == INPUT_RIGHT   ? e->basis.right
-           : meaning == INPUT_UP      ? e->basis.up
-           : meaning == INPUT_FORWARD ? e->basis.forward
-                                      : NULL;
+    static const struct {
+        const char *text;
+        int components;
+    } given[INPUT_VALUES] = {[INPUT_SIZE] = {"iResolution", 3},
+                             [INPUT_TIME] = {"iTime", 1},
+                             [INPUT_STEP] = {"iTimeDelta", 1},
+                             [INPUT_RATE] = {"iFrameRate", 1},
+                             [INPUT_FRAME] = {"float(iFrame)", 1},
+                             [INPUT_DATE] = {"iDate", 4},
+                             [INPUT_MOUSE] = {"iMouse", 4},
+                             [INPUT_POINTER] = {"iMouse", 4},
+                             [INPUT_POINTER_SHARE] = {"(iMouse.xy / iResolution.xy)", 2},
+                             [INPUT_ASPECT] = {"(iResolution.x / iResolution.y)", 1}};
+    const float *const camera[] = {[INPUT_EYE] = e->camera->position,
+                                   [INPUT_RIGHT] = e->basis.right,
+                                   [INPUT_UP] = e->basis.up,
+                                   [INPUT_FORWARD] = e->basis.forward,
+                                   [INPUT_FOCAL] = &e->focal_length};
+    enum input_meaning meaning = input->meaning;
+    if (meaning >= INPUT_EYE && meaning <= INPUT_FOCAL) {
+        int components = meaning == INPUT_FOCAL ? 1 : 3;
+        double value[3] = {0.0};
+        for (int i = 0; i < components; i++)
+            value[i] = (double)camera[meaning][i];
+        put_vector(e, value, components);
+        return components;
+    }
+    if (meaning == INPUT_POSITION) {
+        const char *from = strstr(input->text, "harnessPosition");
+        const char *place = "(2.0 * toyPixel - iResolution.xy) / iResolution.y";
+        fprintf(e->text, "(%.*s(%s)%s)", (int)(from - input->text), input->text, place,
+                from + strlen("harnessPosition"));
+        return 2;
+    }
+    if (meaning == INPUT_CHANNEL_SIZE) {
+        fprintf(e->text, "iChannelResolution[%d]", input->channel);
+        return 3;
+    }
+    if (meaning == INPUT_DRAW) {
+        bool vector = input->type[0] == 'v', count = strcmp(input->name, "iSamples") == 0;
+        fputs(vector ? "vec2(0.0)" : count ? "1" : "0", e->text);
+        return vector ? 2 : 1;
+    }
+    bool known = meaning < INPUT_VALUES && given[meaning].text != NULL;
+    fprintf(e->text, "%s", known ? given[meaning].text : "0.0");
+    return known ? given[meaning].components : 1;
 }
 
 // ---- The course's dialect ----
@@ -67,8 +111,9 @@ static const float *camera_vector(const struct export *e, enum input_meaning mea
 static bool is_left_out(const char *file)
 {
     static const char *const names[] = {
-        "shaders/main.glsl", "shaders/views.glsl",  "shaders/ramp.glsl",  "shaders/slice.glsl",
-        "shaders/plot.glsl", "shaders/places.glsl", "shaders/signs.glsl", "shaders/cover.glsl"};
+        "shaders/main.glsl",  "shaders/views.glsl", "shaders/ramp.glsl",
+        "shaders/slice.glsl", "shaders/plot.glsl",  "shaders/places.glsl",
+        "shaders/signs.glsl", "shaders/cover.glsl", "shaders/room.glsl"};
     for (size_t i = 0; i < sizeof names / sizeof *names; i++)
         if (strcmp(file, names[i]) == 0)
             return true;
@@ -80,40 +125,26 @@ static int mentions(const struct export *e, const char *name)
 {
     int count = 0;
     for (const struct glsl_token *t = e->code->item; t->kind != GLSL_END; t++)
-        count += glsl_is(e->code, t, name) &&
-                 !is_left_out(e->source->files[e->source->lines[t->line].file]);
+        count += glsl_is(t, name) && !is_left_out(e->source->files[e->source->lines[t->line].file]);
     return count;
 }
 
-static void put_value(struct export *e, const struct parameter *parameter)
-{
-    if (parameter->type == PARAMETER_BOOL)
-        fprintf(e->text, "%s", parameter->value[0] > 0.5 ? "true" : "false");
-    else if (parameter->type == PARAMETER_INT)
-        fprintf(e->text, "%d", (int)parameter->value[0]);
-    else
-        put_vector(e, parameter->value, parameter->components);
-}
-
 // Write the constant that replaces a uniform of the course, and the rest of its line; nothing if
-// Shadertoy declares it, or if only its declaration mentions it. Shadertoy draws the picture in one
-// part, with one sample. Returns false for any other uniform.
+// Shadertoy declares it, or if only its declaration mentions it. Returns false for any other
+// uniform.
 static bool put_uniform(struct export *e, const struct glsl_token *uniform)
 {
     const struct glsl_token *name = uniform + 2, *end = uniform;
-    char word[64];
     if (uniform[1].kind != GLSL_WORD || name->kind != GLSL_WORD)
         return false;
-    snprintf(word, sizeof word, "%.*s", GLSL_TEXT(e->code, name));
-    const struct parameter *parameter = parameters_find(e->parameters, word);
-    const struct input *input = inputs_find(word);
-    if (input != NULL && !inputs_is_course(input))
-        input = NULL;
-    bool draw = input != NULL && input->meaning == INPUT_DRAW;
-    const float *vector = input != NULL ? camera_vector(e, input->meaning) : NULL;
-    if ((input != NULL && inputs_is_shadertoy(input)) || (draw && mentions(e, word) == 1))
+    const struct parameter *parameter = parameters_find(e->parameters, name->text);
+    const struct input *input = inputs_find(name->text);
+    bool course = input != NULL && inputs_is_course(input);
+    bool draw = course && input->meaning == INPUT_DRAW;
+    bool vector = course && input->meaning >= INPUT_EYE && input->meaning <= INPUT_FORWARD;
+    if ((course && inputs_is_shadertoy(input)) || (draw && mentions(e, name->text) == 1))
         return true;
-    if (parameter == NULL && vector == NULL && !draw)
+    if (parameter == NULL && !vector && !draw)
         return false;
     while (end->kind != GLSL_END && end->sign != ';')
         end++;
@@ -122,13 +153,8 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
     fprintf(e->text, "const%.*s = ", end->begin - begin, text + begin);
     if (parameter != NULL)
         put_value(e, parameter);
-    else if (vector != NULL)
-        put_floats(e, vector, 3);
     else
-        fputs(input->type[0] == 'v'           ? "vec2(0.0)"
-              : strcmp(word, "iSamples") == 0 ? "1"
-                                              : "0",
-              e->text);
+        put_meaning(e, input);
     fprintf(e->text, "%.*s\n", (int)strcspn(rest, "\n"), rest);
     return true;
 }
@@ -154,7 +180,7 @@ static void put_files(struct export *e)
         const char *name = source->files[from];
         const struct glsl_token *uniform = NULL;
         for (; t->kind != GLSL_END && t->line == i; t++)
-            uniform = uniform == NULL && glsl_is(e->code, t, "uniform") ? t : uniform;
+            uniform = uniform == NULL && glsl_is(t, "uniform") ? t : uniform;
         if (is_left_out(name))
             continue;
         if (from != file && from == 0)
@@ -190,44 +216,6 @@ static void put_course(struct export *e)
 }
 
 // ---- Other dialects ----
-
-// Write the value of an input on Shadertoy. Returns its number of components.
-static int put_meaning(struct export *e, const struct input *input)
-{
-    static const struct {
-        const char *text;
-        int components;
-    } given[INPUT_VALUES] = {[INPUT_SIZE] = {"iResolution", 3},
-                             [INPUT_TIME] = {"iTime", 1},
-                             [INPUT_STEP] = {"iTimeDelta", 1},
-                             [INPUT_RATE] = {"iFrameRate", 1},
-                             [INPUT_FRAME] = {"float(iFrame)", 1},
-                             [INPUT_DATE] = {"iDate", 4},
-                             [INPUT_MOUSE] = {"iMouse", 4},
-                             [INPUT_POINTER] = {"iMouse", 4},
-                             [INPUT_POINTER_SHARE] = {"(iMouse.xy / iResolution.xy)", 2},
-                             [INPUT_ASPECT] = {"(iResolution.x / iResolution.y)", 1}};
-    enum input_meaning meaning = input->meaning;
-    if (meaning == INPUT_POSITION) {
-        const char *from = strstr(input->text, "harnessPosition");
-        const char *place = "(2.0 * toyPixel - iResolution.xy) / iResolution.y";
-        fprintf(e->text, "(%.*s(%s)%s)", (int)(from - input->text), input->text, place,
-                from + strlen("harnessPosition"));
-        return 2;
-    }
-    if (meaning == INPUT_CHANNEL_SIZE) {
-        fprintf(e->text, "iChannelResolution[%d]", input->channel);
-        return 3;
-    }
-    const float *vector = camera_vector(e, meaning);
-    if (vector != NULL || meaning == INPUT_FOCAL) {
-        put_floats(e, vector != NULL ? vector : &e->focal_length, vector != NULL ? 3 : 1);
-        return vector != NULL ? 3 : 1;
-    }
-    bool known = meaning < INPUT_VALUES && given[meaning].text != NULL;
-    fprintf(e->text, "%s", known ? given[meaning].text : "0.0");
-    return known ? given[meaning].components : 1;
-}
 
 // Set an input that Shadertoy lacks, in the type that the file declares.
 static void put_input(struct export *e, const struct shader_input *in)

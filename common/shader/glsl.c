@@ -26,8 +26,8 @@ static int *slot_of(const struct glsl *code, const char *word, int length)
     for (int i = 0; i < length; i++)
         hash = (hash ^ (unsigned char)word[i]) * 16777619u;
     for (hash &= mask; code->table[hash] >= 0; hash = (hash + 1) & mask) {
-        const struct glsl_name *name = &code->name[code->table[hash]];
-        if (name->length == length && memcmp(code->text + name->begin, word, (size_t)length) == 0)
+        const char *text = code->name[code->table[hash]].text;
+        if (strncmp(text, word, (size_t)length) == 0 && text[length] == '\0')
             break;
     }
     return &code->table[hash];
@@ -43,18 +43,20 @@ static void grow_table(struct glsl *code)
     code->table = memory_zeros((size_t)code->table_size, sizeof *code->table);
     memset(code->table, 0xFF, (size_t)code->table_size * sizeof *code->table); // -1 each
     for (int i = 0; i < code->name_count; i++)
-        *slot_of(code, code->text + code->name[i].begin, code->name[i].length) = i;
+        *slot_of(code, code->name[i].text, (int)strlen(code->name[i].text)) = i;
 }
 
 // Find the name of a word, or add it.
-static int add_name(struct glsl *code, const struct glsl_token *token)
+static int add_name(struct glsl *code, const char *word, int length)
 {
     grow_table(code);
-    int *slot = slot_of(code, code->text + token->begin, token->length);
+    int *slot = slot_of(code, word, length);
     if (*slot < 0) {
+        char *text = memory_zeros((size_t)length + 1, 1);
+        memcpy(text, word, (size_t)length);
         code->name = memory_row(code->name, code->name_count, sizeof *code->name);
         *slot = code->name_count++;
-        code->name[*slot] = (struct glsl_name){token->begin, token->length, .last = -1, .word = -1};
+        code->name[*slot] = (struct glsl_name){.text = text, .last = -1};
     }
     return *slot;
 }
@@ -80,13 +82,11 @@ static enum glsl_truth negate(enum glsl_truth truth)
 
 static enum glsl_truth is_defined(const struct glsl *code, const struct glsl_token *token)
 {
-    const char *word = code->text + token->begin;
-    if (token->kind != GLSL_WORD || glsl_is(code, token, "VIEW") ||
-        glsl_is(code, token, "HW_PERFORMANCE"))
+    if (token->kind != GLSL_WORD || glsl_is(token, "VIEW") || glsl_is(token, "HW_PERFORMANCE"))
         return GLSL_PERHAPS;
-    if (glsl_is(code, token, "GL_ES"))
+    if (glsl_is(token, "GL_ES"))
         return GL_IS_ES ? GLSL_ALWAYS : GLSL_NEVER;
-    bool drivers = strncmp(word, "GL_", 3) == 0 || strncmp(word, "__", 2) == 0;
+    bool drivers = strncmp(token->text, "GL_", 3) == 0 || strncmp(token->text, "__", 2) == 0;
     return drivers ? GLSL_PERHAPS : code->name[token->name].defined;
 }
 
@@ -97,12 +97,12 @@ static enum glsl_truth truth_of(const struct glsl *code, const struct glsl_token
     bool no = c->sign == '!';
     enum glsl_truth truth = GLSL_PERHAPS;
     c += no;
-    if (glsl_is(code, c, "defined")) {
+    if (glsl_is(c, "defined")) {
         bool bracket = c[1].sign == '(';
         truth = is_defined(code, c + 1 + bracket);
         c += 2 + 2 * bracket;
-    } else if (!no && (glsl_is(code, c, "0") || glsl_is(code, c, "1"))) {
-        truth = code->text[c->begin] == '0' ? GLSL_NEVER : GLSL_ALWAYS;
+    } else if (!no && (glsl_is(c, "0") || glsl_is(c, "1"))) {
+        truth = glsl_is(c, "0") ? GLSL_NEVER : GLSL_ALWAYS;
         c++;
     }
     return glsl_code(c)->kind != GLSL_END ? GLSL_PERHAPS : no ? negate(truth) : truth;
@@ -143,39 +143,46 @@ static void define(struct glsl_reader *r, const struct glsl_token *word, bool de
     if (defines) {
         bool one =
             !name->macro && word[1].kind == GLSL_WORD && glsl_code(word + 2)->kind == GLSL_END;
-        name->word = one ? word[1].name : -1;
+        name->word = one ? word[1].text : NULL;
     }
     name->macro |= defines;
     if (!defines || name->defined == GLSL_NEVER)
         name->defined = defines && r->certain ? GLSL_ALWAYS : GLSL_PERHAPS;
 }
 
+// End the row of all tokens for now.
+static void add_ends(struct glsl *code)
+{
+    for (int i = 0; i < ENDS; i++) {
+        code->item = memory_row(code->item, code->count + i, sizeof *code->item);
+        code->item[code->count + i] = (struct glsl_token){.text = ""};
+    }
+}
+
 // Obey the directive whose tokens are the last ones.
 static void obey(struct glsl_reader *r)
 {
     struct glsl *code = r->code;
-    for (int i = 0; i < 3; i++) // nothing follows it
-        code->item = memory_row(code->item, code->count + i, sizeof *code->item);
-    memset(code->item + code->count, 0, 3 * sizeof *code->item);
+    add_ends(code);
     const struct glsl_token *word = code->item + r->hash + 1;
     const struct glsl_conditional *last = r->open_count > 0 ? &r->open[r->open_count - 1] : NULL;
     r->inside = false;
-    if (glsl_is(code, word, "ifdef"))
+    if (glsl_is(word, "ifdef"))
         begin_if(r, is_defined(code, word + 1));
-    else if (glsl_is(code, word, "ifndef"))
+    else if (glsl_is(word, "ifndef"))
         begin_if(r, negate(is_defined(code, word + 1)));
-    else if (glsl_is(code, word, "if"))
+    else if (glsl_is(word, "if"))
         begin_if(r, truth_of(code, word + 1));
-    else if (last != NULL && glsl_is(code, word, "else"))
+    else if (last != NULL && glsl_is(word, "else"))
         begin_part(r, last->others, GLSL_NEVER);
-    else if (last != NULL && glsl_is(code, word, "elif"))
+    else if (last != NULL && glsl_is(word, "elif"))
         begin_part(r, last->others == GLSL_NEVER ? GLSL_NEVER : GLSL_PERHAPS,
                    last->others == GLSL_NEVER ? GLSL_NEVER : GLSL_PERHAPS);
-    else if (last != NULL && glsl_is(code, word, "endif"))
+    else if (last != NULL && glsl_is(word, "endif"))
         end_if(r);
     else if (r->live && word[1].kind == GLSL_WORD &&
-             (glsl_is(code, word, "define") || glsl_is(code, word, "undef")))
-        define(r, word + 1, glsl_is(code, word, "define"));
+             (glsl_is(word, "define") || glsl_is(word, "undef")))
+        define(r, word + 1, glsl_is(word, "define"));
 }
 
 // ---- The scan ----
@@ -222,7 +229,7 @@ static int number_length(const char *c)
 // The kind and the length of the token that begins at c.
 static struct glsl_token token_at(struct glsl_reader *r, const char *c)
 {
-    struct glsl_token token = {.kind = GLSL_SIGN, .length = 1};
+    struct glsl_token token = {.kind = GLSL_SIGN, .length = 1, .text = ""};
     if (c[0] == '/' && c[1] == '/') {
         token.kind = GLSL_COMMENT;
         token.length = line_comment(c);
@@ -274,6 +281,7 @@ static void add_statement(struct glsl_reader *r, const struct glsl_token *token)
     row = memory_row(row, code->statement_count + 1, sizeof *row); // the end before the first one
     code->statement = row + 1;
     code->statement[code->statement_count] = *token;
+    code->statement[code->statement_count].item = code->count;
     code->statement[code->statement_count++].parted = r->parted;
     r->parted = false;
 }
@@ -295,8 +303,9 @@ static void take(struct glsl_reader *r, const char **c)
     append(code, c, token.length);
     r->word |= token.kind < GLSL_COMMENT;
     r->parted |= r->inside;
-    if (token.kind == GLSL_WORD) {
-        token.name = add_name(code, &token);
+    if (token.kind == GLSL_WORD || token.kind == GLSL_NUMBER) {
+        token.name = add_name(code, code->text + token.begin, token.length);
+        token.text = code->name[token.name].text;
         code->name[token.name].count += token.live;
     }
     if (!token.directive && token.kind < GLSL_COMMENT) {
@@ -351,13 +360,11 @@ void glsl_end(struct glsl_reader *r)
         }
     }
     int statements = code->statement_count;
-    for (int i = 0; i < ENDS; i++) {
-        code->item = memory_row(code->item, code->count + i, sizeof *code->item);
-        code->item[code->count + i] = (struct glsl_token){0};
-        add_statement(r, &(struct glsl_token){0});
-    }
+    add_ends(code);
+    for (int i = 0; i < ENDS; i++)
+        add_statement(r, &(struct glsl_token){.text = ""});
     code->statement_count = statements;
-    code->statement[-1] = (struct glsl_token){0};
+    code->statement[-1] = (struct glsl_token){.text = ""};
     free(r->bracket);
     free(r->open);
 }
@@ -373,6 +380,8 @@ void glsl_read(struct glsl *code, const char *text)
 
 void glsl_free(struct glsl *code)
 {
+    for (int i = 0; i < code->name_count; i++)
+        free(code->name[i].text);
     free(code->text);
     free(code->item);
     free(code->statement != NULL ? code->statement - 1 : NULL);

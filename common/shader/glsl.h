@@ -35,23 +35,22 @@ struct glsl_token {
         int name;    // of a word: its index among the names
         int partner; // of a bracket in a statement: index of the other one, or of the end
     };
+    const char *text; // of a word or a number; else ""
+    int item;         // of a statement: its index among all tokens
 };
 
 // What is known of a condition before the driver has seen it.
 enum glsl_truth { GLSL_NEVER, GLSL_ALWAYS, GLSL_PERHAPS };
 
-// A distinct word of the text.
+// A distinct word or number of the text.
 struct glsl_name {
-    int begin, length;       // its first position
+    char *text;
     int count;               // live mentions
     int last;                // index of its last mention among the statements, or -1
     bool macro;              // a live #define names it
-    int word;                // of a macro: name of the one word that it stands for, or -1
+    const char *word;        // of a macro: the one word that it stands for, or NULL
     enum glsl_truth defined; // at the end of the text
 };
-
-// The arguments of "%.*s" for a token's text.
-#define GLSL_TEXT(code, token) (token)->length, (code)->text + (token)->begin
 
 struct glsl {
     char *text; // '\0' terminated
@@ -97,10 +96,16 @@ bool glsl_is_word(char c);
 // True if the token is one of these signs; this word, and no macro of the text; one of these words,
 // the last of which is NULL; lowp, mediump or highp.
 bool glsl_is_sign(const struct glsl_token *token, const char *signs);
-bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char *word);
-bool glsl_is_any(const struct glsl *code, const struct glsl_token *token,
-                 const char *const words[]);
-bool glsl_is_precision(const struct glsl *code, const struct glsl_token *token);
+bool glsl_is(const struct glsl_token *token, const char *word);
+bool glsl_is_any(const struct glsl_token *token, const char *const words[]);
+bool glsl_is_precision(const struct glsl_token *token);
+
+// The number of components of a type of numbers, of columns of a matrix; 0 for any other type. The
+// size of an array may follow.
+//   base  receives 'f', 'i', 'u' or 'b' for floats, integers, unsigned ones and truth values; 'm'
+//   for
+//         a matrix
+int glsl_type(const char *type, char *base);
 
 // As glsl_is; or it is a macro that always stands for this one word.
 bool glsl_means(const struct glsl *code, const struct glsl_token *token, const char *word);

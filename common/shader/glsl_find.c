@@ -5,7 +5,7 @@
 const struct glsl_token *glsl_find(const struct glsl *code, const char *word)
 {
     const struct glsl_token *token = code->item;
-    while (token->kind != GLSL_END && !(token->live && glsl_is(code, token, word)))
+    while (token->kind != GLSL_END && !(token->live && glsl_is(token, word)))
         token++;
     return token->kind != GLSL_END ? token : NULL;
 }
@@ -37,7 +37,7 @@ const struct glsl_token *glsl_find_call(const struct glsl *code, const char *wor
     const struct glsl_token *at = NULL;
     do
         at = glsl_find_next(code, at, word);
-    while (at != NULL && (at[1].sign != '(' ||
-                          (at[-1].kind == GLSL_WORD && !glsl_is_any(code, at - 1, statements))));
+    while (at != NULL &&
+           (at[1].sign != '(' || (at[-1].kind == GLSL_WORD && !glsl_is_any(at - 1, statements))));
     return at;
 }

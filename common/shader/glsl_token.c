@@ -12,19 +12,32 @@ bool glsl_is_sign(const struct glsl_token *token, const char *signs)
     return token->sign != '\0' && strchr(signs, token->sign) != NULL;
 }
 
-bool glsl_is(const struct glsl *code, const struct glsl_token *token, const char *word)
+bool glsl_is(const struct glsl_token *token, const char *word)
 {
-    return !token->macro && strlen(word) == (size_t)token->length &&
-           memcmp(code->text + token->begin, word, (size_t)token->length) == 0;
+    // Most words differ in length, which is nearer than their text.
+    return (size_t)token->length == strlen(word) && !token->macro && strcmp(token->text, word) == 0;
+}
+
+int glsl_type(const char *type, char *base)
+{
+    static const char *const words[] = {"float", "int",  "uint", "bool", "vec",
+                                        "ivec",  "uvec", "bvec", "mat"};
+    size_t length = strcspn(type, "234[");
+    for (int i = 0; i < 9; i++) {
+        const char *end = type + length + (i > 3 && type[length] != '\0');
+        if (strlen(words[i]) != length || strncmp(type, words[i], length) != 0 ||
+            (*end != '\0' && *end != '[') || (i > 3 && end == type + length))
+            continue;
+        *base = "fiubfiubm"[i];
+        return i > 3 ? type[length] - '0' : 1;
+    }
+    return 0;
 }
 
 bool glsl_means(const struct glsl *code, const struct glsl_token *token, const char *word)
 {
-    if (!token->macro || code->name[token->name].word < 0)
-        return glsl_is(code, token, word);
-    const struct glsl_name *name = &code->name[code->name[token->name].word];
-    return strlen(word) == (size_t)name->length &&
-           memcmp(code->text + name->begin, word, (size_t)name->length) == 0;
+    const char *macro = token->macro ? code->name[token->name].word : NULL;
+    return macro != NULL ? strcmp(macro, word) == 0 : glsl_is(token, word);
 }
 
 const struct glsl_token *glsl_code(const struct glsl_token *token)
@@ -34,16 +47,16 @@ const struct glsl_token *glsl_code(const struct glsl_token *token)
     return token;
 }
 
-bool glsl_is_any(const struct glsl *code, const struct glsl_token *token, const char *const words[])
+bool glsl_is_any(const struct glsl_token *token, const char *const words[])
 {
-    while (*words != NULL && !glsl_is(code, token, *words))
+    while (*words != NULL && !glsl_is(token, *words))
         words++;
     return *words != NULL;
 }
 
-bool glsl_is_precision(const struct glsl *code, const struct glsl_token *token)
+bool glsl_is_precision(const struct glsl_token *token)
 {
-    return glsl_is_any(code, token, (const char *const[]){"lowp", "mediump", "highp", NULL});
+    return glsl_is_any(token, (const char *const[]){"lowp", "mediump", "highp", NULL});
 }
 
 const struct glsl_token *glsl_partner(const struct glsl *code, const struct glsl_token *bracket)

@@ -75,8 +75,7 @@ static void add_bodies(struct growth *growth)
 {
     const struct glsl *code = growth->code;
     for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++)
-        if (t->kind == GLSL_HASH && t->live && glsl_is(code, t + 1, "define") &&
-            t[2].kind == GLSL_WORD)
+        if (t->kind == GLSL_HASH && t->live && glsl_is(t + 1, "define") && t[2].kind == GLSL_WORD)
             add_macro(growth, t);
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++)
         if (t->kind == GLSL_WORD && t[1].sign == '(') {

@@ -145,22 +145,18 @@ const struct input *inputs_nearest(const char *name)
     return best;
 }
 
-bool inputs_type(const char *type, int length, struct shader_input *into)
+bool inputs_type(const char *type, struct shader_input *into)
 {
-    static const char *const names[] = {"float", "vec2", "vec3", "vec4", "int"};
-    for (int i = 0; i < COUNT(names); i++)
-        if (strlen(names[i]) == (size_t)length && strncmp(type, names[i], (size_t)length) == 0) {
-            into->components = i < 4 ? i + 1 : 1;
-            into->integer = i == 4;
-            return true;
-        }
-    return false;
+    char base = '\0';
+    into->components = glsl_type(type, &base);
+    into->integer = base == 'i';
+    return base == 'f' || (into->integer && into->components == 1);
 }
 
 struct shader_input inputs_default(const struct input *input)
 {
     struct shader_input in = {.input = input};
-    inputs_type(input->type, (int)strcspn(input->type, "["), &in);
+    inputs_type(input->type, &in);
     return in;
 }
 
@@ -207,12 +203,11 @@ bool inputs_offers(const struct shader_source *source, const struct input *input
 
 // ---- Messages ----
 
-// The channel whose picture a token names, or -1.
-static int channel_of(const struct glsl *code, const struct glsl_token *t)
+// The channel whose picture a token names as the first of several arguments, or -1.
+static int channel_of(const struct glsl_token *t)
 {
-    char name[16];
-    snprintf(name, sizeof name, "%.*s", GLSL_TEXT(code, t));
-    const struct input *input = t->kind == GLSL_WORD && !t->macro ? inputs_find(name) : NULL;
+    bool may = t->kind == GLSL_WORD && !t->macro && t[-1].sign == '(' && t[1].sign == ',';
+    const struct input *input = may ? inputs_find(t->text) : NULL;
     return input != NULL && input->meaning == INPUT_CHANNEL ? input->channel : -1;
 }
 
@@ -220,7 +215,7 @@ static int channel_of(const struct glsl *code, const struct glsl_token *t)
 static bool is_direction(const struct glsl *code, const struct glsl_token *t)
 {
     static const char *const words[] = {"vec3", "reflect", "refract", "normalize", NULL};
-    if (glsl_is_any(code, t, words))
+    if (glsl_is_any(t, words))
         return glsl_is_sign(glsl_next(code, t + 1), ",)");
     if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
         return false;
@@ -228,7 +223,7 @@ static bool is_direction(const struct glsl *code, const struct glsl_token *t)
     while (v >= code->statement &&
            !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
         v--;
-    return v >= code->statement && glsl_is(code, v - 1, "vec3");
+    return v >= code->statement && glsl_is(v - 1, "vec3");
 }
 
 const struct glsl_token *inputs_cube_map(const struct glsl *code)
@@ -236,9 +231,8 @@ const struct glsl_token *inputs_cube_map(const struct glsl *code)
     static const char *const lookups[] = {"texture", "textureLod", NULL};
     const struct glsl_token *t = code->statement;
     while (t->kind != GLSL_END &&
-           !(channel_of(code, t) >= 0 && t[-1].sign == '(' && t[1].sign == ',' &&
-             (glsl_is(code, t - 2, "textureCube") ||
-              (glsl_is_any(code, t - 2, lookups) && is_direction(code, t + 2)))))
+           !(channel_of(t) >= 0 && (glsl_is(t - 2, "textureCube") ||
+                                    (glsl_is_any(t - 2, lookups) && is_direction(code, t + 2)))))
         t++;
     return t->kind != GLSL_END ? t : NULL;
 }
@@ -262,15 +256,13 @@ static const char *kind_of_channel(const struct shader_source *source, int chann
         if (strcmp(source->was[channel], names[i].was) == 0)
             return names[i].words;
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
-        if (channel_of(code, t) != channel || t[-1].sign != '(' || t[1].sign != ',')
+        if (channel_of(t) != channel)
             continue;
         const struct glsl_token *end = glsl_partner(code, t - 1);
-        bool fetch = glsl_is(code, t - 2, "texelFetch");
+        bool fetch = glsl_is(t - 2, "texelFetch");
         for (const struct glsl_token *word = t + 2; word < end; word++) {
-            const char *text = code->text + word->begin;
-            long number = word->kind == GLSL_NUMBER ? strtol(text, NULL, 10) : 0;
-            if ((word->kind == GLSL_WORD && strncmp(text, "KEY", 3) == 0) || number == 256 ||
-                (fetch && number > 7))
+            long number = strtol(word->text, NULL, 10);
+            if (strncmp(word->text, "KEY", 3) == 0 || number == 256 || (fetch && number > 7))
                 return names[1].words;
         }
         if (fetch)

@@ -72,7 +72,7 @@ const struct input *inputs_nearest(const char *name);
 const struct glsl_token *inputs_cube_map(const struct glsl *code);
 
 // Read the components of a type; true for float, int and vec2 to vec4.
-bool inputs_type(const char *type, int length, struct shader_input *into);
+bool inputs_type(const char *type, struct shader_input *into);
 
 // An input in its own type, not declared.
 struct shader_input inputs_default(const struct input *input);

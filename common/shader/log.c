@@ -1,5 +1,6 @@
 #include "shader/compile.h"
 
+#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +26,7 @@ struct explanation {
 struct message {
     int line; // of the compiled text, or 0
     bool warning;
-    const char *text;
+    const char *text; // without its place, "error" and "warning"; the driver's code stays
 };
 
 static const char *skip_blanks(const char *c)
@@ -33,56 +34,33 @@ static const char *skip_blanks(const char *c)
     return c + strspn(c, " \t");
 }
 
-// Skip a prefix; NULL if c is NULL or begins otherwise.
-static const char *skip(const char *c, const char *prefix)
-{
-    size_t length = strlen(prefix);
-    return c != NULL && strncmp(c, prefix, length) == 0 ? c + length : NULL;
-}
-
-// Read a number; NULL if there is none.
-static const char *skip_number(const char *c, int *number)
-{
-    int digits = c != NULL ? (int)strspn(c, "0123456789") : 0;
-    if (digits == 0 || digits > 8)
-        return NULL;
-    *number = atoi(c);
-    return c + digits;
-}
-
-// "error: text", "error C1008: text", "preprocessor error: text", "text": the driver's code stays.
-static void split_kind(const char *c, struct message *message)
-{
-    static const char *const kinds[] = {"error", "warning", "preprocessor error", "fatal error",
-                                        "preprocessor warning"};
-    message->text = c;
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-        const char *rest = skip(c, kinds[i]);
-        if (rest == NULL || (*rest != ':' && *rest != ' '))
-            continue;
-        message->warning = strstr(kinds[i], "warning") != NULL;
-        message->text = skip_blanks(rest + (*rest == ':'));
-        break;
-    }
-}
-
 // Mesa "0:12(3): error: text", NVIDIA "0(12) : error C1008: text", others "ERROR: 0:12: text".
 static struct message read_message(const char *log)
 {
+    static const char *const begins[] = {"ERROR: ", "WARNING: "};
+    static const char *const kinds[] = {"error", "warning", "preprocessor error", "fatal error",
+                                        "preprocessor warning"};
     struct message message = {.text = log};
-    int file, line, column;
-    const char *error = skip(log, "ERROR: "), *warning = skip(log, "WARNING: ");
-    const char *c = skip_number(error != NULL ? error : warning != NULL ? warning : log, &file);
-    const char *end = skip_number(c != NULL && (*c == ':' || *c == '(') ? c + 1 : NULL, &line);
-    if (end != NULL && *c == '(')
-        end = skip(end, ")");
-    else if (end != NULL && *end == '(')
-        end = skip(skip_number(end + 1, &column), ")");
-    end = end != NULL ? skip(skip_blanks(end), ":") : NULL;
-    message.warning = warning != NULL;
-    if (end != NULL) {
-        message.line = line;
-        split_kind(skip_blanks(end), &message);
+    int line = 0, end = 0;
+    for (int i = 0; i < 2; i++)
+        if (strncmp(log, begins[i], strlen(begins[i])) == 0) {
+            message.text += strlen(begins[i]);
+            message.warning = i == 1;
+        }
+    if (isdigit((unsigned char)*message.text))
+        (void)((sscanf(message.text, "%*8d:%8d(%*8d) : %n", &line, &end) == 1 && end > 0) ||
+               (sscanf(message.text, "%*8d(%8d) : %n", &line, &end) == 1 && end > 0) ||
+               sscanf(message.text, "%*8d:%8d : %n", &line, &end));
+    message.line = end > 0 ? line : 0;
+    message.text += end;
+    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
+        const char *rest = message.text + strlen(kinds[i]);
+        if (strncmp(message.text, kinds[i], strlen(kinds[i])) != 0 ||
+            (*rest != ':' && *rest != ' '))
+            continue;
+        message.warning |= strstr(kinds[i], "warning") != NULL;
+        message.text = skip_blanks(rest + (*rest == ':'));
+        break;
     }
     return message;
 }
@@ -182,9 +160,8 @@ static void explain_line(struct explanation *e, const char *log)
     int line = expanded_line(e, &message);
     if (message.line != 0 && e->has_errors && message.warning)
         return;
-    if (line == 0 && message.line <= e->prelude && (line = line_of_call(e, log)) != 0 &&
-        message.text == log)
-        split_kind(skip(log, "ERROR: ") != NULL ? log + strlen("ERROR: ") : log, &message);
+    if (line == 0 && message.line <= e->prelude)
+        line = line_of_call(e, log);
     if (line == 0) {
         e->shown = 0;
         fprintf(e->text, "%s\n", log);

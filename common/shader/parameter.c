@@ -294,7 +294,8 @@ static int width_of(const char *text)
 }
 
 // Print rows of cells, each column as wide as its widest cell, and free them.
-static void print_table(FILE *file, int columns, int rows, char **cell)
+//   cell  the titles, then a row for each parameter or sampler
+static void print_table(FILE *file, int columns, int rows, char *cell[])
 {
     int width[COLUMNS] = {0};
     for (int i = 0; i < columns * rows; i++)

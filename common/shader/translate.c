@@ -31,9 +31,8 @@ static bool is_plain_image(const struct glsl *code)
 {
     const struct glsl_token *image = glsl_find_definition(code, "mainImage");
     const struct glsl_token *t = image != NULL ? image + 6 : NULL;
-    return image == NULL ||
-           (glsl_is(code, image + 2, "out") && glsl_is(code, image + 3, "vec4") &&
-            image[5].sign == ',' && glsl_is(code, t + glsl_is(code, t, "in"), "vec2"));
+    return image == NULL || (glsl_is(image + 2, "out") && glsl_is(image + 3, "vec4") &&
+                             image[5].sign == ',' && glsl_is(t + glsl_is(t, "in"), "vec2"));
 }
 
 // True if Shadertoy needs a mainImage that calls the file's own.

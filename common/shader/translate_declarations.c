@@ -13,8 +13,8 @@ static bool is_used(const struct declared *at)
 static bool refuse_type(struct translation *t, const struct declared *at, const struct input *input)
 {
     return shader_refuse(
-        t->source, at->name->line, "%s %.*s%s %s: %s is a %s here%s",
-        at->kind == DECLARED_IN ? "in" : "uniform", GLSL_TEXT(t->code, at->type),
+        t->source, at->name->line, "%s %s%s %s: %s is a %s here%s",
+        at->kind == DECLARED_IN ? "in" : "uniform", at->type->text,
         declared_is_array(at) ? "[]" : "", at->word, at->word, input->type,
         input->meaning < INPUT_VALUES ? ": declare it as float, int, vec2, vec3 or vec4" : "");
 }
@@ -46,12 +46,12 @@ static bool take_sampler(struct translation *t, struct declared *at, const struc
 {
     bool used = is_used(at), channel = input != NULL && input->meaning == INPUT_CHANNEL;
     int line = at->name->line;
-    if (t->web && glsl_is(t->code, at->type, "sampler1D"))
+    if (t->web && glsl_is(at->type, "sampler1D"))
         t->mark[at->name->name] |= MARK_LINE;
-    if (used && glsl_is(t->code, at->type, "samplerCube"))
+    if (used && glsl_is(at->type, "samplerCube"))
         return shader_refuse(t->source, line,
                              "%s: cube maps are not offered: a picture is a sampler2D", at->word);
-    if (used && channel && (!glsl_is(t->code, at->type, "sampler2D") || declared_is_array(at)))
+    if (used && channel && (!glsl_is(at->type, "sampler2D") || declared_is_array(at)))
         return refuse_type(t, at, input);
     if (used && !channel && (input == NULL || input->meaning != INPUT_SILENT))
         return shader_refuse(t->source, line,
@@ -95,15 +95,14 @@ static bool take_position(struct translation *t, struct declared *at, const stru
         inputs_add(t->source, *in);
     else if (is_used(at) && strstr(at->word, "ormal") != NULL)
         return shader_refuse(t->source, at->name->line,
-                             "in %.*s %s: the normal of a 3D model, and there are no models here: "
+                             "in %s %s: the normal of a 3D model, and there are no models here: "
                              "compute it in the shader",
-                             GLSL_TEXT(t->code, at->type), at->word);
+                             at->type->text, at->word);
     else if (is_used(at))
         return shader_refuse(t->source, at->name->line,
-                             "in %.*s %s: there is no such input; the nearest is %s: "
+                             "in %s %s: there is no such input; the nearest is %s: "
                              "docs/using.md lists all",
-                             GLSL_TEXT(t->code, at->type), at->word,
-                             inputs_nearest(at->word)->name);
+                             at->type->text, at->word, inputs_nearest(at->word)->name);
     return store(t, at, "in");
 }
 
@@ -112,7 +111,7 @@ static bool take_uniform(struct translation *t, struct declared *at, const struc
     const struct input *input = in->input;
     if (input != NULL && input->meaning == INPUT_CHANNEL_SIZE) {
         bool array = declared_is_array(at), row = input->channel < 0;
-        if (array != row || !glsl_is(t->code, at->type, row ? "vec3" : "vec2"))
+        if (array != row || !glsl_is(at->type, row ? "vec3" : "vec2"))
             return refuse_type(t, at, input);
         inputs_add(t->source, *in);
     }
@@ -131,11 +130,9 @@ static bool take_input(struct translation *t, struct declared *at)
 {
     struct shader_input in = {.input = inputs_find(at->word), .declared = true};
     const struct input *input = in.input;
-    bool typed = inputs_type(t->code->text + at->type->begin, at->type->length, &in) &&
-                 !declared_is_array(at);
+    bool typed = inputs_type(at->type->text, &in) && !declared_is_array(at);
     bool varies = at->kind == DECLARED_IN;
-    char type[DECLARED_NAME];
-    snprintf(type, sizeof type, "%.*s", GLSL_TEXT(t->code, at->type));
+    const char *type = at->type->text;
     if (at->type->macro || at->name->macro || (varies && strncmp(at->word, "gl_", 3) == 0))
         return true;
     if (!varies &&
@@ -162,7 +159,7 @@ static bool take_block(struct translation *t, const struct declared *at)
                                                                            "", ", 1.0",
                                                                            ", 0.0, 1.0"};
     const struct glsl_token *end = glsl_partner(t->code, at->end), *name = end + 1;
-    char value[128], member[DECLARED_NAME];
+    char value[128];
     if (name->kind != GLSL_WORD)
         return shader_refuse(t->source, at->name->line,
                              "in %s { }: give the block a name behind it", at->word);
@@ -170,9 +167,9 @@ static bool take_block(struct translation *t, const struct declared *at)
     edits_add(&t->edits, name->begin, 0, "; %s ", at->word);
     for (const struct glsl_token *m = at->end + 1; m < end; m++) {
         size_t i = 0;
-        if (!glsl_is_any(t->code, m, types) || m[1].kind != GLSL_WORD)
+        if (!glsl_is_any(m, types) || m[1].kind != GLSL_WORD)
             continue;
-        snprintf(member, sizeof member, "%.*s", GLSL_TEXT(t->code, m + 1));
+        const char *member = m[1].text;
         while (i < COUNT(members) && strstr(member, members[i].word) == NULL)
             i++;
         if (i == COUNT(members))
@@ -180,8 +177,8 @@ static bool take_block(struct translation *t, const struct declared *at)
         snprintf(value, sizeof value, members[i].value,
                  t->exported ? "(gl_FragCoord.xy / iResolution.xy)"
                              : "(harnessFragCoord.xy / harnessResolution.xy)");
-        fprintf(t->begin, "%.*s.%s=%.*s(%s%s);", GLSL_TEXT(t->code, name), member,
-                GLSL_TEXT(t->code, m), value, rest[t->code->text[m->begin + 3] - '2']);
+        fprintf(t->begin, "%s.%s=%s(%s%s);", name->text, member, m->text, value,
+                rest[m->text[3] - '2']);
     }
     t->blocks = true;
     return true;
@@ -218,10 +215,10 @@ static const struct glsl_token *find_hidden(const struct glsl *code, const char 
 {
     int depth = 0;
     for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++) {
-        bool alone = t > code->item + 2 && glsl_is(code, t - 2, "define") &&
+        bool alone = t > code->item + 2 && glsl_is(t - 2, "define") &&
                      (!t[1].directive || t[1].kind == GLSL_HASH);
         depth = t->kind == GLSL_HASH ? 0 : depth + (t->sign == '(') - (t->sign == ')');
-        if (t->directive && t->live && depth == 0 && !alone && glsl_is(code, t, word))
+        if (t->directive && t->live && depth == 0 && !alone && glsl_is(t, word))
             return t;
     }
     return NULL;
@@ -236,9 +233,9 @@ static bool check_macros(const struct translation *t)
     const struct glsl_token *hidden = out != NULL ? out : uniform;
     return hidden == NULL ||
            shader_refuse(t->source, hidden->line,
-                         "%.*s in a macro: Shadertoy takes the text only if each declaration is "
+                         "%s in a macro: Shadertoy takes the text only if each declaration is "
                          "written out",
-                         GLSL_TEXT(t->code, hidden));
+                         hidden->text);
 }
 
 static bool check_outputs(struct translation *t, const struct outputs *outputs)
@@ -247,14 +244,13 @@ static bool check_outputs(struct translation *t, const struct outputs *outputs)
     const struct declared *shown = &outputs->shown, *second = &outputs->second;
     if (outputs->count > 1 && !outputs->placed)
         return shader_refuse(t->source, second->name->line,
-                             "out %.*s %s: a second output: write layout(location = 0) before the "
+                             "out %s %s: a second output: write layout(location = 0) before the "
                              "one that is the picture",
-                             GLSL_TEXT(t->code, second->type), second->word);
-    return outputs->count == 0 || shown->type->macro ||
-           glsl_is_any(t->code, shown->type, colours) ||
+                             second->type->text, second->word);
+    return outputs->count == 0 || shown->type->macro || glsl_is_any(shown->type, colours) ||
            shader_refuse(t->source, shown->name->line,
-                         "out %.*s %s: a picture is made of colours: write out vec4 %s;",
-                         GLSL_TEXT(t->code, shown->type), shown->word, shown->word);
+                         "out %s %s: a picture is made of colours: write out vec4 %s;",
+                         shown->type->text, shown->word, shown->word);
 }
 
 bool translation_declarations(struct translation *t)
@@ -265,7 +261,7 @@ bool translation_declarations(struct translation *t)
     while (done && declared_next(&at)) {
         if (at.kind == DECLARED_IN || at.kind == DECLARED_UNIFORM)
             done = take_input(t, &at);
-        else if (at.kind == DECLARED_BLOCK && glsl_is(t->code, at.type - 1, "in"))
+        else if (at.kind == DECLARED_BLOCK && glsl_is(at.type - 1, "in"))
             done = take_block(t, &at);
         else if (at.kind == DECLARED_BLOCK && t->web)
             done = open_block(t, &at);
@@ -274,8 +270,7 @@ bool translation_declarations(struct translation *t)
         else if (at.kind == DECLARED_OUT && !t->toy && outputs.count == 1)
             store(t, &at, "out");
     }
-    t->coloured = declared_output(t->code).kind != DECLARED_NONE;
-    t->old = !t->toy && !t->coloured &&
+    t->old = !t->toy && declared_output(t->code).kind == DECLARED_NONE &&
              glsl_mentions(t->code, "gl_FragColor") + glsl_mentions(t->code, "gl_FragData") > 0;
     return done;
 }

@@ -13,18 +13,11 @@ struct floats {
     bool *takes; // for each name: a function that takes one
 };
 
-static bool is_whole_type(const struct glsl *code, const struct glsl_token *t)
+// True for a type of integers, or of floats.
+static bool is_type(const struct glsl_token *t, const char *bases)
 {
-    static const char *const words[] = {"int",   "uint",  "ivec2", "ivec3", "ivec4",
-                                        "uvec2", "uvec3", "uvec4", NULL};
-    return glsl_is_any(code, t, words);
-}
-
-static bool is_float_type(const struct glsl *code, const struct glsl_token *t)
-{
-    static const char *const words[] = {"float", "vec2", "vec3", "vec4",
-                                        "mat2",  "mat3", "mat4", NULL};
-    return glsl_is_any(code, t, words);
+    char base;
+    return !t->macro && glsl_type(t->text, &base) > 0 && strchr(bases, base) != NULL;
 }
 
 // Learn which names are integers.
@@ -36,16 +29,15 @@ static void learn(struct floats *f)
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
         if (t->depth == 0 && t->kind == GLSL_WORD && t[1].sign == '(')
             function = t;
-        if (glsl_is_any(code, t, functions))
+        if (glsl_is_any(t, functions))
             f->takes[t->name] = true;
-        if (!is_whole_type(code, t))
+        if (!is_type(t, "iu"))
             continue;
         f->whole[t->name] = true;
         if (t->depth == 1 && function != NULL && t < glsl_next(code, function + 1))
             f->takes[function->name] = true;
         const struct glsl_token *name = t[1].sign == '[' ? glsl_next(code, t + 1) : t + 1;
-        while (name->kind == GLSL_WORD && !is_float_type(code, name) &&
-               !is_whole_type(code, name)) {
+        while (name->kind == GLSL_WORD && !is_type(name, "fmiu")) {
             f->whole[name->name] = true;
             const struct glsl_token *end = glsl_skip(code, name + 1, ",;)}");
             name = end->sign == ',' ? end + 1 : end;
@@ -57,8 +49,7 @@ static void learn(struct floats *f)
 static void add_points(struct floats *f, const struct glsl_token *from, const struct glsl_token *to)
 {
     for (const struct glsl_token *t = from; t < to; t = glsl_next(f->code, t)) {
-        const char *number = f->code->text + t->begin;
-        if (t->kind == GLSL_NUMBER && strspn(number, "0123456789") == (size_t)t->length)
+        if (t->kind == GLSL_NUMBER && strspn(t->text, "0123456789") == (size_t)t->length)
             edits_add(&f->edits, t->begin + t->length, 0, ".");
     }
 }
@@ -66,7 +57,7 @@ static void add_points(struct floats *f, const struct glsl_token *from, const st
 // True for a statement that declares, sets or returns an integer.
 static bool is_whole_statement(const struct floats *f, const struct glsl_token *t, bool returns)
 {
-    bool whole = glsl_is(f->code, t, "case") || (returns && glsl_is(f->code, t, "return"));
+    bool whole = glsl_is(t, "case") || (returns && glsl_is(t, "return"));
     for (; !whole && t->kind != GLSL_END && !glsl_is_sign(t, "=;{}("); t = glsl_next(f->code, t))
         whole = t->kind == GLSL_WORD && f->whole[t->name];
     return whole;
@@ -93,15 +84,15 @@ static bool convert(struct floats *f, const struct glsl_token *from, const struc
         if (glsl_is_sign(t, "([{")) {
             const struct glsl_token *word = t - 1, *close = glsl_partner(code, t);
             bool call = t->sign == '(' && word->kind == GLSL_WORD;
-            bool own = call && glsl_is_any(code, word, heads);
-            bool type = call && is_float_type(code, word);
+            bool own = call && glsl_is_any(word, heads);
+            bool type = call && is_type(word, "fm");
             bool hands =
                 t->depth == 0 && t->sign == '{' ? is_whole_statement(f, begin, false) : returns;
-            bool loop = call && glsl_is(code, word, "for");
+            bool loop = call && glsl_is(word, "for");
             bool inner = convert(f, t + 1, close < to ? close : to,
                                  t->sign == '[' || (call && f->takes[word->name]),
                                  t->sign == '{' || own || type, t->sign == '{' || loop, hands);
-            group |= inner && t->sign == '(' && (!call || glsl_is_any(code, word, same));
+            group |= inner && t->sign == '(' && (!call || glsl_is_any(word, same));
         }
         if (ends || pair || glsl_is_sign(t, "?:") || (splits && t->sign == ',')) {
             if (!group && !statement)

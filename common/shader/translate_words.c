@@ -7,12 +7,18 @@
 #include "memory.h"
 #include "shader/inputs.h"
 
-enum { TO_DRIVER = 1, TO_TOY = 2, TO_WEB = 4, WRAPPED = 8 };
+// The targets, and what else must be true: Shadertoy gets a mainImage that calls the file's own;
+// the output is gl_FragColor.
+enum { TO_DRIVER = 1, TO_TOY = 2, TO_WEB = 4, WRAPPED = 8, OLD = 16 };
 
 static const struct {
     const char *word, *instead;
-    int when; // the targets
+    int when;
 } renamed[] = {{"gl_FragCoord", "harnessFragCoord", TO_DRIVER},
+               {"gl_FragColor", "harnessColour", TO_DRIVER | OLD},
+               {"gl_FragColor", "shaderColour", TO_TOY | OLD},
+               {"gl_FragData", "harnessColour", TO_DRIVER | OLD},
+               {"gl_FragData", "shaderColour", TO_TOY | OLD},
                {"lowp", "highp", TO_DRIVER},
                {"mediump", "highp", TO_DRIVER},
                {"varying", "in", TO_DRIVER},
@@ -37,96 +43,75 @@ static const char *const reserved[] = {
 static bool is_targeted(const struct translation *t, int when)
 {
     int target = (t->exported ? TO_TOY : TO_DRIVER) | (t->web ? TO_WEB : 0);
-    return (when & target) != 0 && (!(when & WRAPPED) || t->wraps);
+    return (when & target) != 0 && (t->wraps || !(when & WRAPPED)) && (t->old || !(when & OLD));
 }
 
-enum { WORD = DECLARED_NAME + 8 }; // size of a renamed word
-
-// Rename a texture function of an old version: texture2DLodEXT becomes textureLod.
-static bool rename_texture(const char *word, char instead[WORD])
+// The present name of a texture function of an old version, textureLod for texture2DLodEXT; or
+// NULL. The caller frees it.
+static char *new_texture(const char *word)
 {
-    static const char *const kinds[] = {"1D", "2DRect", "2D", "3D", "Cube"};
+    static const char *const kinds[] = {"texture1D", "texture2DRect", "texture2D", "texture3D",
+                                        "textureCube"};
     static const char *const ways[] = {"", "Lod", "Proj", "ProjLod", "Grad", "ProjGrad"};
-    size_t kind = 0, way = 0;
-    while (kind < COUNT(kinds) && (strncmp(word, "texture", 7) != 0 ||
-                                   strncmp(word + 7, kinds[kind], strlen(kinds[kind])) != 0))
-        kind++;
-    if (kind == COUNT(kinds))
-        return false;
-    const char *rest = word + 7 + strlen(kinds[kind]);
-    size_t length = strlen(rest), ending = length < 3 ? 0 : length - 3;
-    if (strcmp(rest + ending, "EXT") == 0 || strcmp(rest + ending, "ARB") == 0)
-        length = ending;
-    while (way < COUNT(ways) &&
-           (strlen(ways[way]) != length || strncmp(rest, ways[way], length) != 0))
-        way++;
-    if (way < COUNT(ways))
-        snprintf(instead, WORD, "texture%s", ways[way]);
-    return way < COUNT(ways);
+    for (size_t i = 0; i < COUNT(kinds) * COUNT(ways); i++) {
+        const char *kind = kinds[i / COUNT(ways)], *way = ways[i % COUNT(ways)];
+        size_t begin = strlen(kind), length = strlen(way);
+        if (strncmp(word, kind, begin) != 0 || strncmp(word + begin, way, length) != 0)
+            continue;
+        const char *end = word + begin + length;
+        if (*end == '\0' || strcmp(end, "EXT") == 0 || strcmp(end, "ARB") == 0)
+            return memory_text("texture%s", way);
+    }
+    return NULL;
 }
 
-// Rename a lookup in a sampler1D, which WebGL lacks.
-static bool rename_line(const struct translation *t, const struct glsl_token *token,
-                        char instead[WORD])
+// True for a lookup in a sampler1D, which WebGL lacks.
+static bool is_line_lookup(const struct translation *t, const struct glsl_token *token)
 {
     const struct glsl_token *bracket = glsl_code(token + 1), *name = glsl_code(bracket + 1);
-    if (bracket->sign != '(' || name->kind != GLSL_WORD || !(t->mark[name->name] & MARK_LINE))
-        return false;
-    strcpy(instead, "harnessLine");
-    return true;
+    return bracket->sign == '(' && name->kind == GLSL_WORD && (t->mark[name->name] & MARK_LINE);
 }
 
-// Rename a word for the target. Returns false if it stays.
-static bool rename_word(const struct translation *t, const struct glsl_token *token,
-                        char instead[WORD])
+// The name of a word for the target, or NULL if it stays. The caller frees it.
+static char *new_name(const struct translation *t, const struct glsl_token *token)
 {
-    char word[DECLARED_NAME];
+    const char *word = token->text;
     bool macro = t->code->name[token->name].macro;
-    snprintf(word, sizeof word, "%.*s", token->length < DECLARED_NAME ? token->length : 0,
-             t->code->text + token->begin);
     for (size_t i = 0; i < COUNT(renamed); i++)
         if (is_targeted(t, renamed[i].when) && (!macro || (renamed[i].when & WRAPPED)) &&
-            strcmp(word, renamed[i].word) == 0) {
-            strcpy(instead, renamed[i].instead);
-            return true;
-        }
+            strcmp(word, renamed[i].word) == 0)
+            return memory_text("%s", renamed[i].instead);
     if (macro)
-        return false;
-    if (t->old && (strcmp(word, "gl_FragColor") == 0 || strcmp(word, "gl_FragData") == 0)) {
-        strcpy(instead, t->exported ? "shaderColour" : "harnessColour");
-        return true;
+        return NULL;
+    bool lookup = strcmp(word, "texture") == 0 && glsl_code(token + 1)->sign == '(';
+    if ((t->mark[token->name] & MARK_OWN) && !lookup)
+        return memory_text("own_%s", word);
+    for (int i = 0; i < t->source->input_count; i++) {
+        const struct input *input = t->source->inputs[i].input;
+        if (input->meaning == INPUT_CHANNEL && !inputs_is_shadertoy(input) &&
+            strcmp(word, input->name) == 0)
+            return memory_text("iChannel%d", input->channel);
     }
-    bool call = glsl_code(token + 1)->sign == '(';
-    if (t->mark[token->name] & MARK_OWN && !(call && strcmp(word, "texture") == 0)) {
-        snprintf(instead, WORD, "own_%s", word);
-        return true;
-    }
-    const struct input *input = inputs_find(word);
-    for (int i = 0; i < t->source->input_count; i++)
-        if (t->source->inputs[i].input == input && input->meaning == INPUT_CHANNEL &&
-            !inputs_is_shadertoy(input)) {
-            snprintf(instead, WORD, "iChannel%d", input->channel);
-            return true;
-        }
-    return rename_line(t, token, instead) || rename_texture(word, instead);
+    return is_line_lookup(t, token) ? memory_text("harnessLine") : new_texture(word);
 }
 
 static void take_word(struct translation *t, const struct glsl_token *token)
 {
     const struct glsl *code = t->code;
-    char instead[WORD];
     bool macro = code->name[token->name].macro;
-    if (rename_word(t, token, instead))
+    char *instead = new_name(t, token);
+    if (instead != NULL)
         edits_replace(&t->edits, token, instead);
-    if (!macro && t->wraps && glsl_is(code, token, "precision") && token[3].sign == ';')
+    free(instead);
+    if (!macro && t->wraps && glsl_is(token, "precision") && token[3].sign == ';')
         edits_cut(&t->edits, token, token + 3);
-    if (!macro && t->old && glsl_is(code, token, "gl_FragData") && token[1].sign == '[')
+    if (!macro && t->old && glsl_is(token, "gl_FragData") && token[1].sign == '[')
         edits_cut(&t->edits, token + 1, token + 3);
-    if (macro || !t->toy || t->exported || !token->live || !glsl_is(code, token, "mainImage"))
+    if (macro || !t->toy || t->exported || !token->live || !glsl_is(token, "mainImage"))
         return;
     const struct glsl_token *word = glsl_code(token + 1); // the colour begins as zero: inout
     word = word->sign == '(' ? glsl_code(word + 1) : word;
-    if (glsl_is(code, word, "out"))
+    if (glsl_is(word, "out"))
         edits_add(&t->edits, word->begin, 0, "in");
 }
 
@@ -195,13 +180,13 @@ static void take_directive(struct translation *t, const struct glsl_token *hash)
                                        NULL};
     const struct glsl *code = t->code;
     const struct glsl_token *end = hash;
-    bool extension = glsl_is(code, hash + 1, "extension");
-    if (!extension && !glsl_is(code, hash + 1, "version"))
+    bool extension = glsl_is(hash + 1, "extension");
+    if (!extension && !glsl_is(hash + 1, "version"))
         return;
     while (end[1].directive && end[1].kind != GLSL_HASH && end[1].kind < GLSL_COMMENT)
         end++;
     edits_cut(&t->edits, hash, end);
-    if (extension && hash->live && !glsl_is_any(code, hash + 2, core))
+    if (extension && hash->live && !glsl_is_any(hash + 2, core))
         fprintf(t->extensions, "%.*s\n", end->begin + end->length - hash->begin,
                 code->text + hash->begin);
 }
@@ -209,7 +194,7 @@ static void take_directive(struct translation *t, const struct glsl_token *hash)
 // Remove the suffix of a double.
 static void take_number(struct translation *t, const struct glsl_token *token)
 {
-    const char *end = t->code->text + token->begin + token->length;
+    const char *end = token->text + token->length;
     if (t->web && token->length > 2 && strchr("fF", end[-1]) != NULL &&
         strchr("lL", end[-2]) != NULL)
         edits_add(&t->edits, token->begin + token->length - 2, 2, "%s", "");
@@ -220,15 +205,13 @@ static void take_number(struct translation *t, const struct glsl_token *token)
 // True if a word has no constant value: an input, a function of the text, or what reads one.
 static bool is_variable(const struct translation *t, const struct glsl_token *v, const bool waits[])
 {
-    char word[DECLARED_NAME];
     if (v->kind != GLSL_WORD)
         return false;
-    snprintf(word, sizeof word, "%.*s", GLSL_TEXT(t->code, v));
     for (int i = 0; i < t->source->input_count; i++)
-        if (strcmp(t->source->inputs[i].input->name, word) == 0)
+        if (strcmp(t->source->inputs[i].input->name, v->text) == 0)
             return true;
     return waits[v->name] ||
-           (glsl_code(v + 1)->sign == '(' && glsl_find_definition(t->code, word) != NULL);
+           (glsl_code(v + 1)->sign == '(' && glsl_find_definition(t->code, v->text) != NULL);
 }
 
 // Learn which macros have no constant value.
@@ -236,7 +219,7 @@ static void learn_macros(const struct translation *t, bool waits[])
 {
     const struct glsl_token *hash = NULL;
     for (const struct glsl_token *v = t->code->item; v->kind != GLSL_END; v++) {
-        if (v->kind == GLSL_HASH && v->live && glsl_is(t->code, v + 1, "define"))
+        if (v->kind == GLSL_HASH && v->live && glsl_is(v + 1, "define"))
             hash = v;
         else if (v->kind == GLSL_HASH || !v->directive)
             hash = NULL;
@@ -256,15 +239,17 @@ static bool must_wait(const struct translation *t, const struct declared *at, co
 
 static void move_value(struct translation *t, const struct declared *at)
 {
-    char instead[WORD];
     edits_cut(&t->edits, at->value, at->end - 1);
     fputs(t->mark[at->name->name] & MARK_OWN ? "own_" : "", t->begin);
     fputs(at->word, t->begin);
-    for (const struct glsl_token *v = at->value; v < at->end; v++)
-        if (v->kind == GLSL_WORD && rename_word(t, v, instead))
-            fprintf(t->begin, " %s", instead);
+    for (const struct glsl_token *v = at->value; v < at->end; v++) {
+        char *instead = v->kind == GLSL_WORD ? new_name(t, v) : NULL;
+        if (v->kind == GLSL_SIGN)
+            fputc(v->sign, t->begin);
         else
-            fprintf(t->begin, "%s%.*s", v->kind == GLSL_SIGN ? "" : " ", GLSL_TEXT(t->code, v));
+            fprintf(t->begin, " %s", instead != NULL ? instead : v->text);
+        free(instead);
+    }
     fputc(';', t->begin);
 }
 

@@ -27,13 +27,9 @@ static bool is_plain(const struct glsl_token *t)
 static bool zero_of(const struct zeros *all, const struct glsl_token *type,
                     const struct glsl_token *size, char text[VALUE_SIZE])
 {
-    static const char *const words[] = {
-        "float", "int",   "uint",  "bool",  "vec2",  "vec3",  "vec4", "ivec2", "ivec3", "ivec4",
-        "uvec2", "uvec3", "uvec4", "bvec2", "bvec3", "bvec4", "mat2", "mat3",  "mat4",  NULL};
-    const struct glsl *code = all->code;
-    char one[VALUE_SIZE];
-    if (glsl_is_any(code, type, words))
-        snprintf(one, sizeof one, "%.*s(0)", GLSL_TEXT(code, type));
+    char one[VALUE_SIZE], base;
+    if (!type->macro && glsl_type(type->text, &base) > 0)
+        snprintf(one, sizeof one, "%s(0)", type->text);
     else if (is_plain(type) && all->structure[type->name] != NULL && all->edits->size < SIZE_LIMIT)
         snprintf(one, sizeof one, "%s", all->structure[type->name]);
     else
@@ -43,11 +39,11 @@ static bool zero_of(const struct zeros *all, const struct glsl_token *type,
         return true;
     }
     bool plain = size[1].kind == GLSL_NUMBER && size[2].sign == ']' && size[3].sign != '[';
-    long count = plain ? strtol(code->text + size[1].begin, NULL, 10) : 0;
+    long count = plain ? strtol(size[1].text, NULL, 10) : 0;
     if (count < 1 || count > 255 || all->edits->size > SIZE_LIMIT ||
         count * (long)(strlen(one) + 1) + type->length > VALUE_SIZE / 2)
         return false;
-    int used = snprintf(text, VALUE_SIZE, "%.*s[%ld](", GLSL_TEXT(code, type), count);
+    int used = snprintf(text, VALUE_SIZE, "%s[%ld](", type->text, count);
     for (long i = 0; i < count; i++)
         used += snprintf(text + used, (size_t)(VALUE_SIZE - used), "%s%c", one,
                          i + 1 < count ? ',' : ')');
@@ -60,11 +56,10 @@ static void learn(struct zeros *all, const struct glsl_token *name)
     const struct glsl *code = all->code;
     const struct glsl_token *end = glsl_partner(code, name + 1), *type = NULL;
     char member[VALUE_SIZE], value[VALUE_SIZE];
-    int used = snprintf(value, sizeof value, "%.*s", name->length < 256 ? name->length : 0,
-                        code->text + name->begin);
-    bool done = used > 0 && name->certain && end > name + 2 && all->structure[name->name] == NULL;
+    int used = snprintf(value, sizeof value, "%s", name->text);
+    bool done = used < 256 && name->certain && end > name + 2 && all->structure[name->name] == NULL;
     for (const struct glsl_token *t = name + 2, *after; done && t < end; t = after + 1) {
-        while (type == NULL && glsl_is_precision(code, t))
+        while (type == NULL && glsl_is_precision(t))
             t++;
         type = type != NULL ? type : t++;
         after = t[1].sign == '[' ? glsl_next(code, t + 1) : t + 1;
@@ -96,7 +91,7 @@ void translate_zeros(const struct glsl *code, struct edits *edits, bool old)
         main = NULL;
     int begin = main != NULL ? glsl_next(code, main + 1)->begin + 1 : 0;
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++)
-        if (glsl_is(code, t, "struct") && is_plain(t + 1) && t[2].sign == '{')
+        if (glsl_is(t, "struct") && is_plain(t + 1) && t[2].sign == '{')
             learn(&all, t + 1);
     struct declared at = {.code = code};
     char text[VALUE_SIZE];

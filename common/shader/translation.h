@@ -21,7 +21,6 @@ struct translation {
     bool toy;            // the source is in Shadertoy's dialect
     bool exported;       // the target is Shadertoy
     bool web;            // the target is WebGL, as Shadertoy is
-    bool coloured;       // an output is declared
     bool old;            // gl_FragColor is the output
     bool wraps;          // Shadertoy gets a mainImage that calls the file's own
     bool blocks;         // there is a block of inputs

@@ -3,9 +3,12 @@
 #include <limits.h>
 #include <math.h>
 #include <stddef.h>
+#include <stdio.h>
 
 #include "picture/comparison.h"
 #include "picture/probe.h"
+#include "picture/room.h"
+#include "report.h"
 #include "window/field.h"
 #include "window/full_screen.h"
 #include "window/handle.h"
@@ -204,7 +207,13 @@ static void move(struct window *window, const double movement[3])
         direction[axis] = (float)movement[axis];
         longest = fmaxf(longest, fabsf(direction[axis]));
     }
-    camera_move(&window->inputs.camera, direction, SPEED * longest);
+    struct camera moved = window->inputs.camera;
+    camera_move(&moved, direction, SPEED * longest);
+    // Once an error is shown, the camera moves freely.
+    if (window->panel.error[0] == '\0' &&
+        !room_keep(window->renderer, &window->inputs, moved.position))
+        snprintf(window->panel.error, sizeof window->panel.error, "%s", report_last());
+    window->inputs.camera = moved;
 }
 
 static void act(struct window *window, struct window_event *event)

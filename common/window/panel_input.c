@@ -203,12 +203,9 @@ bool window_panel_wheel(struct window *window, const struct window_event *event)
 // True where the title of a folded panel appears below the pointer.
 static bool peeks(const struct window *window, const float unit[2])
 {
-    const struct panel_rows *rows = &window->panel.rows;
-    bool in_page = window->panel.in_page;
-    return window->panel.folded && !in_page && !window->input.captured &&
-           window->pointer.owner != OWNER_PICTURE && unit[0] >= rows->left &&
-           unit[1] >= rows->top && unit[0] < rows->left + rows->width &&
-           unit[1] < rows->top + rows->height;
+    return window->panel.folded && !window->panel.in_page && !window->input.captured &&
+           window->pointer.owner != OWNER_PICTURE &&
+           panel_rows_hold(&window->panel.rows, unit[0], unit[1]);
 }
 
 void window_panel_hover(struct window *window, const struct window_event *event)

@@ -123,11 +123,12 @@ class LiveChapter extends HTMLElement {
 
 customElements.define('live-chapter', LiveChapter);
 
-// A film replaces its picture once the page is loaded, unless its reader wants reduced motion or reduced data.
-addEventListener('load', () => {
+// A film replaces its picture two seconds after the page is loaded, when nothing else waits for the network, unless its
+// reader wants reduced motion or reduced data.
+addEventListener('load', () => setTimeout(() => {
     if (matchMedia('(prefers-reduced-motion: reduce)').matches || navigator.connection?.saveData) return;
     for (const img of document.querySelectorAll('img[data-film]')) img.src = img.dataset.film;
-});
+}, 2000));
 
 // ---- Beside the text ----
 

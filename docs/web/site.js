@@ -109,7 +109,7 @@
         link.href = href;
         link.textContent = label;
         line.append(text, link, '.', close);
-        document.querySelector('main').append(line); // it floats over the page, so nothing moves
+        document.querySelector('main').prepend(line); // it floats over the page, so nothing moves
     }
     const last = saved('last'), own = saved(`read ${page}`);
     const again = performance.getEntriesByType('navigation')[0]?.type !== 'navigate'; // then the browser itself restores the position

@@ -35,5 +35,5 @@ static void clouds_storm(double u, double v, double value[3])
 
 int main(void)
 {
-    return paint_texture(2048, 320, 1, PAINT_NUMBERS, clouds_storm);
+    return paint_texture(CUMULUS_WIDTH, CUMULUS_HEIGHT, 1, PAINT_NUMBERS, clouds_storm);
 }

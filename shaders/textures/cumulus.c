@@ -89,14 +89,18 @@ static double puffs_at(double x, double y, double z)
 
 // ---- The field ----
 
+#define RAGGED 16.0 // kilometres: how uneven the rim of an anvil is
+#define FIBRES 60.0 // kilometres: period of its bays
+
 // How far inside a tower a point lies, as a share of the field's depth. The head is ice: thinner,
-// and smooth.
+// and smooth, with a soft rim.
 static double inside_tower(const struct cumulus *field, const struct tower *tower,
                            const double p[2], double altitude, double *ice)
 {
     double rise = altitude / tower->top, spread = paint_step(0.7, 0.92, rise);
     double x = p[0] - tower->north - tower->drawn * spread, z = p[1] - tower->east;
     double radius = tower->width * (1.2 - 0.4 * rise) + (tower->anvil - tower->width) * spread;
+    radius += RAGGED * spread * (ground_at(p[0] / FIBRES, p[1] / FIBRES) - 0.5);
     double aside = radius - sqrt(x * x + z * z);
     *ice = fmax(*ice, paint_step(0.6, 0.9, rise));
     return fmin(aside, 0.5 * (tower->top - altitude)) / field->depth;
@@ -151,7 +155,7 @@ static double thickness_at(const struct cumulus *field, double x, double y, doub
     inside += rough * field->puff * (puffs_at(x / large, altitude / large, z / large) - 0.62);
     if (small_too)
         inside += rough * field->fray * (puffs_at(x / small, altitude / small, z / small) - 0.6);
-    double edge = fmin(fmax(9.0 * inside, 0.0), 1.0);
+    double edge = fmin(fmax((9.0 - 6.5 * ice) * inside, 0.0), 1.0);
     double foot = fmin((altitude - field->base) / field->depth / 0.06, 1.0);
     return field->thickness * (1.0 - 0.8 * ice) * edge * foot;
 }
@@ -206,7 +210,8 @@ static double reach(double climb, double bend, double height)
     return 2.0 * height / (climb + sqrt(climb * climb + 2.0 * bend * height));
 }
 
-void cumulus_at(const struct cumulus *field, double u, double v, double value[3])
+// The clouds in one direction.
+static void along_ray(const struct cumulus *field, double u, double v, double value[3])
 {
     if (!table.drawn)
         draw_tables(field->seed);
@@ -243,4 +248,56 @@ void cumulus_at(const struct cumulus *field, double u, double v, double value[3]
     value[0] = fmin((1.0 - seen) / whole, 1.0);
     value[1] = above / whole;
     value[2] = 0.5 + 0.5 * side / whole;
+}
+
+// ---- Its texels ----
+
+static float texel[CUMULUS_HEIGHT][CUMULUS_WIDTH][3];
+
+static void draw_texels(const struct cumulus *field)
+{
+    for (int y = 0; y < CUMULUS_HEIGHT; y++)
+        for (int x = 0; x < CUMULUS_WIDTH; x++) {
+            double value[3];
+            along_ray(field, (x + 0.5) / CUMULUS_WIDTH, (y + 0.5) / CUMULUS_HEIGHT, value);
+            for (int i = 0; i < 3; i++)
+                texel[y][x][i] = (float)value[i];
+        }
+}
+
+// The texels of a row in the sky that are together as wide as one of them is high: at the height h
+// = pi / 2 v^2, a texel is pi v / CUMULUS_HEIGHT high and 2 pi cos(h) / CUMULUS_WIDTH wide.
+static double texels_wide(int row)
+{
+    double v = (row + 0.5) / CUMULUS_HEIGHT, level, climb;
+    turn(0.25 * v * v, &level, &climb);
+    double wide = 0.5 * CUMULUS_WIDTH / CUMULUS_HEIGHT * v / level;
+    return fmin(fmax(wide * (0.8 + v * v), 1.0), CUMULUS_WIDTH);
+}
+
+static void average_in_row(int row, int column, double share, double value[3])
+{
+    double wide = texels_wide(row), sum = 0.0, mean[3] = {0.0};
+    int reach = (int)(0.5 * wide + 0.5);
+    for (int i = -reach; i <= reach; i++) {
+        double weight = fmin(0.5 * wide + 0.5 - (i < 0 ? -i : i), 1.0);
+        const float *there = texel[row][(column + i + CUMULUS_WIDTH) % CUMULUS_WIDTH];
+        for (int k = 0; k < 3; k++)
+            mean[k] += weight * (double)there[k];
+        sum += weight;
+    }
+    for (int k = 0; k < 3; k++)
+        value[k] += share * mean[k] / sum;
+}
+
+void cumulus_at(const struct cumulus *field, double u, double v, double value[3])
+{
+    int row = (int)(v * CUMULUS_HEIGHT), column = (int)(u * CUMULUS_WIDTH);
+    if (!table.drawn)
+        draw_texels(field);
+    value[0] = value[1] = value[2] = 0.0;
+    for (int i = -1; i <= 1; i++) {
+        int beside = row + i < 0 ? 0 : row + i < CUMULUS_HEIGHT ? row + i : CUMULUS_HEIGHT - 1;
+        average_in_row(beside, column, i == 0 ? 0.5 : 0.25, value);
+    }
 }

@@ -19,7 +19,7 @@ struct tower {
     double clearing;    // no other cloud is closer than this to the line between the eye and it
 };
 
-enum { TOWERS = 2 };
+enum { TOWERS = 2, CUMULUS_WIDTH = 2048, CUMULUS_HEIGHT = 320 }; // sizes of a panorama: texels
 
 // Lengths in kilometres. There is a column of cloud wherever the ground's noise is above the
 // threshold; the more it is above, the higher the column. Puffs of two sizes make it round.
@@ -37,10 +37,13 @@ struct cumulus {
     struct tower tower[TOWERS]; // those of width 0 do not exist
 };
 
-// The contents of the panorama at a point: cover, the share of the background that the cloud hides;
-// above, the share of a light overhead that reaches the visible side; side, 1/2 + 1/2 (right -
-// left), the same for lights on the horizon, to the right and to the left of an observer who looks
-// at it.
+// The contents of the panorama at the middle of a texel: cover, the share of the background that
+// the cloud hides; above, the share of a light overhead that reaches the visible side; side, 1/2 +
+// 1/2 (right - left), the same for lights on the horizon, to the right and to the left of an
+// observer who looks at it. High up, a texel is narrower than it is high, and the rim of a cloud
+// would be a stair. So each texel is the mean of about as many beside it as are together as wide as
+// one is high, and of the rows above and below it.
+//   field  the same in all calls
 void cumulus_at(const struct cumulus *field, double u, double v, double value[3]);
 
 #endif

@@ -78,6 +78,35 @@ TEST(test_clouds_are_the_panorama_turned)
     assert_true(count > 500 && spread > 0.9 && worst < 3.0 / 256.0);
 }
 
+// High up, a texel is narrower in the sky than it is high. If its neighbour were as different as
+// the rim of a cloud, the rim would be a stair; so the change is spread over as many texels as are
+// together as wide as one is high.
+TEST(rims_of_clouds_are_no_stairs)
+{
+    static const char *const names[] = {"clouds_fair", "clouds_storm"};
+    for (int i = 0; i < 2; i++) {
+        struct image_bytes image = {0};
+        char path[4200], why[IMAGE_WHY];
+        double worst = 0.0;
+        snprintf(path, sizeof path, "%s/shaders/textures/%s.png", gpu.root, names[i]);
+        assert_true(image_read_bytes(&image, path, 3, 1 << 22, why));
+        for (int y = 0; y < image.height / 2; y++) {
+            double v = 1.0 - (y + 1.5) / image.height; // of the row below, whose texels are wider
+            double high = MIRROR_PI * v / image.height;
+            double wide = 2.0 * MIRROR_PI * cos(0.5 * MIRROR_PI * v * v) / image.width;
+            for (int x = 0; x < 3 * image.width; x++) {
+                const unsigned char *row = image.value + 3 * image.width * y;
+                int change = abs(row[x] - row[(x + 3) % (3 * image.width)]);
+                worst = fmax(worst, (change - 1) / 255.0 * high / wide); // 1 for the rounding
+            }
+        }
+        free(image.value);
+        print_message("# %s: the steepest rim changes by %.2f over a texel's height\n", names[i],
+                      worst);
+        assert_true(worst <= 1.0);
+    }
+}
+
 // The largest mean difference, over the rows of the sky, between a column and the next: at the
 // seam, and at all others within this many columns of it.
 static void steps_at(const float *values, int seam, double *across, double *beside)

@@ -147,6 +147,9 @@ export async function until(page, right) {
     }
 }
 
+// Wait until a page of the site is laid out, below its first screen too.
+export const whole = (page) => page.waitForFunction(() => !document.querySelector('.quick, .later'));
+
 // Let a number of frames of the page pass.
 export const frames = (page, count) => page.evaluate((count) => new Promise((done) => {
     const turn = () => count-- > 0 ? requestAnimationFrame(turn) : done();

@@ -1,6 +1,6 @@
 // faults.mjs - errors that readers have found in a page of the site: which wheel and key events scroll, a draft for
 // each exercise, two tabs, unusual addresses, a lost context, the search, a browser without WebGL 2, print.
-import {blankPage, check, finish, frames, launch, serve, SITE} from './browser.mjs';
+import {blankPage, check, finish, frames, launch, serve, SITE, whole} from './browser.mjs';
 
 const server = await serve(SITE), browser = await launch();
 const PHONE = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2};
@@ -8,6 +8,7 @@ const PHONE = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: tr
 async function open(name, context = {viewport: {width: 1440, height: 900}}, more = {}) {
     const opened = await blankPage(browser, {context, ...more});
     await opened.page.goto(`${server.at}/${name}`);
+    await whole(opened.page);
     return opened;
 }
 const runs = (page) => page.waitForFunction(() => document.querySelector('.live-window')?.program?.state().rate > 0);
@@ -165,6 +166,29 @@ await frames(page, 30);
 const shift = await page.evaluate(() => window.shift);
 console.log(`# layout shift of 01: ${shift.toFixed(4)}`);
 check('nothing moves while a page loads', shift < 0.02, shift);
+await page.close();
+// Only the first screen of a long page is laid out before it is shown, and the rest while there is time.
+const LONG = '10_distance_in_the_plane.html', there = (page) => page.waitForFunction(() => Math.abs(document.getElementById('exit-questions').getBoundingClientRect().top - 64) < 8).then(() => true, () => false);
+({page} = await open(LONG, PHONE, {before: () => {
+    addEventListener('DOMContentLoaded', () => { window.first = document.querySelector('main').innerText.length; });
+}}));
+const [first, all] = await page.evaluate(() => [window.first, document.querySelector('main').innerText.length]);
+check('a long page is shown before all of it is laid out', first > 1000 && first < all / 10, first, all);
+await page.close();
+const never = () => { window.setTimeout = () => 0; };
+({page} = await blankPage(browser, {context: {viewport: {width: 1440, height: 900}}, before: never}));
+await page.goto(`${server.at}/${LONG}`);
+check('the rest is not there yet', !await page.locator('#exit-questions').isVisible());
+await page.locator('.sections a[href="#exit-questions"]').click();
+check('but a link to it is followed', await there(page));
+await page.goto(`${server.at}/index.html`);
+await page.goto(`${server.at}/${LONG}#exit-questions`);
+check('and an address within it as well', await there(page));
+await page.goto(`${server.at}/index.html`);
+await page.goto(`${server.at}/${LONG}#:~:text=A%20star%20in%20one%20stroke`);
+check('also one that names words of it', await page.getByText('A star in one stroke').first().isVisible());
+await page.close();
+({page} = await open('01_normal_colouring.html'));
 const policy = await page.evaluate(() => new Promise((told) => {
     document.addEventListener('securitypolicyviolation', (event) => told(event.violatedDirective), {once: true});
     const script = document.createElement('script');

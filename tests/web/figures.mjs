@@ -2,7 +2,7 @@
 // points responds, first to the mouse at 1440 pixels and then to a finger at 390. The time that this takes is printed
 // but not judged. PATTERN selects pages.
 import fs from 'node:fs';
-import {blankPage, check, finish, launch, PATIENCE, serve, SITE} from './browser.mjs';
+import {blankPage, check, finish, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
 
 const pattern = new RegExp(process.argv[2] || '');
 const MOST = process.env.ALL ? Infinity : 2; // figures per page
@@ -55,6 +55,7 @@ for (const name of names) {
     for (const phone of [false, true]) {
         const {page, said} = await blankPage(browser, {context: phone ? {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true} : {viewport: {width: 1440, height: 900}}});
         await page.goto(`${server.at}/${name}`);
+        await whole(page);
         const figures = page.locator('.hands');
         count = await figures.count();
         for (let i = phone ? 1 : 0; i < Math.min(count, MOST); i += 2) {

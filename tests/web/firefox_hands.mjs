@@ -24,7 +24,8 @@ async function comes(page, right) {
 for (const [width, height, type] of [[1440, 900, 'mouse'], [390, 844, 'touch']]) {
     const page = await Page.open({width, height});
     await page.goto(`${server.at}/index.html`);
-    const begin = await page.evaluate(() => {
+    const begin = await page.evaluate(async () => {
+        while (document.querySelector('.quick, .later')) await new Promise(requestAnimationFrame);
         const figure = document.querySelector('.hands');
         figure.scrollIntoView({block: 'center', behavior: 'instant'});
         const {left, top} = figure.querySelector('.live-start').getBoundingClientRect();

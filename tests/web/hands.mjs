@@ -1,13 +1,14 @@
 // hands.mjs - pages that respond to the hand: a picture that runs in its place, the points of an interactive figure
 // with mouse, finger and keys, numbers in sentences, guesses, the phone, the front page. At 1440 and at 390 pixels.
-import {blankPage, check, finish, launch, PATIENCE, serve, SITE} from './browser.mjs';
+import {blankPage, check, finish, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
 
 const server = await serve(SITE), browser = await launch();
 const DESK = {viewport: {width: 1440, height: 900}}, PHONE = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2};
 
-async function open(name, context = DESK) {
-    const opened = await blankPage(browser, {context});
+async function open(name, context = DESK, before = undefined) {
+    const opened = await blankPage(browser, {context, before});
     await opened.page.goto(`${server.at}/${name}`);
+    await whole(opened.page);
     return opened;
 }
 const state = (page) => page.evaluate(() => document.querySelector('.live-window')?.program?.state() ?? null);
@@ -247,19 +248,27 @@ await page.close();
 
 // ---- The front page ----
 
-({page, said} = await open('index.html', DESK));
+// The film begins after a while; here it begins when the test says so.
+const hold = () => {
+    const own = setTimeout, held = [];
+    window.setTimeout = (act, wait, ...more) => wait >= 2000 ? held.push(act) : own(act, wait, ...more);
+    window.passes = () => { for (const act of held.splice(0)) act(); return document.querySelector('img[data-film]').src.split('/').at(-1); };
+};
+({page, said} = await open('index.html', DESK, hold));
+check('the front page begins with a still picture, whose file is small', await page.evaluate(() => document.querySelector('img[data-film]').currentSrc.endsWith('21_a_landscape.webp')));
+await page.evaluate(() => window.passes());
 await page.waitForFunction(() => document.querySelector('img[data-film]').currentSrc.endsWith('day.webp'));
-check('the front page has a film of a day, once it is there', true);
+check('and continues with a film of a day', true);
 await page.locator('a.begin').click();
 await page.waitForSelector('.live-window.live-editing .cm-content');
 check('its button starts a ball, with its text', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
 const [left, right] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-editor').boundingBox()];
 check('which is beside the picture', right.x >= left.x + left.width, left, right);
+check('the button for a file has the font of the page', await page.evaluate(() => getComputedStyle(document.querySelector('#file'), '::file-selector-button').fontFamily === getComputedStyle(document.body).fontFamily));
 check('no error in the console', said.length === 0, said);
 await page.close();
-({page} = await open('index.html', {...DESK, reducedMotion: 'reduce'}));
-await page.waitForLoadState('load');
-check('a reader who prefers reduced motion gets a still picture', await page.evaluate(() => !document.querySelector('img[data-film]').src.endsWith('day.webp')));
+({page} = await open('index.html', {...DESK, reducedMotion: 'reduce'}, hold));
+check('a reader who prefers reduced motion gets a still picture', await page.evaluate(() => window.passes()) === '21_a_landscape.webp');
 await page.close();
 
 finish();

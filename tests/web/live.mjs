@@ -1,7 +1,7 @@
 // live.mjs - the live chapter in a page of the site, which chapter.mjs tests in a separate page: what the page loads,
 // a command beside the text, what axe-core finds, a phone, the check of an exercise, and the line of every button.
 import fs from 'node:fs';
-import {blankPage, check, finish, frames, launch, openPage, PATIENCE, serve, SITE, threads} from './browser.mjs';
+import {blankPage, check, finish, frames, launch, openPage, PATIENCE, serve, SITE, threads, whole} from './browser.mjs';
 
 const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
 const server = await serve(SITE), browser = await launch();
@@ -12,7 +12,7 @@ async function chapter(stem, context = {}) {
     const asked = opened.asked = [];
     opened.page.on('request', (request) => asked.push(request.url()));
     await opened.page.goto(`${server.at}/${stem}.html`);
-    await opened.page.waitForFunction(() => document.querySelector('live-chapter button.live-start'));
+    await whole(opened.page);
     return opened;
 }
 // The state of the program that runs in the page, once `right` holds for it.

@@ -4,7 +4,7 @@
 // files. One page is opened as a file. PATTERN selects pages.
 import fs from 'node:fs';
 import {pathToFileURL} from 'node:url';
-import {blankPage, check, finish, launch, serve, SITE} from './browser.mjs';
+import {blankPage, check, finish, launch, serve, SITE, whole} from './browser.mjs';
 
 const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8');
 const LATER = /harness|course|stage\.js|program\.js|editor\.js|check\.js|exercises|search\.js/; // loaded only by a click or a search
@@ -55,7 +55,8 @@ async function look(work) {
         said.length = asked.length = failed.length = 0;
         await page.emulateMedia({colorScheme: 'light'});
         await page.setViewportSize({width: 390, height: 844});
-        await page.goto(`${server.at}/${name}`, {waitUntil: 'load'});
+        await page.goto(`${server.at}/${name}`);
+        await whole(page);
         const wide = await page.evaluate(() => {
             for (const one of document.querySelectorAll('details')) one.open = true;
             const most = document.documentElement.clientWidth;
@@ -63,6 +64,8 @@ async function look(work) {
             return [document.documentElement.scrollWidth, ...[...document.body.querySelectorAll('*')].filter((one) => one.getBoundingClientRect().right > most + 1).slice(0, 4).map((one) => `${one.tagName}.${one.className}`)];
         });
         check(`${name}: nothing to scroll sideways at 390 pixels`, wide.length === 0, wide);
+        const small = await page.evaluate(() => [...document.querySelectorAll('img[src$=".svg"]')].filter((one) => one.width < 640).map((one) => [one.src, one.width]));
+        check(`${name}: the letters of its diagrams, 13 of 760 units, are at least 10.9 pixels high there`, small.length === 0, small);
         const across = await page.evaluate(() => document.querySelector('main').getBoundingClientRect().width);
         check(`${name}: the text has the telephone's width`, across >= 380, across);
         await page.setViewportSize({width: 1280, height: 900});

@@ -135,6 +135,31 @@ SESSION_TEST(the_camera_is_led)
     session_assert_shown(CHAPTER, SESSION_STILL);
 }
 
+// A shader says with cameraRoom where the camera stops. The command line may place it lower.
+SESSION_TEST(the_camera_stops_at_the_ground)
+{
+    const char *shader = scratch_write(
+        "ground.frag", "#include \"main.glsl\"\n#include \"camera.glsl\"\n"
+                       "Ray pixelRay(vec2 screen) { return perspectiveRay(screen); }\n"
+                       "float sceneDistance(vec3 p) { return p.y; }\n"
+                       "float cameraRoom(vec3 p) { return sceneDistance(p) - 0.5; }\n"
+                       "vec3 rayColour(Ray ray) { return vec3(ray.origin.y); }\n");
+    session_open_bare(CHAPTER, "--size 64x36 --shader %s --camera 0,0.9,0,0,0", shader);
+    user_press(GLFW_KEY_C, 0);
+    session_wait(0.5); // 2 units a second
+    user_release(GLFW_KEY_C);
+    session_turn();
+    session_assert_shown(CHAPTER, "--size 64x36 --shader %s --camera 0,0.5,0,0,0", shader);
+    session_close();
+    session_open_bare(CHAPTER, "--size 64x36 --shader %s --camera 0,0.2,0,0,0", shader);
+    session_assert_shown(CHAPTER, "--size 64x36 --shader %s --camera 0,0.2,0,0,0", shader);
+    user_press(GLFW_KEY_SPACE, 0);
+    session_wait(0.25);
+    user_release(GLFW_KEY_SPACE);
+    session_turn();
+    session_assert_shown(CHAPTER, "--size 64x36 --shader %s --camera 0,0.7,0,0,0", shader);
+}
+
 SESSION_TEST(time_runs_and_is_held)
 {
     session_open_bare("00_first_scene", "--size 160x100");

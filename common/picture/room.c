@@ -1,0 +1,37 @@
+#include "picture/room.h"
+
+#include "shader/compile.h"
+
+// True if a shader has a cameraRoom.
+static bool has_room(const struct renderer *renderer)
+{
+    return renderer->fragment.dialect == DIALECT_COURSE &&
+           glsl_find_definition(&renderer->fragment.code, "cameraRoom") != NULL;
+}
+
+// True while the driver compiles the program on threads of its own.
+static bool is_compiling(const struct renderer *renderer)
+{
+    if (renderer->program[SHADER_ROOM] != 0)
+        return false;
+    shader_begin(renderer->gl, &renderer->vertex, &renderer->fragment, SHADER_ROOM);
+    return !shader_ready(renderer->gl);
+}
+
+bool room_keep(struct renderer *renderer, const struct renderer_inputs *inputs, float to[3])
+{
+    const struct gl *gl = renderer->gl;
+    float by[4];
+    if (!has_room(renderer) || is_compiling(renderer))
+        return true;
+    if (!renderer_link(renderer, SHADER_ROOM) || !target_bind(&renderer->single, gl, 1, 1))
+        return false;
+    renderer_use(renderer, inputs, SHADER_ROOM);
+    gl->Uniform3fv(renderer->used[UNIFORM_iCameraTo], 1, to);
+    renderer_clear(gl);
+    renderer_fill(renderer, &renderer->single, 0, 0, 1, 1);
+    target_read(&renderer->single, gl, by);
+    for (int i = 0; i < 3; i++)
+        to[i] += by[i];
+    return true;
+}

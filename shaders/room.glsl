@@ -1,0 +1,39 @@
+// room.glsl - the distance as a collision test: the camera stops at the ground and at the water.
+#include "inputs.glsl"
+#include "scene.glsl"
+
+// The room around a camera at p: the distance to the scene, or a lower bound of it, less the distance that the camera
+// must keep, scene units. A camera that is moved in the window stops where the room would become negative. A chapter
+// defines this function if it wants that; no picture depends on it.
+float cameraRoom(vec3 p);
+
+// Compiled only for the program that moves the camera.
+#if VIEW == 10
+
+uniform vec3 iCameraTo; // where the camera is going, scene units
+
+// Where a camera that moves straight from one point to another comes to rest.
+//   from, to  scene units
+//   returns   to, if there is room for a camera; else a point with room near it, so that the camera slides along the
+//             ground; else from. The room never falls below min(0, room at from): a camera that begins below the
+//             ground can leave it, but goes no deeper
+//   formula   Newton's method for room = least along the gradient g: p - room g / |g|^2, 1 % farther against
+//             rounding. One step is enough on a plane
+vec3 cameraStop(vec3 from, vec3 to)
+{
+    const float H = 0.004; // step of the differences, scene units
+    float room[4], least = 0.0;
+    vec3 p = from;
+    for (int i = 0; i <= 8; i++) {
+        for (int k = 0; k < 4; k++)
+            room[k] = cameraRoom(p + H * vec3(k == 1, k == 2, k == 3)) - least;
+        if (i > 0 && room[0] >= 0.0)
+            return p;
+        vec3 slope = (vec3(room[1], room[2], room[3]) - room[0]) / H;
+        least = i == 0 ? min(room[0], 0.0) : least;
+        p = i == 0 ? to : p - 1.01 * room[0] * slope / max(dot(slope, slope), 1e-6);
+    }
+    return from;
+}
+
+#endif
