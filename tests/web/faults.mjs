@@ -183,10 +183,10 @@ await page.locator('.sections a[href="#exit-questions"]').click();
 check('but a link to it is followed', await there(page));
 await page.goto(`${server.at}/index.html`);
 await page.goto(`${server.at}/${LONG}#exit-questions`);
-check('and an address within it as well', await there(page));
+check('and so is an address within it', await there(page));
 await page.goto(`${server.at}/index.html`);
 await page.goto(`${server.at}/${LONG}#:~:text=A%20star%20in%20one%20stroke`);
-check('also one that names words of it', await page.getByText('A star in one stroke').first().isVisible());
+check('and one that quotes its words', await page.getByText('A star in one stroke').first().isVisible());
 await page.close();
 ({page} = await open('01_normal_colouring.html'));
 const policy = await page.evaluate(() => new Promise((told) => {
