@@ -14,7 +14,7 @@ page=docs/benchmark.md
 rounds=${ROUNDS:-3}
 frames=${FRAMES:-15}
 if [ -n "${CHAPTER-}" ] && [ "${WRITE:-0}" != 0 ]; then
-    echo 'make benchmark: WRITE=1 writes the table of all chapters: leave CHAPTER out' >&2
+    echo 'make benchmark: WRITE=1 writes the table of all chapters and cannot be combined with CHAPTER' >&2
     exit 1
 fi
 if [ -n "${CHAPTER-}" ]; then stems=$(stem_of "$CHAPTER") || exit 1; else stems=$(stems); fi

@@ -51,7 +51,7 @@ local function formula(element)
     end
 end
 
--- The columns of a wide table are as wide as their text requires, so that its cells wrap. Pictures share the width.
+-- The columns of a wide table are as wide as their text requires, so that long cells wrap. Pictures share the width.
 local function width_of(cell)
     local pictures = false
     pandoc.walk_block(pandoc.Div(cell.contents), {Image = function(image)
@@ -98,7 +98,8 @@ local function table_widths(element)
         total = total + longest[i]
         words = words + word[i]
     end
-    -- Each column has room for its longest word; the rest of a line of 84 letters is shared in proportion to the text.
+    -- Each column has room for its longest word; the rest of a line of 84 characters is shared in proportion to the
+    -- text.
     local line = math.max(84, 1.1 * words)
     for i, spec in ipairs(element.colspecs) do
         element.colspecs[i] = {spec[1], word[i] / line + (1 - words / line) * longest[i] / total}

@@ -18,7 +18,7 @@ number=$(printf '%02d' $((10#${last%%_*} + 1)))
 [ "$number" -le 99 ] || fail 'there are already a hundred chapters'
 stem=${number}_$NAME
 small=${NAME//_/ }
-title=$(printf '%s' "${small:0:1}" | tr '[:lower:]' '[:upper:]')${small:1} # the bash of a Mac cannot change the case itself
+title=$(printf '%s' "${small:0:1}" | tr '[:lower:]' '[:upper:]')${small:1} # macOS's bash cannot change the case itself
 for file in "chapters/$stem.c" "chapters/$stem.frag" "docs/$stem.md"; do
     [ ! -e "$file" ] || fail "$file already exists"
 done
@@ -33,5 +33,5 @@ fill chapter.frag >"chapters/$stem.frag" || exit 1
 fill chapter.md >"docs/$stem.md" || exit 1
 printf '\n%s  -\n' "$stem" >>tests/pictures/images.txt
 
-printf '%s\n' "chapters/$stem.c, chapters/$stem.frag, docs/$stem.md: written; tests/pictures/images.txt: its picture" \
+printf '%s\n' "chapters/$stem.c, chapters/$stem.frag, docs/$stem.md: written; tests/pictures/images.txt lists the picture" \
     "next: make docs references; make run CHAPTER=$number; docs/contributing.md describes the other steps"

@@ -4,15 +4,15 @@
 # tests/pictures/images.txt and tests/course/checks.txt. Their pictures and the marches of some rays are compared.
 # EXERCISE=engine_1 is an exercise of docs/engine.md: FILE is a C program, which is built and run.
 #
-# The course for students has no solutions, but what `make student` has stored of them in tests/course/stored/EXERCISE/:
-# their pictures N.png, their rays, what their programs do (N.outcome), and their text as a number.
+# The course for students has no solutions, only what `make student` has stored in tests/course/stored/EXERCISE/:
+# their pictures N.png, their rays, what their programs do (N.outcome), and a checksum of their text.
 #
 # Environment: EXERCISE; FILE, or FILES for a table with one line for each file. FILES is a pattern, or several patterns
 # separated by spaces. Pictures of the differences are left in build/check/EXERCISE/, each under the path of its file.
 # For `make marks`, the files are arguments, and MARKS names a file that gets a line for each of them, its fields
-# separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' for none). With either, wrong.txt in
-# the same folder lists the wrong pictures, as scenes for `make lecture`, if the solution is there. For `make student`,
-# STORE is a folder in which the solution's pictures and rays are stored; no file is checked.
+# separated by tabs: exercise, file, mark, verdict, its picture, the right picture ('-' for none). With FILES or MARKS,
+# wrong.txt in the same folder lists the wrong pictures, as scenes for `make lecture`, if the solution exists. For
+# `make student`, STORE is a folder in which the solution's pictures and rays are stored; no file is checked.
 # Exit status: 0 if every file is right, 1 if one is not, 2 if the arguments are wrong.
 set -u
 export LC_ALL=C
@@ -32,7 +32,7 @@ need_room() {
     { head -c 4096 /dev/zero >"$scratch/room"; } 2>/dev/null || no_room
 }
 no_room() {
-    fail "$scratch: the disk has no room for the pictures: free some, or set TMPDIR to a folder on another disk"
+    fail "$scratch: the disk has no room for the pictures: free some space, or set TMPDIR to a folder on another disk"
 }
 
 # Run the program; OPTIONS is one word. A file that was handed in has a time limit, because its loop may be endless.
@@ -59,7 +59,7 @@ describe() { # SHADER OPTIONS X,Y
     build/tests/judge ray "$scratch/ray"
 }
 
-# Say where to look; this is printed below the message on a wrong picture.
+# Say where to look; this is printed below the message about a wrong picture.
 look() { # FILE OPTIONS PLACE N
     echo "  look at yours: $program --shader $(quoted "$1")${shown:+ $shown}"
     echo "  your pixel $3: $(describe "$1" "$2" "$3")"
@@ -95,7 +95,7 @@ why_not() { # STATUS
     esac
 }
 
-# Keep the two pictures of a file that are compared last, for the page of `make marks`.
+# Keep the last two pictures that are compared for a file, for the page of `make marks`.
 keep_pictures() { # N PICTURE
     cp "$mine" "$2"
     cp "$scratch/$1.png" "${2%.png}.right.png"
@@ -127,7 +127,7 @@ right_outcome() { # N OPTIONS
     }
 }
 
-# Judge a C program: on each command line it ends as the solution does, and writes the same picture.
+# Judge a C program: on each command line it must end as the solution does, and write the same picture.
 judge_program() { # FILE DIFFERENCE
     local options said right number=0 shares=()
     build_program "$1" "$scratch/mine" || { echo "does not compile: $(grep -m 1 error "$scratch/errors")"; return 1; }

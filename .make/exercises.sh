@@ -51,8 +51,8 @@ options_of_rays() { # OPTIONS
     sed -E 's/(--view|--probe) +[^ ]+//g' <<<"$1"
 }
 
-# The text of a shader or a C program without comments, and the same without blanks, as a number. Of a longer text, only
-# its beginning counts.
+# The text of a shader or a C program without comments, and a checksum of this text without blanks. Only the first
+# 500,000 bytes of a file are read.
 without_comments() { # FILE
     [ ! -f "$1" ] || head -c 500000 "$1" 2>/dev/null | awk 'BEGIN { RS = "\001" }
         { gsub(/\/\*([^*]|\*+[^*\/])*\*+\/|\/\/[^\n]*/, " "); print }'
@@ -61,7 +61,7 @@ text_of() { # FILE
     without_comments "$1" | tr -d '[:space:]' | cksum
 }
 
-# Print a word as a command line, or a lecture's list, needs it: in quotes if it has a blank or another special character.
+# Print a word as a command line, or a lecture's list, needs it: in quotes if it contains a special character.
 quoted() { # WORD
     local end="'" quote="'\"'\"'" text
     text=${1//$end/$quote}
@@ -70,7 +70,7 @@ quoted() { # WORD
 
 # Say how to see the wrong pictures of a list beside the right ones.
 beside() { # LIST
-    echo "Each wrong picture beside the solution's, and N for the next one: make lecture LIST=$(quoted "$1")"
+    echo "To see each wrong picture beside the solution's, with N for the next one: make lecture LIST=$(quoted "$1")"
 }
 
 # Set files to those named by FILE or FILES. FILES is first tried as a single pattern, because folders may have spaces.

@@ -16,9 +16,9 @@
 # its own tmpfs on /dev/shm. /dev is never mounted: its files are nodes in the root. Both namespaces end with this
 # script, and the mounts with them.
 #
-# Environment: TRIES, a list of RELEASE:root, RELEASE:reader and RELEASE:cloud, by default the first two on Debian 12 and 13; SID=1 adds both
-# on sid, whose failures are reported but do not count; MIRROR, by default the one that this machine's apt uses;
-# XDG_CACHE_HOME.
+# Environment: TRIES, a list of RELEASE:root, RELEASE:reader and RELEASE:cloud, by default the first two on Debian 12
+# and 13; SID=1 adds both on sid, whose failures are reported but do not count; MIRROR, by default the one that this
+# machine's apt uses; XDG_CACHE_HOME.
 set -u
 export LC_ALL=C
 
@@ -91,11 +91,11 @@ source_of() {
 mirror=${MIRROR:-$(source_of Debian)}
 security=$(source_of Debian-Security)
 [ -n "$mirror" ] || {
-    echo "make test-fresh: this machine's apt knows no source of Debian: give one with MIRROR=URL" >&2
+    echo "make test-fresh: this machine's apt has no source for Debian: give one with MIRROR=URL" >&2
     exit 1
 }
 
-settings() { # ROOT RELEASE: give apt inside the settings of apt here
+settings() { # ROOT RELEASE: give apt in ROOT the settings of this machine's apt
     {
         echo "deb $mirror $2 main"
         [ "$2" = sid ] || echo "deb $mirror $2-updates main"
@@ -156,7 +156,7 @@ verdict() { # STATUS RELEASE WHO WHAT TEXT
     if [ "$1" = 0 ]; then
         passed=$((passed + 1))
     elif [ "$2" = sid ]; then
-        word='failed, which is not judged'
+        word='failed, which does not count'
         skipped=$((skipped + 1))
     else
         word=FAILED

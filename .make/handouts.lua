@@ -42,7 +42,7 @@ local function answer_at(inlines, i)
 end
 
 -- The inlines with lines to write on after each question, instead of its answer; or, on the sheets of answers, with the
--- answers slanted.
+-- answers in italics.
 local function answered(inlines)
     local result, i, last = {}, 1, nil
     while i <= #inlines do
@@ -112,7 +112,7 @@ local function questions(chapter)
     return found
 end
 
--- At most four questions, as many of each chapter.
+-- At most four questions, the same number from each chapter.
 local function question_blocks(chapters)
     local blocks = {}
     for _, chapter in ipairs(chapters) do
@@ -140,7 +140,7 @@ end
 
 -- ---- A lab ----
 
--- The parts of a lab's list by their names: each the inlines after the name, then further blocks.
+-- The parts of a lab's list by their names: for each, the inlines after the name, then further blocks.
 local function parts_of(list)
     local parts = {}
     for _, item in ipairs(list.content) do

@@ -168,7 +168,7 @@ whole() {
 before=$(whole)
 touch -c "$stamps/glsl-$before"
 if [ ! -f "$stamps/glsl-$before" ]; then
-    # The engine's picture, a uniform of docs/engine.md alone, is refused by the harness; first_steps.sh draws with it.
+    # The harness refuses the uniform picture, which only docs/engine.md has; first_steps.sh draws with it.
     drawn=()
     for shader in chapters/*/*.frag; do
         case $shader in */engine_5.frag) ;; *) drawn+=("$shader") ;; esac

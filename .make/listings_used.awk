@@ -69,7 +69,7 @@ function judge_block(    file, n, i, at)
     n = held < 3 ? 0 : split(sources, file, " ")
     for (i = 1; i <= n; i++)
         if ((at = copied_from(file[i]))) {
-            fail(page ":" block_at, "a copy by hand of " file[i] ":" at ": write a marker in its place")
+            fail(page ":" block_at, "copied by hand from " file[i] ":" at ": replace it with a marker")
             return
         }
 }

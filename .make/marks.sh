@@ -69,7 +69,8 @@ folder=build/marks table=${CSV:-build/marks/marks.csv}
 rm -rf "$folder" && mkdir -p "$folder" || exit 2
 { : >"$table"; } 2>/dev/null || fail "CSV=$table: cannot be written"
 
-# It ends with this script, whose signals do not reach it. Its present picture is finished first.
+# A check in the background does not receive this script's signals. It is ended with the script, after its current
+# picture.
 judge=
 trap '[ -z "$judge" ] || kill "$judge" 2>/dev/null; exit 2' HUP INT TERM
 # A line for each file: exercise, file, mark, verdict, picture, right picture.
@@ -87,8 +88,8 @@ for file in "${files[@]}"; do
     [ -n "$(exercise_of "$file")" ] || echo "$file: its name contains none of ${exercises[*]}: not marked" >&2
 done
 
-# The same with the student in front, and with the copies named. An empty file and the chapter's own shader are nobody's
-# work: two of them are not a copy.
+# The same lines, preceded by the student, and with copies marked. An empty file and the chapter's own shader are
+# nobody's work: two of them are not a copy.
 number=0
 while IFS=$'\t' read -r exercise file mark verdict picture right; do
     [[ $verdict != 'the published solution; '* ]] || mark=copied
@@ -102,7 +103,7 @@ while IFS=$'\t' read -r exercise file mark verdict picture right; do
     printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$exercise" "$(student_of "$file")" "$mark" "$verdict" "$picture" "$text" "$file" || exit 2
 done <"$folder/judged" >"$folder/named"
 sort -t $'\t' -k 2,2 -k 1,1 "$folder/named" | CSV=$table awk -F '\t' -v page="$folder/index.html" -v exercises="${exercises[*]}" '
-    function cell(s) { if (s ~ /^[-=+@]/) s = "\047" s; gsub(/"/, "\"\"", s); return "\"" s "\"" } # no formula of a spreadsheet
+    function cell(s) { if (s ~ /^[-=+@]/) s = "\047" s; gsub(/"/, "\"\"", s); return "\"" s "\"" } # not a formula for a spreadsheet
     function html(s) { gsub(/&/, "\\&amp;", s); gsub(/</, "\\&lt;", s); gsub(/>/, "\\&gt;", s); return s }
     { line[NR] = $0 }
     !(($1, $6, $2) in had) { had[$1, $6, $2]; who[$1, $6] = who[$1, $6] (who[$1, $6] == "" ? "" : ", ") $2; count[$1, $6]++ }

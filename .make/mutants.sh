@@ -137,8 +137,8 @@ shader_suites_of() { # FILE
     done | cheapest_first
 }
 
-# The programs compiled with the module's header, and those that open a window if it belongs to that folder; if there
-# are none, with a header of its folder; otherwise all.
+# The programs that include the module's header, and those that open a window if it belongs to that folder; if there
+# are none, those that include a header of its folder; otherwise all.
 c_suites_of() { # FILE
     local programs pattern
     programs=$(find build/tests -mindepth 2 -name '*.d' | while read -r d; do [ ! -x "${d%.d}" ] || echo "$d"; done)
@@ -174,7 +174,7 @@ judge_shader() { # FILE
     echo survived
 }
 
-link_with() { # OBJECT PROGRAM: link the suite, with the mutated object before the archive that has the right one
+link_with() { # OBJECT PROGRAM: link the suite, with the mutated object before the archive that contains the original
     local words window=()
     read -r -a words <"$scratch/link"
     words=("${words[@]//unit\/camera/$2}")

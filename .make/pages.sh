@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# pages.sh - sourced by the scripts that typeset all pages: their order, which is how to read the course, the chapters,
+# pages.sh - sourced by the scripts that typeset all pages. In order: how to read the course, the chapters,
 # the reference pages, the guide for teachers, and the pages on the code.
 
 pages() {

@@ -1,11 +1,12 @@
 #!/bin/sh
 # setup.sh [--check|--all] SET... - make sure that this machine has everything that the sets need.
 #
-# Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), windows (the cross
-# build), wine (to try it), student (the course for students), fresh (bare machines to test on). If nothing is missing, this only looks for files and
-# commands, and uses neither the network nor the package manager. If something is missing, it installs it as root;
-# with a terminal and sudo, it says what it will install and lets sudo ask for the password; otherwise it prints one
-# command and fails.
+# Sets: run (build and render), test, lint, fuzz, book, web (the programs in a browser), windows (the cross build), wine
+# (to try it), student (the course for students), fresh (bare machines to test on).
+#
+# If nothing is missing, this only looks for files and commands, and uses neither the network nor the package manager.
+# If something is missing, it installs it as root; with a terminal and sudo, it says what it will install and lets sudo
+# ask for the password; otherwise it prints one command and fails.
 #   --check  install nothing
 #   --all    also install packages that are useful but not required
 # ShellCheck does not see that the functions has_... are called, because they are passed to need by name.
@@ -41,10 +42,10 @@ if [ "$(uname)" = Darwin ]; then
         printf 'setup: Homebrew, which installs the libraries, is missing: see https://brew.sh\n' >&2
         exit 1
     fi
-    # Homebrew has no package of stb, which is only a folder of headers.
+    # Homebrew has no package for stb, which is only a folder of headers.
     includes=$(brew --prefix)/include
     if [ ! -e "$includes/stb/stb_truetype.h" ]; then
-        printf 'setup: stb_truetype (the letters of the overlay) is missing: git clone --depth 1 %s %s\n' \
+        printf 'setup: stb_truetype (the text of the overlay) is missing: git clone --depth 1 %s %s\n' \
             https://github.com/nothings/stb "$includes/stb" >&2
         exit 1
     fi
@@ -121,7 +122,7 @@ need_run() {
     need 'libpng' 'libpng-dev|libpng-devel|libpng|libpng|libpng' has_library libpng
     need 'cglm' 'libcglm-dev|cglm-devel|cglm|cglm|cglm' has_library cglm
     need 'cmp and diff' 'diffutils|diffutils|diffutils|-|=diffutils' has_command cmp
-    need 'stb_truetype (the letters of the overlay)' 'libstb-dev|stb_truetype-devel|stb|-|stb' \
+    need 'stb_truetype (the text of the overlay)' 'libstb-dev|stb_truetype-devel|stb|-|stb' \
         has_header stb/stb_truetype.h
     # Mesa 25.1 and later have no OSMesa; the programs do not require it.
     has_library osmesa >/dev/null 2>&1 ||
@@ -185,7 +186,7 @@ need_book() {
         'texlive-fonts-recommended lmodern fonts-texgyre fonts-dejavu-core fontconfig|texlive-tex-gyre texlive-lm dejavu-sans-mono-fonts dejavu-sans-fonts|-|-' \
         has_font 'TeX Gyre Pagella'
     need 'rsvg-convert (figures)' 'librsvg2-bin|librsvg2-tools|librsvg|librsvg' has_command rsvg-convert
-    need 'pdfinfo (how many pages)' 'poppler-utils|poppler-utils|poppler|poppler' has_command pdfinfo
+    need 'pdfinfo (counts pages)' 'poppler-utils|poppler-utils|poppler|poppler' has_command pdfinfo
 }
 
 need_web() {
@@ -197,9 +198,9 @@ need_web() {
     need 'Firefox' 'firefox-esr|firefox|firefox|-' has_firefox
     need 'a virtual display' 'xvfb xauth|xorg-x11-server-Xvfb|xorg-server-xvfb|-' has_command xvfb-run
     need 'pandoc' 'pandoc|pandoc|pandoc|pandoc' has_command pandoc
-    need 'the letters of the pages' 'fonts-texgyre fontconfig|texlive-tex-gyre|-|-' has_font 'TeX Gyre Pagella'
-    need 'the letters of formulas' 'fonts-texgyre-math|texlive-tex-gyre-math|-|-' has_font 'TeX Gyre Pagella Math'
-    need 'pyftsubset (only the letters that are used)' 'fonttools python3-brotli|fonttools python3-brotli|python-fonttools python-brotli|fonttools' \
+    need 'the font of the pages' 'fonts-texgyre fontconfig|texlive-tex-gyre|-|-' has_font 'TeX Gyre Pagella'
+    need 'the font of formulas' 'fonts-texgyre-math|texlive-tex-gyre-math|-|-' has_font 'TeX Gyre Pagella Math'
+    need 'pyftsubset (makes fonts smaller)' 'fonttools python3-brotli|fonttools python3-brotli|python-fonttools python-brotli|fonttools' \
         has_command pyftsubset
     need 'cwebp (small pictures)' 'webp|libwebp-tools|libwebp|webp' has_command cwebp
     need 'zip' 'zip|zip|zip|zip' has_command zip

@@ -30,7 +30,7 @@ for exercise in ${EXERCISES:-$(exercises) $(engine_exercises)}; do
     [ -e "$stored/$exercise/text" ] || left+=("$exercise") # the file that is stored last
 done
 if [ ${#left[@]} -gt 0 ]; then
-    echo "Drawing what make check needs of ${#left[@]} solutions; for all of them, this takes some minutes."
+    echo "Drawing what make check needs for ${#left[@]} solutions; all solutions together take some minutes."
     printf '%s\n' "${left[@]}" | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I '{}' \
         env EXERCISE='{}' STORE="$stored/{}" CHECK_FOLDER="$stored/.check" .make/check.sh || exit 2
     rm -rf "$stored/.check"
@@ -40,7 +40,7 @@ fi
 
 mkdir -p "$course"
 find "$course" -mindepth 1 -maxdepth 1 ! -name .git ! -name build -exec rm -rf {} +
-# Names of files may have any signs.
+# File names may contain any characters.
 git ls-files -z | tar --null -T - -cf - | tar -C "$course" -xf -
 cd "$course"
 rm -rf chapters/solutions tests/course/answers.* tests/course/claims.sh docs/teaching.md docs/questions.txt docs/web/guesses.txt .ci
@@ -67,9 +67,9 @@ for picture in "$course"/tests/references/*-solution-*.png; do
     cat "$course"/docs/*.md | grep -q -F "${picture##*/}" || rm "$picture"
 done
 
-# The list of exercises, and of the pictures that there are.
+# The list of the exercises and their pictures.
 {
-    printf '# What make check compares: an exercise and the options of a picture, a line each. The right ones are in\n# tests/course/stored/.\n\n'
+    printf '# What make check compares: an exercise and the options of a picture, a line each. The right pictures are in\n# tests/course/stored/.\n\n'
     for exercise in $(exercises); do
         pictures_of "$(basename "$(echo chapters/"${exercise%_*}"_*.c)" .c)" "${exercise#*_}" | sed "s/^ */$exercise /"
     done

@@ -70,7 +70,7 @@ unpack() {
             return
         fi
     done
-    fail "Debian's source package $1 cannot be had"
+    fail "Debian's source package $1 cannot be fetched"
 }
 
 # ---- One library ----

@@ -89,7 +89,7 @@ echo "%given%": cannot be compared: see the lines above
 goto :eof
 
 :unknown
-echo %exercise%: there is no such exercise: give a chapter and a number, as 03_2
+echo %exercise%: there is no such exercise: give a chapter and a number, such as 03_2
 popd
 goto usage
 :missing

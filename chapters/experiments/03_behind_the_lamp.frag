@@ -23,7 +23,7 @@ vec3 glow(Ray ray, float far)
     return along < far ? LAMP_COLOUR * (1.0 - smoothstep(0.04, 0.06, aside)) : vec3(0.0);
 }
 
-// The light that the hung lamp adds. visibility() takes no step where the surface faces away.
+// The light that the hanging lamp adds. visibility() takes no step where the surface faces away.
 vec3 hungLight(vec3 p, vec3 normal)
 {
     vec3 toLamp = HUNG_LAMP - p;

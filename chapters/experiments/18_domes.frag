@@ -1,5 +1,5 @@
 // The whole sky as seen by somebody lying on the ground: the zenith at the centre, the horizon at
-// the rim, the side of the sun below. With sheet=true it is drawn at twelve hours, otherwise twice,
+// the rim, and the sun's side at the bottom. With sheet=true it is drawn at twelve hours, otherwise twice,
 // side by side: by the chapter's method and by another one, or, with encoded=true, by the other
 // method as light and as encoded numbers.
 #include "main.glsl"

@@ -1,4 +1,4 @@
-// A ray that meets a floor: drag the eye and the aim, and make the ray more grazing. The steps are on the left; on the
+// A ray that meets a floor: drag the eye and the aim until the ray grazes the floor. The steps are on the left; on the
 // right is the share of the distance that each step leaves, 1 - sin of the angle. Each time the threshold is halved, it
 // adds the same few steps.
 #include "figure.glsl"

@@ -4,7 +4,7 @@
 #include "figure.glsl"
 #include "lighting.glsl"
 
-uniform vec2 tip; // (-0.135, 0.346) handle: the patch points there
+uniform vec2 tip; // (-0.135, 0.346) handle: where the patch points
 
 const vec2 CENTRE = vec2(-0.45, -0.2);
 const float HALF = 0.63, SPACING = 0.105; // half the patch, and the distance between two rays

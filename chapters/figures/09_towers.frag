@@ -6,7 +6,7 @@
 
 uniform vec2 eye;    // (-0.175, 0.335) handle units: where the ray starts
 uniform vec2 aim;    // (0.509, -0.080) handle units: where the ray points
-uniform bool capped; // true: no step is longer than the way to the next cell's towers
+uniform bool capped; // true: no step is longer than the distance to the next cell's towers
 
 const float PERIOD = 0.7, GAP = 0.09; // the side of a cell, and half of the narrowest street, units
 

@@ -6,7 +6,7 @@
 
 uniform vec2 eye;        // (-0.35, -0.85) handle units: the point of the floor below the eye, which looks up the sheet
 uniform vec2 pixel;      // (0.35, 0.3) handle units: the middle of the pixel
-uniform float height;    // 0.5 in [0.1, 1.5] step 0.05, units: height of the eye over the floor
+uniform float height;    // 0.5 in [0.1, 1.5] step 0.05, units: height of the eye above the floor
 uniform float pixelSize; // 0.12 in [0.01, 0.3] step 0.01: side of a pixel on a screen at the distance 1
 
 const float SQUARE = 0.4; // units

@@ -8,7 +8,7 @@
 uniform vec2 lamp;   // (-1.3, 0.62) handle: the lamp
 uniform vec2 drop;   // (0.35, 0.2) handle: centre of the drop
 uniform vec2 spot;   // (-0.02, -0.46) handle: the point
-uniform float depth; // 0.42 in [0.05, 2] step *1.1, units: way after which 0.37 of the red light is left
+uniform float depth; // 0.42 in [0.05, 2] step *1.1, units: path after which 0.37 of the red light is left
 
 float sceneDistance(vec3 p)
 {

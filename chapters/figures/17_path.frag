@@ -32,7 +32,7 @@ vec3 rayColour(Ray ray)
     int met = 0;
     bool going = true;
 
-    // wayThrough of the chapter: from surface to surface, with the transmitted ray, or the mirrored one if all is.
+    // wayThrough of the chapter: from surface to surface, with the transmitted ray, or the reflected one if there is none.
     for (int k = 0; k < 5 && going; k++) {
         float t = 0.0, d = 1.0;
         for (int i = 0; i < 32 && d > THRESHOLD && t < 2.6; i++) {

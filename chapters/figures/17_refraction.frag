@@ -1,5 +1,5 @@
-// A surface bends light: drag the lamp over the face of the glass, and below it. Thicker rays have more light. At
-// the top left are the angles of the ray (black) and of the refracted ray (teal), and the share mirrored (orange); on
+// A surface bends light: drag the lamp over the face of the glass, and below it. Thicker rays carry more light. At
+// the top left are the angles of the ray (black) and of the refracted ray (teal), and the share reflected (orange); on
 // the right is that share for all angles from 0 to 90 degrees, and Schlick's formula for it (blue).
 #include "figure.glsl"
 #include "glass.glsl"
@@ -15,7 +15,7 @@ float sceneDistance(vec3 p)
     return p.y;
 }
 
-// The share mirrored at an angle, in units of 90 degrees, on the side of the lamp.
+// The share reflected at an angle, in units of 90 degrees, on the side of the lamp.
 float shareAt(float angle, float eta)
 {
     return fresnelShare(cos(1.5707963 * clamp(angle, 0.0, 1.0)), eta);

@@ -20,7 +20,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The height's sine at a share of the table, and the other way.
+// The height's sine at a share of the table, and the inverse.
 float sineAt(float share)
 {
     float lowest = drawnOut(LOWEST_SUN, k), x = mix(lowest, 1.0, share);
@@ -33,7 +33,7 @@ float shareAt(float sine)
     return (drawnOut(sine, k) - lowest) / (1.0 - lowest);
 }
 
-// A place in the plot of a sine and a share.
+// The position in the plot of a sine and a share.
 vec2 inPlot(float sine, float share)
 {
     return mix(LOW, HIGH, vec2((sine - LOWEST_SUN) / (1.0 - LOWEST_SUN), share));

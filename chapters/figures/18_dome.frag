@@ -21,7 +21,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The direction of a place in a sky: equal angles are equal lengths.
+// The direction of a position in a sky: equal angles are equal lengths.
 vec3 skyDirection(vec2 place)
 {
     float angle = 1.5707963 / RIM * length(place);

@@ -1,5 +1,5 @@
 // The light of a ray: drag the sun down to the horizon and below it, and the end of the ray. Sunlight reaches
-// each point of the ray along a line, and the longer its way through the air, the more it has lost, blue first.
+// each point of the ray along a line, and the longer its path through the air, the more it has lost, blue first.
 // A dot is as large as the light that its point sends to the eye; the square has the colour of the sum. The
 // planet is small and its air is thick, so that both fit in the picture.
 #include "figure.glsl"
@@ -35,7 +35,7 @@ vec3 sunlightAt(vec2 p, vec2 toSun)
     vec3 depth = depthUp(r, abs(sine));
     if (sine < 0.0)
         depth = 2.0 * depthUp(max(lowest, RADIUS), 0.0) - depth;
-    float across = sqrt(max(LAYER * LAYER - lowest * lowest, 0.1)) / LAYER; // sine of the way through the ozone
+    float across = sqrt(max(LAYER * LAYER - lowest * lowest, 0.1)) / LAYER; // sine of the path through the ozone
     float crossings = 1.0 - clamp(8.0 * sine, -1.0, 1.0) * smoothstep(-0.15, 0.15, r - LAYER);
     depth += ozone ? OZONE * crossings / across * (1.0 - smoothstep(-0.1, 0.1, lowest - LAYER)) : vec3(0.0);
     return exp(-depth) * (sine > 0.0 ? 1.0 : smoothstep(0.0, 0.02, lowest - RADIUS));

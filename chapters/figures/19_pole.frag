@@ -19,7 +19,7 @@ float sceneDistance(vec3 p)
     return sdCircle(p.xy - EARTH, RADIUS);
 }
 
-// Where a direction is in the round sky, and the other way: equal angles are equal lengths. West is on the right.
+// Where a direction is in the round sky, and the inverse: equal angles are equal lengths. West is on the right.
 vec2 inSky(vec3 d)
 {
     return SKY_AT + RIM * acos(clamp(d.y, -1.0, 1.0)) / 1.5707963 * normalize(vec2(-d.z, d.x) + 1e-6);

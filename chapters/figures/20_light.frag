@@ -1,5 +1,5 @@
-// Clouds in the light: drag the sun around the sky in the small disc, with the zenith in its centre and the view
-// at its top, and beyond its rim, below the horizon; then drag the point over the clouds. The bars are its light:
+// Clouds in the light: drag the sun in the small disc, which shows the sky with the zenith in its centre and the view
+// at its top; beyond its rim, the sun is below the horizon. Drag the point over the clouds. The bars are its light:
 // as wide as the squares of the direction to the sun, sideways (orange), upwards (green) and ahead (blue), and as
 // high as the shares of the sun's light from there. The number is their sum and the silver lining.
 #include "figure.glsl"

@@ -1,4 +1,4 @@
-// Solution of exercise 07.1: five times five lanterns instead of a field without end.
+// Solution of exercise 07.1: five times five lanterns instead of an endless field.
 //
 // A macro replaces the chapter's calls of cellOf with calls of cellOfFive. cellOthers need not
 // change: where there are fewer lanterns than it assumes, it is still a lower bound.

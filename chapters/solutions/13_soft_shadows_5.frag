@@ -1,4 +1,4 @@
-// Solution of exercise 13.5: the march goes on inside. There distance / t is negative and tells how
+// Solution of exercise 13.5: the march continues inside. There distance / t is negative and tells how
 // far the ray is behind the edge. One closed form maps both sides.
 #include "main.glsl"
 #define rayColour chapterRayColour

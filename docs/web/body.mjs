@@ -10,7 +10,7 @@ const temml = (await import(new URL('../../build/node/node_modules/temml/dist/te
 
 // ---- Formulas ----
 
-// Leaves out everything that a browser adds by itself: the forms of operators at their position, groups of one element.
+// Leaves out everything that a browser adds by itself: the default forms of operators, and groups of one element.
 function compact(mathml) {
     return mathml.replaceAll(' separator="true"', '').replaceAll(' fence="true"', '').replaceAll('></mspace>', '/>')
         .replace(/(?<=<mrow>|<math>)<mo form="prefix" stretchy="false">/g, '<mo stretchy="false">').replace(/<mo form="prefix" stretchy="false">(?=[([{⌈⌊])/g, '<mo stretchy="false">')
@@ -106,7 +106,7 @@ function commandBlock({text, command}, i, pieces) {
     return `<div class="command">${listing}<p class="reason"${said ? ' hidden' : ''}>For a terminal only: ${escaped(what.reason)}.</p></div>`;
 }
 
-const NARROW = 84; // the number of letters of a listing that fit into a line of the text's width
+const NARROW = 84; // the number of characters of a listing that fit into a line of the text's width
 
 // A listing, below the name of its file; `sources` knows where the file and this part of it are shown.
 function listing(language, text, file, symbol, sources) {
@@ -155,7 +155,7 @@ const guesses = (html, stem, pictures) => html.replace(/(<p><em>Predict\.<\/em>)
     return `${begin}${question}${end}<form class="guess"${data}>${fields} <button type="submit">Keep my guess</button> <output></output></form>`;
 });
 
-// The parameters of a chapter that are single numbers, its library's with them.
+// The parameters of a chapter that are single numbers, including those of its library.
 function parametersOf(stem, found = new Set(), seen = new Set(), file = `chapters/${stem}.frag`) {
     if (seen.has(file) || !fs.existsSync(file)) return found;
     seen.add(file);
@@ -166,7 +166,8 @@ function parametersOf(stem, found = new Set(), seen = new Set(), file = `chapter
 }
 const scrubs = (html, parameters) => html.replace(/(?<!<pre>)<code>(\w+)=(-?\d+(?:\.\d+)?)<\/code>/g, (whole, name) => parameters.has(name) ? whole.replace('<code>', '<code class="scrub">') : whole);
 
-// Code in a line stays together, unless it is long: then each option stays together. A command has its button after it.
+// Inline code is not broken across lines; if it is long, only each option is kept whole. A command is followed by its
+// button.
 const LONG_CODE = 24;
 const inline = (html) => html.replace(/(?<!<pre>)<code>([^<]*)<\/code>/g, (whole, code) => {
     const command = plain(code);
@@ -186,7 +187,7 @@ function pictureOf(source, pictures) {
     return `src="pictures/${name}" width="${width}" height="${height}"${width >= 600 ? ' class="wide"' : ''}`;
 }
 
-// A picture that a program has written runs in its place when it is touched.
+// A picture that a program has drawn becomes the running program when it is touched.
 const images = (html, pictures) => html.replace(/<img src="(?!pictures\/)([^"]*)"([^>]*?) ?\/?>/g, (_, source, more) => {
     const img = `<img ${pictureOf(source, pictures)}${more} loading="lazy" decoding="async">`;
     const {stem, line, probe, step} = commandOfPicture(path.basename(source)) ?? {};

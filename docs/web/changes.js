@@ -8,7 +8,7 @@ export class Changes {
     constructor(stage) {
         const {part} = stage;
         this.stage = stage;
-        this.files = {}; // what has been changed from its first state
+        this.files = {}; // those that differ from their first state
         this.brought = new Map(); // texts that the course does not have, in their first state
         this.said = part('span');
         this.line = part('p', {className: 'live-changes', hidden: true}, this.said, ' ', stage.button('Undo all', () => this.undo(this.named)));
@@ -28,7 +28,7 @@ export class Changes {
 
     // Before the first start, load the changes in this page's address and those that the browser has stored.
     //   at  the element that is started
-    // Returns the command line of the link, or null.
+    // Returns the command line in that address, or null.
     async begin(at) {
         if (this.begun) return null;
         this.begun = true;
@@ -47,7 +47,7 @@ export class Changes {
         return link?.stem === at.stem ? link.line : null;
     }
 
-    // The text to which a file can be reset: the course's, or for an answer the chapter's; null: there is none.
+    // The text to which a file can be reset: the course's, or for an answer the chapter's; null if there is none.
     async original(name) {
         const {program} = this.stage, exercise = edits.exerciseOf(name);
         const chapter = exercise && [...program.course].find((one) => one.startsWith(`chapters/${exercise.slice(0, 2)}_`));
@@ -109,7 +109,7 @@ export class Changes {
 
     async change(name, text) {
         const {program} = this.stage;
-        program.write(name, text); // the program looks at its files, and loads them again
+        program.write(name, text); // the program checks its files, and reloads them
         const later = [...program.later].some((one) => text.includes(`"${one.slice(one.lastIndexOf('/') + 1)}"`));
         if (later && this.stage.at) program.fetchFiles(this.stage.at.stem, this.stage.line).catch(() => {}); // the text includes files that were not needed before
         const original = await this.original(name);

@@ -13,8 +13,8 @@ const STEMS = fs.readdirSync('chapters').filter((name) => /^\d\d_.*\.c$/.test(na
 const STILL = ['--probe', '--step', '--from', '--overlay', '--list', '--print-shader'];
 
 // The command line of every reference picture, by its file's name: {stem, line, probe, step}, from
-// tests/pictures/images.txt. A window shows the ray of a pixel, in fractions of the picture, if it is told to; with
-// --probe it would print the ray. A picture of several samples is shown with one.
+// tests/pictures/images.txt. A window can show the ray of a pixel, given in fractions of the picture; --probe would
+// print the ray instead. A picture of several samples is shown with one sample.
 const PICTURES = new Map(fs.readFileSync('tests/pictures/images.txt', 'utf8').split('\n').filter((line) => /^\d/.test(line)).map((row) => {
     const [stem, variant, ...words] = row.trim().split(/\s+/);
     const value = (name) => words.includes(name) ? words.splice(words.indexOf(name), 2)[1] : undefined;
@@ -63,7 +63,7 @@ const reasonOf = (command) => REASONS.find(({pattern}) => pattern.test(command))
 // The chapter to which a program's name belongs.
 const programOf = (word) => STEMS.find((stem) => word === `build/${stem}`);
 
-// Two pictures to be compared, if the same program writes both of them further up: {stem, line, other}.
+// Two pictures to be compared, if the same program writes both of them earlier on the page: {stem, line, other}.
 function pairOf(command, above) {
     const files = /^make compare PICTURES='(\S+) (\S+)'$/.exec(command)?.slice(1) ?? [];
     const lines = above.map((one) => wordsOf(one.replaceAll('\\\n', ' ')));

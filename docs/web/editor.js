@@ -135,7 +135,7 @@ export class Editor {
         this.tabs.children[at].focus();
     }
 
-    // A file has another text, and nothing of the one before is left.
+    // Show a file's new text, and forget the old one: it cannot be undone.
     renew(name) {
         this.states.delete(name);
         if (name !== this.name) return;
@@ -145,7 +145,7 @@ export class Editor {
         this.lint();
     }
 
-    // A file has another text, which the hands did not type: one step of undo brings it back.
+    // Give a file a text that the reader did not type; undo restores the old one.
     put(name, text) {
         if (name === this.name) {
             this.view.dispatch({changes: {from: 0, to: this.view.state.doc.length, insert: text}});

@@ -35,7 +35,7 @@ export function keep(name, text) {
     }
 }
 
-// The files that a command line shows, as far as its words tell: its shader and the library.
+// The files that a command line shows, as far as its options tell: its shader and the library.
 export function shownBy(names, stem, line) {
     const shader = /--shader[ =](\S+)/.exec(line)?.[1] ?? `chapters/${stem}.frag`;
     return names.filter((name) => name === shader || name.startsWith('shaders/'));

@@ -1,9 +1,9 @@
-// find.js - the search in all pages: loaded with the first touch of its field, like the index. This is a classic
+// find.js - the search in all pages: loaded, like its index, when its field is first used. This is a classic
 // script, because browsers run no modules from file://.
 (() => {
     const field = document.querySelector('.search input'), list = document.querySelector('.results'), found = document.querySelector('.found');
     const up = field.dataset.index.replace('search.js', '');
-    const MOST = 12, LENGTH = 150; // results, letters of an excerpt
+    const MOST = 12, LENGTH = 150; // results, characters of an excerpt
     const MEANT = {sdf: 'signed distance', sdfs: 'signed distance', ao: 'occlusion', dof: 'depth of field', aa: 'antialiasing', fov: 'field of view', raymarching: 'ray marching', color: 'colour'};
     const folded = (text) => text.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
     const wordsOf = (text) => folded(text).split(/[^\p{L}\p{N}_]+/u).filter((word) => word.length > 1);
@@ -51,7 +51,7 @@
 
     const begins = (text, at) => at === 0 || !/[\p{L}\p{N}]/u.test(text[at - 1]);
 
-    // The weight of a word: a word in few sections has more.
+    // The weight of a word, which is greater if fewer sections contain it.
     const rarity = (word) => Math.log(1 + entries.length / (1 + entries.filter((entry) => entry.low.includes(word) || entry.head.includes(word)).length));
 
     // How well a section fits. The more of the words it contains, in any order, the better; a word counts most in the

@@ -7,7 +7,7 @@
 import {draftOf} from './edits.js';
 import {Scrub} from './scrub.js';
 
-let stage = null; // the program that runs, once it was requested
+let stage = null; // the running program, once it has been requested
 
 const part = (name, properties = {}, ...children) => {
     const made = Object.assign(document.createElement(name), properties);
@@ -67,8 +67,8 @@ class LiveChapter extends HTMLElement {
         return stage;
     }
 
-    // Run a command line here: what options.c reads behind the program's name. Returns the exit status once it is
-    // done, or the window's first picture is there. The page's program moves here if it is elsewhere.
+    // Run a command line here: what options.c reads after the program's name. Returns the exit status once it is
+    // done, or the window shows its first picture. The page's program moves here if it is elsewhere.
     //   shown  {head} show only this many first lines of the output, {tail} this many last lines; {still} the time is
     //          paused until the reader resumes it; {probe} the pixel whose ray is shown, "0.5,0.5" of the picture, and
     //          {step} the step up to which it is shown
@@ -100,7 +100,7 @@ class LiveChapter extends HTMLElement {
         this.append(this.said);
     }
 
-    // Put a text into the course's files as chapters/NAME and run it, in the editor. Returns the exit status.
+    // Write a text into the course's files as chapters/NAME, open it in the editor and run it. Returns the exit status.
     //   base  the text to which Reset returns
     //   stem  the chapter whose camera it begins with
     async play(name, base, text = base, stem = this.stem) {

@@ -81,7 +81,7 @@ async function take(file) {
     if (!file) return;
     if (file.size > LIMIT) return say(`${file.name}: ${Math.round(file.size / 1e6)} MB is too large for a shader; the limit is 1 MB`);
     const text = await file.text();
-    if (text.includes('\0')) return say(`${file.name}: this is no text file`);
+    if (text.includes('\0')) return say(`${file.name}: this is not a text file`);
     await play(slug(file.name), text);
 }
 
@@ -115,7 +115,7 @@ setInterval(() => {
 }, LOOK);
 addEventListener('pagehide', () => { if (draws()) note(); });
 
-// ---- The hands ----
+// ---- Input ----
 
 for (const button of box.querySelectorAll('.starter')) button.addEventListener('click', async () => {
     const text = button.dataset.file ? await fetch(`course/${button.dataset.file}`).then((answer) => answer.text()) : BLANK;
@@ -159,5 +159,5 @@ show();
 // The front page's button starts a ball.
 if (location.hash.startsWith('#new=')) {
     document.getElementById(location.hash.slice(1))?.click();
-    history.replaceState(null, '', location.pathname); // a reload begins none
+    history.replaceState(null, '', location.pathname); // a reload does not start another draft
 }

@@ -4,9 +4,9 @@ import loadHarness from './harness.js';
 
 const ROOT = '/course/';
 const PRESS = 1, RELEASE = 0, REPEAT = 2;
-const FINGER = 30; // of the page's units around a handle where a finger grabs it
-const POLL = 20; // milliseconds between two looks at a driver that compiles
-const PIXELS = 1280 * 720; // of the drawing buffer at most: the harness uses less if a picture takes long
+const FINGER = 30; // the distance, in the page's units, within which a finger grabs a handle
+const POLL = 20; // milliseconds between two checks of a driver that is compiling
+const PIXELS = 1280 * 720; // the most that the drawing buffer has: the harness uses fewer if a picture takes long
 
 // GLFW's key codes by the position of the key. Tab and the function keys are left to the browser.
 const KEYS = {
@@ -50,7 +50,7 @@ export class Program {
     //   onDraw()                the first picture after a start has been drawn
     //   onEnd()                 no further turn follows: state().error gives the reason, or nothing
     //   onLost()                the browser takes the graphics context away
-    //   onFound(fails)          it has given it back; true if the program that ran no longer loads
+    //   onFound(fails)          it has given it back; true if the program that was running no longer loads
     static async load(canvas, hooks = {}) {
         const program = new Program();
         program.canvas = canvas;
@@ -254,7 +254,7 @@ export class Program {
         this.hearPointer(modifiers);
     }
 
-    // The distance and direction from a finger to the handle that it grabs, in the page's units; null: none is near.
+    // The distance and direction from a finger to the handle that it grabs, in the page's units; null if none is near.
     toHandle({clientX, clientY}) {
         const {left, top, width, height} = this.canvas.getBoundingClientRect();
         const {handles = [], tool} = this.state();

@@ -1,6 +1,6 @@
 // scrub.js - numbers in sentences: code such as `shadowOffset=0.25` that names a parameter can be dragged sideways, or
 // changed with the arrow keys, and the picture nearest to it follows.
-const WAY = 240; // of the page's units from a parameter's minimum to its maximum
+const WAY = 240; // the distance, in the page's units, from a parameter's minimum to its maximum
 
 export class Scrub {
     //   code   the element, code.scrub

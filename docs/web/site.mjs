@@ -252,7 +252,7 @@ function letters(pages) {
     return {text, formula};
 }
 
-// The feature ssty would add half of the size, and no browser uses it by itself.
+// The feature ssty would make the fonts half as large again, and no browser uses it by itself.
 async function writeFonts({text, formula}) {
     const write = (name, font, letters, features) => subset(font, letters, features, `${out}/fonts/${name}.woff2`);
     await write('formula', 'TeX Gyre Pagella Math', formula, 'kern');

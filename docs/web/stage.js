@@ -202,7 +202,7 @@ export class Stage {
             this.note('');
             this.again?.();
         };
-        return this.changes.any ? [' Does your change never end? ', this.button('Undo all', undo)] : [];
+        return this.changes.any ? [' Does your change contain an endless loop? ', this.button('Undo all', undo)] : [];
     }
 
     // Move to an element; the previous one shows its poster again.
@@ -238,7 +238,7 @@ export class Stage {
         at.style.setProperty('--ratio', width / height);
         if (runs) {
             this.program.fit();
-            this.canvas.setAttribute('aria-label', at.hasHands ? 'The figure, which runs. Drag its points, or press Enter for the next point and the arrow keys to move it.'
+            this.canvas.setAttribute('aria-label', at.hasHands ? 'The running figure. Drag its points, or press Enter for the next point and the arrow keys to move it.'
                 : 'The running program. Drag to look around, press W A S D to move, click to select a ray, press Escape to pause.');
             this.follow(this.shown);
         } else {

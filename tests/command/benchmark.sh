@@ -14,12 +14,12 @@ value() { sed -n "s/^  \"$1\": \(.*[^,]\),\{0,1\}\$/\1/p" "$scratch/out"; }
 holds() { awk "BEGIN { exit !($1) }" || { echo "# not so: $1"; return 1; }; }
 
 text() { run --benchmark 5 -s 64x36 -t 2 && [ ! -s "$scratch/err" ] && grep -q '^picture  *64x36, time 2 s.* frames: 5$' "$scratch/out"; }
-check 'aligned text' text # whose lines tests/unit/numbers.c has
+check 'aligned text' text # tests/unit/numbers.c tests its lines
 json() { run --benchmark 7 --benchmark=json -s 48x27 && [ ! -s "$scratch/err" ] && [ "$(value frames)" = 7 ] && [ "$(value frame_median_gpu_ms)" = null ]; }
-check 'JSON, by word and number' json
+check 'JSON, with the number of frames' json
 if command -v python3 >/dev/null; then
     valid() { python3 -c 'import json, sys; json.load(sys.stdin)' <"$scratch/out"; }
-    check 'it is JSON' valid
+    check 'it is valid JSON' valid
 fi
 ordered() {
     local clock
@@ -115,7 +115,7 @@ shared() {
         run --benchmark 1 --benchmark=json -s 16x8 -f "$scratch/shared.frag" -p coarsePass=false && [ "$(value evaluations_mean)" = 2.0000 ] &&
         [ "$(value march_evaluations)" = 2.0000 ]
 }
-check "the coarse pass is shared out among the pixels" shared
+check "the cost of the coarse pass is shared among the pixels" shared
 unmarched() {
     run --benchmark 1 --benchmark=json -s 20x10 -f "$scratch/count.frag" && [ "$(value march_rays)" = 0 ] && [ "$(value march_over_bound)" = null ] &&
         run --benchmark 1 -s 20x10 -f "$scratch/count.frag" && ! grep -q '^march' "$scratch/out"
@@ -135,7 +135,7 @@ table() {
         grep -qE '^\| 00_first_scene \| [0-9]\.[0-9]{2} \| [0-9.]+ \| [0-9.]+ \| [0-9]+ \| - \| - \| - \| - \|$' "$scratch/out" &&
         grep -qE '^00_first_scene .*units|not compared' "$scratch/out"
 }
-check 'make benchmark prints a table and compares' table
+check 'make benchmark prints a table and a comparison' table
 committed() {
     local stem
     for stem in chapters/[0-9][0-9]_*.c; do

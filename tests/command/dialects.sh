@@ -1,7 +1,7 @@
 #!/bin/bash
 # dialects.sh - the small shaders of tests/shaders/dialects.txt: each is drawn or refused as its heading says, and a
-# drawn one is drawn again from the file that --print-shader=shadertoy writes, which Shadertoy would take, or its export
-# is refused in the words of its heading.
+# drawn one is drawn again from the file that --print-shader=shadertoy writes, which Shadertoy would accept, or its
+# export is refused in the words of its heading.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -52,7 +52,7 @@ while read -r name kind right; do
     :) if [ "$status" = 0 ] && near "$colour" "$right" && [ "$lines" = 1 ]; then
             ok "$name is drawn"
         elif [ "$status" = 0 ] && near "$colour" "$right" && [[ $name = *silent* ]] && [ "$lines" -gt 1 ]; then
-            ok "$name is drawn, and says what is silent"
+            ok "$name is drawn, and reports the channels that are silent"
         else not_ok "$name is drawn" "status $status: $(tr '\n' ' ' <<<"$said")"; fi ;;
     \!) if [ "$status" = 1 ] && { [ "$lines" = 1 ] || [[ $right = *:[0-9]*:* ]]; } && grep -qF "$right" <<<"$said"; then
             ok "$name is refused"

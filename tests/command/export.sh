@@ -67,10 +67,10 @@ exported 'a camera' "$BUILD/01_normal_colouring" -c 0,1,5,10,-10
     cat chapters/01_normal_colouring.frag
     printf 'vec3 part() { return vec3(gl_FragCoord.xy + iPixelOffset, VIEW); }\n'
 } | sed 's/return SKY;/return part() * 0.001;/; s/^vec3 rayColour/vec3 part();\n&/' >"$scratch/part.frag"
-exported 'the place of a pixel, asked for by the shader itself' "$BUILD/01_normal_colouring" -f "$scratch/part.frag"
+exported 'the position of a pixel, which the shader itself reads' "$BUILD/01_normal_colouring" -f "$scratch/part.frag"
 
-exported 'a chapter with a coarse pass, which the file has not' "$BUILD/01_normal_colouring" -f tests/shaders/coarse.frag -p coarsePass=false
-# Only the validator for shaders that are drawn nowhere else; under Wine, where programs start slowly, only that of one
+exported 'a chapter with a coarse pass, which the exported file lacks' "$BUILD/01_normal_colouring" -f tests/shaders/coarse.frag -p coarsePass=false
+# Shaders that are drawn nowhere else are only validated; under Wine, where programs start slowly, only those of one
 # chapter.
 for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
     case ${SYSTEM-}$file in Windows*/03_*) ;; Windows*) continue ;; esac
@@ -88,7 +88,7 @@ exported 'every input of a whole file' "$BUILD/01_normal_colouring" -f "$scratch
 printf '%s\n' '# version 330' 'precision mediump float;' 'layout(location = 1) in vec2 FragCoord; flat in int CustomInt, CustomToggle;' \
     'uniform float iTime; uniform float radius = 0.5; uniform sampler2D none;' 'layout(location = 1) out vec4 other; layout(location = 0) out vec4 shown;' \
     'void main() { shown = vec4(FragCoord * 0.37, radius + iTime * 0.1 + float(CustomInt + CustomToggle), 1.0); other = vec4(1.0); }' >"$scratch/placed.frag"
-exported 'locations, values and inputs in other words' "$BUILD/01_normal_colouring" -f "$scratch/placed.frag"
+exported 'locations, values and inputs in other spellings' "$BUILD/01_normal_colouring" -f "$scratch/placed.frag"
 printf '#version 120\nvarying vec2 FragCoord; void main() { gl_FragColor = vec4(FragCoord * 0.37, 0.5, 1.0); }\n' >"$scratch/old.frag"
 exported 'gl_FragColor' "$BUILD/01_normal_colouring" -f "$scratch/old.frag"
 printf '#version 330 core\nvoid main() { gl_FragDepth = 0.0; }\n' >"$scratch/none.frag"
@@ -96,7 +96,7 @@ none() { ! "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/no
 check 'a file without an output is refused' none
 printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); } // toy\n' >"$scratch/given.frag"
 stays() { "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/given.frag" | cmp -s - "$scratch/given.frag"; }
-check "Shadertoy's form stays as it is" stays
+check "a Shadertoy file stays as it is" stays
 printf '#include "%s"\nuniform sampler2D a; // "granite.png" sRGB repeat: stone\nuniform sampler3D n; // "noise.png" linear repeat 64: noise\n' \
     01_normal_colouring.frag >"$scratch/stone.frag"
 reads_both() {
@@ -121,9 +121,9 @@ named() {
         ! grep -q '^lines' "$scratch/toy.frag"
 }
 if [ "${SYSTEM-}" = Windows ]; then
-    skip 'a line end in the name of a shader stays in its comment' 'no name has one there'
+    skip 'a line break in the name of a shader stays in its comment' 'no file name contains one'
 else
-    check 'a line end in the name of a shader stays in its comment' named
+    check 'a line break in the name of a shader stays in its comment' named
 fi
 echo "# the worst picture: F2 $worst"
 plan

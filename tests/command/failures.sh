@@ -108,7 +108,7 @@ refuse 'a parameter of a whole file' 2 'sun' "$root/$BUILD/00_first_scene" "${to
 
 clay=$root/$BUILD/23_stored_distances
 refuse 'a stroke without points' 2 "--stroke '0.09': must be AMOUNT,X,Y,Z" "$clay" "${to[@]}" --stroke 0.09
-refuse 'a stroke with half a point' 2 "--stroke '0.09,1,2': must be AMOUNT,X,Y,Z" "$clay" "${to[@]}" --stroke 0.09,1,2
+refuse 'a stroke with an incomplete point' 2 "--stroke '0.09,1,2': must be AMOUNT,X,Y,Z" "$clay" "${to[@]}" --stroke 0.09,1,2
 refuse 'a stroke that is too thick' 2 '--stroke 0.5,...: the amount must be between -0.2 and 0.2' "$clay" "${to[@]}" --stroke 0.5,1,2,3
 refuse 'a stroke of a chapter without a tool' 2 '--stroke: 03_shadows has no tool; chapter 23 has one' "$chapter" "${to[@]}" --stroke 0.1,1,2,3
 refuse 'a stroke on another shader' 2 "--stroke: .* has no sampler 'grid'" "$clay" "${to[@]}" --stroke 0.1,1,2,3 -f "$root/chapters/figures/23_sign.frag"
@@ -120,7 +120,7 @@ refuse 'a stroke on a grid of another size' 1 'a stroke needs a volume of 64x64x
 good=$root/chapters/01_normal_colouring.frag
 whole=$root/chapters/00_first_scene.frag
 refuse 'a missing shader' 1 'nowhere.frag.*No such file' "$chapter" "${to[@]}" -f "$shaders/nowhere.frag"
-refuse 'a missing shader of --list' 1 'nowhere.frag' "$chapter" --list -f "$shaders/nowhere.frag"
+refuse 'a missing shader with --list' 1 'nowhere.frag' "$chapter" --list -f "$shaders/nowhere.frag"
 printf 'void mainImage(out vec4 c, in vec2 f) { c = texture(iChannel1, f); }\n' >"$shaders/toy.frag"
 refuse 'a channel that a shader does not mention' 2 '--channel 0=.*iChannel0' \
     "$chapter" "${to[@]}" --channel 0=shaders/textures/granite.png --channel 1=shaders/textures/granite.png -f "$shaders/toy.frag"
@@ -129,13 +129,13 @@ expected_listing='./old.png ./stone.png ' keep=1
 refuse 'a picture over one that the run reads' 1 "stone.png, which this run reads" \
     "$chapter" --channel 1="$out/stone.png" -f "$shaders/toy.frag" -o "$out/stone.png"
 printf '#include "03_shadows.frag"\nuniform sampler2D stone; // "granite.png" sRGB repeat: grey\n' >"$shaders/stone.frag"
-refuse 'a picture over one that was put in' 1 "stone.png, which this run reads" \
+refuse 'a picture over one given with --texture' 1 "stone.png, which this run reads" \
     "$chapter" --texture stone="$out/stone.png" -f "$shaders/stone.frag" -o "$out/stone.png"
 same_noise() { cmp -s shaders/textures/noise.png "$out/stone.png"; }
-check 'and it is still there' same_noise
+check 'and it is unchanged' same_noise
 expected_listing='./old.png ' keep=''
 fill
-if [ "$BUILD" = build ]; then # a sanitizer takes more memory, and speaks itself
+if [ "$BUILD" = build ]; then # a sanitizer takes more memory, and has its own messages
     echo 'void mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }' >"$shaders/grey.frag"
     "$chapter" -f "$shaders/grey.frag" -s 4096x4096 -o "$scratch/large.png"
     # The memory that a driver itself needs is unknown, so the limit is a little more than the least with which a small
@@ -146,7 +146,7 @@ if [ "$BUILD" = build ]; then # a sanitizer takes more memory, and speaks itself
         limit=$((limit - 50000))
     done
     limit=$((limit + 70000))
-    refuse 'a picture without memory for it' 1 'stone.frag:2: sampler stone: .*large.png: .*not enough memory' \
+    refuse 'not enough memory for a picture' 1 'stone.frag:2: sampler stone: .*large.png: .*not enough memory' \
         little "${to[@]}" --texture stone="$scratch/large.png"
 fi
 refuse 'a view of a whole file' 1 '00_first_scene.frag' "$chapter" "${to[@]}" -v depth -f "$whole"
@@ -154,10 +154,10 @@ printf '#include "part.glsl"\n#include "main.glsl"\n' >"$shaders/i.frag"
 printf '// a comment\nfloat halved(float x)\n{\n    return 0.5 * y;\n}\n' >"$shaders/part.glsl"
 refuse_at_length 'an undeclared name in an included file' 1 'part.glsl:4.*y' "$chapter" "${to[@]}" -f "$shaders/i.frag"
 if windows; then
-    skip 'an error in a file with a line end in its name' 'no name has one there'
+    skip 'an error in a file with a line break in its name' 'no file name contains one'
 else
     sed 's/FragColor = /FragColour = /' "$whole" >"$shaders/"$'new\nline.frag'
-    refuse_at_length 'an error in a file with a line end in its name' 1 'new?line.frag:[0-9]*.*FragColour' \
+    refuse_at_length 'an error in a file with a line break in its name' 1 'new?line.frag:[0-9]*.*FragColour' \
         "$chapter" "${to[@]}" -f "$shaders"/$'new\nline.frag'
 fi
 refuse '--root without shaders' 1 '--root' "$chapter" "${to[@]}" --root "$shaders"
@@ -203,7 +203,7 @@ fill
 
 # ---- Contexts ----
 
-# The cache of shaders on a full disk, which only a user who may mount file systems can test.
+# The shader cache on a full disk, which only a user who may mount file systems can test.
 mkdir "$scratch/home"
 full_cache() {
     # shellcheck disable=SC2016 # for the inner shell
@@ -218,9 +218,9 @@ for how in -m -rm; do
     alone=()
 done
 if [ ${#alone[@]} = 0 ]; then
-    skip 'a full disk under the cache of shaders' 'this user may not mount'
+    skip 'a full disk for the shader cache' 'this user may not mount'
 else
-    refuse 'a full disk under the cache of shaders' 1 'MESA_SHADER_CACHE_DISABLE' full_cache
+    refuse 'a full disk for the shader cache' 1 'MESA_SHADER_CACHE_DISABLE' full_cache
 fi
 
 if windows; then
@@ -254,7 +254,7 @@ else
     skip 'osmesa: a driver that refuses 3.3' 'no OSMesa on this machine'
 fi
 says=refuse
-windows && says=refuse_at_length # Wine's own library of OpenGL says something first
+windows && says=refuse_at_length # Wine's own OpenGL library prints something first
 $says 'an unknown driver' 1 'driver' env GALLIUM_DRIVER=nonsense "$chapter" "${to[@]}"
 tried='egl.*osmesa.*glfw'
 grep -q -e '-DHAVE_OSMESA' "$BUILD/flags" || tried='egl.*glfw' # what make did not find is not tried
@@ -282,7 +282,7 @@ short_of_memory() {
         [ "$status" = 0 ] || { [ "$status" = 1 ] && tail -n 1 "$scratch/limited" | grep -q 'ulimit -v'; } || return 1
     done
 }
-[ "$BUILD" != build ] || check 'too little memory for the driver is named' short_of_memory
+[ "$BUILD" != build ] || check 'too little memory for the driver is reported' short_of_memory
 
 # ---- Standard output ----
 
@@ -297,7 +297,7 @@ else
 fi
 to_closed() { "$chapter" "$@" >&-; }
 closed='standard output: is closed'
-windows && closed='standard output: cannot be written' # it does not tell a closed one from a full disk
+windows && closed='standard output: cannot be written' # Windows does not distinguish a closed one from a full disk
 refuse '--list with standard output closed' 1 "$closed" to_closed --list
 # A pipe whose reader has exited, as `head` does, is not an error, and there is no message. The signal that would end
 # the program is ignored here, because Windows has none.

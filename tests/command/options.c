@@ -143,7 +143,7 @@ TEST(frames_have_a_rate)
     ACCEPTED("--frames 1 -o %d.png", o.fps == 25.0);
     ACCEPTED("--frames 100-199 -o %d.png", o.first_frame == 100 && o.frames == 200);
     ACCEPTED("--frames 7-7 --frames 3 -o %d.png", o.first_frame == 0 && o.frames == 3);
-    ACCEPTED("-o %d.png", o.frames == 0); // a name like any other one
+    ACCEPTED("-o %d.png", o.frames == 0); // an ordinary name
     ACCEPTED("--frames 2 --probe 1,1 -v slice -o %d.png", o.frames == 2);
 }
 

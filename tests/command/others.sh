@@ -1,6 +1,6 @@
 #!/bin/bash
 # others.sh - shaders that were written for other programs, the report's engine and Shadertoy: their inputs, textures,
-# samples and films, and texts that no reader expects. tests/command/dialects.sh draws a shader of each kind.
+# samples and films, and texts that no parser expects. tests/command/dialects.sh draws a shader of each kind.
 #
 # A shader that checks its inputs draws white where they have the right values, and black elsewhere.
 set -u
@@ -114,7 +114,7 @@ out vec4 c;
 void main() { c = vec4($reads); }
 GLSL
 
-# ---- Texts that no reader expects ----
+# ---- Texts that no parser expects ----
 
 # Reading takes time in proportion to the length of the text. A suite that hangs is ended.
 crowd() { # FORMAT: white, after 30,000 such lines with numbers for %d
@@ -127,7 +127,7 @@ check 'thirty thousand #ifdef' crowd $'#ifdef A%d\nfloat a%d;\n#endif'
 
 malformed() { # DIALECT BEGINNING
     local name=malformed_$1
-    refused "$name" 'never closed: write \*/ at its end$' "$1: a comment without end" < <(printf '%s\n/*' "$2"; cat "$scratch/white.frag")
+    refused "$name" 'never closed: write \*/ at its end$' "$1: a comment that is not closed" < <(printf '%s\n/*' "$2"; cat "$scratch/white.frag")
     refused "$name" 'larger than 1 MiB: is it a shader\?$' "$1: 10 MB" < <(printf '%s\n' "$2"; head -c 10000000 /dev/zero | tr '\0' ' ')
     refused "$name" 'an array of 2000000000 elements: ' "$1: a huge array" < <(printf '%s\nfloat big[ 2000000000 ];\n' "$2")
     refused "$name" '\.\.\.$' "$1: 100000 parentheses, and only the beginning of them" < <(printf '%s\nfloat deep = %s1.0%s;\n' "$2" "$deep" "$close")
@@ -145,8 +145,8 @@ endures() {
 }
 check 'a sum of 40000 terms' endures
 
-# Shaders that hide their size reach the limit of the memory that a driver may have, which it requests at once, or that
-# of the process, of which a small amount is filled sooner. The sanitizer has its own message when it ends a program
+# A shader that hides its size makes the driver request all its memory at once, up to the limit for a driver, or for the
+# process, which is reached sooner if it is small. The sanitizer has its own message when it ends a program
 # that gets no memory.
 bomb() { draw bomb; [ $? = 1 ] && [[ $said =~ bomb.frag:\ the\ graphics\ driver\ crashed\ on\ it,\ or\ needs\ more ]] && [ "$(grep -c '' <<<"$said")" = 1 ]; }
 if [ "$BUILD" = build ]; then
@@ -168,7 +168,7 @@ keeps() {
     echo '// mine' >>"$scratch/project/chapters/play.frag"
     play '' -o "$scratch/play.png" "${size[@]}" && tail -n 1 "$scratch/project/chapters/play.frag" | grep -q mine
 }
-check 'make play keeps what is there' keeps
+check 'make play keeps an existing file' keeps
 opens() { play "$scratch/scene.frag" -o "$scratch/opened.png" "${size[@]}" && same opened scene; }
 check 'make play FILE opens a file' opens
 missing() { ! play nowhere.frag && grep -q 'nowhere.frag: no such file' "$scratch/err" && [ ! -e "$scratch/project/nowhere.frag" ]; }
@@ -196,7 +196,7 @@ printed() { # OPTION...
         "$program" "${size[@]}" -o "$scratch/chapter.png" "$@" && draw printed "$@" && [ -z "$said" ] &&
         same chapter printed
 }
-check 'a printed chapter is the chapter' printed -p biased=true
+check 'a printed chapter draws the same picture' printed -p biased=true
 check 'with its views' printed -v steps
 
 plan

@@ -79,7 +79,7 @@ settings() {
 }
 check 'samples, view and parameters as for one picture' settings
 slices() { "$BUILD/01_normal_colouring" "${small[@]}" -v slice --probe 30,18 --frames 2 -o "$out/v%d.png"; }
-check 'the slice of a chosen ray' slices
+check 'the slice of a selected ray' slices
 walks() { # from the first step to the last, while the time does not change
     local ray=(-v slice --probe '30,18')
     clear_out
@@ -98,7 +98,7 @@ few_files() { # far fewer files than there are pictures may be open at once
     (ulimit -n 40 && "$program" -s 16x9 --frames 60 -o "$out/%d.png") && [ "$(names | wc -w)" = 60 ]
 }
 if [ "${SYSTEM-}" = Windows ]; then
-    skip 'a row of pictures leaves no file open' 'ulimit limits no program of Windows'
+    skip 'a row of pictures leaves no file open' 'ulimit does not limit programs of Windows'
 else
     check 'a row of pictures leaves no file open' few_files
 fi
@@ -120,7 +120,7 @@ refused() { # NAME STATUS PATTERN OPTION...
 }
 # tests/unit/numbers.c tests the names, tests/command/options.c the numbers and the valid combinations.
 refused 'a name without a number' 2 'must contain one %d' --frames 2 -o "$out/frame.png"
-refused 'a time too far' 2 'the last time' --frames 100000 --fps 0.001 -t 1e9 -o "$out/%d.png"
+refused 'a time that is too large' 2 'the last time' --frames 100000 --fps 0.001 -t 1e9 -o "$out/%d.png"
 refused 'a missing folder' 1 'nowhere' --frames 2 -o "$out/nowhere/%d.png"
 taken() {
     clear_out
@@ -153,12 +153,12 @@ interrupted() { # SIGNAL [STATUS]
     status=$?
     [ $status = "${2-$((128 + $(kill -l "$1")))}" ] && [ -e "$out/00003.png" ] && [ ! -e "$out/04999.png" ] && whole
 }
-if [ "${SYSTEM-}" = Windows ]; then # which has only Ctrl+C; Wine ends any program at it with 0
-    for name in 'a signal in the midst leaves whole pictures' 'a lost terminal too'; do skip "$name" 'Windows has no such signal'; done
+if [ "${SYSTEM-}" = Windows ]; then # Windows has only Ctrl+C, at which Wine ends any program with 0
+    for name in 'a signal during a film leaves whole pictures' 'and so does a lost terminal'; do skip "$name" 'Windows has no such signal'; done
     check 'and Ctrl+C' interrupted INT 0
 else
-    check 'a signal in the midst leaves whole pictures' interrupted TERM
-    check 'a lost terminal too' interrupted HUP
+    check 'a signal during a film leaves whole pictures' interrupted TERM
+    check 'and so does a lost terminal' interrupted HUP
     if [ ${#heed[@]} != 0 ]; then check 'and Ctrl+C' interrupted INT; else skip 'and Ctrl+C' 'env has no --default-signal'; fi
 fi
 
@@ -189,7 +189,7 @@ if command -v ffmpeg >/dev/null; then
         [ "$(ffprobe -v error -show_entries stream=width,height,pix_fmt,nb_frames,color_space -of csv=p=0 "$mp4")" = '64,36,yuv420p,bt709,3' ] &&
             [ "$(ffprobe -v trace "$mp4" 2>&1 | grep -oE "type:'(moov|mdat)'" | head -n 1)" = "type:'moov'" ]
     }
-    check 'an MP4 that players take, of an odd size too' playable
+    check 'an MP4 that players accept, even of an odd size' playable
 fi
 mkdir "$scratch/few" && for tool in sh basename tr sed; do ln -s "$(command -v $tool)" "$scratch/few"; done
 none() { ! film "$scratch/few" && grep -q 'ffmpeg is not installed: install it.*--frames 3' "$scratch/err" && [ "$(grep -c '' "$scratch/err")" = 1 ]; }

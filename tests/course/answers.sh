@@ -42,7 +42,7 @@ judge() { # EXERCISE
         esac
         echo "not ok $1: $what is not found to be $verdict: ${table:-$(head -n 1 "$folder/table")}"
     done <"$folder/list"
-    [ "$(grep -c '^wrong|' "$folder/list")" -ge 3 ] || echo "not ok $1: two wrong answers beside the unsolved chapter"
+    [ "$(grep -c '^wrong|' "$folder/list")" -ge 3 ] || echo "not ok $1: two wrong answers besides the unsolved chapter"
 }
 
 if [ "${1-}" = --exercise ]; then # called by xargs below

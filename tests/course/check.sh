@@ -72,7 +72,7 @@ one_is() { # FILE WORDS
 check "a picture that is right with rays that are not is refused" \
     one_is ben/rays.frag 'picture is right, its rays are not: pixel '
 build/03_shadows -f chapters/solutions/03_shadows_2.frag --print-shader=shadertoy >"$handed_in/toy.frag"
-check "a right picture of a file that records no rays says so" one_is toy.frag 'rays are not: none is recorded'
+check "a right picture from a file that records no rays is refused" one_is toy.frag 'rays are not: none is recorded'
 check "a file that does not compile is refused with its line" \
     one_is ben/broken.frag 'does not run: .*broken.frag:1'
 check "an empty file, with a space in its name, is refused" \
@@ -101,20 +101,20 @@ of_one_name() {
     [ "$(sort -u <<<"$pictures" | wc -l)" = 2 ] &&
         while IFS= read -r picture; do [ -s "$picture" ] || return 1; done <<<"$pictures"
 }
-check "files of one name leave pictures of their own" of_one_name
+check "files with the same name leave separate pictures" of_one_name
 listed() {
     table 03_2 "chapters/solutions/03_shadows_1.frag chapters/solutions/03_shadows_3.f*"
     [ $? = 1 ] && says '^0 of 2 right$' && [ ! -e build/check/03_2"$handed_in" ]
 }
-check "several names with spaces between them; earlier pictures are gone" listed
+check "several names separated by spaces; earlier pictures are gone" listed
 nobody() { table 03_2 "$handed_in/eve/*.frag"; [ $? = 2 ] && says 'no file has such a name'; }
-check "a pattern that fits no file is refused" nobody
+check "a pattern that matches no file is refused" nobody
 endless() {
     CHECK_LIMIT=1 table 00_1 "$handed_in/endless.frag"
     [ $? = 1 ] && says '^wrong .*does not end: no picture after 1 s'
 }
 check "a file that never ends is refused" endless
-# A limit on the size of files acts as a full disk: the solution's picture fits, and one of noise does not.
+# A limit on the size of files acts like a full disk: the solution's picture fits, but one of noise does not.
 cat >"$scratch/noise.frag" <<'END'
 #version 330 core
 out vec4 FragColor;
@@ -127,18 +127,18 @@ full_disk() {
     (ulimit -f 400; trap '' XFSZ; table 00_2 "$scratch/noise.frag")
     [ $? = 2 ] && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says 'the disk has no room'
 }
-check "a disk without room is no wrong answer" full_disk
+check "a full disk does not count as a wrong answer" full_disk
 blank_name() {
     cp chapters/00_first_scene.frag "$handed_in/ada's ball.frag"
     ! accepted 00_2 "$handed_in/ada's ball.frag" && cp "$scratch/answer.00_2" "$scratch/answer.03_2" && says "look at yours: build/00_first_scene --shader '.*/hand.*ada'\"'\"'s ball.frag'"
 }
-check "a name with blanks and quotes is quoted in a command to copy" blank_name
+check "a name with blanks and quotes is quoted in the command to be copied" blank_name
 asks_wrong() { # EXERCISE WORDS
     EXERCISE=$1 FILE=x FILES='' .make/check.sh >"$scratch/answer.03_2" 2>&1
     [ $? = 2 ] && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says "$2"
 }
 check "no exercise is given" asks_wrong '' 'which exercise'
-check "an exercise of no chapter" asks_wrong 99_1 'there are 00_1 '
+check "an exercise of a chapter that does not exist" asks_wrong 99_1 'there are 00_1 '
 check "an exercise without a solution" asks_wrong 03_99 "there are 00_1 .* 03_4 04_1 .* $(tail -n 1 "$scratch/exercises") engine_1 .*engine_4$"
 check "a name that cannot be an exercise's" asks_wrong shadows 'such as 03_2'
 plan

@@ -28,7 +28,7 @@ edits() { # EXERCISE VERDICT
 }
 
 for exercise in 00_2 03_2; do
-    # Seventeen right answers: sixteen with a line of their own, and one that is written in another way.
+    # Seventeen right answers: sixteen with a line of their own, and one that is written differently.
     for student in 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16; do
         { cat "$(solution $exercise)"; echo "#define STUDENT_$student"; } | hand_in "$student" $exercise right 'as the solution'
     done
@@ -46,13 +46,13 @@ for exercise in 00_2 03_2; do
     for student in 24 25; do
         { cat "$(solution $exercise)"; echo "#define TWIN // $student"; } | hand_in $student $exercise copied '^one text: 24, 25; as the solution'
     done
-    # Files that do not compile: a fault, nothing, and no text.
+    # Files that do not compile: one with a mistake, an empty one, and one that is not text.
     echo 'float sceneDistance(vec3 p) { return 1 +; }' | hand_in 26 $exercise wrong 'does not run: .*frag:1'
     hand_in 27 $exercise wrong 'does not run: .*empty' </dev/null
     head -c 4000 build/00_first_scene | hand_in 28 $exercise wrong 'does not run: '
 done
 
-# The last two never end, ask for files of the machine, or want all its memory.
+# The last two never end, read files of the machine, or use all its memory.
 hand_in 29 00_2 wrong 'does not end: no picture after' <<'END'
 #version 330 core
 in vec2 FragCoord;

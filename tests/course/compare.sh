@@ -29,13 +29,13 @@ check 'their difference is a picture' shown
 check 'two equal pictures' says 0 'the pictures are the same: no pixel differs' one same
 check 'the old difference is gone' eval '! shown'
 check 'a rounding error is not a difference' says 0 'the pictures are the same: no pixel differs by more than 2 of 255, at most by 1' one hair
-check 'a small difference of a whole part is one' says 1 'no pixel differs by more than [12] of 255, but a whole region differs a little, most around .*: see build/compare.png' one shifted
+check 'a small difference over a whole region counts' says 1 'no pixel differs by more than [12] of 255, but a whole region differs a little, most around .*: see build/compare.png' one shifted
 check 'two sizes' says 2 'make: pictures of different size cannot be compared: 128x72 and 64x36' one small
 check 'a text file' says 2 "make: .*text.png: cannot be read: Not a PNG file: save it again as a PNG" one text
 check 'a missing file' says 2 "make: .*absent.png: cannot be read: No such file or directory" one absent
 check 'one picture' says 2 'make: which two pictures? .*' one
 check 'three pictures' says 2 'make: which two pictures? .*' one one one
 asks() { make -s compare PICTURES="$scratch/$1.png $scratch/$2.png" >"$scratch/said" 2>&1; }
-check 'make compares' asks one other
+check 'make compare compares' asks one other
 check 'a text file is an error' eval '! asks one text'
 plan

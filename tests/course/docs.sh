@@ -97,7 +97,7 @@ listed_pictures=" engine_5 $(awk '!/^#/ && NF >= 2 { printf "%s ", $1 ($2 == "-"
 
 bad_pictures() { # PAGE
     local line target name
-    grep -n '!\[\](' "$1" | sed "s|^|$1:|; s|\$|: the picture has no words|"
+    grep -n '!\[\](' "$1" | sed "s|^|$1:|; s|\$|: the picture has no alternative text|"
     links_of "$1" | grep -E '\.(png|jpg|svg)(#|$)' | while IFS=: read -r line target; do
         name=${target##*/}
         [[ $target == *figures/*.svg ]] && [ -e "docs/figures/${name%.svg}.c" ] && continue
@@ -180,7 +180,7 @@ bad_folds() { # PAGE
                 open = FNR
                 if (/Answer/) asked = ""
             } else if (/^<\/details>$/ && open && last == "") open = 0
-            else print "line " FNR ": no fold as they are on all pages: " $0
+            else print "line " FNR ": not a fold of the usual form: " $0
             last = $0
             next
         }
@@ -218,7 +218,7 @@ bad_form() { # PAGE
 matches() { "$2" "$1" | grep "-E${4-}" -e "$3" | sed "s|^|$1:|" | head -n 3; }
 lines_of() { grep -n '' "$1"; }
 
-# Remains of an unfinished merge; another notation for lengths and products than on all pages; short options, which mean
+# Remains of an unfinished merge; an unusual notation for lengths and products; short options, which mean
 # nothing to a new reader; phrases that are wrong English, which pages may mention only in quotes.
 bad_merges() { matches "$1" lines_of '^[0-9]+:(<<<<<<<|>>>>>>>) '; }
 bad_notation() { matches "$1" lines_of '\\(langle|rangle|lVert|rVert|Vert|\|)'; }
@@ -228,7 +228,7 @@ bad_phrases() { matches "$1" prose_of "(^|[^'])\\b(in place of|under an angle|an
 # French words in a page's brackets that the glossary lacks.
 untranslated() { # PAGE
     prose_of "$1" | grep -o '([*][^*]*[*]' | sed 's/^([*]//; s/[*]$//; s/, /\n/g' | awk -F ' *[|] *' -v page="$1" '
-        function words(text) { # a plural is the word too
+        function words(text) { # a plural counts as the word
             gsub(/[-*,()]/, " ", text)
             text = " " text " "
             gsub(/s? +/, " ", text)
@@ -251,13 +251,13 @@ bad_glossary() { # PAGE
             term = tolower($2); gsub(/[^a-z0-9]+/, " ", term)
             if (term "" <= last) print $2 ": out of order, or twice"
             if ($3 !~ /^[*]..*[*]$/) print $2 ": has no French name"
-            if ($5 == "" || $6 !~ /^\[([0-9][0-9]|engine)\]\(/) print $2 ": is not said, or without its place"
+            if ($5 == "" || $6 !~ /^\[([0-9][0-9]|engine)\]\(/) print $2 ": no definition, or no link to its section"
             last = term; count++
         }
         END { if (count < 100) print "there are " count + 0 " terms" }' "$1"
 }
 
-# Each lab of the guide has all parts of a lab; none of the first six is left out.
+# Each lab of the guide has all its parts, and the first six labs are all there.
 bad_labs() { # PAGE
     awk '
         function judge(i) {
@@ -302,7 +302,7 @@ bad_commands() { # PAGE
     code_of "$1" | grep -E '(^|[;&|(] *)(build/[0-9]|make [a-z]|[A-Z]+=)' | sed 's/ && /\n/g; s/[;|].*//' |
         while IFS= read -r command; do
             case $command in
-            [A-Z]*=*) # a variable that later commands use; what comes after one would be run
+            [A-Z]*=*) # a variable that later commands use; anything after it would be executed
                 [[ $command =~ ^[A-Z_]+=[^\ ]*\ *$ || $command =~ ^[A-Z_]+=\'[^\']*\'\ *$ || $command =~ ^[A-Z_]+=\"[^\"]*\"\ *$ ]] ||
                     { echo "$1: $command: a variable in front of a command" && continue; }
                 eval "$command"
@@ -382,7 +382,7 @@ check_pages() {
         judge "$page: GitHub renders its formulas" "$(bad_formulas "$page")"
         judge "$page: commands are accepted by their programs" "$(bad_commands "$page")"
         judge "$page: probes print the last line that the page shows" "$(bad_outputs "$page")"
-        judge "$page: lengths and products have the notation of all pages" "$(bad_notation "$page")"
+        judge "$page: lengths and products have the usual notation" "$(bad_notation "$page")"
         judge "$page: options are spelt out" "$(bad_options "$page")"
         judge "$page: has no phrase that is always wrong" "$(bad_phrases "$page")"
     done
@@ -394,10 +394,10 @@ check_pages() {
         judge "docs/$stem.md: has its five lines in French" "$(bad_summary "docs/$stem.md")"
         judge "docs/$stem.md: its French terms are in the glossary" "$(untranslated "docs/$stem.md")"
         judge "docs/$stem.md: names every parameter" "$(unnamed_parameters "$stem")"
-        judge "docs/$stem.md: shows two pictures beside each other" "$(lacks_pair "docs/$stem.md")"
+        judge "docs/$stem.md: shows two pictures side by side" "$(lacks_pair "docs/$stem.md")"
         judge "docs/$stem.md: names every shader of its chapter" "$(unnamed_shaders "$stem")"
         judge "docs/$stem.md: its exercises have checks, hints and solutions" "$(bad_exercises "docs/$stem.md")"
-        judge "docs/$stem.md: its folds have the form of all pages, and each question has its answer" \
+        judge "docs/$stem.md: its folds have the usual form, and each question has its answer" \
             "$(bad_folds "docs/$stem.md")"
         judge "docs/$stem.md: has the parts of a page, and a story of at most 4000 words" "$(bad_form "docs/$stem.md")"
     done
@@ -420,10 +420,10 @@ accepts() {
 
 check_checks() {
     local probe='build/01_normal_colouring --probe 320,180'
-    refuses 'a link to nothing' 'see [this](gone.md)\n' bad_links
-    refuses 'an anchor without heading' '# One two\n[a](#one-two) [b](#one-three)\n' bad_links
+    refuses 'a link to a missing page' 'see [this](gone.md)\n' bad_links
+    refuses 'an anchor without a heading' '# One two\n[a](#one-two) [b](#one-three)\n' bad_links
     refuses 'a picture that no test renders' '![a](../tests/references/gone.png)\n' bad_pictures
-    refuses 'a picture without words' '![](../tests/references/03_shadows.png)\n' bad_pictures
+    refuses 'a picture without alternative text' '![](../tests/references/03_shadows.png)\n' bad_pictures
     refuses 'a figure without a program' '![a](figures/gone.svg)\n' bad_pictures
     local task='**1. (easy) A.** b\n\n' ask='*Predict.* Why?\n\n' folds
     folds=$(printf '<details><summary>%s</summary>\\n\\na\\n\\n</details>\\n\\n' Hint Solution)
@@ -434,10 +434,10 @@ check_checks() {
     accepts 'a question with its answer' "$ask${folds/Hint/Answer}" bad_folds
     refuses 'a question without an answer' "$ask$folds" bad_folds
     refuses 'an experiment without an answer' "## Experiments\n\n**1. A.** b\n" bad_folds
-    refuses 'a fold without end' "${folds%</details>*}" bad_folds
+    refuses 'a fold that is not closed' "${folds%</details>*}" bad_folds
     refuses 'a fold of another kind' "${folds/Hint/Clue}" bad_folds
     refuses 'a fold without its empty line' "${folds/<\/summary>\\n/<\/summary>}" bad_folds
-    refuses 'a story without end' "# a\n$(seq 4002 | tr '\n' ' ')\n## Parameters\n" bad_form
+    refuses 'a story that is too long' "# a\n$(seq 4002 | tr '\n' ' ')\n## Parameters\n" bad_form
     refuses 'parts out of order' "$(sed 's/^## Proofs/## Lemmas/' docs/01_normal_colouring.md)" bad_form
     refuses 'angle brackets for a product' '$\\langle a, b \\rangle$\n' bad_notation
     refuses 'a phrase that is always wrong' 'a mean in place of a sum\n' bad_phrases
@@ -447,8 +447,8 @@ check_checks() {
     refuses 'a term twice' "$(sed '/^| acne /p' docs/glossary.md)" bad_glossary
     refuses 'a term without a French name' "$(sed 's/ [*]cellule[*] / /' docs/glossary.md)" bad_glossary
     refuses 'a lab without a question' "$(sed '0,/Exit question/s//Question/' docs/teaching.md)" bad_labs
-    refuses 'a lab too few' "$(sed '/^### Lab 3/d' docs/teaching.md)" bad_labs
-    refuses 'the mark of a merge' 'a\n<<<<<<< HEAD\nb\n' bad_merges
+    refuses 'a missing lab' "$(sed '/^### Lab 3/d' docs/teaching.md)" bad_labs
+    refuses 'a merge conflict marker' 'a\n<<<<<<< HEAD\nb\n' bad_merges
     refuses 'a formula that GitHub changes' 'so $a \\\\, b$ is\n' bad_formulas
     refuses 'a summary of four lines' "## L'essentiel\n\n> a\n> b\n> c\n> d\n\ntext\n" bad_summary
     refuses 'a missing program' '`build/99_nothing`\n' bad_commands
@@ -457,7 +457,7 @@ check_checks() {
     refuses 'a missing shader' "\`build/${chapters[0]} -f chapters/gone.frag\`\n" bad_commands
     refuses 'an unknown parameter' "\`build/${chapters[0]} -p gone=1\`\n" bad_commands
     refuses 'a command that is accepted although it is marked as refused' "\`build/${chapters[0]} # refused\`\n" bad_commands
-    check 'a colour may be one off' same_line '# hit; colour: 1, 20, 3' '# hit; colour: 2, 20, 2'
+    check 'a colour may be off by one' same_line '# hit; colour: 1, 20, 3' '# hit; colour: 2, 20, 2'
     check 'not two' eval "! same_line '# hit; colour: 1, 20, 3' '# hit; colour: 1, 20, 5'"
     refuses 'an output that the command does not print' "\`\`\`\n$probe\n# hit; evaluations of the scene: 0; colour: 1, 2, 3\n\`\`\`\n" bad_outputs
     refuses 'an unknown target' '`make nonsense`\n' bad_commands
@@ -533,7 +533,7 @@ check_tool() {
     printf '<!-- code: %s -->\n' "$source" >"$page"
     check 'a malformed marker fails' fails "$page" 'malformed'
     printf '<!-- code: %s once -->\n```glsl\nfloat\n' "$source" >"$page"
-    check 'a fence without end fails' fails "$page" 'no end'
+    check 'a fence that is not closed fails' fails "$page" 'no end'
     printf '<!-- code: %s once -->\n```glsl\nstale\n```\n`once`\n' "$source" >"$page"
     check 'a stale listing fails --check' fails "$page" ':1: differs' --check
     check 'a stale listing is rewritten' rewrites "$page"
@@ -546,7 +546,7 @@ check_tool() {
     check 'a stale table of parameters is rewritten' rewrites "$page"
     check 'a table of parameters names them' grep -q '^| `hitThreshold` |' "$page"
     printf '<!-- parameters: 99_nothing -->\n' >"$page"
-    check 'a table of no program fails' fails "$page" 'make first'
+    check 'a table of an unknown program fails' fails "$page" 'make first'
 
     # 1100 words of story and 150 of proofs; the folded text and a listing would be 5 minutes more each.
     local thousand
@@ -555,7 +555,7 @@ check_tool() {
         "$(seq 1100 | tr '\n' ' ')" "$thousand" "$thousand" "$thousand" "$(seq 150 | tr '\n' ' ')" >"$page"
     check 'a stale reading time fails --check' fails "$page" ':1: differs' --check
     check 'a stale reading time is rewritten' rewrites "$page"
-    check 'a reading time is that of its words' grep -q -x \
+    check 'a reading time follows from the number of words' grep -q -x \
         '[*][*]Time[.][*][*] The story takes about 10 minutes to read, the proofs 5 more[.]' "$page"
 }
 
@@ -592,7 +592,7 @@ check_use() {
         "<!-- code: $source * -->\n\n\`once\`\n"
     check 'a listing that its text names passes' used \
         "As \`once(p)\` says:\n\n<!-- code: $source once -->\n\n[all](x) of \`$source\`:\n\n<!-- code: $source * -->\n"
-    unused 'a copy of a source by hand' ':2: a copy by hand of shaders/march.glsl:5' \
+    unused 'a copy of a source by hand' ':2: copied by hand from shaders/march.glsl:5' \
         'text\n```glsl\nstruct Hit {\n  bool found;\n\n};\n```\n'
     check 'a block of two lines is not a copy' used 'text\n```glsl\nstruct Hit {\n};\n```\n'
     check 'lines in another order are not a copy' used \
@@ -616,10 +616,10 @@ check_pages
 judge "docs/engine.md: its exercises have checks, hints and solutions" "$(bad_exercises docs/engine.md)"
 judge "docs/engine.md: each question has its answer" "$(bad_folds docs/engine.md)"
 judge "docs/engine.md: its French terms are in the glossary" "$(untranslated docs/engine.md)"
-judge "docs/glossary.md: terms in order, with French names and places" "$(bad_glossary docs/glossary.md)"
+judge "docs/glossary.md: terms in order, with French names and sections" "$(bad_glossary docs/glossary.md)"
 judge "docs/teaching.md: each lab has its prediction, its demonstration, its work and its question" \
     "$(bad_labs docs/teaching.md)"
-judge "every function and struct of the library that teaches is on a page" \
+judge "every function and struct that the course teaches is on a page" \
     "$(.make/listings.sh --check 2>&1 | grep 'is on no page')"
 replaced() { # of `make student`; only the complaints
     local page

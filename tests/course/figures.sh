@@ -6,8 +6,8 @@ cd "$(dirname "$0")/../.." || exit 1
 
 open_scratch
 
-# Another machine's cos, log and pow may differ in their last bit, and change a second decimal, which is a hundredth of
-# a pixel. Everything else is the same, and no number is off by more.
+# Another machine's cos, log and pow may differ in their last bit, and change a second decimal place, which is a
+# hundredth of a pixel. Everything else is the same, and no number is off by more.
 alike() { # A B
     awk -v most=0.0101 '
     function numbers_of(text, number,    count) {
@@ -80,8 +80,8 @@ for source in docs/figures/*.c; do
     [ "$name" = svg ] && continue
     count=$((count + 1))
     check "$name.svg is what its program draws: make figures" drawn "$name"
-    check "$name.svg is sound, with its words" sound "docs/figures/$name.svg"
-    check "$name.svg is in a page" shown "$name"
+    check "$name.svg is well formed, with a title and a description" sound "docs/figures/$name.svg"
+    check "$name.svg is on a page" shown "$name"
 done
 check "there are figures" [ $count -ge 13 ]
 check "normal_error.svg, which measures rounding, is the same to the byte" \

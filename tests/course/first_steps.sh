@@ -38,7 +38,7 @@ builds() { # NAME [EDIT]
         (cd "$scratch/alone" && eval "$line") 2>"$scratch/said" && [ -x "$scratch/alone/$1" ]
 }
 for step in 1 2 3 4 5 6; do
-    check "engine_$step.c builds by the line at its top" builds "engine_$step"
+    check "engine_$step.c builds with the line at its top" builds "engine_$step"
 done
 
 # ---- Without a window ----
@@ -54,7 +54,7 @@ fails() {
     return 1
 }
 
-# A file may contain this many KiB only. A signal would hide the program's own words.
+# Limit files to this many KiB. A signal would hide the program's own words.
 within_kib() { # KIB COMMAND...
     (trap '' XFSZ && ulimit -f "$1" && shift && exec "$@")
 }
@@ -83,19 +83,19 @@ for line in '' '-o' '-o a.png' '-t 1 a.frag' 'a b c'; do
     # shellcheck disable=SC2086 # words
     check "the command line '$line' is refused" fails 2 '^usage: ' "$steps/engine_6" $line
 done
-check 'a shader that is not there' fails 1 "^engine: $scratch/gone.frag: No such file" draw "$scratch/gone.frag"
+check 'a missing shader' fails 1 "^engine: $scratch/gone.frag: No such file" draw "$scratch/gone.frag"
 check 'a folder as a shader' fails 1 '^engine: tests: ' draw tests
 head -c 70000 /dev/zero | tr '\0' ' ' >"$scratch/long.frag"
 check 'a shader that is too long' fails 1 'long.frag: too long: ' draw "$scratch/long.frag"
 sed 's/red, green/rde, green/' "$sources/1_screen.frag" >"$scratch/wrong.frag"
-check 'a mistake is told with its line' fails 1 "^engine: $scratch/wrong.frag:13: .*rde" draw "$scratch/wrong.frag"
+check 'a mistake is reported with its line' fails 1 "^engine: $scratch/wrong.frag:13: .*rde" draw "$scratch/wrong.frag"
 sed 's/in vec2 FragCoord/in vec4 FragCoord/' "$sources/1_screen.frag" >"$scratch/unfit.frag"
 check 'so is an input of another type' fails 1 "^engine: $scratch/unfit.frag: .*FragCoord" draw "$scratch/unfit.frag"
-check 'a picture that is not there' fails 1 '^engine: gone.png: ' draw "$sources/engine_5.frag" gone.png
-check 'a picture that is none' fails 1 '^engine: README.md: ' draw "$sources/engine_5.frag" README.md
+check 'a missing picture' fails 1 '^engine: gone.png: ' draw "$sources/engine_5.frag" gone.png
+check 'a file that is not a picture' fails 1 '^engine: README.md: ' draw "$sources/engine_5.frag" README.md
 head -c 2000 "$plank" >"$scratch/half.png"
-check 'half of a picture' fails 1 "^engine: $scratch/half.png: " draw "$sources/engine_5.frag" "$scratch/half.png"
-check 'a folder that is not there' fails 1 "^engine: $scratch/gone/a.png: " "$steps/engine_6" -o "$scratch/gone/a.png" "$sources/1_screen.frag"
+check 'half a picture' fails 1 "^engine: $scratch/half.png: " draw "$sources/engine_5.frag" "$scratch/half.png"
+check 'a missing folder' fails 1 "^engine: $scratch/gone/a.png: " "$steps/engine_6" -o "$scratch/gone/a.png" "$sources/1_screen.frag"
 full() { fails 1 'full.png: ' within_kib 1 "$steps/engine_6" -o "$scratch/full.png" "$sources/engine_4.frag" && [ ! -e "$scratch/full.png" ]; }
 check 'a full disk, which leaves no picture' full
 # LIBGL_ALWAYS_SOFTWARE is set: the driver is Mesa's.
@@ -121,7 +121,7 @@ done
 echo 'int main(void) { return x; }' >"$scratch/broken.c"
 refused() { ! checked engine_1 "$scratch/broken.c" && grep -q 'does not compile: .*broken.c:1:' "$scratch/said"; }
 check 'and names the line of a program that does not compile' refused
-check 'make diff shows a step against the one before' [ "$(CHAPTER=engine_2 .make/diff.sh | grep -c '^[+]static bool read_text')" = 1 ]
+check 'make diff compares a step with the one before' [ "$(CHAPTER=engine_2 .make/diff.sh | grep -c '^[+]static bool read_text')" = 1 ]
 
 # ---- In a window ----
 
@@ -152,12 +152,12 @@ check 'step 2 opens a file' begin 2 "$mine"
 check 'and shows it' square "$sources/2_distance.frag"
 told() { save "$(cat "$scratch/wrong.frag")" && eventually grep -q "^engine: $mine:13: .*rde" "$scratch/said" && shown wanted; }
 sed 's/red, green/rde, green/' "$sources/1_screen.frag" >"$scratch/wrong.frag"
-check 'a mistake is told, and the last good picture stays' told
+check 'a mistake is reported, and the last good picture stays' told
 follows() { save "$(cat "$sources/1_screen.frag")" && square "$sources/1_screen.frag"; }
 check 'a file that is saved is shown' follows
 check 'it is one line' [ "$(wc -l <"$scratch/said")" = 1 ]
-check 'the button that closes ends it with status 0' closes
-check 'a shader that is wrong at the start opens nothing' fails 1 "^engine: $scratch/wrong.frag:13: " "$steps/engine_2" "$scratch/wrong.frag"
+check 'the close button ends it with status 0' closes
+check 'a shader with a mistake at the start opens no window' fails 1 "^engine: $scratch/wrong.frag:13: " "$steps/engine_2" "$scratch/wrong.frag"
 
 check 'step 3 opens a file' begin 3 "$sources/2_distance.frag"
 check 'and a circle is round' matches_reference 00_first_scene-step-2

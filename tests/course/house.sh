@@ -44,7 +44,7 @@ check 'the sources of common/ include each other' [ "$(wc -l <"$scratch/includes
 while read -r from to; do
     [ -e "$to" ] || echo "$from includes $to"
 done <"$scratch/includes" >"$scratch/lost"
-check_empty 'in common/ each include names a file from common/ on' "$scratch/lost"
+check_empty 'each include in common/ gives the path from common/' "$scratch/lost"
 upwards <"$scratch/includes" >"$scratch/up"
 check_empty 'no include leads upwards' "$scratch/up"
 
@@ -60,7 +60,7 @@ awk '
         }
     }' "$scratch/includes" | sort -u >"$scratch/modules"
 tsort "$scratch/modules" >/dev/null 2>"$scratch/circle"
-check_empty 'no circle of modules' "$scratch/circle"
+check_empty 'no cycle of modules' "$scratch/circle"
 
 # ---- By symbols ----
 
@@ -78,11 +78,11 @@ done | awk '
                 print ask[2], home[ask[1]]
         }
     }' | sort -u >"$scratch/calls"
-check 'the objects of common/ ask for each other' [ "$(wc -l <"$scratch/calls")" -gt 50 ]
+check 'the objects of common/ need symbols of each other' [ "$(wc -l <"$scratch/calls")" -gt 50 ]
 upwards <"$scratch/calls" >"$scratch/up"
 check_empty 'no call leads upwards' "$scratch/up"
 tsort "$scratch/calls" >/dev/null 2>"$scratch/circle"
-check_empty 'no circle of calls' "$scratch/circle"
+check_empty 'no cycle of calls' "$scratch/circle"
 
 # ---- Systems ----
 
@@ -100,15 +100,15 @@ headers_in() {
 }
 
 printf '#if defined(__APPLE__) || 0\n#ifdef _WIN32\n#  ifndef __linux__\n// #ifdef\n' >"$scratch/asks.c"
-check 'a question for the system is seen' [ "$(systems_in "$scratch/asks.c" | wc -l)" = 3 ]
+check 'a test for a system is detected' [ "$(systems_in "$scratch/asks.c" | wc -l)" = 3 ]
 # shellcheck disable=SC2046 # no name of a source has a blank
 systems_in $(find common chapters docs shaders tests -name '*.[ch]' | sort) | grep -v "$platform" >"$scratch/systems"
 check_empty 'no file but those of the platform asks which system it is on' "$scratch/systems"
 # shellcheck disable=SC2046 # nor has one of common/
 headers_in $(<"$scratch/files") | grep -v "$platform" |
     grep -v '^common/context/osmesa\.c:[0-9]*:#include <dlfcn\.h>$' >"$scratch/headers"
-check_empty "a system's headers are included by the platform alone" "$scratch/headers"
-check 'a header of a system is seen' [ "$(headers_in common/platform/posix.c | wc -l)" -gt 2 ]
+check_empty "only the platform includes a system's headers" "$scratch/headers"
+check 'a header of a system is detected' [ "$(headers_in common/platform/posix.c | wc -l)" -gt 2 ]
 
 # A type, a constant or a function that differed from Khronos' would be declared twice.
 agrees() {
@@ -127,7 +127,7 @@ falling() {
 }
 
 printf 'a = smoothstep(1.0, 0.5, x) + smoothstep(-0.5, 0.5, x);\n' >"$scratch/falls.glsl"
-check 'a smoothstep with falling edges is seen' [ "$(falling "$scratch/falls.glsl" | wc -l)" = 1 ]
+check 'a smoothstep with falling edges is detected' [ "$(falling "$scratch/falls.glsl" | wc -l)" = 1 ]
 # shellcheck disable=SC2046 # no name of a shader has a blank
 falling $(find shaders chapters -name '*.glsl' -o -name '*.frag' | sort) >"$scratch/falling"
 check_empty 'no smoothstep of a shader has falling edges' "$scratch/falling"
@@ -135,7 +135,7 @@ check_empty 'no smoothstep of a shader has falling edges' "$scratch/falling"
 # asin and acos of Mesa 22.3 err by up to 0.0004 (build/tests/shaders/precision prints the error of this driver's), and
 # no specification of GLSL bounds their error. atan(y, x) of two lengths errs by 3e-6 there.
 find shaders chapters -maxdepth 1 \( -name '*.glsl' -o -name '*.frag' \) -exec grep -nE '^[^/]*[^a-zA-Z]a(sin|cos)\(' {} + >"$scratch/arcs"
-check_empty 'no chapter leans on asin or acos' "$scratch/arcs"
+check_empty 'no chapter relies on asin or acos' "$scratch/arcs"
 
 # Other functions leave some arguments undefined: each library function that calls one of them is tried at its edges on
 # the graphics processor. Functions that read a picture, or draw a view or a figure, are not, because the references
@@ -149,7 +149,7 @@ edgy() {
 }
 
 printf 'float bare(float x)\n{\n    return log(x);\n}\n// log(x)\nfloat even(float x)\n{\n    return exp(x);\n}\n' >"$scratch/edgy.glsl"
-check 'a logarithm is seen' [ "$(edgy "$scratch/edgy.glsl")" = bare ]
+check 'a logarithm is detected' [ "$(edgy "$scratch/edgy.glsl")" = bare ]
 # shellcheck disable=SC2046 # no name of a shader has a blank
 edgy $(find shaders -name '*.glsl' | grep -vE '/(coarse|figure|places|plot|signs|slice|views).glsl$' | sort) | while read -r name; do
     grep -q "[^A-Za-z]$name(" tests/shaders/edges.frag || echo "$name"
@@ -159,5 +159,5 @@ check_empty 'every function of the library with an undefined argument is in test
 # ---- Size ----
 
 find common -maxdepth 1 -type f >"$scratch/flat"
-check 'at most 14 files lie flat in common/' [ "$(wc -l <"$scratch/flat")" -le 14 ]
+check 'at most 14 files are directly in common/' [ "$(wc -l <"$scratch/flat")" -le 14 ]
 plan

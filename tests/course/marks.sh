@@ -32,19 +32,19 @@ check 'a wrong solution, of a folder that a spreadsheet would take for a formula
 check 'the published solution, however its blanks and comments are changed' row '^"copy",copied,"the published solution; '
 check 'the published solution, included' row '^"include",copied,"the published solution; '
 check 'the same text twice' row '^"twin",copied,"one text: the other twin, twin; does not run: '
-check "two students' unsolved chapters are no copies" row '^"idle",wrong,".* differ '
+check "two students' unsolved chapters are not copies" row '^"idle",wrong,".* differ '
 check "nor are two files of one student" row '^"again",wrong wrong,"does not run'
 check 'a pipe is not waited for' row '^"pipe",wrong,"no file to read"'
-check 'a name of two lines is named, and the others are marked' grep -q 'odd/00_2.*the name has a tab or a line break' "$scratch/said"
+check 'a file whose name has two lines is reported, and the others are marked' grep -q 'odd/00_2.*the name has a tab or a line break' "$scratch/said"
 check 'and nothing else' [ "$(wc -l <"$scratch/marks.csv")" = 10 ]
-check 'a file whose name has no exercise is named' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3: not marked' "$scratch/said"
+check 'a file whose name has no exercise is reported' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3: not marked' "$scratch/said"
 check 'the marks are added up' grep -q '^9 students: 2 right, 5 wrong, 4 copied$' "$scratch/said"
 pictures() {
     grep -q '<td>00_3<td>right' build/marks/index.html &&
         grep -o 'src="[^"]*' build/marks/index.html >"$scratch/pictures" &&
         while read -r picture; do [ -s "build/marks/${picture#src=?}" ] || { echo "# no $picture"; return 1; }; done <"$scratch/pictures"
 }
-check 'the page shows pictures that there are' pictures
+check 'every picture on the page exists' pictures
 # Of the wrong files, those with a picture are scenes. Reading the list finds each file, whatever its name is.
 { cat chapters/00_first_scene.frag; echo '#define THEIRS'; } | hand_in "O'Neil \"the\" wrong" 00_2.frag
 beside() {
@@ -71,7 +71,7 @@ interrupted() {
 }
 [ ! -r "/proc/$$/task/$$/children" ] || check 'a judge ends with marks.sh' interrupted
 one_folder() { cp "$class/copy/00_2.frag" "$scratch/ada_00_2.frag" && marks "$scratch/*.frag" 00_2 && row '^"ada",copied,'; }
-check 'in one folder, the name of the file is that of the student' one_folder
+check 'in a single folder, the file is named after the student' one_folder
 refuses() { # WORDS FILES EXERCISES CSV
     marks "${@:2}"
     [ $? = 2 ] && [ "$(wc -l <"$scratch/said")" = 1 ] && grep -q -e "$1" "$scratch/said"
@@ -80,7 +80,7 @@ refuses_late() { marks "$class/copy/*.frag" 00_2 /dev/full; [ $? = 2 ] && [ "$(t
 check 'no exercise' refuses 'which exercises' x ''
 check 'an exercise without a solution' refuses 'EXERCISES: 00_9: no solution' x '00_2 00_9'
 check 'no file' refuses 'which files' '' 00_2
-check 'a pattern that fits no file' refuses 'no file has such a name' "$class/eve/*" 00_2
+check 'a pattern that matches no file' refuses 'no file has such a name' "$class/eve/*" 00_2
 [ ! -w /dev/full ] || check 'a table on a full disk' refuses_late
 check 'a table that cannot be written' refuses 'CSV=/: cannot be written' "$class/copy/*.frag" 00_2 /
 plan

@@ -126,7 +126,7 @@ static struct image cropped(const struct image *image, int width)
     return part;
 }
 
-// 8 bits per channel, grey or RGB, with or without alpha, not interlaced: every reader of PNG reads
+// 8 bits per channel, grey or RGB, with or without alpha, not interlaced: every PNG reader supports
 // this.
 static void assert_plain(const char *path)
 {

@@ -47,21 +47,21 @@ while IFS= read -r line; do
     printf '%s\n' "$line" >"$scratch/one"
     words_in "$scratch/one" >/dev/null || printf '%s\n' "$line" >>"$scratch/missed"
 done <"$scratch/newer"
-check 'each word that a Mac lacks is seen' [ ! -s "$scratch/missed" ] || sed 's/^/# /' "$scratch/missed"
+check 'each word that a Mac lacks is detected' [ ! -s "$scratch/missed" ] || sed 's/^/# /' "$scratch/missed"
 # fresh.sh makes bare Debian machines, and windows_libraries.sh builds libraries from Debian's source packages; both run
 # only on Debian.
 find .make -name '*.sh' ! -name fresh.sh ! -name windows_libraries.sh | sort | xargs grep -l . >"$scratch/scripts"
 printf '%s\n' tests/run tests/lib/tap.sh tests/pictures/references.sh >>"$scratch/scripts"
 while read -r file; do words_in "$file"; done <"$scratch/scripts" >"$scratch/words"
-check 'no script that a reader runs has one' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
+check 'no script that a reader runs contains one' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
 
 # GNU make 3.81 does not know private, undefine, !=, ::=, .ONESHELL, &: or $(file ...).
 newer_make() { grep -nE '^(private|undefine) |^[A-Z_a-z]+ *(!=|::=)|^\.ONESHELL|&:|\$\((file|intcmp|let) ' "$@"; }
 # shellcheck disable=SC2016 # as make would read it
 printf '%s\n' 'X != date' 'X ::= a' 'undefine X' '.ONESHELL:' 'a b &: c' 'X = $(file >a,b)' >"$scratch/make"
-check 'each word that make 3.81 lacks is seen' [ "$(newer_make "$scratch/make" | wc -l)" = 6 ]
+check 'each word that make 3.81 lacks is detected' [ "$(newer_make "$scratch/make" | wc -l)" = 6 ]
 newer_make Makefile >"$scratch/words"
-check 'the Makefile has none' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
+check 'the Makefile contains none' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
 
 # ---- Line ends ----
 
@@ -94,14 +94,14 @@ apple() { # FILE...
             -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only "$file" || return
     done
 }
-# A whole program with its compiler, its feature macros and the only way to a context that it has; not optimised, to
-# save time.
+# A whole program with a Mac's compiler and feature macros, and with GLFW, the only source of a context there; not
+# optimised, to save time.
 mac_build() {
     env -u MAKEFLAGS CI=1 make -j2 MAC=Darwin CC=clang CFLAGS=-O0 BUILD=build/mac build/mac/03_shadows >"$scratch/mac" 2>&1 && return
     tail -n 20 "$scratch/mac" | sed 's/^/# /'
     return 1
 }
-mac_picture() ( # in a display that goes with it
+mac_picture() ( # in a display that is closed with it
     open_display && build/mac/03_shadows -o "$scratch/mac.png" &&
         build/tests/compare tests/references/03_shadows.png "$scratch/mac.png" >"$scratch/numbers"
     status=$?
@@ -109,7 +109,7 @@ mac_picture() ( # in a display that goes with it
     exit $status
 )
 if command -v clang >/dev/null; then
-    check "what a Mac's C library is asked for" apple common/platform/posix*.c
+    check "what the programs need of a Mac's C library" apple common/platform/posix*.c
     check "a program with clang, a Mac's macros and GLFW alone" mac_build
     if command -v Xvfb >/dev/null; then
         check 'draws a file from a hidden window' mac_picture
@@ -192,13 +192,13 @@ asked_for() {
     sed 's/^/# /' "$scratch/lacks"
     return 1
 }
-check "a Mac is asked for Apple's tools before all" asked_for 'xcode-select --install$'
+check "a Mac is asked for Apple's tools first" asked_for 'xcode-select --install$'
 on_mac xcode-select true
 check 'then for Homebrew' asked_for 'Homebrew.*https://brew.sh'
 on_mac brew "echo '$scratch/homebrew'"
 check 'then for the folder of stb' asked_for "git clone --depth 1 https://github.com/nothings/stb $scratch/homebrew/include/stb\$"
 : >"$scratch/homebrew/include/stb/stb_truetype.h"
-check "then for Homebrew's packages, those of the tests too" asked_for '^  brew install cglm cmocka git glfw imagemagick libpng pkg-config$'
+check "then for Homebrew's packages, including those of the tests" asked_for '^  brew install cglm cmocka git glfw imagemagick libpng pkg-config$'
 
 # ---- Windows ----
 

@@ -46,7 +46,7 @@ said_by_source() { # FILE
         /^- / { print "wrong", substr($1, 3); print "why", $2 }' "$1"
 }
 
-# GIFT, letter by letter: after a backslash, a letter has no special meaning.
+# GIFT, character by character: after a backslash, a character has no special meaning.
 said_by_gift() { # FILE
     awk '
         function say(kind) { gsub(/^[ \n]+|[ \n]+$/, "", text); print kind, text; text = "" }
@@ -102,20 +102,20 @@ reads_back() { # SOURCE FORM
 check 'make questions writes two files' writes docs/questions.txt
 said_by_source docs/questions.txt >"$scratch/source"
 check 'the source has 110 questions or more' [ "$(grep -c '^question' "$scratch/source")" -ge 110 ]
-check 'GIFT says what the source says' reads_back docs/questions.txt gift
-check "Moodle's XML says what the source says" reads_back docs/questions.txt xml
+check 'GIFT has the contents of the source' reads_back docs/questions.txt gift
+check "Moodle's XML has the contents of the source" reads_back docs/questions.txt xml
 categories() { [ "$(grep -c "$1" "$scratch/written/ray-marching.$2")" = "$(find docs -name '[0-9][0-9]_*.md' | wc -l)" ]; }
 check 'GIFT has a category for each chapter' categories '^\$CATEGORY: \$course\$/Ray marching/[0-9][0-9] ' gift
 check 'XML has a category for each chapter' categories 'type="category">.*Ray marching/[0-9][0-9] ' xml
 
-# Signs that mean something in GIFT, in XML or in awk.
+# Characters with a special meaning in GIFT, in XML or in awk.
 cat >"$scratch/signs.txt" <<'END'
 ## 00.1 Is {a} = b ~ c::c & d < e > f \g # h: "i"?
 + 2 ~ 1: {=} \ & <b>
 - a::b & \& // &amp; #1 is ~ {x}
 - c // d
 END
-check 'signs with a meaning are written' writes "$scratch/signs.txt"
+check 'special characters are written' writes "$scratch/signs.txt"
 said_by_source "$scratch/signs.txt" >"$scratch/source"
 check 'and read back from GIFT' reads_back "$scratch/signs.txt" gift
 check 'and from XML' reads_back "$scratch/signs.txt" xml

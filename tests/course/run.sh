@@ -58,7 +58,7 @@ suite slow <<<'for i in 1 2 3 4 5 6 7 8; do echo "ok $i - $i"; sleep 0.5; done; 
 lasts() { limit=3 gives 0 '^8 passed, 0 failed' slow; }
 check 'one that has results may take longer than that' lasts
 
-# Each of them would compile the other's files.
+# At the same time, each of them would compile the other's files.
 in_turn() { make -npq "$@" 2>/dev/null | grep -q '^[.]NOTPARALLEL:'; }
 check 'two commands of make are carried out one after the other' in_turn all tests
 at_once() { ! in_turn "$1" && ! in_turn programs tests; }

@@ -1,5 +1,5 @@
 #!/bin/bash
-# slides.sh - `make slides` and `make handouts`: their pages and the contents of these.
+# slides.sh - `make slides` and `make handouts`: the number of their pages, and what is on them.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -22,7 +22,7 @@ has() { text "$1" | grep -qF -e "$2"; }
 typeset() { LIST=$1 .make/slides.sh >"$scratch/out" 2>"$scratch/err"; }
 # shellcheck disable=SC2016 # signs
 printf '== A_part & more\n01 --set focalLength=3\n   100 %% of $x_1$ * [y](z) \\n #1 ~ <b>\n' >"$scratch/signs.txt"
-check 'signs of a sentence stand for themselves' typeset "$scratch/signs.txt"
+check 'special characters in a sentence are printed as they are' typeset "$scratch/signs.txt"
 # shellcheck disable=SC2016 # signs
 check 'all of them' has slides '100 % of $x_1$ * [y](z) \n #1 ~ <b>'
 refused() {
@@ -34,8 +34,8 @@ check 'a bad list is refused as make lecture refuses it' refused
 check 'the slides are typeset' typeset docs/lecture.txt || sed 's/^/# /' "$scratch/err"
 scenes=$(grep -c '^[0-9]' docs/lecture.txt)
 check 'each scene has a slide, after the title' [ "$(pages slides)" = $((scenes + 1)) ]
-check 'these are 15 to 20 pages' [ $((scenes + 1)) -ge 15 -a $((scenes + 1)) -le 20 ]
-sentences() { # of the list, each on one slide as it is
+check 'there are 15 to 20 slides' [ $((scenes + 1)) -ge 15 -a $((scenes + 1)) -le 20 ]
+sentences() { # each sentence of the list, unchanged on one slide
     local missing
     [ "$(build/lecture --print docs/lecture.txt | wc -l)" = "$scenes" ] || return
     missing=$(build/lecture --print docs/lecture.txt | cut -d "$(printf '\037')" -f 5 | while read -r sentence; do
@@ -57,6 +57,6 @@ apart() { # a question of each kind is on both, its answer only on the sheet of 
         ! has handouts 'three for each of six levels' && has handouts 'Does the ball cast a shadow on the wall?' &&
         has handouts-answers 'it hits the ball behind the lamp' && ! has handouts 'it hits the ball behind the lamp'
 }
-check 'the answers are on sheets of their own' apart
+check 'the answers are on separate sheets' apart
 check 'an exercise has its check' has handouts 'make check EXERCISE=03_2 FILE=my.frag'
 plan

@@ -1,5 +1,5 @@
 #!/bin/bash
-# student.sh - `make student`: the course for students has no solutions and no answers, its links lead somewhere, and `make
+# student.sh - `make student`: the course for students has no solutions and no answers, its links work, and `make
 # check` judges in it as in the whole course. Only two exercises are stored here.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -30,7 +30,7 @@ check_empty 'it has no solutions, no answers, no questions and no guide for teac
 grep -nE 'summary>(Answer|Solution)<|chapters/solutions/' "$course"/README.md "$course"/docs/{README,engine,[0-9]*}.md >"$scratch/found"
 check_empty 'no page of a chapter has a folded answer or names a solution' "$scratch/found"
 hints() { cat "$@" | grep -c '<summary>Hint'; }
-check 'the hints are left' [ "$(hints "$course"/docs/*.md)" = "$(hints docs/*.md)" ]
+check 'the hints remain' [ "$(hints "$course"/docs/*.md)" = "$(hints docs/*.md)" ]
 exercises() { cat "$@" | grep -cE '^\*\*[0-9]+\. \((easy|medium|hard)\)'; }
 check 'and the exercises' [ "$(exercises "$course"/docs/*.md)" = "$(exercises docs/*.md)" ]
 # A line of a solution that is in no other file of the course, such as a function of its own.
@@ -43,14 +43,14 @@ own_lines() {
 own_lines >"$scratch/own"
 grep -rnFf "$scratch/own" "$course" --include='*.frag' --include='*.md' --include='*.glsl' --include='*.txt' >"$scratch/found"
 check 'there are lines that only a solution has' [ "$(wc -l <"$scratch/own")" -gt 100 ]
-check_empty 'no line of a solution is left' "$scratch/found"
+check_empty 'no line of a solution remains' "$scratch/found"
 for page in "$course"/README.md "$course"/docs/*.md; do
     # shellcheck disable=SC2016 # the backticks are Markdown's
     sed 's/`[^`]*`//g' "$page" | grep -oE '\]\([^)#]+' | cut -c 3- | grep -vE '^(https?|mailto):' | while read -r target; do
         [ -e "$(dirname "$page")/$target" ] || echo "${page#"$course/"}: $target"
     done
 done >"$scratch/found"
-check_empty 'every link and every picture of its pages is there' "$scratch/found"
+check_empty 'the target of every link and every picture of its pages exist' "$scratch/found"
 grep -n 'solutions/' "$course/tests/pictures/images.txt" >"$scratch/found"
 check_empty 'no picture of a solution is drawn by the gallery' "$scratch/found"
 check 'it has a machine in the cloud, a workflow and a folder for answers' [ -e "$course/.devcontainer/devcontainer.json" -a -e "$course/.github/workflows/check.yml" -a -x "$course/answers/check.sh" ]
@@ -75,7 +75,7 @@ echo '#include "solutions/00_first_scene_2.frag"' >"$scratch/includes.frag"
 check 'as is an answer that includes it, though it cannot be found' judged 00_2 "$scratch/includes.frag" ': wrong: the published solution; does not run' 1
 sed 's/0.5 \* Time/Time/' $right >"$scratch/wrong.frag"
 check 'a wrong answer is wrong' judged 00_2 "$scratch/wrong.frag" ': wrong: .* most around ' 1
-check 'and the colour of the right picture is said' grep -q "the solution's: colour: [0-9]*, [0-9]*, [0-9]*$" "$scratch/said"
+check 'and the colour of the right picture is printed' grep -q "the solution's: colour: [0-9]*, [0-9]*, [0-9]*$" "$scratch/said"
 check 'right pictures with wrong rays are wrong' eval "printf '# hit\n' >$course/tests/course/stored/00_2/rays; judged 00_2 $scratch/mine.frag 'its rays are not' 1"
 check 'an exercise that is not stored is refused' judged 00_3 "$scratch/mine.frag" 'neither chapters/solutions/.* nor tests/course/stored/00_3 exists' 2
 if [ -x build/first_steps/engine_6 ]; then

@@ -14,11 +14,11 @@ all_limit=$((4 * 1024 * 1024))
 names() {
     local source
     for source in shaders/textures/*.c; do
-        [ -e "${source%.c}.h" ] || basename "$source" .c # with a header of its own it helps the others
+        [ -e "${source%.c}.h" ] || basename "$source" .c # one that has a header contains functions for the others
     done
 }
 
-# The bytes of the file depend on the machine's zlib; the pixels depend on nothing.
+# The bytes of the file depend on the machine's zlib; the pixels do not.
 same() { # A.png B.png
     "$BUILD/tests/compare" "$1" "$2" | grep -q 'largest 0$' && [ "$(fourth "$1")" = "$(fourth "$2")" ]
 }
@@ -40,10 +40,10 @@ at_most() { [ "$1" -gt 0 ] && [ "$1" -le "$2" ]; }
 names | xargs -P 2 -I % bash -c 'draw %'
 for name in $(names); do
     check "$name.png is what its program draws: make textures" same "shaders/textures/$name.png" "$scratch/$name.png"
-    check "$name.png has at most 512 KiB" at_most "$(bytes_of "shaders/textures/$name.png")" $one_limit
+    check "$name.png takes at most 512 KiB" at_most "$(bytes_of "shaders/textures/$name.png")" $one_limit
 done
 check "there are textures" [ "$(names | wc -l)" -ge 5 ]
-check "all textures together have at most 4 MiB" at_most "$(bytes_of shaders/textures/*.png)" $all_limit
+check "all textures together take at most 4 MiB" at_most "$(bytes_of shaders/textures/*.png)" $all_limit
 
 alone() { # FOLDER
     local file
@@ -56,12 +56,12 @@ alone() { # FOLDER
 }
 check "every texture has its program" alone shaders/textures
 lonely() { ! alone "$scratch" >/dev/null; }
-check "a texture without one is found" lonely
+check "a texture without a program is detected" lonely
 
 # A single bit of one pixel makes another picture.
 other() {
     convert "shaders/textures/$1.png" -fill '#7f7f7f' -draw 'point 17,23' "$scratch/other.png" || return 0
     ! same "shaders/textures/$1.png" "$scratch/other.png"
 }
-check "a texture with one other pixel is found" other noise
+check "a texture with one changed pixel is detected" other noise
 plan

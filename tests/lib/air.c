@@ -37,7 +37,7 @@ static double height_of(double lowest, double along)
 }
 
 // Add the columns along a straight line whose lowest point has this radius, between two distances
-// from that point, in pieces that grow.
+// from that point, in pieces of increasing length.
 static void add_between(struct column *sum, double lowest, double from, double to, int pieces)
 {
     for (int i = 0; i < pieces; i++) {
@@ -297,7 +297,7 @@ static void follow(double view, double azimuth, const double sun[3], double albe
                 share * phase_of(air, dust, dot(v, sun)) * sunlight_at(p, sun, wave);
             turned(v, cosine_by(air, dust, state), state);
         }
-        if (share < 0.1) { // most paths with little light end; the others count for them
+        if (share < 0.1) { // most dim paths end; the others also represent these
             if (share <= 0.0 || chance(state) > share / 0.1)
                 return;
             share = 0.1;

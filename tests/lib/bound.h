@@ -21,7 +21,7 @@ struct bound_sums {
     int rays, march;      // evaluations of the march
     int least, most;      // the fewest that would be enough, between these
     int shader;           // the same, computed by shaders/cover.glsl
-    int astray;           // rays for which it is not between them
+    int astray;           // rays for which that is not between them
     int below;            // rays whose march takes fewer than the lower bound
     double smallest;      // march / lower bound of one ray
     double lipschitz;     // the largest change of the distance between samples, per scene unit

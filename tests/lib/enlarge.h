@@ -1,4 +1,4 @@
-// enlarge.h - what filters make of pictures at a lower resolution, and what the filters cost.
+// enlarge.h - how well filters enlarge pictures of a lower resolution, and what the filters cost.
 #ifndef TESTS_ENLARGE_H
 #define TESTS_ENLARGE_H
 

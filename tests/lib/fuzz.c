@@ -36,7 +36,7 @@ static void promise_report(bool done)
     const char *said = capture_end();
     size_t length = strlen(said);
     if (done)
-        promise(length == 0, "what is taken is taken in silence");
+        promise(length == 0, "what is accepted is accepted in silence");
     else
         promise(line_count(said) == 1 && length > 1 && said[length - 1] == '\n',
                 "what is refused is refused in one line");
@@ -220,7 +220,7 @@ static void promise_parameter(struct parameters *all, int index)
     struct parameter *p = &all->item[index];
     char value[160], range[160], assignment[256];
     promise(p->name[0] != '\0' && p->meaning[0] != '\0', "a parameter has a name and a meaning");
-    promise(parameters_find(all, p->name) == p, "a name stands once");
+    promise(parameters_find(all, p->name) == p, "a name occurs once");
     promise(p->components >= 1 && p->components <= 4, "there are one to four components");
     promise(p->minimum < p->maximum && p->step > 0.0 && isfinite(p->step), "range and step fit");
     promise_in_range(p);

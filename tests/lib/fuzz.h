@@ -27,9 +27,8 @@ void fuzz_parameter(const uint8_t *bytes, size_t size);
 void fuzz_options(const uint8_t *bytes, size_t size);
 
 // A picture for a sampler.
-//   bytes  the first says how it is read: 1 sRGB, 2 repeat, 4 a volume, of as many slices as the
-//   rest of
-//          the byte; then a PNG, whose checksums are made right
+//   bytes  the first says how it is read: 1 sRGB, 2 repeat, 4 a volume, with as many slices as the
+//          rest of the byte says; then a PNG, whose checksums are corrected
 void fuzz_picture(const uint8_t *bytes, size_t size);
 
 // All four by name.

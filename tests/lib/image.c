@@ -51,7 +51,7 @@ bool picture_refused(bool done, const char *text)
     const char *heard = capture_end();
     if (!done && line_count(heard) == 1 && strstr(heard, text) != NULL)
         return true;
-    print_message("# expected a refusal with '%s', heard '%.500s'\n", text, heard);
+    print_message("# expected a refusal with '%s', got '%.500s'\n", text, heard);
     return false;
 }
 

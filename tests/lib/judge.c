@@ -99,7 +99,7 @@ static const char *read_march(const char *text, struct march *march)
     return NULL;
 }
 
-// Both on the surface at the same distance, or both not?
+// Both on the surface at the same distance, or neither?
 static bool ends_alike(const struct march *a, const struct march *b)
 {
     if (a->at != b->at || strncmp(a->end, b->end, a->at) != 0)

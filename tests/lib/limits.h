@@ -8,7 +8,7 @@
 
 enum { LIMITS_CASES = 4096, LIMITS_SHEETS = 2 };
 
-// What rays towards one sheet without thickness did, a hollow ball or a hollow box.
+// The results of rays towards a sheet without thickness, a hollow ball or a hollow box.
 struct limits_sums {
     double error;     // the largest error of a distance, over the bound that is proved
     double absolute;  // the largest error of a distance, scene units

@@ -60,7 +60,7 @@ struct march_picture march_draw(struct renderer *renderer, const struct march_sc
 void march_free(struct march_picture *picture);
 
 struct march_costs {
-    double evaluations; // per pixel, the coarse pass included
+    double evaluations; // per pixel, including the coarse pass
     double lockstep;    // the mean over blocks of 8 x 8 pixels of the largest number, over the mean
     int false_hits;     // pixels that find something where the truth is nothing
     int false_misses;   // pixels that find nothing, or only what is more than the threshold behind

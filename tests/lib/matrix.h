@@ -1,4 +1,4 @@
-// matrix.h - 3 x 3 matrices in double precision, with other formulas than the library's.
+// matrix.h - 3 x 3 matrices in double precision, with formulas other than the library's.
 #ifndef TESTS_MATRIX_H
 #define TESTS_MATRIX_H
 

@@ -57,7 +57,7 @@ const char *session_said(int stream)
     return session.text;
 }
 
-// Fail where it is heard.
+// Fail with a message, which must not be captured.
 static void give_up(const char *format, ...) __attribute__((format(printf, 1, 2)));
 static void give_up(const char *format, ...)
 {

@@ -1,5 +1,5 @@
 # shellcheck shell=bash
-# shadertoy.sh - whether an exported file is right, for suites that source it behind tap.sh.
+# shadertoy.sh - whether an exported file is right, for suites that source it after tap.sh.
 
 # The text that Shadertoy puts around a shader, as far as it matters.
 wrap() { # FILE

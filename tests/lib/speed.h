@@ -1,8 +1,8 @@
-// speed.h - the cost of two shaders, with their frames in turn.
+// speed.h - the cost of two shaders, whose frames are drawn in turn.
 #ifndef TESTS_SPEED_H
 #define TESTS_SPEED_H
 
-// With a GPU open and the driver's cache of shaders off: print the process CPU time of frames and
+// With a GPU open and the driver's shader cache off: print the process CPU time of frames and
 // of cold starts of two shaders, from the arguments of `measure speed A.frag B.frag [WxH]`;
 // FILE@X,Y,Z,PAN,TILT places the camera. Returns an exit status.
 int speed_print(int argc, char **argv);

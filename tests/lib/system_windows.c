@@ -10,7 +10,7 @@ bool system_make_scratch(char path[PLATFORM_PATH])
 {
     static int number;
     const char *parent = getenv("TEMP");
-    // The number of an ended program is used again, and a killed program leaves its folder behind.
+    // The id of an ended program is used again, and a killed program leaves its folder behind.
     bool made;
     do {
         snprintf(path, PLATFORM_PATH, "%s/march-test-%d-%d", parent != NULL ? parent : ".",

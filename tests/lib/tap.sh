@@ -6,7 +6,7 @@
 #   check "name" COMMAND...     one TAP line: ok when the command succeeds
 #   plan                        the last line; fails when a line was 'not ok'
 #
-# Sets BUILD, scratch (a folder that goes at the end) and what the programs need from the
+# Sets BUILD, scratch (a folder that is removed at the end) and what the programs need from the
 # environment: software rendering, readable sanitizers.
 
 export LC_ALL=C
@@ -19,7 +19,7 @@ tap_count=0
 tap_failed=0
 
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
-# With 99 we can tell a sanitizer's end from the program's own status 1.
+# Status 99 distinguishes a sanitizer's end from the program's own status 1.
 export ASAN_OPTIONS="${ASAN_OPTIONS:-intercept_tls_get_addr=0}:exitcode=99"
 export UBSAN_OPTIONS="${UBSAN_OPTIONS:+$UBSAN_OPTIONS:}exitcode=99:print_stacktrace=1"
 export LSAN_OPTIONS="${LSAN_OPTIONS:-suppressions=$root/tests/lib/lsan.supp:print_suppressions=0}"

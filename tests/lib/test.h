@@ -8,7 +8,7 @@
 //   TESTS(gpu_setup, gpu_teardown)
 //
 // The tests run in the order in which they are written. The environment's ONE_TEST, such as
-// a_ray_has_length_1, is the only one that runs; '*' in it matches any letters.
+// a_ray_has_length_1, is the only one that runs; '*' in it matches any characters.
 #ifndef TESTS_TEST_H
 #define TESTS_TEST_H
 

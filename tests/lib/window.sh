@@ -27,7 +27,7 @@ within() { # SECONDS COMMAND...: the last try comes after the deadline
         sleep 0.05
     done
 }
-# As in tap.sh, but a wait without success ends the suite, because the following checks would have nothing to look at.
+# As in tap.sh, but a failed wait ends the suite, because the following checks would have nothing to look at.
 check() { # NAME COMMAND...
     local name=$1
     shift
@@ -149,7 +149,7 @@ apart() { # A B [WxH+X+Y]
 }
 off() { look screen && apart screen "$@"; }
 shown() { [ "$(off "$1")" = 0 ]; }
-part_shown() { # NAME WxH+X+Y [PIXELS]: the window shows that part of a kept picture, but for so many in a million
+part_shown() { # NAME WxH+X+Y [PIXELS]: the window shows that part of a kept picture, except for that many in a million
     [ "$(off "$1" "$2")" -le "${3:-0}" ]
 }
 
@@ -168,7 +168,7 @@ backspace() { key BackSpace && ends_well; }
 
 # ---- Set-up ----
 
-export LP_NUM_THREADS=2 # what is heavy here is heavy on any machine
+export LP_NUM_THREADS=2 # so that a heavy picture is heavy on any machine
 
 for tool in Xvfb openbox xdotool wmctrl import; do
     if ! command -v $tool >/dev/null; then
@@ -192,6 +192,6 @@ manage
 
 mine=$scratch/mine.frag
 good=$(cat chapters/$chapter.frag)
-save() { # TEXT: as an editor does it, beside and renamed
+save() { # TEXT: as an editor does it, into a new file that is then renamed
     printf '%s\n' "$1" >"$mine.new" && mv "$mine.new" "$mine"
 }

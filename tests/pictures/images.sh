@@ -13,9 +13,10 @@ failures=build/test-failures
 # measure.c tests its numbers.
 measured=01_normal_colouring-normal-error
 
-# Draw the pictures of each backend: a chapter's own pictures with the chapter's program, as people start it, all others
-# in one process, build/tests/draw, which has the programs' code. Leaves NAME.BACKEND.png and, for the others, a line of
-# numbers each; prints the name of the current one, so that run.sh sees that the suite goes on.
+# Draw the pictures of each backend: a chapter's own pictures with the chapter's program, as a user starts it, all
+# others in one process, build/tests/draw, which has the programs' code. Leaves NAME.BACKEND.png and, for each of the
+# others, a line of numbers; prints the name of the current picture, so that tests/run sees that the suite makes
+# progress.
 draw_by_program() { # NAME BACKEND
     local options
     options=$(sed -n "s/^$1 - //p" "$scratch/list")
@@ -69,7 +70,7 @@ judge_backends() { # NAME FIRST OTHER...
     shift 2
     for other in "$@"; do
         if [ ! -e "$scratch/$name.$first.png" ] || [ ! -e "$scratch/$name.$other.png" ]; then
-            echo "not ok $name: $first and $other: not both were rendered"
+            echo "not ok $name: $first and $other: at least one was not rendered"
             return
         fi
         if ! cmp -s "$scratch/$name.$first.png" "$scratch/$name.$other.png"; then
@@ -102,7 +103,7 @@ grep -v '^ *\(#\|$\)' tests/pictures/images.txt | while read -r stem variant opt
     done
 done >"$scratch/list"
 asked=$# count=$(grep -c . "$scratch/list")
-check "tests/pictures/images.txt lists what is asked for" [ "$count" -ge "$(($# > 0 ? $# : 1))" ]
+check "tests/pictures/images.txt lists the requested pictures" [ "$count" -ge "$(($# > 0 ? $# : 1))" ]
 [ "$count" -gt 0 ] || { plan; exit; }
 stem=$(cut -d ' ' -f 1 "$scratch/list" | tail -n 1)
 
@@ -120,7 +121,7 @@ for backend in egl osmesa glfw; do
 done
 
 check "at least one backend renders" [ ${#backends[@]} -gt 0 ] || { plan; exit; }
-all=("${backends[@]}") # of the backends that draw all pictures
+all=("${backends[@]}") # the backends that draw all pictures
 [ $# != 0 ] || all=("${backends[0]}")
 # The backends share a driver, so the own pictures of every fourth chapter show that they agree.
 everywhere() { [ $asked != 0 ] || [ -n "${ALL-}" ] || [ $((10#${1%%_*} % 4)) = 0 ]; } # NAME

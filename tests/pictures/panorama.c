@@ -74,13 +74,12 @@ TEST(test_clouds_are_the_panorama_turned)
         }
     free(values);
     free(image.value);
-    print_message("# %d places of the panorama: worst %.4f\n", count, worst);
+    print_message("# %d points of the panorama: worst %.4f\n", count, worst);
     assert_true(count > 500 && spread > 0.9 && worst < 3.0 / 256.0);
 }
 
-// High up, a texel is narrower in the sky than it is high. If its neighbour were as different as
-// the rim of a cloud, the rim would be a stair; so the change is spread over as many texels as are
-// together as wide as one is high.
+// High up, a texel is narrower in the sky than it is high. If the rim of a cloud lay between two
+// texels, it would be a staircase, so the change is spread over a width equal to the height of one.
 TEST(rims_of_clouds_are_no_stairs)
 {
     static const char *const names[] = {"clouds_fair", "clouds_storm"};

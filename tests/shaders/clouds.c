@@ -138,7 +138,7 @@ TEST(test_places_are_angles)
     }
     free(directions);
     free(places);
-    print_message("# panorama: places off by %.2g, footprints by a share of %.2g\n", worst, reach);
+    print_message("# panorama: points off by %.2g, footprints by a share of %.2g\n", worst, reach);
     assert_true(worst < 2e-6 && reach < 2e-3);
 }
 
@@ -211,8 +211,8 @@ TEST(test_clouds_are_never_darker_than_black)
 
 // ---- Weather ----
 
-// 3 : 1, and the sum over the hemisphere, weighted with the cosine to the horizontal surface, is pi
-// times the white. With the midpoint rule in y = sin h: the solid angle is 2 pi dy.
+// The ratio is 3 : 1, and the sum over the hemisphere, weighted with the cosine to the horizontal
+// surface, is pi times the white. With the midpoint rule in y = sin h: the solid angle is 2 pi dy.
 TEST(test_overcast_sky_keeps_its_light)
 {
     const float white[4] = {0.7f, 1.0f, 2.0f};

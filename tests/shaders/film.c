@@ -10,8 +10,8 @@
 enum { VIGNETTE, CONTRAST, CURVE, HUE, DITHER };
 
 // The light that an evenly bright wall sends through a round opening of radius r to a point of the
-// film, f behind it: each element of the opening sends its cosine there times its cosine here over
-// the square of the distance.
+// film, f behind it: each element of the opening contributes the product of the cosines at both
+// ends over the square of the distance.
 static double through_opening(double x, double y, double f, double r)
 {
     double sum = 0.0;

@@ -49,7 +49,7 @@ TEST(the_mean_of_a_decay_keeps_its_digits_near_0)
     assert_true(worst < 1e-6);
 }
 
-// Even fog and thin mist, from above and from inside; horizontal rays, rays up and down.
+// Uniform fog and thin mist, from above and from inside; horizontal rays, rays up and down.
 static const float airs[][4] = {{1.6f, 0.05f, 1.5f},
                                 {0.0f, 0.2f, 0.4f},
                                 {1.6f, 0.05f, 1e6f},
@@ -128,7 +128,7 @@ TEST(a_place_has_the_depth_that_was_asked_for)
         }
         free(values);
     }
-    print_message("# place of a depth: worst error of the depth's share %.2g\n", worst);
+    print_message("# position of a depth: worst error of the depth's share %.2g\n", worst);
     assert_true(worst < 1e-5);
 }
 

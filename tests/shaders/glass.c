@@ -223,7 +223,7 @@ TEST(a_straight_ray_meets_both_surfaces)
         }
         free(values);
     }
-    print_message("# straight: share %.2g, way %.2g\n", share, inside);
+    print_message("# straight: share %.2g, path %.2g\n", share, inside);
     assert_true(share < 0.003 && inside < 0.01);
 }
 

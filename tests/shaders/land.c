@@ -78,7 +78,7 @@ TEST(the_gap_closes_where_it_is_said)
         }
         free(values);
     }
-    print_message("# way to close a gap: worst relative error %.2g\n", worst);
+    print_message("# path that closes a gap: worst relative error %.2g\n", worst);
     assert_true(worst < 2e-6);
 }
 
@@ -254,7 +254,7 @@ TEST(the_largest_bound_is_1_lipschitz)
         slopes = fmax(slopes, fabs(land(p.x, p.z) - land(q.x, q.z)) / (1e-3 * level));
     }
     print_message(
-        "# %d pairs: the distance changes by at most %.4f of the way; the land is no steeper "
+        "# %d pairs: the distance changes by at most %.4f of the step; the land is no steeper "
         "than %.2f, where the bound at the top is 14.8\n",
         PAIRS, most, slopes);
     assert_true(most <= 1.0 + 1e-6 && slopes < 14.8);
@@ -388,7 +388,7 @@ TEST(the_sun_sets_behind_land_by_shares)
         count[rim]++;
     }
     free(values);
-    print_message("# the sun over the land: at %d places in the shadow's rim the share is off by "
+    print_message("# the sun over the land: at %d points in the penumbra the share is off by "
                   "%.4f on average, a hard shadow by %.4f; at %d others by %.4f; at %d by more "
                   "than a half\n",
                   count[1], off[1] / count[1], hard / count[1], count[0], off[0] / count[0], wrong);

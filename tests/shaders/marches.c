@@ -32,8 +32,8 @@ static bool settled(int stress, enum march_kind kind, struct mirror_ray ray,
     return true;
 }
 
-// The march of a pixel ends as the one in double does, with as many evaluations, wherever rounding
-// cannot decide.
+// The march of a pixel ends as the one in double does, with as many evaluations, except where
+// rounding may decide.
 static void compare_counts(int stress, enum march_kind kind)
 {
     const struct march_scene *scene = &march_scenes[MARCH_STRESS + stress];

@@ -28,7 +28,7 @@ TEST(test_four_cells_are_enough)
             met += truth > 0.0;
         }
         free(values);
-        print_message("# width %.4f: %d of 65536 places see a star, off by at most %.2g\n",
+        print_message("# width %.4f: %d of 65536 points see a star, off by at most %.2g\n",
                       (double)asked[k][0], met, worst);
         assert_true(met > 5000 && peak > 40.0 && worst < 0.03);
     }
@@ -379,7 +379,7 @@ TEST(test_dusk_is_as_bright_as_measured)
             double patat = 1.08e5 / 4000.0 * pow(10.0, -0.4 * (11.84 + 1.518 * d - 0.057 * d * d));
             assert_true(fabs(light / patat - 1.0) < 1e-3);
         }
-        assert_true(light >= before * (1.0 - 1e-5)); // it only increases with the sun
+        assert_true(light >= before * (1.0 - 1e-5)); // it only increases as the sun rises
         before = light;
         double magnitude = -2.5 * log10(light / 27.0);
         double seen = 7.93 - 5.0 * log10(1.0 + pow(10.0, 4.316 - magnitude / 5.0));

@@ -161,7 +161,7 @@ TEST(test_gradients_have_length_1_almost_everywhere)
         int asked = 0, off = 0;
         for (int i = 0; i < ITEMS; i++) {
             const float *slot = values + 4 * (i * SLOTS);
-            if (i % 8 >= 4) // these points are on purpose where the gradient jumps, or far away
+            if (i % 8 >= 4) // these points are deliberately where the gradient jumps, or far away
                 continue;
             asked++;
             off += fabs((double)slot[11] - 1.0) > 0.002;

@@ -310,7 +310,7 @@ TEST(in_a_hollow_ball_all_places_are_alike)
     }
 }
 
-// ---- Ways inside ----
+// ---- Paths inside ----
 
 static double chord(const float *v, double x, double z, double centre)
 {

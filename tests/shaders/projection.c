@@ -352,8 +352,8 @@ TEST(test_the_frames_have_the_sizes_of_their_depths)
     }
 }
 
-// The tower's top and the end of the channel behind it are at the same point of the picture, only
-// with parallel rays.
+// The tower's top and the end of the channel behind it coincide in the picture only with parallel
+// rays.
 TEST(test_the_tower_meets_the_channel)
 {
     struct camera camera;

@@ -61,7 +61,7 @@ TEST(test_air_mass_is_near_the_measured_one)
             at = height;
         }
     }
-    print_message("# even shell against Kasten and Young: worst %.2f %%, at %.2f degrees\n",
+    print_message("# uniform shell against Kasten and Young: worst %.2f %%, at %.2f degrees\n",
                   100.0 * worst, at);
     for (int h = 0; h <= 90; h += h < 30 ? 5 : 30)
         print_message("# height %2d: shell %.2f, Kasten and Young %.2f\n", h, mass_at(h),
@@ -208,7 +208,7 @@ static void check_sun(float latitude, float declination)
         double angle = ((double)values[4 * i + 3] - 12.0) * MIRROR_PI / 12.0;
         assert_true(fabs(d3_length(sun) - 1.0) < 2e-6);
         assert_true(fabs(d3_dot(sun, pole) - sin(d)) < 1e-6);
-        // The root of a remainder of 1 has few digits where nothing is left, at midnight.
+        // At midnight, a root of 1 minus a number near 1 has few correct digits.
         double slack = 2e-6 + 4e-7 / fmax(cos(0.5 * angle), 6e-4);
         assert_true(fabs(d3_dot(sun, rise) + cos(d) * sin(angle)) < slack);
         assert_true(fabs(d3_dot(sun, meridian) - cos(d) * cos(angle)) < 2e-6);
@@ -301,7 +301,7 @@ TEST(test_city_is_never_farther_than_it_says)
     }
     free(places);
     free(distances);
-    print_message("# city: %d places, %d in towers, %d where the cap or a corner is felt; "
+    print_message("# city: %d points, %d in towers, %d where the cap or a corner matters; "
                   "least share %.3f\n",
                   asked, inside, capped, closest);
     assert_true(inside > 1000 && capped > 1000);

@@ -68,7 +68,7 @@ TEST(test_between_the_tables)
         struct sky_table_error e[3];
         for (int way = 0; way < 3; way++) {
             e[way] = sky_table_error(way, azimuth, false);
-            print_message("# azimuth %3d, way %d: off by %.2f of 255 on average, %.1f at most, "
+            print_message("# azimuth %3d, method %d: off by %.2f of 255 on average, %.1f at most, "
                           "sun %.1f, height %.1f\n",
                           angle, way, e[way].mean, e[way].most, e[way].sun, e[way].height);
         }

@@ -59,8 +59,8 @@ TEST(test_extruded_elbow)
     assert_true(tally.least[0] < 0.8 && tally.least[1] > 0.999);
 }
 
-// An extrusion whose figure rotates and shrinks on its way up is steeper than 1, by the factor that
-// the page proves, with the farthest point of the figure, a corner.
+// If the figure of an extrusion rotates and shrinks on its way up, the slope exceeds 1, by at most
+// the factor that the page proves; its farthest point here is a corner.
 TEST(test_twisted_extrusions)
 {
     const float numbers[][2] = {{0.0f, 0.0f}, {0.0f, 0.3f}, {1.5f, 0.0f}, {3.0f, 0.3f}};

@@ -49,7 +49,7 @@ TEST(colours_are_decoded_and_numbers_are_not)
                         256, 1);
     for (int i = 0; i < 256; i++) {
         worst = fmax(worst, fabs((double)values[4 * i] - mirror_decode(i / 255.0)));
-        // Some drivers weigh neighbours with 8 bits.
+        // Some drivers interpolate with weights of 8 bits.
         assert_true(fabs((double)values[4 * i + 1] - i / 255.0) < 0.5 / 255.0);
         assert_true(values[4 * i + 2] == values[4 * i + 1]);
     }

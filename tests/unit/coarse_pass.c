@@ -76,7 +76,7 @@ TEST(test_a_probe_begins_where_the_picture_does)
 
 // Samples lie within their pixel, so one table serves them all. More samples are the pixels of a
 // larger picture, except for the smaller blocks of that picture, and no ray has met anything
-// before.
+// before its start.
 TEST(test_samples_find_what_a_larger_picture_finds)
 {
     struct renderer_inputs small = wide_inputs(4), large = small;

@@ -1,4 +1,4 @@
-// corpus.c - the files of tests/corpus, from which `make fuzz` sets out, break no promise.
+// corpus.c - the files of tests/corpus, from which `make fuzz` starts, break no promise.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -19,7 +19,7 @@
 
 static uint8_t bytes[FILE_LIMIT];
 
-// A folder of the corpus, each file and each beginning of it.
+// A folder of the corpus: each file, and each prefix of it.
 static void run_folder(const struct fuzz_target *target)
 {
     char pattern[4096 + 64];

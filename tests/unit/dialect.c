@@ -43,7 +43,7 @@ static void assert_dialect(const char *text, enum shader_dialect dialect)
     shader_free(&source);
 }
 
-// A whole file with this text behind its #version is refused with one line that contains these
+// A whole file with this text after its #version is refused with one line that contains these
 // words.
 static void assert_refused(const char *text, const char *words)
 {
@@ -92,7 +92,7 @@ IN_PROJECT(test_dialects_behind_conditions)
     static const char toy[] = "void mainImage(out vec4 c, in vec2 p) {}\n";
     static const struct {
         const char *before, *after;
-        enum shader_dialect dialect; // of main between them, and Shadertoy's behind
+        enum shader_dialect dialect; // of main between them, and Shadertoy's after
     } cases[] = {
         {"#if 0\n", "#endif\n", DIALECT_SHADERTOY},
         {"#if 1\n", "#endif\n", DIALECT_WHOLE},

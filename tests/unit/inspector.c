@@ -164,7 +164,7 @@ TEST_WITH(the_table_leaves_a_ray_free_that_is_seen_from_aside, set_up, NULL)
         for (int i = 0; i < STEPS && box != NULL; i++)
             assert_false(covers(box, probe.step[i].place[0], 360.0f - probe.step[i].place[1]));
     }
-    print_message("# the table is there %d times of 288\n", shown);
+    print_message("# the table is visible in %d of 288 cases\n", shown);
     assert_true(shown == 288);
 }
 

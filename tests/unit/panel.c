@@ -82,7 +82,7 @@ TEST(the_status_is_described)
     assert_true(says("H: help"));
     panel.resolution = 35;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(says("H: help    35 % resolution")); // the hint is seen although something moves
+    assert_true(says("H: help    35 % resolution")); // the hint is visible although something moves
     panel.sharp = 40;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(says("H: help    35 % resolution, sharpening: 40 %"));
@@ -262,7 +262,7 @@ TEST(rows_are_below_each_other)
     panel_rows_free(&rows);
 }
 
-// The value at a position has that position again; in decades, the middle of [0.01, 1] is 0.1.
+// The value at a position is shown at that position; in decades, the middle of [0.01, 1] is 0.1.
 TEST(a_place_is_a_value)
 {
     struct parameter linear = {.components = 1, .minimum = -2.0, .maximum = 6.0};

@@ -212,7 +212,7 @@ TEST(test_table)
     assert_printed(&read, "This shader has no parameters.\n");
 }
 
-// In French, a comma precedes the decimals; a shader and a command line have a point all the same.
+// In French, a comma precedes the decimals; a shader and a command line still use a point.
 TEST(test_another_locale)
 {
     static const char *const locales[] = {"fr_FR.UTF-8", "de_DE.UTF-8", "fr_FR", "de_DE"};

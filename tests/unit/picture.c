@@ -69,7 +69,7 @@ static void check_place(const char *text, double most)
             struct renderer_inputs inputs = gpu_inputs(sizes[i][0], sizes[i][1], samples);
             double worst = worst_place(&inputs, sizes[i][2]);
             if (worst > most)
-                fail_msg("%dx%d in bands of %d, %d samples: a pixel is %g pixels from its place",
+                fail_msg("%dx%d in bands of %d, %d samples: a pixel is %g pixels from its position",
                          inputs.width, inputs.height, sizes[i][2], samples, worst);
         }
 }

@@ -110,7 +110,7 @@ TEST(a_single_slow_frame_changes_nothing)
     }
 }
 
-// A lasting change is followed at its second frame; the guess for a new program at the first.
+// The level follows a lasting change at its second frame, and corrects a guess at the first.
 TEST(a_change_that_lasts_is_followed)
 {
     struct machine quick = {0.0, 0.03 / pixels, 0.01}, slow = {0.0, 1.2 / pixels, 0.01};

@@ -49,7 +49,7 @@ static float random_from(unsigned *seed, float low, float high)
     return low + (high - low) * (float)(*seed >> 8) / 16777216.0f;
 }
 
-// As long as there is room, nothing is changed, not even a bit.
+// As long as there is room, a move is unchanged, to the last bit.
 TEST(a_move_with_room_for_it_is_free)
 {
     unsigned seed = 7;
@@ -159,8 +159,8 @@ TEST(a_scene_without_the_function_is_open)
     assert_int_equal(gpu.renderer.program[SHADER_ROOM], 0);
 }
 
-// Every chapter's camera begins where it may be: a camera that comes down to it from the sky is not
-// held up.
+// Every chapter's camera begins at a permitted position: a camera that comes down to it from the
+// sky is not stopped.
 TEST(every_chapter_begins_with_room)
 {
     int asking = 0;

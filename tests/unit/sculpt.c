@@ -64,8 +64,8 @@ static void work(unsigned char *grid, int pieces, double radius)
     free(before);
 }
 
-// Added: away from the blend the distance is the smaller of both. Taken away: the larger of that of
-// the ball and the opposite of the roll's, near the surface, where this is the distance.
+// Added: away from the blend the distance is the smaller of both. Taken away: near the surface, the
+// larger of the ball's distance and the negated distance of the roll.
 static void assert_near_truth(double radius)
 {
     unsigned char *grid = ball();
@@ -153,7 +153,7 @@ TEST(what_is_far_from_a_stroke_stays)
     free(before);
 }
 
-// A stroke that misses the grid, and one at the end of all numbers.
+// A stroke that misses the grid, and one with the largest numbers.
 TEST(a_stroke_outside_changes_nothing)
 {
     unsigned char *grid = ball(), *before = ball();

@@ -141,7 +141,7 @@ TEST(the_places_are_those_of_the_other_camera)
     }
     assert_memory_equal(probe->colour, from->colour, 3);
     int seen = check_places(probe, &second, 0.0);
-    print_message("# %d of %d steps have a place\n", seen, probe->steps);
+    print_message("# %d of %d steps have a position\n", seen, probe->steps);
     assert_true(seen >= 8);
     free(probe);
     // A camera beside the ray sees only what is in front of it.

@@ -1,8 +1,8 @@
 // browser.mjs - what the tests of the browser share: a server for a folder, Chromium on Mesa's software renderer, a
 // page with one program, waits for a state, and TAP.
 //
-// Nothing here depends on a clock. A test waits for what must happen; what must not happen had its chance after a
-// number of frames of the page.
+// Nothing here depends on a clock. A test waits for what must happen. To check that something does not happen, it lets
+// a number of frames of the page pass.
 import {execFile} from 'node:child_process';
 import fs from 'node:fs';
 import {chromium} from '../../build/node/node_modules/playwright-core/index.mjs';
@@ -21,13 +21,13 @@ export function check(name, right, ...more) {
     if (!right) failed++;
     console.log(`${right ? 'ok' : 'not ok'} ${count} - ${name}`);
     if (!right && more.length > 0) console.log(`# ${more.map((x) => typeof x === 'string' ? x : JSON.stringify(x)).join(' ')}`);
-    if (!right && name.endsWith(process.env.WEB_UNTIL ?? '\n')) process.exit(1); // for a mistake that is made on purpose
+    if (!right && name.endsWith(process.env.WEB_UNTIL ?? '\n')) process.exit(1); // for a deliberate mistake
     return right;
 }
 
 // Call it while the browsers are still running, because their time is counted.
 export function finish() {
-    console.log(`# ${(processors() + process.cpuUsage().user / 1e6).toFixed(0)} s of processors`);
+    console.log(`# ${(processors() + process.cpuUsage().user / 1e6).toFixed(0)} s of processor time`);
     console.log(`1..${count}`);
     process.exitCode = failed > 0 ? 1 : 0;
 }
@@ -37,7 +37,7 @@ export function finish() {
 // The folders under test: the programs alone, and the site. Deliberate mistakes are made in a copy.
 export const WEB = process.env.WEB_FOLDER || 'build/web', SITE = process.env.SITE_FOLDER || 'build/site';
 
-// Serve a folder only to this machine; /test.html is a page with a canvas. Returns its address and a function that ends
+// Serve a folder to this machine only; /test.html is a page with a canvas. Returns its address and a function that ends
 // it.
 export async function serve(folder) {
     const server = folderServer(folder, {'/test.html': PAGE});
@@ -60,7 +60,7 @@ export function launch(angle = 'gl-egl') {
     });
 }
 
-// In a page, before its scripts: a driver that compiles on threads of its own, and is ready once window.compiled is set.
+// In a page, before its scripts: a driver that compiles on separate threads, and is ready once window.compiled is set.
 export function threads() {
     const {getExtension, getProgramParameter} = WebGL2RenderingContext.prototype;
     WebGL2RenderingContext.prototype.getExtension = function (name) { return name === 'KHR_parallel_shader_compile' ? {} : getExtension.call(this, name); };
@@ -97,7 +97,7 @@ export async function loadProgram() {
     });
 }
 
-// A page, and the complaints of its console and its scripts.
+// A page, and the errors of its console and its scripts.
 //   context  playwright's options of a context
 //   before   is evaluated in the page before any of its scripts
 export async function blankPage(browser, {context = {}, before = () => {}} = {}) {
@@ -156,8 +156,8 @@ export const frames = (page, count) => page.evaluate((count) => new Promise((don
     turn();
 }), count);
 
-// Wait until a paused program has drawn everything: nothing is drawn in a number of frames of the page that is longer
-// than the rest after which a picture is sharpened.
+// Wait until a paused program has drawn everything: until nothing is drawn for longer than the rest after which a
+// picture is sharpened.
 export const rest = (page) => page.evaluate((patience) => new Promise((done) => {
     const begun = performance.now();
     let still = 0, before = -1;

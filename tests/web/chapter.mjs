@@ -19,7 +19,7 @@ ${command(PAIR[0], `data-other="${PAIR[1]}"`)}</main></html>`;
 
 const server = await serve(WEB), browser = await launch(), said = [], text = fs.readFileSync(FILE, 'utf8');
 
-// A separate page, with its requests and its complaints.
+// A separate page, with its requests and its errors.
 async function open(options = {}, fragment = '', context = null) {
     context ??= await browser.newContext({viewport: {width: 1280, height: 800}, permissions: ['clipboard-read', 'clipboard-write'], ...options});
     const page = await context.newPage(), asked = [];
@@ -59,48 +59,48 @@ async function run(page) {
 const {page, asked, context} = await open();
 await page.waitForSelector('.live-start');
 check('before the click there is the poster, and nothing of the program is loaded', asked.sort().join() === 'live.css,live.html,live.js,poster.png', asked);
-// Nothing is requested by the script that runs it before the chapter's text.
+// The script that runs the program is held back until the chapter's text has been requested.
 const together = page.waitForRequest(`**/${STEM}.frag`, {timeout: PATIENCE / 3}).then(() => true, () => false);
 await page.route('**/stage.js', async (route) => { await together; await route.continue(); });
 const begun = Date.now();
 let now = await run(page);
-check('the click asks for the chapter\'s text together with the program', await together);
+check('the click requests the chapter\'s text together with the program', await together);
 await page.unroute('**/stage.js');
 console.log(`# from the click to the first picture and its rate ${Date.now() - begun} ms`);
 check('the click runs the chapter, in the size that it asks for', now.runs && now.size[0] > 600 && Math.abs(now.size[0] / now.size[1] - 16 / 9) < 0.02, now.size);
 check('no editor, no solution and no exercise was loaded', !asked.some((name) => /editor|exercises|solution|_\d\.frag/.test(name)), asked);
-check('the keyboard is the page\'s until the picture is touched', await page.evaluate(() => document.activeElement === document.body));
+check('the keyboard belongs to the page until the picture is touched', await page.evaluate(() => document.activeElement === document.body));
 
 // ---- Controls ----
 
 const lamp = page.locator('.live-row', {hasText: 'lampHeight'});
-check('each value has its help with the unit', (await lamp.locator('.live-help').textContent()) === 'height of the lamp above the stage; in scene units');
-check('and a row for each', await page.locator('.live-row').count() === now.parameters.length);
+check('a parameter has its help with the unit', (await lamp.locator('.live-help').textContent()) === 'height of the lamp above the stage; in scene units');
+check('each parameter has a row', await page.locator('.live-row').count() === now.parameters.length);
 await lamp.locator('input[type=range]').fill('2');
 check('a slider sets its value', await value(page, 'lampHeight') === 2);
 await lamp.locator('input[type=number]').fill('3.25');
 await lamp.locator('input[type=number]').press('Enter');
 check('so does a number', await value(page, 'lampHeight') === 3.25);
 await lamp.getByRole('button').click();
-check('and it goes back', await value(page, 'lampHeight') === 4.6);
+check('and its button resets it', await value(page, 'lampHeight') === 4.6);
 const shadows = page.locator('.live-row', {hasText: 'check whether the light is visible from the surface'}).locator('input');
 await shadows.uncheck();
 check('a box switches', await value(page, 'shadows') === 0);
 await press(page, 'Reset all');
-check('all go back', await value(page, 'shadows') === 1);
+check('all are reset', await value(page, 'shadows') === 1);
 const steps = page.locator('.live-row', {hasText: 'hitThreshold'}).locator('input[type=range]');
 await steps.fill(String(Math.log(0.01)));
-check('a slider of ratios counts in them', Math.abs(await value(page, 'hitThreshold') - 0.01) < 0.001, await value(page, 'hitThreshold'));
+check('a slider is logarithmic if a key press multiplies the value', Math.abs(await value(page, 'hitThreshold') - 0.01) < 0.001, await value(page, 'hitThreshold'));
 await press(page, 'Reset all');
 await press(page, 'steps');
-check('a view is chosen', (await state(page)).view === 'steps' && await page.locator('.live-views [aria-pressed=true]').textContent() === 'steps');
+check('a view is selected', (await state(page)).view === 'steps' && await page.locator('.live-views [aria-pressed=true]').textContent() === 'steps');
 await press(page, 'picture');
 await press(page, 'Pause');
 await page.locator('.live-time').fill('7.5');
 await page.locator('.live-time').press('Enter');
 check('the clock is stopped and set', (await state(page)).paused && (await state(page)).time === 7.5);
 await comes(page, 's.divisor === 1');
-check('and does not go on', (await state(page)).time === 7.5);
+check('and does not continue', (await state(page)).time === 7.5);
 
 // ---- A ray ----
 
@@ -114,7 +114,7 @@ await press(page, 'Forward');
 check('then the second', (await comes(page, 's.shown === 2')).shown === 2);
 await page.waitForFunction(() => document.querySelector('.live-at')?.sectionRowIndex === 1);
 await page.locator('.live-table tbody tr').nth(3).locator('td').first().click();
-check('a row of the table is its step', (await comes(page, 's.shown === 4')).shown === 4);
+check('a row of the table selects its step', (await comes(page, 's.shown === 4')).shown === 4);
 await press(page, 'Back one step');
 check('and back', (await comes(page, 's.shown === 3')).shown === 3);
 await press(page, 'Slice');
@@ -129,7 +129,7 @@ const words = () => page.locator('.live-error').textContent();
 const eye = (await state(page)).camera;
 await press(page, 'Edit');
 await page.waitForSelector('.cm-content');
-check('the editor holds the file', (await page.locator('.cm-content').textContent()).startsWith(text.split('\n')[0]));
+check('the editor shows the file', (await page.locator('.cm-content').textContent()).startsWith(text.split('\n')[0]));
 check('its includes have tabs', await page.getByRole('tab', {name: 'march.glsl'}).count() === 1);
 await page.locator('.cm-content').click();
 await page.keyboard.press('Control+End');
@@ -139,9 +139,9 @@ const line = text.split('\n').length;
 check('an error has its line', (await words()).includes(`${FILE}:${line}: error:`), await words());
 check('which is marked, in the tab too', await page.locator('.cm-lint-marker-error').count() === 1 && await page.locator('.live-faulty').count() === 1);
 now = await state(page);
-check('and is in sight', await page.evaluate(() => { const box = document.querySelector('.live-error').getBoundingClientRect(); return box.height > 0 && box.top >= document.querySelector('.live-canvas').getBoundingClientRect().bottom - 1 && box.bottom <= innerHeight + 1; }));
-check('typing moves nothing', now.camera.every((x, i) => x === eye[i]) && now.view === 'picture', eye, now.camera);
-check('the picture is in sight above the text', await page.evaluate(() => { const box = document.querySelector('.live-canvas').getBoundingClientRect(); return box.top >= 0 && box.bottom < innerHeight; }));
+check('and is visible', await page.evaluate(() => { const box = document.querySelector('.live-error').getBoundingClientRect(); return box.height > 0 && box.top >= document.querySelector('.live-canvas').getBoundingClientRect().bottom - 1 && box.bottom <= innerHeight + 1; }));
+check('typing does not move the page', now.camera.every((x, i) => x === eye[i]) && now.view === 'picture', eye, now.camera);
+check('the picture is visible above the text', await page.evaluate(() => { const box = document.querySelector('.live-canvas').getBoundingClientRect(); return box.top >= 0 && box.bottom < innerHeight; }));
 
 // It is kept although it is broken: the course's picture is shown then.
 await page.reload();
@@ -159,20 +159,20 @@ await page.evaluate(() => new Promise((found) => {
     taken.loseContext();
 }));
 now = await comes(page, 's.error !== "" && s.rate > 0');
-check('so does a context that was lost, with the values', now.runs && now.error !== '' && await value(page, 'lampHeight') === 3.25, now.error);
-check('and says whose it is', (await page.locator('.live-changes').textContent()).startsWith(`With your changes in ${FILE}.`));
+check('so does a lost context, with the values', now.runs && now.error !== '' && await value(page, 'lampHeight') === 3.25, now.error);
+check('and the page says whose changes they are', (await page.locator('.live-changes').textContent()).startsWith(`With your changes in ${FILE}.`));
 await press(page, 'Edit');
 await page.waitForSelector('.cm-content');
 await press(page, 'Reset this file');
 await page.waitForSelector('.live-error', {state: 'hidden'});
-check('the file goes back, and with it the error', await page.locator('.live-changes').isHidden() && await page.evaluate(() => Object.keys(localStorage).length) === 0);
+check('the file is reset, and the error disappears', await page.locator('.live-changes').isHidden() && await page.evaluate(() => Object.keys(localStorage).length) === 0);
 await page.locator('.cm-content').click();
 await page.keyboard.press('Control+Home');
 await page.keyboard.type('uniform float mine; // 3 in [0, 9]: of my own\n');
 await page.waitForSelector('.live-row code:text-is("mine")');
-check('a uniform that is typed has a slider', await value(page, 'mine') === 3);
+check('a uniform that is typed gets a slider', await value(page, 'mine') === 3);
 const [download] = await Promise.all([page.waitForEvent('download'), press(page, 'Download my.frag')]);
-check('my.frag is the text', download.suggestedFilename() === 'my.frag' && fs.readFileSync(await download.path(), 'utf8') === `uniform float mine; // 3 in [0, 9]: of my own\n${text}`);
+check('my.frag contains the text', download.suggestedFilename() === 'my.frag' && fs.readFileSync(await download.path(), 'utf8') === `uniform float mine; // 3 in [0, 9]: of my own\n${text}`);
 await press(page, 'Copy a link');
 await page.waitForFunction(() => location.hash.startsWith('#edit='));
 const link = await page.evaluate(() => location.hash);
@@ -181,7 +181,7 @@ await friend.page.waitForSelector('.live-start');
 check('a link loads nothing by itself', !friend.asked.includes('stage.js'));
 await run(friend.page);
 check('it shows the edit to a friend', await value(friend.page, 'mine') === 3);
-check('and keeps nothing there', await friend.page.evaluate(() => Object.keys(localStorage).length) === 0);
+check('and stores nothing there', await friend.page.evaluate(() => Object.keys(localStorage).length) === 0);
 await friend.context.close();
 const torn = await open({}, link.slice(0, 60));
 await run(torn.page);
@@ -198,13 +198,13 @@ const buttons = page.locator('button.run');
 await buttons.nth(0).click();
 await page.waitForSelector('.live-beside.live-window');
 check('a command opens its program below it', (await state(page)).view === 'normals' && await page.evaluate(() => document.querySelector('.command').nextElementSibling.matches('.live-beside.live-on')));
-check('and the one at the head has its poster again', await first(page).locator('.live-start').isVisible() && await first(page).locator('canvas').count() === 0);
+check('and the one at the top shows its poster again', await first(page).locator('.live-start').isVisible() && await first(page).locator('canvas').count() === 0);
 await press(page, 'Close');
-check('closed it is gone, and its button has the keyboard', await page.locator('.live-beside').count() === 0 && await page.evaluate(() => document.activeElement === document.querySelector('button.run')));
+check('once closed, it is gone, and its button has the focus', await page.locator('.live-beside').count() === 0 && await page.evaluate(() => document.activeElement === document.querySelector('button.run')));
 await buttons.nth(1).click();
 const printed = page.locator('.live-printed');
 await printed.waitFor();
-check('the output of a command is below it', /^step,t,distance.*# hit; steps: 9/s.test(await printed.textContent()), await printed.textContent());
+check('the output of a command is shown below it', /^step,t,distance.*# hit; steps: 9/s.test(await printed.textContent()), await printed.textContent());
 await buttons.nth(2).click();
 await printed.nth(1).waitFor();
 check('or its last lines', /^# hit; steps: 9;[^\n]*$/.test(await printed.nth(1).textContent()));
@@ -216,11 +216,11 @@ await page.waitForSelector('.live-result canvas');
 check('a picture that it writes is shown', await page.locator('.live-result canvas').evaluate((c) => c.width === 64 && c.height === 36));
 await buttons.nth(5).click();
 await page.waitForSelector('.live-wrong');
-check('its error is reported as the program does', (await page.locator('.live-wrong').textContent()).includes('--nonsense'));
+check('its error is shown as the program reports it', (await page.locator('.live-wrong').textContent()).includes('--nonsense'));
 check('what was printed before is still there', await printed.count() === 4);
 await buttons.nth(6).click();
 await page.waitForSelector('.live-beside.live-window');
-check('one in the text opens below its paragraph', await page.evaluate(() => document.querySelector('main > p').nextElementSibling.matches('.live-on')));
+check('a command in the text opens its program below the paragraph', await page.evaluate(() => document.querySelector('main > p').nextElementSibling.matches('.live-on')));
 
 // ---- Exercises ----
 
@@ -243,10 +243,10 @@ check('and gets the editor there', true);
 const solution = fs.readFileSync(`chapters/solutions/${STEM}_2.frag`, 'utf8');
 check('the solution is right, in the words of make check', await judged(solution) === 'Right: as the solution in 3 pictures: no pixel differs by more than 2 of 255.', await verdict.textContent());
 const wrong = await judged(`${text}\n`);
-check('the chapter is wrong, in its words', /^Wrong: 0\.21 % of the pixels differ by more than 2 of 255, at most by \d+, most around 428,131, at the middle right\./.test(wrong), wrong);
+check('the unsolved chapter is wrong, in the same words', /^Wrong: 0\.21 % of the pixels differ by more than 2 of 255, at most by \d+, most around 428,131, at the middle right\./.test(wrong), wrong);
 check('with the picture of the difference', await page.locator('.live-two canvas').count() === 2);
-check('a mistake has its line', /^Wrong: does not run: my\.frag:1: error: /.test(await judged('nonsense')), await verdict.textContent());
-check('the program beside it goes on', (await state(page)).runs);
+check('a mistake is reported with its line', /^Wrong: does not run: my\.frag:1: error: /.test(await judged('nonsense')), await verdict.textContent());
+check('the program beside it continues', (await state(page)).runs);
 await page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [ANSWER, text]);
 
 // ---- Two pictures compared ----
@@ -262,19 +262,19 @@ const native = spawnSync('build/tests/compare', ['--words', 'build/web-test/righ
 const inPage = await comparedNow();
 check('two pictures are compared in the words of make compare', /^[1-9].* % of the pixels differ/.test(native) && inPage === `${native}.`, inPage, native);
 check('both are shown with their difference', await compared.locator('canvas').evaluateAll((all) => all.map((c) => `${c.width}x${c.height}`).join()) === '320x180,320x180,320x180');
-check('and what runs goes on', (await state(page)).runs && await page.locator('.live-result .live-two figcaption').first().textContent() === 'right.png');
+check('and the running program continues', (await state(page)).runs && await page.locator('.live-result .live-two figcaption').first().textContent() === 'right.png');
 const edit = (text) => page.evaluate(([file, text]) => document.querySelector('.live-on').stage.changes.change(file, text), [FILE, text]);
 await edit(text.replace('rayColour(Ray ray)\n{', 'rayColour(Ray ray)\n{\n    return vec3(0.5);'));
-check('with a reader\'s changes, which is said', await comparedNow() === 'the pictures are the same: no pixel differs.' && await compared.getByText(`With your changes in ${FILE}.`).isVisible(), await compared.textContent());
+check('a reader\'s changes are used, and the page says so', await comparedNow() === 'the pictures are the same: no pixel differs.' && await compared.getByText(`With your changes in ${FILE}.`).isVisible(), await compared.textContent());
 await buttons.nth(2).click();
-check('so is it of what a command prints', await page.locator('.live-result > p', {hasText: `With your changes in ${FILE}.`}).waitFor().then(() => true, () => false));
+check('and so they are for the output of a command', await page.locator('.live-result > p', {hasText: `With your changes in ${FILE}.`}).waitFor().then(() => true, () => false));
 await first(page).locator('.live-start').click();
 await page.waitForSelector('live-chapter:first-of-type.live-window');
 await edit('nonsense');
 check('a change that does not load is reported with its line', /^They cannot be compared: right\.png does not run: chapters\/03_shadows\.frag:1: error: /.test(await comparedNow()), await compared.textContent());
 await edit(text);
 await page.locator('.live-result').filter({has: page.locator('.live-verdict')}).getByRole('button', {name: 'Close'}).click();
-check('closed it leaves the keyboard to its button', await compared.count() === 0 && await comparison.evaluate((one) => document.activeElement === one));
+check('once closed, it leaves the focus to its button', await compared.count() === 0 && await comparison.evaluate((one) => document.activeElement === one));
 
 // ---- On paper ----
 
@@ -282,7 +282,7 @@ await press(page, 'Close');
 await first(page).locator('.live-start').click();
 await page.waitForSelector('.live-window');
 await page.emulateMedia({media: 'print'});
-check('on paper a program that runs is its poster', await first(page).locator('img').isVisible() && await page.locator(':is(.live-canvas, .live-controls, .live-status, button):visible').count() === 0);
+check('on paper a running program is replaced with its poster', await first(page).locator('img').isVisible() && await page.locator(':is(.live-canvas, .live-controls, .live-status, button):visible').count() === 0);
 await page.emulateMedia({media: 'screen'});
 
 // ---- A reader's own file ----
@@ -302,7 +302,7 @@ await page.evaluate(() => document.querySelector('.live-on').stage.call('live_pi
 await seen(true);
 check('it says why it has no ray', (await comes(page, 's.why')).why.startsWith('no march'));
 await page.evaluate(() => document.querySelector('live-chapter').run(''));
-check('and any chapter is exported', (await page.evaluate(() => document.querySelector('live-chapter').exported())).includes('void mainImage'));
+check('and any chapter can be exported', (await page.evaluate(() => document.querySelector('live-chapter').exported())).includes('void mainImage'));
 
 // ---- What axe-core finds ----
 
@@ -327,7 +327,7 @@ await calm.context.close();
 
 const phone = await open({viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2});
 now = await run(phone.page);
-check('on 390 pixels nothing is to be scrolled sideways', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
+check('at 390 pixels nothing needs to be scrolled sideways', await phone.page.evaluate(() => document.documentElement.scrollWidth) === 390);
 check('values and ray are folded', await phone.page.locator('details[open]').count() === 0);
 const from = (await state(phone.page)).camera;
 await phone.page.getByRole('button', {name: 'Move', exact: true}).tap();

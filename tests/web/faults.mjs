@@ -14,9 +14,9 @@ async function open(name, context = {viewport: {width: 1440, height: 900}}, more
 const runs = (page) => page.waitForFunction(() => document.querySelector('.live-window')?.program?.state().rate > 0);
 const scrolled = (page, from) => page.waitForFunction((from) => scrollY > from + 50, from).then(() => true, () => false);
 
-// ---- What the page has until the picture is touched ----
+// ---- The page has the keyboard until the picture is touched ----
 
-const both = await browser.newContext({viewport: {width: 1440, height: 900}}); // of two tabs
+const both = await browser.newContext({viewport: {width: 1440, height: 900}}); // for two tabs
 let {page, said} = await blankPage(both);
 await page.goto(`${server.at}/00_first_scene.html`);
 await page.locator('.live-start').first().click();
@@ -27,7 +27,7 @@ let from = await page.evaluate(() => scrollY);
 await page.mouse.wheel(0, 200);
 check('the wheel scrolls the page over a program that has just started', await scrolled(page, from));
 for (const key of ['Space', 'PageDown']) {
-    await page.evaluate(() => scrollTo({top: 0, behavior: 'instant'})); // a smooth scroll would end the key's
+    await page.evaluate(() => scrollTo({top: 0, behavior: 'instant'})); // a smooth scroll would interrupt the key's
     await page.keyboard.press(key);
     check(`so does ${key}`, await scrolled(page, 0));
 }
@@ -46,7 +46,7 @@ await page.evaluate(() => new Promise((found) => {
 }));
 await runs(page);
 await frames(page, 40);
-check('nothing is said over the picture once a lost context is back', await page.locator('.live-notice').isHidden(), await page.locator('.live-notice').textContent());
+check('no message covers the picture once a lost context is back', await page.locator('.live-notice').isHidden(), await page.locator('.live-notice').textContent());
 check('no error in the console', said.length === 0, said);
 
 // ---- An answer to each exercise ----
@@ -58,7 +58,7 @@ await page.evaluate(() => { const {changes} = document.querySelector('.live-on')
 check('an exercise has its own text in the editor, named as make check names it', await page.evaluate(() => document.querySelector('[role=tab]').textContent) === 'my.frag' && await page.getByRole('button', {name: 'Download my.frag'}).count() === 1);
 await answer(2).locator('button').first().click();
 await page.waitForFunction(() => document.querySelectorAll('.live-open').length > 0);
-check('another exercise has nothing of it', (await answer(2).locator('.live-verdict').textContent()).startsWith('You have not changed'));
+check('another exercise contains none of it', (await answer(2).locator('.live-verdict').textContent()).startsWith('You have not changed'));
 await answer(1).locator('button').first().click();
 await page.waitForFunction(() => /Wrong/.test(document.querySelector('form[data-exercise="00-1"] .live-verdict')?.textContent));
 check('while its own check judges it', /^Wrong: does not run: my\.frag:1:/.test(await answer(1).locator('.live-verdict').textContent()), await answer(1).locator('.live-verdict').textContent());
@@ -92,7 +92,7 @@ await both.close();
 
 for (const hash of ['#100%', '#edit=%%%']) {
     ({page, said} = await open(`00_first_scene.html${hash}`));
-    check(`${hash} in the address ends nothing`, said.length === 0 && await page.locator('.theme').textContent() === 'Auto' && await page.evaluate(() => document.querySelector('.sections .here, .sections a') !== null), said);
+    check(`${hash} in the address breaks nothing`, said.length === 0 && await page.locator('.theme').textContent() === 'Auto' && await page.evaluate(() => document.querySelector('.sections .here, .sections a') !== null), said);
     await page.close();
 }
 
@@ -106,7 +106,7 @@ const contrast = await start.evaluate((one) => {
     const [a, b] = [getComputedStyle(one).color, getComputedStyle(one).backgroundColor].map(light);
     return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05);
 });
-check('the button is legible below the pointer', contrast > 4.5, contrast);
+check('the button is legible under the pointer', contrast > 4.5, contrast);
 const [picture, button] = [await page.locator('.live-screen').first().boundingBox(), await start.boundingBox()];
 check('and is in a corner of the picture', button.x + button.width < picture.x + picture.width / 3 && button.y > picture.y + picture.height * 0.75, picture, button);
 check('the buttons have the font of the text', await page.evaluate(() => new Set(['.live-start', '.run', 'main p'].map((one) => getComputedStyle(document.querySelector(one)).fontFamily)).size) === 1);
@@ -141,7 +141,7 @@ await page.reload();
 results = await search('shadoow');
 check('a mistyped word is understood', results.length > 3 && /shadow/i.test(results[0]), results.slice(0, 3));
 results = await search('sdf torus');
-check('of several words not all must be there, and sdf is a signed distance', results.length > 3 && /torus/i.test(results[0]), results.slice(0, 3));
+check('not all words of a query must occur, and sdf means signed distance', results.length > 3 && /torus/i.test(results[0]), results.slice(0, 3));
 check('no error in the console', said.length === 0, said);
 await page.close();
 
@@ -152,7 +152,7 @@ await page.close();
     HTMLCanvasElement.prototype.getContext = function (kind, ...more) { return kind === 'webgl2' ? null : own.call(this, kind, ...more); };
 }}));
 await page.locator('.live-start').first().click();
-check('without WebGL 2 the page says what it has', await page.locator('.live-said').textContent() === 'This browser has no WebGL 2, so no program can run here; all text and pictures are shown.');
+check('without WebGL 2 the page says what it still shows', await page.locator('.live-said').textContent() === 'This browser has no WebGL 2, so no program can run here; all text and pictures are shown.');
 await page.close();
 
 // ---- Loading ----
@@ -183,10 +183,10 @@ await page.locator('.sections a[href="#exit-questions"]').click();
 check('but a link to it is followed', await there(page));
 await page.goto(`${server.at}/index.html`);
 await page.goto(`${server.at}/${LONG}#exit-questions`);
-check('and an address within it as well', await there(page));
+check('and so is an address within it', await there(page));
 await page.goto(`${server.at}/index.html`);
 await page.goto(`${server.at}/${LONG}#:~:text=A%20star%20in%20one%20stroke`);
-check('also one that names words of it', await page.getByText('A star in one stroke').first().isVisible());
+check('and one that quotes its words', await page.getByText('A star in one stroke').first().isVisible());
 await page.close();
 ({page} = await open('01_normal_colouring.html'));
 const policy = await page.evaluate(() => new Promise((told) => {
@@ -195,7 +195,7 @@ const policy = await page.evaluate(() => new Promise((told) => {
     script.textContent = 'window.injected = true';
     document.head.append(script);
 }));
-check('a script that the site does not have is not run', policy.startsWith('script-src') && await page.evaluate(() => window.injected === undefined));
+check('a script that is not the site\'s own is not run', policy.startsWith('script-src') && await page.evaluate(() => window.injected === undefined));
 await page.emulateMedia({media: 'print'});
 const sizes = await page.evaluate(() => ['figcaption', 'main > p:not(.note)'].map((one) => parseFloat(getComputedStyle(document.querySelector(one)).fontSize)));
 check('on paper captions are smaller than the text', sizes[0] < sizes[1] && Math.abs(sizes[1] - 14) < 0.2, sizes);

@@ -5,7 +5,7 @@ import fs from 'node:fs';
 import {blankPage, check, finish, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
 
 const pattern = new RegExp(process.argv[2] || '');
-const MOST = process.env.ALL ? Infinity : 2; // figures of a page
+const MOST = process.env.ALL ? Infinity : 2; // figures per page
 const names = fs.readdirSync(SITE).filter((name) => /^\d\d_\w+\.html$/.test(name) && pattern.test(name)).sort();
 const server = await serve(SITE), browser = await launch(), waits = [];
 
@@ -65,7 +65,7 @@ for (const name of names) {
         wrong.push(...said);
         await page.close();
     }
-    check(`${name}: at least two figures answer to the hand`, count >= 2 && wrong.length === 0, count, wrong);
+    check(`${name}: at least two figures respond to the pointer`, count >= 2 && wrong.length === 0, count, wrong);
 }
 waits.sort((a, b) => a - b);
 if (waits.length > 0) console.log(`# from the press to the new value: median ${waits[waits.length >> 1].toFixed(0)} ms, at most ${waits.at(-1).toFixed(0)} ms, of ${waits.length}; ${fs.readFileSync('/proc/loadavg', 'utf8').split(' ')[0]} programs want the processors`);

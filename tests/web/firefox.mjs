@@ -20,7 +20,7 @@ for (const row of pictures().filter((row) => row.name === row.stem)) {
     check(`${row.name} in Firefox`, compared.same, got.status, compared.says, got.lines.slice(0, 4).join(' | '));
 }
 
-// ---- The hands ----
+// ---- Input ----
 
 const parameter = (now, name) => now.parameters.find((p) => p.name === name).value[0];
 check('a chapter starts', await start(page, '03_shadows') === 0);
@@ -41,25 +41,25 @@ check('a click marches the ray of its pixel', now.probe?.steps > 0 && now.pixel.
 const length = parameter(now, 'focalLength');
 await page.wheel(160, 90, -300);
 now = await until(page, (s) => parameter(s, 'focalLength') > length);
-check('the wheel is the program\'s', parameter(now, 'focalLength') > length && await page.evaluate(() => window.scrollY) === 0);
+check('the wheel belongs to the program', parameter(now, 'focalLength') > length && await page.evaluate(() => window.scrollY) === 0);
 await rest(page);
 const before = now.camera;
 await page.drag([100, 90], [150, 90], 'touch');
 now = await until(page, (s) => s.camera[3] !== before[3]);
-check('a finger that is drawn over the picture turns the eye', now.camera[3] !== before[3], before, now.camera);
+check('a finger that is dragged over the picture turns the eye', now.camera[3] !== before[3], before, now.camera);
 await page.press('Tab');
 check('Tab leaves the canvas', await page.evaluate(() => document.activeElement.id !== 'canvas'));
 await page.wheel(160, 90, 120);
 await page.evaluate(() => new Promise((done) => { const turn = () => window.scrollY > 0 ? done() : requestAnimationFrame(turn); turn(); }));
 check('without the focus the wheel scrolls the page', await page.evaluate(() => window.scrollY) > 0);
 
-// ---- Away ----
+// ---- Out of view ----
 
 await page.evaluate(() => { window.program.call('live_pause', 0); window.scrollTo(0, 2000); });
 await page.evaluate(() => new Promise((done) => { const turn = () => window.program.visible ? requestAnimationFrame(turn) : done(); turn(); }));
 const away = await state(page);
 await frames(page, 25);
-check('a picture that is scrolled away does not go on', (await state(page)).time === away.time);
+check('a picture that is scrolled out of view does not continue', (await state(page)).time === away.time);
 check('no error in the console', page.said.length === 0, page.said.slice(0, 5));
 finish();
 await page.close();

@@ -28,7 +28,7 @@ const value = async (page, name) => (await state(page)).parameters.find((one) =>
 
 // ---- A picture that runs in its place ----
 
-let {page, said} = await open('01_normal_colouring.html', {...DESK, bypassCSP: true}); // the tests evaluate texts
+let {page, said} = await open('01_normal_colouring.html', {...DESK, bypassCSP: true}); // the tests evaluate strings
 const picture = page.locator('.in-place:has(img[src*="slice-silhouette"])');
 await picture.scrollIntoViewIfNeeded();
 const before = await picture.locator('.live-screen').boundingBox();
@@ -45,7 +45,7 @@ await picture.locator('img').click();
 await page.waitForSelector('.live-drawn');
 console.log(`# from the touch to the first frame, with the module: ${Date.now() - begun} ms`);
 let now = await comes(page, 's.probe');
-check('a picture lives where it is, with its view and its ray', now.view === 'slice' && now.paused && Math.abs(now.pixel[0] / now.size[0] - 340 / 640) < 0.01, now.view, now.pixel, now.size);
+check('a picture runs in its place, with its view and its ray', now.view === 'slice' && now.paused && Math.abs(now.pixel[0] / now.size[0] - 340 / 640) < 0.01, now.view, now.pixel, now.size);
 const after = await picture.locator('.live-screen').boundingBox();
 check('in the same place and size', ['x', 'y', 'width', 'height'].every((side) => Math.abs(before[side] - after[side]) < 2), before, after);
 check('the still picture stays until the first frame', await page.evaluate(() => window.seen.length > 1 && window.seen.every(Boolean)));
@@ -64,7 +64,7 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     ({page, said} = await open('index.html', {...context, bypassCSP: true}));
     const figure = page.locator(FIGURE).first(), phone = context === PHONE;
     await figure.scrollIntoViewIfNeeded();
-    check(`${name}: a figure says that its points are dragged`, await figure.locator('.live-start').textContent() === 'Drag the points');
+    check(`${name}: a figure says that its points can be dragged`, await figure.locator('.live-start').textContent() === 'Drag the points');
     await figure.locator('.live-start')[phone ? 'tap' : 'click']();
     now = await comes(page, 's.handles.length > 2');
     await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
@@ -104,7 +104,7 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     check(`${name}: with the keyboard a point is focused, and the arrow keys move it`, (await value(page, focused))[0] > stood[0], focused, stood);
     for (let i = 0; i < 2; i++) await page.keyboard.press('Enter'); // the ball is the last one: then none is selected, then the first
     now = await comes(page, 's.handles.some((one) => one.focused && one.name !== v[0])', focused);
-    check(`${name}: Enter goes to the next`, ![undefined, focused].includes(now.handles.find((one) => one.focused)?.name));
+    check(`${name}: Enter selects the next one`, ![undefined, focused].includes(now.handles.find((one) => one.focused)?.name));
     check(`${name}: nothing to scroll sideways`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
     check(`${name}: no error in the console`, said.length === 0, said);
     await page.close();
@@ -125,7 +125,7 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
         program.call('live_set', 'tool', 0, 0.1);
     });
     now = await comes(page, 's.tool');
-    check(`${name}: a tool has a button that takes back its last stroke`, now.tool === true && await page.getByRole('button', {name: 'Undo stroke'}).count() === 1);
+    check(`${name}: a tool has a button that undoes its last stroke`, now.tool === true && await page.getByRole('button', {name: 'Undo stroke'}).count() === 1);
     await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
     const still = async () => { // the picture, once it no longer changes
         for (let last = '', next; ; last = next) {
@@ -149,7 +149,7 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
     }
     check(`${name}: a drag over the clay adds clay`, await still() !== bare);
     await page.evaluate(() => [...document.querySelectorAll('button')].find((one) => one.textContent.trim() === 'Undo stroke' || one.title === 'Undo stroke' || one.ariaLabel === 'Undo stroke').click());
-    check(`${name}: which the button takes back`, await still() === bare);
+    check(`${name}: which the button undoes`, await still() === bare);
     check(`${name}: no error in the console`, said.length === 0, said);
     await page.close();
 }
@@ -173,16 +173,16 @@ await page.mouse.move(box.x + 100, box.y + 8, {steps: 5});
 await page.mouse.up();
 now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] > 2.5');
 const height = (await value(page, 'lampHeight'))[0];
-check('dragged sideways it grows, in the sentence and in the picture', height > 2.5 && await code.textContent() === `lampHeight=${Number(height.toPrecision(3))}`, height, await code.textContent());
+check('when dragged sideways, it grows, in the sentence and in the picture', height > 2.5 && await code.textContent() === `lampHeight=${Number(height.toPrecision(3))}`, height, await code.textContent());
 await page.keyboard.press('ArrowLeft');
 now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] < v[0]', height);
-check('so it does by the arrow keys', (await value(page, 'lampHeight'))[0] < height && Number(await code.getAttribute('aria-valuenow')) < height);
+check('and the arrow keys change it too', (await value(page, 'lampHeight'))[0] < height && Number(await code.getAttribute('aria-valuenow')) < height);
 await page.evaluate(() => scrollTo({top: 4000, behavior: 'instant'}));
 await page.evaluate(() => document.querySelector('code.scrub').focus({preventScroll: true}));
 await page.keyboard.press('ArrowRight');
 await page.waitForSelector('.live-afloat');
 box = await page.locator('.live-canvas').boundingBox();
-check('a picture that is scrolled away comes into sight while its number moves', box.y >= 0 && box.y + box.height <= 900, box);
+check('a picture that is scrolled out of view becomes visible while its number is dragged', box.y >= 0 && box.y + box.height <= 900, box);
 check('no error in the console', said.length === 0, said);
 await page.close();
 
@@ -200,7 +200,7 @@ check('the guess is kept', await answer.locator('.guessed').textContent() === 'Y
 const counted = page.locator('form.guess[data-kind=number]').first();
 await counted.locator('input').fill('3');
 await counted.getByRole('button').click();
-check('of a number it says how near it was', await page.getByText('Your guess: 3. It is 1: you were off by a factor of 3.0.').isVisible());
+check('for a number, the page says how close the guess was', await page.getByText('Your guess: 3. It is 1: you were off by a factor of 3.0.').isVisible());
 const second = page.locator('form.guess:not([data-kind])').first();
 await second.evaluate((form) => { let next = form; while (!next.matches('details')) next = next.nextElementSibling; next.id = 'second'; });
 await page.locator('#second summary').click();
@@ -219,11 +219,11 @@ await page.close();
 const pointed = page.locator('form.guess[data-kind=tap]').first(), tapped = pointed.locator('.tap'), area = await tapped.boundingBox();
 await tapped.tap({position: {x: 0.15 * area.width, y: 0.8 * area.height}});
 await pointed.getByRole('button', {name: 'Keep my guess'}).tap();
-check('a tap beside it is told how far away it is', await page.getByText('Your guess: the mark. You were off by 20 %').isVisible());
+check('for a tap beside it, the page says how far off it was', await page.getByText('Your guess: the mark. You were off by 20 %').isVisible());
 await tapped.focus();
 for (let i = 0; i < 12; i++) await page.keyboard.press('ArrowRight');
 await pointed.getByRole('button', {name: 'Keep my guess'}).tap();
-check('the arrow keys move the mark to the right place', await page.getByText('Your guess: the mark. That is right.').isVisible());
+check('the arrow keys move the mark to the right point', await page.getByText('Your guess: the mark. That is right.').isVisible());
 check('no error in the console', said.length === 0, said);
 await page.close();
 
@@ -233,22 +233,22 @@ await page.close();
 await page.locator('.live-start').first().tap();
 await comes(page, 's.rate > 0');
 const icons = await page.locator('.live-iconed:not([hidden])').evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({top, height, width}) => [Math.round(top), height, width]));
-check('the controls are one row of drawings, large enough for a thumb', icons.length === 9 && new Set(icons.map(([top]) => top)).size === 1 && icons.every(([, height, width]) => height >= 44 && width >= 32), icons);
+check('the controls are one row of icons, large enough for a thumb', icons.length === 9 && new Set(icons.map(([top]) => top)).size === 1 && icons.every(([, height, width]) => height >= 44 && width >= 32), icons);
 await page.locator('.live-canvas').tap({position: {x: 190, y: 120}});
 await page.waitForSelector('.live-slice:not([hidden])');
 await page.waitForFunction(() => document.querySelector('.live-slice').width > 0);
 const [canvas, slice] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-slice').boundingBox()];
 check('the slice of the ray opens below the picture', slice.y > canvas.y + canvas.height && slice.y < canvas.y + canvas.height + 80 && slice.width > 340, canvas, slice);
 const orange = await page.locator('.live-slice').evaluate((one) => [...one.getContext('2d').getImageData(one.width / 4, one.height / 4, 1, 1).data]);
-check('and is drawn, while the picture is the picture', orange[0] > orange[2] && (await state(page)).view === 'picture', orange);
+check('and is drawn, while the picture still shows the picture', orange[0] > orange[2] && (await state(page)).view === 'picture', orange);
 await page.getByRole('button', {name: 'Move', exact: true}).tap();
-check('the arrows come with Move', await page.getByRole('button', {name: 'Move forwards'}).isVisible());
+check('Move shows the arrows', await page.getByRole('button', {name: 'Move forwards'}).isVisible());
 check('no error in the console', said.length === 0, said);
 await page.close();
 
 // ---- The front page ----
 
-// The film begins after a while, here once the test says so.
+// The film begins after a while; here it begins when the test says so.
 const hold = () => {
     const own = setTimeout, held = [];
     window.setTimeout = (act, wait, ...more) => wait >= 2000 ? held.push(act) : own(act, wait, ...more);
@@ -258,17 +258,17 @@ const hold = () => {
 check('the front page begins with a still picture, whose file is small', await page.evaluate(() => document.querySelector('img[data-film]').currentSrc.endsWith('21_a_landscape.webp')));
 await page.evaluate(() => window.passes());
 await page.waitForFunction(() => document.querySelector('img[data-film]').currentSrc.endsWith('day.webp'));
-check('and goes on with a film of a day', true);
+check('and continues with a film of a day', true);
 await page.locator('a.begin').click();
 await page.waitForSelector('.live-window.live-editing .cm-content');
-check('its button begins a ball, with its text', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
+check('its button starts a ball, with its text', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
 const [left, right] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-editor').boundingBox()];
 check('which is beside the picture', right.x >= left.x + left.width, left, right);
 check('the button for a file has the font of the page', await page.evaluate(() => getComputedStyle(document.querySelector('#file'), '::file-selector-button').fontFamily === getComputedStyle(document.body).fontFamily));
 check('no error in the console', said.length === 0, said);
 await page.close();
 ({page} = await open('index.html', {...DESK, reducedMotion: 'reduce'}, hold));
-check('who wants little motion has a picture', await page.evaluate(() => window.passes()) === '21_a_landscape.webp');
+check('a reader who prefers reduced motion gets a still picture', await page.evaluate(() => window.passes()) === '21_a_landscape.webp');
 await page.close();
 
 finish();

@@ -1,4 +1,4 @@
-// live.mjs - the live chapter in a page of the site, which chapter.mjs tests in a page of its own: what the page loads,
+// live.mjs - the live chapter in a page of the site, which chapter.mjs tests in a separate page: what the page loads,
 // a command beside the text, what axe-core finds, a phone, the check of an exercise, and the line of every button.
 import fs from 'node:fs';
 import {blankPage, check, finish, frames, launch, openPage, PATIENCE, serve, SITE, threads, whole} from './browser.mjs';
@@ -53,7 +53,7 @@ await bar.getByRole('button', {name: 'steps', exact: true}).click();
 await until(page, (s) => s.view === 'steps');
 const pressed = page.locator('.live-views [aria-pressed=true]');
 await pressed.hover();
-check('the button of a view can be read below the pointer', await pressed.evaluate((one) => getComputedStyle(one).color !== getComputedStyle(one).backgroundColor));
+check('the button of a view is legible under the pointer', await pressed.evaluate((one) => getComputedStyle(one).color !== getComputedStyle(one).backgroundColor));
 const begun = (await stateOf(page)).camera;
 const differs = (s) => s.camera.some((x, i) => Math.abs(x - begun[i]) > 1e-3);
 await page.locator('canvas.live-canvas').focus();
@@ -61,7 +61,7 @@ await page.keyboard.down('d');
 now = await until(page, differs);
 await page.keyboard.up('d');
 await bar.getByRole('button', {name: 'Reset camera'}).click();
-check('the camera that was moved comes back', differs(now) && !differs(await until(page, (s) => !differs(s))), begun, now.camera);
+check('the moved camera is reset', differs(now) && !differs(await until(page, (s) => !differs(s))), begun, now.camera);
 
 // ---- A command beside the text ----
 
@@ -106,7 +106,7 @@ await page.addStyleTag({content: 'html { overflow-anchor: none; }'}); // not eve
 const above = async () => (await page.locator('.live-editor').boundingBox()).y, stands = await above();
 await page.keyboard.type('// mine\n');
 await page.locator('.live-changes').waitFor();
-check('what is typed stays in its place when the page says whose it is', Math.abs(await above() - stands) <= 1, stands, await above());
+check('the typed text stays in its place when the note on the reader\'s changes appears', Math.abs(await above() - stands) <= 1, stands, await above());
 await page.getByRole('button', {name: 'Undo all'}).tap();
 await page.locator('.live-changes').waitFor({state: 'hidden'});
 await page.locator('form.check > button').first().tap();
@@ -141,12 +141,12 @@ await tap('--shader chapters/first_steps/1_screen.frag');
 check('a text with a main of its own has no views, no pad and no ray', now.views.length === 1 && await page.locator('.live-views, .live-pad, .live-ray').evaluateAll((all) => all.length === 3 && all.every((one) => one.hidden)), now.views);
 await tap('--time 1 --shader chapters/experiments/00_factor.frag --compare --set factor=1.5');
 const factors = () => now.parameters.filter(({name}) => name.startsWith('factor')).map(({name, value}) => `${name} ${value[0]}`).join();
-check('of two pictures both have their values', factors() === 'factor (left) 1,factor (right) 1.5', factors());
+check('in a comparison, each picture has its own values', factors() === 'factor (left) 1,factor (right) 1.5', factors());
 await page.locator('details.live-values').evaluate((one) => { one.open = true; });
 await page.getByRole('spinbutton', {name: 'factor (right), as a number'}).fill('2');
 await page.keyboard.press('Enter');
 now = await until(page, (s) => s.parameters.some(({name, value}) => name === 'factor (right)' && value[0] === 2));
-check('and one is set alone', factors() === 'factor (left) 1,factor (right) 2', factors());
+check('which are set separately', factors() === 'factor (left) 1,factor (right) 2', factors());
 await tap('--time 1');
 check('a picture that a command writes is paused', now.paused && now.time === 1, now.paused, now.time);
 const gone = await tap('--time 1 --samples 3', 600); // the program above it is visible
@@ -181,7 +181,7 @@ await page.keyboard.type('// ');
 await page.waitForSelector('.live-waits');
 const undo = page.locator('.live-notice').getByRole('button', {name: 'Undo all'});
 await undo.waitFor();
-check('a change that compiles for long can be undone, over the picture', /Does your change never end/.test(await page.locator('.live-notice').textContent()) && await undo.evaluate((one) => { const {top, bottom} = one.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight; }));
+check('a change that takes long to compile can be undone, over the picture', /Does your change contain an endless loop/.test(await page.locator('.live-notice').textContent()) && await undo.evaluate((one) => { const {top, bottom} = one.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight; }));
 await undo.tap();
 await page.waitForFunction(() => document.querySelector('.live-notice').hidden);
 await page.evaluate(() => { window.compiled = true; });
@@ -212,7 +212,7 @@ const refused = await page.evaluate(async (lines) => {
     }
     return wrong;
 }, [...lines]);
-check(`the program takes the line of every button, ${lines.size} of them`, lines.size > 300 && refused.length === 0, refused.length, refused.slice(0, 5));
+check(`the program accepts the line of every button, ${lines.size} of them`, lines.size > 300 && refused.length === 0, refused.length, refused.slice(0, 5));
 
 finish();
 await browser.close();

@@ -75,9 +75,9 @@ async function look(work) {
         const dark = await findings(page, ['color-contrast', 'link-in-text-block']);
         check(`${name}: axe-core finds nothing, in light and in dark`, light.length + dark.length === 0, light, 'dark:', dark);
         const printed = await onPaper(page);
-        check(`${name}: on paper it is its text, whole and by day, with the answers at the end`, printed.length === 0, printed);
+        check(`${name}: on paper it is complete, in light colours, with the answers at the end`, printed.length === 0, printed);
         check(`${name}: no error, no request that fails or leaves the site`, said.length === 0 && failed.length === 0 && asked.every((url) => url.startsWith(server.at)), said, failed, asked.filter((url) => !url.startsWith(server.at)));
-        check(`${name}: nothing is loaded that a click asks for`, !asked.some((url) => LATER.test(new URL(url).pathname.replace(/^\/source\//, ''))) || /^(index|play)\.html$/.test(name) && !asked.some((url) => /harness/.test(url)), asked.filter((url) => LATER.test(url)));
+        check(`${name}: nothing is loaded that only a click needs`, !asked.some((url) => LATER.test(new URL(url).pathname.replace(/^\/source\//, ''))) || /^(index|play)\.html$/.test(name) && !asked.some((url) => /harness/.test(url)), asked.filter((url) => LATER.test(url)));
     }
 }
 const work = [...names];

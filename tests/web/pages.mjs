@@ -43,11 +43,11 @@ for (const name of [...files].filter((name) => name.endsWith('.css')))
         if (!address.startsWith('data:') && !files.has(path.join(path.dirname(name), address.split(/[?#]/)[0]))) dead.push(`${name}: ${address}`);
 check('no link is dead', dead.length === 0, dead.length, dead.slice(0, 8));
 check('no page loads anything from elsewhere', foreign.length === 0, foreign.slice(0, 8));
-check('no page has two places of one name', doubled.length === 0, doubled.slice(0, 8));
+check('no page has two elements with the same id', doubled.length === 0, doubled.slice(0, 8));
 
 const said = [...files].filter((name) => /\.(html|js|css|json|txt|frag|glsl)$/.test(name)).map((name) => fs.readFileSync(`${SITE}/${name}`, 'utf8')).join('');
 const idle = [...files].filter((name) => !said.includes(path.basename(name)) && name !== 'fonts/LICENSE.txt');
-check('nothing lies there that nothing asks for', idle.length === 0, idle.length, idle.slice(0, 8));
+check('the site contains no unused files', idle.length === 0, idle.length, idle.slice(0, 8));
 
 // ---- Formulas ----
 
@@ -86,7 +86,7 @@ for (const name of svgs) {
     if (!/prefers-color-scheme: dark/.test(svg) || !svg.includes('svg{font-family:"Course Heros","Course Signs"')) homeless.push(name);
 }
 fs.rmSync(folder, {recursive: true});
-check('every figure has its letters within it, and a dark theme', svgs.length > 15 && homeless.length === 0, svgs.length, homeless.slice(0, 8));
+check('every figure contains its fonts, and has a dark theme', svgs.length > 15 && homeless.length === 0, svgs.length, homeless.slice(0, 8));
 
 const uneven = [...text].filter(([, html]) => /<div class="table"><table>(?:(?!<\/table>).)*<td[^>]*>\s*<(?:img|live-chapter)/s.test(html)).map(([name]) => name);
 check('pictures in one row of a table share its width', uneven.length === 0, uneven);
@@ -113,7 +113,7 @@ for (const name of top.filter((name) => fs.existsSync(`docs/${name.replace(/html
 }
 check('every command has a button or a reason', commands > 400 && mute.length === 0, commands, mute.slice(0, 8));
 
-// A question with another wording accepts words; then its line in guesses.txt has no meaning any more.
+// If a question is reworded, its line in guesses.txt no longer applies, and its form accepts any words.
 const right = fs.readFileSync('docs/web/guesses.txt', 'utf8').split('\n').filter((line) => line && !line.startsWith('#')).map((line) => line.split('|')[0].trim());
 const asked = [...new Set(right)].filter((stem) => ((text.get(`${stem}.html`) ?? '').match(/<form class="guess" data-kind/g) ?? []).length !== right.filter((one) => one === stem).length);
 check('every line of guesses.txt has its question', right.length > 10 && asked.length === 0, asked);
@@ -143,7 +143,7 @@ console.log(`# the heaviest pages, with script and style, compressed: ${weights.
 const texts = [...weights].sort((a, b) => b.raw - a.raw);
 console.log(`# not compressed, the text alone: ${texts.slice(0, 3).map((one) => `${one.name} ${kilo(one.raw)} KB`).join(', ')}`);
 check('no page has more than 150 KB of text, not compressed', texts[0].raw <= 150e3, texts[0]);
-check('nor does one weigh more with script and style, compressed', weights[0].sent <= 150e3, weights[0]);
+check('nor more than that with scripts and styles, compressed', weights[0].sent <= 150e3, weights[0]);
 const module = ['harness.wasm', 'harness.js', 'program.js', 'stage.js', 'live.js', 'values.js', 'ray.js', 'course.json'].filter((name) => files.has(name));
 const sum = module.reduce((total, name) => total + weight(name), 0);
 console.log(`# what a click on Run loads: ${kilo(sum)} KB compressed`);

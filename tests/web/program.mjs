@@ -33,8 +33,8 @@ await page.evaluate(() => { window.lines.length = 0; });
 check('--help ends with status 0', await start(page, '03_shadows', '--help') === 0);
 check('and prints what the program prints', (await page.evaluate(() => window.lines.join('\n'))).trim() ===
     execFileSync('build/03_shadows', ['--help'], {encoding: 'utf8'}).replaceAll('build/03_shadows', '03_shadows').trim());
-check('quotes stand around a word', await start(page, '03_shadows', `--set "lampHeight=2.5" --size '320x180'`) === 0);
-check('a value of the command line is the parameter\'s', parameter(await state(page), 'lampHeight')[0] === 2.5);
+check('a word may be in quotes', await start(page, '03_shadows', `--set "lampHeight=2.5" --size '320x180'`) === 0);
+check('a value in the command line sets the parameter', parameter(await state(page), 'lampHeight')[0] === 2.5);
 
 // The table of a probe, number by number.
 const probe = (text) => text.trim().split('\n').map((line) => line.split(/[ ,;:]+/));
@@ -52,7 +52,7 @@ for (const [stem, place] of [['01_normal_colouring', '340,140'], ['03_shadows', 
         worst = Math.max(worst, Math.abs(a - b) / Math.max(1, Math.abs(b)));
     }));
 }
-console.log(`# ${compared} numbers of probes, the worst differs by ${worst.toExponential(1)} of itself, or of 1`);
+console.log(`# ${compared} numbers of probes, the worst differs by ${worst.toExponential(1)} relative to itself or to 1`);
 check('the probe\'s numbers are those of the program', compared > 200 && worst < 5e-6, worst);
 
 // ---- The window ----
@@ -85,7 +85,7 @@ await page.keyboard.press('KeyW');
 await page.keyboard.press('Digit4');
 await frames(page, 20);
 now = await state(page);
-check('keys without the focus are the page\'s', now.view === 'picture' && now.camera.every((x, i) => x === moved[i]), now.view, now.camera);
+check('without the focus, keys belong to the page', now.view === 'picture' && now.camera.every((x, i) => x === moved[i]), now.view, now.camera);
 
 // Keys that belong to the browser are not taken from it.
 await canvas.focus();
@@ -96,7 +96,7 @@ const taken = await page.evaluate(() => ['KeyW,ctrl', 'KeyR,ctrl', 'Tab', 'F5', 
     document.getElementById('canvas').dispatchEvent(new KeyboardEvent('keyup', {code, key: code}));
     return event.defaultPrevented;
 }));
-check('Ctrl+W, Ctrl+R, Tab and the function keys stay the browser\'s', taken.join() === 'false,false,false,false,false,true', taken);
+check('Ctrl+W, Ctrl+R, Tab and the function keys are left to the browser', taken.join() === 'false,false,false,false,false,true', taken);
 await page.keyboard.press('Tab');
 check('Tab leaves the canvas', await page.evaluate(() => document.activeElement.id !== 'canvas'));
 
@@ -120,13 +120,13 @@ await page.mouse.wheel(0, 120);
 await page.waitForFunction((before) => window.scrollY > 0 || window.program.state().parameters.find((p) => p.name === 'focalLength').value[0] !== before, parameter(await state(page), 'focalLength')[0]).catch(() => {});
 check('without the focus the wheel scrolls the page', await page.evaluate(() => window.scrollY) > 0);
 await page.waitForFunction(() => { window.scrollTo(0, 0); return window.scrollY === 0; });
-await frames(page, 20); // a wheel's smooth scrolling has an end
+await frames(page, 20); // until the smooth scrolling of the wheel has ended
 await page.waitForFunction(() => { window.scrollTo(0, 0); return window.scrollY === 0; });
 await canvas.focus();
 const length = parameter(await state(page), 'focalLength')[0];
 await page.mouse.wheel(0, -300);
 now = await until(page, (s) => parameter(s, 'focalLength')[0] > length);
-check('with it the wheel is the program\'s', parameter(now, 'focalLength')[0] > length && await page.evaluate(() => window.scrollY) === 0, length);
+check('with it, the wheel belongs to the program', parameter(now, 'focalLength')[0] > length && await page.evaluate(() => window.scrollY) === 0, length);
 
 // ---- Fingers ----
 
@@ -135,7 +135,7 @@ const fingers = await phone.page.context().newCDPSession(phone.page);
 const touch = (type, ...points) => fingers.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([x, y], id) => ({x, y, id}))});
 await start(phone.page, '03_shadows');
 now = await state(phone.page);
-check('a phone\'s canvas has its screen\'s pixels', now.size.join() === '640,360', now.size);
+check('a phone\'s canvas has the resolution of its screen', now.size.join() === '640,360', now.size);
 await phone.page.evaluate(() => window.program.call('live_pause', 1));
 await rest(phone.page);
 const turned = (await state(phone.page)).camera;
@@ -143,20 +143,20 @@ await touch('touchStart', [100, 90]);
 for (let x = 105; x <= 150; x += 5) await touch('touchMove', [x, 90]);
 await touch('touchEnd');
 now = await until(phone.page, (s) => s.camera[3] !== turned[3]);
-check('a finger that is drawn over the picture turns the eye', now.camera[3] !== turned[3] && now.pixel[0] < 0, turned, now.camera, now.pixel);
+check('a finger that is dragged over the picture turns the eye', now.camera[3] !== turned[3] && now.pixel[0] < 0, turned, now.camera, now.pixel);
 await rest(phone.page);
 const spread = await state(phone.page);
 await touch('touchStart', [150, 90], [170, 90]);
 for (let x = 0; x <= 60; x += 6) await touch('touchMove', [150 - x, 90], [170 + x, 90]);
 now = await until(phone.page, (s) => parameter(s, 'focalLength')[0] !== parameter(spread, 'focalLength')[0]);
-check('two that part come nearer', parameter(now, 'focalLength')[0] > parameter(spread, 'focalLength')[0]);
+check('two fingers that move apart zoom in', parameter(now, 'focalLength')[0] > parameter(spread, 'focalLength')[0]);
 for (let x = 60; x >= 0; x -= 6) await touch('touchMove', [150 - x, 90], [170 + x, 90]);
 await touch('touchEnd');
 await rest(phone.page);
 const nearer = parameter(now, 'focalLength')[0];
 now = await state(phone.page);
-check('two that meet go back', parameter(now, 'focalLength')[0] < nearer, nearer, parameter(now, 'focalLength'));
-check('and choose no ray', now.pixel[0] < 0, now.pixel);
+check('two fingers that move together zoom out', parameter(now, 'focalLength')[0] < nearer, nearer, parameter(now, 'focalLength'));
+check('and select no ray', now.pixel[0] < 0, now.pixel);
 check('and the eye does not turn', now.camera.every((x, i) => x === spread.camera[i]), spread.camera, now.camera);
 await touch('touchStart', [160, 110]);
 await touch('touchEnd');
@@ -182,7 +182,7 @@ const listed = (await shown()).mean;
 await page.evaluate(() => window.program.call('live_key', 72, 1, 0));
 await rest(page);
 const again = (await shown()).mean;
-check('an overlay that is drawn again leaves the picture', Math.abs(again - whole) < 1 && again > 20 && listed > 0.2 * whole, whole, listed, again);
+check('an overlay that is drawn again leaves the picture unchanged', Math.abs(again - whole) < 1 && again > 20 && listed > 0.2 * whole, whole, listed, again);
 
 // The cost of a picture is known only after one of its pixels is read: WebGL's finish does not wait. A selected ray
 // reads other pixels, so it is deselected.
@@ -193,7 +193,7 @@ await page.evaluate(() => window.program.call('live_pause', 0));
 await page.waitForFunction((at) => window.calls.drawArrays > at + 12, drawnAt.drawArrays);
 const drawn = await calls();
 for (const name in drawn) drawn[name] -= drawnAt[name];
-check('each picture is waited for by reading a pixel', drawn.readPixels >= 0.3 * drawn.drawArrays, drawn);
+check('the program waits for each picture by reading a pixel', drawn.readPixels >= 0.3 * drawn.drawArrays, drawn);
 
 // ---- An invisible page ----
 
@@ -205,17 +205,17 @@ const hide = (hidden) => page.evaluate((hidden) => {
 const [hiddenAt, hiddenTime] = await hide(true), drawnThen = await calls();
 await frames(page, 45);
 check('a hidden page draws nothing', (await calls()).drawArrays === drawnThen.drawArrays, drawnThen, await calls());
-check('and its time does not go on', (await state(page)).time === hiddenTime);
+check('and its time does not advance', (await state(page)).time === hiddenTime);
 const [shownAt] = await hide(false);
 now = await until(page, (s) => s.time > hiddenTime);
 const shownFor = (await page.evaluate(() => performance.now() / 1000)) - shownAt;
-// Up to a turn had passed since the last one when the page was hidden.
-check('what it was hidden for is not made up', now.time - hiddenTime < shownFor + 0.5 * (shownAt - hiddenAt), hiddenTime, now.time, hiddenAt, shownAt, shownFor);
+// When the page was hidden, up to one turn had passed since the last turn.
+check('the time for which it was hidden is not made up', now.time - hiddenTime < shownFor + 0.5 * (shownAt - hiddenAt), hiddenTime, now.time, hiddenAt, shownAt, shownFor);
 await page.evaluate(() => window.scrollTo(0, 2000));
 await page.waitForFunction(() => !window.program.visible).catch(() => {});
 const away = await calls();
 await frames(page, 25);
-check('one that is scrolled away draws nothing either', (await calls()).drawArrays === away.drawArrays);
+check('a picture that is scrolled out of view draws nothing either', (await calls()).drawArrays === away.drawArrays);
 await page.evaluate(() => window.scrollTo(0, 0));
 await page.waitForFunction(() => window.program.visible);
 
@@ -244,8 +244,8 @@ const kept = await state(page), keptMean = (await shown()).mean;
 await take();
 check('a lost context is reported', await page.evaluate(() => window.program.lost));
 now = await giveBack();
-check('it is made again with its values, its eye and its time', now.runs && parameter(now, 'lampHeight')[0] === 2 && now.time === kept.time && now.camera.every((x, i) => x === kept.camera[i]), now.error);
-check('and its picture', Math.abs((await shown()).mean - keptMean) < 1, keptMean, await shown());
+check('the picture is restored with its values, its eye and its time', now.runs && parameter(now, 'lampHeight')[0] === 2 && now.time === kept.time && now.camera.every((x, i) => x === kept.camera[i]), now.error);
+check('and looks the same', Math.abs((await shown()).mean - keptMean) < 1, keptMean, await shown());
 
 // Two pictures, the divider dragged to the left.
 await start(page, '00_first_scene', '--time 1 --shader chapters/experiments/00_factor.frag --compare --set factor=1.5');
@@ -261,7 +261,7 @@ await rest(page);
 const both = await state(page), bothMean = (await shown()).mean;
 await take();
 now = await giveBack();
-check('so are both of two pictures', JSON.stringify(now.parameters) === JSON.stringify(both.parameters) && parameter(now, 'factor (right)')[0] === 0.3, now.parameters, now.error);
+check('so are both pictures of a comparison', JSON.stringify(now.parameters) === JSON.stringify(both.parameters) && parameter(now, 'factor (right)')[0] === 0.3, now.parameters, now.error);
 check('with their divider', Math.abs((await shown()).mean - bothMean) < 0.1, bothMean, await shown());
 
 // ---- Other people's files ----
@@ -274,9 +274,9 @@ const drawText = (name, shader) => page.evaluate(async ([name, shader]) => {
 }, [name, shader]);
 for (const [name, shader] of Object.entries({
     'a file with a low precision is drawn': '#version 300 es\nprecision mediump float;\nin vec2 FragCoord;\nin float Time;\nuniform float iTime;\nuniform vec3 iResolution;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, Time + iTime + iResolution.x, 1.0); }\n',
-    'a file of the desktop is drawn': '#version 330 core\nin vec2 FragCoord;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, 0.0, 1.0); }\n',
+    'a file for desktop OpenGL is drawn': '#version 330 core\nin vec2 FragCoord;\nout vec4 colour;\nvoid main() { colour = vec4(FragCoord, 0.0, 1.0); }\n',
     'a Shadertoy text is drawn': 'precision lowp float;\nvoid mainImage(out vec4 c, in vec2 p) { float t; c = vec4(p / iResolution.xy, t, 1.0); }\n',
-    'one that asks for GL_ES is drawn': 'void mainImage(out vec4 c, in vec2 p) {\n#ifdef GL_ES\nc = vec4(0, 1, 0, 1);\n#else\nc = nothing;\n#endif\n}\n',
+    'one that tests GL_ES is drawn': 'void mainImage(out vec4 c, in vec2 p) {\n#ifdef GL_ES\nc = vec4(0, 1, 0, 1);\n#else\nc = nothing;\n#endif\n}\n',
 })) {
     const got = await drawText(`x ${name}.frag`, shader);
     check(name, got.status === 0 && got.drawn === 1, got.lines);
@@ -309,12 +309,12 @@ const none = await openPage(browser, server.at, {before: () => {
 check('without WebGL 2 there is no window: status 3', await start(none.page, '03_shadows') === 3);
 check('and one line says why', (await none.page.evaluate(() => window.lines.join('\n'))).includes('this browser has no WebGL 2'));
 
-// ---- A driver that compiles on threads of its own ----
+// ---- A driver that compiles on separate threads ----
 
 const apart = await openPage(browser, server.at, {before: threads});
 await apart.page.evaluate(() => { window.started = window.program.start('03_shadows'); });
 await frames(apart.page, 60);
-check('a start waits for a driver that still compiles', !(await state(apart.page)).runs);
+check('a start waits for a driver that is still compiling', !(await state(apart.page)).runs);
 await apart.page.evaluate(() => { window.compiled = true; });
 check('and then runs', await apart.page.evaluate(() => window.started) === 0 && (await until(apart.page, (s) => s.rate > 0)).runs);
 const rewrite = (more) => apart.page.evaluate((more) => {
@@ -325,7 +325,7 @@ await rewrite('//');
 await until(apart.page, (s) => s.compiles);
 const drawings = await apart.page.evaluate(() => window.calls.drawArrays), at = (await state(apart.page)).time;
 now = await until(apart.page, (s) => s.time > at + 0.2);
-check('while a changed text compiles, the picture moves on', now.compiles && now.error === '' && await apart.page.evaluate(() => window.calls.drawArrays) > drawings);
+check('while a changed text compiles, the picture keeps moving', now.compiles && now.error === '' && await apart.page.evaluate(() => window.calls.drawArrays) > drawings);
 await rewrite('wrong');
 await frames(apart.page, 60);
 check('a further change is compiled instead', (await state(apart.page)).compiles);

@@ -11,8 +11,8 @@ const own = () => Number(/frame, median +([0-9.]+)/.exec(execFileSync('build/03_
 
 // ---- A frame ----
 
-// The work of a benchmark besides its frames is in both of two, and cancels in their difference. The processor's speed
-// changes while other programs run, so the three shares of time are interleaved.
+// The work of a benchmark besides its frames is the same in both runs, and cancels in their difference. The
+// processor's speed changes while other programs run, so the three shares of time are interleaved.
 const FEW = 5, MANY = 85;
 await bench(FEW);
 let here = 0, there = 0;
@@ -25,7 +25,7 @@ for (let round = 0; round < 3; round++) {
     there += own() / 3000;
 }
 const ratio = here / there;
-console.log(`# a frame of 03_shadows, 640x360: ${(1000 * here).toFixed(1)} ms of processors in the browser, ${(1000 * there).toFixed(1)} in the program: ${ratio.toFixed(2)} times`);
+console.log(`# a frame of 03_shadows, 640x360: ${(1000 * here).toFixed(1)} ms of processor time in the browser, ${(1000 * there).toFixed(1)} in the program: ${ratio.toFixed(2)} times`);
 check('a frame takes at most 1.5 times what it takes in the program', ratio <= 1.5, ratio);
 
 // ---- The first picture ----

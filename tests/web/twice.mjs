@@ -16,7 +16,7 @@ const names = (folder) => fs.readdirSync(folder, {recursive: true}).filter((name
 const [one, two] = archives, all = names(one.site);
 check('both have the same files', all.length > 500 && names(two.site).join() === all.join(), all.length);
 const different = all.filter((name) => !fs.existsSync(`${two.site}/${name}`) || !fs.readFileSync(`${one.site}/${name}`).equals(fs.readFileSync(`${two.site}/${name}`)));
-check('with the same bytes', different.length === 0, different.slice(0, 8));
-check('and so has the archive', fs.readFileSync(one.zip).equals(fs.readFileSync(two.zip)));
+check('which have the same bytes', different.length === 0, different.slice(0, 8));
+check('and so does the archive', fs.readFileSync(one.zip).equals(fs.readFileSync(two.zip)));
 fs.rmSync(FOLDER, {recursive: true});
 finish();

@@ -26,7 +26,7 @@ static GLint always_there(GLuint program, const GLchar *name)
 
 static struct gl gl = {.GetUniformLocation = always_there};
 static struct renderer renderer = {.gl = &gl};
-static int shown; // how often the window asked to be shown at once
+static int shown; // how often an immediate redraw was requested
 static const struct window_start start = {.camera = {.position = {1, 2, 3}, .pan = 10, .tilt = 20}};
 
 static void show(void *to)
@@ -294,7 +294,7 @@ TEST_WITH(a_field_takes_a_number_alone, set_up, NULL)
     tested.grab.what = GRAB_VALUE;
     tested.grab.part = -1;
     window_field_open(&tested);
-    for (const char *c = "\xe9&_(wE"; *c != '\0'; c++) { // keys that do something else do nothing
+    for (const char *c = "\xe9&_(wE"; *c != '\0'; c++) { // keys with other functions do nothing
         user_press(GLFW_KEY_H, 0);
         user.calls.letter(NULL, (unsigned char)*c);
         window_act(&tested);

@@ -99,7 +99,7 @@ SESSION_TEST(keys_change_parameters)
 SESSION_TEST(a_screenshot_is_the_picture)
 {
     session_open(CHAPTER, SESSION_STILL);
-    for (int i = 0; i < 2; i++) // a name that is taken is left
+    for (int i = 0; i < 2; i++) // an existing file is kept
         session_assert_screenshot(CHAPTER, SESSION_STILL);
     session_close();
     struct image shot, shown;
@@ -172,10 +172,10 @@ SESSION_TEST(time_runs_and_is_held)
     session_keep(0);
     session_wait(0.5);
     assert_true(session_off(0, NULL) <= 0.0);
-    session_key(GLFW_KEY_4); // the steps, which a whole file has not
+    session_key(GLFW_KEY_4); // the steps, which a whole file does not have
     session_assert_title(" - picture");
     assert_non_null(strstr(session_said(2), "steps"));
-    assert_true(session_off(0, NULL) > 0.01); // said in the overlay too,
+    assert_true(session_off(0, NULL) > 0.01); // the overlay says so too,
     session_key(GLFW_KEY_1);
     assert_true(session_off(0, NULL) <= 0.0); // until the next view
     session_key(GLFW_KEY_R);

@@ -152,7 +152,7 @@ SESSION_TEST(n_skips_the_steps_of_a_ray)
     key(GLFW_KEY_N, 0);
     assert_scene(stems[1], STILL);
     key(GLFW_KEY_N, 0);
-    user.calls.key(NULL, GLFW_KEY_N, 0, GLFW_REPEAT, 0); // nothing is behind it
+    user.calls.key(NULL, GLFW_KEY_N, 0, GLFW_REPEAT, 0); // nothing comes after it
     turns(2);
     assert_scene(stems[1], STILL " --view normals");
     key(GLFW_KEY_N, GLFW_MOD_SHIFT);

@@ -58,7 +58,7 @@ SESSION_TEST(what_is_heavy_is_coarse_and_sharpens_from_the_top)
         assert_false(sharp(above));
     }
     turn_to_half();
-    disturb(); // begins anew
+    disturb(); // begins again
     assert_true(!sharp(above));
     turn_to_half();
     begun = user.now;

@@ -140,13 +140,13 @@ SESSION_TEST(a_component_is_typed_or_pasted)
     double_click(60, 110); // green, below red
     type("0.5.5", GLFW_KEY_ENTER);
     session_assert_title("tint = 0.5,0.5,0.5");
-    assert_string_equal(session_said(2), ""); // not that tint takes three numbers
+    assert_string_equal(session_said(2), ""); // not the message that tint takes three numbers
     user.clipboard = " 0.25\r\n";
     for (int i = 0; i < 5; i++)
         session_key(GLFW_KEY_BACKSPACE);
     user_key(GLFW_KEY_V, GLFW_MOD_CONTROL);
     session_turn();
-    session_assert_title("tint = 0.5,0.5,0.5"); // the line's end is no Enter
+    session_assert_title("tint = 0.5,0.5,0.5"); // the line's end does not act as Enter
     session_key(GLFW_KEY_ENTER);
     session_turn();
     session_assert_title("tint = 0.5,0.25,0.5");
@@ -284,7 +284,7 @@ SESSION_TEST(the_panel_moves_folds_and_helps)
     session_key(GLFW_KEY_O);
     assert_panel(20, 100, false);
     assert_panel(400, 100, true);
-    session_click(360, 62); // where it is touched as before
+    session_click(360, 62); // the panel still responds there
     session_assert_title("fine = ");
     session_key(GLFW_KEY_T);
     point(100, 200);

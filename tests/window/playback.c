@@ -104,7 +104,7 @@ SESSION_TEST(a_click_in_the_table_goes_to_its_step)
     session_click(400, 159);
     assert_non_null(strstr(session_said(1), "ray of pixel 400,200"));
     for (int step = 0; step < 3; step += 2) {
-        session_click(600, 50 + 12 * step); // the table is at the right
+        session_click(600, 50 + 12 * step); // the table is on the right
         assert_string_equal(session_said(1), "");
         session_key(GLFW_KEY_H);
         session_key(GLFW_KEY_5);

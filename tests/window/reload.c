@@ -150,7 +150,7 @@ SESSION_TEST(a_saved_texture_is_loaded)
     assert_refused("stone.png", 64, 191);
     save_texture("stone.png", 191);
     assert_int_equal(reloads("mine.frag"), 1);
-    save_texture("second.png", 64); // the one that was put in
+    save_texture("second.png", 64); // the one given with --texture
     assert_int_equal(reloads("mine.frag"), 1);
     assert_colour(191, 64);
     session_close();

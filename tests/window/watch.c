@@ -1,4 +1,4 @@
-// watch.c - a change of a file is reported once, when the writing is over, and only for watched
+// watch.c - a change of a file is reported once, after it is complete, and only for watched
 // files.
 #include "lib/test.h"
 #include "window/watch.h"
@@ -82,7 +82,7 @@ TEST_WITH(a_file_that_is_missing_is_waited_for, set_up, tear_down)
     int until_missed = looks();
     assert_true(until_missed >= 4 && until_missed < MANY);
     assert_int_equal(looks(), MANY);
-    write_file(1, "the mend of a shader that includes a missing file");
+    write_file(1, "a shader that no longer includes a missing file");
     assert_int_equal(looks(), 2);
 }
 

@@ -48,7 +48,7 @@ forgets() {
 }
 check 'lost focus releases the keys that are held' forgets
 returns() { key shift+r && shoot_as again && same first again; }
-check 'Shift+R brings the camera back' returns
+check 'Shift+R resets the camera' returns
 
 # ---- Size ----
 
@@ -61,7 +61,7 @@ full_screen() {
     before=$(rectangle)
     key F11 && eventually size_is 1280x1024 && key F11 && eventually rectangle_is "$before"
 }
-check 'F11 fills the screen, and again gives position and size back' full_screen
+check 'F11 fills the screen, and F11 again restores position and size' full_screen
 goes() { # X Y: there by the window manager
     local before
     before=$(rectangle)
@@ -78,7 +78,7 @@ reloaded() {
     save "${good/const vec3 SKY = vec3(/const vec3 SKY = 0.5 * vec3(}" && eventually says out ': reloaded' &&
         render wanted -s 300x300 -f "$mine" && eventually shown wanted
 }
-check 'a saved shader is loaded again' reloaded
+check 'a saved shader is reloaded' reloaded
 check 'nothing was reported' [ ! -s "$scratch/run/err" ]
 asked() { wmctrl -i -c "$window" && ends_well; }
 check 'a close request closes the window with status 0' asked
@@ -94,7 +94,7 @@ else
     frenchwalk() { walk z && xdotool keydown w sleep 0.15 keyup w && shoot_as a && same there a; }
     check 'AZERTY: Z, in the place of W, moves; W, in the place of Z, does not' frenchwalk
     digit() { xdotool key eacute && shows ' - normals - ' && key Down && shows 'normalStep'; }
-    check 'AZERTY: the key of 2 shows the normals' digit
+    check 'AZERTY: the 2 key shows the normals' digit
     setxkbmap us
     check 'Backspace closes the window with status 0' backspace
 fi
@@ -115,7 +115,7 @@ check 'Backspace ends it' backspace
 # Where coordinates are pixels, as on Windows and X11, the window itself is larger.
 xprop -root -format RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
 start $chapter -s 160x100 -c 1.65,1.6,3.4,-26,-23.5 && key h
-check 'a window on a display of 192 dots an inch is twice as wide and high' eventually shown expected
+check 'a window on a display of 192 dots per inch is twice as wide and high' eventually shown expected
 check 'Backspace closes it' backspace
 xprop -root -remove RESOURCE_MANAGER
 
@@ -128,7 +128,7 @@ hidden_window() {
     "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -o "$scratch/egl.png" &&
         "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -b glfw -o "$scratch/glfw.png" && same egl glfw
 }
-check 'a hidden window reads the same textures as none, to the bit' hidden_window
+check 'a hidden window and no window read the same textures, to the bit' hidden_window
 
 close_window
 plan

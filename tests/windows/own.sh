@@ -5,7 +5,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 open_scratch
-export LC_ALL=C.UTF-8 # bash hands names on as they are
+export LC_ALL=C.UTF-8 # bash passes names on unchanged
 : "${loader:?run.sh sets it}"
 
 small=(-s 64x36)
@@ -38,12 +38,12 @@ for number in 1 2 3 4 5 6; do deep="$deep/un dossier profond au nom assez long, 
 mkdir -p "$deep"
 cp chapters/03_shadows.frag "$deep/profond.frag"
 far_down() { [ "${#deep}" -gt 260 ] && picture -f "$deep/profond.frag" -o "$deep/profond.png" && alike "$deep/profond.png"; }
-check 'files whose path is longer than 260 letters' far_down
+check 'files whose path is longer than 260 characters' far_down
 backslashes() {
-    # shellcheck disable=SC1003 # as Windows' shell would hand it on
+    # shellcheck disable=SC1003 # as Windows' shell would pass it on
     (cd "$strange" && "$root/$BUILD/03_shadows" "${small[@]}" --root 'Z:'"${root//\//\\}" -o '.\c.png') && alike "$strange/c.png"
 }
-check "paths in Windows' own way" backslashes
+check "paths in Windows' notation" backslashes
 
 # The programs as they are distributed, with the line ends of a checkout that git or an editor has changed.
 mkdir "$strange/course"
@@ -56,7 +56,7 @@ elsewhere() { "$loader" "$strange/course/03_shadows.exe" "${small[@]}" -o "$stra
 check "a course in such a folder, with Windows' line ends" elsewhere
 
 printf '#include "Main.glsl"\n' >"$scratch/letters.frag"
-check 'an include whose letters differ' refused 'letters.frag:1: #include "Main.glsl": the disk has it as main.glsl' \
+check 'an include whose capitals differ' refused 'letters.frag:1: #include "Main.glsl": the disk has it as main.glsl' \
     picture -f "$scratch/letters.frag" -o "$scratch/letters.png"
 
 # ---- A file that another program holds open ----

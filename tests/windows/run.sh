@@ -1,13 +1,13 @@
 #!/bin/bash
 # run.sh [PART...|NAME...] - `make test-windows`: the programs and the tests that were built for Windows, run by Wine in a
 # virtual display, over the software renderer. Parts: units, pictures, suites and windows; own and zip, and all others, are
-# suites by name. Where none is named, the chapters' own pictures, the failures and what only Windows has; with ALL=1
-# everything. The suites are those of `make test`: they find programs in build/wine/ that hand their words on to those
-# for Windows, and a driver for each of them, GLFW's. tests/run runs them and adds up, without what Wine's server and Xvfb
-# take; a test that is skipped must be listed in tests/lib/skipped.txt.
+# suites by name. By default: the chapters' own pictures, the failures and what only Windows has; with ALL=1, all of
+# them. The suites are those of `make test`. They find scripts in build/wine/ that pass their arguments on to the
+# programs for Windows, whose only backend is GLFW. tests/run runs them and adds up their time, without that of Wine's
+# server and Xvfb; a test that is skipped must be listed in tests/lib/skipped.txt.
 set -u
-# Wine needs a certain range of memory. If the kernel randomises addresses, one start in some thousand finds its heap
-# there and ends. Here addresses are not randomised, if that is allowed.
+# Wine needs a certain range of memory. If the kernel randomises addresses, one start in several thousand finds its heap
+# there and fails. Here addresses are not randomised, if that is allowed.
 if [ -z "${SCATTERED-}" ] && setarch -R true 2>/dev/null; then
     SCATTERED=no exec setarch -R "$0" "$@"
 fi
@@ -30,11 +30,11 @@ end_wine() { wineserver -k 2>/dev/null; wineserver -w; }
 
 # ---- One suite: what tests/run calls ----
 
-# Wine's desktop belongs to one display, so a suite that opens another display must find no Wine at work. It has its
+# Wine's desktop belongs to one display, so a suite that opens another display cannot share a running Wine. It has its
 # own.
 own_wine() { # NAME
     local copy=$WINEPREFIX-$1
-    rm -rf "$copy" && cp -RPl "$WINEPREFIX" "$copy" && export WINEPREFIX=$copy # a drive there is a link to all of the disk
+    rm -rf "$copy" && cp -RPl "$WINEPREFIX" "$copy" && export WINEPREFIX=$copy # a drive there is a link to the whole disk
 }
 
 if [ "${1-}" = --suite ]; then
@@ -100,9 +100,9 @@ REGEDIT4
 END_OF_REGISTRY
 "$loader" regedit build/wine/overrides.reg >/dev/null 2>&1
 end_wine
-wineserver -p 2>/dev/null # it stays between two programs
+wineserver -p 2>/dev/null # it keeps running between two programs
 
-# The suites of a part, the longest first; a program's start under Wine is more waiting than work.
+# The suites of a part, the longest first; starting a program under Wine is mostly waiting.
 units() { for file in build/windows/tests/*/*.exe; do basename "$file" .exe; done; }
 named() { # PART|NAME
     case $1 in

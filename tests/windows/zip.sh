@@ -6,7 +6,7 @@ set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 . tests/lib/window.sh
-export LC_ALL=C.UTF-8 # bash hands names on as they are
+export LC_ALL=C.UTF-8 # bash passes names on unchanged
 : "${loader:?run.sh sets it}" "${at_once:?}"
 
 zip=build/ray-marching-windows.zip
@@ -38,11 +38,11 @@ asks() {
     local file
     for file in "$course"/*.exe "$course"/*.dll; do
         x86_64-w64-mingw32-objdump -p "$file" | sed -n 's/.*DLL Name: //p' >"$scratch/asked"
-        grep -q . "$scratch/asked" || { echo "# $file: asks for nothing"; return 1; }
-        ! grep -vE "$known" "$scratch/asked" | sed "s|^|# ${file##*/} asks for |" | grep . || return 1
+        grep -q . "$scratch/asked" || { echo "# $file: needs no library"; return 1; }
+        ! grep -vE "$known" "$scratch/asked" | sed "s|^|# ${file##*/} needs |" | grep . || return 1
     done
 }
-check "a program asks for libraries of Windows' own and for ours" asks
+check "the programs need only Windows' libraries and ours" asks
 licensed() {
     local name words file missing=0
     while IFS='|' read -r name words; do
@@ -51,7 +51,7 @@ licensed() {
     done
     return $missing
 }
-check 'the licence of all that it holds is there' licensed <<'END_OF_LICENCES'
+check 'the licences of all its contents are there' licensed <<'END_OF_LICENCES'
 LICENSE.txt|Copyright
 licences/cglm.txt|Recep Aslantas
 licences/dejavu.txt|Bitstream
@@ -73,11 +73,11 @@ whole() {
         cmp "$file" "$course/$file" || return 1
     done
 }
-check 'what the programs read is there' whole
+check 'the files that the programs read are there' whole
 
 # ---- Programs ----
 
-draws() { # each chapter's picture, small, is what it is on this machine
+draws() { # each chapter's picture, at a small size, equals this machine's
     local file stem
     for file in "$course"/[0-9]*.exe; do
         stem=$(basename "$file" .exe)
@@ -91,7 +91,7 @@ draws() { # each chapter's picture, small, is what it is on this machine
 }
 check 'every chapter draws its picture' draws
 # As README.txt says, from the folder itself.
-# shellcheck disable=SC1003 # as Windows' shell would hand it on
+# shellcheck disable=SC1003 # as Windows' shell would pass it on
 in_terminal() { (cd "$course" && wine cmd /c '.\03_shadows.exe --size 64x36 --output build/a.png' && wine cmd /c '.\compare.exe --words build/a.png build\a.png') >"$scratch/said" 2>&1 </dev/null &&
     grep -q 'no pixel differs' "$scratch/said"; }
 check "a page's command and its comparison in a terminal" in_terminal || sed 's/^/# /' "$scratch/said"
@@ -127,19 +127,19 @@ check 'check.bat: a wrong answer, and two rays' as_here 1 "the solution's: .*hit
 # The picture is right, but its first march goes elsewhere.
 printf '#include "main.glsl"\n#include "march.glsl"\n#define rayColour painted\n#include "solutions/03_shadows_2.frag"\n#undef rayColour\n%s\n' \
     'vec3 rayColour(Ray ray) { march(Ray(ray.origin, -ray.direction), 0.0, 1.0, 0.001, 64); return painted(ray); }' >"$mine"
-check 'check.bat: rays that are wrong' as_here 1 'its rays are not: pixel '
+check 'check.bat: wrong rays' as_here 1 'its rays are not: pixel '
 sed 's/p + offset \* toLight/p + offset * toLigth/' chapters/solutions/03_shadows_2.frag >"$mine"
 check 'check.bat: an answer that does not compile' checks 1 'réponse.frag:[0-9]*: error.*toLigth' 03_2 "$(windows_path "$mine")"
 check 'check.bat: an unknown exercise' checks 2 '03_9: there is no such exercise' 03_9 "$(windows_path "$mine")"
 check 'check.bat: a missing file' checks 2 'there is no such file' 03_2 nowhere.frag
-without_file() { checks 2 'check.bat EXERCISE FILE' 03_2 && ! grep -q 'any key' "$scratch/said"; } # which nobody dropped
+without_file() { checks 2 'check.bat EXERCISE FILE' 03_2 && ! grep -q 'any key' "$scratch/said"; } # it does not wait for a key, because no file was dropped
 check 'check.bat: an exercise and no file' without_file
 
 # ---- A reader's own shader ----
 
 searched() { window=$(wmctrl -l | grep -E -e "$1" | cut -d ' ' -f 1) && [ -n "$window" ]; }
 play() { # NAME [FILE]: opens a window of that name whose picture is there
-    title="$1 - ([0-9]+ fps - )?picture" # a rate where it is measured
+    title="$1 - ([0-9]+ fps - )?picture" # the rate is shown if it is measured
     shift
     rm -f "$scratch/said"
     (cd "$folder" && exec env LD_PRELOAD="$at_once" "$loader" cmd /c call "$(windows_path "$course/play.bat")" "$@" </dev/null >"$scratch/said" 2>&1) &
@@ -162,7 +162,7 @@ closes() {
     ended
 }
 ends() { eventually closes && wait "$program"; }
-check 'play.bat: ends well' ends
+check 'play.bat: ends with status 0' ends
 cp chapters/first_steps/play.frag "$mine"
 check 'play.bat: a file of any name' play 'ma réponse.frag' "$(windows_path "$mine")"
 build/01_normal_colouring --shader chapters/first_steps/play.frag -s 960x540 -o "$scratch/right.png" >/dev/null
@@ -173,5 +173,5 @@ cp chapters/first_steps/play.frag "$mine"
 # Beside the panel: once it is sharp, it equals the picture that this machine draws.
 mended() { eventually has_words 'réponse.frag: reloaded' && eventually searched "$title" && eventually part_shown right 300x280+330+120; }
 check 'play.bat: the next one is shown' mended
-check 'play.bat: ends well again' ends
+check 'play.bat: ends with status 0 again' ends
 plan

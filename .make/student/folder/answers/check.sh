@@ -1,5 +1,6 @@
 #!/bin/sh
-# check.sh - check every file of this folder, whose name is that of its exercise, such as 03_2.frag or engine_1.c. Exit status: 0 if all are right, 1 if not.
+# check.sh - check every file in this folder that has the name of an exercise, such as 03_2.frag or engine_1.c. Exit
+# status: 0 if all are right, 1 if not.
 cd "$(dirname "$0")/.." || exit 2
 status=0
 for file in answers/[0-9][0-9]_*.frag answers/engine_*.c; do
