@@ -58,7 +58,7 @@ cd "$OLDPWD"
 mkdir "$course/tests/course/stored"
 for exercise in "$stored"/*_*; do cp -R "$exercise" "$course/tests/course/stored/"; done
 
-for page in README.md docs/README.md docs/[0-9]*.md docs/engine.md; do
+for page in README.md docs/README.md docs/platforms.md docs/[0-9]*.md docs/engine.md; do
     awk -f .make/student.awk "$page" | awk -v name="$page" -v list=.make/student/replaced.txt -f .make/student/replace.awk >"$course/$page"
 done
 
