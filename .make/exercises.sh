@@ -68,7 +68,7 @@ quoted() { # WORD
     if [[ "$1" =~ ^[A-Za-z0-9_./:,+@%=-]+$ ]]; then echo "$1"; else echo "'$text'"; fi
 }
 
-# Say how to see the wrong pictures of a list beside the right ones.
+# Print the command that shows the wrong pictures of a list beside the right ones.
 beside() { # LIST
     echo "To see each wrong picture beside the solution's, with N for the next one: make lecture LIST=$(quoted "$1")"
 }

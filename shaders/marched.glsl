@@ -14,7 +14,7 @@ uniform vec2 iMarched[MARCHED_STEPS]; // t and distance of step k, scene units
 uniform int  iMarchedSteps;           // number of steps
 uniform bool iMarchedHit;             // the last step of the march found the surface
 
-// The number of steps in the table. Shadertoy has no table: only there are the arguments used.
+// The number of steps in the table. The arguments are used only in Shadertoy, which has no table.
 //   ray, far, threshold, maxSteps  of the chapter's march of the selected ray
 int marchedSteps(Ray ray, float far, float threshold, int maxSteps)
 {

@@ -95,7 +95,7 @@ float skyReaching(vec3 place, vec3 normal, float offset, float far, int side, fl
 
 const int TAPS = 5;
 
-// How far above the surface tap k lies, k from 0 to TAPS - 1: each twice as high as the one before.
+// How far above the surface tap k lies, k from 0 to TAPS - 1. Each tap is twice as high as the one before.
 //   reach    of the last, > 0, scene units
 //   formula  reach / 2^(TAPS - 1 - k)
 float tapHeight(int k, float reach)

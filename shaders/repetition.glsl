@@ -99,10 +99,10 @@ float cellOthers(float x, float period, float reach)
 }
 
 // A number in [0, 1) that looks random, the same for the same cell on every machine: it comes from an integer
-// hash, without a sine. Its 24 bits are independent, so fract(64 cellRandom), without the first 6, is a second number.
-//   cell  integers; exchanging the last two has no effect, so a plane passes the first and one of the others
+// hash, without a sine. Its 24 bits are independent, so fract(64 cellRandom), which drops the first 6, is a second number.
+//   cell  integers; exchanging the last two has no effect, so in a plane vary the first and one of the others
 // Source: after pcg3d of M. Jarzynski, M. Olano, 'Hash functions for GPU rendering', JCGT 9 (2020),
-// whose rounds change x, y and z one after another; here all three at once.
+// whose rounds change x, y and z one after another; here all three change at once.
 float cellRandom(ivec3 cell)
 {
     uvec3 v = uvec3(cell) * 1664525u + 1013904223u;

@@ -233,11 +233,11 @@ vec3 tableAmbient(vec3 sun)
     return exp2(skyBrightness(sun.y)) * colour;
 }
 
-// The number of stops by which to expose at an hour, for exposed() of film.glsl. An eye and a camera follow the light,
+// The exposure for a time of day, in stops, for exposed() of film.glsl. An eye and a camera follow the light,
 // but not all the way: light that is fainter by 1 stop is shown darker by 0.15.
 //   sinSunHeight  any sine
 //   returns       -1.7 at noon, 1.1 at sunset, 8.1 with the sun at -6 degrees, 18.4 at night
-//   formula       -2 - 0.85 log2(2^skyBrightness + 6e-8), the last the light of a night without a moon
+//   formula       -2 - 0.85 log2(2^skyBrightness + 6e-8); the last term is the light of a moonless night
 float hourStops(float sinSunHeight)
 {
     return -2.0 - 0.85 * log2(exp2(skyBrightness(max(sinSunHeight, -0.4))) + 6e-8);

@@ -34,8 +34,8 @@ float sdTetrahedronPlanes(vec3 p, float size)
 // The same tetrahedron. Exact everywhere.
 //   p, size  as for sdTetrahedronPlanes
 // Three folds bring p in front of the face x + y + z = -size. The nearest of that face's edges is the one
-// on which the smallest coordinate is -size. Beyond that edge, the distance is that to the edge; else it is
-// that to the face's plane. In the edge's own frame, p minus the edge's middle has the components middle (twice),
+// on which the smallest coordinate is -size. Beyond that edge, the distance to the edge is returned; otherwise, the
+// distance to the face's plane. In the edge's own frame, p minus the edge's middle has the components middle (twice),
 // perpendicular to the axis of the two other coordinates; low + size; and past, along the edge beyond its end.
 float sdTetrahedron(vec3 p, float size)
 {

@@ -59,8 +59,8 @@ float boxFall(vec3 p, vec3 v, vec3 halfSize)
     return -dot(sign(p) * normal, v);
 }
 
-// The torus is not convex. With q the distance from its axis and D that from its circle, the distance bends
-// downwards by at most (R - q) / (q D) where q < R, and not at all elsewhere.
+// The torus is not convex. With q the distance to its axis and D the distance to its circle, the distance function
+// bends downwards by at most (R - q) / (q D) where q < R, and not at all elsewhere.
 float torusFall(vec3 p, vec3 v, float reach)
 {
     float q = length(p.xz), D = length(vec2(q - TORUS.x, p.y));

@@ -1,6 +1,6 @@
 // Towers that differ, from above: drag the ray's start and its aim. In each cell only its own tower is evaluated.
-// Capped, a circle never reaches the tower of another cell; set capped to false, and the ray passes through towers. The
-// number of steps is at the top left.
+// If capped is true, a circle never reaches the tower of another cell; if it is false, the ray passes through towers.
+// The number of steps is at the top left.
 #include "figure.glsl"
 #include "repetition.glsl" // cellOf, cellRandom
 

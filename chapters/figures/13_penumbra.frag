@@ -13,7 +13,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// How far the lamp's centre is clear of the edge, in the lamp's radii, as seen from q.
+// By how many lamp radii the lamp's centre clears the edge, as seen from q.
 float clearFrom(vec2 q)
 {
     if (q.y >= edge.y || edge.y >= lamp.y)

@@ -21,7 +21,7 @@ vec3 rayColour(Ray ray)
     float radius = max(abs(rim.y - LENS.y), 0.004), plane = max(focus.x - LENS.x, 0.05);
     float far = max(spot.x - LENS.x, 0.05);
     vec2 point = vec2(LENS.x + far, spot.y), upper = LENS + vec2(0.0, radius), lower = LENS - vec2(0.0, radius);
-    // Where the lines from the lens to the point cross the plane in focus; they continue if the point is nearer.
+    // Where the lines from the lens to the point cross the plane in focus. If the point is nearer, they are extended.
     float share = plane / far, end = max(share, 1.0);
     vec2 high = mix(upper, point, share), low = mix(lower, point, share), middle = mix(LENS, point, share);
 

@@ -1,6 +1,6 @@
-// The columns of a table: drag the sun's height to the left and to the right, and change k. The height grows to
-// the right by its sine; upwards are the columns of the table, every twelfth one drawn. Both strips show the same
-// sky near the horizon, once by the sine and once by the column. At the top: the column, and its width in
+// The columns of a table: drag the sun's height to the left and to the right, and change k. The horizontal axis is the
+// sine of the height, and the vertical axis is the column of the table; every twelfth column is drawn. Both strips show
+// the same sky near the horizon, one by the sine and one by the column. At the top are the column and its width in
 // degrees.
 #include "figure.glsl"
 #include "lighting.glsl"

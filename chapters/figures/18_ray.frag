@@ -20,8 +20,8 @@ float sceneDistance(vec3 p)
     return sdCircle(p.xy - CENTRE, RADIUS);
 }
 
-// The depth of the air from a distance r from the centre upwards, in a direction with this sine: airMass for
-// air that thins out.
+// The optical depth of the air above a point at a distance r from the centre, in a direction with this sine: airMass
+// for air that thins out.
 vec3 depthUp(float r, float sine)
 {
     float e = 0.785 * r / THIN - 0.5, climb = e * sine;

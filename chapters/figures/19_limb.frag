@@ -16,7 +16,7 @@ float sceneDistance(vec3 p)
     return sdCircle(p.xy - MOON, RADIUS);
 }
 
-// The brightness of the ground at a point of the disc, in radii, with 1 at the centre of a full moon.
+// The brightness of the ground at point q of the disc, where q is in radii: 1 at the centre of a full moon.
 float groundLight(vec2 q, vec3 toSun, bool dust)
 {
     float m = sqrt(max(1.0 - dot(q, q), 0.0)), sunlit = max(dot(vec3(q, m), toSun), 0.0);

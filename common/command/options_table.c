@@ -298,7 +298,7 @@ const struct options_row options_rows[] = {
     {"", "probe", " X,Y", set_probe, OPTIONS_RUN,
      "print a pixel's march and colour, 0,0 bottom left; repeatable", ""},
     {"", "step", " K|walk", set_step, OPTIONS_RUN,
-     "show the march up to step K, from 0; walk: all of --frames", ""},
+     "show the march up to step K, from 0; walk: follow it over --frames", ""},
     {"", "from", " X,Y,Z,PAN,TILT", set_from, OPTIONS_RUN,
      "camera of the ray of --probe; --camera looks at that ray", "--camera"},
     {"", "overlay", "[=SCALE]", set_overlay, OPTIONS_RUN,

@@ -274,7 +274,7 @@ static void print_text(const struct benchmark *b, FILE *file)
         fprintf(file, "mean %.2f, 99 %% of the pixels at most %.0f, maximum %.0f\n", b->mean,
                 b->percentile, b->most);
     else
-        fprintf(file, "-, a file with a main of its own does not count them\n");
+        fprintf(file, "- (not counted in a file with its own main)\n");
     if (b->cover.rays > 0)
         fprintf(file,
                 "%-14s %.2f evaluations a ray, the least %.2f: march / bound %.2f, of one ray at "

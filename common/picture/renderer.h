@@ -160,7 +160,7 @@ bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inpu
 
 // Draw rows [from, from + rows) of the picture into the target sharp, which keeps its other rows
 // while the picture's size stays the same. The top rows come first; drawing them clears the target.
-// The rows are identical to those of renderer_draw, to the bit. Returns false, reported.
+// The rows are bit-for-bit identical to those of renderer_draw. Returns false, reported.
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
                       int rows);
 

@@ -98,9 +98,9 @@ static bool check_kind(const struct shader_source *source)
 }
 
 // Refuse a text of nothing but comments, and two kinds of texts that take some drivers minutes and
-// all the memory: an array with a literal number of elements, and macros or functions that double
-// again and again. Constants can hide an array: guard_begin limits the memory that a driver may
-// take.
+// all the memory: an array with a literal number of elements, and macros or functions whose
+// expansion doubles again and again. A constant can hide the size of an array, so guard_begin also
+// limits the memory that a driver may take.
 static bool check_sense(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;

@@ -78,7 +78,7 @@ static bool take_image(struct translation *t, struct declared *at)
                        : leave_out(t, at);
 }
 
-// Take an input whose value is the same for all pixels.
+// Translate the declaration of an input whose value is the same for all pixels.
 static bool take_value(struct translation *t, struct declared *at, const struct shader_input *in)
 {
     if (in->input->meaning == INPUT_ZERO && at->value != NULL)
@@ -88,7 +88,7 @@ static bool take_value(struct translation *t, struct declared *at, const struct 
     return t->exported && inputs_is_own(in) ? leave_out(t, at) : store(t, at, "uniform");
 }
 
-// Take an input that differs from pixel to pixel.
+// Translate the declaration of an input that differs from pixel to pixel.
 static bool take_position(struct translation *t, struct declared *at, const struct shader_input *in)
 {
     if (in->input != NULL && in->input->meaning == INPUT_POSITION)

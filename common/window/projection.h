@@ -4,7 +4,7 @@
 
 #include "window/state.h"
 
-// Change the focal length, or in the slice and plot views their zoom, by notches of the wheel.
+// Change the focal length or, in the slice and plot views, the zoom by a number of wheel notches.
 void window_zoom(struct window *window, double notches);
 
 // True if the shader has both projections: it has a parameter named orthographic, or it is a

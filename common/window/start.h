@@ -10,7 +10,7 @@
 struct window_start {
     const char *title;       // of the chapter, for the title bar
     const char *stem;        // screenshots are STEM-0001.png, ... in the current folder
-    struct loader *picture;  // compiled; reloaded when their files change. Not owned
+    struct loader *picture;  // compiled; each is reloaded when its files change. Not owned
     int pictures;            // 1, or 2 with a comparison
     struct camera camera;    // where the eye starts
     double time;             // seconds

@@ -156,7 +156,7 @@ box.querySelector('.live-start')?.addEventListener('click', async () => {
 });
 
 show();
-// The front page's button starts a ball.
+// The button on the front page opens this page with #new=ball, which starts a draft of a ball.
 if (location.hash.startsWith('#new=')) {
     document.getElementById(location.hash.slice(1))?.click();
     history.replaceState(null, '', location.pathname); // a reload does not start another draft

@@ -138,7 +138,7 @@ export class Program {
         return this.module.ccall(name, texts.includes(name) ? 'string' : 'number', values.map((value) => typeof value), values);
     }
 
-    // Execute a command line like the chapter's program. Returns the exit status.
+    // Execute a command line as the chapter's program would. Returns the exit status.
     //   still  pause the time of a window
     async start(stem, line = '', still = false) {
         const turn = this.starting = Symbol(stem);

@@ -37,13 +37,13 @@ struct air_amount air_amount_up(double radius, double sine);
 
 // The share of the light of a wavelength that passes these amounts: e^-depth, with a relative error
 // of at most 3e-10.
-//   ozone  of 300 Dobson units: 1
+//   ozone  amount of ozone; 1 is 300 Dobson units
 double air_share_through(int wave, struct air_amount amount, double ozone);
 
 // Add the sun's light at a point, as shares of the light above the air. The sun is a disc, and near
 // the edge of the Earth's shadow only a part of it is visible.
 //   radius  of the point, from the Earth's centre
-//   sine    of the height of the sun's middle
+//   sine    of the height of the sun's centre
 //   way     the amounts between the point and the eye
 void air_add_sunlight(double radius, double sine, struct air_amount way, double ozone,
                       double share[AIR_WAVES]);

@@ -117,7 +117,7 @@ static double beside_the_way(const struct tower *tower, double x, double z)
     return sqrt(north * north + east * east) / tower->clearing;
 }
 
-// The same for the ordinary columns, which keep away from towers.
+// As inside_tower, but for the ordinary columns, which keep away from towers.
 static double inside_column(const struct cumulus *field, double x, double z, double altitude)
 {
     double period = MAP_CELLS * field->cell, height = (altitude - field->base) / field->depth;

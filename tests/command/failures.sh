@@ -138,8 +138,8 @@ fill
 if [ "$BUILD" = build ]; then # a sanitizer takes more memory, and has its own messages
     echo 'void mainImage(out vec4 c, vec2 p) { c = vec4(0.5); }' >"$shaders/grey.frag"
     "$chapter" -f "$shaders/grey.frag" -s 4096x4096 -o "$scratch/large.png"
-    # The memory that a driver itself needs is unknown, so the limit is a little more than the least with which a small
-    # picture is drawn.
+    # The memory that a driver itself needs is unknown, so the limit is slightly above the smallest with which a small
+    # picture can be drawn.
     limit=1600000
     little() { (ulimit -v "$limit" && exec "$chapter" -f "$shaders/stone.frag" "$@"); }
     while little -s 16x16 -o "$scratch/small.png" >/dev/null 2>&1 && [ "$limit" -gt 200000 ]; do

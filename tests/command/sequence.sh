@@ -29,7 +29,7 @@ each() {
         "$program" "${small[@]}" -t "$time" -o "$scratch/one.png" && cmp -s "$scratch/one.png" "$out/f-00$number.png" || return 1
     done
 }
-check 'each is the picture of its time, to the bit' each
+check 'each is bit for bit the picture at its time' each
 differ() { ! cmp -s "$out/f-000.png" "$out/f-002.png"; }
 check 'the first and the last differ' differ
 
@@ -64,7 +64,7 @@ parts() { # three at once, as on three machines
     [ "$(cd "$out/parts" && echo *)" = '00.png 01.png 02.png 03.png 04.png 05.png 06.png' ] || return 1
     for part in "$out"/parts/*; do cmp -s "$part" "$out/${part##*/}" || return 1; done
 }
-check 'three parts of a film are the whole, to the bit' parts
+check 'three parts of a film are bit for bit the whole film' parts
 
 clear_out
 default_fps() {

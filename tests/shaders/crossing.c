@@ -113,8 +113,8 @@ TEST(another_start_ends_in_the_same_place)
     assert_true(apart[0] < 0.1 * apart[1]);
 }
 
-// The march never steps over a point that passes the ray nearer than 0.988 thresholds, and never
-// meets one farther away than 1. marchCone misses some of the first kind.
+// The march never steps over a point that is within 0.988 thresholds of the ray, and never hits one
+// that is farther away than 1 threshold. marchCone misses some of the former.
 TEST(thin_things_are_found)
 {
     int passed = 0;

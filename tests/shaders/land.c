@@ -332,9 +332,9 @@ TEST(no_land_is_steeper_or_higher_than_is_said)
         if (i % 4 < 3)
             most[i % 4] = fmax(most[i % 4], 2.0 * (double)values[i]);
     free(values);
-    print_message(
-        "# hills reach %.4f of their slope, the shore %.4f, the land %.4f of its height\n", most[0],
-        most[1], most[2]);
+    print_message("# slope of the hills: %.4f of its bound, of the shore: %.4f; height of the "
+                  "land: %.4f of its bound\n",
+                  most[0], most[1], most[2]);
     assert_true(most[0] <= 1.0 && most[1] <= 1.0 && most[2] <= 1.0);
     assert_true(most[0] > 0.99 && most[1] > 0.98 && most[2] > 0.9);
 }

@@ -95,7 +95,7 @@ TEST(test_distances_agree_with_double)
             worst = fmax(worst, error / rounding(&all_sizes[k], p));
         }
         free(values);
-        print_message("# function %d, %d points: worst error %.2f of what rounding may do\n",
+        print_message("# function %d, %d points: largest error %.2f of the bound for rounding\n",
                       all_sizes[k].function, 2 * ITEMS, worst);
         assert_true(worst <= 1.0);
     }

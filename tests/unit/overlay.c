@@ -138,7 +138,7 @@ TEST(any_text_can_be_drawn)
     assert_true(overlay_width(text) <= OVERLAY_TEXT * 10.0f);
 }
 
-// A frame after another looks like one that is drawn for the first time: with new, missing, moved
+// A frame drawn after another looks as if it were the first: with new, missing, moved
 // or recoloured parts, at one scale and the next.
 TEST(a_frame_after_another_is_the_same)
 {

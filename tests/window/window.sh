@@ -128,7 +128,7 @@ hidden_window() {
     "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -o "$scratch/egl.png" &&
         "$BUILD/$chapter" -s 160x90 -f "$scratch/both.frag" -b glfw -o "$scratch/glfw.png" && same egl glfw
 }
-check 'a hidden window and no window read the same textures, to the bit' hidden_window
+check 'a hidden window and no window read bit for bit the same textures' hidden_window
 
 close_window
 plan
