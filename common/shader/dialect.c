@@ -226,8 +226,8 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
 
 // The first SHADER_VIEW_COUNT can be chosen.
 static const char *const view_names[SHADER_PROGRAM_COUNT] = {
-    "picture", "normals", "depth", "steps",       "slice",
-    "plot",    "probe",   "count", "coarse pass", "places"};
+    "picture", "normals", "depth",       "steps",  "slice",      "plot",
+    "probe",   "count",   "coarse pass", "places", "camera stop"};
 
 bool shader_shows_ray(enum shader_view view)
 {

@@ -200,12 +200,15 @@ bool window_panel_wheel(struct window *window, const struct window_event *event)
     return true;
 }
 
-// True where the title of a folded panel appears below the pointer.
+// True where the title of a folded panel appears below the pointer. While it is hidden the panel
+// has no rows, so panel_rows_hold would never hold.
 static bool peeks(const struct window *window, const float unit[2])
 {
+    const struct panel_rows *rows = &window->panel.rows;
     return window->panel.folded && !window->panel.in_page && !window->input.captured &&
-           window->pointer.owner != OWNER_PICTURE &&
-           panel_rows_hold(&window->panel.rows, unit[0], unit[1]);
+           window->pointer.owner != OWNER_PICTURE && unit[0] >= rows->left &&
+           unit[1] >= rows->top && unit[0] < rows->left + rows->width &&
+           unit[1] < rows->top + rows->height;
 }
 
 void window_panel_hover(struct window *window, const struct window_event *event)
