@@ -391,7 +391,7 @@ test: ## run the tests, or only some suites: make test SUITE='camera run'
 
 test-all: ## run every test before a release; takes an hour or two
 	@.make/setup.sh fresh
-	$(MAKE) --no-print-directory lint
+	ALL=1 $(MAKE) --no-print-directory lint
 	ALL=1 $(MAKE) --no-print-directory CI=1 test
 	ALL=1 $(MAKE) --no-print-directory CI=1 test-windows
 	ALL=1 $(MAKE) --no-print-directory CI=1 test-web
