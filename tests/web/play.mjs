@@ -67,7 +67,7 @@ await page.waitForFunction(() => /cannot be drawn/.test(document.querySelector('
 check('a mistake is reported with its line', /chapters\/wrong\.frag:1: /.test(await page.locator('live-chapter').innerText()), await page.locator('live-chapter').innerText());
 check('and cannot be exported', await page.locator('button.export').isDisabled());
 await drop('picture.frag', 'a\0b');
-await page.waitForFunction(() => /no text/.test(document.querySelector('.said').textContent));
+await page.waitForFunction(() => /not a text file/.test(document.querySelector('.said').textContent));
 check('a file that is not text is refused', true);
 
 // ---- A studio ----
