@@ -97,9 +97,9 @@ focus() { xdotool windowfocus "$window" 2>/dev/null && focused; }
 focused() { [ "$(xdotool getwindowfocus 2>/dev/null)" = $((window)) ]; }
 unfocused() { ! focused; }
 
-# The first frame has been drawn: the pixels in the middle no longer all have one colour.
+# The first frame has been drawn: the pixels in the middle, which are not all sky in any size, no longer have one colour.
 drawn() {
-    [ "$(import -window "$window" -crop 200x100+60+40 -format %k info: 2>/dev/null)" -gt 1 ] 2>/dev/null
+    [ "$(import -window "$window" -gravity center -crop 60x60%+0+0 -format %k info: 2>/dev/null)" -gt 1 ] 2>/dev/null
 }
 
 # Press P and wait for the file: $picture.
