@@ -172,10 +172,12 @@ TESTS := $(sort $(wildcard $(addprefix tests/,$(addsuffix /*.c,unit shaders pict
 TESTS := $(filter-out $(if $(EXE),$(shell grep -l '<sys/\|<glob' $(TESTS))),$(TESTS))
 TESTS := $(filter-out $(if $(filter egl,$(BACKENDS)),,$(shell grep -l 'lib/session' $(TESTS))),$(TESTS))
 TESTS := $(filter-out $(if $(filter glfw,$(BACKENDS)),,$(shell grep -l 'lib/session\|lib/user\|window/keys' $(TESTS))),$(TESTS))
+# The sanitizers see only C, so tests of shaders and pictures, and what draws figures, show nothing more under them.
+TESTS := $(if $(SANITIZE),$(filter-out tests/shaders/% tests/pictures/%,$(TESTS)),$(TESTS))
 TESTS := $(TESTS:%.c=$(BUILD)/%$(EXE))
 
 programs: $(PROGRAMS) $(FIRST_STEPS)
-tests: $(TESTS) $(LECTURE) $(patsubst %,$(BUILD)/tests/%$(EXE),compare judge draw measure) $(if $(EXE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
+tests: $(TESTS) $(LECTURE) $(patsubst %,$(BUILD)/tests/%$(EXE),compare judge draw measure) $(if $(EXE)$(SANITIZE),,$(FIGURES:%=$(BUILD)/docs/figures/%) $(TEXTURES))
 fuzzer: $(BUILD)/tests/fuzz
 lecture_program: $(LECTURE)
 
