@@ -26,10 +26,12 @@ static void on_png_warning(png_structp png, png_const_charp text)
     (void)png, (void)text;
 }
 
-// Convert any kind of PNG to 8 bits and the number of channels, without gamma. May leave with
-// longjmp.
+// Convert any kind of PNG to 8 bits and the number of channels, without gamma. Texts and profiles
+// are skipped, because libpng would allocate as much as a damaged one claims to be, up to 2 GB. May
+// leave with longjmp.
 static void read_pixels(png_structp png, png_infop info, struct image_bytes *bytes, size_t most)
 {
+    png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, NULL, -1);
     png_read_info(png, info);
     size_t width = png_get_image_width(png, info), height = png_get_image_height(png, info);
     if (width > IMAGE_SIDE_LIMIT || height > IMAGE_SIDE_LIMIT)

@@ -10,12 +10,19 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
 
 #include "lib/fuzz.h"
 #include "lib/gpu.h"
 #include "lib/scratch.h"
 
-#define FILE_LIMIT 65536
+#define FILE_LIMIT  65536
+#define MOST_MEMORY 1000 // MB, for all files together: a damaged one may claim to be larger
+#ifdef __APPLE__
+#define RESIDENT_MB 1048576 // ru_maxrss counts bytes
+#else
+#define RESIDENT_MB 1024 // ru_maxrss counts kilobytes
+#endif
 
 static uint8_t bytes[FILE_LIMIT];
 
@@ -43,6 +50,9 @@ static void run_folder(const struct fuzz_target *target)
 static void test_folder(void **state)
 {
     run_folder(*state);
+    struct rusage usage;
+    assert_int_equal(getrusage(RUSAGE_SELF, &usage), 0);
+    assert_in_range(usage.ru_maxrss / RESIDENT_MB, 1, MOST_MEMORY);
 }
 
 int main(void)
