@@ -129,9 +129,12 @@ pictures_of() { # FILE
 
 shader_suites_of() { # FILE
     local suite
-    awk -v file="$1" '$2 == file && /^tests/ { print $1 }' "$scratch/includes" >"$scratch/frags"
+    # A suite names its shader by its path, or a chapter's by the chapter.
+    awk -v file="$1" '$2 == file && /^tests/ { print $1 }
+        $2 == file && sub(/\.frag$/, "", $1) && sub(/^chapters\//, "", $1) && $1 !~ /\// { print "\"" $1 "\"" }' \
+        "$scratch/includes" >"$scratch/frags"
     printf '\\"%s\\"\n' "${1##*/}" >>"$scratch/frags" # a suite may write its shader in a string
-    grep -l -F -f "$scratch/frags" tests/*/*.c | while read -r suite; do
+    grep -l -F -f "$scratch/frags" tests/*/*.c | sed 's,^tests/lib/,tests/shaders/,' | sort -u | while read -r suite; do
         suite=${suite#tests/}
         [ ! -x "build/tests/${suite%.c}" ] || echo "${suite%.c}"
     done | cheapest_first
