@@ -45,6 +45,22 @@ float penWidth(float width)
     return width * max(iResolution.y / 360.0, 1.0) * sheetPixel();
 }
 
+// ---- Angles ----
+//
+// Both by atan, because no specification limits the error of a driver's asin and acos.
+
+// The angle in [-pi/2, pi/2] with a given sine.
+float arcSine(float s)
+{
+    return atan(s, sqrt(max(1.0 - s * s, 0.0)));
+}
+
+// The angle in [0, pi] between two vectors that are not 0.
+float angleBetween(vec2 a, vec2 b)
+{
+    return atan(abs(a.x * b.y - a.y * b.x), dot(a, b));
+}
+
 // ---- Shapes, by their signed distance d ----
 
 void fill(float d, vec3 colour, float opacity)

@@ -27,7 +27,8 @@ float sceneDistance(vec3 p)
 // The distance to the part of the rim that is turned, an arc around the x axis; negative inside.
 float drawnDistance(vec2 q)
 {
-    float rim = sdArc(vec2(q.y, q.x - centre), 1.0, acos(clamp(-centre, -1.0, 1.0)));
+    float half_ = atan(sqrt(max(1.0 - centre * centre, 0.0)), -centre); // the arc cosine of -centre
+    float rim = sdArc(vec2(q.y, q.x - centre), 1.0, half_);
     return sdCircle(q - vec2(centre, 0.0), 1.0) < 0.0 ? -rim : rim;
 }
 

@@ -26,5 +26,5 @@ vec3 rayColour(Ray ray)
     float angle = 2.0 * NIGHT_PI * age / MONTH, width = 2.0 / (iResolution.y * 0.32);
     vec3 light = moonFace(moon, place, width, vec3(sin(angle), 0.0, -cos(angle)), relief);
     float inside = clamp((1.0 - length(place)) / width + 0.5, 0.0, 1.0);
-    return encodeSRGB(inside * light * 0.55 * exp(0.94 * acos(-cos(angle)) * 0.8));
+    return encodeSRGB(inside * light * 0.55 * exp(0.94 * abs(NIGHT_PI - angle) * 0.8));
 }

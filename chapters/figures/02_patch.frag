@@ -23,7 +23,7 @@ vec3 rayColour(Ray ray)
     line2(p, CENTRE - HALF * along, CENTRE + HALF * along, 3.0, SAND);
     vec2 q = p - CENTRE, middle = normalize(normal + vec2(1e-6, 1.0)); // between both directions
     vec2 turned = vec2(dot(q, vec2(middle.y, -middle.x)), dot(q, middle));
-    fill(sdArc(turned, 0.2, 0.5 * acos(normal.y) + 1e-3) - penWidth(0.8), INK, 1.0);
+    fill(sdArc(turned, 0.2, 0.5 * angleBetween(normal, vec2(0.0, 1.0)) + 1e-3) - penWidth(0.8), INK, 1.0);
     arrow(p, CENTRE, CENTRE + 0.42 * normal, 2.5, TEAL);
     arrow(p, CENTRE, CENTRE + vec2(0.0, 0.42), 2.5, ORANGE);
     float caught = 0.0;

@@ -25,7 +25,7 @@ vec3 sunAt(float x)
 
 float heightAt(float x)
 {
-    return HORIZON + DEGREE * degrees(asin(clamp(sunAt(x).y, -1.0, 1.0)));
+    return HORIZON + DEGREE * degrees(arcSine(sunAt(x).y));
 }
 
 float sceneDistance(vec3 p)

@@ -57,12 +57,12 @@ vec3 rayColour(Ray ray)
     fill(spots - penWidth(2.5), INK, 1.0);
 
     // The three angles; all are 0 if the ray itself is blocked.
-    float truth = acos(clamp(dot(normalize(toBall), direction), -1.0, 1.0)) -
-                  asin(min(RADIUS / length(toBall), 1.0));
+    float truth = angleBetween(toBall, direction) -
+                  arcSine(min(RADIUS / length(toBall), 1.0));
     truth = hit ? 0.0 : truth;
-    vec3 angle = degrees(hit ? vec3(0.0) : vec3(asin(min(most, 1.0)), truth, atan(least)));
+    vec3 angle = degrees(hit ? vec3(0.0) : vec3(arcSine(min(most, 1.0)), truth, atan(least)));
     if (!hit) {
-        dashes(p, spot, lineEnd(direction, beside, tan(asin(min(most, 0.999)))), 1.6, TEAL);
+        dashes(p, spot, lineEnd(direction, beside, tan(arcSine(min(most, 0.999)))), 1.6, TEAL);
         line2(p, spot, lineEnd(direction, beside, tan(min(truth, 1.5))), 1.6, BLUE);
         dashes(p, spot, lineEnd(direction, beside, least), 1.6, ORANGE);
         dot2(p, crease, 7.0, ORANGE);

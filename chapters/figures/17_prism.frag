@@ -66,7 +66,7 @@ vec3 rayColour(Ray ray)
             direction = within ? (back ? reflect(direction, out2) : bent) : direction;
             within = within && back;
         }
-        turned = k == 2 ? degrees(acos(clamp(dot(start, direction), -1.0, 1.0))) : turned;
+        turned = k == 2 ? degrees(angleBetween(start, direction)) : turned;
     }
     light += meanColour(waves.x, waves.y) * amount / max(waves.y - waves.x, 1e-4);
     sheetColour = 0.7 * INK;

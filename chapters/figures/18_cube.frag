@@ -33,7 +33,8 @@ vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), place = (p - LEFT) / HALF_SIDE;
     bool left = p.x < 0.0;
-    float height = asin(clamp((left ? cubeDirection(place) : domeDirection(p - RIGHT)).y, -1.0, 1.0));
+    vec3 up = left ? cubeDirection(place) : domeDirection(p - RIGHT);
+    float height = atan(up.y, length(up.xz));
     float net = min(sdRectangle(place, vec2(2.0, 1.0)), sdRectangle(place, vec2(1.0, 2.0))) * HALF_SIDE;
     float shape = left ? net : length(p - RIGHT) - RIM;
     vec3 outside = sheetColour;
@@ -48,7 +49,7 @@ vec3 rayColour(Ray ray)
     vec2 at = clamp((point - LEFT) / HALF_SIDE, -2.0, 2.0);
     at = min(abs(at.x), abs(at.y)) > 1.0 ? clamp(at, -1.0, 1.0) : at;
     vec3 direction = cubeDirection(at);
-    float angle = acos(clamp(direction.y, -1.0, 1.0));
+    float angle = atan(length(direction.xz), direction.y);
     vec2 there = RIGHT + RIM / 1.5707963 * angle * normalize(direction.xz + 1e-6);
     dot2(p, LEFT + HALF_SIDE * at, 11.0, PAPER);
     dot2(p, LEFT + HALF_SIDE * at, 9.0, BLUE);

@@ -40,7 +40,7 @@ vec3 rayColour(Ray ray)
     drawBall(p, EARTH, 0.16, toSun, SKY, BLUE);
     drawBall(p, moon, 0.09, toSun, PAPER, INK);
     // The phase angle g, between the directions from the moon to the sun and to the Earth.
-    float cosine = dot(toSun, toEye), side = toEye.x * toSun.y - toEye.y * toSun.x, half_ = 0.5 * acos(clamp(cosine, -1.0, 1.0));
+    float cosine = dot(toSun, toEye), side = toEye.x * toSun.y - toEye.y * toSun.x, half_ = 0.5 * angleBetween(toSun, toEye);
     vec2 middle = normalize(toSun + toEye + 1e-5 * vec2(-toEye.y, toEye.x)), q = p - moon;
     float arc = sdArc(vec2(dot(q, vec2(middle.y, -middle.x)), dot(q, middle)), 0.19, max(half_, 0.01));
     fill(arc - 0.5 * penWidth(2.0), TEAL, 1.0);

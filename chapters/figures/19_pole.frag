@@ -22,7 +22,7 @@ float sceneDistance(vec3 p)
 // Where a direction is in the round sky, and the inverse: equal angles are equal lengths. West is on the right.
 vec2 inSky(vec3 d)
 {
-    return SKY_AT + RIM * acos(clamp(d.y, -1.0, 1.0)) / 1.5707963 * normalize(vec2(-d.z, d.x) + 1e-6);
+    return SKY_AT + RIM * atan(length(d.xz), d.y) / 1.5707963 * normalize(vec2(-d.z, d.x) + 1e-6);
 }
 
 vec3 skyDirection(vec2 p)
@@ -43,7 +43,7 @@ vec3 rayColour(Ray ray)
     mat3 turn = skyTurn(hour, latitude);
     vec2 place = p - SKY_AT;
     vec3 d = turn * skyDirection(place);
-    vec2 fixed_ = degrees(vec2(asin(clamp(d.z, -1.0, 1.0)), atan(d.y, d.x)));
+    vec2 fixed_ = degrees(vec2(atan(d.z, length(d.xy)), atan(d.y, d.x)));
     float band = floor(fixed_.x / 4.0), around = fixed_.y / 45.0 + 4.0 + cellRandom(ivec3(int(band), 20, 20));
     float lot = cellRandom(ivec3(int(band), int(around), 19));
     float across = abs(fixed_.x - 4.0 * (band + 0.2 + 0.6 * lot)), along = 45.0 * fract(around) - 22.0 * fract(7.0 * lot);
@@ -68,7 +68,7 @@ vec3 rayColour(Ray ray)
     line2(p, at - 0.45 * north, at + 0.45 * north, 2.0, BLUE);
     dashes(p, EARTH, EARTH + length(to) * toStar, 1.0, ORANGE);
     dot2(p, EARTH + length(to) * toStar, 14.0, ORANGE);
-    float height = degrees(asin(clamp(dot(up, toStar), -1.0, 1.0))), southern = latitude < 0.0 ? -1.0 : 1.0;
+    float height = degrees(arcSine(dot(up, toStar))), southern = latitude < 0.0 ? -1.0 : 1.0;
     if (height > 0.0)
         arrow(p, at, at + 0.42 * toStar, 2.0, ORANGE);
     arrow(p, at, at + vec2(0.0, 0.42 * southern), 2.0, TEAL);

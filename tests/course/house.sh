@@ -134,8 +134,8 @@ check_empty 'no smoothstep of a shader has falling edges' "$scratch/falling"
 
 # asin and acos of Mesa 22.3 err by up to 0.0004 (build/tests/shaders/precision prints the error of this driver's), and
 # no specification of GLSL bounds their error. atan(y, x) of two lengths errs by 3e-6 there.
-find shaders chapters -maxdepth 1 \( -name '*.glsl' -o -name '*.frag' \) -exec grep -nE '^[^/]*[^a-zA-Z]a(sin|cos)\(' {} + >"$scratch/arcs"
-check_empty 'no chapter relies on asin or acos' "$scratch/arcs"
+find shaders chapters \( -name '*.glsl' -o -name '*.frag' \) -exec grep -nE '^[^/]*[^a-zA-Z]a(sin|cos)\(' {} + >"$scratch/arcs"
+check_empty 'no shader relies on asin or acos' "$scratch/arcs"
 
 # Other functions leave some arguments undefined: each library function that calls one of them is tried at its edges on
 # the graphics processor. Functions that read a picture, or draw a view or a figure, are not, because the references
