@@ -13,7 +13,7 @@ uniform sampler2D reef; // "reef.png" linear clamp: parts and lists
 uniform int parts;      // 4096 in [64, 4096] step *8: number of parts in the reef: 64, 512 or 4096
 
 const float BLEND = 0.024;                  // width of the blend between two parts, scene units
-const float MARGIN = 3.0 * BLEND;           // parts that a list leaves out are at least this far from its cell
+const float MARGIN = 2.0 * BLEND;           // least distance from a cell to the union of the parts that its list leaves out
 const vec3  CORNER = vec3(-10.0, -2.0, -16.0); // positions are measured from here
 
 // Texel i of the table, as bytes.
