@@ -1,6 +1,5 @@
 // dialect.c - the dialects of a shader file: which one a text is, what other people's shaders need,
-// what is compiled and which views they have, and one clear line for each text that cannot be a
-// picture.
+// what is compiled, and one clear line for each text that cannot be a picture.
 #include "lib/test.h"
 
 #include "memory.h"
@@ -381,32 +380,6 @@ IN_PROJECT(test_compiled_text)
     assert_string_equal(text, "#version 330 core\n"
                               "#extension GL_ARB_shading_language_420pack : enable\n\nx\n");
     free(text);
-    shader_free(&source);
-}
-
-IN_PROJECT(test_views)
-{
-    enum shader_view view = SHADER_PICTURE;
-    for (int i = 0; i < SHADER_VIEW_COUNT; i++) {
-        assert_true(shader_view_from_name(shader_view_name((enum shader_view)i), &view));
-        assert_int_equal(view, i);
-    }
-    assert_false(shader_view_from_name("probe", &view));
-    assert_false(shader_view_from_name("", &view));
-    struct shader_source source = read_well("#version 330 core\n");
-    assert_true(shader_has_view(&source, SHADER_PICTURE));
-    for (int i = SHADER_NORMALS; i < SHADER_PROGRAM_COUNT; i++) {
-        capture_begin();
-        assert_false(shader_has_view(&source, (enum shader_view)i));
-        const char *said = capture_end();
-        assert_int_equal(line_count(said), 1);
-        assert_non_null(strstr(said, "main of its own"));
-        assert_non_null(strstr(said, shader_view_name((enum shader_view)i)));
-    }
-    shader_free(&source);
-    source = read_well("x\n");
-    assert_true(shader_has_view(&source, SHADER_SLICE));
-    assert_true(shader_has_view(&source, SHADER_PROBE));
     shader_free(&source);
 }
 

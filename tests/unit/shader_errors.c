@@ -1,5 +1,6 @@
 // shader_errors.c - a driver's errors, in terms of the author's own files and lines: logs of three
-// drivers as texts, then the messages of this machine's driver for real mistakes.
+// drivers as texts, then the messages of this machine's driver for real mistakes. And the views
+// that a file does not have.
 #include "lib/test.h"
 
 #include "context/context.h"
@@ -282,6 +283,34 @@ static int close_context(void **state)
     (void)state;
     context_close(&driver.context);
     return 0;
+}
+
+// ---- Views ----
+
+IN_PROJECT(test_views)
+{
+    enum shader_view view = SHADER_PICTURE;
+    for (int i = 0; i < SHADER_VIEW_COUNT; i++) {
+        assert_true(shader_view_from_name(shader_view_name((enum shader_view)i), &view));
+        assert_int_equal(view, i);
+    }
+    assert_false(shader_view_from_name("probe", &view));
+    assert_false(shader_view_from_name("", &view));
+    struct shader_source source = read_text("#version 330 core\n");
+    assert_true(shader_has_view(&source, SHADER_PICTURE));
+    for (int i = SHADER_NORMALS; i < SHADER_PROGRAM_COUNT; i++) {
+        capture_begin();
+        assert_false(shader_has_view(&source, (enum shader_view)i));
+        const char *said = capture_end();
+        assert_int_equal(line_count(said), 1);
+        assert_non_null(strstr(said, "main of its own"));
+        assert_non_null(strstr(said, shader_view_name((enum shader_view)i)));
+    }
+    shader_free(&source);
+    source = read_text("x\n");
+    assert_true(shader_has_view(&source, SHADER_SLICE));
+    assert_true(shader_has_view(&source, SHADER_PROBE));
+    shader_free(&source);
 }
 
 TESTS(open_context, close_context)
