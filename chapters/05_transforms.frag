@@ -81,8 +81,8 @@ Moment momentNow()
                   twistStretch(twist, RING_REACH), heightStretch(waveHeight * STEEPEST));
 }
 
-// It is the same for all points along the rays of a pixel. So pixelRay, which runs first, computes
-// it once for everything that follows.
+// The moment is the same for all points along the rays of a pixel. So pixelRay, which runs first,
+// computes it once for everything that follows.
 Moment now;
 
 Ray pixelRay(vec2 screen)

@@ -131,7 +131,7 @@ float line(float x, float width)
 }
 
 // The distance at p as colours, lines and an outline. Lines have a fixed width in pixels, because d
-// is divided by its change from pixel to pixel. Where lines would crowd they fade.
+// is divided by its change from pixel to pixel. Where lines would crowd, they fade.
 //   right, up  the points that the neighbouring pixels show
 vec3 fieldColour(vec2 p, vec2 right, vec2 up)
 {

@@ -24,7 +24,7 @@ uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distanc
 const float LATITUDE = 43.6;              // degrees
 const float DECLINATION = 2.0;            // of the sun, degrees: at the end of March
 const vec3  PINE = vec3(29.0, 2.4, -47.0); // its foot
-const vec3  HILL = vec3(31.5, -12.8, -48.0); // the centre of the ball whose top the largest rock is
+const vec3  HILL = vec3(31.5, -12.8, -48.0); // the centre of the ball whose top is the largest rock
 
 // Bounding boxes of the land and of the pine, including their mirror images.
 const vec3 LAND_LOW = vec3(11.5, -4.2, -58.5), LAND_HIGH = vec3(47.0, 4.2, -38.0);

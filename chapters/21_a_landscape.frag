@@ -141,7 +141,7 @@ vec3 heavens(vec3 direction, Hour now, float width, bool mirrored)
     return mix(stars, now.dimmed * moonFace(moonMap, place, rim, frame * now.sun, 1.0), mirrored ? 0.0 : inside);
 }
 
-// The sky at an hour, in a weather.
+// The sky at a given hour, in the given weather.
 //   mirrored  as for heavens
 //   open      share of a disc in this direction that clouds and weather leave visible
 vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
@@ -218,7 +218,7 @@ vec3 placeLight(Place place, Hour now, float seen)
 // ---- The picture ----
 
 // In the dark the eye sees with its rods, which distinguish no colours and are most sensitive to
-// bluish light. That is why pictures of nights are blue.
+// bluish light. That is why pictures of the night are blue.
 vec3 nightFilm(vec3 light)
 {
     float rods = dot(light, vec3(0.05, 0.45, 0.5));

@@ -28,8 +28,8 @@ uniform float exposure;     // 0 in [-4, 4] step 0.25, stops: each doubles the l
 uniform int   maxSteps;     // 96 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold; // 0.001 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
-// The elephant's grid is the cube from -1 to 1. It stands on a turntable, and this on a table, the plane y = TABLE, which
-// rays meet with a division.
+// The grid is the cube from -1 to 1. The elephant stands on a turntable, and the turntable on a table, the plane
+// y = TABLE. A division finds where a ray meets this plane.
 const float TOP = -0.562, TABLE = -0.78;
 const vec3  LOW = vec3(-1.1, TABLE, -1.1), HIGH = vec3(1.1, 0.9, 1.1); // a box around elephant and turntable
 const float FAR = 40.0;
@@ -64,7 +64,7 @@ float clayDistance(vec3 p)
     return stepping == 2 ? storedStep(value) : (stepping == 1 ? 0.5773502 * value : value);
 }
 
-// A disc with a rounded rim on a foot: a figure of two rectangles, turned about the axis.
+// A disc with a rounded rim on a foot: a figure of two rectangles, revolved about the axis.
 float turntableDistance(vec3 p)
 {
     vec2 q = vec2(length(p.xz), p.y - TOP);
@@ -94,7 +94,7 @@ struct Surface {
     vec3  p, normal;
     vec3  colour;    // of the light that is scattered, linear RGB
     float roughness;
-    float mirror;    // share of the light that is reflected straight ahead
+    float mirror;    // share of the light that is reflected at normal incidence
 };
 
 // Clay: uneven in colour and height, with two dark eyes.

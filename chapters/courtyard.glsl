@@ -2,10 +2,10 @@
 // materials. Light, camera and parameters belong to the chapters.
 //
 // x points to the right, y upwards, z towards the eye; one scene unit is a metre. The court is a
-// trough, which is the floor between the two side walls, with objects in it. Rays meet the trough
-// with divisions and the objects with a march: courtyardDistance is the distance to the objects
-// only. A search for everything that hides the sky takes the smaller of courtyardDistance and
-// troughDistance, or the nearer of the march's end and troughReached.
+// trough, which is the floor between the two side walls, with objects in it. Divisions find where a
+// ray meets the trough, and a march finds the objects: courtyardDistance is the distance to the
+// objects only. A search for everything that hides the sky takes the smaller of courtyardDistance
+// and troughDistance, or the nearer of the march's end and troughReached.
 #include "bounds.glsl"
 #include "cone.glsl"
 #include "coverage.glsl"

@@ -1,9 +1,9 @@
-// reef.glsl - the reef of chapter 22: parts and lists from a table, and a march that ends its steps where the list
-// ends.
+// reef.glsl - the reef of chapter 22: parts and lists from a table, and a march whose steps end where the cell of a
+// list ends.
 //
 // The table is a picture of bytes, 512 texels wide, which shaders/textures/reef.c writes. It contains three reefs. For
 // each, eight texels at the start of the table say where its data begin. A part takes three texels, a cell one, and two
-// indices of parts share one. Byte 0 of a cell is the number of parts on its list. The other bytes are a whole number:
+// indices of parts share one. Byte 0 of a cell is the number of parts in its list. The other bytes are a whole number:
 // the position of the list or, if it is empty, 4096 times the distance from the cell's centre to the scene.
 #include "march.glsl"  // Hit, distanceAt
 #include "scene.glsl"

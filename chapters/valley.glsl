@@ -28,8 +28,8 @@ uniform sampler2D granite; // "granite.png" sRGB repeat: rock
 uniform int octaves; // 4 in [1, 8]: octaves of the ridges in the march
 
 // The divisors of a gap: way.x + way.y s above ground of the slope s, and way.z above the shore.
-// For one ray that climbs by c per unit, oneWay(c). For all directions (0.65, 1, 1.03), which gives
-// at least sqrt(1 + s^2) for s >= HILL_SLOPE, and for the shore.
+// They are oneWay(c) for one ray that climbs by c per unit, and (0.65, 1, 1.03) for all directions:
+// that gives at least sqrt(1 + s^2) for s >= HILL_SLOPE, and for the shore.
 const vec3 ALL_WAYS = vec3(0.65, 1.0, 1.03);
 vec3 way = ALL_WAYS;
 
@@ -315,7 +315,7 @@ vec3 unmirrored(vec3 p)
     return p.y >= 0.0 ? p : (bend.waves ? bent : vec3(p.x, -p.y, p.z));
 }
 
-// Marches only the objects, in their bounding boxes; returns the t of the hit, or -1.
+// Marches only to the objects, in their bounding boxes; returns the t of the hit, or -1.
 //   water  where the ray meets the water
 float thingsAlong(Ray ray, float water, float tMax, float threshold, float spread)
 {

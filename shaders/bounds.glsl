@@ -1,4 +1,4 @@
-// bounds.glsl - the interval of a ray that lies inside a box, or several boxes: nothing else needs a march.
+// bounds.glsl - the interval of a ray inside a box, or inside several boxes: the rest of the ray needs no march.
 #include "scene.glsl"
 
 // The interval in which a ray is inside a box with axis-aligned faces.

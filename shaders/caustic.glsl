@@ -15,8 +15,8 @@ float softDiscArea(float radius, float width)
     return radius < 0.5 * width ? reach * reach * reach / (3.0 * width) : radius * radius + width * width / 12.0;
 }
 
-// How much light of a distant lamp reaches a point through a clear ball, divided by what would arrive without the ball
-// on a surface that faces the lamp: 1 is as bright as without.
+// The light of a distant lamp that reaches a point through a clear ball, divided by the light that would arrive without
+// the ball on a surface that faces the lamp: 1 is as bright as without the ball.
 //   p        from the ball's centre, scene units, outside the ball
 //   toLight  direction of the lamp, length 1
 //   radius   of the ball, > 0
@@ -24,19 +24,19 @@ float softDiscArea(float radius, float width)
 //            falls outside the area that is searched
 //   spread   radius of the lamp, seen from a distance of 1: blurs the light by spread z
 //   formula  a ray at b = radius sin(i) from the axis is turned by D = 2 (i - j), sin(j) = sin(i) / index, and
-//            leaves on a line that passes the centre at the distance b as well: at z behind the centre it is
-//            r = (b - z sin(D)) / cos(D) off the axis, from its exit at z = radius cos(D - i) on. The beam is cut into
-//            rings of b. A ring's light, minus what both surfaces mirror, falls evenly on the ring between the two r:
+//            leaves on a line that also passes the centre at the distance b: at z behind the centre this line is
+//            r = (b - z sin(D)) / cos(D) from the axis; it begins at the exit, z = radius cos(D - i). The beam is cut
+//            into rings of b. A ring's light, minus what both surfaces mirror, falls evenly on the ring between its r:
 //            b^2 - b'^2 over r^2 - r'^2, with both rims as wide as the blur
 // Neither a bound nor exact. It leaves out light that is mirrored inside, absorption, and the grazing rays beyond
-// 0.96 radius: 0.037 of the light that passes. The rest is complete within 0.005 on a plane that faces the lamp, but
-// its distribution within a ring is an assumption.
+// 0.96 radius: 0.037 of the light that passes. On a plane that faces the lamp, the rest has the right total to within
+// 0.005, but its distribution within a ring is an assumption.
 float ballCaustic(vec3 p, vec3 toLight, float radius, float index, float spread)
 {
     float z = -dot(p, toLight), r = length(p + z * toLight), width = max(spread * z, 0.002 * radius);
     float light = 0.0, before = 0.0, within = 0.0; // the ring's inner r and b^2,
     float passed = 1.0 - fresnelShare(1.0, 1.0 / index); // and the share that passes there
-    int rings = z > 0.0 && r < max(radius, 2.5 * z) + width ? CAUSTIC_RINGS : 0; // the last is turned by 69 degrees
+    int rings = z > 0.0 && r < max(radius, 2.5 * z) + width ? CAUSTIC_RINGS : 0; // the last turns by 69 degrees
     for (int k = 1; k <= rings; k++) {
         float sine = 0.96 * float(k) / float(CAUSTIC_RINGS), inner = sine / index;
         float cosine = sqrt(1.0 - sine * sine), innerCosine = sqrt(1.0 - inner * inner);

@@ -19,7 +19,8 @@ struct Footprint {
 //              pattern coordinates p * axes
 //   formula    corner = p + e - d dot(normal, e) / dot(normal, d), where e leads to a corner of the pixel,
 //              halfPixel (+-right +-up), and d = direction + bend e
-// If a corner sees beyond the horizon, there is no rectangle: the width is 1e6, and the pattern becomes its mean.
+// If the ray through a corner passes above the horizon, there is no rectangle: the width is 1e6, and the pattern
+// becomes its mean.
 Footprint planeFootprint(vec3 p, vec3 direction, vec3 normal, float halfPixel, float bend, mat2x3 axes)
 {
     vec2 right = halfPixel * (iCameraRight * axes), up = halfPixel * (iCameraUp * axes), along = direction * axes;

@@ -73,9 +73,9 @@ struct Cloud {
 //   panorama  cover, above, 1/2 + side / 2; repeats in u
 //   turned    turns by which the clouds have drifted, from east to north
 //   others    as of panoramaFootprint
-// High up, a texel is half a degree high and narrow, so the footprint is at least a large part of that. At the zenith a
-// pixel reaches all around, and a mip level that coarse would average the whole panorama, including clouds at the
-// horizon. So in u a pixel counts as at most twice its texels in v, for a panorama 6.4 times as wide as high.
+// High up, a texel is half a degree high but narrow, so the footprint is at least a large part of that height. At the
+// zenith a pixel reaches all around, and a mip level that coarse would average the whole panorama, including clouds at
+// the horizon. So a pixel counts as at most twice as many texels in u as in v, in a panorama 6.4 times as wide as high.
 Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float width)
 {
     vec2 place = panoramaPlace(direction), reach = panoramaFootprint(direction, max(width, 0.006 * place.y * place.y));
@@ -90,9 +90,9 @@ Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float widt
 //   direction, altitude  as of layerHit; below the horizon the direction counts as horizontal
 //   period    of the picture, km
 //   width     angle of a pixel, radians
-//   formula   the picture at eye + t direction, t of layerHit, averaged over width t / sin of the angle at which
-//             the ray meets the sphere, nearly direction.y + t / EARTH_RADIUS; above = 9/10 cover and side = 0, because
-//             such a thin layer is lit through
+//   formula   the picture at eye + t direction, t of layerHit, averaged over width t / s, s the sine of the angle at
+//             which the ray meets the sphere, about direction.y + t / EARTH_RADIUS; above = 9/10 cover and side = 0,
+//             because light passes through such a thin layer
 Cloud cloudLayer(sampler2D layer, vec3 eye, vec3 direction, float altitude, float period, float width)
 {
     float climb = max(direction.y, 0.0), t = layerHit(eye.y, climb, altitude);
@@ -118,7 +118,7 @@ Cloud cloudShare(Cloud cloud, float share)
 
 // ---- Light ----
 
-// The sine of the sun's height as seen by clouds, which see farther around the Earth.
+// The sine of the sun's height above the horizon of the clouds, which is lower than that of the ground.
 //   sinHeight  of the sun from the ground
 //   altitude   of the clouds, km
 //   formula    sin(h + sqrt(2 altitude / EARTH_RADIUS)), h small
@@ -130,12 +130,12 @@ float cloudSunHeight(float sinHeight, float altitude)
 // The light that clouds send to the eye, times their cover.
 //   direction  of the ray, length 1
 //   sun        direction of the light, length 1
-//   sunlight   of it on a white surface perpendicular to its rays, linear
+//   sunlight   its light on a white surface perpendicular to its rays, linear
 //   skylight   of the whole sky on a horizontal white surface
 //   formula    skylight (cover + 3 above) / 4 + sunlight (x^2 X + y^2 Y + z^2 Z + lining), (x, y, z) the
 //              direction to the sun, right, up and away from the eye, whose squares add up to 1; X, Y, Z the light from
 //              the one of two opposite sides on which the sun is; lining = 2 glow(0.7) (4 cover (1 - cover) + above /
-//              8), because thin vapour scatters light nearly straight on. A model by eye
+//              8), because thin vapour scatters light nearly straight ahead. A model by eye
 // Source: the squares as weights, J. Mitchell, G. McTaggart, C. Green, 'Shading in Valve's Source engine',
 // SIGGRAPH 2006.
 vec3 cloudLight(Cloud cloud, vec3 direction, vec3 sun, vec3 sunlight, vec3 skylight)
@@ -153,7 +153,7 @@ vec3 cloudLight(Cloud cloud, vec3 direction, vec3 sun, vec3 sunlight, vec3 skyli
 // ---- Weather ----
 
 // The shares of the fair panorama, of the storm's, and of an overcast sky, in [0, 1]. The storm appears behind the fair
-// clouds before they go.
+// clouds before they disappear.
 //   weather  1 fair, 0.5 bad
 float fairShare(float weather)
 {
@@ -178,8 +178,8 @@ float sunLeft(float weather)
     return exp(-4.0 * overcastShare(weather));
 }
 
-// The visible share of the disc of sun or moon. Cloud scatters light to all sides long before it absorbs it: in bad
-// weather there is light, and no disc.
+// The visible share of the disc of sun or moon. Clouds scatter light in all directions long before they absorb it: in
+// bad weather there is light but no disc.
 //   formula  exp(-16 overcastShare)
 float discLeft(float weather)
 {
@@ -197,8 +197,8 @@ vec3 overcastSky(float sinHeight, vec3 white)
     return 3.0 / 7.0 * white * (1.0 + 2.0 * max(sinHeight, 0.0));
 }
 
-// The light of a horizontal white surface under an overcast sky: a fifth of the light on top of the clouds, by eye, and
-// a little blue.
+// The light of a horizontal white surface under an overcast sky: a fifth of the light above the clouds, by eye, and
+// slightly blue.
 //   clear  the light of the same surface under the clear sky and its sun
 vec3 overcastWhite(vec3 clear)
 {
@@ -220,13 +220,13 @@ float rainShare(float weather)
     return 1.0 - smoothstep(0.5, 0.68, weather);
 }
 
-// The share of a pixel that falling drops fill, drawn out to streaks while the shutter is open: two sheets of rain, one
-// behind the other. A streak is at least a pixel wide; the wider, the fainter, so that a picture of few pixels has as
-// much rain as one of many.
+// The share of a pixel filled by falling drops, drawn out into streaks while the shutter is open: two sheets of rain,
+// one behind the other. A streak is at least a pixel wide; the wider it is, the fainter, so that a picture of few
+// pixels has as much rain as one of many.
 //   screen  y from -1 to 1, x from -aspect to aspect
 //   time    seconds
 //   pixel   height of a pixel, in the units of screen
-//   returns in [0, 1]; its mean over a picture is the same for all pixels from 0.0022 to 0.028
+//   returns in [0, 1]; its mean over a picture is the same for all values of pixel from 0.0022 to 0.028
 float rainStreaks(vec2 screen, float time, float pixel)
 {
     float sum = 0.0;

@@ -1,8 +1,8 @@
 // coarse.glsl - the coarse pass: one march per block of 8 x 8 pixels finds a distance up to which none of
 // their rays meets anything.
 //
-// Before each picture the harness marches a cone for each block (VIEW 8), and the pixels begin where it
-// ended. It runs only in programs that call coarseStart.
+// Before each picture the harness marches a cone for each block (VIEW 8), and the rays of the block's pixels
+// begin where it ended. The pass runs only in programs that call coarseStart.
 //
 // Why nothing is lost. The ball of radius r(t) = radius + t spread around the axis at t contains the points
 // at t of all rays of the block. Let the cone be at t, where the scene is at distance d. Let m be at least
@@ -15,15 +15,15 @@
 //
 // What it requires of a chapter:
 // - sceneDistance is a lower bound, so that no surface is missed, and 1-Lipschitz, so that the margin is
-//   kept; a step factor that it needs for this is part of it. The pass ignores anything that sceneDistance
-//   leaves out, such as a ground with a distance of its own.
+//   kept; any step factor that this requires is part of sceneDistance. The pass ignores anything that
+//   sceneDistance leaves out, such as a ground with a distance of its own.
 // - pixelRay: the rays of a block start in the convex hull of the corners' origins and point into the cone
 //   of their directions (each direction is a combination of theirs with weights >= 0). This is true of
 //   perspectiveRay, orthographicRay and projectionRay, because origin and unnormalised direction are affine
 //   functions of the screen. If a sample moves its ray farther, as for a lens, add that amount to coarseMargin.
 // - coarseMargin exceeds the rounding error of a float: about 1e-6 of p and t.
 // docs/16_fewer_steps.md has the full proof. Source: J. C. Hart's sphere tracing along the cones of
-// J. Amanatides, SIGGRAPH 1984; writers of demos call such a first pass cone marching.
+// J. Amanatides, SIGGRAPH 1984; demo programmers call such a first pass cone marching.
 #include "inputs.glsl"
 #include "scene.glsl"
 

@@ -32,7 +32,7 @@ float fogDepth(float height, float climb, float t, float density, float scale)
 // The optical depth of a whole ray to the sky.
 //   the other parameters are those of fogDepth
 //   formula  density exp(-height / scale) scale / climb, the limit as t tends to infinity. If climb is less than 1e-5,
-//            also below the horizon, 1e-5 replaces it. Exact above
+//            also below the horizon, 1e-5 replaces it. Exact otherwise
 float skyFogDepth(float height, float climb, float density, float scale)
 {
     return density * exp(-height / scale) * scale / max(climb, 1e-5);
@@ -58,7 +58,7 @@ float fogPlace(float height, float climb, float depth, float density, float scal
 // The light of the fog in a direction: the light that it sends to the eye where it is too thick to see through.
 //   direction, toSun  length 1
 //   ambient  light of the sky that the fog scatters, the same in all directions
-//   sun      light that it scatters straight on, away from the sun
+//   sun      light of the sun that it scatters straight ahead
 //   g        the mean cosine of the scattering angle, in [0, 1); mist 0.6 to 0.9
 //   formula  ambient + sun glow(direction, toSun, g): light scattered once, with Henyey and Greenstein's
 //            share for each angle. A model: light scattered more than once is only in the ambient part
@@ -99,8 +99,8 @@ float lampInFog(vec3 from, vec3 direction, float far, float size)
 //   wide     width of the beam at the lamp (x), and its growth per scene unit (y)
 //   returns  per scene unit
 //   formula  exp(-q^2) / (w sin), w the beam's width where the ray is nearest to its axis, q the distance there, in
-//            widths, sin that of the angle between the two, at least 0.045; it fades out if that point lies in front
-//            of the eye or behind far. A model by eye
+//            widths, sin the sine of the angle between the two, at least 0.045; it fades out where that point lies
+//            behind the eye or beyond far. A model by eye
 float beamInFog(vec3 from, vec3 direction, vec3 beam, vec2 wide, float far)
 {
     float nearest = -dot(from, direction), facing = dot(beam, direction), across = max(1.0 - facing * facing, 0.002);

@@ -44,8 +44,8 @@ struct Parting {
 //   side       from which the ray comes, as for marchSide
 //   index      of the solid divided by that of its surroundings, > 0
 //   formula    Snell's law, with GLSL's refract, the normal on the side of the ray and the ratio of the index before
-//              the surface to that behind it; fresnelShare. A ray that comes from the other side than side says is
-//              treated as grazing: from inside it is mirrored completely
+//              the surface to that behind it; fresnelShare. A ray that does not come from the given side is treated
+//              as grazing: from inside it is mirrored completely
 Parting partingAt(vec3 direction, vec3 normal, float side, float index)
 {
     float eta = side > 0.0 ? 1.0 / index : index, facing = clamp(-side * dot(normal, direction), 0.0, 1.0);
@@ -56,9 +56,9 @@ Parting partingAt(vec3 direction, vec3 normal, float side, float index)
 //   p          where a march ended, scene units
 //   normal     of the surface there, outwards, length 1
 //   direction  of the new ray, length 1
-//   offset     scene units, > 0: how far from p along the normal. At least twice the march's threshold: a transmitted
-//              ray starts from p up to one threshold in front of the surface, and must start at least as much
-//              behind it, or the next march ends where it starts
+//   offset     scene units, > 0: how far from p along the normal. At least twice the march's threshold: p lies up to
+//              one threshold in front of the surface, and a transmitted ray must start at least as far behind the
+//              surface, or the next march ends where it starts
 Ray leavingRay(vec3 p, vec3 normal, vec3 direction, float offset)
 {
     return Ray(p + (dot(normal, direction) > 0.0 ? offset : -offset) * normal, direction);

@@ -64,8 +64,8 @@ float smithVisibility(float cosLight, float cosEye, float alpha)
 //   roughness  in (0, 1]; its square is alpha, so that equal steps look equal. Below 0.05 the rounding of
 //              floats is visible
 //   formula    ggxDensity smithVisibility; 0 if lamp or eye is behind the surface
-// It never reflects more light than arrives. It leaves out light that meets a second mirror, which is more
-// for rougher surfaces, except at grazing angles (over 80 degrees). build/tests/measure gloss prints how much.
+// It never reflects more light than arrives. It leaves out light that meets a second mirror: the rougher the surface,
+// the more, except at grazing angles (over 80 degrees). build/tests/measure gloss prints how much.
 float ggxGloss(vec3 normal, vec3 toLight, vec3 toEye, float roughness)
 {
     float cosLight = dot(normal, toLight), cosEye = dot(normal, toEye);

@@ -51,7 +51,8 @@ vec3 higherGround(vec3 a, vec3 b)
     return a.x > b.x ? a : b;
 }
 
-// A lower bound of the distance at which a gap has closed, if it closes by at most slope + growth s at the distance s.
+// A lower bound of the distance at which a gap has closed, if after a length s it closes by at most slope + growth s
+// per unit of length.
 //   gap      between the ray and the ground now; negative below the ground, and so is the result
 //   slope    how much the gap can close per unit of length here, > 0
 //   growth   of that slope, per unit of length, >= 0

@@ -77,7 +77,7 @@ void main()
 {
     traceReset(-1);
     pixelRay(vec2(0.0)); // a chapter may prepare its scene there
-    fragColour = vec4(cameraStop(iCameraPosition, iCameraTo) - iCameraTo, 1.0); // half floats carry it too
+    fragColour = vec4(cameraStop(iCameraPosition, iCameraTo) - iCameraTo, 1.0); // small enough for half floats
 }
 
 #else

@@ -40,7 +40,7 @@ mat3 skyTurn(float hour, float latitude)
 //   declination     of the sun, degrees, in [-23.43, 23.43], in the half of the year in which it rises
 //   age             days since new moon; any number
 //   formula         the sun's longitude l has sin l = sin declination / sin OBLIQUITY; the moon's is
-//                   l + 360 age / MONTH. Both are turned to the hour for which the sun is where it should be
+//                   l + 360 age / MONTH. Both are turned so that at this hour the sun is where it should be
 vec3 moonDirection(float hour, float latitude, float declination, float age)
 {
     float lean = radians(OBLIQUITY), sine = clamp(sin(radians(declination)) / sin(lean), -1.0, 1.0);
@@ -166,7 +166,7 @@ vec3 airglow(float sinHeight)
     return 4.5e-8 / sqrt(1.0 - (1.0 - s * s) / 1.0302) * vec3(0.72, 1.0, 1.25);
 }
 
-// How many stops to expose, by the hour: of two stops of darkness, an eye makes up for a little more than one.
+// The exposure for the light of the sky, in stops: an eye makes up for a little more than one of two stops of darkness.
 //   light    of the sky overhead, from zenithLight, plus that of the moon
 //   returns  0.25 at noon, 14.2 on a dark night
 //   formula  -0.58 log2(light)

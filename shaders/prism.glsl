@@ -57,7 +57,7 @@ struct Beam {
 //   q          point of the plan, from the triangle's centre: x along its base, in the direction of the green
 //              light inside, y towards the edge that the light passes
 //   radius     from the centre to a side, scene units
-//   glass      Cauchy's two numbers; the plan's index of green must be below 2, or no light passes symmetrically
+//   glass      Cauchy's two numbers; planIndex for green must be below 2, or no light passes symmetrically
 //   rise       as for planIndex
 //   halfWidth  of the beam, scene units, small compared with radius
 //   formula    the light at q has left the second side at a point that depends on its wavelength. prismIndex for

@@ -4,8 +4,8 @@
 // A number that looks random: uniformly distributed over [0, 1), independent of those of other pixels, samples
 // and dimensions. For a given pixel, sample and dimension it is the same on every machine and never depends on
 // the time: a picture stays a function of its options, and a film does not flicker.
-//   dimension  index of this number within the sample, >= 0: a point in a disc uses two, 0 and 1, whatever
-//              comes after it uses 2 and so on; the same dimension always gives the same number
+//   dimension  index of this number within the sample, >= 0: if a point in a disc uses 0 and 1, the next
+//              quantity begins at 2; the same dimension always gives the same number
 //   formula    pcg4d of (x and y of iPixel, iSample, dimension), all modulo 2^32; the upper 24 bits of the
 //              first component divided by 2^24, which a float represents exactly
 // Source: M. Jarzynski, M. Olano, 'Hash functions for GPU rendering', Journal of Computer Graphics

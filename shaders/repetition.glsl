@@ -60,7 +60,7 @@ float cellNeighbour(float x, float period)
     return cell + (x < period * cell ? -1.0 : 1.0);
 }
 
-// The same among the cells from first to last: if the neighbour is not among them, the last one before it again.
+// The same among the cells from first to last: if the neighbour lies beyond one end, the cell at that end.
 //   formula  clamp(cellNeighbour(x), first, last)
 float cellNeighbourLimited(float x, float period, float first, float last)
 {

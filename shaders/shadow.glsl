@@ -17,8 +17,8 @@ Ray shadowRay(vec3 p, vec3 normal, vec3 toLight, float offset)
 // law then gives 0 anyway.
 //   normal, toLight  of any length: only the sign of their product matters
 //   far      scene units, >= 0: to the lamp, or to where the scene ends
-//   returns  far if dot(normal, toLight) > 0, else 0, for which lightReaching and coneReaching march
-//            nothing
+//   returns  far if dot(normal, toLight) > 0, else 0, with which lightReaching and coneReaching take no
+//            step
 float shadowReach(vec3 normal, vec3 toLight, float far)
 {
     return dot(normal, toLight) > 0.0 ? far : 0.0;

@@ -1,8 +1,8 @@
 // soft_shadow.glsl - which share of a lamp with a size is visible from a point.
 //
-// The lamp is a disc of radius spread, at a distance of 1 from the point and perpendicular to that direction: the
-// sun, or a round lamp that faces the point with a radius of spread times its distance. A point of the disc is given
-// in its radii, (0, 0) is its centre. docs/13_soft_shadows.md proves the claims made here.
+// The lamp is a disc of radius spread, at a distance of 1 from the point and perpendicular to the direction to it:
+// the sun, or a round lamp that faces the point with a radius of spread times its distance. A point of the disc is
+// given in its radii, (0, 0) is its centre. docs/13_soft_shadows.md proves the claims made here.
 #include "random.glsl"
 #include "shadow.glsl"
 
@@ -67,8 +67,8 @@ float lampBesideEdge(vec3 p, vec3 toLight, float spread, vec3 onEdge, vec3 along
 //   centre, radius      of the ball, which does not contain p. The whole outline of the ball must be in front of the
 //                       plane through p perpendicular to toLight
 //   formula  the ball hides directions up to beta = asin(radius / distance) from that of its centre, which
-//            is at an angle of psi to toLight. On the disc's plane that is an ellipse (or more). The formula replaces
-//            it with the circle of radius tan beta that touches it at its point nearest to toLight, at tan(psi - beta)
+//            is at an angle of psi to toLight. On the disc's plane they fill an ellipse. The formula replaces it with
+//            the circle of radius tan beta that touches it at its point nearest to toLight, at tan(psi - beta)
 //   exact if the ball's centre is straight in front of the lamp's; else the error is at most 0.1 spread^2, which
 //   is 1e-4 for a spread of 0.03; the sun's is 0.0047
 float lampBesideBall(vec3 p, vec3 toLight, float spread, vec3 centre, float radius)
@@ -95,7 +95,7 @@ struct Clearance {
 //   tMin, tMax  where to search, scene units; an empty interval is free
 //   threshold, maxSteps  of the march
 //   most        with an exact distance, the sine of the angle is the smallest of distance / t over all t;
-//               over the steps alone it is that or more
+//               over the steps only, it is that or more
 //   least       two balls of empty space, of radius a around the last step and h around this one, meet in a circle
 //               of radius sqrt(h^2 - y^2), y = h^2 / (2 a) before this step: the tangent of the angle of
 //               the smallest such circle, if that is not beyond a right angle. Needs a lower bound of the

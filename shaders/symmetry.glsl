@@ -65,7 +65,7 @@ vec3 foldToCorner(vec3 q, float size)
     return q;
 }
 
-// The Sierpinski pyramid: 4^levels tetrahedra from 3 levels folds with halving offsets. Inside exact;
+// The Sierpinski pyramid: 4^levels tetrahedra from three folds per level, with halving offsets. Inside exact;
 // outside between d / 3 and d, as for sdTetrahedronPlanes, on which it is built.
 //   p        point, scene units
 //   size     of the whole, as for sdTetrahedronPlanes

@@ -15,7 +15,7 @@
 
 // ---- Isometries: a moved volume keeps its size, and distances stay exact ----
 
-// The rotation about an axis by an angle, counter-clockwise as seen from the axis' tip.
+// The rotation about an axis by an angle, counter-clockwise as seen from the tip of the axis.
 //   angle    radians
 //   returns  an orthonormal matrix of determinant 1; its inverse is its transpose, and the rotation by
 //            -angle. GLSL writes matrices column by column
@@ -134,7 +134,7 @@ float heightStretch(float slope)
     return sqrt(1.0 + slope * slope);
 }
 
-// ---- The volume that this chapter turns and twists ----
+// ---- The volume that chapter 5 turns and twists ----
 
 // A torus around the y axis. Exact everywhere.
 //   p        point, scene units

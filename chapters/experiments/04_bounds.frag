@@ -3,8 +3,8 @@
 // true distance. Red is the difference, full at 0.25. Where no white line is visible, the two
 // coincide, and the operator is exact. For the smooth union only its own lines are drawn.
 //
-// The true distance is that to the boundary, piece by piece: to the part of each circle that is
-// left, and to the two points where the circles cross.
+// The true distance is that to the boundary, piece by piece: to the part of each circle that
+// remains, and to the two points where the circles cross.
 #include "main.glsl"
 #include "camera.glsl"
 #include "primitives.glsl"
@@ -34,10 +34,10 @@ float sceneDistance(vec3 p)
     return combined(p);
 }
 
-// The distance from q to the part that is left of the circle around the origin: the distance to the
-// circle if its point nearest to q is left, otherwise a very large number.
+// The distance from q to the part that remains of the circle around the origin: the distance to the
+// circle if its point nearest to q remains, otherwise a very large number.
 //   other   the centre of the other circle
-//   inside  true if the part inside the other disc is left, false if the part outside is left
+//   inside  true if the part inside the other disc remains, false if the part outside remains
 float arcDistance(vec2 q, vec2 other, bool inside)
 {
     bool left = (length(normalize(q) - other) < 1.0) == inside;

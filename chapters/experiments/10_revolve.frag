@@ -1,6 +1,6 @@
-// Experiment of chapter 10: a disc of radius 1 is turned about the axis, and the half-plane of a
-// point is laid on this plane. Left of the axis nothing is evaluated and nothing is drawn, but the
-// part of the disc there still affects the distance.
+// Experiment of chapter 10: a disc of radius 1 is revolved about the axis, shown in a plane through
+// the axis. Left of the axis nothing is evaluated and nothing is drawn, but the part of the disc
+// there still affects the distance.
 //
 // Dark lines show the distance as the formula gives it, white lines the distance to the surface
 // that is drawn. Red is the difference, full at 0.25. Where no white line is visible, both
@@ -24,7 +24,7 @@ float sceneDistance(vec3 p)
     return sdCircle(opRevolve(p, 0.0) - vec2(centre, 0.0), 1.0);
 }
 
-// The distance to the part of the rim that is turned, an arc around the x axis; negative inside.
+// The distance to the part of the rim that is revolved, an arc around the x axis; negative inside.
 float drawnDistance(vec2 q)
 {
     float half_ = atan(sqrt(max(1.0 - centre * centre, 0.0)), -centre); // the arc cosine of -centre

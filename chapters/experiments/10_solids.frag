@@ -1,5 +1,5 @@
-// Experiment of chapter 10: figures of the plane, extruded along a line or turned about an axis.
-// Cut stone and turned clay in the light of a low lamp.
+// Experiment of chapter 10: figures of the plane, extruded along a line or revolved about an axis:
+// cut stone and turned clay in the light of a low lamp.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay, focalLength
 #include "cone.glsl"       // marchCone, coneReaching, pixelSpread
@@ -81,7 +81,7 @@ float roseDistance(vec3 p)
     return opRound(min(min(wheel, rim), min(hub, plinth)), 0.012);
 }
 
-// The vase, turned, and a ring.
+// The vase, revolved, and a ring.
 float clayDistance(vec3 p)
 {
     float vase = vaseFigure(opRevolve(p - VASE, 0.0));

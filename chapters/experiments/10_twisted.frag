@@ -1,5 +1,5 @@
 // Experiment of chapter 10: a figure is extruded, and on its way up it turns and shrinks. The
-// function looks like an extrusion but is not a distance: it grows faster than you move.
+// function looks like an extrusion but is not a distance: it grows faster than the point moves.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march
@@ -16,7 +16,7 @@ uniform int   maxSteps;     // 400 in [1, 1024]: steps after which a ray is aban
 uniform float hitThreshold; // 0.0002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
 const float HEIGHT = 2.0;
-const float REACH = 0.62; // no point of the figure is further from its centre
+const float REACH = 0.62; // no point of the figure is farther from its centre
 const vec3  TO_LAMP = vec3(-0.66, 0.50, 0.56);
 
 Ray pixelRay(vec2 screen)

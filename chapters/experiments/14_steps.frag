@@ -1,4 +1,4 @@
-// Experiment of chapter 14: the workshop's occlusion, 1 - steps / most. In its line both are
+// Experiment of chapter 14: the workshop's occlusion, 1 - steps / most. In its code both are
 // integers, so that the quotient is 0 except for rays that use up all their steps.
 //
 // The chapter's own rayColour is renamed; everything else is the chapter's.

@@ -1,6 +1,6 @@
-// Experiment of chapter 16: a frame of chapter 03 in less time. Rays meet the stage with a formula,
-// so it is not part of the distance; they are marched only in the boxes around the three groups of
-// objects on the stage; normal and shadow share one loop.
+// Experiment of chapter 16: a frame of chapter 03 in less time. A formula finds where a ray meets
+// the stage, so it is not part of the distance; rays are marched only in the boxes around the three
+// groups of objects on the stage; normal and shadow share one loop.
 //
 // The colours are those of chapter 03. On a machine that runs in lockstep, a loop takes at least
 // one turn for every pixel, so one loop less is one evaluation less.

@@ -1,10 +1,10 @@
-// Seven marches, one of which replaces the first march of a chapter. A file that includes this one before the
+// Eight marches, one of which replaces the first march of a chapter. A file that includes this one before the
 // chapter chooses it with, for example, #define MARCH ENHANCED. All other marches of the pixel find nothing and
 // cost nothing.
 //
-// All but CONE end where the distance is less than the chapter's threshold, and ignore the growth of the
-// threshold along the ray, so that all end equally close to the surface. Each march assumes a lower bound of the
-// distance. docs/benchmark.md compares them.
+// All but CONE and TIGHT end where the distance is less than the chapter's threshold, and ignore the growth of
+// the threshold along the ray, so that they end equally close to the surface. Each march assumes a lower bound of
+// the distance. docs/benchmark.md compares them.
 #include "cone.glsl"    // march, marchCone, pixelSpread
 #include "relaxed.glsl" // marchRelaxed, which some chapters call
 #include "coarse.glsl"  // coarseStart
@@ -27,7 +27,7 @@ const int MARCH_STEPS = 4096;
 uniform bool numbers; // false: show evaluations, depth and hit of the first march as numbers for the tests
 
 // A bound of how fast the scene's distance can fall along a segment of a ray: the largest -d'(t), per scene unit,
-// at most 1. A scene that can tell more than this defines FALL_KNOWN and its own.
+// at most 1. A scene that has a better bound than 1 defines FALL_KNOWN and its own function.
 //   p, v    start and direction of the segment
 //   reach   its length, scene units, > 0
 float fallAlong(vec3 p, vec3 v, float reach);
@@ -39,7 +39,7 @@ float fallAlong(vec3 p, vec3 v, float reach)
 }
 #endif
 
-// Report how a march ended to the views.
+// Report to the views how a march ended.
 Hit marchEnded(bool found, float t, float tMax, int steps)
 {
     traceMarch(steps, t, found ? END_HIT : (t >= tMax ? END_PASSED : END_STEPS));
@@ -49,8 +49,8 @@ Hit marchEnded(bool found, float t, float tMax, int steps)
 // In the formulas, d is the distance at t, and the march begins with t = tMin.
 
 // RELAXED: over-relaxation.
-//   formula  t + omega d, 1 <= omega < 2. If the balls around the two points do not touch, back to the end of the
-//            first, and omega = 1 from then on
+//   formula  t + omega d, 1 <= omega < 2. If the balls around the two points do not touch, it goes back to the end
+//            of the first, and omega = 1 from then on
 //   bound    at most n + 1 evaluations where the plain march takes n, for a 1-Lipschitz distance
 //   safe     for all lower bounds. The balls of marchRelaxed have to overlap; these may just touch
 // Source: B. Keinert and others, 'Enhanced sphere tracing', STAG 2014.
@@ -78,8 +78,8 @@ Hit marchKeinert(Ray ray, float tMin, float tMax, float threshold, float omega, 
 // ENHANCED: the step that would be right if the surface were a plane.
 //   formula  the last two points that counted give the slope s = (d' - d) / (t - t'). The balls around t and the
 //            next point touch, if the slope remains, after d + d (1 - s) / (1 + s); the second term is
-//            multiplied by omega, 0 <= omega <= 1. Back, as for RELAXED, if they do not touch, but with the
-//            next step relaxed again
+//            multiplied by omega, 0 <= omega <= 1. It goes back, as RELAXED does, if they do not touch, but
+//            the next step is relaxed again
 //   bound    at most 2 n - 2 evaluations where the plain march takes n >= 2, for a 1-Lipschitz distance
 //   safe     for all lower bounds
 // Source: C. Balint, G. Valasek, 'Accelerating sphere tracing', Eurographics 2018. The clamp of s is ours: at

@@ -91,7 +91,7 @@ vec3 postNormal(vec3 q)
     return normalize(length(q - GLOBE) < GLOBE_RADIUS + 0.05 ? q - GLOBE : post);
 }
 
-// Where a ray ends, and how the pixel sees that point.
+// Where a ray ends, and how that point appears in the pixel.
 struct Spot {
     vec3  p, normal;
     float t, width;           // of p along the ray; width of the pixel there, scene units
@@ -166,8 +166,8 @@ vec3 groundColour(Spot spot)
     return mix(vec3(0.030, 0.030, 0.045), lawn, coverage(min(road.x, road.y), width));
 }
 
-// The light from a spot to the eye, without what its glass reflects. The globe emits light itself,
-// with a hue that depends on the hour, as in the figure.
+// The light from a spot to the eye, except for the light that its glass reflects. The globe emits
+// light itself, with a hue that depends on the hour, as in the figure.
 //   toLight, beam, sky  direction and light of the sun or the moon; and the light of the whole sky
 vec3 spotLight(Spot spot, vec2 window, vec3 toLight, vec3 beam, vec3 sky)
 {

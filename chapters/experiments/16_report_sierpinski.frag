@@ -1,8 +1,8 @@
 // The report's figure 10, redrawn: Sierpinski's pyramid in a parallel view, with its light and its
 // shadow.
 //
-// The pyramid stands on an edge, as in its formula, with the corners (1, 1, 1), (1, -1, -1), (-1,
-// 1, -1) and (-1, -1, 1).
+// The pyramid stands on an edge, as in its formula; its corners are (1, 1, 1), (1, -1, -1),
+// (-1, 1, -1) and (-1, -1, 1).
 #include "main.glsl"         // main(): calls pixelRay, then rayColour
 #include "orthographic.glsl" // orthographicRay
 #include "cone.glsl"         // march, coneReaching

@@ -2,7 +2,7 @@
 //
 // A ray that meets a drop at the distance b from its axis, in radii, is reflected once or twice
 // inside and leaves at an angle to the sun's rays. Rings of b send their light to rings of the sky,
-// and where the angle has its limit the light is concentrated.
+// and where the angle has its limit, the light is concentrated.
 #include "main.glsl"
 #include "camera.glsl"
 #include "coverage.glsl"
@@ -27,8 +27,8 @@ float sceneDistance(vec3 p)
     return p.y;
 }
 
-// An angle is its cosine and sine, so that nothing depends on how exact a driver's asin and acos are.
-// The product of two has the sum of the angles.
+// An angle is given by its cosine and sine, so that nothing depends on how exact a driver's asin and
+// acos are. The product of two such pairs gives the sum of their angles.
 vec2 turned(vec2 a, vec2 b)
 {
     return vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
@@ -41,8 +41,8 @@ float apart(vec2 a, vec2 b)
     return difference.x > 0.0 ? difference.y : sign(difference.y);
 }
 
-// The light that a shower sends from an angle to the point opposite the sun, reflected `mirrored`
-// times in each drop.
+// The light of a shower in a direction at this angle to the point opposite the sun, reflected
+// `mirrored` times in each drop.
 float bowLight(vec2 angle, float index, int mirrored)
 {
     vec2 before = vec2(1.0, 0.0);

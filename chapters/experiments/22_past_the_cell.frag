@@ -1,4 +1,4 @@
-// Experiment of chapter 22: a march that trusts the list of a cell beyond the cell. It steps over parts that are not on
+// Experiment of chapter 22: a march that trusts the list of a cell beyond the cell. It steps over parts that are not in
 // this list.
 #include "main.glsl"
 #define sceneDistance chapterDistance

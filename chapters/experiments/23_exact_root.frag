@@ -9,7 +9,7 @@ uniform bool exact; // true: rays end at the root of the cubic; false: where the
 StoredCell here; // of the last point at which the clay was evaluated
 bool inCube;     // whether this point was in the cube
 
-// storedDistance, which keeps the cell.
+// storedDistance, which also records the cell.
 float cellDistance(sampler3D values, vec3 p)
 {
     vec3 q = clamp(p, -1.0, 1.0);

@@ -1,5 +1,6 @@
 // The distance to two discs: drag the point and the discs. The number is the distance to the nearer disc; no solid
-// reaches into the blue circle of this radius. Rings join points of equal distance, and inside it is negative.
+// reaches into the blue circle of this radius. Rings join points of equal distance. Inside a disc the distance is
+// negative.
 #include "figure.glsl"
 
 uniform vec2 point;  // (0.0, 0.42) handle: where the distance is evaluated

@@ -1,6 +1,6 @@
 // The mean of two lights: drag the two dots along the curve, which encodes light (to the right) as the value for the
 // screen (upwards). The top grey on the right is the encoded mean (green). Seen from afar, the stripes of both lights
-// look like it. The lowest grey is the mean of the encoded values (orange), which is too dark.
+// look like this grey. The lowest grey is the mean of the encoded values (orange), which is too dark.
 #include "figure.glsl"
 #include "lighting.glsl"
 

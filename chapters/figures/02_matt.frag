@@ -1,6 +1,6 @@
 // Why a matt surface looks the same from all sides: drag the eye. The patch sends less flux at a grazing angle: the
-// orange arrow ends on the lobe. Seen from there the patch is narrower: the blue bar. The ratio of the two numbers is
-// the radiance, at the top left, and does not change.
+// orange arrow ends on the lobe. Seen from the eye, the patch is narrower: the blue bar. The ratio of the two numbers
+// is the radiance, at the top left, and does not change.
 #include "figure.glsl"
 #include "lighting.glsl"
 

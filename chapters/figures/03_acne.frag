@@ -1,6 +1,6 @@
 // Shadow acne: lower the offset, and drag the eye. Above, rays from the eye meet the floor; where its edge is dark, the
 // shadow ray would start as a hit. Below is the height of the start above the floor, enlarged: in the orange band it is
-// less than the threshold. It is never below the dashes, a bound that the angle of the ray gives.
+// less than the threshold. It is never below the dashes, a bound given by the angle of the ray.
 #include "figure.glsl"
 #include "march.glsl"
 

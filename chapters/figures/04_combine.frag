@@ -1,6 +1,6 @@
 // Two shapes become one: drag the disc, the block and the point. The circle around the point has the value of
 // the formula as its radius, which is at the top left. The circle never crosses the surface. Where it touches
-// the surface the formula is exact, and where a gap is left it is a lower bound.
+// the surface, the formula is exact, and where a gap is left, it is a lower bound.
 #include "figure.glsl"
 
 uniform int  operation; // 1 in [0, 2]: 0 union, 1 intersection, 2 block minus disc

@@ -1,7 +1,7 @@
 // A hue is an angle: drag the point around the disc of colours. Its angle is the hue, its distance from the
 // centre the saturation. On the right are the curves of red, green and blue with their values at this hue. The
-// disc reads the three numbers as linear light, and the ring around it as numbers of a screen; the two spots
-// show the colour in both readings.
+// disc treats the three numbers as linear light, and the ring around it as screen values; the two spots show
+// the colour in both ways.
 #include "figure.glsl"
 #include "hue.glsl"
 #include "lighting.glsl"

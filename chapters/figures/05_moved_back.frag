@@ -1,6 +1,6 @@
 // Move the point back: drag the plank, the tip of its axis, and the point p. On the right is the plank in its
-// original position, with the point q where the plank sees p: moved back, then turned back. Both circles have the
-// radius that the formula gives at q, which is at the top left. With wrongOrder p is turned back first.
+// original position, with the point q, which is p moved back, then turned back. Both circles have the radius that
+// the formula gives at q, which is at the top left. With wrongOrder, p is turned back first.
 #include "figure.glsl"
 
 uniform vec2 plank;      // (-0.7, -0.25) handle: where the centre of the plank is moved to

@@ -1,6 +1,6 @@
-// One ball, many copies: drag the point, and the ball in the shaded cell. The formula sees the point in this cell, at
-// the end of the arrow. The blue circle has the distance to the copy in the point's own cell as its radius. The green
-// one also counts the copy in the nearer neighbouring cell, and is always empty. The numbers are the two radii.
+// One ball, many copies: drag the point, and the ball in the shaded cell. The formula moves the point into this
+// cell, to the end of the arrow. The radius of the blue circle is the distance to the copy in the point's own cell. The
+// green one also counts the copy in the nearer neighbouring cell, and is always empty. The numbers are the two radii.
 #include "figure.glsl"
 #include "repetition.glsl"
 

@@ -1,6 +1,7 @@
 // The curve of a film: drag the white point and the light to the left and right. Plotted against the light, in stops
-// from middle grey: clamped (pale), a smoothstep (orange) and the film (blue). Below, a colour that gets brighter:
-// clamped, with the film on each channel, with the film on the largest. The numbers are the stops, and the film's result.
+// from middle grey, are its clamped value (pale), a smoothstep (orange) and the film (blue). Below is a colour that
+// gets brighter: clamped, with the film on each channel, with the film on the largest. The numbers are the stops and
+// the film's result.
 #include "figure.glsl"
 #include "film.glsl"
 #include "lighting.glsl"

@@ -1,6 +1,6 @@
 // A lens has a width: drag the point, the plane in focus, and the rim of the lens. On the right is the image of the
 // point on the film: a disc as wide as the orange piece of the plane in focus, seen from the lens. The number is its
-// diameter, and the curve half of it, for all depths.
+// diameter, and the curve shows half of it for all depths.
 #include "figure.glsl"
 #include "lens.glsl"
 

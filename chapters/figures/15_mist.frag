@@ -1,5 +1,5 @@
 // Low mist: drag both ends of the ray. The bar above it is divided into ten pieces of the same optical depth. The
-// numbers are that of the whole ray, and the share of the light that remains.
+// numbers are the optical depth of the whole ray, and the share of the light that remains.
 #include "figure.glsl"
 #include "fog.glsl"
 

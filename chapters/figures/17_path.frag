@@ -1,5 +1,5 @@
-// The march inside: drag the eye, the point it is aimed at, and the ball of glass. Outside a step is the distance
-// (orange circles), inside minus the distance (blue). Dashed is the reflected part of the light, which is not followed.
+// The march inside: drag the eye, the point it is aimed at, and the ball of glass. Outside, a step is the distance
+// (orange circles); inside, it is minus the distance (blue). The reflected part of the light, dashed, is not followed.
 #include "figure.glsl"
 #include "glass.glsl"
 

@@ -1,7 +1,7 @@
 // Clouds in the light: drag the sun in the small disc, which shows the sky with the zenith in its centre and the view
 // at its top; beyond its rim, the sun is below the horizon. Drag the point over the clouds. The bars are its light:
-// as wide as the squares of the direction to the sun, sideways (orange), upwards (green) and ahead (blue), and as
-// high as the shares of the sun's light from there. The number is their sum and the silver lining.
+// as wide as the squared components of the direction to the sun, sideways (orange), upwards (green) and ahead (blue),
+// and as high as the shares of the sun's light from there. The number is their total area plus the silver lining.
 #include "figure.glsl"
 #include "lighting.glsl"
 #include "film.glsl"

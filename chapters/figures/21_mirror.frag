@@ -1,6 +1,7 @@
 // The mirrored world: drag the eye and the end of the ray, and tilt the wave. The march goes straight on through the
-// water into the mirrored mountain. Each of its points there (black) stands for one on the mirrored ray (blue) as far
-// from the water, and the distance to the land is that from there. The green line is where level water would send it.
+// water into the mirrored mountain. Each of its points there (black) represents a point on the mirrored ray (blue)
+// equally far from the water, whose distance to the land counts. The green line is the ray that level water would
+// mirror.
 #include "figure.glsl"
 #include "valley.glsl"
 

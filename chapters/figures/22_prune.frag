@@ -1,6 +1,6 @@
 // Which parts matter in a cell: drag the cell. Its circle has the radius r of its corners. A part farther from the
 // centre than the nearest by more than the blend plus 2 r cannot change the distance anywhere in the circle, and is
-// drawn pale. The others are on the list; the number at the top left counts them.
+// drawn pale. The others are in the list; the number at the top left counts them.
 #include "figure.glsl"
 
 uniform vec2  cell;  // (-0.35, 0.15) handle: the centre of the cell

@@ -9,7 +9,7 @@
 // The gradient from four corners of a cube, normalised.
 //   p, h     as for normalAt
 //   formula  normalize(sum of k f(p + h k)), k = (1, 1, 1), (1, -1, -1), (-1, 1, -1), (-1, -1, 1);
-//            error O(h) of the formula: h (H_yz, H_xz, H_xy), where H holds the second derivatives
+//            error O(h) of the formula: h (H_yz, H_xz, H_xy), where H contains the second derivatives
 vec3 tetrahedronNormal(vec3 p, float h)
 {
     vec3 gradient = vec3(0.0);

@@ -8,7 +8,7 @@
 
 uniform float factor; // 1.5 in [0.25, 4] step *1.1, times the distance: length of a step
 
-// For a factor up to 1, a lower bound for the distance. Above 1 it is no bound, and rays pass
+// For a factor up to 1, a lower bound of the distance. Above 1 it is no bound, and rays pass
 // through thin objects.
 float sceneDistance(vec3 p)
 {

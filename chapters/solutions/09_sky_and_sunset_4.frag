@@ -9,7 +9,7 @@ uniform float starSize; // 0.003 in [0.0005, 0.01] step *1.2, radians: radius of
 
 // The direction in a frame that turns with the sun. Its third axis is the pole. Its first axis lies
 // in the plane of the equator and has the sun's hour angle, and its second is a quarter turn
-// further west.
+// farther west.
 vec3 starFrame(vec3 direction)
 {
     float angle = radians(15.0 * (hour() - 12.0)), latitude = radians(LATITUDE);

@@ -5,8 +5,8 @@
 uniform float ring; // 0.2 in [0, 0.5] step 0.02: brightness of the ring, as a share of the light around the moon
 
 // Two faces of a crystal form an angle of 60 degrees, and no ray through them is deflected by less
-// than 2 asin(n / 2) - 60 degrees. Half of the angle beyond it comes from its sine, because a driver's
-// asin may be inexact.
+// than 2 asin(n / 2) - 60 degrees. The angle beyond this is computed from the sine of its half,
+// because a driver's asin may be inexact.
 vec3 ringedGlow(vec3 direction, vec3 moon, float g)
 {
     float sine = 0.5 * min(distance(direction, moon), 2.0), cosine = sqrt(1.0 - sine * sine);

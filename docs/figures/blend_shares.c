@@ -1,5 +1,5 @@
-// blend_shares.c - two blends of two distances along a line: their depth, and the share of the
-// second distance: cubic, quadratic, and the workshop's weight.
+// blend_shares.c - two blends of two distances along a line: their depth; and three shares of the
+// second distance: the cubic, the quadratic and the workshop's weight.
 #include <math.h>
 #include <stdio.h>
 

@@ -6,8 +6,7 @@
 
 static const double half[3] = {1.2, 0.8, 1.0};
 
-// A cut: the position of its corner x = y = 0 on the page, its height z, and the height above the
-// box.
+// A cut: the position of its corner x = y = 0 on the page, its height z, and its title.
 struct cut {
     double left, bottom, z;
     const char *title;
@@ -34,7 +33,7 @@ static void draw_rectangle(const struct cut *cut, const double from[2], const do
     svg_polygon(4, corner, pen);
 }
 
-// The regions of the cut, by the number of sides beyond which they lie.
+// The regions of the cut, coloured by the number of sides beyond which they lie.
 static void draw_regions(const struct cut *cut)
 {
     static const char *const shade[] = {SVG_SKY, SVG_SAND, SVG_TEAL, SVG_ORANGE};

@@ -7,8 +7,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-// ---- Extrusion: horizontally, the distance to the figure; upwards, the position along the line
-// ----
+// ---- Extrusion: horizontally the distance to the figure, upwards the position along the line ----
 
 static void draw_extrusion(void)
 {

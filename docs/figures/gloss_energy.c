@@ -1,4 +1,4 @@
-// gloss_energy.c - the share of the light that a surface of little mirrors sends back, against its
+// gloss_energy.c - the share of the light that a surface of tiny mirrors reflects, against its
 // roughness.
 #include "lib/gloss.h"
 #include "svg.h"

@@ -1,5 +1,5 @@
 // part_cost.c - how many parts a ray evaluates against the number of parts of a scene, for four
-// means. Run alone with an argument, it prints the numbers instead.
+// methods. With an argument, it prints the numbers instead.
 #include <stdio.h>
 #include <stdlib.h>
 

@@ -7,7 +7,7 @@
 static const double unit = 62.0;
 
 struct view {
-    double left, middle; // pixels: the eye's x, the axis' y
+    double left, middle; // pixels: the eye's x, the axis's y
     double opening;      // 1: rays from one point; 0: parallel
 };
 

@@ -21,7 +21,7 @@ void svg_end(void)
     printf("</svg>\n");
 }
 
-// -0.00 would differ from 0.00.
+// Avoids -0.00, which would be written differently from 0.00.
 static double clean(double v)
 {
     return fabs(v) < 0.005 ? 0.0 : v;
@@ -222,7 +222,7 @@ void svg_plot_zero(const struct svg_plot *plot, double (*f)(double x, double y),
     double dx = (plot->x[1] - plot->x[0]) / columns, dy = (plot->y[1] - plot->y[0]) / rows;
     for (int cell = 0; cell < columns * rows; cell++) {
         double corner[4][3], page[4][2];
-        for (int i = 0; i < 4; i++) { // round the cell
+        for (int i = 0; i < 4; i++) { // around the cell
             corner[i][0] = plot->x[0] + dx * (cell % columns + (i == 1 || i == 2));
             corner[i][1] = plot->y[0] + dy * (cell / columns + (i >= 2));
             corner[i][2] = f(corner[i][0], corner[i][1]);

@@ -101,7 +101,7 @@ static void sky(double top)
     draw_axes(&plot[0], -5.0);
     draw_axes(&plot[1], 16.0);
     draw_channels(&plot[0], sky_wrong, (double[]){0.0, 0.0, 0.0});
-    draw_channels(&plot[1], sky_right, (double[]){6.0, 0.0, -2.0}); // words apart
+    draw_channels(&plot[1], sky_right, (double[]){6.0, 0.0, -2.0}); // keeps the words apart
 }
 
 int main(void)

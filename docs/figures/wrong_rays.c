@@ -16,8 +16,7 @@ static const char *colour_of(int side)
     return side == 0 ? SVG_ORANGE : SVG_BLUE;
 }
 
-// ---- 1.3: the eye looks along -z, with a ball on the right and a box on the left; seen from above
-// ----
+// ---- 1.3, from above: the eye looks along -z; a ball on the right, a box on the left ----
 
 static void pixel_ray(const struct svg_plot *plot, double towards, const char *colour)
 {
@@ -57,8 +56,7 @@ static void mirrored(double top)
     }
 }
 
-// ---- 1.4: a ball of radius 3, 25 in front of the eye, and a ray that passes 2.5 from its centre
-// ----
+// ---- 1.4: a ball of radius 3, 25 in front of the eye; a ray passes 2.5 from its centre ----
 
 static double ball_at(double t)
 {

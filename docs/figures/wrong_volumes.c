@@ -82,8 +82,8 @@ static void block(const struct svg_plot *plot, const struct m3 *back, const stru
     }
 }
 
-// The angle, in degrees, that remains when one rotation is undone with another: the trace is 1 + 2
-// cos.
+// The angle, in degrees, that remains when one rotation is undone with another: the trace is
+// 1 + 2 cos.
 static double left_over(const struct m3 *back, const struct m3 *turn, double degree)
 {
     double trace = m3_apply(back, turn->column[0]).x + m3_apply(back, turn->column[1]).y +

@@ -80,8 +80,8 @@ function pairOf(command, above) {
 //   {stem, line, other}  two lines that write a picture each, to be compared
 //   {check, stem}        an exercise, "03_2", and its chapter
 //   {reason}             why it has no button; in the course for students, exercises cannot be checked in a page
-//   above                the commands above it in its block
 // Throws if it does none of these: then commands.txt lacks a line.
+//   above  the commands above it in its block
 export function commandOf(command, above = []) {
     const pair = pairOf(command, above);
     if (pair) return pair;

@@ -21,7 +21,7 @@
 
     // ---- Words ----
 
-    // Can a word become another one if this many letters are lost, added, changed or swapped with the next?
+    // Can a word become another one by losing, adding, changing or swapping at most this many letters?
     function near(a, b, most) {
         if (Math.abs(a.length - b.length) > most) return false;
         let before = [], row = [...Array(b.length + 1).keys()];

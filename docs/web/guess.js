@@ -1,5 +1,5 @@
-// guess.js - Predict first: a question takes a guess before its answer opens, and afterwards says how close it was. The
-// guesses are stored on this device. This is a classic script, because browsers run no modules from file://.
+// guess.js - Predict first: a question takes a guess before its answer opens, and then says how close the guess was.
+// Guesses are stored on this device. This is a classic script, because browsers run no modules from file://.
 (() => {
     const KEY = `guesses ${location.pathname.split('/').pop()}`;
     const kept = () => { try { return JSON.parse(localStorage[KEY]); } catch { return {}; } };

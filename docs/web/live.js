@@ -188,8 +188,8 @@ async function edit(form, text) {
     if (await chapter.run(`--shader ${name}`) === 0) changes.toggle(true);
 }
 
-// Run with the value that a number in a sentence sets; if the picture's shader does not have the parameter, run the
-// chapter's own shader.
+// Run a chapter for a number in a sentence.
+//   own  run the chapter's own shader, because the picture's shader does not have the parameter
 async function runIn(at, own = false) {
     await (own ? at.run('') : at.run());
 }

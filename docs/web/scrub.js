@@ -4,7 +4,7 @@ const WAY = 240; // the distance, in the page's units, from a parameter's minimu
 
 export class Scrub {
     //   code   the element, code.scrub
-    //   runIn  runs a <live-chapter> whose program it sets, and gives the stage
+    //   runIn  runs a <live-chapter>: its own command line or, if the second argument is true, the chapter's shader
     constructor(code, runIn) {
         const [name, value] = code.textContent.split('=');
         Object.assign(this, {code, runIn, name, value: Number(value), turn: 0});
@@ -49,7 +49,7 @@ export class Scrub {
 
     parameter(at) { return at.program?.call('live_runs') && at.program.state().parameters.find(({name}) => name === this.name); }
 
-    // Set the parameter to a value in its range, moved by this amount.
+    // Set the parameter to a value that is moved by this share of its range.
     async move(from, share) {
         const turn = ++this.turn;
         let at = this.picture();
@@ -69,7 +69,7 @@ export class Scrub {
         this.keepInSight(at);
     }
 
-    // A picture that is scrolled out of view floats over the page until the number is released.
+    // A picture that is scrolled out of view floats over the page until the number loses the focus.
     keepInSight(at) {
         if (this.at && this.at !== at) this.at.classList.remove('live-afloat');
         this.at = at;

@@ -1,4 +1,4 @@
-// sources.mjs - makes a coloured page, source/FILE.html, of each file that the pages link to.
+// sources.mjs - makes a coloured page, source/FILE.html, for each file that the pages link to.
 import fs from 'node:fs';
 import path from 'node:path';
 import {coloured, escaped, languageOf} from './colour.mjs';

@@ -7,7 +7,7 @@ import {Values} from './values.js';
 import {Ray} from './ray.js';
 
 const LOOK = 200; // milliseconds between two updates from the program's state
-const LONG = 2000; // milliseconds after which compiling takes long
+const LONG = 2000; // milliseconds of compiling after which the reader is told
 const PRESS = 1, RELEASE = 0;
 const PAD = [['◀', 65, 'left'], ['▲', 87, 'forwards'], ['▼', 83, 'backwards'], ['▶', 68, 'right'], ['⤒', 32, 'up'], ['⤓', 67, 'down']];
 const RESTART = 82, SHIFT = 1, NEXT_HANDLE = 257, TAKE_BACK = 85;

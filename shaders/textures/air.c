@@ -8,14 +8,14 @@
 
 enum { VIEW_STEPS = 120 };
 
-// 4,000 cd/m^2; 683 lumens per watt; the step of the wavelengths.
+// 683 lumens per watt, times the step of the wavelengths, 20 nm, over 4,000 cd/m^2.
 static const double UNIT = 683.0 * 20.0 / 4000.0;
 
 // Linear sRGB of X, Y, Z, IEC 61966-2-1.
 static const double SCREEN[3][3] = {
     {3.2406, -1.5372, -0.4986}, {-0.9689, 1.8758, 0.0415}, {0.0557, -0.2040, 1.0570}};
 
-// Add to a colour the appearance of light of a wavelength on a screen.
+// Add light of one wavelength, as a screen shows it, to a colour.
 static void add_wave(int wave, double light, double colour[3])
 {
     for (int c = 0; c < 3; c++)
@@ -28,7 +28,7 @@ static void add_wave(int wave, double light, double colour[3])
 void air_shares(double sun, double view, double azimuth, double ozone, struct air_shares *shares)
 {
     double level =
-        sqrt((1.0 - sun * sun) * (1.0 - view * view)) * azimuth; // of the cosine of their angle
+        sqrt((1.0 - sun * sun) * (1.0 - view * view)) * azimuth; // part of their angle's cosine
     double length = air_way_out(AIR_EARTH, view);
     struct air_amount passed = {0.0, 0.0, 0.0};
     *shares = (struct air_shares){{0.0}, {0.0}, {0.0}};
@@ -159,7 +159,7 @@ void air_table(double u, double v, double azimuth, double ozone, double value[4]
     for (int c = 0; c < 3; c++)
         part[c] *= all;
     double blue = part[2] / one[2];
-    int byte = paint_byte(blue); // the one below; the fourth number contains the rest
+    int byte = paint_byte(blue); // the byte below; the fourth number contains the rest
     byte -= byte > 0 && paint_light(byte) > blue ? 1 : 0;
     value[0] = part[0] / one[0];
     value[1] = part[1] / one[1];
@@ -167,7 +167,7 @@ void air_table(double u, double v, double azimuth, double ozone, double value[4]
     value[3] = 128.0 / 255.0 + (blue - value[2]) * one[2] / (AIR_FINE * one[0]);
 }
 
-// The air mass of chapter 09's even shell.
+// The air mass of chapter 09's uniform shell.
 static double air_mass(double sine)
 {
     double climb = 721.5 * sine, horizon = 2.0 * 721.5 + 1.0;
@@ -187,7 +187,7 @@ void air_sun_table(double u, double v, double value[3])
     double rim = x < 1.0 ? sqrt(1.0 - x * x) : 0.0, left = 1.0 - x * x / (SUN_REACH * SUN_REACH);
     air_sunlight(sine, colour);
     for (int c = 0; c < 3; c++) {
-        // The mean of the disc is 1 - DARK / 3 of its centre, and must equal the sun's light.
+        // The mean over the disc is 1 - DARK / 3 times its centre, and must equal the sun's light.
         double middle = colour[c] / (1.0 - DARK[c] / 3.0) / scale;
         value[c] = middle * (x <= 1.0 ? 1.0 - DARK[c] * (1.0 - rim) : mass / 38.0 * left * left);
     }

@@ -34,8 +34,8 @@ struct air_light {
 // each assumed to arrive equally from all directions.
 //   sun      sine of the sun's height, in [-1, 1]; no light comes through the Earth
 //   view     sine of the direction's height, in [0, 1]
-//   azimuth  cosine of the horizontal angle between the two, in [-1, 1]: 1 below or above
-//   the sun ozone    of 300 Dobson units: 1; 0 leaves it out
+//   azimuth  cosine of the horizontal angle between the two, in [-1, 1]: 1 towards the sun
+//   ozone    amount of ozone; 1 is 300 Dobson units, 0 leaves it out
 struct air_light air_scattered(double sun, double view, double azimuth, double ozone);
 
 // The same for each wavelength, as shares of the sunlight above the air, per steradian.

@@ -75,8 +75,8 @@ static void add_between(grid light, struct corner at, const double weight[AIR_WA
 // the same for all heights of the sun.
 struct path {
     double distance[2 * PATH_STEPS], height[2 * PATH_STEPS], dip[2 * PATH_STEPS];
-    double air[2 * PATH_STEPS][AIR_WAVES];  // the share that a step scatters and sends to the point
-    double dust[2 * PATH_STEPS][AIR_WAVES]; // of which by dust
+    double air[2 * PATH_STEPS][AIR_WAVES];  // the share that a step's air scatters to the point
+    double dust[2 * PATH_STEPS][AIR_WAVES]; // the same for its dust
     double ground[AIR_WAVES];               // the share that arrives from the end of the path
     double length;
     int steps;
@@ -91,7 +91,7 @@ static void path_along(double radius, double sine, double ozone, struct path *pa
     path->length =
         path->lands ? drop / (down + sqrt(down * down - drop)) : air_way_out(radius, sine);
     path->steps = 0;
-    double turn = path->lands ? path->length : (down > 0.0 ? down : 0.0); // the lowest place
+    double turn = path->lands ? path->length : (down > 0.0 ? down : 0.0); // to its lowest point
     struct air_amount passed = {0.0, 0.0, 0.0};
     for (int i = 0; i < 2 * PATH_STEPS; i++) {
         double part = i < PATH_STEPS ? turn : path->length - turn;
@@ -185,8 +185,8 @@ static void next_order(grid from, bool first, double falls[SUNS][AIR_WAVES], dou
                         add_between(from, corner_at(path.height[j], path.dip[j], there), weight,
                                     sum);
                     }
-                    // Sum is 4 pi times the light from this direction or, if the previous order is
-                    // diffuse light, that light itself.
+                    // The sum is 4 pi times the light from this direction or, if the previous order
+                    // is diffuse light, that light itself.
                     double arrives = first ? 1.0 / (4.0 * AIR_PI) : 1.0;
                     if (path.lands) {
                         double there = (radius * sun + path.length * c) / AIR_EARTH;

@@ -9,7 +9,7 @@
 // from a grid that the first call for each ozone computes in a few seconds.
 //   height  of the point, km
 //   sun     sine of the sun's height there
-//   ozone   of 300 Dobson units: 1
+//   ozone   amount of ozone; 1 is 300 Dobson units
 void air_add_scattered(double height, double sun, double ozone, const double weight[AIR_WAVES],
                        double sum[AIR_WAVES]);
 

@@ -35,8 +35,8 @@ const struct air_wave air_waves[AIR_WAVES] = {
     {1.626, 2.939, {0.4479, 0.1750, 0.0000}}, {1.539, 2.045, {0.1649, 0.0610, 0.0000}},
     {1.493, 1.341, {0.0468, 0.0170, 0.0000}}, {1.429, 0.844, {0.0114, 0.0041, 0.0000}}};
 
-// Cross sections, 1e-25 m^2, times this are the depth of 300 Dobson units of ozone, of 2.687e20
-// molecules per square metre each, overhead.
+// A cross section in 1e-25 m^2, times this, is the depth of 300 Dobson units of ozone overhead; one
+// unit is 2.687e20 molecules per square metre.
 static const double OZONE = 300.0 * 2.687e20 * 1e-25;
 
 // Depth of the dust overhead at 550 nm; it is proportional to 1 / wavelength. A clear day: T.
@@ -91,7 +91,7 @@ struct air_amount air_density(double height)
                                .ozone = from < 15.0 ? (15.0 - from) * (1.0 / 225.0) : 0.0};
 }
 
-// The difference of two large roots, computed without its loss of digits.
+// The difference of two large roots, computed without loss of digits.
 double air_height_at(double radius, double sine, double distance)
 {
     double more = distance * (2.0 * radius * sine + distance);

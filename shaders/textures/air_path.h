@@ -9,7 +9,8 @@
 #define AIR_EARTH 6371.0
 #define AIR_TOP   120.0
 
-// The share of the light removed by dust that is scattered, and the mean cosine of its angle.
+// Of the light that dust removes, the share that it scatters; the mean cosine of the scattering
+// angle.
 #define AIR_DUST_KEPT 0.92
 #define AIR_FORWARD   0.76
 
@@ -27,8 +28,9 @@ double air_dust_depth(int wave);
 // The amounts in one kilometre of path at a height, in [0, AIR_TOP].
 struct air_amount air_density(double height);
 
-// A ray begins at a radius, from the Earth's centre, and its direction has this sine of its height.
-// The height above the sea at a distance along it; and its distance to the top of the air.
+// For a ray that begins at this radius, from the Earth's centre, in a direction with this sine of
+// its height: the height above the sea at a distance along it, and its length to the top of the
+// air.
 double air_height_at(double radius, double sine, double distance);
 double air_way_out(double radius, double sine);
 

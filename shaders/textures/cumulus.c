@@ -183,8 +183,8 @@ static double light_from(const struct cumulus *field, const double p[3], double 
 
 // ---- The panorama ----
 
-// Cosine and sine of a part of a turn: a half, a quarter, an eighth, ..., each halved with the
-// root, are combined according to the bits of u.
+// Cosine and sine of u turns: a half, a quarter, an eighth and so on, each found from the one
+// before with a square root, are combined according to the bits of u.
 static void turn(double u, double *cosine, double *sine)
 {
     double c = 1.0, s = 0.0, half_c = -1.0, half_s = 0.0, rest = 2.0 * (u - floor(u));
@@ -203,8 +203,8 @@ static void turn(double u, double *cosine, double *sine)
     *sine = s;
 }
 
-// Where a ray from the ground has risen to this height; bend is the Earth's curvature along the
-// ray.
+// The distance at which a ray from the ground has risen to this height; bend is the Earth's
+// curvature along the ray.
 static double reach(double climb, double bend, double height)
 {
     return 2.0 * height / (climb + sqrt(climb * climb + 2.0 * bend * height));
@@ -244,7 +244,7 @@ static void along_ray(const struct cumulus *field, double u, double v, double va
         inside = inside && idle < 6;
         t += inside ? fine : stride;
     }
-    double whole = 0.98; // the loss of a ray that has been abandoned
+    double whole = 0.98; // the loss at which a ray is abandoned
     value[0] = fmin((1.0 - seen) / whole, 1.0);
     value[1] = above / whole;
     value[2] = 0.5 + 0.5 * side / whole;
@@ -265,7 +265,7 @@ static void draw_texels(const struct cumulus *field)
         }
 }
 
-// The texels of a row in the sky that are together as wide as one of them is high: at the height h
+// How many texels of a row are together as wide in the sky as one of them is high: at the height h
 // = pi / 2 v^2, a texel is pi v / CUMULUS_HEIGHT high and 2 pi cos(h) / CUMULUS_WIDTH wide.
 static double texels_wide(int row)
 {

@@ -9,12 +9,12 @@
 
 #include <stdint.h>
 
-// A cumulonimbus: a column whose head has met the warm air that stops it, and spreads to an anvil.
+// A cumulonimbus: a column whose head has met warm air that stops it, and spreads into an anvil.
 // Lengths in kilometres.
 struct tower {
     double north, east; // position of its base, from the eye
     double width;       // radius of the column
-    double top, anvil;  // height of its head above the ground, and how far that spreads
+    double top, anvil;  // height of its head above the ground, and how far the head spreads
     double drawn;       // how far the wind draws the head to the north
     double clearing;    // no other cloud is closer than this to the line between the eye and it
 };
@@ -28,7 +28,7 @@ struct cumulus {
         depth;        // height of the flat bases; greatest height of a column above them
     double cell;      // of the noise: about the distance from one cloud to the next
     double threshold; // of the noise, in (0, 1)
-    double slope;     // share of depth a column gains for each unit of noise
+    double slope;     // share of depth that a column gains for each unit of noise
     double puff,
         fray;         // how far puffs bulge, the large ones and the small ones, as a share of depth
     double size;      // four times the width of a large puff
@@ -41,8 +41,8 @@ struct cumulus {
 // the cloud hides; above, the share of a light overhead that reaches the visible side; side, 1/2 +
 // 1/2 (right - left), the same for lights on the horizon, to the right and to the left of an
 // observer who looks at it. High up, a texel is narrower than it is high, and the rim of a cloud
-// would be a stair. So each texel is the mean of about as many beside it as are together as wide as
-// one is high, and of the rows above and below it.
+// would look like a staircase. So each texel is the mean of about as many texels of its row as are
+// together as wide as one is high, and of the same in the rows above and below.
 //   field  the same in all calls
 void cumulus_at(const struct cumulus *field, double u, double v, double value[3]);
 

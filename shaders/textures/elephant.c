@@ -2,8 +2,8 @@
 
 #include <math.h>
 
-// The right half, and the middle. Each line is the block's cell, the centre of its box, and the
-// halves of its sides.
+// The right half, and the middle. Each line is a block's cell, the centre of its box, and half the
+// sides of the box.
 static const struct mesh_block RIGHT[] = {
     // Hind leg and foreleg: foot, shin, thigh.
     {{8, 0, 3}, {0.31, -0.83, -0.50}, {0.19, 0.05, 0.20}},

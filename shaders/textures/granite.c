@@ -1,7 +1,7 @@
 // granite.c - weathered granite: pale rose feldspar, white plagioclase, smoky quartz and black
 // mica.
 //
-// Large crystals of feldspar lie in a filling of small grains; mica keeps together in flakes.
+// Large crystals of feldspar lie in a filling of small grains; the flakes of mica cluster.
 #include "paint.h"
 
 enum { LARGE = 22, SMALL = 50, FLAKES = 84 }; // grains across a period
@@ -17,7 +17,7 @@ static const struct mineral rose = {{0x79645f, 0xaa948e, 0xd1c1ba}, 0.55, 0.34, 
                             quartz = {{0x4b4a4c, 0x7f7e7f, 0xb4b2b1}, 0.55, 0.05, 0.95},
                             mica = {{0x0c0b0c, 0x232122, 0x53504f}, 0.40, 0.50, 0.50};
 
-// The chances of a grain.
+// A random number of a grain.
 static double chance(uint32_t name, int which)
 {
     return paint_random((int)(name >> 4), which, name);
@@ -39,7 +39,7 @@ static void paint(const struct mineral *mineral, const struct paint_grain *grain
 
 static void granite(double u, double v, double value[3])
 {
-    // Borders wander.
+    // The borders between grains are irregular.
     double du = 0.020 * (paint_octaves(u, v, 36, 36, 4, 11) - 0.5);
     double dv = 0.020 * (paint_octaves(u, v, 36, 36, 4, 23) - 0.5);
     struct paint_grain flake = paint_grain(u + 0.5 * du, v + 0.5 * dv, FLAKES, FLAKES, 3);

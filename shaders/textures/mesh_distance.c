@@ -196,8 +196,8 @@ static void fit_box(const struct mesh_tree *tree, struct mesh_box *box)
     }
 }
 
-// Sort the triangles of a box into two parts, by the side of the plane through the middle of its
-// longest side on which their middles lie; if all lie on one side, by halves of the list.
+// Sort the triangles of a box into two parts: those whose middles lie below the plane that halves
+// the box's longest side, and the others. If all lie on one side, the list is halved.
 static int split(const struct mesh_tree *tree, const struct mesh_box *box)
 {
     int axis = 0, *order = tree->order + box->first, count = 0;

@@ -2,7 +2,7 @@
 // its slopes to the right and upwards in green and blue.
 //
 // The seas lie about where those of our Moon lie, and so do the craters that have a name.
-// Everything else is random: small craters are many, large ones few.
+// Everything else is random: there are many small craters and few large ones.
 #include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
@@ -153,7 +153,8 @@ static double ray_at(const struct crater *crater, struct place p, double far)
     return fmax(thin * fade * (0.75 + 0.6 * patch), 0.80 * blanket);
 }
 
-// The height of a crater's bowl and rim, in radii of the moon; q is the distance in its own radii.
+// The height of a crater's bowl and rim, in radii of the moon; q is the distance in the crater's
+// radii.
 static double bowl(double q, double radius)
 {
     double deep = 0.0009 + 0.050 * radius, flat = paint_step(0.016, 0.045, radius);
@@ -184,7 +185,7 @@ static void dig(const struct crater *crater)
             if (q >= fmax(crater->rays, 2.2))
                 continue;
             float *height = &moon.height[row][column], *albedo = &moon.albedo[row][column];
-            // The earlier ground is filled in or thrown away.
+            // The impact buries the earlier ground or throws it away.
             double keep = q < 1.0 ? 0.25 + 0.75 * paint_step(0.7, 1.0, q) : 1.0;
             *height = (float)(*height * keep + worn * bowl(q, crater->radius));
             double bright = crater->fresh * (q < 1.0 ? 0.55 + 0.25 * paint_step(0.5, 0.95, q)

@@ -10,7 +10,7 @@
 
 enum { SIDE = 64, CELLS = 16 };
 
-// The numbers of the slices run downwards; within a slice, as in every texture, v runs upwards.
+// The slices are numbered downwards; within a slice, as in every texture, v runs upwards.
 static void noise(double u, double v, double value[3])
 {
     double row = (1.0 - v) * SIDE, slice = floor(row);

@@ -34,7 +34,7 @@ double paint_random(int i, int j, uint32_t seed)
 
 // ---- Real arithmetic ----
 
-// The rest lies within half of log 2 = 0.693 of 0, where 14 terms are enough: 0.35^15 / 15! is
+// The rest is at most half of log 2 = 0.693 in size, where 14 terms are enough: 0.35^15 / 15! is
 // 1e-19. The two parts of log 2 add up to it; n times the first one is exact.
 double paint_exp(double x)
 {
@@ -95,7 +95,7 @@ double paint_octaves(double u, double v, int columns, int rows, int octaves, uin
     return sum / total;
 }
 
-// How far a number lies outside of [cell, cell + 1].
+// How far a number lies outside [cell, cell + 1].
 static double outside(double x, int cell)
 {
     return x < cell ? cell - x : x > cell + 1 ? x - cell - 1 : 0.0;
@@ -151,7 +151,7 @@ static double decode(double value)
     return x * x * fifth_root(x * x);
 }
 
-// Linear light of the bytes and of the limits between them, which are half a byte away: of k / 2.
+// Linear light of the bytes and of the limits halfway between them: entry k is the light of k / 2.
 static const double *light_of_halves(void)
 {
     static double light[511];
@@ -161,7 +161,7 @@ static const double *light_of_halves(void)
     return light;
 }
 
-// As many as there are limits below it.
+// The number of limits below the light.
 unsigned char paint_byte(double light)
 {
     const double *half = light_of_halves();

@@ -65,7 +65,7 @@ struct part_grid {
 // Build the grid of lists for count parts.
 //   blend     width of the blends
 //   fineness  cells along the longest side, for each cube root of count
-// Returns false if memory is short, not reported. Free with part_grid_free.
+// Returns false, without a message, if there is not enough memory. Free with part_grid_free.
 bool part_grid_build(struct part_grid *grid, const struct part *part, int count, double blend,
                      double fineness);
 

@@ -12,10 +12,10 @@
 //   size   points on each axis, >= 2
 //   cell   distance between neighbours, > 0
 // Points next to the surface get the distance to the plane through the crossings of their edges;
-// all others the solution of |gradient| = 1 with differences towards the surface, by eight sweeps.
-// The error is a share of a cell near the surface and grows like cell log(1 / cell). Where there is
-// no surface and nothing is kept, nothing changes. Source: H. Zhao, 'A fast sweeping method for
-// eikonal equations', Mathematics of Computation 74 (2005).
+// all others get the solution of |gradient| = 1 with differences towards the surface, found in
+// eight sweeps. The error is a share of a cell near the surface and grows like cell log(1 / cell).
+// Where there is no surface and nothing is kept, nothing changes. Source: H. Zhao, 'A fast sweeping
+// method for eikonal equations', Mathematics of Computation 74 (2005).
 void sweep_distances(double *value, const bool *keep, const int size[3], double cell);
 
 #endif

@@ -15,7 +15,7 @@ struct weave {
     bool covered;  // false in a gap between the threads
 };
 
-enum { WEAVE_THREADS = 64 }; // in each direction, a period
+enum { WEAVE_THREADS = 64 }; // per period, in each direction
 
 struct weave weave_at(double u, double v);
 
