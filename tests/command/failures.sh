@@ -219,6 +219,9 @@ for how in -m -rm; do
 done
 if [ ${#alone[@]} = 0 ]; then
     skip 'a full disk for the shader cache' 'this user may not mount'
+elif full_cache >/dev/null 2>&1; then
+    ok 'a full disk for the shader cache' # this driver draws without its cache
+    fill
 else
     refuse 'a full disk for the shader cache' 1 'MESA_SHADER_CACHE_DISABLE' full_cache
 fi
@@ -311,10 +314,14 @@ done
 
 # ---- Interrupted ----
 
-# Background jobs of a script ignore SIGINT; under job control they do not, unless this script ignores
-# it: then timeout receives it and passes it on.
+# Background jobs of a script ignore SIGINT; under job control they do not, unless this script ignores it: then env lets
+# them receive it again or, where env cannot do that, timeout receives it and passes it on.
 hearing=()
-command -v timeout >/dev/null && hearing=(timeout 300)
+if ! windows && env --default-signal=INT true 2>/dev/null; then
+    hearing=(env --default-signal=INT)
+elif command -v timeout >/dev/null; then
+    hearing=(timeout 300)
+fi
 interrupted() { # FILE ARGUMENT...: once the program has written that file
     local file=$1 job end=$((SECONDS + 60))
     shift
