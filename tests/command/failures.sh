@@ -276,14 +276,17 @@ fi
 
 # ---- Memory ----
 
-# A driver that gets no memory may crash: the last line says why. A sanitizer needs more address space than any limit.
+# A driver that gets no memory may crash: the last line says why. With even less, a driver may not be found at all, or not
+# open; how much each needs depends on its version. A sanitizer needs more address space than any limit.
 short_of_memory() {
-    local limit status
+    local limit status named=1
     for limit in 215000 230000 250000 270000; do
         (ulimit -v "$limit" && exec "$chapter" "${small[@]}" -o "$scratch/limited.png") 2>"$scratch/limited"
         status=$?
-        [ "$status" = 0 ] || { [ "$status" = 1 ] && tail -n 1 "$scratch/limited" | grep -q 'ulimit -v'; } || return 1
+        [ "$status" = 0 ] || { [ "$status" = 1 ] && tail -n 1 "$scratch/limited" | grep -q 'driver\|memory'; } || return 1
+        tail -n 1 "$scratch/limited" | grep -q 'ulimit -v' && named=0
     done
+    return "$named"
 }
 [ "$BUILD" != build ] || check 'too little memory for the driver is reported' short_of_memory
 
