@@ -283,7 +283,7 @@ short_of_memory() {
     for limit in 215000 230000 250000 270000; do
         (ulimit -v "$limit" && exec "$chapter" "${small[@]}" -o "$scratch/limited.png") 2>"$scratch/limited"
         status=$?
-        [ "$status" = 0 ] || { [ "$status" = 1 ] && tail -n 1 "$scratch/limited" | grep -q 'driver\|memory'; } || return 1
+        [ "$status" = 0 ] || { [ "$status" = 1 ] && tail -n 1 "$scratch/limited" | grep -qE 'driver|memory'; } || return 1
         tail -n 1 "$scratch/limited" | grep -q 'ulimit -v' && named=0
     done
     return "$named"
