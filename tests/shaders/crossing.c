@@ -21,7 +21,7 @@ struct crossing {
 static struct crossing march_of(const float *values, int row, int number)
 {
     const float *v = values + 4 * (row * CASES + number);
-    assert_true(v[0] == v[3]); // what the views and the probe receive
+    assert_true(v[0] == v[3]); // what the views and the probe receive; -1: not the threshold
     return (struct crossing){(double)v[0], v[1] > 0.5f, (double)v[2]};
 }
 

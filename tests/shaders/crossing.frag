@@ -42,5 +42,6 @@ void main()
     start = function == 0 ? 6.0 + 4.0 * lot(0) - start : start;
     Hit hit = gl_FragCoord.y > 1.0 ? marchCone(ray, start, 20.0, iMouse.x, iMouse.y, 512)
                                    : marchCrossing(ray, start, 20.0, iMouse.x, iMouse.y, 512);
-    FragColor = vec4(hit.t, hit.found, trace.evaluations, trace.t);
+    bool traced = trace.threshold == iMouse.x && trace.spread == iMouse.y;
+    FragColor = vec4(hit.t, hit.found, trace.evaluations, traced ? trace.t : -1.0);
 }
