@@ -9,9 +9,9 @@
 #include "platform.h"
 #include "report.h"
 
-// The GPU's own clock.
+// The GPU's own timer.
 struct timer {
-// A type and a list of parameters take no parentheses. NOLINTNEXTLINE(bugprone-macro-parentheses)
+// Types and lists of parameters cannot have parentheses. NOLINTNEXTLINE(bugprone-macro-parentheses)
 #define TIMER_MEMBER(type, name, arguments) type(*name) arguments;
     GL_TIMER_FUNCTIONS(TIMER_MEMBER)
 #undef TIMER_MEMBER
@@ -130,7 +130,7 @@ static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
 // ---- Evaluations ----
 
 // Draw the counts of all pixels, 4 numbers each, as shaders/main.glsl writes them: evaluations,
-// steps, the bound, 1 if the pixel's march is compared with it.
+// steps, the bound, and 1 if the pixel's march is compared with it.
 static bool draw_counts(struct renderer *renderer, const struct renderer_inputs *inputs,
                         float *values)
 {
@@ -142,8 +142,8 @@ static bool draw_counts(struct renderer *renderer, const struct renderer_inputs 
 }
 
 // Compare the marches with the bounds.
-//   counts  with the coarse pass
-//   alone   without the coarse pass: they have the bounds
+//   counts  drawn with the coarse pass
+//   alone   drawn without the coarse pass; the bounds are taken from these
 //   shared  evaluations of the coarse pass per pixel
 static struct benchmark_cover cover_of(const float *counts, const float *alone, double shared,
                                        size_t pixels)
