@@ -259,7 +259,7 @@ static void print_text(const struct benchmark *b, FILE *file)
 {
     int clocks = b->has_gpu ? BENCHMARK_CLOCKS : BENCHMARK_GPU;
     fprintf(file, "%-14s %s\n%-14s %s\n", "shader", b->shader, "backend", b->backend);
-    fprintf(file, "%-14s %dx%d, time %g s, samples a pixel: %d, frames: %d\n\n", "picture",
+    fprintf(file, "%-14s %dx%d, time %g s, samples per pixel: %d, frames: %d\n\n", "picture",
             b->inputs.width, b->inputs.height, b->inputs.time,
             b->inputs.samples * b->inputs.samples, b->frames);
     fprintf(file, "%-14s %10s %10s%s\n", "milliseconds", "cpu", "wall",
@@ -277,8 +277,8 @@ static void print_text(const struct benchmark *b, FILE *file)
         fprintf(file, "- (not counted in a file with its own main)\n");
     if (b->cover.rays > 0)
         fprintf(file,
-                "%-14s %.2f evaluations a ray, the least %.2f: march / bound %.2f, of one ray at "
-                "least %.2f; rays: %d\n",
+                "%-14s %.2f evaluations per ray, lower bound %.2f: march / bound %.2f, for one "
+                "ray at least %.2f; rays: %d\n",
                 "march", b->cover.march, b->cover.bound, b->cover.ratio, b->cover.ray_ratio,
                 b->cover.rays);
 }

@@ -152,8 +152,7 @@ void renderer_use(struct renderer *renderer, const struct renderer_inputs *input
     for (int i = 0; i < RENDERER_LENSES && inputs->lens != NULL; i++)
         set_lens(renderer, i, inputs->lens[i]);
     textures_bind(&renderer->textures, gl, at);
-    if (renderer_wants_coarse(renderer,
-                              view)) // unit 0, which is a sampler's default
+    if (renderer_wants_coarse(renderer, view)) // unit 0, which is a sampler's default
         gl->BindTexture(GL_TEXTURE_2D, renderer->coarse.texture);
     gl->BindVertexArray(renderer->vertex_array);
 }
