@@ -31,7 +31,7 @@ struct sculpture_aim {
     const struct parameters *parameters;
 };
 
-// The tool of a chapter. Its functions keep no state between two calls.
+// The tool of a chapter. Its functions keep no state between calls.
 struct sculpture_tool {
     const char *texture; // the sampler3D whose volume it changes
     int size[3];         // texels of the volume

@@ -7,7 +7,7 @@
 #define NOTHING    8.0   // scene units shown of a ray that was not marched
 #define TICK_SHARE 0.115 // from tick to tick, as a fraction of the picture's width, at least
 #define CELLS      180   // in the picture's height
-#define PLOT_ABOVE 10.0  // cells above the highest distance, for the axis' name
+#define PLOT_ABOVE 10.0  // cells above the highest distance, for the axis's name
 #define PLOT_BELOW 9.0   // cells below the lowest one
 #define PLOT_TICKS 4.5   // in the plot's height, at most
 

@@ -32,7 +32,7 @@ bool shader_ready(const struct gl *gl);
 // Delete the programs that were begun but not taken.
 void shader_forget(const struct gl *gl);
 
-// The steps to a program.
+// The steps to a linked program.
 enum shader_step { SHADER_COMPILE_VERTEX, SHADER_COMPILE_FRAGMENT, SHADER_LINK };
 
 // Compile and link two texts unchanged.

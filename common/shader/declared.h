@@ -32,10 +32,10 @@ struct declared {
 // Move to the next declared name; false at the end.
 bool declared_next(struct declared *at);
 
-// True if its layout gives it location 0.
+// True if the name's layout gives it location 0.
 bool declared_is_first(const struct declared *at);
 
-// True if it is an array.
+// True if the name is that of an array.
 bool declared_is_array(const struct declared *at);
 
 // True if the text mentions the name elsewhere, perhaps in a macro; for a block, one of its members

@@ -41,7 +41,7 @@ static const struct input rows[] = {
     VEC3("iCameraForward", FORWARD), FLOAT("focalLength", FOCAL), FLOAT("iOrthoView", ORTHO),
     VEC2("iPixelOffset", DRAW), VEC2("iPixelJitter", DRAW), INT("iSample", DRAW),
     INT("iSamples", DRAW),
-    // Old names of Shadertoy
+    // Shadertoy's old names
     FLOAT("iGlobalTime", TIME),
     {"iChannelTime", "float[4]", INPUT_REFUSED, 0, "there are no films or sounds here"},
     {"iSampleRate", "float", INPUT_REFUSED, 0, SOUND},

@@ -10,7 +10,7 @@ struct floats {
     const struct glsl *code;
     struct edits edits;
     bool *whole; // for each name: an int, a vector of ints, or a function that returns either
-    bool *takes; // for each name: a function that takes one of these
+    bool *takes; // for each name: a function that takes an int or a vector of ints
 };
 
 // True for a type whose base is one of these, as glsl_type gives it.
