@@ -7,11 +7,11 @@
 #include "picture/letters.h"
 #include "picture/target.h"
 
-// In cells. A row's letters stand on a line above its lower end.
+// In cells. The baseline of a row's letters is LINE cells above the row's lower edge.
 enum { WIDTH = 48, ROW = 8, LINE = 2, DIGIT_WIDTH = 4, POINT_WIDTH = 2 };
 
-// Row 0 has the digits, the point and the minus, each in the middle of its cells; each further row
-// has a word.
+// Row 0 has the digits, the point and the minus, each centred in its cells; every other row has a
+// word.
 static const uint32_t single[] = {'0', '1', '2', '3', '4', '5', '6', '7', '8', '9', '.', 0x2013};
 static const char *const words[] = {"t", "distance", "threshold", "hit", "miss", "given up"};
 
@@ -20,7 +20,7 @@ enum { SINGLE = sizeof single / sizeof *single, ROWS = 1 + sizeof words / sizeof
 // Copy a letter's image.
 //   pixel  the table, the bottom row first, WIDTH * cell pixels wide
 //   pen    where the letter begins, pixels from the left
-//   line   row of pixels on which it stands
+//   line   the row of pixels just above its baseline
 static void draw(unsigned char *pixel, int cell, struct letters *letters, uint32_t code, float pen,
                  int line)
 {
@@ -36,7 +36,7 @@ static void draw(unsigned char *pixel, int cell, struct letters *letters, uint32
         }
 }
 
-// Draw the table: the fraction of each pixel that is covered, the bottom row first.
+// Draw the table: the fraction of each pixel that is covered, as a byte, bottom row first.
 // Returns WIDTH * cell by ROWS * ROW * cell bytes, owned by the caller.
 static unsigned char *draw_table(int cell)
 {

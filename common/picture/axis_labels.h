@@ -5,19 +5,19 @@
 
 #include "context/gl.h"
 
-#define AXIS_LABELS_DIGIT 5 // cells: height of a digit
+#define AXIS_LABELS_DIGIT 5 // height of a digit, cells
 
-// Zeros: empty.
+// A struct of zeros is empty.
 struct axis_labels {
     GLuint texture;
-    int cell; // pixels
+    int cell; // side of a cell, pixels
 };
 
-// Bind the texture to the active unit; draw it first if it has another size.
-//   cell  pixels, at least 1
+// Bind the texture to the active unit, and redraw it if the size of its cells has changed.
+//   cell  side of a cell in pixels, at least 1
 void axis_labels_bind(struct axis_labels *labels, const struct gl *gl, int cell);
 
-// Free the texture; zeros are allowed.
+// Free the texture. A struct of zeros is allowed.
 void axis_labels_free(struct axis_labels *labels, const struct gl *gl);
 
 #endif

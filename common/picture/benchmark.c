@@ -9,9 +9,9 @@
 #include "platform.h"
 #include "report.h"
 
-// The GPU's own clock.
+// The GPU's own timer.
 struct timer {
-// A type and a list of parameters take no parentheses. NOLINTNEXTLINE(bugprone-macro-parentheses)
+// Types and lists of parameters cannot have parentheses. NOLINTNEXTLINE(bugprone-macro-parentheses)
 #define TIMER_MEMBER(type, name, arguments) type(*name) arguments;
     GL_TIMER_FUNCTIONS(TIMER_MEMBER)
 #undef TIMER_MEMBER
@@ -130,7 +130,7 @@ static bool draw_frames(struct benchmark *benchmark, struct renderer *renderer,
 // ---- Evaluations ----
 
 // Draw the counts of all pixels, 4 numbers each, as shaders/main.glsl writes them: evaluations,
-// steps, the bound, 1 if the pixel's march is compared with it.
+// steps, the bound, and 1 if the pixel's march is compared with it.
 static bool draw_counts(struct renderer *renderer, const struct renderer_inputs *inputs,
                         float *values)
 {
@@ -142,8 +142,8 @@ static bool draw_counts(struct renderer *renderer, const struct renderer_inputs 
 }
 
 // Compare the marches with the bounds.
-//   counts  with the coarse pass
-//   alone   without the coarse pass: they have the bounds
+//   counts  drawn with the coarse pass
+//   alone   drawn without the coarse pass; the bounds are taken from these
 //   shared  evaluations of the coarse pass per pixel
 static struct benchmark_cover cover_of(const float *counts, const float *alone, double shared,
                                        size_t pixels)
@@ -259,7 +259,7 @@ static void print_text(const struct benchmark *b, FILE *file)
 {
     int clocks = b->has_gpu ? BENCHMARK_CLOCKS : BENCHMARK_GPU;
     fprintf(file, "%-14s %s\n%-14s %s\n", "shader", b->shader, "backend", b->backend);
-    fprintf(file, "%-14s %dx%d, time %g s, samples a pixel: %d, frames: %d\n\n", "picture",
+    fprintf(file, "%-14s %dx%d, time %g s, samples per pixel: %d, frames: %d\n\n", "picture",
             b->inputs.width, b->inputs.height, b->inputs.time,
             b->inputs.samples * b->inputs.samples, b->frames);
     fprintf(file, "%-14s %10s %10s%s\n", "milliseconds", "cpu", "wall",
@@ -277,8 +277,8 @@ static void print_text(const struct benchmark *b, FILE *file)
         fprintf(file, "- (not counted in a file with its own main)\n");
     if (b->cover.rays > 0)
         fprintf(file,
-                "%-14s %.2f evaluations a ray, the least %.2f: march / bound %.2f, of one ray at "
-                "least %.2f; rays: %d\n",
+                "%-14s %.2f evaluations per ray, lower bound %.2f: march / bound %.2f, for one "
+                "ray at least %.2f; rays: %d\n",
                 "march", b->cover.march, b->cover.bound, b->cover.ratio, b->cover.ray_ratio,
                 b->cover.rays);
 }

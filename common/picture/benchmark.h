@@ -11,12 +11,12 @@
 
 #define BENCHMARK_FRAMES_LIMIT   10000
 #define BENCHMARK_FRAMES_DEFAULT 20
-#define BENCHMARK_WARM_UP        3 // frames that are drawn before those that count
+#define BENCHMARK_WARM_UP        3 // frames drawn before the timed ones
 
-// The clocks of one piece of work, in seconds.
+// The clocks that time a piece of work, in seconds.
 enum benchmark_clock {
-    BENCHMARK_CPU,  // of this process, in all its threads
-    BENCHMARK_WALL, // the time that a person waits
+    BENCHMARK_CPU,  // processor time of this process, in all its threads
+    BENCHMARK_WALL, // elapsed time, for which a person waits
     BENCHMARK_GPU,  // GL_TIME_ELAPSED; 0 without a graphics card
     BENCHMARK_CLOCKS
 };
@@ -25,54 +25,55 @@ struct benchmark_span {
     double seconds[BENCHMARK_CLOCKS];
 };
 
-// The evaluations of marches, and a lower bound for any march with the same result:
-// shaders/cover.glsl. The evaluations of a coarse pass, which marches for many rays at once, are
-// divided among all pixels. The bound is that of a single ray, so a march with a coarse pass may be
-// below it.
+// The evaluations of marches, and a lower bound for any march with the same result, as
+// shaders/cover.glsl defines it. The evaluations of a coarse pass, which marches for many rays at
+// once, are divided among all pixels. The bound is for a single ray, so a march with a coarse pass
+// may be below it.
 struct benchmark_cover {
-    int rays;                // that were compared; 0: unknown
-    double march, bound;     // evaluations, the mean of these rays
-    double ratio, ray_ratio; // march / bound, and the smallest of a single ray
+    int rays;                // number of rays that were compared; 0: unknown
+    double march, bound;     // evaluations per ray, averaged over these rays
+    double ratio, ray_ratio; // march / bound, and its smallest value for a single ray
 };
 
 struct benchmark {
     // Given.
-    const char *shader; // its name, for the report
+    const char *shader; // the shader's name, for the report
     int frames;
     struct renderer_inputs inputs;
     // Measured.
     char backend[512];                              // from context_describe
     bool has_gpu;                                   // the GPU's clock was read
     struct benchmark_span compile, first;           // without the drivers' caches
-    struct benchmark_span median, minimum, maximum; // of the frames, by clock
+    struct benchmark_span median, minimum, maximum; // of the timed frames, for each clock
     bool has_evaluations;                           // only the course's dialect counts them
-    // Evaluations per pixel: the mean, including the coarse pass; the 99th percentile and the
-    // maximum, without it.
+    // Evaluations per pixel: the mean, which includes the coarse pass, and the 99th percentile and
+    // the maximum, which do not.
     double mean, percentile, most;
-    struct benchmark_cover cover; // of the first marches, by the same count
+    struct benchmark_cover cover; // of each pixel's first march, from the same counts
 };
 
 struct benchmark_spread {
     double minimum, median, maximum;
 };
 
-// The spread of numbers; the median of an even count is the mean of the two in the middle.
-//   values  count >= 1 of them; they are sorted
+// The spread of some values; the median of an even number of values is the mean of the middle two.
+//   values  count of them, at least 1; they are sorted
 struct benchmark_spread benchmark_spread_of(double *values, int count);
 
-// renderer_load, timed.
+// Call renderer_load, and time it.
 bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer,
                     struct shader_source *source, struct parameters *parameters);
 
-// Draw the warm-up and the frames that count; then count evaluations on the GPU.
-//   benchmark  shader, frames (at least 1) and inputs are set, benchmark_load was called
+// Draw the warm-up frames and the timed frames; then count evaluations on the GPU.
+//   benchmark  with shader, frames (at least 1) and inputs set, after benchmark_load
 //   context    of the renderer
 // Returns false, reported.
 bool benchmark_run(struct benchmark *benchmark, const struct context *context,
                    struct renderer *renderer);
 
-// Print the numbers: aligned text, or one JSON object with one name per line. Times are
-// milliseconds; a number that was not measured is "-", or null in JSON.
+// Print the results, as aligned text or as one JSON object with one name per line. Times are in
+// milliseconds. A number that was not measured is null in JSON; the text leaves it out, or has "-"
+// instead of the evaluations.
 void benchmark_print(const struct benchmark *benchmark, bool json, FILE *file);
 
 #endif

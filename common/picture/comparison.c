@@ -8,7 +8,7 @@
 #include "picture/pen.h"
 
 #define GAP         6.0f  // units from the divider to a label
-#define NARROW      24.0f // a label with less room than this is left out
+#define NARROW      24.0f // units; a label with less room is left out
 #define GRIP_WIDTH  5.0f
 #define GRIP_HEIGHT 22.0f
 
@@ -35,7 +35,7 @@ static const struct parameters *second_of(const struct renderer *renderer)
     return renderer->comparison != NULL ? &renderer->comparison->other->parameters : NULL;
 }
 
-// The parameter of the first that one of the second follows; NULL: none.
+// The first picture's parameter that a parameter of the second follows; NULL: none.
 static const struct parameter *leader_of(const struct renderer *renderer,
                                          const struct parameter *to)
 {
@@ -61,7 +61,7 @@ void comparison_follow(const struct renderer *renderer)
     }
 }
 
-// ---- What can be changed ----
+// ---- The parameters of both pictures ----
 
 struct parameter *comparison_parameter(const struct renderer *renderer, int index)
 {
@@ -114,7 +114,7 @@ void comparison_parameter_name(const struct renderer *renderer, const struct par
              side[1 + comparison_parameter_side(renderer, parameter)]);
 }
 
-// ---- What is written ----
+// ---- The divider and the labels ----
 
 static bool is_changed(const struct parameter *parameter)
 {
@@ -124,8 +124,8 @@ static bool is_changed(const struct parameter *parameter)
     return false;
 }
 
-// True if a side's label shows this parameter: it is the second's own, or only the second has it,
-// with another value than its file's.
+// True if a side's label shows this parameter: the second sets it itself, or only the second has
+// it, with a value other than its file's.
 static bool is_shown(const struct renderer *renderer, int side, const struct parameter *parameter)
 {
     if (is_own(renderer->comparison, parameter->name))
@@ -149,7 +149,7 @@ void comparison_text(const struct renderer *renderer, int side, char *text, size
     }
 }
 
-// Shorten a text to its room.
+// Shorten a text until it fits its room.
 static void fit(char *text, float room)
 {
     size_t length = strlen(text);
@@ -165,7 +165,7 @@ static void fit(char *text, float room)
 }
 
 // Write one label.
-//   edge  of the label beside the divider
+//   edge  the label's edge beside the divider, units
 //   room  units from there to the picture's edge
 static void write_label(const struct renderer *renderer, struct overlay *overlay, int side,
                         float edge, float room, float top)
@@ -201,7 +201,7 @@ float comparison_write(const struct renderer *renderer, struct overlay *overlay,
     if (comparison == NULL)
         return bottom;
     float width = pen_picture_width(overlay);
-    if (renderer->view == SHADER_PLOT) // over its graph
+    if (renderer->view == SHADER_PLOT) // above its graph
         bottom = fminf(bottom, (1.0f - SLICE_PLOT) * pen_picture_height(overlay) - PEN_MARGIN);
     float at = (float)renderer_split(renderer, overlay->width) / overlay->scale;
     float label = bottom - (OVERLAY_LINE - 2.0f) - 2.0f * PEN_PADDING;

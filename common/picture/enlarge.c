@@ -28,12 +28,13 @@ static const char bilinear_text[] = "vec3 filtered(ivec4 x, ivec4 y, vec2 f)\n"
                                     "    return mix(low, high, f.y);\n"
                                     "}\n";
 
-// look adds for one of the 4 nearest texels, with its bilinear weight: the slope, and whether there
-// is a single edge (1) or a thin line (0), along which the kernel must not lie. add adds one texel
-// to the mean: its offset is rotated so that x goes up the slope and y along the edge, and scaled,
-// to 4 texels along the edge and 2 across it. The kernel is (25/16 (2/5 r - 1)^2 - 9/16) (0.21 r -
-// 1)^2, where r is the length squared; it approximates the Lanczos kernel of order 2 without sines.
-// Without a single edge, the bilinear mean is used.
+// For one of the 4 nearest texels, look adds the slope of the light, and 1 for a single edge or 0
+// for a thin line, along which the kernel must not lie; both have the texel's bilinear weight. add
+// adds one texel to the mean: its offset is rotated so that x points up the slope and y along the
+// edge, and scaled so that the kernel reaches 4 texels along the edge and at most 2 across it. The
+// kernel is (25/16 (2/5 r - 1)^2 - 9/16) (0.21 r - 1)^2, where r is the length squared; it
+// approximates the Lanczos kernel of order 2 without sines. Where there is no single edge, the
+// bilinear mean is used.
 static const char edge_text[] =
     "vec2 slope;\n"
     "float single;\n"

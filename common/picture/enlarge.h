@@ -1,21 +1,22 @@
-// enlarge.h - a picture drawn at a lower resolution fills the window: filters that hide its pixels.
+// enlarge.h - filters that enlarge a picture of lower resolution to fill the window, without
+// visible pixels.
 //
 // Pixel p of the large picture has its centre at q = (p + 1/2) s - 1/2 in the small picture, where
-// the texels' centres have whole numbers as coordinates; s is the small size divided by the large
-// size. Both filters are means of the texels around q with weights that add up to 1, so a uniform
-// picture stays as it is.
+// the texels' centres have integer coordinates; s is the small size divided by the large size. Both
+// filters are weighted means of the texels around q, with weights that add up to 1, so a uniform
+// picture does not change.
 //
-//   bilinear   4 texels, with weights that are linear in x and y: no steps, but blurred
-//   edge       12 texels: a window of a Lanczos kernel, turned along the edge through q, longer
-//              along the edge and shorter across it, and limited to the range of the 4 nearest
-//              texels: sharp edges without stairs, and no ringing beside them
+//   bilinear   4 texels, with weights that are linear in x and y: no blocks, but blurred
+//   edge       12 texels: a Lanczos kernel that is turned along the edge through q, longer along
+//              the edge and shorter across it, with the result limited to the range of the 4
+//              nearest texels: sharp edges without stairs, and no ringing beside them
 //
-// `build/tests/measure enlarge` prints errors and costs. At half the resolution five chapters
-// differ from their full pictures by 9.87 (bilinear) and 9.59 (edge) of 255, root mean square; the
-// outlines and shadows of chapter 03 by 8.20 and 7.38. At a quarter, the outlines of chapter 21
-// have visible stairs with the bilinear filter. To fill 640x360 the filters take 0.16 and 0.48 of
-// the annex scene's time on llvmpipe. So a window uses the edge filter, and the bilinear filter
-// where the edge filter would take too long.
+// `build/tests/measure enlarge` prints errors and costs. At half the resolution, five chapters
+// differ from their pictures at full resolution by 9.87 (bilinear) and 9.59 (edge) of 255, root
+// mean square; the outlines and shadows of chapter 03 differ by 8.20 and 7.38. At a quarter, the
+// outlines of chapter 21 have visible stairs with the bilinear filter. To fill 640x360 pixels on
+// llvmpipe, the filters take 0.16 and 0.48 of the time in which the annex scene is drawn. So a
+// window uses the edge filter, and the bilinear filter where the edge filter would take too long.
 //
 // Source: the edge filter follows the idea of EASU in AMD FidelityFX Super Resolution 1.0 (T.
 // Lottes, 2021).
@@ -28,10 +29,10 @@
 
 enum enlarge_filter { ENLARGE_BILINEAR, ENLARGE_EDGE, ENLARGE_FILTERS };
 
-// Zeros: closed. A program is linked when it is first needed.
+// A struct of zeros is closed. A program is linked when it is first needed.
 struct enlarge {
     GLuint program[ENLARGE_FILTERS], vertex_array;
-    GLint step[ENLARGE_FILTERS]; // location of the step from pixel to pixel
+    GLint step[ENLARGE_FILTERS]; // location of the uniform step
     struct target copy;          // of the small picture, 8 bits per channel
 };
 
@@ -42,7 +43,7 @@ struct enlarge {
 bool enlarge_draw(struct enlarge *enlarge, const struct gl *gl, enum enlarge_filter filter,
                   const struct target *target, int width, int height);
 
-// Free everything, in the same context. Zeros are allowed.
+// Free everything, in the same context. A struct of zeros is allowed.
 void enlarge_close(struct enlarge *enlarge, const struct gl *gl);
 
 // The name of a filter, as `measure enlarge` prints it.

@@ -3,12 +3,12 @@
 #include <math.h>
 #include <string.h>
 
-#define POINTS  3      // of each handle: itself, and one along either axis
-#define OFFSET  0.01f  // of those two, as a fraction of the distance to the camera
-#define GRID    1000.0 // values in a scene unit
+#define POINTS  3      // of each handle: the handle itself, and one along either axis
+#define OFFSET  0.01f  // of the other two, as a fraction of the distance to the camera
+#define GRID    1000.0 // values per scene unit
 #define STEP    0.125  // longest step of Newton's method, as a fraction of the picture's height
 #define ROUNDS  24     // steps, at most
-#define ARRIVED 0.25   // pixels
+#define ARRIVED 0.25   // the method stops this near to the pointer, pixels
 
 // The point of a handle in space.
 static void point_of(const struct parameter *parameter, float point[3])

@@ -1,27 +1,26 @@
-// handles.h - parameters that are points of the picture: where they are, and how they follow a
+// handles.h - parameters that are points in the picture: where they are, and how they follow the
 // pointer.
 #ifndef HANDLES_H
 #define HANDLES_H
 
 #include "picture/renderer.h"
 
-enum { HANDLES_MOST = 8 }; // of one shader; more cannot be dragged
+enum { HANDLES_MOST = 8 }; // in one shader; further ones cannot be dragged
 
 // A handle in a picture. Pixels are counted from the bottom left of the whole picture.
 struct handle {
     struct parameter *parameter; // not owned
     float pixel[2];              // its position
-    float move[2][2]; // how many pixels it moves for one scene unit along either axis of its plane
+    float move[2][2]; // pixels that it moves per scene unit along either axis of its plane
     float axis[2][3]; // these axes: unit vectors of the scene
     bool seen;        // a ray of the picture passes through it; otherwise the rest is undefined
 };
 
 // Find the handles of a renderer's shader in a picture, whatever its pixelRay.
-//   formula  shaders/places.glsl finds the pixels of the point p and of p + e a and p + e b, where
-//   a
-//            and b are the axes, and e is a hundredth of the distance to the camera; move is the
-//            difference divided by e: the derivative, up to terms of order e
-// Returns their number; -1, reported.
+//   formula  shaders/places.glsl finds the pixels of the points p, p + e a and p + e b, where a and
+//            b are the axes, and e is a hundredth of the distance to the camera; move is the
+//            difference divided by e, which is the derivative up to terms of order e
+// Returns their number, or -1, reported.
 int handles_find(struct renderer *renderer, const struct renderer_inputs *inputs,
                  struct handle handle[HANDLES_MOST]);
 
@@ -30,10 +29,10 @@ int handles_find(struct renderer *renderer, const struct renderer_inputs *inputs
 //   handle   as handles_find left them
 //   moved    the index of the one to move
 //   to       the pixel, from the bottom left
-//   formula  Newton's method, at most an eighth of the picture's height per step, so that
-//   perspective
-//            throws no handle behind the camera. A step that loses the handle is undone, and later
-//            ones are a quarter as long. Values are rounded to a thousandth of a unit
+//   formula  Newton's method, with steps of at most an eighth of the picture's height, so that
+//            perspective does not throw the handle behind the camera. A step that loses the handle
+//            is undone, and later steps are at most a quarter as long. Values are rounded to a
+//            thousandth of a unit
 // Returns true if its value changed.
 bool handles_drag(struct renderer *renderer, const struct renderer_inputs *inputs,
                   struct handle handle[HANDLES_MOST], int moved, const double to[2]);

@@ -1,4 +1,4 @@
-// image.h - 8-bit pictures: RGB in memory, written as PNG; any PNG, read.
+// image.h - 8-bit pictures: writes RGB from memory as PNG, and reads PNG files of any kind.
 #ifndef IMAGE_H
 #define IMAGE_H
 
@@ -6,7 +6,7 @@
 #include <stddef.h>
 
 #define IMAGE_SIDE_LIMIT 16384 // pixels
-#define IMAGE_WHY        512   // size of the phrase, bytes
+#define IMAGE_WHY        512   // size of the text that says why a file cannot be read, bytes
 
 // A picture in memory. Row 0 is the top row; a pixel is 3 bytes: red, green, blue.
 struct image {
@@ -14,21 +14,23 @@ struct image {
     unsigned char *pixel; // 3 * width * height bytes, owned by this struct
 };
 
-// Allocate a black picture. Returns false, reported, if memory is short. Free it with image_free.
+// Allocate a black picture. Returns false, reported, if a side is out of range or memory is short.
+// Free it with image_free.
 bool image_create(struct image *image, int width, int height);
 
-// Free the pixels; an image of zeros is allowed.
+// Free the pixels. An image of zeros is allowed.
 void image_free(struct image *image);
 
-// Store rows of colours as bytes: a channel v becomes floor(255 clamp(v, 0, 1) + 0.5), a NaN 0.
+// Store rows of colours as bytes: a channel v becomes floor(255 clamp(v, 0, 1) + 0.5), and a NaN
+// becomes 0.
 //   values  4 floats per pixel, of which the last is unused; image->width x rows pixels, bottom row
 //           first
 //   bottom  index of the first of these rows, from the bottom of the picture
 void image_store(struct image *image, const float *values, int bottom, int rows);
 
 // Write a PNG (8-bit RGB, sRGB chunk, fast compression).
-//   path  links are followed, and a target that is not a regular file is refused. A new file is
-//         renamed to it, so that no reader sees half a file
+//   path  links are followed, and a target that is not a regular file is refused. The picture is
+//         written to a new file, which is then renamed, so that no reader sees half a file
 // Returns false, reported; then no new file is left, and the old one is unchanged.
 bool image_write_png(const struct image *image, const char *path);
 
@@ -43,10 +45,10 @@ struct image_bytes {
 };
 
 // Read a PNG of any kind, including interlaced ones, with 8 bits per channel: grey becomes equal
-// red, green and blue, a palette its colours, 16 bits are rounded, tRNS becomes alpha. The values
-// are those that are stored: a gamma in the file is not applied.
+// red, green and blue, a palette is replaced by its colours, 16 bits are rounded to 8, and tRNS
+// becomes alpha. The values are those stored in the file, whose gamma is not applied.
 //   channels  3 without alpha, 4 with alpha (255 if the file has none)
-//   most      pixels, at most
+//   most      the largest number of pixels allowed
 //   why       receives one phrase on failure: missing, not a file, not a PNG, cut off, a wrong
 //             checksum, a side above IMAGE_SIDE_LIMIT, no memory
 // Returns false then, not reported.

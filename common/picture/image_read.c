@@ -8,7 +8,7 @@
 
 #include "shader/text_file.h"
 
-// libpng's errors jump to the call of setjmp.
+// An error handler must not return to libpng: it jumps to the call of setjmp.
 static void on_png_error(png_structp png, png_const_charp text)
 {
     snprintf(png_get_error_ptr(png), IMAGE_WHY, "cannot be read: %s: save it again as a PNG", text);
@@ -26,9 +26,9 @@ static void on_png_warning(png_structp png, png_const_charp text)
     (void)png, (void)text;
 }
 
-// Convert any kind of PNG to 8 bits and the number of channels, without gamma. Texts and profiles
-// are skipped, because libpng would allocate as much as a damaged one claims to be, up to 2 GB. May
-// leave with longjmp.
+// Read any kind of PNG as 8 bits per channel and the number of channels asked for, without applying
+// gamma. Texts and colour profiles are skipped, because libpng would allocate as much memory as a
+// damaged one claims to need, up to 2 GB. May leave with longjmp.
 static void read_pixels(png_structp png, png_infop info, struct image_bytes *bytes, size_t most)
 {
     png_set_keep_unknown_chunks(png, PNG_HANDLE_CHUNK_NEVER, NULL, -1);

@@ -7,7 +7,7 @@
 #include "picture/pen.h"
 #include "picture/slice.h"
 
-// Right edges of the columns.
+// Right edges of the columns, units.
 enum { STEP_COLUMNS = 3 };
 static const float STEP_RIGHT[STEP_COLUMNS] = {28.0f, 92.0f, 172.0f};
 static const float INSPECTOR_WIDTH = 176.0f, WHY_WIDTH = 292.0f;
@@ -18,7 +18,7 @@ struct table {
     int rows, first; // number of rows, and the step of the first one
     bool titles;     // above the columns
     bool whole;      // with the cost of the ray, and its colour
-    float lines;     // in all
+    float lines;     // of the whole table
 };
 
 // The current row; -1: none.
@@ -29,7 +29,7 @@ static int row_of(const struct inspector *inspector)
     return row > last ? last : row;
 }
 
-// If there are few lines, the cost is left out first, then the titles.
+// If there is little room, the cost is left out first, then the titles.
 static struct table table_of(const struct inspector *inspector, const struct inspector_room *room)
 {
     int all = probe_rows(inspector->probe), row = row_of(inspector);
@@ -60,7 +60,7 @@ static void position_of(const struct overlay *overlay, const float pixel[2], flo
 
 static void mark_pixel(struct overlay *overlay, const int pixel[2])
 {
-    // Four arms that leave the pixel free, with a dark edge for bright pictures.
+    // Four arms that leave the pixel uncovered; their dark edges show in bright pictures.
     static const float arms[4][4] = {{-8, 0, 5, 1}, {4, 0, 5, 1}, {0, -8, 1, 5}, {0, 4, 1, 5}};
     float x = ((float)pixel[0] + 0.5f) / overlay->scale - 0.5f;
     float y = ((float)(overlay->height - 1 - pixel[1]) + 0.5f) / overlay->scale - 0.5f;
@@ -93,7 +93,7 @@ static void mark_arrow(struct overlay *overlay, const float from[2], const float
     }
 }
 
-// The line of a ray up to a step, and a dot for each step.
+// Draw the line of a ray up to a step, with a dot for each step.
 static void mark_path(struct overlay *overlay, const struct probe *probe, int last)
 {
     float before[2] = {0.0f, 0.0f}, at[2];
@@ -139,7 +139,7 @@ float inspector_left(const struct overlay *overlay, bool marched)
     return pen_picture_width(overlay) - PEN_MARGIN - width - 2.0f * PEN_PADDING;
 }
 
-#define CLEAR 16.0f // units around a point of the ray, with its mark
+#define CLEAR 16.0f // units to keep free around a point of the ray and its mark
 
 void inspector_ray(const struct overlay *overlay, float middle, float span[2])
 {
@@ -149,7 +149,7 @@ void inspector_ray(const struct overlay *overlay, float middle, float span[2])
     span[1] = ray + CLEAR;
 }
 
-// Extend the heights of a column by those of a point, if it is in the column.
+// Extend the vertical range of a column to a point and its mark, if the point is in the column.
 static void extend(float span[2], float left, float right, float x, float y)
 {
     if (x < left - CLEAR || x > right + CLEAR)
@@ -158,8 +158,8 @@ static void extend(float span[2], float left, float right, float x, float y)
     span[1] = fmaxf(span[1], y + CLEAR);
 }
 
-// The heights of the ray between two edges of a column: from span[0] to span[1], which is smaller
-// if the ray does not cross the column.
+// The vertical range of the ray between two edges of a column: span[0] to span[1]. The second is
+// the smaller one if the ray does not cross the column.
 static void find_span(const struct overlay *overlay, const struct inspector *inspector, float left,
                       float right, float span[2])
 {
@@ -210,7 +210,7 @@ struct inspector_room inspector_place(const struct overlay *overlay,
         {{beside, PEN_MARGIN, beside + width, bottom}, fits && at_middle[0] > at_middle[1]},
         {{right, PEN_MARGIN, right + width, fminf(bottom, at_right[0])}, true},
         {{right, fmaxf(PEN_MARGIN, at_right[1]), right + width, bottom},
-         !shader_shows_ray(inspector->view)}, // slice and plot have their axis there
+         !shader_shows_ray(inspector->view)}, // the slice and plot views have their axis there
         {{PEN_MARGIN, under, PEN_MARGIN + width, bottom}, at_left[0] > at_left[1]},
     };
     int best = 0;
@@ -238,7 +238,7 @@ static void write_step(struct pen *pen, const char *const cell[STEP_COLUMNS],
     pen->top += OVERLAY_LINE;
 }
 
-// The current row has a band and a mark, not only a colour.
+// The current row has a band and a mark, and not only another colour.
 static void write_steps(struct pen *pen, const struct inspector *inspector,
                         const struct table *table)
 {
@@ -273,7 +273,7 @@ static void write_cost(struct pen *pen, const struct probe *probe)
     pen_write(pen, text, PEN_PLAIN);
 }
 
-// The ray of the table, and its current step.
+// Write the heading: the ray of the table, and the current step.
 static void heading_of(const struct inspector *inspector, const struct table *table, char *text,
                        size_t size)
 {

@@ -44,7 +44,7 @@ uint32_t letters_next(const char **text)
 
 float letters_advance(uint32_t code)
 {
-    static float known[128]; // of ASCII, which is most common
+    static float known[128]; // advances of ASCII, the most common characters
     int advance, bearing;
     if (code < 128 && known[code] > 0.0f)
         return known[code];
@@ -64,7 +64,7 @@ void letters_begin(struct letters *letters, float scale)
     letters->scale = scale;
 }
 
-// Find room for an image, with an empty pixel right of it and below it.
+// Find room for an image, with an empty pixel to the right of it and below it.
 static void place(struct letters *letters, struct letter *letter)
 {
     enum { MORE_ROWS = 128 };

@@ -2,7 +2,7 @@
 // cover.
 //
 // The font is part of the program (common/picture/font/), so a text looks the same on every
-// machine. Lengths are units of the overlay.
+// machine. Lengths are in units of the overlay.
 #ifndef LETTERS_H
 #define LETTERS_H
 
@@ -13,8 +13,8 @@
 #define LETTERS_BASELINE 8.0f  // from the top of a text to its baseline
 
 enum {
-    LETTERS_PHASES = 4, // a letter begins at a quarter of a pixel
-    LETTERS_ROW = 1024  // width of the atlas, pixels, which every OpenGL allows
+    LETTERS_PHASES = 4, // a letter begins at a multiple of a quarter pixel
+    LETTERS_ROW = 1024  // width of the atlas in pixels, which every OpenGL allows
 };
 
 // The TrueType file, which the Makefile turns into an array.
@@ -22,8 +22,8 @@ extern const unsigned char letters_font[];
 
 // Read the next character of a text, and move text past it.
 //   text  UTF-8; not at its end
-// Returns its code; a blank for a tab; 0xFFFD, a question mark in a diamond, for bytes that are not
-// UTF-8 and for control characters.
+// Returns its code; a space for a tab; and 0xFFFD, a question mark in a diamond, for bytes that are
+// not UTF-8 and for control characters.
 uint32_t letters_next(const char **text);
 
 // The distance from a letter to the next one, in units, > 0.
@@ -32,14 +32,14 @@ float letters_advance(uint32_t code);
 // The image of a letter.
 struct letter {
     int left, top;     // from its origin on the baseline to the image's top left, pixels; y down
-    int width, height; // pixels; 0 for a blank
+    int width, height; // pixels; 0 for a space
     int x, y;          // in the atlas
 };
 
-// An atlas of letters at one scale, each drawn when it is first needed. Zeros: empty.
+// An atlas of letters at one scale, each drawn when it is first needed. A struct of zeros is empty.
 struct letters {
-    float scale;          // pixels in a unit
-    unsigned char *pixel; // owned: LETTERS_ROW x rows, row 0 on top; 255 is covered whole
+    float scale;          // pixels per unit
+    unsigned char *pixel; // owned: LETTERS_ROW x rows, row 0 on top; 255: completely covered
     int rows;
     bool grown;                  // has new images since the caller set it to false
     struct letters_known *known; // owned
@@ -47,14 +47,14 @@ struct letters {
     int right, top, bottom; // left and top of the next image, and top of the next row of images
 };
 
-// Choose a scale; images of another one are discarded.
+// Choose a scale, in pixels per unit; images at another scale are discarded.
 void letters_begin(struct letters *letters, float scale);
 
-// The image of a letter that begins phase / LETTERS_PHASES of a pixel right of a pixel's left edge.
-// Valid until the next call.
+// The image of a letter that begins phase / LETTERS_PHASES of a pixel to the right of a pixel's
+// left edge. Valid until the next call.
 const struct letter *letters_find(struct letters *letters, uint32_t code, int phase);
 
-// Free the images; zeros are allowed.
+// Free the images. A struct of zeros is allowed.
 void letters_close(struct letters *letters);
 
 #endif

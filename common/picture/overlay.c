@@ -9,7 +9,7 @@
 #include "memory.h"
 #include "picture/target.h"
 
-// A vertex: a box, a letter's image, or a line from (left, low) to (right, high).
+// One instance: a box, a letter's image, or a line from (left, low) to (right, high).
 struct shape {
     float left, low, right, high; // pixels from the target's bottom left
     float letter[2];              // top left of its image in the atlas; -1: not a letter
@@ -17,8 +17,8 @@ struct shape {
     unsigned char colour[4];      // red, green, blue, opacity
 };
 
-// Vertices 0 to 3 are the corners of the rectangle of pixels that the shape may touch, which a line
-// has along its direction.
+// Vertices 0 to 3 are the corners of the rectangle of pixels that the shape may touch; for a line,
+// the rectangle lies along the line.
 static const char vertex_text[] =
     GL_GLSL "layout(location = 0) in vec4 ends;\n"
             "layout(location = 1) in vec3 kind;\n"
@@ -43,7 +43,7 @@ static const char vertex_text[] =
             "    gl_Position = vec4(2.0 * at / size - 1.0, 0.0, 1.0);\n"
             "}\n";
 
-// The fraction of the pixel that the shape covers.
+// Finds the fraction of the pixel that the shape covers.
 static const char fragment_text[] =
     GL_GLSL "uniform sampler2D letters;\n"
             "flat in vec4 shapeEnds, shapeTint;\n"
@@ -160,7 +160,7 @@ void overlay_text(struct overlay *overlay, float left, float top, const char *te
     }
 }
 
-// A letter begins at the nearest quarter of a pixel, and its baseline is a whole one.
+// A letter begins at the nearest quarter of a pixel, and its baseline is at a whole pixel.
 //   up  pixels from the target's bottom row to the picture's top
 static struct shape shape_of(const struct overlay *overlay,
                              const struct overlay_rectangle *rectangle, float up)

@@ -13,7 +13,7 @@
 #include "picture/letters.h"
 
 #define OVERLAY_LINE          12.0f // units from one line of text to the next
-#define OVERLAY_TEXT          200   // bytes of one line of text; more are left out
+#define OVERLAY_TEXT          200   // bytes of one line of text; the rest is left out
 #define OVERLAY_SCALE_MINIMUM 0.5
 #define OVERLAY_SCALE_MAXIMUM 8.0
 
@@ -22,9 +22,9 @@ struct overlay_colour {
     unsigned char channel[4];
 };
 
-// An axis-parallel box, the room of one letter in its line, or a straight line.
+// An axis-parallel box, the cell of one letter in its line, or a straight line.
 struct overlay_rectangle {
-    float left, top, right, bottom; // units; of a line, its ends
+    float left, top, right, bottom; // units; for a line, its two ends
     struct overlay_colour colour;
     uint32_t letter; // its code; 0 for a box or a line
     float width;     // of a line, units; 0: no line
@@ -34,7 +34,7 @@ struct overlay {
     const struct gl *gl;
     GLuint program, vertex_array, buffer, texture;
     GLint size;                          // location of the picture's size
-    float scale;                         // pixels in a unit
+    float scale;                         // pixels per unit
     int width, height;                   // of the picture, pixels
     struct overlay_rectangle *rectangle; // owned: this frame's boxes and letters
     int count;
@@ -49,12 +49,13 @@ bool overlay_open(struct overlay *overlay, const struct gl *gl);
 // Free everything. An overlay of zeros is allowed.
 void overlay_close(struct overlay *overlay);
 
-// The default scale of a picture of this height in pixels: 1 up to 480, and 0.5 more for each 180.
+// The default scale of a picture of this height in pixels: 1 up to 480, and 0.5 more for each
+// further 180 pixels or part of them.
 float overlay_scale_of(int height);
 
 // Start an empty frame.
 //   width, height  of the whole picture, pixels
-//   scale          pixels in a unit, OVERLAY_SCALE_MINIMUM to OVERLAY_SCALE_MAXIMUM
+//   scale          pixels per unit, OVERLAY_SCALE_MINIMUM to OVERLAY_SCALE_MAXIMUM
 void overlay_begin(struct overlay *overlay, int width, int height, float scale);
 
 // Add a box, or one line of text in UTF-8, with its top left corner at a position. A letter that
@@ -72,7 +73,7 @@ void overlay_line(struct overlay *overlay, const float from[2], const float to[2
 // The width of a line of text in units.
 float overlay_width(const char *text);
 
-// Blend the frame over the framebuffer that is bound for drawing, which has the rows
+// Blend the frame over the framebuffer that is bound for drawing, which contains the rows
 // [bottom, bottom + rows) of the picture, row 0 at the bottom. Leaves blending off.
 void overlay_draw(const struct overlay *overlay, int bottom, int rows);
 

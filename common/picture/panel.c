@@ -10,9 +10,9 @@
 #include "picture/picker.h"
 
 #define GAP       12.0f  // units of the overlay, between keys
-#define LEGEND    18.0f  // cells of the legend's height in the view of steps, in views.glsl
-#define TIP_WIDTH 170.0f // of the help, at most
-// The lower edge of the title's panel, with a margin, which panels at the bottom leave free.
+#define LEGEND    18.0f  // height of the legend of the step view, in cells, as in views.glsl
+#define TIP_WIDTH 170.0f // of the help, units, at most
+// The lower edge of the title's panel, and a margin; panels at the bottom stay below it.
 #define BELOW_TITLE (2.0f * (PEN_MARGIN + PEN_PADDING) + OVERLAY_LINE - 2.0f)
 
 // ---- Error ----
@@ -22,7 +22,7 @@ static float widest_text(const struct overlay *overlay)
     return pen_picture_width(overlay) - 2.0f * (PEN_MARGIN + PEN_PADDING);
 }
 
-// The error, or a note that replaces it; "" for none.
+// The error; if there is none, the note on an input without a value; otherwise "".
 static const char *words_of(const struct panel *panel)
 {
     if (panel->error != NULL && panel->error[0] != '\0')
@@ -30,7 +30,7 @@ static const char *words_of(const struct panel *panel)
     return panel->unset != NULL && !panel->folded ? panel->unset : "";
 }
 
-// The number of lines of the error that are shown: at most half of the picture.
+// The number of lines of the error that are shown: they fill at most half of the picture.
 static int error_lines(const struct panel *panel, const struct overlay *overlay)
 {
     char line[OVERLAY_TEXT + 1];
@@ -41,7 +41,7 @@ static int error_lines(const struct panel *panel, const struct overlay *overlay)
     return lines;
 }
 
-// The height of its panel with the heading; 0: none.
+// The height of the error's panel with its heading; 0: no panel.
 static float error_height(const struct panel *panel, const struct overlay *overlay)
 {
     if (words_of(panel)[0] == '\0' || panel->bare)
@@ -50,7 +50,7 @@ static float error_height(const struct panel *panel, const struct overlay *overl
     return OVERLAY_LINE * lines - 2.0f + 2.0f * PEN_PADDING;
 }
 
-// Draw the error above the keys. Returns the bottom of the room that is left.
+// Draw the error above the keys. Returns the bottom of the room that remains.
 static float write_error(const struct panel *panel, struct overlay *overlay, float bottom)
 {
     const char *words = words_of(panel);
@@ -104,8 +104,8 @@ static int lay_keys(const struct panel *panel, const struct pen *pen, float limi
     return lines;
 }
 
-// Draw the caption at the bottom, above the legend of the steps. Returns the bottom of the room
-// that is left.
+// Draw the caption at the bottom, above the legend of the step view. Returns the bottom of the room
+// that remains.
 static float write_caption(const struct panel *panel, struct overlay *overlay)
 {
     float bottom = pen_foot(overlay, panel->renderer->view), limit = widest_text(overlay);
@@ -124,8 +124,8 @@ static float write_caption(const struct panel *panel, struct overlay *overlay)
     return top - PEN_MARGIN;
 }
 
-// Draw the keys above a bottom, unless an error leaves no room for them. Returns the bottom of the
-// room that is left.
+// Draw the keys above this bottom, unless the error leaves no room for them. Returns the bottom of
+// the room that remains.
 static float write_keys(const struct panel *panel, struct overlay *overlay, float bottom)
 {
     float widest;
@@ -143,7 +143,8 @@ static float write_keys(const struct panel *panel, struct overlay *overlay, floa
 
 // ---- Help ----
 
-// Draw the help for a row, beside the panel if there is room, otherwise below the row.
+// Draw the help for the row under the pointer, beside the panel if there is room, otherwise below
+// the row or above it.
 static void write_tip(const struct panel *panel, const struct panel_rows *rows,
                       struct overlay *overlay)
 {
@@ -170,7 +171,7 @@ static void write_tip(const struct panel *panel, const struct panel_rows *rows,
     if (!beside && top > lowest)
         top = row->top - height - edge - 4.0f;
     top = fmaxf(0.0f, top < lowest ? top : lowest);
-    // It may cover the panel's letters.
+    // The help may cover text of the panel, so its background is darker.
     overlay_box(overlay, left, top, ceilf(widest) + edge, height + edge, PEN_DARK);
     struct pen pen = pen_open(overlay, left, top, ceilf(widest), height);
     for (const char *at = text; pen_next_line(&at, limit, line);)
@@ -186,7 +187,7 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     bool marched = panel->pixel[0] >= 0 && panel->probe != NULL;
     bool refused = panel->pixel[0] >= 0 && !marched && panel->why != NULL;
     enum shader_view view = panel->renderer->view;
-    // A slice's ray is in the middle of its part of the picture, and nothing covers it.
+    // A slice's ray is in the middle of the slice's part of the picture, and no panel may cover it.
     float middle = (view == SHADER_PLOT ? 0.5f + 0.5f * SLICE_PLOT : 0.5f) * (float)height, ray[2];
     inspector_ray(overlay, middle, ray);
     float above = shader_shows_ray(view) ? ray[1] : BELOW_TITLE;
@@ -200,11 +201,11 @@ void panel_gather(const struct panel *panel, struct overlay *overlay, int width,
     float room = right - PEN_MARGIN - 2.0f * PEN_PADDING;
     float lowest = shader_shows_ray(view) && ray[0] < bottom ? ray[0] : bottom;
     panel_rows_build(rows, panel, room, lowest);
-    // In a window, the panel may take a third of the picture.
+    // In a window, the panel may take at most a third of the picture.
     float third = pen_picture_width(overlay) * pen_picture_height(overlay) / 3.0f;
     if (panel->rows != NULL && rows->width * rows->height > third)
         panel_rows_build(rows, panel, room, fminf(lowest, PEN_MARGIN + third / rows->width));
-    // If there is no room for both, the selected ray is shown.
+    // If there is no room for both the panel and the selected ray, only the ray is shown.
     if ((panel->folded && !panel->peeks) ||
         (rows->width - 2.0f * PEN_PADDING > room && (marched || refused)))
         rows->count = 0;

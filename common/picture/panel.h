@@ -1,5 +1,5 @@
-// panel.h - the overlay of a picture: chapter, rate, view, parameters, keys, one ray's march, an
-// error.
+// panel.h - the overlay of a picture: chapter, rate, view, parameters, keys, one ray's march, and
+// an error.
 #ifndef PANEL_H
 #define PANEL_H
 
@@ -7,7 +7,7 @@
 
 // Begin a frame of the overlay with the panels.
 //   width, height  of the whole picture, pixels
-//   scale          as overlay_begin
+//   scale          as for overlay_begin
 void panel_gather(const struct panel *panel, struct overlay *overlay, int width, int height,
                   float scale);
 

@@ -10,7 +10,7 @@
 #include "picture/comparison.h"
 #include "picture/pen.h"
 
-#define MARK          14.0f // width of the mark that folds
+#define MARK          14.0f // width of the mark that folds the panel
 #define WIDEST_COLOUR "0.000,0.000,0.000"
 
 // ---- Building ----
@@ -24,7 +24,7 @@ static struct panel_row *add(struct panel_rows *rows, enum panel_row_kind kind, 
     return row;
 }
 
-// Two units together say that the time drives an hour of the day.
+// If there are parameters with both of these units, the picture's time drives an hour of the day.
 static void add_hour(const struct panel *panel, char text[PANEL_CELL])
 {
     const struct parameters *all = &panel->renderer->parameters;
@@ -57,7 +57,7 @@ static void status_text(const struct panel *panel, bool rated, char text[PANEL_C
         memory_append(text, PANEL_CELL, "    paused");
 }
 
-// The current view is selected.
+// Add the list of views, with the current one selected.
 static void add_views(struct panel_rows *rows, const struct panel *panel)
 {
     for (int i = 0; panel->views && i < SHADER_VIEW_COUNT; i++) {
@@ -80,7 +80,7 @@ static void add_buttons(struct panel_rows *rows, const struct panel *panel)
     snprintf(row->cell[PANEL_HIDE], PANEL_CELL, "hide");
 }
 
-// Two slices or plots: whose march is where.
+// With two slices or plots, say whose march is where.
 static void marches_text(const struct panel *panel, char text[PANEL_CELL])
 {
     bool two = panel->renderer->comparison != NULL && shader_shows_ray(panel->renderer->view);
@@ -90,7 +90,7 @@ static void marches_text(const struct panel *panel, char text[PANEL_CELL])
              two && table ? "; table: " : "", two && table ? side : "");
 }
 
-// The last lines: textures, buttons, what to press, and that the picture is coarse.
+// Add the last rows: the textures, the buttons, the hint, and the resolution of a coarse picture.
 static void add_last(struct panel_rows *rows, const struct panel *panel)
 {
     const struct textures *textures = &panel->renderer->textures;
@@ -115,7 +115,7 @@ static void add_last(struct panel_rows *rows, const struct panel *panel)
     add(rows, PANEL_ROW_TEXT, text);
 }
 
-// Name, value, range and unit of a parameter.
+// Fill in the name, value, range and unit of a parameter.
 static void fill_cells(const struct panel *panel, const struct parameter *parameter,
                        char cell[PANEL_COLUMNS][PANEL_CELL])
 {
@@ -132,7 +132,7 @@ static void detail_text(const struct parameter *parameter, char text[PANEL_CELL]
     snprintf(text, PANEL_CELL, "%s %s", range, parameter->unit);
 }
 
-// A vector's components.
+// Add the components of a vector.
 static void add_parts(struct panel_rows *rows, const struct parameter *parameter, int index,
                       bool selected)
 {
@@ -148,7 +148,7 @@ static void add_parts(struct panel_rows *rows, const struct parameter *parameter
     }
 }
 
-// A colour has a swatch if there is a pointer to click it.
+// A colour has a swatch if there is a pointer to click on it.
 static bool has_swatch(const struct panel *panel, const struct parameter *parameter)
 {
     return panel->rows != NULL && parameter_is_colour(parameter);
@@ -194,9 +194,9 @@ static float height_of_panel(const struct panel_rows *rows)
     return height;
 }
 
-// Keep as many of the parameters' rows, from first to before end, as fit: the selected one stays
-// visible with everything that belongs to it. One more row says which are shown.
-//   parameters  in all
+// Keep as many of the parameters' rows, [first, end), as fit: the selected one stays visible, with
+// everything that belongs to it. One more row says which are shown.
+//   parameters  their total number
 static void cut(struct panel_rows *rows, int first, int end, float bottom, int parameters)
 {
     int count = end - first, top = count, behind = 0, from = 0, to = -1;
@@ -228,7 +228,8 @@ static void cut(struct panel_rows *rows, int first, int end, float bottom, int p
     rows->count -= count - room - 1;
 }
 
-// The width of the table of the first columns, or of the widest detail below one of its rows.
+// The width of the table's first columns, or of the widest detail below one of its rows if that is
+// wider.
 static float measure_table(const struct panel *panel, int columns, float width[PANEL_COLUMNS])
 {
     const struct parameter *parameter;
@@ -242,7 +243,7 @@ static float measure_table(const struct panel *panel, int columns, float width[P
         widest = fmaxf(widest, 2.0f * PANEL_GAP + overlay_width(detail));
         for (int k = 0; k < columns; k++)
             width[k] = fmaxf(width[k], overlay_width(cell[k]));
-        // Its numbers are dragged, and the panel keeps its width.
+        // Dragging changes a colour's numbers, but must not change the panel's width.
         if (has_swatch(panel, parameter))
             width[1] =
                 fmaxf(width[1], PANEL_SWATCH + 4.0f +
@@ -258,7 +259,8 @@ static float in_steps(float width)
     return 20.0f * ceilf(width / 20.0f);
 }
 
-// The width of the texts, in steps, so that the panel keeps its width when a number changes.
+// The width of the texts, rounded up in steps, so that the panel keeps its width when a number
+// changes.
 static float measure_texts(const struct panel_rows *rows)
 {
     float texts = 0.0f;
@@ -290,7 +292,7 @@ void panel_rows_move(struct panel_rows *rows, float left, float top)
     }
 }
 
-// The rows between the title and the end. Returns the width of the table.
+// Add the rows below the title. Returns the width of the table.
 static float add_rows(struct panel_rows *rows, const struct panel *panel, float limit, float bottom)
 {
     int parameters = comparison_parameter_count(panel->renderer);
@@ -347,7 +349,7 @@ bool panel_rows_hold(const struct panel_rows *rows, float x, float y)
 
 const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, float y)
 {
-    // A row's letters are in its middle: it begins a little above them.
+    // A row's letters are in its middle, so the row begins a little above them.
     for (int i = 0; i < rows->count && panel_rows_hold(rows, x, y); i++)
         if (y >= rows->row[i].top - 2.0f && y < rows->row[i].top - 2.0f + rows->row[i].height)
             return &rows->row[i];

@@ -1,5 +1,5 @@
-// panel_rows.h - the contents of the panel, and its rows: built, measured, and then drawn. A
-// pointer is found in the same rows that are drawn.
+// panel_rows.h - the contents of the panel, and its rows, which are built, measured and then drawn.
+// The pointer is looked up in the same rows that are drawn.
 #ifndef PANEL_ROWS_H
 #define PANEL_ROWS_H
 
@@ -22,42 +22,42 @@ struct panel {
     const char *title;                // of the chapter
     const struct renderer *renderer;  // its view and parameters
     const struct parameter *selected; // the selected parameter, which the arrow keys change
-    double rate, milliseconds;        // frames per second, and of one frame
+    double rate, milliseconds;        // frames per second, and the duration of one frame
     double time;                      // seconds
     int resolution; // percent of each side at which the picture is drawn; 0 and 100: full
-    int sharp;      // percent of it that is already sharp
+    int sharp;      // percent of the picture that is already sharp
     bool timed;     // the picture depends on the time
     bool paused;
     bool views;              // list the views below the status
     bool buttons;            // show the row of buttons
-    bool peeks;              // folded, but its title is shown, whose mark unfolds it
+    bool peeks;              // show the title of a folded panel, with the mark that unfolds it
     unsigned long long open; // bit k: show the components of parameter k although another one is
                              // selected
     bool ranges;             // show range and unit of all parameters, if there is room
-    bool folded;             // show only the ray's march, except in a slice, and the error
-    bool bare;               // show no words except the labels of a comparison: a page shows them
-    bool right;              // the panel is at the right
+    bool folded;             // show only the error and, except in a slice, the ray's march
+    bool bare;               // show no text but the labels of a comparison; a web page has the rest
+    bool right;              // the panel is on the right
     bool rolled;             // the panel shows only its title
     bool refused;            // tip says why the typed value is rejected
     const char *typed;       // text that replaces the selected parameter's value
-    const char *tip;         // help for the row under the pointer
+    const char *tip;         // the help for the row under the pointer
     int typed_part;          // the component that is typed; -1: all
     float tip_at[2];         // the pointer, units from the picture's top left
     struct panel_rows *rows; // receives the rows, if there is a pointer
     struct inspector_table *table; // receives the lines of the ray's march; NULL: not wanted
     struct picker *picker;         // of the selected colour; receives its position. NULL: not open
-    const char *hint;              // the key to press
-    const char *caption;           // of a lecture, at the bottom
+    const char *hint;              // what the main keys do, in one line
+    const char *caption;           // of a lecture, shown at the bottom
     const struct panel_key *keys;
     int key_count;
     int pixel[2];              // of the selected ray, 0,0 bottom left; -1,-1: none
-    const char *side;          // that the ray is on, in a comparison: "left" or "right"
-    float shown;               // steps of it, as renderer_inputs.shown
-    const struct probe *probe; // its march; NULL: why says why there is none
+    const char *side;          // the ray's side of a comparison: "left" or "right"
+    float shown;               // steps of the ray, as in renderer_inputs
+    const struct probe *probe; // its march; NULL: why gives the reason
     const char *why;
     const char *error; // lines that end with '\n'
-    bool broken;       // the error is that of a reload; otherwise of a view
-    const char *unset; // an input that nothing sets, shown if there is no error
+    bool broken;       // the error comes from a reload; otherwise from a view
+    const char *unset; // a note on an input that nothing sets, shown if there is no error
 };
 
 #define PANEL_GAP    12.0f // units of the overlay, between columns
@@ -68,13 +68,13 @@ enum { PANEL_COLUMNS = 4, PANEL_CELL = 160 };
 enum panel_row_kind {
     PANEL_ROW_TITLE,  // the second cell is the mark that folds the panel, at the row's right end
     PANEL_ROW_STATUS, // the view, the rate and the time; it opens the list of views
-    PANEL_ROW_VIEW,   // one view of that list, part
+    PANEL_ROW_VIEW,   // one view of that list: its index is part
     PANEL_ROW_TEXT,
-    PANEL_ROW_BUTTONS, // one in each cell
+    PANEL_ROW_BUTTONS, // one button in each cell
     PANEL_ROW_RULE,
     PANEL_ROW_PARAMETER,
-    PANEL_ROW_PART,  // one component of the selected vector
-    PANEL_ROW_DETAIL // range and unit of the selected parameter
+    PANEL_ROW_PART,  // one component of a vector
+    PANEL_ROW_DETAIL // range and unit of a parameter
 };
 
 // The cells of the row of buttons.
@@ -84,28 +84,28 @@ enum panel_button { PANEL_PAUSE, PANEL_STEP_BACK, PANEL_STEP_ON, PANEL_HIDE };
 struct panel_row {
     enum panel_row_kind kind;
     char cell[PANEL_COLUMNS][PANEL_CELL]; // name, value, range and unit of a parameter; or a text
-    int parameter;                        // its index of comparison_parameter; -1: none
+    int parameter;                        // its index for comparison_parameter; -1: none
     int part;                             // of a vector; -1: all components
-    bool selected;                        // it belongs to the selected parameter
+    bool selected;                        // part of the selected parameter, or the current view
     double place;    // of the value in its range, 0 to 1; below 0: nothing to drag
-    float swatch;    // from the row's left to a colour's swatch; 0: none
+    float swatch;    // distance of a colour's swatch from the row's left; 0: none
     double share[3]; // that colour, as fractions of the range
     float left, top, width, height;
 };
 
-// Zeros: no rows.
+// A struct of zeros has no rows.
 struct panel_rows {
     struct panel_row *row; // owned
     int count;
     float column[PANEL_COLUMNS];    // widths
-    bool ranges;                    // the large form: all four columns
+    bool ranges;                    // all four columns are shown, otherwise two
     float left, top, width, height; // of the panel with its edges, units
 };
 
 // Build and measure the rows of a panel, without those for which there is no room. Earlier rows are
 // discarded.
-//   limit   width of the text, at most, if the small form can keep it
-//   bottom  of the panel, at most
+//   limit   greatest width of the text, units, if two columns fit into it
+//   bottom  lowest position of the panel's lower edge, units
 // Free with panel_rows_free.
 void panel_rows_build(struct panel_rows *rows, const struct panel *panel, float limit,
                       float bottom);
@@ -123,13 +123,13 @@ const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, fl
 // True if a point is in the panel, including its edges.
 bool panel_rows_hold(const struct panel_rows *rows, float x, float y);
 
-// The button at a position in the row of buttons: a PANEL_PAUSE or the like; -1: none.
+// The button at a position in the row of buttons: an enum panel_button; -1: none.
 int panel_row_button(const struct panel_row *row, float x);
 
-// Where a button begins, from the row's left.
+// The distance of a button from the row's left, units.
 float panel_row_button_left(const struct panel_row *row, int button);
 
-// True at the mark of a title, which folds the panel.
+// True at the mark of the title, which folds the panel.
 bool panel_row_is_mark(const struct panel_row *row, float x);
 
 // True at the swatch of a colour, which opens its picker.

@@ -1,5 +1,5 @@
 // pen.h - the look of the panels over a picture: colours, edges, lines of text.
-// Lengths are units of the overlay.
+// Lengths are in units of the overlay.
 #ifndef PEN_H
 #define PEN_H
 
@@ -8,8 +8,8 @@
 #include "picture/overlay.h"
 #include "shader/dialect.h"
 
-#define PEN_MARGIN  8.0f // of a panel from the picture's edge
-#define PEN_PADDING 7.0f // of the text from the panel's edge
+#define PEN_MARGIN  8.0f // distance of a panel from the picture's edge
+#define PEN_PADDING 7.0f // distance of the text from the panel's edge
 
 static const struct overlay_colour PEN_BAND = {{255, 255, 255, 38}};
 static const struct overlay_colour PEN_BRIGHT = {{250, 250, 250, 255}};
@@ -24,12 +24,13 @@ struct pen {
     float left, top;
 };
 
-// The size of the picture, and the lowest edge of a panel: above the axis of a slice or plot.
+// The size of the picture, and the lowest position of a panel's lower edge, above the axis of a
+// slice or plot.
 float pen_picture_width(const struct overlay *overlay);
 float pen_picture_height(const struct overlay *overlay);
 float pen_foot(const struct overlay *overlay, enum shader_view view);
 
-// Draw a panel's background around a text of this size. The pen is at its first line.
+// Draw a panel's background around a text of this size. Returns a pen at the first line.
 struct pen pen_open(struct overlay *overlay, float left, float top, float width, float height);
 
 // Write a line, or draw a rule of this width, and move the pen below it.

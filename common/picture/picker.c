@@ -6,12 +6,12 @@
 #include "picture/colour.h"
 #include "picture/pen.h"
 
-#define SIDE   72.0f // of the square, at most
+#define SIDE   72.0f // of the square, units, at most
 #define LEAST  24.0f // and at least
 #define BAR    12.0f // width
 #define GAP    6.0f
 #define APART  4.0f                             // from the panel
-#define BEYOND (2.0f * PEN_PADDING + GAP + BAR) // its width without the square
+#define BEYOND (2.0f * PEN_PADDING + GAP + BAR) // the picker's width without the square
 
 // ---- Position ----
 
@@ -34,7 +34,8 @@ static bool find_rows(const struct panel_rows *rows, const struct panel_row *end
     return ends[0] != NULL;
 }
 
-// Make it as large as the room, in units, allows.
+// Make the picker as large as its room allows.
+//   width, height  of the room, units
 static void size_for(struct picker *picker, float width, float height)
 {
     float side = fminf(width - BEYOND, height - 2.0f * PEN_PADDING);
@@ -59,7 +60,7 @@ void picker_place(struct picker *picker, const struct panel_rows *rows,
     picker->top = above;
     if (behind + picker->width > right)
         picker->left = rows->left - APART - picker->width;
-    if (picker->left < PEN_MARGIN) { // over the panel, where there is more room
+    if (picker->left < PEN_MARGIN) { // over the panel, below or above the colour's rows
         bool under = low - below >= above - PEN_MARGIN;
         size_for(picker, right - PEN_MARGIN, under ? low - below : above - PEN_MARGIN);
         picker->left = row[0]->left;
@@ -75,7 +76,8 @@ bool picker_holds(const struct picker *picker, float x, float y)
            y < picker->top + picker->height;
 }
 
-// The position of a point in the square, from its bottom left, and the part that has it.
+// The position of a point in the square, as fractions of its side from its bottom left. Returns the
+// part that contains the point.
 static enum picker_part look_up(const struct picker *picker, float x, float y, float at[2])
 {
     at[0] = (x - picker->left - PEN_PADDING) / picker->side;
@@ -146,8 +148,8 @@ static struct overlay_colour thin(unsigned char grey, double opacity)
     return (struct overlay_colour){{grey, grey, grey, (unsigned char)lround(255.0 * opacity)}};
 }
 
-// A colour is v (1 + s (hue - 1)): the hue under white, which fades to the right, under black,
-// which fades upwards. Strips are whole pixels wide, so they do not overlap.
+// A colour is v (1 + s (hue - 1)): the hue, covered with white that fades to the right, and then
+// with black that fades upwards. Strips are whole pixels wide, so they do not overlap.
 static void draw_square(const struct picker *picker, struct overlay *overlay)
 {
     float scale = overlay->scale, pixel = 1.0f / scale;
@@ -166,7 +168,7 @@ static void draw_square(const struct picker *picker, struct overlay *overlay)
                     shown(1.0 - (i + 0.5) / count, 1.0, 1.0));
 }
 
-// A ring around the colour, dark and bright, and a line at its hue.
+// Draw a ring around the colour, dark and bright, and a line at its hue.
 static void draw_marks(const struct picker *picker, struct overlay *overlay)
 {
     float left = picker->left + PEN_PADDING, top = picker->top + PEN_PADDING, side = picker->side;
@@ -184,7 +186,7 @@ void picker_draw(const struct picker *picker, struct overlay *overlay)
 {
     if (picker->width <= 0.0f)
         return;
-    // It may cover the panel's letters.
+    // The picker may cover text of the panel, so its background is darker.
     overlay_box(overlay, picker->left, picker->top, picker->width, picker->height, PEN_DARK);
     pen_open(overlay, picker->left, picker->top, picker->width - 2.0f * PEN_PADDING,
              picker->height - 2.0f * PEN_PADDING);

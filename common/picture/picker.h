@@ -1,9 +1,9 @@
 // picker.h - a colour picker: a square of saturation and value, and a bar of hues.
 //
 // It is beside the panel, as close to the colour's rows as possible without covering them. It shows
-// the sRGB encoding of the colour divided by its range, so a lamp of up to four times white fits in
-// the square, and the middle looks half as bright. The top right corner is the pure hue at its
-// brightest.
+// the sRGB encoding of the colour divided by its range, so a lamp that may be four times as bright
+// as white fits in the square, and the middle looks half as bright as the top. The top right corner
+// is the pure hue at its brightest.
 #ifndef PICKER_H
 #define PICKER_H
 
@@ -12,10 +12,10 @@
 
 enum picker_part { PICKER_NOTHING, PICKER_SQUARE, PICKER_BAR };
 
-// Zeros: black, not shown.
+// A struct of zeros is black and not shown.
 struct picker {
     double hsv[3];                  // hue in turns, saturation, value, 0 to 1 each
-    double value[3];                // of the parameter, for this hsv
+    double value[3];                // of the parameter, which corresponds to this hsv
     float left, top, width, height; // with its edges, units; width 0: not shown
     float side;                     // of the square
 };
@@ -37,7 +37,7 @@ enum picker_part picker_at(const struct picker *picker, float x, float y);
 // Choose the colour at the point of a part that is nearest to (x, y).
 void picker_drag(struct picker *picker, enum picker_part part, float x, float y);
 
-// Show a parameter's colour, unless picker_give has set it: so a grey keeps its hue.
+// Show a parameter's colour, unless picker_give has set it, so that a grey keeps its hue.
 void picker_take(struct picker *picker, const struct parameter *colour);
 
 // Set a parameter to the colour that is shown.

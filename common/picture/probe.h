@@ -27,27 +27,27 @@ struct probe {
     int all_steps;           // of all marches of the pixel, including shadow rays
     int evaluations;         // of the scene's distance, including those for normals
     enum probe_end end;      // why the first march stopped
-    float interval[2];       // that it searched, scene units along the ray; 0, 0: unknown
+    float interval[2];       // of the first march, scene units along the ray; 0, 0: unknown
     bool pinned;             // the ray starts elsewhere than at the picture's camera
-    bool recorded;           // false: a file with its own main, of which only the colour is known
+    bool recorded;           // false: a file with its own main, for which only the colour is known
     unsigned char colour[3]; // of the pixel in the picture
 };
 
-// Unpack what shaders/main.glsl draws for a probe, all but the colour and the places: in column k
-//   row 0  t, distance, steps of the first march, why it ended
+// Unpack the table that shaders/main.glsl draws for a probe, which has everything but the colour
+// and the places. Column k has:
+//   row 0  t, distance, steps of the first march, how it ended
 //   row 1  position x, y, z, threshold
 //   row 2  steps of all marches, evaluations, interval of the first march
 //   values  PROBE_STEPS x PROBE_ROWS pixels of 4 floats, row 0 first
 void probe_unpack(struct probe *probe, const float *values);
 
-// The number of the first march's steps that the probe has.
+// The number of the first march's steps that the probe contains.
 int probe_rows(const struct probe *probe);
 
 // Why the first march stopped: "hit", ...
 const char *probe_outcome(const struct probe *probe);
 
-// Print the table of the march, then a line that says why it ended, what the pixel cost and what
-// colour it has.
+// Print the table of the march, then a line with its outcome, the cost of the pixel and its colour.
 void probe_print(const struct probe *probe, FILE *file);
 
 #endif

@@ -39,7 +39,7 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
     return true;
 }
 
-// Free the shader that is loaded.
+// Free the loaded shader.
 static void unload(struct renderer *renderer)
 {
     renderer_unlink(renderer);
@@ -110,9 +110,9 @@ struct renderer *renderer_at(struct renderer *renderer, int width, int x)
     return x < renderer_split(renderer, width) ? renderer : renderer->comparison->other;
 }
 
-// Draw all samples of the tile in the scissor, averaged by blending: sum of samples / count. Sample
-// (i, j) of n x n lies at ((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5) from the pixel's centre, so a
-// single sample is the centre and the picture does not shift with n.
+// Draw all samples of the tile in the scissor, averaged by blending: the sum of sample / count.
+// Sample (i, j) of n x n lies at ((i + 0.5) / n - 0.5, (j + 0.5) / n - 0.5) from the pixel's
+// centre, so a single sample is the centre and the picture does not shift with n.
 static void draw_samples(const struct renderer *renderer, int samples, int bottom)
 {
     for (int k = 0; k < samples * samples; k++) {
@@ -127,15 +127,15 @@ static void draw_samples(const struct renderer *renderer, int samples, int botto
 // The part of a picture that one call draws.
 struct part {
     struct target *target;
-    int bottom, height;      // the rows of the picture that the target has
+    int bottom, height;      // the rows of the picture that the target contains
     int from, to;            // the rows of the target to draw
     int left, right;         // and its columns
     bool fresh;              // the target is cleared first
-    struct march *shared;    // of the first side of a comparison, whose frame both slices have
-    struct renderer *beside; // the other side of it, which a plot's frame must fit too
+    struct march *shared;    // march of a comparison's first side, whose frame both slices use
+    struct renderer *beside; // the comparison's other side, which must fit into a plot's frame too
 };
 
-// Take the frame of the first side; the first side leaves its own.
+// Use the frame of the first side, which is drawn first and stores its own.
 static void share_frame(struct march *march, struct march *shared)
 {
     if (shared == NULL)
@@ -146,7 +146,7 @@ static void share_frame(struct march *march, struct march *shared)
     march->plot = shared->plot;
 }
 
-// Bind the numbers and words of a view that writes some, after the shader's own textures.
+// If the view writes numbers and words, bind their texture after the shader's own textures.
 static void set_labels(struct renderer *renderer, const struct renderer_inputs *inputs)
 {
     const struct gl *gl = renderer->gl;
@@ -167,7 +167,7 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
     const struct gl *gl = renderer->gl;
     struct march march = {0};
     bool slice = shader_shows_ray(renderer->view);
-    // The plane of a slice is that of the ray, wherever the picture's camera is.
+    // The plane of a slice contains the ray, wherever the picture's camera is.
     const struct renderer_inputs own = slice ? renderer_from_eye(asked) : *asked, *inputs = &own;
     bool reads = slice || renderer_reads(renderer, renderer->view, UNIFORM_iMarched);
     const int low[2] = {part->left, part->bottom + part->from};
@@ -186,7 +186,8 @@ static bool draw_part(struct renderer *renderer, const struct renderer_inputs *a
         renderer_set_steps(renderer, &march);
     if (part->fresh)
         renderer_clear(gl);
-    // The viewport is the whole picture, whatever part the target has, so the triangle is the same.
+    // The viewport is the whole picture, whatever part the target contains: the triangle never
+    // changes.
     gl->Viewport(0, -part->bottom, inputs->width, inputs->height);
     gl->Enable(GL_SCISSOR_TEST);
     for (int y = part->from; y < part->to; y += TILE)
@@ -233,7 +234,7 @@ bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *i
     return draw_sides(renderer, inputs, &part);
 }
 
-// Copy rows [from, from + rows) of a target into what is bound for drawing.
+// Copy rows [from, from + rows) of a target into the framebuffer that is bound for drawing.
 static void copy_rows(const struct gl *gl, const struct target *target, int from, int rows)
 {
     int width = target->width, to = from + rows;
@@ -258,14 +259,15 @@ void renderer_present_sharp(struct renderer *renderer, int from, int rows)
     copy_rows(renderer->gl, &renderer->sharp, from, rows);
 }
 
-// An even number, because drivers compute derivatives in squares of two by two pixels.
+// The number of rows in a band: all rows, or an even number, because drivers compute derivatives in
+// squares of two by two pixels.
 static int rows_of_band(const struct renderer_inputs *inputs)
 {
     int band = BAND_PIXELS / inputs->width / 2 * 2;
     return band < inputs->height ? band : inputs->height;
 }
 
-// Store the rows of a target in an image, from row bottom on.
+// Store the rows of a target in an image, starting at row bottom.
 static bool store(const struct renderer *renderer, const struct target *target, struct image *image,
                   int bottom)
 {
@@ -310,7 +312,8 @@ bool renderer_sharp_picture(struct renderer *renderer, struct image *image)
            store(renderer, &renderer->picture, image, 0);
 }
 
-// Draw a pixel at its position in its band of the picture, so that it gets the same bits.
+// Draw a pixel at its position in its band of the picture, so that it gets the same bits as in the
+// picture.
 static bool colour_pixel(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
                          int y, unsigned char colour[3])
 {

@@ -40,15 +40,15 @@ struct renderer_inputs {
     double time;       // seconds
     double time_delta; // seconds since the last frame; 0 for a file
     int frame;         // index of the frame; 0 for a file
-    double rate;       // frames per second of a film; 0: from time_delta
+    double rate;       // frames per second of a film; 0: derived from time_delta
     float mouse[4];    // Shadertoy's iMouse; zeros for a file
     float date[4];     // Shadertoy's iDate: year, month from 0, day, seconds of the day
     int samples;       // along each side of a pixel
-    float digits;      // least height of a figure's digits, pixels; 0: it follows the picture's
-    int pixel[2];      // of the selected ray, 0,0 bottom left; -1,-1: none, a slice has the middle
+    float digits;      // least height of a figure's digits, pixels; 0: from the picture's height
+    int pixel[2];      // of the selected ray, 0,0 bottom left; -1,-1: none (a slice: the middle)
     const struct renderer_eye *eye; // where the selected ray starts; NULL: at the camera
     const double *lens;             // values that replace renderer_lens; NULL: the parameters' own
-    const struct strokes *strokes;  // over the chapter's volume; NULL: none
+    const struct strokes *strokes;  // on the chapter's volume; NULL: none
     float zoom;                     // of the slice view; 1, or 0: the whole march
     float shown; // steps of the selected ray's march that are shown, with a fraction of the next
                  // one; 0: all
@@ -56,14 +56,14 @@ struct renderer_inputs {
 
 // Two pictures side by side: a divider separates the columns of the first from those of the second.
 // Both have the same camera, time, view and samples. The second follows the first's parameters,
-// except those of its own.
+// except those that it sets itself.
 struct comparison {
     struct renderer *other; // of the second picture; its own comparison is NULL. Not owned
     double divider;         // fraction of the width that the first picture has, 0 to 1
-    const char *const *own; // NAME=VALUE: parameters in which the second does not follow. Not owned
+    const char *const *own; // NAME=VALUE: the parameters that the second sets itself. Not owned
     int own_count;
-    const char *label[2]; // their names; NULL: their own parameters are enough. Not owned
-    bool gripped;         // the divider can be dragged, and shows where
+    const char *label[2]; // their names; NULL: the parameters tell them apart. Not owned
+    bool gripped;         // the divider can be dragged, and shows a grip
 };
 
 // The uniforms of the harness itself, besides inputs, parameters and textures.
@@ -108,20 +108,20 @@ struct renderer {
     struct shader_source fragment; // the last one that compiled
     struct parameters parameters;  // of that one
     struct textures textures;      // of its samplers
-    struct sculpture sculpture;    // one of them, if the chapter has a tool
-    struct axis_labels labels;     // that its views write
+    struct sculpture sculpture;    // one of these textures, if the chapter has a tool
+    struct axis_labels labels;     // the numbers and words that its views write
     enum shader_view view;
-    float focal_length;                   // for shaders that declare no focalLength of their own
-    double orthographic;                  // OrthoView of whole files: 0 perspective, 1 orthographic
-    GLuint program[SHADER_PROGRAM_COUNT]; // by view, linked when first needed
+    float focal_length;                    // for shaders that declare no focalLength of their own
+    double orthographic;                   // the input OrthoView: 0 perspective, 1 orthographic
+    GLuint program[SHADER_PROGRAM_COUNT];  // by view, linked when first needed
     GLint *location[SHADER_PROGRAM_COUNT]; // of its uniforms: renderer_uniform, then those of
                                            // inputs, parameters and textures; owned
     const GLint *used;                     // those of the program in use
     GLuint vertex_array;
     struct target picture;
-    struct target sharp;           // a window's picture that is drawn in several frames
+    struct target sharp;           // a window's picture that is drawn over several frames
     struct target table;           // of a probe, one column per step; the slice view reads it
-    struct target single;          // of a probe: one pixel of the picture is drawn
+    struct target single;          // one pixel: a probe's colour, or the camera's room
     struct target places;          // where the steps of a ray are in the picture
     struct target points;          // where the handles are in the picture
     struct target coarse;          // of the coarse pass, one texel per block
@@ -139,7 +139,7 @@ bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *r
 void renderer_close(struct renderer *renderer);
 
 // Compile and link a shader, and read its textures. Parameters that it shares with the previous
-// shader keep their values, as parameters_keep says.
+// shader keep their values, as described for parameters_keep.
 //   source, parameters  of the shader; taken over and left empty
 // Returns false, reported; then both still belong to the caller, and the renderer still draws the
 // last good shader.
@@ -147,20 +147,21 @@ bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters);
 
 // Choose the view, in both pictures of a comparison; links it if it is new. Returns false,
-// reported, and keeps the old view if a shader has no such view.
+// reported, and keeps the old view if a shader has no such view or the view does not link.
 bool renderer_set_view(struct renderer *renderer, enum shader_view view);
 
 // ---- Draw and read pictures ----
 
-// Draw rows [bottom, bottom + rows) of the picture into the float target, tile by tile, the mean of
-// samples x samples jittered passes. Row 0 is the bottom row.
+// Draw rows [bottom, bottom + rows) of the picture into the float target, tile by tile, as the mean
+// of samples x samples jittered passes. Row 0 is the bottom row.
 // Returns false, reported: no memory for the target, no float target.
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows);
 
 // Draw rows [from, from + rows) of the picture into the target sharp, which keeps its other rows
-// while the picture's size stays the same. The top rows come first; drawing them clears the target.
-// The rows are bit-for-bit identical to those of renderer_draw. Returns false, reported.
+// while the picture's size stays the same. The top rows must come first, because drawing them
+// clears the target. The rows are bit-for-bit identical to those of renderer_draw. Returns false,
+// reported.
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
                       int rows);
 
@@ -170,7 +171,8 @@ bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *i
 // Returns false, reported: the driver rejects the filter.
 bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int width, int height);
 
-// Copy rows [from, from + rows) of the picture of renderer_sharpen, pixel by pixel.
+// Copy rows [from, from + rows) of the picture of renderer_sharpen into the window's framebuffer,
+// pixel by pixel.
 void renderer_present_sharp(struct renderer *renderer, int from, int rows);
 
 // Draw a whole picture, with the overlay if there is one, and read it back: value v becomes
@@ -182,21 +184,21 @@ bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *i
 // The same for the picture of renderer_sharpen, which is not drawn again.
 bool renderer_sharp_picture(struct renderer *renderer, struct image *image);
 
-// The first column of the second picture, in pictures of this width in pixels; the width if there
-// is no second picture. And the renderer that draws column x.
+// The first column of the second picture, in pictures of this width in pixels, or the width if
+// there is no second picture; and the renderer that draws column x.
 int renderer_split(const struct renderer *renderer, int width);
 struct renderer *renderer_at(struct renderer *renderer, int width, int x);
 
 // ---- The march of one ray ----
 
-// The selected ray stays where it is in space while the camera moves on: this is the eye of a
-// picture, from which its rays start.
+// The eye of a picture, from which its rays start. A selected ray keeps this eye, so that it stays
+// where it is in space while the camera moves on.
 struct renderer_eye renderer_eye_of(const struct renderer *renderer,
                                     const struct renderer_inputs *inputs);
 
 // March the ray of pixel (x, y), 0,0 bottom left, from inputs->eye, and read back every step, its
 // position in the picture, and the pixel's colour in the current view, or in the picture if the
-// view is slice or plot. Of a file with its own main, only the colour is known. Returns false,
+// view is slice or plot. For a file with its own main, only the colour is known. Returns false,
 // reported: the driver failed.
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
@@ -204,15 +206,15 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
 // The march that a slice shows, or whose steps a picture reads.
 struct march {
     int pixel[2];
-    int steps; // that renderer->table has
+    int steps; // number of steps in renderer->table
     float at;  // the step that is shown, from 0, with a fraction of the next one; -1: none
     enum probe_end end;
     struct slice_frame frame;
     struct plot_frame plot;        // of a plot, below the slice
-    float step[RENDERER_STEPS][2]; // t and distance of the first ones
+    float step[RENDERER_STEPS][2]; // t and distance of the first steps
 };
 
-// The inputs of a picture from the selected ray's own eye.
+// The inputs of a picture that is seen from the selected ray's own eye.
 struct renderer_inputs renderer_from_eye(const struct renderer_inputs *inputs);
 
 // March the ray of pixel (x, y), whose steps stay in renderer->table.
@@ -220,19 +222,19 @@ struct renderer_inputs renderer_from_eye(const struct renderer_inputs *inputs);
 bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
 
-// March the selected ray, or the middle one if none is selected, and frame it.
-//   beside  whose distances a plot must have room for too; NULL: none
+// March the selected ray, or the middle one if none is selected, and find the frame that shows it.
+//   beside  a second renderer, whose distances a plot must have room for too; NULL: none
 // Returns false, reported.
 bool renderer_march_selected(struct renderer *renderer, struct renderer *beside,
                              const struct renderer_inputs *inputs, struct march *march);
 
 // Set the uniforms of shaders/slice.glsl and plot.glsl, or of shaders/marched.glsl. The slice reads
-// the table from unit 0, where a sampler reads unless told otherwise.
+// the table from unit 0, which is a sampler's default.
 void renderer_set_slice(const struct renderer *renderer, const struct march *march);
 void renderer_set_steps(const struct renderer *renderer, const struct march *march);
 
-// Find the positions of a march's steps in the picture: all in its pixel, or, if the ray starts
-// elsewhere than at the camera, in the pixels whose rays meet them.
+// Find the positions of a march's steps in the picture: all in its pixel, or, if the ray does not
+// start at the camera, in the pixels whose rays meet them.
 //   probe  of pixel (x, y), whose steps are still in renderer->table
 // Returns false, reported.
 bool renderer_place_steps(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
@@ -240,16 +242,16 @@ bool renderer_place_steps(struct renderer *renderer, const struct renderer_input
 
 // ---- One draw ----
 
-// Link a view, and the programs that its pictures need: the slice view shows a probe, and a program
-// that calls coarseStart reads the coarse pass. So an error in any of them is found while the old
-// shader is still there. Returns false, reported.
+// Link a view, and the programs that its pictures need: the slice and plot views show a probe, and
+// a program that calls coarseStart reads the coarse pass. Thus an error in any of them is found
+// while the old shader is still loaded. Returns false, reported.
 bool renderer_link(struct renderer *renderer, enum shader_view view);
 
 // Delete all programs.
 void renderer_unlink(struct renderer *renderer);
 
-// True if a linked view of a course shader uses a uniform; the linker keeps only what is used. In
-// other dialects the name is the author's.
+// True if a linked view of a course shader uses a uniform; the linker keeps only those that are
+// used. In other dialects, a uniform of this name belongs to the author.
 bool renderer_reads(const struct renderer *renderer, enum shader_view view,
                     enum renderer_uniform uniform);
 
@@ -257,39 +259,41 @@ bool renderer_reads(const struct renderer *renderer, enum shader_view view,
 bool renderer_sculpt(struct renderer *renderer, const struct renderer_inputs *inputs);
 
 // Use a linked view, and set everything that is the same for all tiles and samples of a picture,
-// including the table of the coarse pass, which has run.
+// including the table of the coarse pass, which must have run.
 void renderer_use(struct renderer *renderer, const struct renderer_inputs *inputs,
                   enum shader_view view);
 
-// Make the whole target 0. Needed before the first draw of a picture: a shader may discard its
-// pixel, and blending multiplies the old value by 0, which keeps a NaN. Call it without a scissor:
-// to clear a part of a target, llvmpipe compiles programs, which takes as long as a small shader.
+// Set the whole target to 0. This is needed before the first draw of a picture, because a shader
+// may discard its pixel, and blending multiplies the old value by 0, which keeps a NaN. Call it
+// without a scissor: to clear part of a target, llvmpipe compiles programs, which takes as long as
+// compiling a small shader.
 void renderer_clear(const struct gl *gl);
 
 // One sample of the pixels of a draw.
 struct renderer_sample {
-    int number, count; // from 0; of how many
-    float jitter[2];   // from the pixel's centre, pixels
+    int number, count; // its index, from 0, and the number of samples
+    float jitter[2];   // offset from the pixel's centre, pixels
 };
 
-// Draw the triangle, into the current target, viewport and scissor.
-//   bottom  the row of the picture with which the target begins
+// Draw the triangle into the current target, with the current viewport and scissor.
+//   bottom  the row of the picture that is the target's first
 void renderer_pass(const struct renderer *renderer, const struct renderer_sample *sample,
                    int bottom);
 
-// Draw a rectangle of a table, which is bound, with a single sample per pixel.
+// Draw a rectangle of a table that is bound, with a single sample per pixel.
 void renderer_fill(const struct renderer *renderer, const struct target *table, int left,
                    int bottom, int width, int height);
 
-// The coarse pass: before a picture, one march for each block of 8 x 8 pixels, which says how far
-// their rays meet nothing. shaders/coarse.glsl says what is computed, and proves it.
+// The coarse pass: before a picture, one march for each block of 8 x 8 pixels finds a distance up
+// to which none of the block's rays meets anything. shaders/coarse.glsl describes it and proves
+// this.
 
 // True if a linked view reads the pass, and its parameter coarsePass is on.
 bool renderer_wants_coarse(const struct renderer *renderer, enum shader_view view);
 
 // If the view wants it, run the pass for the blocks of a rectangle of pixels; other blocks are
 // undefined. renderer->coarse has one texel for each block of the whole picture: the start, the
-// evaluations that it took, the number of pixels in the block, unused.
+// number of evaluations that it took, the number of pixels in the block, unused.
 //   view       the linked view that is drawn next
 //   low, high  opposite corners of the rectangle, pixels, the upper one excluded
 // Returns false, reported.

@@ -152,8 +152,7 @@ void renderer_use(struct renderer *renderer, const struct renderer_inputs *input
     for (int i = 0; i < RENDERER_LENSES && inputs->lens != NULL; i++)
         set_lens(renderer, i, inputs->lens[i]);
     textures_bind(&renderer->textures, gl, at);
-    if (renderer_wants_coarse(renderer,
-                              view)) // unit 0, which a sampler reads unless told otherwise
+    if (renderer_wants_coarse(renderer, view)) // unit 0, which is a sampler's default
         gl->BindTexture(GL_TEXTURE_2D, renderer->coarse.texture);
     gl->BindVertexArray(renderer->vertex_array);
 }
@@ -166,9 +165,10 @@ void renderer_clear(const struct gl *gl)
     gl->Clear(GL_COLOR_BUFFER_BIT);
 }
 
-// Each of several samples adds its fraction to the target; a single one replaces it. That also
-// blends: llvmpipe compiles a program that may have to read the target once, and any other twice,
-// the second time for squares of pixels that lie completely in the triangle.
+// Each of several samples adds its fraction to the target; a single sample replaces the target's
+// value. Blending is on for a single sample too, because llvmpipe compiles a program that may have
+// to read the target once, and any other program twice, the second time for squares of pixels that
+// lie completely in the triangle.
 static void blend(const struct gl *gl, int samples)
 {
     float fraction = 1.0f / (float)samples;

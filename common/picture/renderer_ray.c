@@ -6,7 +6,7 @@
 
 #include "memory.h"
 
-// Each column of a probe's table marches the ray again: most rays need only these.
+// Each column of a probe's table marches the ray again, and most rays need only these columns.
 #define FIRST_COLUMNS 64
 
 // ---- The eye ----
@@ -35,7 +35,7 @@ struct renderer_inputs renderer_from_eye(const struct renderer_inputs *inputs)
     return from;
 }
 
-// True if the selected ray starts elsewhere than at the camera.
+// True if the selected ray does not start at the picture's camera.
 static bool is_pinned(const struct renderer *renderer, const struct renderer_inputs *inputs)
 {
     if (inputs->eye == NULL)
@@ -139,9 +139,9 @@ void renderer_set_steps(const struct renderer *renderer, const struct march *mar
     gl->Uniform1i(at[UNIFORM_iMarchedHit], march->end == PROBE_HIT);
 }
 
-// ---- Its steps in the picture ----
+// ---- The steps in the picture ----
 
-// Find the pixels whose rays meet the steps of a ray that starts elsewhere.
+// Find the pixels whose rays meet the steps of a ray that does not start at the camera.
 static bool find_steps(struct renderer *renderer, const struct renderer_inputs *inputs,
                        struct probe *probe)
 {

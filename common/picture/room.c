@@ -9,7 +9,7 @@ static bool has_room(const struct renderer *renderer)
            glsl_find_definition(&renderer->fragment.code, "cameraRoom") != NULL;
 }
 
-// True while the driver compiles the program on threads of its own.
+// True while the driver compiles the program in its own threads.
 static bool is_compiling(const struct renderer *renderer)
 {
     if (renderer->program[SHADER_ROOM] != 0)

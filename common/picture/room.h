@@ -4,12 +4,12 @@
 
 #include "picture/renderer.h"
 
-// Keep a camera where the shader's cameraRoom has room for it, as shaders/room.glsl says. It passes
-// anywhere if the shader has no such function, and until the driver has compiled the program, which
-// the first call begins. Each call waits for the GPU.
+// Keep a camera where the shader's cameraRoom has room for it, as described in shaders/room.glsl.
+// The camera can go anywhere if the shader has no such function, and until the driver has compiled
+// the program, which the first call begins. Each call waits for the GPU.
 //   inputs  of the picture that is shown, with the camera before the move
 //   to      where the camera is going; receives where it stops
-// Returns false, reported, and leaves to as it is: the program does not link.
+// Returns false, reported, and leaves to unchanged, if the program does not link.
 bool room_keep(struct renderer *renderer, const struct renderer_inputs *inputs, float to[3]);
 
 #endif

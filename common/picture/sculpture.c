@@ -7,8 +7,8 @@
 #include "memory.h"
 #include "number.h"
 
-#define ROUND 10000.0 // to its inverse
-#define LIMIT 1e9     // of a coordinate: beyond it a float has no fractions
+#define ROUND 10000.0 // numbers are rounded to multiples of its inverse
+#define LIMIT 1e9     // of an amount or coordinate; a float this large has no fraction
 
 // ---- Strokes ----
 
@@ -84,7 +84,7 @@ static size_t bytes_of(const struct sculpture *sculpture)
     return 4 * (size_t)size[0] * (size_t)size[1] * (size_t)size[2];
 }
 
-// Read the volume as its file has it.
+// Read the volume from its file.
 static bool read_volume(struct sculpture *sculpture, const struct sampler *sampler,
                         const struct shader_source *source)
 {
@@ -135,7 +135,8 @@ static void work(struct sculpture *sculpture, const struct strokes *strokes, int
     }
 }
 
-// Slices [from, to) of the texture's first level; the others are not read where texels are fetched.
+// Upload slices [slices[0], slices[1]) of the texture's first level. Shaders that fetch texels do
+// not read the other levels.
 static void upload(const struct sculpture *sculpture, const struct gl *gl,
                    const struct texture *texture, const int slices[2])
 {

@@ -2,12 +2,12 @@
 
 #include <math.h>
 
-#define BEHIND     0.10  // of the length shown, left of the eye
-#define BEYOND     0.35  // of it, right of a hit
+#define BEHIND     0.10  // shown left of the eye, as a fraction of the length to its right
+#define BEYOND     0.35  // shown right of a hit, as a fraction of the length up to it
 #define NOTHING    8.0   // scene units shown of a ray that was not marched
-#define TICK_SHARE 0.115 // of the picture's width, at least, from tick to tick
+#define TICK_SHARE 0.115 // from tick to tick, as a fraction of the picture's width, at least
 #define CELLS      180   // in the picture's height
-#define PLOT_ABOVE 10.0  // cells above the highest distance, for the axis' name
+#define PLOT_ABOVE 10.0  // cells above the highest distance, for the axis's name
 #define PLOT_BELOW 9.0   // cells below the lowest one
 #define PLOT_TICKS 4.5   // in the plot's height, at most
 
@@ -16,7 +16,7 @@ float slice_cell(int height)
     return fmaxf(1.0f, floorf((float)height / CELLS));
 }
 
-// The step with the smallest distance: of a hit, the last one.
+// The step with the smallest distance: for a hit, usually the last one.
 static const struct probe_step *nearest_step(const struct probe *probe, int steps)
 {
     const struct probe_step *nearest = &probe->step[0];
@@ -73,7 +73,7 @@ struct slice_frame slice_frame_of(const struct probe *probe, int width, int heig
     return frame;
 }
 
-// Extend a range to the distances of the steps between two positions on the ray.
+// Extend a range to include the distances of the steps between two positions on the ray.
 static void extend(double range[2], const struct probe *probe, double left, double right)
 {
     for (int i = 0; i < probe_rows(probe); i++) {

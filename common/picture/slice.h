@@ -1,4 +1,5 @@
-// slice.h - how the slice view frames the plane of a ray, and the plot view the distance below it.
+// slice.h - how the slice view frames the plane of a ray, and how the plot view frames the
+// distances below it.
 #ifndef SLICE_H
 #define SLICE_H
 
@@ -13,7 +14,8 @@
 #define SLICE_ZOOM_MAXIMUM 200.0f // beyond it, the rounding of floats shows in the lines
 #define SLICE_PLOT         0.5f   // fraction of the picture's height below a plot's slice
 
-// The plane that contains a ray: (along, across), scene units along the ray from the eye, and up.
+// The plane that contains a ray, with coordinates (along, across): scene units along the ray from
+// the eye, and perpendicular to it, upwards.
 struct slice_frame {
     float left, bottom; // (along, across) of the picture's bottom left corner
     float unit;         // scene units per pixel
@@ -35,13 +37,14 @@ struct plot_frame {
 float slice_cell(int height);
 
 // Frame a march: from behind the eye to a little past its end. A ray that passed the far limit is
-// shown to a little past its point nearest to the scene, or, if that is the eye, to its last step.
-//   zoom  1, or 0: as above; z: z times as large around that point
+// shown to a little past its point nearest to the scene, or, if that point is its start, a little
+// past its last step.
+//   zoom  1, or 0: as above; z: z times as large, around the point nearest to the scene
 struct slice_frame slice_frame_of(const struct probe *probe, int width, int height, float zoom);
 
 // Frame the distances of the steps that a slice shows, including 0 and negative ones.
 //   probe  count marches, which share the frame: those of a comparison's two sides
-//   slice  is moved up into its part of the picture
+//   slice  moved up into its part of the picture
 struct plot_frame plot_frame_of(const struct probe *probe, int count, int width, int height,
                                 struct slice_frame *slice);
 

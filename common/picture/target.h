@@ -1,4 +1,4 @@
-// target.h - a texture to draw into, and small programs and textures of the harness's own.
+// target.h - a texture to draw into, and the small programs and textures of the harness itself.
 #ifndef TARGET_H
 #define TARGET_H
 
@@ -13,13 +13,13 @@ struct target {
     int width, height; // pixels; 0 before the first target_bind
 };
 
-// Link a program of the harness's own.
+// Link a program of the harness itself.
 //   what  names it in the report
 // Returns 0, reported, if the driver rejects it.
 GLuint target_program(const struct gl *gl, const char *what, const char *vertex,
                       const char *fragment);
 
-// Fill the texture that is bound with an image of one byte per pixel.
+// Fill the bound texture with an image of one byte per pixel.
 void target_upload(const struct gl *gl, int width, int height, const unsigned char *pixel);
 
 // A vertex shader: three vertices without a buffer, a triangle that covers the target.

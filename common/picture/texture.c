@@ -10,10 +10,10 @@
 
 enum { CHANNELS = 4, BYTES = 256 };
 
-// ---- Numbers and bytes ----
+// ---- Values and bytes ----
 
-// The number of each byte, and the limit above which the next byte is nearer, of a linear channel
-// or of one of sRGB.
+// The value of each byte, and the limit above which the next byte is nearer, for a linear or an
+// sRGB channel.
 struct code {
     float value[BYTES], above[BYTES];
 };
@@ -27,7 +27,7 @@ static void make_code(struct code *code, bool srgb)
     }
 }
 
-// The byte whose number is nearest, as the code spaces them.
+// The byte that is nearest to a value, compared in the encoded scale.
 static unsigned char encode(const struct code *code, float value)
 {
     int byte = 0;
@@ -44,7 +44,8 @@ static size_t texels(const int size[3])
     return (size_t)size[0] * (size_t)size[1] * (size_t)size[2];
 }
 
-// Halve one axis: each new texel is the mean of those that it covers, in part if the side is odd.
+// Halve one axis: each new texel is the mean of those that it covers, some of them in part if the
+// side is odd.
 //   size  of the values; becomes that of the new ones
 // Returns the new values, which the caller frees, or NULL.
 static float *halve(const float *value, int size[3], int axis)
@@ -80,7 +81,7 @@ static unsigned char *add_level(struct texture_image *image, const int size[3])
     return level;
 }
 
-// Make the first level: a file's bytes, each slice with its bottom row first. Returns its numbers,
+// Make the first level: a file's bytes, each slice with its bottom row first. Returns its values,
 // which the caller frees; NULL if memory is short.
 static float *first_level(struct texture_image *image, const struct image_bytes *bytes,
                           const struct code code[2], const int size[3])
@@ -96,7 +97,7 @@ static float *first_level(struct texture_image *image, const struct image_bytes 
     return value;
 }
 
-// Make the other levels from the numbers of the first, which are freed.
+// Make the other levels from the values of the first, which are freed.
 static bool make_levels(struct texture_image *image, const struct code code[2], float *value,
                         int size[3])
 {

@@ -8,13 +8,13 @@
 #include "picture/image.h"
 #include "shader/parameter.h"
 
-#define TEXTURE_UNIFORMS 3  // of a texture: its sampler, Shadertoy's and glslViewer's size of it
-#define TEXTURE_LEVELS   15 // of a side of IMAGE_SIDE_LIMIT
+#define TEXTURE_UNIFORMS 3  // of a texture: its sampler, and its size for Shadertoy and glslViewer
+#define TEXTURE_LEVELS   15 // of a picture with a side of IMAGE_SIDE_LIMIT
 #define TEXTURE_PIXELS   ((size_t)1 << 24) // of a picture, at most: 4096 x 4096
 
-// A picture or a volume with its mip levels: level 0 has its own size, and each further one half of
-// every side, rounded down and at least 1. A texel is the mean of the texels that it covers, in
-// linear light, for each channel: the box filter.
+// A picture or a volume with its mip levels: level 0 has its own size, and each further level has
+// half of every side, rounded down but at least 1. A texel is the mean of the texels that it
+// covers, in linear light, for each channel: the box filter.
 struct texture_image {
     int count;                            // of levels
     int size[TEXTURE_LEVELS][3];          // width, height, slices
@@ -22,8 +22,8 @@ struct texture_image {
 };
 
 // Read a picture and compute its levels.
-//   sampler  how it is read: its slices are one below the other in the file, the first at the top,
-//            each of them upright
+//   sampler  how it is read. The slices of a volume are one below another in the file, the first at
+//            the top, and each is upright
 //   why      receives one phrase on failure: that of image_read_bytes, slices that do not fit, no
 //            memory
 // Returns false then, not reported. Free with texture_image_free.
@@ -43,8 +43,8 @@ struct textures {
     int count;
 };
 
-// Read the pictures of all samplers, in their order. Textures have linear filters, within a level
-// and between two.
+// Read the pictures of all samplers, in their order. Textures are filtered linearly, within a level
+// and between levels.
 //   source  of the samplers
 // Returns false, reported with file and line: texture_image_read failed, or the driver has too
 // little memory or too few units. Free with textures_free in the same context.
@@ -57,8 +57,8 @@ void textures_free(struct textures *textures, const struct gl *gl);
 void textures_locate(const struct textures *textures, const struct gl *gl, GLuint program,
                      GLint *location);
 
-// Give the textures to the program in use: they take the units from 1 on. Unit 0 stays active and
-// empty, so a sampler that nothing sets reads black, never the picture being drawn.
+// Bind the textures for the program in use, to the units from 1 on. Unit 0 stays active and empty,
+// so a sampler that nothing sets reads black, never the picture being drawn.
 //   location  from textures_locate
 void textures_bind(const struct textures *textures, const struct gl *gl, const GLint *location);
 

@@ -52,7 +52,7 @@ bool annotation_copy(struct annotation *a, const char *part, char *to, size_t si
     while (end > from && strchr(BLANKS, end[-1]) != NULL)
         end--;
     if (end <= from)
-        return annotation_refuse(a, "no %s: write as in \"%s\"", part, a->example);
+        return annotation_refuse(a, "no %s: write it as in \"%s\"", part, a->example);
     if ((size_t)(end - from) >= size)
         return annotation_refuse(a, "the %s is too long: %d bytes at most", part, (int)size - 1);
     memcpy(to, from, (size_t)(end - from));
@@ -63,7 +63,7 @@ bool annotation_copy(struct annotation *a, const char *part, char *to, size_t si
 
 bool annotation_declaration(struct annotation *a)
 {
-    const struct glsl_token *word[4] = {0}; // type, name, semicolon, and one too many
+    const struct glsl_token *word[4] = {0}; // type, name, semicolon, and one more than allowed
     const struct glsl_token *uniform = a->uniform, *t = uniform + 1;
     int count = 0;
     for (; t != a->comment && t->kind != GLSL_END && t->line == uniform->line && count < 4; t++) {
@@ -80,19 +80,19 @@ bool annotation_declaration(struct annotation *a)
     if (!good)
         return !a->quiet &&
                shader_refuse(a->source, a->line,
-                             "not a %s's declaration: write as in \"%s\", with a name of at most "
-                             "%d letters",
+                             "not a %s's declaration: write it as in \"%s\", with a name of at "
+                             "most %d letters",
                              a->what, a->example, ANNOTATION_NAME - 1);
     a->type = word[0];
     snprintf(a->name, sizeof a->name, "%s", word[1]->text);
     return (count == 3 && word[2]->sign == ';') ||
            annotation_refuse(a,
                              "must be declared alone on its line, with nothing between its name "
-                             "and the semicolon: write as in \"%s\"",
+                             "and the semicolon: write it as in \"%s\"",
                              a->example);
 }
 
-// The first line of a comment, without what begins it. The caller frees it.
+// The first line of a comment, without its first two characters. The caller frees it.
 static char *words_of(const struct glsl *code, const struct glsl_token *comment)
 {
     static const char *const spaces[] = {"\xC2\xA0", "\xE2\x80\xAF"};
@@ -121,7 +121,7 @@ void annotation_begin(struct annotation *a, const struct shader_source *source,
     *a = (struct annotation){.what = what,
                              .example = example,
                              .source = source,
-                             // An author elsewhere may mean something else.
+                             // The author of another tool's file may mean something else.
                              .quiet = source->dialect != DIALECT_COURSE,
                              .line = uniform->line,
                              .uniform = uniform,

@@ -12,7 +12,7 @@
 
 // ---- Numbers ----
 
-//   single  no comma may follow but one that begins a word
+//   single  only one number is allowed: a comma with a digit after it is refused
 static bool read_any_number(struct annotation *a, const char *what, bool single, double *value)
 {
     a->c += strspn(a->c, BLANKS);
@@ -42,7 +42,7 @@ static bool read_number(struct annotation *a, const char *what, bool single, dou
 
 // ---- The parts of a comment ----
 
-// True for a comment that declares a parameter, by the rule of parameter.h.
+// True for a comment that declares a parameter, by the rule in parameter.h.
 static bool begins_with_value(const char *comment)
 {
     double ignored;
@@ -54,7 +54,7 @@ static bool begins_with_value(const char *comment)
         length = 4;
     else if (strncmp(c, "false", 5) == 0)
         length = 5;
-    return length > 0 && strchr(BLANKS ",:", c[length]) != NULL; // the text's end included
+    return length > 0 && strchr(BLANKS ",:", c[length]) != NULL; // or the end of the text
 }
 
 static bool read_bool_value(struct annotation *a)
@@ -105,7 +105,7 @@ static bool read_range(struct annotation *a)
 {
     struct parameter *p = &a->parameter;
     return ((annotation_accept_word(a, "in") && annotation_accept(a, '[')) ||
-            annotation_refuse(a, "no range after the value: write as in \"" EXAMPLE
+            annotation_refuse(a, "no range after the value: write it as in \"" EXAMPLE
                                  "\", or begin the comment with another word")) &&
            read_number(a, "the minimum", false, &p->minimum) &&
            (annotation_accept(a, ',') ||
@@ -159,7 +159,8 @@ static bool read_words(struct annotation *a)
         !annotation_copy(a, "unit", p->unit, sizeof p->unit, strcspn(a->c, ":")))
         return false;
     if (*a->c != '\0' && *a->c != ':')
-        return annotation_refuse(a, "'%.20s' is not understood: write as in \"" EXAMPLE "\"", a->c);
+        return annotation_refuse(a, "'%.20s' is not understood: write it as in \"" EXAMPLE "\"",
+                                 a->c);
     annotation_accept(a, ':');
     if (a->quiet && *a->c == '\0') {
         snprintf(p->meaning, sizeof p->meaning, "%s", p->name);
@@ -236,13 +237,14 @@ bool parameters_read(struct parameters *parameters, struct shader_source *source
 {
     const struct glsl *code = &source->code;
     bool course = source->dialect == DIALECT_COURSE;
-    int line = -1; // of the last word
+    int line = -1; // of the last token other than a comment
     *parameters = (struct parameters){0};
     bool done = samplers_read(&parameters->samplers, source);
     for (const struct glsl_token *t = code->item; done && t->kind != GLSL_END; t++) {
         struct annotation a;
         bool uniform = glsl_is(t, "uniform"), found;
-        // In another tool's file, the library of the course keeps its parameters.
+        // In another dialect, only the shader's own file can have parameters, not the files that it
+        // includes.
         if (uniform && t->line > line && (course || (t->live && source->lines[t->line].file == 0)))
             done = read_uniform(&a, source, t, &found) ? !found || add_parameter(parameters, &a)
                                                        : !course;

@@ -11,7 +11,7 @@
 #define EXAMPLE3 "uniform sampler3D NAME; // \"noise.png\" linear repeat 64: meaning"
 
 // Read one of two words.
-//   what  what the first and the second one are for
+//   what  what the two words are for
 static bool read_choice(struct annotation *a, const char *first, const char *second,
                         const char *what, bool *is_first)
 {
@@ -34,8 +34,8 @@ static bool read_slices(struct annotation *a, struct sampler *sampler, bool volu
         return length == 0 || annotation_refuse(a, "a sampler2D has no slices: a volume is a "
                                                    "sampler3D");
     if (length == 0)
-        return annotation_refuse(a, "a volume needs the number of its slices: write as in \"%s\"",
-                                 a->example);
+        return annotation_refuse(
+            a, "a volume needs the number of its slices: write it as in \"%s\"", a->example);
     if (!(value >= 1.0 && value <= SAMPLER_SLICES && value == (double)(int)value))
         return annotation_refuse(a, "the number of slices must be a whole number from 1 to %d",
                                  SAMPLER_SLICES);
@@ -47,10 +47,10 @@ static bool read_picture(struct annotation *a, bool volume, char file[256])
 {
     struct sampler *sampler = &a->sampler;
     if (!annotation_accept(a, '"'))
-        return annotation_refuse(a, "no picture is named: write as in \"%s\"", a->example);
+        return annotation_refuse(a, "no picture is named: write it as in \"%s\"", a->example);
     size_t length = strcspn(a->c, "\"");
     if (a->c[length] == '\0')
-        return annotation_refuse(a, "the file's name is not closed: write as in \"%s\"",
+        return annotation_refuse(a, "the file's name is not closed: write it as in \"%s\"",
                                  a->example);
     return annotation_copy(a, "file", file, 256, length) && annotation_accept(a, '"') &&
            read_choice(a, "sRGB", "linear", "a colour is sRGB, a number linear", &sampler->srgb) &&
@@ -58,12 +58,12 @@ static bool read_picture(struct annotation *a, bool volume, char file[256])
                        &sampler->repeat) &&
            read_slices(a, sampler, volume) &&
            (annotation_accept(a, ':') || *a->c == '\0' ||
-            annotation_refuse(a, "'%.20s' is not understood: write as in \"%s\"", a->c,
+            annotation_refuse(a, "'%.20s' is not understood: write it as in \"%s\"", a->c,
                               a->example)) &&
            annotation_copy(a, "meaning", sampler->meaning, sizeof sampler->meaning, strlen(a->c));
 }
 
-// The FILE of the last --texture NAME=FILE with this name, or NULL.
+// The FILE of the last --texture NAME=FILE for this name, or NULL.
 static const char *other_file(const struct shader_source *source, const char *name)
 {
     const struct shader_request *request = &source->request;
@@ -104,7 +104,7 @@ static const struct glsl_token *sampler_type(const struct glsl_token *uniform)
 static bool read_sampler(struct samplers *samplers, struct shader_source *source,
                          const struct glsl_token *uniform, const struct glsl_token *type)
 {
-    // Tables of the slice, of the coarse pass and of letters, which the harness fills in.
+    // The tables of the march, of the coarse pass and of the labels, which the harness fills in.
     static const char *const own[] = {"iMarch", "iCoarse", "iSigns", NULL};
     bool volume = glsl_is(type, "sampler3D"), twice = false;
     struct annotation a;
@@ -130,8 +130,8 @@ static bool read_sampler(struct samplers *samplers, struct shader_source *source
     return done;
 }
 
-// Add the pictures of --channel, and those that the text names. As in Shadertoy, a picture repeats
-// unless the text says otherwise.
+// Add the pictures of --channel, and those that the text names. As by default in Shadertoy, they
+// repeat.
 static bool add_channels(struct samplers *samplers, struct shader_source *source)
 {
     const char *const *channels = source->request.channels;
@@ -150,8 +150,8 @@ static bool add_channels(struct samplers *samplers, struct shader_source *source
     return true;
 }
 
-// Refuse a type that declares a sampler in a structure or a macro, which no picture can fill in. A
-// parameter of a function is another's sampler.
+// Refuse a sampler that is declared in a structure or a macro, because no picture can be assigned
+// to it. A function's parameter is allowed: it stands for a sampler declared elsewhere.
 static bool check_hidden(const struct shader_source *source, const struct glsl_token *type)
 {
     static const char *const types[] = {"sampler2D", "sampler3D", NULL};
@@ -165,8 +165,8 @@ static bool check_hidden(const struct shader_source *source, const struct glsl_t
     return (t >= code->item && (glsl_is_sign(t, "(,") || glsl_is_any(t, parameter) ||
                                 (!type->directive && glsl_is(t, "uniform")))) ||
            shader_refuse(source, type->line,
-                         "a %s must be a uniform of its own, in no structure or macro: write as "
-                         "in \"%s\"",
+                         "a %s must be a separate uniform, not in a structure or macro: write "
+                         "it as in \"%s\"",
                          type->text, glsl_is(type, "sampler3D") ? EXAMPLE3 : EXAMPLE2);
 }
 

@@ -35,7 +35,7 @@ static void report_failure(const struct shader_source *source, enum shader_view 
     free(errors);
 }
 
-// ---- Two stages ----
+// ---- The two stages ----
 
 // The driver's log; NULL if it wrote nothing.
 static char *read_log(void (*get)(GLuint object, GLsizei size, GLsizei *length, GLchar *log),
@@ -55,9 +55,10 @@ static GLuint compile(const struct gl *gl, GLenum stage, const char *text)
     return shader;
 }
 
-// A program on its way, whose result was not asked for, because the answer waits for the driver.
+// A program that was begun. Its result is not asked for at once, because the answer would have to
+// wait for the driver.
 struct begun {
-    char *text[2];            // of its stages, owned; NULL for another's
+    char *text[2];            // of its stages, owned; NULL if the caller has them
     GLuint stage[2], program; // 0: not begun
 };
 
@@ -71,7 +72,7 @@ static void begin(const struct gl *gl, struct begun *one, const char *vertex, co
     gl->LinkProgram(one->program);
 }
 
-// The first step that failed, or the last.
+// The first step that failed, or the last step.
 static enum shader_step step_of(const struct gl *gl, const struct begun *one)
 {
     for (int i = 0; i < 2; i++) {
@@ -94,7 +95,7 @@ static void leave(const struct gl *gl, struct begun *one)
     *one = (struct begun){.program = 0};
 }
 
-// As shader_link_texts.
+// Wait for a program, as shader_link_texts describes.
 static GLuint end(const struct gl *gl, struct begun *one, enum shader_step *step, char **log)
 {
     GLuint program = one->program;
@@ -121,11 +122,11 @@ static GLuint end(const struct gl *gl, struct begun *one, enum shader_step *step
 
 // ---- Programs that were begun ----
 
-// Two pictures, each with its coarse pass.
+// Room for two pictures, each with its coarse pass.
 static struct begun list[4];
 enum { LIST = sizeof list / sizeof *list };
 
-// The one with these texts, or NULL.
+// The program that was begun with these texts, or NULL.
 static struct begun *find(const char *vertex, const char *fragment)
 {
     for (int i = 0; i < LIST; i++)
@@ -138,7 +139,7 @@ static struct begun *find(const char *vertex, const char *fragment)
 bool shader_ready(const struct gl *gl)
 {
     for (int i = 0; i < LIST; i++) {
-        GLint done = GL_TRUE; // a driver without the extension leaves it, with an error
+        GLint done = GL_TRUE; // a driver without the extension leaves it unchanged, with an error
         if (list[i].program == 0)
             continue;
         gl->GetProgramiv(list[i].program, GL_COMPLETION_STATUS_KHR, &done);
@@ -169,7 +170,8 @@ GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fr
 
 // ---- A program ----
 
-// The vertex shader that computes what a fragment shader reads. Free its prelude and its body.
+// The vertex shader that computes what a fragment shader reads. The caller frees its prelude and
+// its body.
 static struct shader_source vertex_for(const struct shader_source *vertex,
                                        const struct shader_source *fragment)
 {
@@ -183,7 +185,8 @@ static struct shader_source vertex_for(const struct shader_source *vertex,
     return stage;
 }
 
-// A recursive compiler runs out of stack on a long sum.
+// Prepare a message for a crash of the driver: a recursive compiler runs out of stack on a long
+// sum.
 static void guard(const struct gl *gl, const struct shader_source *fragment)
 {
     guard_begin("%.800s: the graphics driver crashed on it, or needs more than 4 GB for it: "
@@ -222,8 +225,8 @@ GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
     guard(gl, fragment);
     GLuint program = shader_link_texts(gl, first, second, &step, &log);
     if (GL_IS_ES && program == 0 && step == SHADER_COMPILE_FRAGMENT && fragment->body != NULL) {
-        // The desktop accepts integers as floats. Of two errors, the one in the author's text is
-        // reported.
+        // Desktop GLSL accepts integers as floats. If both texts fail, the error in the author's
+        // own text is reported.
         char *floats = translate_floats(second), *other;
         program = shader_link_texts(gl, first, floats, &step, &other);
         free(floats);

@@ -8,47 +8,47 @@
 #include "shader/inputs.h"
 #include "shader/source.h"
 
-// The text that is compiled: the prelude of dialect.h, then the expanded text, translated. Returns
-// memory that the caller frees.
+// The text to compile: the prelude of dialect.h, then the expanded text, translated if need be.
+// Returns memory that the caller frees.
 char *shader_text(const struct shader_source *source, enum shader_view view);
 
 // Compile and link.
 //   vertex   shaders/screen.vert
-// Returns the program, owned by the caller, or 0 with every error reported by file and line, with
-// the source line below.
+// Returns the program, owned by the caller, or 0, with every error reported with its file and line,
+// and the source line below it.
 GLuint shader_link(const struct gl *gl, const struct shader_source *vertex,
                    struct shader_source *fragment, enum shader_view view);
 
-// Give a program to the driver, which may compile it on threads of its own. The next shader_link of
-// the same texts takes it; until then, shader_ready tells whether that would have to wait. A few
-// programs can wait at a time; further ones are not begun.
+// Give a program to the driver, which may compile it in its own threads. The next shader_link of
+// the same texts takes this program; until then, shader_ready tells whether shader_link would have
+// to wait. Only a few programs can be under way at a time; further ones are not begun.
 void shader_begin(const struct gl *gl, const struct shader_source *vertex,
                   const struct shader_source *fragment, enum shader_view view);
 
 // True if no program that was begun is still being compiled. Without KHR_parallel_shader_compile,
-// it always is.
+// the answer is always true.
 bool shader_ready(const struct gl *gl);
 
-// Delete the programs that were begun and not taken.
+// Delete the programs that were begun but not taken.
 void shader_forget(const struct gl *gl);
 
-// The steps to a program.
+// The steps to a linked program.
 enum shader_step { SHADER_COMPILE_VERTEX, SHADER_COMPILE_FRAGMENT, SHADER_LINK };
 
 // Compile and link two texts unchanged.
-//   step  receives the last step that was begun
-//   log   receives the driver's log of a step that failed, which the caller frees, or NULL
+//   step  receives the step that failed, or SHADER_LINK
+//   log   receives the driver's log of the step that failed, which the caller frees, or NULL
 // Returns the program, owned by the caller, or 0, not reported.
 GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fragment,
                          enum shader_step *step, char **log);
 
 // Rewrite a driver's log in the author's files and lines, for the text that shader_text returned
 // for this source and view. Understands Mesa "0:12(3): ", NVIDIA "0(12) : " and "ERROR: 0:12: ". A
-// message about a function that links to nothing gets the file and line of the call.
-// Each line becomes "FILE:LINE: error: message" with the source line below, which is shown once for
-// consecutive messages and cut after 160 letters. Warnings are left out of a log with errors; a
-// message about no line of the source is kept; after 20 messages, the rest is counted. Returns
-// memory that the caller frees.
+// message about a function that is called but never defined gets the file and line of the call.
+// Each line becomes "FILE:LINE: error: message" with the source line below, which is shown only
+// once for consecutive messages and is cut after 160 bytes. Warnings are left out if the log has
+// errors; a message that names no line of the source is kept as it is; after 20 messages, the rest
+// are only counted. Returns memory that the caller frees.
 char *shader_explain(const struct shader_source *source, enum shader_view view, const char *log);
 
 #endif

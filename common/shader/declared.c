@@ -11,7 +11,7 @@ static enum declared_kind kind_of(const struct glsl *code, const struct glsl_tok
                                                                     : DECLARED_VARIABLE;
 }
 
-// Take a name, if it can be one of this kind.
+// Take a name, if it can be declared with this kind.
 static bool take_name(struct declared *at, const struct glsl_token *name)
 {
     const struct glsl_token *t = name + 1;
@@ -60,7 +60,7 @@ static bool take_declaration(struct declared *at, const struct glsl_token *t)
     return take_name(at, at->first);
 }
 
-// True for braces around members, also where macros hide the struct or the block.
+// True for braces around members, even if macros hide the struct or the block.
 static bool holds_members(const struct glsl *code, const struct glsl_token *brace)
 {
     const struct glsl_token *end = glsl_next(code, brace);
@@ -149,7 +149,7 @@ bool declared_anywhere(const struct glsl *code, const char *word)
     while ((t = glsl_find_next(code, t, word)) != NULL)
         if (t->depth == 0 && (t[-1].kind == GLSL_WORD || glsl_is_sign(t - 1, "],}")))
             return true;
-    bool uniform = false; // a macro may hold the whole declaration
+    bool uniform = false; // a macro may contain the whole declaration
     for (t = code->item; t->kind != GLSL_END; t++) {
         uniform =
             t->live && t->directive && t->kind != GLSL_HASH && (uniform || glsl_is(t, "uniform"));

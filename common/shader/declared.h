@@ -9,60 +9,60 @@
 
 enum declared_kind {
     DECLARED_NONE,
-    DECLARED_VARIABLE, // also in a function, but no parameter and no member
+    DECLARED_VARIABLE, // also in a function, but not a parameter or a member
     DECLARED_IN,
     DECLARED_OUT,
     DECLARED_UNIFORM,
-    DECLARED_BLOCK // of any of these
+    DECLARED_BLOCK // of inputs, outputs or uniforms
 };
 
-// A declared name, and where the reader is. Begin with zeros and the code.
+// A declared name, and the position of the reader. Begin with zeros and the code.
 struct declared {
     const struct glsl *code;
     enum declared_kind kind;
     const struct glsl_token *begin;               // the first qualifier
     const struct glsl_token *layout;              // among the qualifiers, or NULL
-    const struct glsl_token *type, *first, *name; // first: of the names of the declaration
-    const struct glsl_token *value;               // the = behind the name and its size, or NULL
-    const struct glsl_token *end; // behind all these: a comma, a semicolon, ...; of a block its {
-    const char *storage;          // what declared_store last wrote
+    const struct glsl_token *type, *first, *name; // first: the first name of the declaration
+    const struct glsl_token *value;               // the = after the name and its size, or NULL
+    const struct glsl_token *end; // after all these: a comma, a semicolon, ...; of a block, its {
+    const char *storage;          // the storage that declared_store last wrote
     const char *word;             // the name
 };
 
 // Move to the next declared name; false at the end.
 bool declared_next(struct declared *at);
 
-// True if its layout gives it location 0.
+// True if the name's layout gives it location 0.
 bool declared_is_first(const struct declared *at);
 
-// True if it is an array.
+// True if the name is that of an array.
 bool declared_is_array(const struct declared *at);
 
 // True if the text mentions the name elsewhere, perhaps in a macro; for a block, one of its members
 // or its name.
 bool declared_is_read(const struct declared *at);
 
-// Declare the name with another storage, without layout and interpolation: "uniform", or "" for a
-// variable. Each name of a declaration must get one, in order.
+// Declare the name with another storage, without its layout and interpolation: "uniform", or "" for
+// a variable. This must be done for each name of a declaration, in order.
 void declared_store(struct declared *at, struct edits *edits, const char *storage);
 
-// The outputs of a whole file.
+// The outputs of a file with its own main.
 struct outputs {
     int count;
     struct declared shown;  // at location 0, or the first
     struct declared second; // the first of the others
-    bool placed;            // one is at location 0
+    bool placed;            // one of them is at location 0
 };
 
-// Find them.
-//   uncertain  those inside an #if that only the driver can decide count
+// Find the outputs.
+//   uncertain  count also those inside an #if that only the driver can decide
 struct outputs declared_outputs(const struct glsl *code, bool uncertain);
 
-// The output of a whole file that is the picture: at location 0, or the first, and certain if any
-// is; of kind DECLARED_NONE if there is none.
+// The output that is the picture, in a file with its own main: the one at location 0, or the first,
+// among the certain ones if there are any. Its kind is DECLARED_NONE if there is no output.
 struct declared declared_output(const struct glsl *code);
 
-// True if anything outside of functions declares or defines a word, a macro included.
+// True if anything outside functions, or a macro, declares or defines a word.
 bool declared_anywhere(const struct glsl *code, const char *word);
 
 #endif

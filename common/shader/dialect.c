@@ -36,14 +36,14 @@ static const struct kind kinds[] = {
     {"IMG_PIXEL", "an ISF file, because it uses IMG_PIXEL: ISF is not read here"},
     {"IMG_NORM_PIXEL", "an ISF file, because it uses IMG_NORM_PIXEL: ISF is not read here"}};
 
-// Functions that such a file defines instead of main or mainImage.
+// Functions that a file of another kind defines instead of main or mainImage.
 static const struct kind functions[] = {
     {"mainSound", "a sound for Shadertoy, because it defines mainSound: there is no sound here"},
     {"mainCubemap", "a cube map for Shadertoy, because it defines mainCubemap: cube maps are not "
                     "offered"},
     {"transition", "a GL Transition, which blends two pictures: there are none here"}};
 
-// What a first comment in JSON says about its file, or NULL.
+// The kind of file that a first comment in JSON describes, or NULL.
 static const char *what_of_header(const struct glsl *code)
 {
     static const char isf[] = "an ISF file, because of its first comment: ISF is not read here: "
@@ -97,8 +97,8 @@ static bool check_kind(const struct shader_source *source)
            refuse_vertex(source);
 }
 
-// Refuse a text of nothing but comments, and two kinds of texts that take some drivers minutes and
-// all the memory: an array with a literal number of elements, and macros or functions whose
+// Refuse a text of nothing but comments, and two kinds of text for which some drivers take minutes
+// and all the memory: a huge array with a literal number of elements, and macros or functions whose
 // expansion doubles again and again. A constant can hide the size of an array, so guard_begin also
 // limits the memory that a driver may take.
 static bool check_sense(const struct shader_source *source)
@@ -129,11 +129,12 @@ static bool check_sense(const struct shader_source *source)
 static bool refuse_image(const struct shader_source *source, const struct glsl_token *image)
 {
     return shader_refuse(source, image->line,
-                         "mainImage has other parameters than those it is called with: write void "
+                         "mainImage has parameters other than those it is called with: write void "
                          "mainImage(out vec4 fragColor, in vec2 fragCoord)");
 }
 
-// Check that mainImage returns its colour in an out, and that it writes no other.
+// Check that mainImage returns its colour in an out parameter, and that the text writes no other
+// output.
 static bool check_image(const struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -150,7 +151,7 @@ static bool check_image(const struct shader_source *source)
                          colour->text, colour->text);
 }
 
-// ---- Which dialect ----
+// ---- The dialect ----
 
 // A course file that --print-shader wrote begins with the prelude. Make these lines comments, so
 // that the file is in the course's dialect again.
@@ -167,7 +168,8 @@ static bool forget_prelude(struct shader_source *source)
     return true;
 }
 
-// A course file gets its #version: with one of its own it would be a whole file with a second main.
+// A course file gets its #version from the prelude: with its own, it would be a whole file with a
+// second main.
 static bool check_version(const struct shader_source *source)
 {
     for (int i = 1; i < source->file_count && source->version != 0; i++)
@@ -177,8 +179,8 @@ static bool check_version(const struct shader_source *source)
     return true;
 }
 
-// Tell the dialect. A file that defines main is a whole one if it includes nothing; the course's
-// vertex shader is not.
+// Determine the dialect. A file that defines main is a whole one if it includes nothing; the
+// course's vertex shader is not.
 static enum shader_dialect dialect_of(struct shader_source *source)
 {
     const struct glsl *code = &source->code;
@@ -192,7 +194,8 @@ static enum shader_dialect dialect_of(struct shader_source *source)
     return source->version != 0 || whole ? DIALECT_WHOLE : DIALECT_COURSE;
 }
 
-// Tell the dialect of an expanded text, and translate it. The course's library declares its inputs.
+// Determine the dialect of an expanded text, and translate it. The course's library declares its
+// own inputs.
 static bool take_dialect(struct shader_source *source)
 {
     const struct input *input;
@@ -252,12 +255,12 @@ bool shader_view_from_name(const char *name, enum shader_view *view)
 bool shader_has_view(const struct shader_source *source, enum shader_view view)
 {
     return view == SHADER_PICTURE || source->dialect == DIALECT_COURSE ||
-           report("%s: cannot show the view %s: it has a main of its own, which records nothing of "
-                  "its rays: the chapters from 01 on have all views",
+           report("%s: cannot show the view %s: it has its own main, which does not record its "
+                  "rays: the chapters from 01 on have all views",
                   source->files[0], shader_view_name(view));
 }
 
-// ---- Judgement after the driver's ----
+// ---- Checks after the driver's ----
 
 char *dialect_prelude(const struct shader_source *source, enum shader_view view)
 {
@@ -288,7 +291,8 @@ bool dialect_refuses(const struct shader_source *source, const char *log, bool l
     if (pixel != NULL && !code->name[pixel->name].macro && source->file_count == 1)
         return !shader_refuse(source, pixel->line,
                               "FC: a short name of twigl: write gl_FragCoord, declare uniform vec2 "
-                              "resolution; and uniform float time; and put all into void main()");
+                              "resolution; and uniform float time; and put everything into void "
+                              "main()");
     if (toy && image != NULL && strstr(log, "mainImage") != NULL)
         return !refuse_image(source, image);
     return !toy && (linking || strstr(log, "Missing main()") != NULL) &&
@@ -302,7 +306,7 @@ bool dialect_refuses(const struct shader_source *source, const char *log, bool l
 static bool writes(const struct glsl *code)
 {
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END;
-         t = t->sign == '(' ? glsl_next(code, t) : t + 1) // a parameter is no output
+         t = t->sign == '(' ? glsl_next(code, t) : t + 1) // an out parameter is not an output
         if (glsl_is(t, "out"))
             return true;
     for (const struct glsl_token *t = code->item; t->kind != GLSL_END; t++)
@@ -311,7 +315,8 @@ static bool writes(const struct glsl *code)
     return glsl_mentions(code, "gl_FragColor") + glsl_mentions(code, "gl_FragData") > 0;
 }
 
-// Warn that nothing sets a uniform, and say how to give it a value. The first warning is kept.
+// Warn that nothing sets a uniform or a block, and say how to give it a value. The first warning is
+// kept.
 static void warn(struct shader_source *source, const struct declared *at)
 {
     static const char *const types[][3] = {{"float", "1.0", "1 in [0, 4]"},

@@ -1,4 +1,4 @@
-// edits.h - edits of a GLSL text, which keep its lines.
+// edits.h - edits of a GLSL text that keep its lines.
 #ifndef SHADER_EDITS_H
 #define SHADER_EDITS_H
 
@@ -8,15 +8,15 @@
 struct edits {
     struct edit *item; // owned
     int count;
-    int size; // bytes that are inserted
+    int size; // bytes inserted so far
 };
 
-// Replace a part of the text; insertions at one position keep their order. The new text has no line
-// end, and line ends in the old one stay.
+// Replace a part of the text; several insertions at one position keep their order. The new text
+// must have no line ends; those of the part that is replaced stay.
 void edits_add(struct edits *edits, int begin, int length, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
 
-// Replace a token; cut from one token to another, both included.
+// Replace a token; delete everything from one token to another, both included.
 void edits_replace(struct edits *edits, const struct glsl_token *token, const char *instead);
 void edits_cut(struct edits *edits, const struct glsl_token *from, const struct glsl_token *to);
 

@@ -14,7 +14,7 @@
 #include "shader/passes.h"
 
 #define TEXT_LIMIT  (8 * 1024 * 1024) // bytes of the expanded text
-#define DEPTH_LIMIT 64                // files open at once, the first one included
+#define DEPTH_LIMIT 64                // files open at once, including the first one
 #define BLANKS      " \t\v\f"
 #define WHERE_SIZE  (3 * PLATFORM_PATH) // FILE:LINE: #include "NAME"
 
@@ -30,7 +30,7 @@ struct expansion {
 
 static bool expand_file(struct expansion *e, int file, const char *where);
 
-// Report an include that would make its file contain itself, with the files in between.
+// Report an include with which a file would include itself, with the files in between.
 static bool report_cycle(const struct expansion *e, int file, const char *where)
 {
     char chain[2048] = "";
@@ -45,7 +45,7 @@ static bool report_cycle(const struct expansion *e, int file, const char *where)
                   e->source->files[file]);
 }
 
-// Insert the file of an include, unless it is there already.
+// Insert the file of an include, unless it has been inserted already.
 static bool include(struct expansion *e, struct shader_line from, const char *name)
 {
     static const char *const folders[] = {"/shaders", "/chapters", NULL};
@@ -54,7 +54,8 @@ static bool include(struct expansion *e, struct shader_line from, const char *na
     snprintf(where, sizeof where, "%s:%d: #include \"%s\"", source->files[from.file], from.line,
              name);
     if (strncmp(name, "http", 4) == 0)
-        return report("%s: files are not downloaded: save it beside the shader and include that",
+        return report("%s: files are not downloaded: save this one beside the shader and include "
+                      "that",
                       where);
     int count = source->file_count;
     int file = files_find(source, from.file, name, folders, ", in shaders/ or in chapters/", why);
@@ -104,10 +105,11 @@ static bool take_include(struct expansion *e, struct shader_line at, const char 
                   at.line);
 }
 
-// ---- The directives of VS Code's extension Shader Toy ----
+// ---- The directives of Shader Toy, an extension of VS Code ----
 
-// Rewrite the rest of #iUniform float x = 0.5 in { 0.0, 1.0 } as an annotated uniform; without a
-// range it gets four times its value, or 1. Returns memory that the caller frees, or NULL.
+// Rewrite the rest of #iUniform float x = 0.5 in { 0.0, 1.0 } as an annotated uniform. Without a
+// range, it can change up to four times the value's magnitude, or 1, on either side of 0. Returns
+// memory that the caller frees, or NULL.
 static char *annotated_uniform(const char *c)
 {
     char type[16], name[64], words[256] = "0 ", range[64] = "";
@@ -120,7 +122,7 @@ static char *annotated_uniform(const char *c)
     size_t used = *c == '=' ? 0 : 2;
     c += used == 0;
     c += strspn(c, BLANKS);
-    // A value loses its constructor and the f of a float; braces become brackets.
+    // A value loses its constructor and the suffix f of a float; braces become brackets.
     for (; strchr("\n;", *c) == NULL && used + 1 < sizeof words; c++) {
         size_t word = strcspn(c, "( \t\n;");
         bool suffix = *c == 'f' && used > 0 && strchr(".0123456789", words[used - 1]) != NULL;
@@ -149,8 +151,8 @@ static bool ends_in(const char *text, const char *const ends[])
     return false;
 }
 
-// Obey #iChannel0 "file://stone.png": a picture beside the file. Anything else that a channel is
-// (another shader, the shader itself, a sound, a cube map) is kept for messages.
+// Obey #iChannel0 "file://stone.png", which names a picture beside the file. Any other content of a
+// channel (another shader, the shader itself, a sound, a cube map) is recorded for messages.
 static bool take_channel(struct expansion *e, struct shader_line at, int channel, const char *rest)
 {
     static const char *const shaders[] = {".glsl", ".frag", ".fs", "self", NULL},
@@ -172,15 +174,15 @@ static bool take_channel(struct expansion *e, struct shader_line at, int channel
         (source->request.channels != NULL && source->request.channels[channel] != NULL))
         return true;
     if (strncmp(value, "http", 4) == 0)
-        return report("%s:%d: #iChannel%d: pictures are not downloaded: save it and give --channel "
-                      "%d=FILE.png",
+        return report("%s:%d: #iChannel%d: pictures are not downloaded: save this one and give "
+                      "--channel %d=FILE.png",
                       file, at.line, channel, channel);
     const char *name = value + (strncmp(value, "file://", 7) == 0 ? 7 : 0);
     int picture = shader_find_texture(source, at.file, name, why);
     source->channel[channel] = picture > 0 ? picture : 0;
     const char *reason = picture < 0 ? why : "a shader's file";
     if (GL_IS_ES)
-        return picture > 0 || report("%s:%d: #iChannel%d: %s: this page reads no pictures of yours",
+        return picture > 0 || report("%s:%d: #iChannel%d: %s: this page cannot read your pictures",
                                      file, at.line, channel, reason);
     return picture > 0 || report("%s:%d: #iChannel%d: %s: or give --channel %d=FILE.png", file,
                                  at.line, channel, reason, channel);
@@ -197,9 +199,9 @@ static void end_lines(struct shader_source *source, struct shader_line *from)
     }
 }
 
-// Obey a line that is a directive for no driver: it becomes a comment, or a uniform. So does #line,
-// which would make the driver blame another line.
-//   line  moves past it
+// Obey a directive that is not meant for the driver: it becomes a comment, or a uniform. #line
+// becomes a comment too, because it would make the driver blame another line.
+//   line  moves past the directive
 //   done  receives false after an error, reported
 // Returns false for any other line.
 static bool take_directive(struct expansion *e, struct shader_line *from, const char **line,
@@ -235,8 +237,8 @@ static bool take_directive(struct expansion *e, struct shader_line *from, const 
     return true;
 }
 
-// Judge the directive in the tokens of a line. A #version makes the first file a whole one;
-// anywhere else the driver would refuse it, far from its cause.
+// Check the directive in the tokens of a line. A #version makes the first file a whole one;
+// anywhere else, the driver would refuse it with a misleading message.
 //   first  nothing but comments comes before it
 static bool check_directive(struct expansion *e, struct shader_line at,
                             const struct glsl_token *hash, bool first)
@@ -246,7 +248,7 @@ static bool check_directive(struct expansion *e, struct shader_line at,
     const struct glsl_token *end = code->item + code->count;
     if (hash + 1 >= end || !hash->live)
         return true;
-    if (glsl_is(hash + 1, "include")) // behind a comment, or divided
+    if (glsl_is(hash + 1, "include")) // after a comment, or divided by one
         return take_include(e, at, "");
     if (!glsl_is(hash + 1, "version"))
         return true;
@@ -275,7 +277,7 @@ static bool expand_text(struct expansion *e, int file, const char *text)
                           source->files[file],
                           from.line + code->item[code->count - 1].line - source->line_count);
         if (code->length > TEXT_LIMIT)
-            return report("%s:%d: the text passes 8 MiB with its includes: include less",
+            return report("%s:%d: the text exceeds 8 MiB with its includes: include less",
                           source->files[file], from.line);
         for (int i = begin; done && i < code->count; i++) {
             const struct glsl_token *token = &code->item[i];
@@ -288,7 +290,7 @@ static bool expand_text(struct expansion *e, int file, const char *text)
     return done;
 }
 
-// Expand the passes of a shader that Shadertoy has exported.
+// Expand the passes of a shader that was exported from Shadertoy.
 static bool expand_passes(struct expansion *e, const char *text)
 {
     struct passes passes;

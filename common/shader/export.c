@@ -120,7 +120,7 @@ static bool is_left_out(const char *file)
     return false;
 }
 
-// The number of mentions of a word in the exported lines.
+// The number of times that the exported lines mention a word.
 static int mentions(const struct export *e, const char *name)
 {
     int count = 0;
@@ -129,8 +129,8 @@ static int mentions(const struct export *e, const char *name)
     return count;
 }
 
-// Write the constant that replaces a uniform of the course, and the rest of its line; nothing if
-// Shadertoy declares it, or if only its declaration mentions it. Returns false for any other
+// Write the constant that replaces a uniform of the course, and the rest of its line. Write nothing
+// if Shadertoy declares it, or if only its declaration mentions it. Returns false for any other
 // uniform.
 static bool put_uniform(struct export *e, const struct glsl_token *uniform)
 {
@@ -159,7 +159,8 @@ static bool put_uniform(struct export *e, const struct glsl_token *uniform)
     return true;
 }
 
-// Write the shader's name without its folder. A backslash at its end would continue the comment.
+// Write the shader's name without its folder. A backslash at its end would continue the comment, so
+// it becomes a question mark.
 static void put_name(struct export *e, const char *before)
 {
     const char *path = e->source->files[0], *slash = strrchr(path, '/');
@@ -168,7 +169,7 @@ static void put_name(struct export *e, const char *before)
         fprintf(e->text, "%c", *c == '\\' ? '?' : *c);
 }
 
-// Write the exported lines, each file under its name.
+// Write the exported lines, those of each file below its name.
 static void put_files(struct export *e)
 {
     const struct shader_source *source = e->source;
@@ -205,7 +206,7 @@ static void put_course(struct export *e)
     if (mentions(e, "EXPORTED") > 0)
         fprintf(e->text, "#define EXPORTED\n");
     put_files(e);
-    fprintf(e->text, "\n// ---- What Shadertoy calls ----\n\n"
+    fprintf(e->text, "\n// ---- The function that Shadertoy calls ----\n\n"
                      "void mainImage(out vec4 fragColor, in vec2 fragCoord)\n"
                      "{\n"
                      "    traceReset(-1);\n"
@@ -217,7 +218,7 @@ static void put_course(struct export *e)
 
 // ---- Other dialects ----
 
-// Set an input that Shadertoy lacks, in the type that the file declares.
+// Set an input that Shadertoy lacks, with the type that the file declares.
 static void put_input(struct export *e, const struct shader_input *in)
 {
     static const char *const parts[] = {"", ".x", ".xy", ".xyz", ""};
@@ -248,7 +249,7 @@ static bool put_foreign(struct export *e)
     free(body);
     if (!wraps)
         return true;
-    fprintf(e->text, "\n// ---- What Shadertoy calls ----\n\n"
+    fprintf(e->text, "\n// ---- The function that Shadertoy calls ----\n\n"
                      "void mainImage(out vec4 toyColour, in vec2 toyPixel)\n{\n");
     for (int i = 0; i < source->input_count; i++)
         if (!inputs_is_own(&source->inputs[i]) && source->inputs[i].input->meaning != INPUT_CHANNEL)
@@ -271,7 +272,7 @@ static bool put_foreign(struct export *e)
                   source->files[0]);
 }
 
-// What picture_of needs.
+// The argument of picture_of.
 struct pictures {
     const struct shader_source *source;
     const struct samplers *samplers;

@@ -1,4 +1,4 @@
-// export.h - a shader of this project as one file that runs on Shadertoy.
+// export.h - the export of a shader as one file that runs on Shadertoy.
 #ifndef EXPORT_H
 #define EXPORT_H
 
@@ -8,11 +8,12 @@
 
 // Write a shader in Shadertoy's dialect.
 //   parameters    of the source; each becomes a constant
-//   camera        becomes constants too, because Shadertoy has none
-//   focal_length  of a whole file, which has no parameters
-// A course file loses the parts that only views and the probe need, and its main becomes mainImage.
-// In a file in another dialect, the output, the parameters and the inputs that Shadertoy lacks
-// become variables, which a new mainImage sets and reads; a file that needs none of this is copied.
+//   camera        becomes constants too, because Shadertoy has no camera
+//   focal_length  the value of this input in other dialects than the course's
+// A course file loses the parts that only the views and the probe need, and its main becomes
+// mainImage. In a file in another dialect, the output, the parameters and the inputs that Shadertoy
+// lacks become variables, which a new mainImage sets and reads; a file that needs none of this is
+// copied.
 // Returns memory that the caller frees, or NULL, reported.
 char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
                        const struct camera *camera, float focal_length);

@@ -9,7 +9,7 @@
 #include "memory.h"
 #include "platform.h"
 
-// True for a path in a folder, or the folder.
+// True for a path in a folder, or for the folder itself.
 static bool inside(const char *path, const char *folder)
 {
     size_t length = strlen(folder);
@@ -17,7 +17,7 @@ static bool inside(const char *path, const char *folder)
                                                   (length > 0 && folder[length - 1] == '/'));
 }
 
-// A path relative to the folder around it.
+// A path relative to a folder that contains it.
 static const char *within(const char *path, const char *folder)
 {
     path += strlen(folder);
@@ -36,8 +36,8 @@ void files_tell(const struct shader_source *source, const char *path)
         source->request.see(source->request.to, path);
 }
 
-// The part of a resolved path that differs in case from the name that led to it, or NULL. A link
-// may lead anywhere.
+// The part of a resolved path that differs only in case from the name that led to it, or NULL. Any
+// other difference is allowed, because a link may lead anywhere.
 static const char *other_case(const char *name, const char *path)
 {
     while (strncmp(name, "./", 2) == 0 || strncmp(name, "../", 3) == 0)
@@ -67,7 +67,7 @@ static bool is_portable(const char *name, const char *folder, char why[TEXT_FILE
     return !absolute && strchr(name, '\\') == NULL;
 }
 
-// Returns memory that the caller frees, or NULL, not reported.
+// Resolve a name, as files_find does. Returns memory that the caller frees, or NULL, not reported.
 static char *resolve(const struct shader_source *source, int from, const char *name,
                      const char *const folders[], const char *where, char why[TEXT_FILE_WHY])
 {
@@ -103,8 +103,8 @@ static char *resolve(const struct shader_source *source, int from, const char *n
     return NULL;
 }
 
-// The name of a file in messages, relative to the project, or as the first file was given. Returns
-// memory that the caller frees.
+// The name of a file in messages: for the first file as it was given, otherwise relative to the
+// project or beside the first file. Returns memory that the caller frees.
 static char *name_of(const struct shader_source *source, const char *given, const char *resolved)
 {
     if (source->file_count == 0)
@@ -116,7 +116,8 @@ static char *name_of(const struct shader_source *source, const char *given, cons
     return memory_text("%.*s%s", folder, first, within(resolved, source->own));
 }
 
-// A line end in a name would break a message or a comment in two.
+// A line end in a name would break a message or a comment in two, so control characters are
+// replaced.
 int files_add(struct shader_source *source, char *name, char *path)
 {
     int file = source->file_count;

@@ -13,8 +13,8 @@ enum { ENDS = 4 }; // tokens of kind GLSL_END after a row
 // An open #if.
 struct glsl_conditional {
     enum glsl_truth others; // whether a later part may be taken
-    bool live, certain;     // of the text around it
-    int depth, begin;       // of brackets at the #if, and at the beginning of this part
+    bool live, certain;     // whether the text around the #if is
+    int depth, begin;       // depth of brackets at the #if, and at the beginning of this part
 };
 
 // ---- Names ----
@@ -90,8 +90,8 @@ static enum glsl_truth is_defined(const struct glsl *code, const struct glsl_tok
     return drivers ? GLSL_PERHAPS : code->name[token->name].defined;
 }
 
-// The truth of a condition that is 0, 1, defined NAME or !defined(NAME); GLSL_PERHAPS for any
-// other.
+// The truth of a condition that is 0, 1, defined NAME or !defined(NAME); GLSL_PERHAPS for any other
+// condition.
 static enum glsl_truth truth_of(const struct glsl *code, const struct glsl_token *c)
 {
     bool no = c->sign == '!';
@@ -108,8 +108,8 @@ static enum glsl_truth truth_of(const struct glsl *code, const struct glsl_token
     return glsl_code(c)->kind != GLSL_END ? GLSL_PERHAPS : no ? negate(truth) : truth;
 }
 
-// Begin the next part of the last #if. A skipped part changes no depth; if several parts may be
-// taken, each begins with the depth of the #if.
+// Begin the next part of the last #if. A skipped part does not change the depth; if several parts
+// may be taken, each begins with the depth of the #if.
 static void begin_part(struct glsl_reader *r, enum glsl_truth branch, enum glsl_truth others)
 {
     struct glsl_conditional *last = &r->open[r->open_count - 1];
@@ -150,7 +150,7 @@ static void define(struct glsl_reader *r, const struct glsl_token *word, bool de
         name->defined = defines && r->certain ? GLSL_ALWAYS : GLSL_PERHAPS;
 }
 
-// End the row of all tokens for now.
+// Put the end tokens after the row of all tokens, which may still grow.
 static void add_ends(struct glsl *code)
 {
     for (int i = 0; i < ENDS; i++) {
@@ -159,7 +159,7 @@ static void add_ends(struct glsl *code)
     }
 }
 
-// Obey the directive whose tokens are the last ones.
+// Obey the directive that consists of the last tokens.
 static void obey(struct glsl_reader *r)
 {
     struct glsl *code = r->code;
@@ -253,9 +253,9 @@ static struct glsl_token token_at(struct glsl_reader *r, const char *c)
     return token;
 }
 
-// Set the depth of a bracket, which is that of the text around it, and its partner, which is itself
-// until it is found.
-//   at  its index among the statements
+// Set the depth of a bracket, which is that of the text around it, and its partner, which is the
+// bracket itself until the other one is found.
+//   at  the bracket's index among the statements
 static void count_bracket(struct glsl_reader *r, struct glsl_token *token, int at)
 {
     struct glsl_token *statement = r->code->statement;

@@ -30,7 +30,8 @@ const struct glsl_token *glsl_find_definition(const struct glsl *code, const cha
     return at;
 }
 
-// A type before the name makes it a declaration; an expression follows these words.
+// A word before the name is usually a type and makes this a declaration, but an expression may
+// follow these words.
 const struct glsl_token *glsl_find_call(const struct glsl *code, const char *word)
 {
     static const char *const statements[] = {"return", "else", "do", NULL};

@@ -14,7 +14,7 @@ bool glsl_is_sign(const struct glsl_token *token, const char *signs)
 
 bool glsl_is(const struct glsl_token *token, const char *word)
 {
-    // Most words differ in length, which is nearer than their text.
+    // Most words differ in length, which is faster to compare than their text.
     return (size_t)token->length == strlen(word) && !token->macro && strcmp(token->text, word) == 0;
 }
 

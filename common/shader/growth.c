@@ -11,7 +11,7 @@ struct body {
     const struct glsl_token *from, *end;
     int name;
     int next;      // another definition of the same name; -1: none
-    bool function; // no macro
+    bool function; // not a macro
 };
 
 struct growth {
@@ -20,9 +20,9 @@ struct growth {
     int bodies;
     struct size {
         int body;      // index of its last definition; -1: none
-        int uses;      // of a macro: how often it repeats an argument, at most
-        int mentions;  // in the macro that is being counted
-        double tokens; // to which one mention expands, without arguments; 0: not known yet
+        int uses;      // of a macro: how often it repeats one argument, at most
+        int mentions;  // in the macro being counted
+        double tokens; // that one mention expands to, without arguments; 0: not known yet
     } * of;            // of each name
 };
 
@@ -34,8 +34,8 @@ static void add_body(struct growth *growth, struct body body)
     growth->body[growth->bodies++] = body;
 }
 
-// Count how often a macro mentions each of its parameters.
-//   close  the bracket behind them
+// Count how often a macro mentions each of its parameters. Returns the largest number.
+//   close  the bracket after the parameters
 static int most_mentions(struct growth *growth, const struct glsl_token *open,
                          const struct glsl_token *close, const struct glsl_token *end)
 {
@@ -52,7 +52,7 @@ static int most_mentions(struct growth *growth, const struct glsl_token *open,
     return most;
 }
 
-// Add a macro, from the # of its definition.
+// Add the macro whose definition begins with this #.
 static void add_macro(struct growth *growth, const struct glsl_token *hash)
 {
     const struct glsl_token *name = hash + 2, *from = name + 1, *end = from;
@@ -70,7 +70,7 @@ static void add_macro(struct growth *growth, const struct glsl_token *hash)
     add_body(growth, (struct body){.from = from, .end = end, .name = name->name});
 }
 
-// Find the definitions, in their order.
+// Find the definitions, in the order of the text.
 static void add_bodies(struct growth *growth)
 {
     const struct glsl *code = growth->code;
@@ -86,13 +86,13 @@ static void add_bodies(struct growth *growth)
         }
 }
 
-// How many tokens a part of the text expands to.
-//   heaviest  receives the word with the largest part, or NULL; may be NULL
+// The number of tokens that a part of the text expands to.
+//   heaviest  receives the word that expands to the largest part; NULL: not wanted
 static double tokens_of(struct growth *growth, const struct glsl_token *from,
                         const struct glsl_token *end, int depth,
                         const struct glsl_token **heaviest);
 
-// How many tokens a mention of a name expands to.
+// The number of tokens that a mention of a name expands to.
 static double tokens_of_name(struct growth *growth, int name, int depth)
 {
     struct size *size = &growth->of[name];
@@ -100,7 +100,7 @@ static double tokens_of_name(struct growth *growth, int name, int depth)
         return size->tokens;
     if (size->body < 0 || depth == 0)
         return 1.0;
-    size->tokens = 1.0; // where it mentions itself, it stays as it is
+    size->tokens = 1.0; // a mention of the name in its own definition is not expanded
     double most = 1.0;
     for (int i = size->body; i >= 0; i = growth->body[i].next) {
         const struct body *body = &growth->body[i];
@@ -110,7 +110,7 @@ static double tokens_of_name(struct growth *growth, int name, int depth)
     return size->tokens = most;
 }
 
-// The bracket that ends the arguments behind a macro's name; NULL if there are none.
+// The bracket that closes the arguments after a macro's name; NULL if there are none.
 static const struct glsl_token *end_of_arguments(const struct glsl_token *name,
                                                  const struct glsl_token *end)
 {
@@ -127,7 +127,7 @@ static double tokens_of(struct growth *growth, const struct glsl_token *from,
                         const struct glsl_token *end, int depth, const struct glsl_token **heaviest)
 {
     double all = 0.0, most = 0.0;
-    bool closed = true; // so far, the brackets of arguments are
+    bool closed = true; // the brackets of all arguments so far are closed
     for (const struct glsl_token *t = from; t < end; t++) {
         const struct glsl_token *word = t, *close = NULL;
         double tokens = t->kind < GLSL_HASH ? 1.0 : 0.0;
@@ -153,7 +153,8 @@ static double tokens_of(struct growth *growth, const struct glsl_token *from,
     return all;
 }
 
-// The heaviest word in a function that passes the limit, or NULL; a macro is none.
+// The heaviest word in a function of this name that exceeds the limit; NULL if there is none, or
+// for a macro.
 static const struct glsl_token *heaviest_in(struct growth *growth, int name)
 {
     for (int i = growth->of[name].body; i >= 0; i = growth->body[i].next) {
@@ -180,7 +181,7 @@ const struct glsl_token *growth_find(const struct glsl *code)
                     ? heaviest_in(&growth, name)
                     : NULL;
     }
-    // Outside of functions, a constant may be as long.
+    // Outside functions, a constant may be as long.
     const struct glsl_token *from = code->statement, *end = from;
     while (end->kind != GLSL_END && found == NULL) {
         while (end->kind != GLSL_END && end->sign != '{')
@@ -190,7 +191,8 @@ const struct glsl_token *growth_find(const struct glsl *code)
             found = within;
         from = end = end->kind != GLSL_END ? glsl_partner(code, end) : end;
     }
-    // A function is named by what is in it. Two that call each other have no end.
+    // Instead of a function, report the heaviest word in it, and so on. The number of steps is
+    // limited, because two functions may call each other.
     for (int i = 0; found != NULL && i < DEPTH_LIMIT; i++) {
         within = heaviest_in(&growth, found->name);
         found = within != NULL ? within : found;

@@ -1,5 +1,5 @@
 // growth.h - how much a text grows in the driver, which expands its macros and copies each function
-// to where it is called.
+// to the positions of its calls.
 #ifndef SHADER_GROWTH_H
 #define SHADER_GROWTH_H
 
@@ -8,10 +8,11 @@
 // Tokens. Mesa takes up to 1 kB for each, and guard_memory allows it 4 GB.
 #define GROWTH_LIMIT 4e6
 
-// Estimate how many tokens there are when everything is expanded, and find what makes them more
-// than GROWTH_LIMIT.
-//   Of several definitions of a name, the longest counts, and what is inside #if counts. Loops
-//   count once. More than 64 definitions that are used before they are defined count too little.
+// Estimate how many tokens there are when everything is expanded, and find the word that makes them
+// exceed GROWTH_LIMIT.
+//   Of several definitions of a name, the longest counts, and the parts inside an #if count. The
+//   body of a loop counts once. The estimate is too low for a chain of more than 64 definitions,
+//   each used before it is defined.
 // Returns the word of a statement that expands to the largest part, or NULL below the limit.
 const struct glsl_token *growth_find(const struct glsl *code);
 

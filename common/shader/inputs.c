@@ -10,13 +10,12 @@
 #define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
 
 #define SHARE                                                                                      \
-    "0.5 * harnessPosition / vec2(iResolution.x / iResolution.y, 1.0) + 0.5" // of the picture's
-                                                                             // size
+    "0.5 * harnessPosition / vec2(iResolution.x / iResolution.y, 1.0) + 0.5" // of the picture
 #define SOUND "there is no sound here"
 #define SELF  "there is no earlier picture here"
 #define MIDI  "there is no MIDI here"
 
-// The table.
+// The table of inputs.
 // clang-format off
 #define FLOAT(name, meaning)   {name, "float", INPUT_##meaning, 0, ""}
 #define INT(name, meaning)     {name, "int", INPUT_##meaning, 0, ""}
@@ -42,9 +41,9 @@ static const struct input rows[] = {
     VEC3("iCameraForward", FORWARD), FLOAT("focalLength", FOCAL), FLOAT("iOrthoView", ORTHO),
     VEC2("iPixelOffset", DRAW), VEC2("iPixelJitter", DRAW), INT("iSample", DRAW),
     INT("iSamples", DRAW),
-    // Old names of Shadertoy
+    // Shadertoy's old names
     FLOAT("iGlobalTime", TIME),
-    {"iChannelTime", "float[4]", INPUT_REFUSED, 0, "there are no films and sounds here"},
+    {"iChannelTime", "float[4]", INPUT_REFUSED, 0, "there are no films or sounds here"},
     {"iSampleRate", "float", INPUT_REFUSED, 0, SOUND},
     // The Book of Shaders, glslViewer, glsl.app
     VEC2("u_resolution", SIZE), FLOAT("u_time", TIME), VEC2("u_mouse", POINTER),
@@ -116,7 +115,7 @@ bool inputs_is_toys(const char *name)
     return input != NULL && (inputs_is_shadertoy(input) || input->meaning == INPUT_REFUSED);
 }
 
-// The length of the longest part that two names share, in any case.
+// The length of the longest part that two names have in common, whether in capitals or not.
 static int common_length(const char *one, const char *other)
 {
     int best = 0;
@@ -134,7 +133,7 @@ static int common_length(const char *one, const char *other)
 const struct input *inputs_nearest(const char *name)
 {
     const struct input *best = inputs_find("FragCoord");
-    int length = 3; // fewer letters are no resemblance
+    int length = 3; // fewer common letters are no resemblance
     for (int i = COURSE_END; i < COUNT(rows); i++) {
         int common = common_length(name, rows[i].name);
         if (common > length && rows[i].meaning < INPUT_SILENT) {
@@ -219,7 +218,7 @@ static bool is_direction(const struct glsl *code, const struct glsl_token *t)
         return glsl_is_sign(glsl_next(code, t + 1), ",)");
     if (t->kind != GLSL_WORD || !glsl_is_sign(t + 1, ",)"))
         return false;
-    const struct glsl_token *v = t - 1; // or a variable of this type
+    const struct glsl_token *v = t - 1; // or a variable of type vec3
     while (v >= code->statement &&
            !(v->kind == GLSL_WORD && v->name == t->name && v[-1].kind == GLSL_WORD))
         v--;
@@ -237,7 +236,7 @@ const struct glsl_token *inputs_cube_map(const struct glsl *code)
     return t->kind != GLSL_END ? t : NULL;
 }
 
-// What the text reads a channel without a picture as: "the keyboard", "a buffer"; NULL if unknown.
+// What the text takes a channel without a picture for: "the keyboard", "a buffer"; NULL if unknown.
 static const char *kind_of_channel(const struct shader_source *source, int channel)
 {
     static const struct {
@@ -282,7 +281,7 @@ bool inputs_refuse(const struct shader_source *source, const struct input *input
         return shader_refuse(source, line, "%s is read as %s, which is not offered here",
                              input->name, was);
     if (GL_IS_ES)
-        return shader_refuse(source, line, "%s has no picture: this page reads none of yours",
+        return shader_refuse(source, line, "%s has no picture: this page cannot read yours",
                              input->name);
     return shader_refuse(
         source, line,
@@ -293,8 +292,9 @@ bool inputs_refuse(const struct shader_source *source, const struct input *input
 
 // ---- The vertex shader ----
 
-// Its own FragCoord, the position on the screen, is called harnessPosition here. Each position that
-// the source reads is computed from it, with the number of components that the source declares.
+// The vertex shader's own FragCoord, the position on the screen, is renamed to harnessPosition.
+// Each position that the source reads is computed from it, with as many components as the source
+// declares.
 void inputs_vertex(const struct shader_source *source, char **before, char **behind)
 {
     static const char *const types[] = {"float", "vec2", "vec3", "vec4"};

@@ -1,5 +1,5 @@
-// inputs.h - the inputs of a shader, under the names that each tool gives them: one table. A file
-// may declare an input as float, int, vec2, vec3 or vec4, and it is set by that type.
+// inputs.h - one table of the inputs of a shader, under the names that each tool gives them. A file
+// may declare an input as float, int, vec2, vec3 or vec4, and the input is set with that type.
 #ifndef SHADER_INPUTS_H
 #define SHADER_INPUTS_H
 
@@ -16,10 +16,10 @@ enum input_meaning {
     INPUT_RATE,          // pictures per second
     INPUT_FRAME,         // index of the picture
     INPUT_DATE,          // (year, month from 0, day, seconds of the day)
-    INPUT_MOUSE,         // with Shadertoy's signs, pixels
+    INPUT_MOUSE,         // pixels, with Shadertoy's conventions for the signs
     INPUT_POINTER,       // pixels from the bottom left
-    INPUT_POINTER_SHARE, // as a fraction of the picture's size
-    INPUT_EYE,           // the camera: position
+    INPUT_POINTER_SHARE, // the same as a fraction of the picture's size
+    INPUT_EYE,           // position of the camera; its axes follow
     INPUT_RIGHT,
     INPUT_UP,
     INPUT_FORWARD,
@@ -27,20 +27,20 @@ enum input_meaning {
     INPUT_ORTHO,                  // 0 perspective, 1 orthographic
     INPUT_ASPECT,                 // width divided by height
     INPUT_ZERO,                   // always 0
-    INPUT_VALUES,                 // the number of those above
+    INPUT_VALUES,                 // the number of meanings above
     INPUT_CHANNEL = INPUT_VALUES, // a picture of --channel
-    INPUT_CHANNEL_SIZE,           // its size; for iChannelResolution, all four
-    INPUT_DRAW,                   // differs from draw to draw: set by pass.c
+    INPUT_CHANNEL_SIZE,           // the size of one; for iChannelResolution, of all four
+    INPUT_DRAW,                   // differs from draw to draw: set by renderer_pass.c
     INPUT_POSITION,               // the pixel's position, from the vertex shader
-    INPUT_SILENT,                 // sound, or the last picture: black and 0 here
-    INPUT_REFUSED                 // not offered, and no picture is right without it
+    INPUT_SILENT,                 // sound, the last picture or the like: black or 0 here
+    INPUT_REFUSED                 // not offered, and every picture would be wrong without it
 };
 
 struct input {
-    const char *name, *type; // type: if the file declares none
+    const char *name, *type; // type: used if the file declares none
     enum input_meaning meaning;
     int channel;      // of INPUT_CHANNEL and INPUT_CHANNEL_SIZE
-    const char *text; // the value of an INPUT_POSITION in the vertex shader, a vec2; why
+    const char *text; // the value of an INPUT_POSITION in the vertex shader, a vec2; or why
                       // INPUT_SILENT and INPUT_REFUSED are not offered
 };
 
@@ -54,15 +54,15 @@ struct shader_input {
 
 struct shader_source;
 
-// The input of a name, or NULL; the input of an index from 0, NULL after the last.
+// The input with a name, or NULL; the input at an index, from 0, or NULL after the last.
 const struct input *inputs_find(const char *name);
 const struct input *inputs_row(int index);
 
-// True for the inputs of the course; for those of Shadertoy.
+// True for an input of the course; for one of Shadertoy.
 bool inputs_is_course(const struct input *input);
 bool inputs_is_shadertoy(const struct input *input);
 
-// True for any name that Shadertoy declares.
+// True for any name that Shadertoy declares, even of an input that is not offered here.
 bool inputs_is_toys(const char *name);
 
 // The input whose name is most similar, for messages; never NULL.
@@ -74,17 +74,17 @@ const struct glsl_token *inputs_cube_map(const struct glsl *code);
 // Read the components of a type; true for float, int and vec2 to vec4.
 bool inputs_type(const char *type, struct shader_input *into);
 
-// An input in its own type, not declared.
+// An input with its type from the table, not declared by the source.
 struct shader_input inputs_default(const struct input *input);
 
-// True for an input that Shadertoy has in exactly the type that the source declares.
+// True for an input that Shadertoy has with exactly the type that the source declares.
 bool inputs_is_own(const struct shader_input *in);
 
 // Add an input to those that a source reads.
 void inputs_add(struct shader_source *source, struct shader_input input);
 
 // True if a linked program of a source reads an input with a meaning from first to last. The linker
-// keeps only what is used.
+// keeps only the uniforms that are used.
 bool inputs_reads(const struct gl *gl, GLuint program, const struct shader_source *source,
                   enum input_meaning first, enum input_meaning last);
 
@@ -95,7 +95,7 @@ bool inputs_offers(const struct shader_source *source, const struct input *input
 //   line  of the source's text, from 0
 bool inputs_refuse(const struct shader_source *source, const struct input *input, int line);
 
-// The lines before and behind the vertex shader that compute the positions which the source reads;
+// The lines before and after the vertex shader that compute the positions that the source reads;
 // the caller frees both.
 void inputs_vertex(const struct shader_source *source, char **before, char **behind);
 

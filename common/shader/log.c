@@ -9,24 +9,24 @@
 #include "shader/glsl.h"
 
 #define NAME_SIZE   128 // of a function in a link error
-#define LINE_LIMIT  160 // letters of a source line that is shown
-#define ERROR_LIMIT 20  // errors that are shown: the first ones cause the others
+#define LINE_LIMIT  160 // bytes that are shown of a source line
+#define ERROR_LIMIT 20  // errors that are shown: the first ones usually cause the others
 
 // An explanation in progress.
 struct explanation {
     const struct shader_source *source;
-    int prelude; // lines that shader_text puts first
+    int prelude; // number of lines that shader_text puts first
     FILE *text;
     int shown;       // the expanded line that was shown last, or 0
     int errors;      // lines of the log so far
-    bool has_errors; // the log holds an error, so its warnings only hide it
+    bool has_errors; // the log has an error, from which its warnings would distract
 };
 
 // The content of one line of a log.
 struct message {
     int line; // of the compiled text, or 0
     bool warning;
-    const char *text; // without its place, "error" and "warning"; the driver's code stays
+    const char *text; // without position, "error" and "warning", but with the driver's code
 };
 
 static const char *skip_blanks(const char *c)
@@ -34,7 +34,7 @@ static const char *skip_blanks(const char *c)
     return c + strspn(c, " \t");
 }
 
-// Mesa "0:12(3): error: text", NVIDIA "0(12) : error C1008: text", others "ERROR: 0:12: text".
+// Read "0:12(3): error: text" (Mesa), "0(12) : error C1008: text" (NVIDIA), or "ERROR: 0:12: text".
 static struct message read_message(const char *log)
 {
     static const char *const begins[] = {"ERROR: ", "WARNING: "};
@@ -65,8 +65,9 @@ static struct message read_message(const char *log)
     return message;
 }
 
-// A link error names a function and no line: `foo', "float foo(vec3);" or foo( . Find the first
-// call of such a name; for one in quotes, which may be an input, otherwise its first mention.
+// A link error names a function, but no line: `foo', "float foo(vec3);" or foo( . Find the first
+// call of such a name; if there is none and the name is in quotes, it may be an input: find its
+// first mention.
 // Returns the expanded line, or 0.
 static int line_of_call(const struct explanation *e, const char *log)
 {
@@ -90,7 +91,7 @@ static int line_of_call(const struct explanation *e, const char *log)
     return 0;
 }
 
-// The expanded line of a message, or 0. A text that ends too early is blamed on a line past its
+// The expanded line of a message, or 0. If a text ends too early, drivers blame a line past its
 // last one.
 static int expanded_line(const struct explanation *e, const struct message *message)
 {
@@ -115,8 +116,8 @@ static void put_source(const struct explanation *e, int line)
     fprintf(e->text, "    %.*s%s\n", cut ? LINE_LIMIT : length, text, cut ? "..." : "");
 }
 
-// Name a character that is not part of GLSL, which drivers answer with whatever follows it: an
-// accent in a name, a space or a quotation mark from a word processor.
+// Name a character that is not part of GLSL, such as an accented letter in a name, or a space or a
+// quotation mark from a word processor. Drivers blame whatever follows it.
 static void put_foreign_character(const struct explanation *e, int line)
 {
     const struct glsl_token *t = e->source->code.item;
@@ -129,14 +130,15 @@ static void put_foreign_character(const struct explanation *e, int line)
     while (length < 4 && ((unsigned char)code[length] & 0xC0) == 0x80)
         length++;
     if (strncmp(code, "\xC2\xA0", 2) == 0)
-        fputs("only plain letters and signs, here is a no-break space: ", e->text);
+        fputs("only plain letters and signs are allowed; here is a no-break space: ", e->text);
     else
-        fprintf(e->text, "only plain letters and signs, here is '%.*s': ", length, code);
+        fprintf(e->text, "only plain letters and signs are allowed; here is '%.*s': ", length,
+                code);
 }
 
-// A statement that is never closed is blamed on the line of the next one: name the line where it
-// should have ended.
-//   line  expanded, from 1
+// Drivers blame a missing semicolon on the line of the next statement: also name the line where it
+// may be missing.
+//   line  of the expanded text, from 1
 static void put_line_before(const struct explanation *e, const char *text, int line)
 {
     const struct glsl_token *t = e->source->code.statement;
@@ -144,7 +146,7 @@ static void put_line_before(const struct explanation *e, const char *text, int l
         return;
     while (t->kind != GLSL_END && t->line < line - 1)
         t++;
-    // One token before the first statement is an end.
+    // The token before the first statement is an end token.
     if (t->kind == GLSL_END || t->line != line - 1 || t[-1].kind == GLSL_END)
         return;
     const struct shader_line *from = &e->source->lines[line - 1];
@@ -181,7 +183,7 @@ static void explain_line(struct explanation *e, const char *log)
         put_source(e, line);
 }
 
-// True if the same line is earlier in the log.
+// True if the log has the same line earlier.
 static bool is_repeated(const char *log, const char *line, size_t length)
 {
     for (const char *c = log; c < line; c += strcspn(c, "\n") + 1)

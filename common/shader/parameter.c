@@ -56,7 +56,7 @@ void parameter_range_text(const struct parameter *parameter, char *text, size_t 
     snprintf(text, size, "[%s, %s]", minimum, maximum);
 }
 
-// What a value of the parameter looks like, for messages.
+// A description of the parameter's values, for messages.
 static const char *expected(const struct parameter *parameter)
 {
     static const char *const numbers[] = {"one number", "two numbers, as in 1,0.5",
@@ -75,7 +75,7 @@ static bool read_bool(const char *text, double *value)
     return *value != 0.0 || strcmp(text, "false") == 0 || strcmp(text, "0") == 0;
 }
 
-// Read exactly as many numbers as the parameter has components, with commas between.
+// Read exactly as many numbers as the parameter has components, separated by commas.
 static bool read_numbers(const struct parameter *parameter, const char *text, double value[4])
 {
     for (int i = 0; i < parameter->components; i++) {
@@ -104,7 +104,7 @@ static const char *sampler_name(const void *samplers, int i)
     return ((const struct samplers *)samplers)->item[i].name;
 }
 
-// Report an assignment to an unknown name, with the known ones, which are freed; always false.
+// Report an assignment to an unknown name, with the known names, and free these; always false.
 static bool report_unknown(const char *option, const char *assignment, const char *what, int count,
                            char *names)
 {
@@ -163,7 +163,8 @@ void parameters_keep(const struct parameters *new_ones, const struct parameters 
     }
 }
 
-// A sum of steps drifts: 0.1 three times is 0.30000000000000004, less 0.3 is not 0.
+// Remove the rounding errors of a sum of steps: 0.1 + 0.1 + 0.1 is 0.30000000000000004, and this
+// minus 0.3 is not 0.
 static double without_drift(double value, double step)
 {
     if (fabs(value) < 1e-6 * step)
@@ -178,7 +179,7 @@ static double changed(const struct parameter *parameter, double value, int press
                                         : value + parameter->step * presses;
     if (parameter->type == PARAMETER_INT) {
         next = round(next);
-        // A small factor must still change a small number.
+        // Even a small factor must change a small number.
         if (next == value && presses != 0)
             next += presses > 0 ? 1.0 : -1.0;
     } else
@@ -213,7 +214,8 @@ void parameter_put(struct parameter *parameter, int part, double place)
                                 (parameter->multiplies ? 2.0 : 3.0));
     if (parameter->type != PARAMETER_FLOAT)
         unit = 1.0;
-    // Divided by a whole number where there is one: 3 tenths are 3 / 10, and 3 * 0.1 is another.
+    // Divide by a whole number if possible: 3 / 10 is the double nearest to 0.3, but 3 * 0.1 is
+    // not.
     value = unit < 1.0 ? round(value / unit) / round(1.0 / unit) : round(value / unit) * unit;
     parameter->value[part] = clamp(value, low, high);
 }
@@ -230,7 +232,7 @@ void parameter_reset(struct parameter *parameter)
 
 // ---- Samplers ----
 
-// True if a sampler has the name of NAME=FILE; otherwise reported.
+// True if a sampler has the name in NAME=FILE; otherwise reported.
 static bool knows(const struct samplers *samplers, const char *assignment)
 {
     size_t length = strcspn(assignment, "=");
@@ -284,7 +286,7 @@ bool sampler_refuse(const struct shader_source *source, const struct sampler *sa
 
 // ---- The tables ----
 
-// Characters, not bytes: a degree sign is one.
+// The width in characters, not bytes: a degree sign counts once.
 static int width_of(const char *text)
 {
     int width = 0;
@@ -294,7 +296,7 @@ static int width_of(const char *text)
 }
 
 // Print rows of cells, each column as wide as its widest cell, and free them.
-//   cell  the titles, then a row for each parameter or sampler
+//   cell  the titles, then one row for each parameter or sampler
 static void print_table(FILE *file, int columns, int rows, char *cell[])
 {
     int width[COLUMNS] = {0};

@@ -6,22 +6,23 @@
 //   uniform bool  biased;       // true: show 0.5 N + 0.5
 //   uniform vec3  lightColour;  // 1.0, 0.9, 0.5 in [0, 1], linear RGB: colour of the light
 //
-// A comment that begins with a value declares a parameter: value(s), then "in [min, max]" (numbers
-// need one, a bool has none), optionally "step s" or "step *s" (each key press multiplies),
-// optionally ", unit", and ": meaning". Any other comment declares nothing.
+// A comment that begins with a value declares a parameter: one or several values, then "in [min,
+// max]" (required for numbers, not allowed for a bool), optionally "step s" or "step *s" (each key
+// press adds or multiplies), optionally ", unit", and ": meaning". Any other comment declares
+// nothing.
 //
-// A comment begins with a value when its first word is a decimal number, true or false, and is
+// A comment begins with a value if its first word is a decimal number, true or false, and is
 // followed by a blank, a comma, a colon or the end of the line: "2 times the radius" does and is
-// refused, "2D position" does not. One value alone stands for every component of a vector. Without
-// "step" an int changes by 1, a float by a hundredth of its range. The declaration is alone on its
-// line. The preprocessor is not run: a uniform between #if 0 and #endif counts.
+// refused, "2D position" does not. A single value applies to every component of a vector. Without
+// "step", an int changes by 1, and a float by a hundredth of its range. The declaration must be
+// alone on its line. The preprocessor is not run: a uniform between #if 0 and #endif counts.
 //
-// A vec2 or a vec3 can be a handle, a point that is dragged in the picture:
+// A vec2 or a vec3 can be a handle, a point that can be dragged in the picture:
 //
 //   uniform vec2 aim;  // (0.6, 0.1) handle scene units: where the ray points
 //   uniform vec3 lamp; // 1, 2, 0 in [-5, 5] step 0.1, handle xz scene units: the lamp
 //
-// The values may have parentheses. A handle without a range gets [-10, 10]. A vec2 lies in the
+// The values may be in parentheses. A handle without a range gets [-10, 10]. A vec2 lies in the
 // plane z = 0 or, after "xz", in the plane y = 0. A vec3 moves parallel to the screen or, after
 // "xy" or "xz", keeps its third coordinate.
 //
@@ -34,12 +35,12 @@
 //                              // the other
 //
 // The comment begins with the name of a file in quotes, which is looked for next to the file that
-// declares the sampler, then in shaders/textures/, and never outside the project and the shader's
-// own folder. Then come sRGB for a colour, which is decoded when it is read, or linear for a
-// number, which is not; repeat or clamp, outside of [0, 1]; for a volume, its number of slices; and
-// a meaning.
+// declares the sampler, then in shaders/textures/, but never outside the project and the shader's
+// own folder. Then come: sRGB for a colour, which is decoded when it is read, or linear for a
+// number, which is not; repeat or clamp, for coordinates outside [0, 1]; for a volume, its number
+// of slices; and a meaning.
 //
-// In the course's dialect every sampler needs such a comment, unless the preprocessor certainly
+// In the course's dialect, every sampler needs such a comment, unless the preprocessor certainly
 // skips it. In the other dialects, samplers are the channels.
 #ifndef PARAMETER_H
 #define PARAMETER_H
@@ -55,8 +56,8 @@
 struct sampler {
     char name[64];
     int file;          // the picture, among the files of the source
-    int line;          // that declares it, of the source's text, from 0; -1: a channel
-    bool srgb, repeat; // else linear, clamp
+    int line;          // of the source's text that declares it, from 0; -1: a channel
+    bool srgb, repeat; // otherwise linear, clamp
     int slices;        // of a volume; 0 for a picture
     char meaning[200];
 };
@@ -68,7 +69,7 @@ struct samplers {
 
 enum parameter_type { PARAMETER_FLOAT, PARAMETER_INT, PARAMETER_BOOL };
 
-// The plane in which a handle is dragged; that of the screen is parallel to it.
+// The plane in which a handle is dragged; HANDLE_SCREEN is parallel to the screen.
 enum parameter_handle { HANDLE_NONE, HANDLE_SCREEN, HANDLE_XY, HANDLE_XZ };
 
 struct parameter {
@@ -78,7 +79,7 @@ struct parameter {
     double value[4];         // the present value; a bool is 0 or 1
     double initial[4];       // the value in the shader's comment
     double minimum, maximum; // of each component; 0 and 1 for a bool
-    double step;             // of one key press: added, or multiplied if multiplies
+    double step;             // of one key press: a summand, or a factor if multiplies
     bool multiplies;
     enum parameter_handle handle;
     char unit[48]; // "" for none
@@ -91,32 +92,32 @@ struct parameters {
     struct samplers samplers; // the textures of the shader
 };
 
-// Read the parameters and the samplers of a source, in the order of the text. In other dialects
+// Read the parameters and the samplers of a source, in the order of the text. In dialects other
 // than the course's, a malformed annotation declares nothing, and the samplers are the pictures of
 // the request's channels and those that the text names.
-// Returns false, reported with file and line. Of a comment that begins with a value: no range, a
-// value outside of it, a wrong number of values, an unknown type, no meaning. Of a sampler: no such
-// comment, a malformed one, another kind than sampler2D and sampler3D, one in a structure or a
-// macro, a missing file. A name declared twice. Free with parameters_free.
+// Returns false, reported with file and line. For a comment that begins with a value: no range, a
+// value outside it, a wrong number of values, an unknown type, no meaning. For a sampler: no such
+// comment, a malformed one, a type other than sampler2D and sampler3D, a declaration in a structure
+// or a macro, a missing file. For both: a name that is declared twice. Free with parameters_free.
 bool parameters_read(struct parameters *parameters, struct shader_source *source);
 
-// True if the declaration of a uniform has such a comment, well formed.
-//   name  the uniform's, among the statements
+// True if the declaration of a uniform has a well-formed comment that makes it a parameter.
+//   name  the uniform's name, among the statements
 bool parameter_declared(const struct shader_source *source, const struct glsl_token *name);
 
 void parameters_free(struct parameters *parameters);
 
-// The parameter of a name, or NULL.
+// The parameter with a name, or NULL.
 struct parameter *parameters_find(const struct parameters *parameters, const char *name);
 
-// Carry out NAME=VALUE. A vector takes comma-separated values, a bool true, false, 1 or 0.
+// Carry out NAME=VALUE. A vector takes comma-separated values; a bool takes true, false, 1 or 0.
 // Returns false, reported: unknown name (with the known ones), not a number, NaN, wrong count, out
 // of range (with the range).
 bool parameters_assign(const struct parameters *parameters, const char *assignment);
 
 // Keep values over a reload: copy each old value to the new parameter of the same name, type and
-// number of components, clamped to the new range. A component whose value the file has changed
-// takes that value, because its author wants to see it.
+// number of components, clamped to the new range. A component whose value has changed in the file
+// takes the new value, because its author wants to see it.
 void parameters_keep(const struct parameters *new_ones, const struct parameters *old_ones);
 
 // Change every component by a number of key presses, stopping at the range; a bool toggles.
@@ -127,11 +128,11 @@ void parameter_change(struct parameter *parameter, int presses);
 double parameter_place(const struct parameter *parameter, int part);
 
 // The inverse: set a component from a position, which is clamped to [0, 1]. The value is rounded to
-// a thousandth of the range, or to three figures if the step multiplies; an int to a whole number,
-// a bool to 0 or 1.
+// about a thousandth of the range, or to three significant digits if the step multiplies; an int is
+// rounded to a whole number, and a bool to 0 or 1.
 void parameter_put(struct parameter *parameter, int part, double place);
 
-// True for three numbers whose unit is "linear RGB".
+// True for a parameter with three components whose unit is "linear RGB".
 bool parameter_is_colour(const struct parameter *parameter);
 
 // Reset to the value in the shader's comment.
@@ -147,15 +148,16 @@ void parameter_range_text(const struct parameter *parameter, char *text, size_t 
 void parameters_print(const struct parameters *parameters, FILE *file);
 
 // True if each picture of the source's request has a sampler that reads it. Otherwise reported: a
-// NAME of NAME=FILE that no sampler has, with the names of all; a channel that the shader does not
-// mention, or any channel for the course's dialect.
+// NAME of NAME=FILE that no sampler has, with the names of all samplers; a channel that the shader
+// does not mention; --texture in another dialect, or --channel in the course's.
 bool samplers_fit(const struct samplers *samplers, const struct shader_source *source);
 
 // Report a problem with a sampler's picture; always false.
 bool sampler_refuse(const struct shader_source *source, const struct sampler *sampler,
                     const char *format, ...) __attribute__((format(printf, 3, 4)));
 
-// The table of --list: name, file, how it is read, meaning. Nothing if there are none.
+// The table of --list: name, file, how it is read, meaning. Prints nothing if there are no
+// samplers.
 void samplers_print(const struct samplers *samplers, const struct shader_source *source,
                     FILE *file);
 

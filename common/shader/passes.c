@@ -17,7 +17,7 @@ bool passes_are(const char *text)
     return *c == '{' || (*c == '[' && *skip_blanks(c + 1) == '{');
 }
 
-// The end quote of a string.
+// The closing quote of a string.
 static const char *end_of_string(const char *c)
 {
     for (c++; *c != '\0' && *c != '"'; c++)
@@ -25,7 +25,7 @@ static const char *end_of_string(const char *c)
     return c;
 }
 
-// The end of a value, including the brackets that it opens.
+// The end of a value, after any brackets that it opens.
 static const char *skip_value(const char *c)
 {
     int depth = 0;
@@ -122,8 +122,8 @@ const char *passes_read(struct passes *passes, const char *text)
     if (passes->common == NULL)
         passes->common = memory_text("%s", "");
     return passes->image != NULL ? NULL
-           : row == NULL         ? "JSON that is no export of Shadertoy: a shader is code"
-                                 : "an export of Shadertoy without an image pass";
+           : row == NULL         ? "JSON, but not an export from Shadertoy: a shader is code"
+                                 : "an export from Shadertoy without an image pass";
 }
 
 void passes_free(struct passes *passes)

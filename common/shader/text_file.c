@@ -31,7 +31,7 @@ static void tidy(char *text)
             *to++ = '\n';
     if (to == text || to[-1] != '\n')
         *to++ = '\n';
-    // A backslash at the very end would join the line to another file's.
+    // A backslash at the very end would join the line to the next file's first line.
     if (to - text >= 2 && to[-2] == '\\')
         *to++ = '\n';
     *to = '\0';
@@ -42,7 +42,7 @@ char *text_file_read(const char *path, char why[TEXT_FILE_WHY])
     FILE *file = text_file_open(path, why);
     if (file == NULL)
         return NULL;
-    // One byte more than the limit: a file in /proc does not tell its size.
+    // Read one byte more than the limit, because a file in /proc does not report its size.
     char *text = memory_zeros(TEXT_FILE_LIMIT + 8, 1);
     size_t size = fread(text, 1, TEXT_FILE_LIMIT + 1, file);
     bool failed = ferror(file) != 0, binary = strlen(text) != size;

@@ -9,7 +9,7 @@
 #include "shader/inputs.h"
 #include "shader/translation.h"
 
-// A macro of the author's changes the words after it, so these are few.
+// toy_behind follows the author's text, whose macros also apply to it, so it has few words.
 static const char toy_front[] =
     "out vec4 harnessColour;\n"
     "vec4 harnessOwn = vec4(0.0);\n"
@@ -20,7 +20,7 @@ static const char toy_behind[] =
     "#undef void\n#undef main\n#undef mainImage\n"
     "void main() { harnessBegin(); mainImage(harnessOwn, harnessPixel); harnessEnd(); }\n";
 
-// Lookups in a texture that another context has in one dimension.
+// Lookups in a sampler1D, which WebGL lacks: it becomes a sampler2D.
 static const char line_lookups[] =
     "vec4 harnessLine(sampler2D line, float x) { return texture(line, vec2(x, 0.5)); }\n"
     "vec4 harnessLine(sampler2D line, float x, float y) { return harnessLine(line, x); }\n"

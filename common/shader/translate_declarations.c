@@ -25,7 +25,7 @@ static bool store(struct translation *t, struct declared *at, const char *storag
     return true;
 }
 
-// Leave a name out of what Shadertoy gets, which declares it, or needs none.
+// Leave a name out of the text for Shadertoy, which declares it itself or does not need it.
 static bool leave_out(struct translation *t, struct declared *at)
 {
     if (at->name == at->first && at->end->sign == ';') {
@@ -68,7 +68,7 @@ static bool take_sampler(struct translation *t, struct declared *at, const struc
     return true;
 }
 
-// Take an image that a shader writes: the driver has it, and WebGL does not.
+// Take an image that a shader writes, which the desktop's driver offers and WebGL does not.
 static bool take_image(struct translation *t, struct declared *at)
 {
     if (!t->web)
@@ -149,7 +149,7 @@ static bool take_input(struct translation *t, struct declared *at)
                     : take_uniform(t, at, &in);
 }
 
-// Make a block of inputs, as in KodeLife, a structure that main fills in.
+// Turn a block of inputs, as in KodeLife, into a structure that main fills in.
 static bool take_block(struct translation *t, const struct declared *at)
 {
     static const struct {
@@ -161,8 +161,8 @@ static bool take_block(struct translation *t, const struct declared *at)
     const struct glsl_token *end = glsl_partner(t->code, at->end), *name = end + 1;
     char value[128];
     if (name->kind != GLSL_WORD)
-        return shader_refuse(t->source, at->name->line,
-                             "in %s { }: give the block a name behind it", at->word);
+        return shader_refuse(t->source, at->name->line, "in %s { }: give the block a name after it",
+                             at->word);
     edits_replace(&t->edits, at->type - 1, "struct");
     edits_add(&t->edits, name->begin, 0, "; %s ", at->word);
     for (const struct glsl_token *m = at->end + 1; m < end; m++) {
@@ -184,12 +184,12 @@ static bool take_block(struct translation *t, const struct declared *at)
     return true;
 }
 
-// Make the members of any other block, which nothing sets, variables: WebGL draws nothing while a
-// block has no buffer.
+// Turn the members of any other block, which nothing sets, into variables, because WebGL draws
+// nothing while a block has no buffer.
 static bool open_block(struct translation *t, const struct declared *at)
 {
     const struct glsl_token *end = glsl_partner(t->code, at->end), *last = at->type - 1;
-    if (end[1].kind == GLSL_WORD) { // it has a name, and so have structures
+    if (end[1].kind == GLSL_WORD) { // the block has a name, so it can become a structure
         edits_add(&t->edits, at->begin->begin, last->begin + last->length - at->begin->begin,
                   "struct");
         return true;
@@ -199,8 +199,8 @@ static bool open_block(struct translation *t, const struct declared *at)
     return true;
 }
 
-// Take an output for Shadertoy. Of several that an #if chooses from, each is read by a function of
-// the same name.
+// Take an output for Shadertoy. If an #if chooses one of several, each is read by a function, all
+// of which have the same name.
 static void export_output(struct translation *t, struct declared *at, bool certain)
 {
     const struct glsl_token *end = glsl_skip(t->code, at->end, ";");
@@ -210,7 +210,8 @@ static void export_output(struct translation *t, struct declared *at, bool certa
                   at->word);
 }
 
-// The first live mention of a word in a macro that holds more, outside of brackets; or NULL.
+// The first live mention of a word, outside parentheses, in a macro that contains more than this
+// word; or NULL.
 static const struct glsl_token *find_hidden(const struct glsl *code, const char *word)
 {
     int depth = 0;
@@ -224,7 +225,7 @@ static const struct glsl_token *find_hidden(const struct glsl *code, const char 
     return NULL;
 }
 
-// Refuse to export what a macro declares.
+// Refuse to export a declaration that is in a macro.
 static bool check_macros(const struct translation *t)
 {
     const struct glsl_token *out = NULL, *uniform = find_hidden(t->code, "uniform");

@@ -9,23 +9,23 @@
 struct floats {
     const struct glsl *code;
     struct edits edits;
-    bool *whole; // for each name: an int, a vector of ints, or a function that returns one
-    bool *takes; // for each name: a function that takes one
+    bool *whole; // for each name: an int, a vector of ints, or a function that returns either
+    bool *takes; // for each name: a function that takes an int or a vector of ints
 };
 
-// True for a type of integers, or of floats.
+// True for a type whose base is one of these, as glsl_type gives it.
 static bool is_type(const struct glsl_token *t, const char *bases)
 {
     char base;
     return !t->macro && glsl_type(t->text, &base) > 0 && strchr(bases, base) != NULL;
 }
 
-// Learn which names are integers.
+// Find out which names are integers.
 static void learn(struct floats *f)
 {
     static const char *const functions[] = {"texelFetch", "textureSize", "layout", NULL};
     const struct glsl *code = f->code;
-    const struct glsl_token *function = NULL; // the last one whose parameters begin
+    const struct glsl_token *function = NULL; // the last one before t, whose parameters may be next
     for (const struct glsl_token *t = code->statement; t->kind != GLSL_END; t++) {
         if (t->depth == 0 && t->kind == GLSL_WORD && t[1].sign == '(')
             function = t;
@@ -45,7 +45,7 @@ static void learn(struct floats *f)
     }
 }
 
-// Give the integers from a token to another a point.
+// Give each integer from one token to another a decimal point.
 static void add_points(struct floats *f, const struct glsl_token *from, const struct glsl_token *to)
 {
     for (const struct glsl_token *t = from; t < to; t = glsl_next(f->code, t)) {
@@ -63,9 +63,10 @@ static bool is_whole_statement(const struct floats *f, const struct glsl_token *
     return whole;
 }
 
-// Convert the text between two tokens. Returns true if it has an integer type.
-//   whole    all of it has
-//   splits   a comma separates expressions; states  it consists of statements
+// Convert the text between two tokens. Returns true if a part of it has an integer type.
+//   whole    all of it has an integer type
+//   splits   a comma separates expressions
+//   states   it consists of statements
 //   returns  the function around it returns an integer
 static bool convert(struct floats *f, const struct glsl_token *from, const struct glsl_token *to,
                     bool whole, bool splits, bool states, bool returns)

@@ -7,8 +7,8 @@
 #include "memory.h"
 #include "shader/inputs.h"
 
-// The targets, and what else must be true: Shadertoy gets a mainImage that calls the file's own;
-// the output is gl_FragColor.
+// The targets, and two further conditions: WRAPPED, if Shadertoy gets a mainImage that calls the
+// file's own; OLD, if the output is gl_FragColor.
 enum { TO_DRIVER = 1, TO_TOY = 2, TO_WEB = 4, WRAPPED = 8, OLD = 16 };
 
 static const struct {
@@ -34,7 +34,7 @@ static const struct {
                {"dmat3", "mat3", TO_WEB},
                {"dmat4", "mat4", TO_WEB}};
 
-// Words that WebGL defines or reserves, and another version leaves to an author.
+// Words that WebGL defines or reserves, but that another version leaves to the author.
 static const char *const reserved[] = {
     "texture", "sample",    "patch", "resource", "round",       "roundEven",   "trunc",
     "sinh",    "cosh",      "tanh",  "asinh",    "acosh",       "atanh",       "inverse",
@@ -46,8 +46,8 @@ static bool is_targeted(const struct translation *t, int when)
     return (when & target) != 0 && (t->wraps || !(when & WRAPPED)) && (t->old || !(when & OLD));
 }
 
-// The present name of a texture function of an old version, textureLod for texture2DLodEXT; or
-// NULL. The caller frees it.
+// The present name of a texture function of an old version, such as textureLod for texture2DLodEXT;
+// or NULL. The caller frees it.
 static char *new_texture(const char *word)
 {
     static const char *const kinds[] = {"texture1D", "texture2DRect", "texture2D", "texture3D",
@@ -72,7 +72,7 @@ static bool is_line_lookup(const struct translation *t, const struct glsl_token 
     return bracket->sign == '(' && name->kind == GLSL_WORD && (t->mark[name->name] & MARK_LINE);
 }
 
-// The name of a word for the target, or NULL if it stays. The caller frees it.
+// The name of a word in the target, or NULL if it stays. The caller frees it.
 static char *new_name(const struct translation *t, const struct glsl_token *token)
 {
     const char *word = token->text;
@@ -109,13 +109,13 @@ static void take_word(struct translation *t, const struct glsl_token *token)
         edits_cut(&t->edits, token + 1, token + 3);
     if (macro || !t->toy || t->exported || !token->live || !glsl_is(token, "mainImage"))
         return;
-    const struct glsl_token *word = glsl_code(token + 1); // the colour begins as zero: inout
+    const struct glsl_token *word = glsl_code(token + 1); // inout: the colour begins as zero
     word = word->sign == '(' ? glsl_code(word + 1) : word;
     if (glsl_is(word, "out"))
         edits_add(&t->edits, word->begin, 0, "in");
 }
 
-// ---- Names of the author's ----
+// ---- The author's own names ----
 
 // True if the author declares or defines a word.
 static bool is_taken(const struct glsl *code, const char *word)
@@ -134,8 +134,8 @@ static void mark_own(struct translation *t, const char *word)
         t->mark[name - t->code->name] |= MARK_OWN;
 }
 
-// Mark the names that mean something else in WebGL, or in Shadertoy: another global variable, a
-// function, or an input of another type.
+// Mark the names that mean something else in WebGL or in Shadertoy: the text uses them for a global
+// variable, a function, or an input of another type.
 static void mark_names(struct translation *t)
 {
     const struct input *input;
@@ -159,8 +159,8 @@ static void mark_names(struct translation *t)
 
 // ---- Directives and numbers ----
 
-// Remove a #version or an #extension. An extension that the core of 3.30 and of ES 3.00 lacks is
-// handed to the driver, which knows it or refuses it.
+// Remove a #version or an #extension. An extension whose features are not part of GLSL 3.30 and ES
+// 3.00 is passed to the driver, which accepts or refuses it.
 static void take_directive(struct translation *t, const struct glsl_token *hash)
 {
     static const char *const core[] = {"GL_OES_standard_derivatives",
@@ -191,7 +191,7 @@ static void take_directive(struct translation *t, const struct glsl_token *hash)
                 code->text + hash->begin);
 }
 
-// Remove the suffix of a double.
+// Remove the suffix of a double, lf.
 static void take_number(struct translation *t, const struct glsl_token *token)
 {
     const char *end = token->text + token->length;
@@ -200,9 +200,10 @@ static void take_number(struct translation *t, const struct glsl_token *token)
         edits_add(&t->edits, token->begin + token->length - 2, 2, "%s", "");
 }
 
-// ---- Values that WebGL does not accept outside of functions ----
+// ---- Values that WebGL does not accept outside functions ----
 
-// True if a word has no constant value: an input, a function of the text, or what reads one.
+// True if a word has no constant value: it is an input, a function of the text, or a name that
+// depends on one of these.
 static bool is_variable(const struct translation *t, const struct glsl_token *v, const bool waits[])
 {
     if (v->kind != GLSL_WORD)
@@ -214,7 +215,7 @@ static bool is_variable(const struct translation *t, const struct glsl_token *v,
            (glsl_code(v + 1)->sign == '(' && glsl_find_definition(t->code, v->text) != NULL);
 }
 
-// Learn which macros have no constant value.
+// Find out which macros have no constant value.
 static void learn_macros(const struct translation *t, bool waits[])
 {
     const struct glsl_token *hash = NULL;
@@ -267,7 +268,7 @@ static void move_values(struct translation *t)
     free(waits);
 }
 
-// Remove the semicolons behind functions, which WebGL refuses.
+// Remove semicolons after functions, which WebGL refuses.
 static void take_semicolons(struct translation *t)
 {
     for (const struct glsl_token *end = t->code->statement; end->kind != GLSL_END; end++) {

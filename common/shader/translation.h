@@ -1,4 +1,4 @@
-// translation.h - a translation in progress: what the parts of translate.c share.
+// translation.h - a translation in progress, which the parts of translate.c share.
 #ifndef SHADER_TRANSLATION_H
 #define SHADER_TRANSLATION_H
 
@@ -10,7 +10,7 @@
 #define COUNT(array) (sizeof(array) / sizeof *(array))
 
 enum {
-    MARK_OWN = 1, // the author uses the name for something other than the target does: it gets own_
+    MARK_OWN = 1, // the author's meaning of the name is not the target's: it gets own_
     MARK_LINE = 2 // a sampler1D
 };
 
@@ -21,11 +21,11 @@ struct translation {
     bool toy;            // the source is in Shadertoy's dialect
     bool exported;       // the target is Shadertoy
     bool web;            // the target is WebGL, as Shadertoy is
-    bool old;            // gl_FragColor is the output
+    bool old;            // gl_FragColor or gl_FragData is the output
     bool wraps;          // Shadertoy gets a mainImage that calls the file's own
     bool blocks;         // there is a block of inputs
-    unsigned char *mark; // of each name, MARK_OWN and so on
-    FILE *inputs;        // declarations of the inputs that the text reads and does not declare
+    unsigned char *mark; // for each name: MARK_OWN, MARK_LINE
+    FILE *inputs;        // declarations of the inputs that the text reads but does not declare
     FILE *begin;         // statements at the beginning of main
     FILE *extensions;
 };
@@ -33,11 +33,11 @@ struct translation {
 // Check the declarations, rewrite them, and gather the inputs. Returns false, reported.
 bool translation_declarations(struct translation *t);
 
-// Declare the inputs that the text reads and does not declare.
+// Declare the inputs that the text reads but does not declare.
 void translation_undeclared(struct translation *t);
 
 // Rename words and remove directives and suffixes that the target lacks. For WebGL, the values of
-// global variables that are no constants move to the beginning of main.
+// global variables that are not constant move to the beginning of main.
 void translation_words(struct translation *t);
 
 #endif

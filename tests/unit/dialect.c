@@ -354,7 +354,7 @@ IN_PROJECT(test_dialects_of_main_image)
     for (size_t i = 0; i < sizeof good / sizeof *good; i++)
         assert_dialect(good[i], DIALECT_SHADERTOY);
     for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
-        assert_refused(bad[i], "main.frag:2: mainImage has other parameters than those it is "
+        assert_refused(bad[i], "main.frag:2: mainImage has parameters other than those it is "
                                "called with: write void mainImage(out vec4 fragColor, in vec2");
 }
 

@@ -183,15 +183,15 @@ static void assert_says(const char *text, const char *wanted)
 TEST(every_number_is_at_its_name)
 {
     const char *text = benchmark_text(false);
-    assert_says(text, "picture        30x20, time 1.5 s, samples a pixel: 9, frames: 7\n");
+    assert_says(text, "picture        30x20, time 1.5 s, samples per pixel: 9, frames: 7\n");
     assert_says(text, "cold compile      500.000    250.000\n");
     assert_says(text, "first frame       125.000     62.500\n");
     assert_says(text, "frame, median       2.000      3.000\n");
     assert_says(text, "minimum             1.000      1.500\n");
     assert_says(text, "maximum             4.000      6.000\n");
     assert_says(text, "mean 12.50, 99 % of the pixels at most 40, maximum 99\n");
-    assert_says(text, "9.00 evaluations a ray, the least 6.00: march / bound 1.50, of one ray at "
-                      "least 1.25; rays: 11\n");
+    assert_says(text, "9.00 evaluations per ray, lower bound 6.00: march / bound 1.50, for one ray "
+                      "at least 1.25; rays: 11\n");
     text = benchmark_text(true);
     assert_says(text, "  \"shader\": \"a \\\"b\\\\\\u000a\",\n");
     assert_says(text, "  \"compile_cpu_ms\": 500.0000,\n  \"compile_wall_ms\": 250.0000,\n"
