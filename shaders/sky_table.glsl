@@ -66,7 +66,8 @@ struct SkyScale {
 // Light spans decades, and a byte does not.
 //   sun      sine of the sun's height
 //   row      of skyPlace, in [0, 1]
-//   formula  fitted; the remaining factor is in the table, and lies in [0, 1]
+//   formula  fitted; the remaining factor is in the table, and lies in [0, 1]. In a few texels at dusk, where dust sends
+//            little of the light, its green would exceed 1 and is cut off
 SkyScale skyScale(float sun, float row)
 {
     float low = 1.0 / (max(sun, 0.0) + 0.068), foot = 1.0 / (1.0 + 114.0 * row * row);
