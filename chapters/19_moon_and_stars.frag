@@ -43,8 +43,8 @@ Ray pixelRay(vec2 screen)
 
 // ---- The shore ----
 
-// A spruce: a cone with branches. This is a lower bound: the slope of the sawtooth is at most 1, so
-// 0.6 is safe.
+// A spruce: a cone with branches, whose undersides are flat. The slope of the sawtooth is at most 1, so
+// 0.6 is safe, except below an underside: there a step may enter the branch or pass its tip.
 float spruce(vec3 p, float height)
 {
     float y = p.y / height, tier = fract(9.0 * y);
@@ -52,9 +52,8 @@ float spruce(vec3 p, float height)
     return 0.6 * max(length(p.xz) - max(wide, 0.04), max(p.y - height, -p.y));
 }
 
-// The row of trees: each cell has one, with its own height and position. The distance to the trees
-// of other cells is at least the distance to the wall of this cell plus that from the wall to a
-// tree.
+// The row of trees: each cell has one, with its own height and position. A tree is cut off at the
+// walls of its cell, and a step ends at most 0.3 m beyond them.
 float forest(vec3 p)
 {
     const float PERIOD = 2.7;

@@ -70,9 +70,9 @@ const float STAR_FAINTEST = 5.75e-13;
 //              = 1.761 width. A share u of all stars is brighter than STAR_FAINTEST u^(-0.4 / 0.51): the number
 //              of stars grows as 10^(0.51 m) with the magnitude m. The colour is that of a black body,
 //              exp(14388 (1/0.55 - 1/wavelength) (1/T - 1/6500)) by Wien, T from 3,300 to 14,000 K
-// Only the four cells nearest to the direction are evaluated, all at once, one in each component: no spot reaches
-// farther than a quarter of the length of a cell's side. Beyond the pole is the same ring, half a turn further, and
-// beyond the equator the same ring of the other hemisphere.
+// Only the four cells nearest to the direction are evaluated, all at once, one in each component: a spot reaches less
+// far than half of a cell's side. Beyond the pole is the same ring, half a turn further, and beyond the equator the same
+// ring of the other hemisphere.
 // Source: counts of the Hipparcos catalogue (ESA 1997); 2.54e-6 lx: C. W. Allen, 'Astrophysical quantities' (1973).
 vec3 starLight(vec3 direction, float width)
 {
@@ -144,7 +144,7 @@ float zenithLight(float sinHeight)
 // The magnitude of the faintest star that an eye sees against a sky.
 //   light    of the sky, as from zenithLight, > 0
 //   formula  7.93 - 5 log10(1 + 10^(4.316 - m / 5)), m = -2.5 log10(light / 27) the sky's magnitudes per square
-//            second of arc: 6.6 in the dark, -0.3 when the sun is 6 degrees down
+//            second of arc: 6.6 in the dark, -0.4 when the sun is 6 degrees down
 // Source: B. E. Schaefer, 'Telescopic limiting magnitudes', Publications of the Astronomical Society of the
 // Pacific 102 (1990), after S. Hecht (1947); the form with one term is common among observers.
 float faintestSeen(float light)

@@ -1,9 +1,10 @@
 // sky_table.glsl - the light of a clear sky, of the sun and of the whole sky together, read from tables that a program
 // has computed: shaders/textures/air.c.
 //
-// Light is linear; 1 is 4,000 cd/m^2, about the blue of a clear noon. Light that falls on a surface is given as the
-// light that a white matt surface sends back. So it ranges from 8, a white wall at noon, to 1e-8 at night: hourStops
-// says how to expose. y is up; directions have length 1; below the horizon the sky is the same as at the horizon.
+// Light is linear; 1 is 4,000 cd/m^2, about twice the blue overhead at a clear noon. Light that falls on a surface is
+// given as the light that a white matt surface sends back. So it ranges from 8.7, a white surface that faces the noon
+// sun, to 6e-8 at night: hourStops says how to expose. y is up; directions have length 1; below the horizon the sky is
+// the same as at the horizon.
 //
 // The chapter must declare each texture as sRGB and clamp, because it contains light.
 #include "sky.glsl"
@@ -20,8 +21,8 @@ const vec2 SKY_WIDTH = vec2(0.1, 0.06);
 const float SUN_TABLE = 64.0;
 const float SUN_REACH = 12.0;
 
-// The amount that a table's fourth number adds to the blue, as a share of the red's scale; the byte NO_BLUE adds
-// nothing.
+// The range of what a table's fourth number adds to the blue, as a share of the red's scale: from about -0.03 to 0.03.
+// The byte NO_BLUE adds nothing.
 const float BLUE_FINE = 0.06;
 const float NO_BLUE = 128.0 / 255.0;
 
@@ -61,10 +62,12 @@ struct SkyScale {
 };
 
 // The scale of a point: by day the light decreases as thick air removes it, blue the most, and more the lower one
-// looks; in twilight it decreases by a factor of 2 to 9 for each degree that the sun sinks. Light spans decades, and a byte does not.
+// looks; in twilight it decreases by a factor of 2 to 9 for each degree that the sun sinks, that of dust by 11 to 33.
+// Light spans decades, and a byte does not.
 //   sun      sine of the sun's height
 //   row      of skyPlace, in [0, 1]
-//   formula  fitted; the remaining factor is in the table, and lies in [0, 1]
+//   formula  fitted; the remaining factor is in the table, and lies in [0, 1]. In a few texels at dusk, where dust sends
+//            little of the light, its green would exceed 1 and is cut off
 SkyScale skyScale(float sun, float row)
 {
     float low = 1.0 / (max(sun, 0.0) + 0.068), foot = 1.0 / (1.0 + 114.0 * row * row);
@@ -114,10 +117,10 @@ float levelCosine(vec3 direction, vec3 sun)
 //   a        of levelCosine
 //   sun      sine of its height
 //   row      of skyPlace
-//   formula  ((1 + a) / 2)^p, p = 1 + (q - 1) (1 - 0.28 a), log2 q = 0.6 + 0.37 d - 2.75 row, at least 0, d the degrees
-//            by which the sun is below the horizon. By day p is 1, because the light without its phases is linear in a;
-//            in twilight the glow contracts, most of all near the horizon. At the zenith any share will do: both tables
-//            agree there. Fitted; docs/18_sky_from_tables.md measures its error.
+//   formula  ((1 + a) / 2)^p, p = 1 + (q - 1) (1 - 0.28 a), log2 q = 0.6 + 0.37 d - 2.75 row, in [0, 6], d the
+//            degrees by which the sun is below the horizon. By day p is 1, because the light without its phases is
+//            almost linear in a; in twilight the glow contracts, most of all near the horizon. At the zenith any share
+//            will do: both tables agree there. Fitted; docs/18_sky_from_tables.md measures its error.
 float sunwardShare(float a, float sun, float row)
 {
     float narrow = exp2(clamp(0.6 - 21.3 * sun - 2.75 * row, 0.0, 6.0)) - 1.0;
@@ -185,7 +188,7 @@ vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 // the surface's normal.
 //   sun      direction of the sun; the light falls smoothly to 0 as the sun's centre sinks to 0.7 degrees below the
 //   horizon
-//   formula  light exp(-depth airMass), fitted to the integral; above 2 degrees within 7 % of the largest channel
+//   formula  light exp(-depth airMass), fitted to the integral; above 2 degrees within 5 % of the largest channel
 vec3 tableSunlight(vec3 sun)
 {
     vec3 through = exp(-vec3(0.1, 0.148, 0.269) * airMass(sun.y));

@@ -5,11 +5,11 @@
 #include "paint.h"
 
 // Kilometres. The density of the air falls by a factor of e with every LOW_SCALE of height up to
-// BEND, and with every HIGH_SCALE above it, where it is colder: within 15 % of the standard
+// BEND, and with every HIGH_SCALE above it, where it is colder: within 18 % of the standard
 // atmosphere up to 55 km. With a single scale of 8.4 there would be 3 times too much air at 50 km,
 // where the light of dusk comes from. Dust falls off eight times as fast, by a factor of e with
 // every 1.2 km; ozone is densest at 25 km, and there is none 15 km above and below that. The air
-// ends at AIR_TOP; a share of 3e-8 of it lies above. Sources: 'U.S. standard atmosphere' (1976); E.
+// ends at AIR_TOP; a share of 2e-8 of it lies above. Sources: 'U.S. standard atmosphere' (1976); E.
 // Bruneton, F. Neyret, 'Precomputed atmospheric scattering', Computer Graphics Forum 27 (2008), for
 // the height of the dust and, in Bruneton's implementation of 2017, the profile of ozone.
 static const double LOW_SCALE = 9.6, HIGH_SCALE = 6.7, BEND = 9.0;

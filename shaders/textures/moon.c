@@ -225,8 +225,8 @@ static double lot(int i, uint32_t what)
     return paint_random(i, 5, what);
 }
 
-// The random craters, the oldest first: the number of those larger than r falls as 1 / r^2. Lava
-// has covered the old ones in the seas.
+// The random craters, each on top of those before it: the number of those larger than r falls as
+// 1 / r^2. Lava has covered most of those in the seas.
 static void by_lot(void)
 {
     for (int i = 0; i < CRATERS; i++) {

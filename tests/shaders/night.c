@@ -319,7 +319,7 @@ TEST(test_the_face_is_lit_on_the_side_of_the_sun)
     }
 }
 
-// moonlight is the light that moonFace sends from a uniform ball of albedo 0.128, over the true
+// moonlight is the light that moonFace sends from a uniform ball of albedo 0.12, over the true
 // disc.
 static double ball_light(double phase)
 {
