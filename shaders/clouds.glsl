@@ -221,8 +221,8 @@ float rainShare(float weather)
 }
 
 // The share of a pixel filled by falling drops, drawn out into streaks by a shutter that is open for about a tenth of a
-// second: two sheets of rain, one behind the other. A streak is at least a pixel wide; the wider it is, the fainter, so that a picture of few
-// pixels has as much rain as one of many.
+// second: two sheets of rain, one behind the other. A streak is at least a pixel wide; the wider it is, the fainter, so
+// that a picture of few pixels has as much rain as one of many.
 //   screen  y from -1 to 1, x from -aspect to aspect
 //   time    seconds
 //   pixel   height of a pixel, in the units of screen
