@@ -29,7 +29,7 @@ float layerHit(float height, float climb, float altitude)
 
 // The direction in which an eye at the centre of the panorama sees the point where a ray meets a layer. With it, the
 // clouds overhead move when the eye does, and those at the horizon hardly do.
-//   eye       from the centre, km: x and z along the ground, y above it; small compared with the altitude
+//   eye       from the centre, km: x and z along the ground, a few km at most, y above it
 //   direction, altitude  as of layerHit
 //   returns   length 1
 vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
