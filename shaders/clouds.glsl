@@ -29,7 +29,7 @@ float layerHit(float height, float climb, float altitude)
 
 // The direction in which an eye at the centre of the panorama sees the point where a ray meets a layer. With it, the
 // clouds overhead move when the eye does, and those at the horizon hardly do.
-//   eye       from the centre, km: x and z along the ground, y above it; small compared with the altitude
+//   eye       from the centre, km: x and z along the ground, a few km at most, y above it
 //   direction, altitude  as of layerHit
 //   returns   length 1
 vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
@@ -197,7 +197,7 @@ vec3 overcastSky(float sinHeight, vec3 white)
     return 3.0 / 7.0 * white * (1.0 + 2.0 * max(sinHeight, 0.0));
 }
 
-// The light of a horizontal white surface under an overcast sky: a fifth of the light above the clouds, by eye, and
+// The light of a horizontal white surface under an overcast sky: a fifth of its light in clear weather, by eye, and
 // slightly blue.
 //   clear  the light of the same surface under the clear sky and its sun
 vec3 overcastWhite(vec3 clear)
@@ -220,9 +220,9 @@ float rainShare(float weather)
     return 1.0 - smoothstep(0.5, 0.68, weather);
 }
 
-// The share of a pixel filled by falling drops, drawn out into streaks while the shutter is open: two sheets of rain,
-// one behind the other. A streak is at least a pixel wide; the wider it is, the fainter, so that a picture of few
-// pixels has as much rain as one of many.
+// The share of a pixel filled by falling drops, drawn out into streaks by a shutter that is open for about a tenth of a
+// second: two sheets of rain, one behind the other. A streak is at least a pixel wide; the wider it is, the fainter, so
+// that a picture of few pixels has as much rain as one of many.
 //   screen  y from -1 to 1, x from -aspect to aspect
 //   time    seconds
 //   pixel   height of a pixel, in the units of screen
