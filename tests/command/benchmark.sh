@@ -19,7 +19,7 @@ json() { run --benchmark 7 --benchmark=json -s 48x27 && [ ! -s "$scratch/err" ] 
 check 'JSON, with the number of frames' json
 if command -v python3 >/dev/null; then
     valid() { python3 -c 'import json, sys; json.load(sys.stdin)' <"$scratch/out"; }
-    check 'it is valid JSON' valid
+    check 'the output is valid JSON' valid
 fi
 ordered() {
     local clock
@@ -36,7 +36,7 @@ uncached() {
 }
 check "the driver's cache is off" uncached
 cached() { MESA_SHADER_CACHE_DIR=$scratch/cache run -s 48x27 -o "$scratch/x.png" && caches; }
-check 'and on for a picture' cached
+check "the driver's cache is on for a picture" cached
 
 # A picture of a few pixels, each of which is probed.
 counted() {
@@ -97,7 +97,7 @@ known() {
         [ "$(value march_evaluations)" = 3.0000 ] && [ "$(value march_bound)" = 1.0000 ] &&
         [ "$(value march_over_bound_minimum)" = 1.0000 ]
 }
-check 'a known march, and rays that do not march left out' known
+check 'a known march is counted, and rays that do not march are left out' known
 # Parallel rays perpendicular to a plane 10 away: a march takes 2 evaluations. The picture has two blocks, whose
 # cylinder also takes 2: 4 shared among 128 pixels, counted in the mean and in the march. The bound is that of single rays.
 cat >"$scratch/shared.frag" <<'GLSL'
@@ -120,13 +120,13 @@ unmarched() {
     run --benchmark 1 --benchmark=json -s 20x10 -f "$scratch/count.frag" && [ "$(value march_rays)" = 0 ] && [ "$(value march_over_bound)" = null ] &&
         run --benchmark 1 -s 20x10 -f "$scratch/count.frag" && ! grep -q '^march' "$scratch/out"
 }
-check 'no march, no bound' unmarched
+check 'without a march there is no bound' unmarched
 whole() { run --benchmark 2 -f tests/pictures/reference_scene.frag -s 32x18 && grep -q 'not counted in a file with its own main' "$scratch/out" &&
     run --benchmark 2 --benchmark=json -f tests/pictures/reference_scene.frag -s 32x18 && [ "$(value evaluations_mean)" = null ] &&
     [ "$(value march_over_bound)" = null ]; }
 check 'a whole file counts no evaluations' whole
 set_ones() { run --benchmark=json -s 32x18 -p maxSteps=3 && holds "$(value evaluations_maximum) < 30"; }
-check 'parameters count' set_ones
+check 'parameters take effect' set_ones
 
 # ---- make benchmark ----
 

@@ -26,7 +26,7 @@ same() {
 worst=0
 
 # refused_textures PROGRAM OPTION...: one line says that nothing was printed and names each texture that the shader
-# reads; and it reads some.
+# reads; the shader reads at least one.
 refused_textures() {
     [ ! -s "$scratch/toy.frag" ] && [ "$(wc -l <"$scratch/err")" = 1 ] && "$@" --list >"$scratch/parts" &&
         grep -q '^texture ' "$scratch/parts" && sed '1,/^texture /d' "$scratch/parts" | while read -r _ file _; do
@@ -113,7 +113,7 @@ same_channel() {
         "$BUILD/tests/compare" "$scratch/own.png" "$scratch/toy.png" >/dev/null
 }
 passes 'a whole file with a channel' "$BUILD/01_normal_colouring" -f "$scratch/channel.frag" "${channel[@]}" &&
-    check 'and looks the same' same_channel
+    check 'a whole file with a channel looks the same' same_channel
 named() {
     local name=$scratch/$'two\nlines.frag'
     cp chapters/01_normal_colouring.frag "$name"

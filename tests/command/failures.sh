@@ -1,7 +1,8 @@
 #!/bin/bash
-# failures.sh - what cannot be done: one clear line on standard error, the right exit status (1 if it could not be done,
-# 2 if the command line is wrong, 3 if no window can be opened), and no file half-written. Here is one case of each kind,
-# as a process; tests/command/options.c and tests/unit (source, dialect, sampler, parameter, image) have the others.
+# failures.sh - runs that must fail: with one clear line on standard error, the right exit status (1 if the run failed,
+# 2 if the command line is wrong, 3 if no window can be opened), and no half-written file. This suite runs one case of
+# each kind as a process; tests/command/options.c and tests/unit (source, dialect, sampler, parameter, image) test the
+# others.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -93,7 +94,7 @@ fill
 
 # ---- The command line and parameters ----
 
-refuse 'a value out of its range' 2 "--size" "$chapter" -o "$out/new.png" --size 99999x99999
+refuse 'a value out of range' 2 "--size" "$chapter" -o "$out/new.png" --size 99999x99999
 refuse 'an unknown option' 2 "'--colour'" "$chapter" "${to[@]}" --colour red
 # The march of the middle pixel has a last step, and no later one can be shown.
 last_step=$("$chapter" "${small[@]}" --probe 8,4 | awk -F, '/^[0-9]/ { n = $1 } END { print n }')
@@ -132,7 +133,7 @@ printf '#include "03_shadows.frag"\nuniform sampler2D stone; // "granite.png" sR
 refuse 'a picture over one given with --texture' 1 "stone.png, which this run reads" \
     "$chapter" --texture stone="$out/stone.png" -f "$shaders/stone.frag" -o "$out/stone.png"
 same_noise() { cmp -s shaders/textures/noise.png "$out/stone.png"; }
-check 'and it is unchanged' same_noise
+check 'and this texture is unchanged' same_noise
 expected_listing='./old.png ' keep=''
 fill
 if [ "$BUILD" = build ]; then # a sanitizer takes more memory, and has its own messages
@@ -203,7 +204,7 @@ fill
 
 # ---- Contexts ----
 
-# The shader cache on a full disk, which only a user who may mount file systems can test.
+# The shader cache on a full disk, which can be tested only by a user who may mount file systems.
 mkdir "$scratch/home"
 full_cache() {
     # shellcheck disable=SC2016 # for the inner shell
@@ -260,7 +261,7 @@ says=refuse
 windows && says=refuse_at_length # Wine's own OpenGL library prints something first
 $says 'an unknown driver' 1 'driver' env GALLIUM_DRIVER=nonsense "$chapter" "${to[@]}"
 tried='egl.*osmesa.*glfw'
-grep -q -e '-DHAVE_OSMESA' "$BUILD/flags" || tried='egl.*glfw' # what make did not find is not tried
+grep -q -e '-DHAVE_OSMESA' "$BUILD/flags" || tried='egl.*glfw' # a backend that make did not find is not tried
 windows && tried='glfw'
 refuse 'no backend at all' 1 "$tried" "${too_old[@]}" "$chapter" "${to[@]}"
 if windows || open_display; then
@@ -333,7 +334,7 @@ interrupted() { # FILE ARGUMENT...: once the program has written that file
     job=$!
     set +m
     until [ -e "$file" ] || [ $SECONDS -ge $end ]; do sleep 0.05; done
-    sleep 0.2 # so that it renders the next one; it cannot finish that
+    sleep 0.2 # the program now renders the second picture, which it cannot finish
     kill -INT "$job"
     # While Wine is still starting a program it loses the signal, so there Ctrl+C is pressed until the program reacts.
     while windows && sleep 1 && kill -INT "$job" 2>/dev/null; do :; done

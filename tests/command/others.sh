@@ -123,7 +123,7 @@ crowd() { # FORMAT: white, after 30,000 such lines with numbers for %d
     draw crowd && same crowd white
 }
 check 'thirty thousand uniforms' crowd 'uniform float u%d;'
-check 'thirty thousand #ifdef' crowd $'#ifdef A%d\nfloat a%d;\n#endif'
+check 'thirty thousand #ifdef lines' crowd $'#ifdef A%d\nfloat a%d;\n#endif'
 
 malformed() { # DIALECT BEGINNING
     local name=malformed_$1
@@ -153,7 +153,7 @@ if [ "$BUILD" = build ]; then
     printf '%s\n' 'const int N = 300000000;' 'float a[N * 4];' "$head { c = vec4(a[int(p.x)]); }" >"$scratch/bomb.frag"
     check 'constants that hide a huge array' bomb
     limited() { (ulimit -v 1000000; bomb); }
-    check 'within the limit of the process' limited
+    check 'constants that hide a huge array, within the memory limit of the process' limited
 fi
 refused bomb 'bomb.frag:42: A40: expands to more than 4 million' 'macros that grow without end' \
     < <(echo '#define A0 p.x'; for i in {1..40}; do echo "#define A$i A$((i - 1)) + A$((i - 1))"; done; echo "$head { c = vec4(A40); }")
@@ -174,7 +174,7 @@ check 'make play FILE opens a file' opens
 missing() { ! play nowhere.frag && grep -q 'nowhere.frag: no such file' "$scratch/err" && [ ! -e "$scratch/project/nowhere.frag" ]; }
 check 'make play FILE says that a file is missing' missing
 
-# If no window can be opened, the scripts render files instead, and say so; commands that need no window still work.
+# If no window can be opened, the scripts render into files instead, and say so; commands that need no window still work.
 runs() { (cd "$scratch/project" && .make/run.sh "$@" >"$scratch/out" 2>"$scratch/err"); }
 gallery() { # NAME
     [ "$(cat "$scratch/out")" = "$(printf 'No window can be opened here: rendering into files instead.\n  build/gallery/%s.png' "$1")" ] &&
@@ -184,7 +184,7 @@ check 'make play on a display that is gone renders a file' eval "DISPLAY=:4321 W
 check 'make run on a display that is gone renders a file' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
 check 'make run on a compositor that is gone renders a file' \
     eval "DISPLAY='' WAYLAND_DISPLAY=nowhere XDG_RUNTIME_DIR=\$scratch CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
-check 'make run without a display measures' eval "DISPLAY='' WAYLAND_DISPLAY='' runs --benchmark 1 \"\${size[@]}\" && grep -q '^shader  *00_' \"\$scratch/out\""
+check 'make run without a display runs a benchmark' eval "DISPLAY='' WAYLAND_DISPLAY='' runs --benchmark 1 \"\${size[@]}\" && grep -q '^shader  *00_' \"\$scratch/out\""
 refuses() { runs -p nothing=1; [ $? = 2 ] && [ ! -s "$scratch/out" ] && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
 check 'make run refuses an unknown parameter' refuses
 
@@ -197,6 +197,6 @@ printed() { # OPTION...
         same chapter printed
 }
 check 'a printed chapter draws the same picture' printed -p biased=true
-check 'with its views' printed -v steps
+check 'a printed chapter draws the same view' printed -v steps
 
 plan

@@ -1,6 +1,6 @@
 #!/bin/bash
-# sequence.sh - --frames: the pictures of a film are the pictures of its times, an interruption leaves only whole files,
-# and make film gives them to ffmpeg.
+# sequence.sh - --frames: each picture of a film is the picture at its time, an interruption leaves only whole files,
+# and make film passes the pictures to ffmpeg.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -29,7 +29,7 @@ each() {
         "$program" "${small[@]}" -t "$time" -o "$scratch/one.png" && cmp -s "$scratch/one.png" "$out/f-00$number.png" || return 1
     done
 }
-check 'each is bit for bit the picture at its time' each
+check 'each is, bit for bit, the picture at its time' each
 differ() { ! cmp -s "$out/f-000.png" "$out/f-002.png"; }
 check 'the first and the last differ' differ
 
@@ -64,14 +64,14 @@ parts() { # three at once, as on three machines
     [ "$(cd "$out/parts" && echo *)" = '00.png 01.png 02.png 03.png 04.png 05.png 06.png' ] || return 1
     for part in "$out"/parts/*; do cmp -s "$part" "$out/${part##*/}" || return 1; done
 }
-check 'three parts of a film are bit for bit the whole film' parts
+check 'three parts of a film are, bit for bit, the whole film' parts
 
 clear_out
 default_fps() {
     "$program" "${small[@]}" --frames 26 -o "$out/%d.png" && "$program" "${small[@]}" -t 1 -o "$scratch/one.png" &&
         cmp -s "$scratch/one.png" "$out/25.png"
 }
-check '25 a second by default' default_fps
+check '25 pictures a second by default' default_fps
 settings() {
     "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 --frames 1 -o "$out/s%d.png" &&
         "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 -o "$scratch/one.png" &&
@@ -93,14 +93,14 @@ walks() { # from the first step to the last, while the time does not change
 }
 check 'a film walks along a ray from its first step to its last' walks
 
-few_files() { # far fewer files than there are pictures may be open at once
+few_files() { # fewer files may be open at once than there are pictures
     clear_out
     (ulimit -n 40 && "$program" -s 16x9 --frames 60 -o "$out/%d.png") && [ "$(names | wc -w)" = 60 ]
 }
 if [ "${SYSTEM-}" = Windows ]; then
-    skip 'a row of pictures leaves no file open' 'ulimit does not limit programs of Windows'
+    skip 'a film leaves no file open' 'ulimit does not limit programs of Windows'
 else
-    check 'a row of pictures leaves no file open' few_files
+    check 'a film leaves no file open' few_files
 fi
 
 # ---- Names and numbers ----
@@ -154,18 +154,18 @@ interrupted() { # SIGNAL [STATUS]
     [ $status = "${2-$((128 + $(kill -l "$1")))}" ] && [ -e "$out/00003.png" ] && [ ! -e "$out/04999.png" ] && whole
 }
 if [ "${SYSTEM-}" = Windows ]; then # Windows has only Ctrl+C, at which Wine ends any program with 0
-    for name in 'a signal during a film leaves whole pictures' 'and so does a lost terminal'; do skip "$name" 'Windows has no such signal'; done
-    check 'and Ctrl+C' interrupted INT 0
+    for name in 'a signal during a film leaves whole pictures' 'a lost terminal during a film leaves whole pictures'; do skip "$name" 'Windows has no such signal'; done
+    check 'Ctrl+C during a film leaves whole pictures' interrupted INT 0
 else
     check 'a signal during a film leaves whole pictures' interrupted TERM
-    check 'and so does a lost terminal' interrupted HUP
-    if [ ${#heed[@]} != 0 ]; then check 'and Ctrl+C' interrupted INT; else skip 'and Ctrl+C' 'env has no --default-signal'; fi
+    check 'a lost terminal during a film leaves whole pictures' interrupted HUP
+    if [ ${#heed[@]} != 0 ]; then check 'Ctrl+C during a film leaves whole pictures' interrupted INT; else skip 'Ctrl+C during a film leaves whole pictures' 'env has no --default-signal'; fi
 fi
 
 clear_out
 if command -v script >/dev/null && script -qec true /dev/null >/dev/null 2>&1; then
     progress() {
-        # Wine's console moves the cursor: one step to the right stands for a blank.
+        # Wine's console moves the cursor: one step to the right means a space.
         script -qec "$program -s 64x36 --frames 3 -o $out/%d.png" /dev/null </dev/null |
             sed $'s/\e\\[1C/ /g; s/\e\\[[?0-9]*[A-Za-z]//g' >"$scratch/terminal"
         grep -q '0 of 3 pictures' "$scratch/terminal" && grep -q '2 of 3 pictures' "$scratch/terminal"
@@ -206,7 +206,7 @@ asks() {
 check 'make film gives the pictures to ffmpeg twice' asks
 slower() { film "$scratch/bin:$PATH" 100 && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif"; }
 check 'a GIF of at most 50 pictures a second' slower
-# One that stops halfway.
+# An ffmpeg that stops halfway.
 # shellcheck disable=SC2016 # its own words
 printf '#!/bin/sh\nfor last; do :; done\necho half >"$last"\nexit 255\n' >"$scratch/bin/ffmpeg"
 keeps() {

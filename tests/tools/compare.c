@@ -1,10 +1,10 @@
-// compare [--words | --part WxH+X+Y] A.png B.png [DIFFERENCE.png] - are two pictures the same one?
-// With --part that part of both, X and Y from the top left.
+// compare [--words | --part WxH+X+Y] A.png B.png [DIFFERENCE.png] - are two pictures the same?
+// With --part, compare that part of both, X and Y from the top left.
 // compare --pack A.png B.png - store A as B, in as few bytes as libpng can write. A file B that
 // already has these pixels is left as it is.
 //
 // Prints the two numbers that decide, the largest difference, how many pixels differ at all, and
-// the position that differs most, in pixels as --probe counts them; with --words a sentence for a
+// the position that differs most, in pixels as --probe counts them; with --words, a sentence for a
 // student. Exit status: 0 within tolerance (--pack: stored), 1 outside (--pack: B was left as it
 // is), 2 if it could not compare or store.
 #include <stdio.h>

@@ -1,13 +1,13 @@
-// draw [BACKEND [FOLDER]] - pictures of tests/pictures/images.txt, many in one context, against
-// their references.
+// draw [BACKEND [FOLDER]] - draws pictures of tests/pictures/images.txt, many in one context, and
+// compares them with their references.
 //
-// Each line of standard input is NAME [ROOT]: a picture, and the project's folder whose shaders
-// draw it,
-// "." where none is given. Answers each with a line, as soon as it is known: 'same' or 'other',
-// NAME and what compare prints of it; or 'none' and NAME where there is no picture, with a reason
-// on standard error. With FOLDER each picture is left there as NAME.BACKEND.png.
+// Each line of standard input is NAME [ROOT]: a picture, and the folder of the project whose
+// shaders draw it, "." by default. Each is answered with one line as soon as its result is known:
+// 'same' or 'other', NAME and the numbers that compare prints; or 'none' and NAME if there is no
+// picture, with the reason on standard error. With FOLDER, each picture is left there as
+// NAME.BACKEND.png.
 //
-// A picture is made of its options as the programs make it.
+// The options of a picture mean the same here as in the programs.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -66,7 +66,7 @@ static bool find_picture(struct listed *listed, const char *name, char *output)
     return found || report("tests/pictures/images.txt: has no %s", name);
 }
 
-// In the project's folder, because the options give paths relative to it.
+// Draw in the project's folder, because the paths in the options are relative to it.
 static bool draw(const struct context *context, struct run *run, struct image *image)
 {
     struct renderer *renderer = &run->picture[0].renderer;
@@ -87,7 +87,7 @@ static bool draw(const struct context *context, struct run *run, struct image *i
     return done;
 }
 
-// The picture with the shaders of a folder.
+// Draw the picture with the shaders of a folder.
 static bool draw_in(const struct context *context, const char *name, const char *root,
                     struct image *image)
 {

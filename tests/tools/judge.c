@@ -1,10 +1,10 @@
 // judge - the words of judge.h for a shell.
 //
 //   judge picture WITH RIGHT.png MINE.png DIFFERENCE.png  place, share, what is wrong: a line each
-//   judge rays WITH PLACES RIGHT MINE  what is wrong; files of what --probe prints
+//   judge rays WITH PLACES RIGHT MINE  what is wrong; the files are outputs of --probe
 //   judge ray PROBE                    a march in words, from such a file
 //   judge pixel X,Y PICTURE.png        a colour in words; 0,0 is at the bottom left
-//   judge right SHARE...               the sentence for a right answer, of its pictures' shares
+//   judge right SHARE...               the sentence for a right answer, from its pictures' shares
 //
 // Exit status: 0 right, 1 wrong, 2 if it could not judge.
 #include <math.h>
@@ -48,7 +48,7 @@ static int judge_files(const char *with, char **path)
     return status;
 }
 
-// The whole of a file, which the caller frees; NULL, reported.
+// A whole file, which the caller frees; NULL, reported, on failure.
 static char *read_text(const char *path)
 {
     enum { MOST = 1 << 22 };

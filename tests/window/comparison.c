@@ -8,8 +8,8 @@
 #define CHAPTER "01_normal_colouring"
 #define PAIR    SESSION_STILL " --compare --set normalStep=0.4"
 
-// A written picture has labels, like a screenshot, but neither has the window's handle: the
-// screenshot equals the picture of the command line.
+// A picture that is written and a screenshot both have labels, but neither shows the window's
+// handle: the screenshot equals the picture of the command line.
 static void assert_shot(const char *options, ...) __attribute__((format(printf, 1, 2)));
 static void assert_shot(const char *options, ...)
 {

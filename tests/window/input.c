@@ -107,7 +107,7 @@ TEST_WITH(a_captured_pointer_looks, set_up, NULL)
 
 TEST_WITH(a_click_chooses_a_ray, set_up, NULL)
 {
-    drag(2, 1); // a hand trembles
+    drag(2, 1); // as a trembling hand does
     assert_turned(10, 20);
     assert_int_equal(tested.inputs.pixel[0], 100);
     assert_int_equal(tested.inputs.pixel[1], 99);
@@ -188,7 +188,7 @@ TEST_WITH(a_held_key_moves, set_up, NULL)
     assert_true(fabs(travelled() - 0.25) < 1e-5);
 }
 
-// Right, up and forward, as seen by the eye; up is the world's.
+// A way is right, up and forward as seen by the eye, except that up is the world's.
 TEST_WITH(each_key_has_its_way, set_up, NULL)
 {
     static const struct {
@@ -262,7 +262,7 @@ TEST_WITH(any_number_of_keys_can_wait, set_up, NULL)
     assert_int_equal(tested.input.events, 0);
 }
 
-// Half a second from end to end; pressed on the way, it turns back.
+// Half a second from end to end; Tab pressed during it reverses the direction.
 TEST_WITH(tab_passes_through_what_lies_between, set_up, NULL)
 {
     user_press(GLFW_KEY_TAB, 0);
@@ -284,7 +284,7 @@ TEST_WITH(tab_passes_through_what_lies_between, set_up, NULL)
 }
 
 // Characters typed into a field. A French keyboard's comma counts as a point; accents and signs are
-// announced.
+// reported.
 TEST_WITH(a_field_takes_a_number_alone, set_up, NULL)
 {
     struct parameter item[] = {{.name = "size", .components = 1, .maximum = 9.0, .value = {5.0}},
@@ -308,7 +308,7 @@ TEST_WITH(a_field_takes_a_number_alone, set_up, NULL)
     user_press(GLFW_KEY_ENTER, 0);
     window_act(&tested);
     assert_true(item[0].value[0] == 7.25 && !tested.input.typing);
-    // In a vector, the comma separates the numbers, but not in the field of a single component.
+    // A comma separates numbers in the field of a vector, but not in that of a single component.
     snprintf(tested.parameter, sizeof tested.parameter, "way");
     window_field_open(&tested);
     for (const char *c = "1,2.5"; *c != '\0'; c++)

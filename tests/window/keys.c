@@ -135,7 +135,7 @@ SESSION_TEST(the_camera_is_led)
     session_assert_shown(CHAPTER, SESSION_STILL);
 }
 
-// A shader says with cameraRoom where the camera stops. The command line may place it lower.
+// A shader sets with cameraRoom where the camera stops. The command line may place it lower.
 SESSION_TEST(the_camera_stops_at_the_ground)
 {
     const char *shader = scratch_write(
@@ -224,8 +224,8 @@ SESSION_TEST(f11_fills_the_monitor_below_the_window)
     session_assert_shown(CHAPTER, SESSION_STILL);
 }
 
-// Windows and macOS keep GLFW from returning while the window's edge is dragged, so there are no
-// turns.
+// While the window's edge is dragged, Windows and macOS keep GLFW from returning, so the loop does
+// not turn.
 SESSION_TEST(a_size_is_shown_at_once)
 {
     session_open_bare(CHAPTER, SESSION_STILL);

@@ -231,7 +231,7 @@ SESSION_TEST(a_shader_that_is_saved_meanwhile_is_shown)
              scratch_path("mine.frag"));
     open_text(list);
     turns(5);
-    save("0.4"); // after it was compiled ahead
+    save("0.4"); // after the scene was compiled ahead
     on();
     assert_int_equal(grey(), 102);
     save("0.6");

@@ -10,7 +10,7 @@
 enum { WIDTH = 480, HEIGHT = 300 };
 static const int above[4] = {0, 0, WIDTH, HEIGHT / 4}, below[4] = {0, 225, WIDTH, HEIGHT / 4};
 
-// A second for the whole picture.
+// Make the whole picture take a second.
 static void make_heavy(void)
 {
     user.pixel_seconds = 1.0 / WIDTH / HEIGHT;
@@ -52,7 +52,7 @@ SESSION_TEST(what_is_heavy_is_coarse_and_sharpens_from_the_top)
     assert_true(!sharp(above) && !sharp(below));
     double begun = user.now;
     disturb();
-    assert_true(user.now - begun < 0.25); // 0.08 s a picture, and what the turns take
+    assert_true(user.now - begun < 0.25); // 0.08 s a picture, and the turns
     for (int i = 0; i < 10; i++) {        // it rests for 0.3 s before it sharpens
         session_turn();
         assert_false(sharp(above));
@@ -119,7 +119,7 @@ SESSION_TEST(a_screenshot_waits_for_the_sharp_picture)
     session_close();
 }
 
-// All rows show the same time, although drawing them takes many turns; then the time advances.
+// All rows show the same time, although drawing them takes many turns; only then does it advance.
 SESSION_TEST(a_screenshot_is_of_one_time)
 {
     scratch_write("moving.frag",

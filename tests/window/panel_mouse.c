@@ -6,8 +6,8 @@
 
 #define CHAPTER "01_normal_colouring"
 
-// At scale 1 the rows begin 46 pixels from the top and are 12 high; under the selected one are its
-// range and unit, and for a vector also its components.
+// At scale 1 the rows begin 46 pixels from the top and are 12 pixels high; under the selected one
+// are its range and unit, and for a vector also its components.
 static const char rows[] =
     "uniform float size; // 5 in [0, 10], units: how large the thing is\n"
     "uniform float fine; // 0.01 in [0.0001, 1] step *10, units: spans decades\n"

@@ -1,6 +1,6 @@
-// Loaded before Wine by windows.sh. A program that ends has one second to exit before Wine's server
+// run.sh preloads this into Wine. A program that ends has one second to exit before Wine's server
 // kills it and its status is lost. On a busy machine Mesa's threads, for which exit() waits, need
-// more. By then the program's output has been written: Windows' C library has done that.
+// more. By then the program's output has been written by Windows' C library.
 #include <stdlib.h>
 #include <unistd.h>
 

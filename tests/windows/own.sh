@@ -1,5 +1,5 @@
 #!/bin/bash
-# own.sh - what only Windows has: names outside any code page, a file that another program holds open, line ends,
+# own.sh - peculiarities of Windows: names outside any code page, a file that another program holds open, line ends,
 # capital letters, the console. Called by run.sh.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -10,7 +10,7 @@ export LC_ALL=C.UTF-8 # bash passes names on unchanged
 
 small=(-s 64x36)
 picture() { "$BUILD/03_shadows" "${small[@]}" "$@" >"$scratch/said" 2>"$scratch/why"; }
-# refused PATTERN COMMAND...: it fails with status 1 and one line that matches the pattern.
+# refused PATTERN COMMAND...: the command fails with status 1 and one line that matches the pattern.
 refused() {
     local pattern=$1
     shift
@@ -61,7 +61,7 @@ check 'an include whose capitals differ' refused 'letters.frag:1: #include "Main
 
 # ---- A file that another program holds open ----
 
-# held FILE REDIRECTION COMMAND...: carry out a command while a Windows program has the file open.
+# held FILE REDIRECTION COMMAND...: run a command while a Windows program has the file open.
 held() {
     local file=$1 how=$2 holder status
     shift 2
@@ -86,15 +86,15 @@ check 'a shader that an editor holds open' read_it
 picture -o "$scratch/shown.png"
 cp "$scratch/shown.png" "$scratch/before.png"
 not_written() { held "$scratch/shown.png" '>>' refused 'shown.png: cannot be written' picture -s 32x18 -o "$scratch/shown.png"; }
-check 'a picture that another program writes is not replaced' not_written
+check 'a picture that another program is writing is not replaced' not_written
 stays() { cmp "$scratch/shown.png" "$scratch/before.png" && [ -z "$(find "$scratch" -name '*.tmp')" ]; }
-check 'and is unchanged' stays
+check 'and this picture is unchanged' stays
 
 # ---- The console ----
 
 check 'an error is one line' refused 'unknown option' picture --nothing
 bytes() { picture --list && [ -s "$scratch/said" ] && ! grep -q $'\r' "$scratch/said" "$scratch/why"; }
-check 'output has the line ends of other systems' bytes
+check 'output has the same line ends as on other systems' bytes
 # More than one write: the first one fails, and Windows' reason for it is requested after others.
 first_line() {
     for _ in 1 2 3; do

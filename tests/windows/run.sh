@@ -1,10 +1,10 @@
 #!/bin/bash
-# run.sh [PART...|NAME...] - `make test-windows`: the programs and the tests that were built for Windows, run by Wine in a
-# virtual display, over the software renderer. Parts: units, pictures, suites and windows; own and zip, and all others, are
-# suites by name. By default: the chapters' own pictures, the failures and what only Windows has; with ALL=1, all of
-# them. The suites are those of `make test`. They find scripts in build/wine/ that pass their arguments on to the
-# programs for Windows, whose only backend is GLFW. tests/run runs them and adds up their time, without that of Wine's
-# server and Xvfb; a test that is skipped must be listed in tests/lib/skipped.txt.
+# run.sh [PART...|NAME...] - `make test-windows`: the programs and the tests that were built for Windows, run by Wine
+# in a virtual display, over the software renderer. Parts: units, pictures, suites and windows; own and zip, and all
+# others, are suites by name. By default: the chapters' own pictures, the failures and the peculiarities of Windows;
+# with ALL=1, all of them. The suites are those of `make test`. They find scripts in build/wine/ that pass their
+# arguments on to the programs for Windows, whose only backend is GLFW. tests/run runs them and adds up their time,
+# without that of Wine's server and Xvfb; a test that is skipped must be listed in tests/lib/skipped.txt.
 set -u
 # Wine needs a certain range of memory. If the kernel randomises addresses, one start in several thousand finds its heap
 # there and fails. Here addresses are not randomised, if that is allowed.
@@ -77,7 +77,7 @@ read -r -t 30 number <build/wine/display
 [ -n "$number" ] || { echo 'make: test-windows: Xvfb did not start' >&2; exit 1; }
 export DISPLAY=:$number
 
-# Some suites take away the display, which Windows always has.
+# Some suites unset DISPLAY, but Windows always has a display.
 for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe build/windows/tests/compare.exe; do
     name=${program#build/windows/}
     # shellcheck disable=SC2016 # for that shell
@@ -86,8 +86,8 @@ for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe build/windo
 done
 cp build/windows/flags build/wine/flags
 "$loader" wineboot -i >/dev/null 2>&1
-# Without gamepads: their library leaves a thread behind when GLFW closes it. Programs that a batch file starts ignore
-# WINEDLLOVERRIDES.
+# Without gamepads, because their library leaves a thread running after GLFW closes it. Programs that a batch file
+# starts ignore WINEDLLOVERRIDES.
 cat >build/wine/overrides.reg <<'END_OF_REGISTRY'
 REGEDIT4
 

@@ -1,7 +1,7 @@
 #!/bin/bash
-# zip.sh - the archive of `make windows-zip`: its bytes, its size, its licences, which libraries of Windows its programs
-# need; then the use of the archive alone, in a folder with blanks, accents and letters outside the code page. Called by
-# run.sh.
+# zip.sh - the archive of `make windows-zip`: its bytes, its size, its licences and the Windows libraries that its
+# programs need; then its use without the rest of the project, in a folder whose name has spaces, accents and letters
+# outside the code page. Called by run.sh.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -19,11 +19,11 @@ windows_path() { printf 'Z:%s' "${1//\//\\}"; }
 packs() { .make/windows_zip.sh >"$scratch/said"; }
 check 'the programs are packed' packs || { plan; exit; }
 again() { cp $zip "$scratch/first.zip" && sleep 2 && packs && cmp "$scratch/first.zip" $zip; } # times in a zip are even seconds
-check 'packed again it has the same bytes' again
+check 'packed again, it has the same bytes' again
 cp $zip "$scratch/small.zip"
 zip -q -d "$scratch/small.zip" 'ray-marching/site/*' >/dev/null 2>&1
 small_enough() { local bytes; bytes=$(wc -c <"$scratch/small.zip") && echo "# $bytes bytes" && [ "$bytes" -le $limit ]; }
-check "without the site it takes at most $limit bytes" small_enough
+check "without the site, it takes at most $limit bytes" small_enough
 
 folder="$scratch/Cours d’été – мир 漢字 é"
 mkdir "$folder"
@@ -32,7 +32,7 @@ course=$folder/ray-marching
 
 # ---- Its contents ----
 
-# The libraries that every Windows 10 has, and our own.
+# The libraries that every installation of Windows 10 has, and our own.
 known='^(KERNEL32|USER32|GDI32|SHELL32|ADVAPI32|WINMM|OPENGL32|api-ms-win-crt-[a-z0-9-]+|harness)\.dll$'
 asks() {
     local file
@@ -109,7 +109,7 @@ checks() {
     sed 's/^/# /' "$scratch/said"
     return 1
 }
-# words FILE: the verdict and the two rays, without names of files.
+# words FILE: the verdict and the two rays, without file names.
 words() { LC_ALL=C sed -nE 's/.*: ((right|wrong): .*)/\1/; s/: see .*//; /^(right|wrong): /p; /^ +(your pixel|the solution)/p' "$1"; }
 # as_here STATUS PATTERN: for 03_2; the words are those of make check on this machine.
 as_here() {
@@ -132,7 +132,7 @@ sed 's/p + offset \* toLight/p + offset * toLigth/' chapters/solutions/03_shadow
 check 'check.bat: an answer that does not compile' checks 1 'réponse.frag:[0-9]*: error.*toLigth' 03_2 "$(windows_path "$mine")"
 check 'check.bat: an unknown exercise' checks 2 '03_9: there is no such exercise' 03_9 "$(windows_path "$mine")"
 check 'check.bat: a missing file' checks 2 'there is no such file' 03_2 nowhere.frag
-without_file() { checks 2 'check.bat EXERCISE FILE' 03_2 && ! grep -q 'any key' "$scratch/said"; } # it does not wait for a key, because no file was dropped
+without_file() { checks 2 'check.bat EXERCISE FILE' 03_2 && ! grep -q 'any key' "$scratch/said"; } # check.bat does not wait for a key, because no file was dropped onto it
 check 'check.bat: an exercise and no file' without_file
 
 # ---- A reader's own shader ----
@@ -172,6 +172,6 @@ check 'play.bat: a saved error is reported' says_error
 cp chapters/first_steps/play.frag "$mine"
 # Beside the panel: once it is sharp, it equals the picture that this machine draws.
 mended() { eventually has_words 'réponse.frag: reloaded' && eventually searched "$title" && eventually part_shown right 300x280+330+120; }
-check 'play.bat: the next one is shown' mended
+check 'play.bat: the next version, which compiles, is shown' mended
 check 'play.bat: ends with status 0 again' ends
 plan
