@@ -97,7 +97,11 @@ function reopen(name) {
 }
 
 // Has the text of the open draft been drawn?
-const draws = () => at && drafts()[at] && chapter.classList.contains('live-drawn') && !chapter.program?.lost && chapter.program?.state().error === '';
+function draws() {
+    if (!at || !drafts()[at] || !chapter.classList.contains('live-drawn') || !chapter.program || chapter.program.lost) return false;
+    const {error, compiles} = chapter.program.state();
+    return error === '' && !compiles && chapter.program.reread;
+}
 const note = (more) => { const all = drafts(); keep({...all, [at]: {...all[at], ...more, good: textOf(at)}}); };
 
 // A small picture of the canvas: it is read in the same turn in which it is drawn.

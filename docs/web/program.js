@@ -99,6 +99,7 @@ export class Program {
         const path = ROOT + name, folder = path.slice(0, path.lastIndexOf('/'));
         this.module.FS.mkdirTree(folder);
         this.module.FS.writeFile(path, data);
+        this.written = performance.now();
         this.later.delete(name);
     }
 
@@ -163,6 +164,9 @@ export class Program {
         return JSON.parse(this.call('live_state'));
     }
 
+    // Has the program read all files since the last of them was written? It looks for changes every 0.1 s.
+    get reread() { return this.turned - this.written > 200; }
+
     stop() {
         this.starting = null;
         this.call('live_stop');
@@ -172,6 +176,7 @@ export class Program {
     run() {
         const turn = () => {
             this.asked = 0;
+            this.turned = performance.now();
             if (!this.visible || this.lost || !this.call('live_runs')) return;
             const goes = this.module._live_turn();
             if (goes && this.fresh) this.hooks.onDraw?.();

@@ -96,6 +96,7 @@ await page.keyboard.press('Control+Home');
 await page.keyboard.type('// kept\n');
 await page.waitForSelector('.live-changes:not([hidden])');
 await page.waitForFunction(() => document.querySelector('.draft[aria-current=true] img')?.src.startsWith('data:image/jpeg'));
+await page.waitForFunction(() => JSON.stringify({...localStorage}).split('// kept').length > 2); // as a change, and as drawn
 check('a draft has its name and its picture', (await drafts()).includes('mine') && await page.locator('.draft').count() >= 4, await drafts());
 await page.reload();
 await page.getByRole('button', {name: 'mine', exact: true}).click();
@@ -122,8 +123,7 @@ await page.waitForFunction(() => document.querySelector('.draft[aria-current=tru
 await page.locator('.cm-content').click();
 await page.keyboard.press('Control+Home');
 await page.keyboard.type('nonsense ');
-await page.waitForSelector('.live-error:not([hidden])');
-await page.reload();
+await page.reload(); // before the program has read it
 await page.getByRole('button', {name: 'blank', exact: true}).click();
 check('a draft whose last text was not drawn does not run by itself', await page.getByRole('button', {name: 'Run it'}).isVisible() && await page.locator('.live-window').count() === 0);
 await page.getByRole('button', {name: 'Go back to the previous text'}).click();
