@@ -18,7 +18,8 @@ struct context_driver {
     // Make a 3.3 core context current, with nothing on the screen. Returns the backend's own state,
     // or NULL and one phrase in why: what was tried, what the library answered.
     void *(*open_offscreen)(char why[CONTEXT_WHY]);
-    // The same with a visible, resizable window, which is the state. NULL for a backend without.
+    // The same with a visible, resizable window, whose handle is the state. NULL for a backend
+    // without windows.
     //   width, height  in screen coordinates
     void *(*open_window)(const char *title, int width, int height, char why[CONTEXT_WHY]);
     gl_function (*find)(const char *name);

@@ -59,7 +59,7 @@ static void assign(struct window *window)
         window_parameter_changed(window);
         return;
     }
-    // Of "--set NAME=VALUE: why", the panel already shows the name and the value.
+    // The report says "--set NAME=VALUE: why"; the panel already shows the name and the value.
     size_t known = strlen("--set : ") + strlen(text);
     const char *why = report_last();
     snprintf(window->grab.refused, sizeof window->grab.refused, "%s",

@@ -40,8 +40,8 @@ static void normalize(double v[3])
         v[i] /= size;
 }
 
-// The angle is twice that of the sum and the difference of the unit vectors, whose tangent is the
-// quotient of their lengths. tan(x) = t is halved until the series of the arctangent is short.
+// The tangent of half the angle is the length of the difference of the unit vectors divided by that
+// of their sum. The angle is halved six more times, so that the series of the arctangent is short.
 double mesh_angle(const double a[3], const double b[3])
 {
     double u[3], v[3], sum[3], difference[3];

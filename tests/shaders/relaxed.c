@@ -94,8 +94,8 @@ TEST(no_surface_is_passed)
     assert_true(hits > 1000 && misses > 1000);
 }
 
-// Where the march takes n evaluations, this one takes at most n + 1; and fewer in total, for useful
-// factors.
+// Where the plain march takes n evaluations, this one takes at most n + 1. With a useful factor, it
+// takes fewer in total.
 TEST(at_most_one_more)
 {
     const double threshold = 0.002;
