@@ -11,7 +11,8 @@
 // Returns its number of characters, 0 if the text does not begin with a number.
 size_t number_begin(const char *text, double *value);
 
-// Read a text that is one finite number and nothing else. Returns false, not reported, otherwise.
+// Read a text that is one finite number and nothing else. Otherwise returns false without
+// reporting an error.
 bool number_read(const char *text, double *value);
 
 // As number_read, for a whole number from minimum to maximum; "3.0" is not whole, "+3" is.

@@ -43,7 +43,7 @@ FILE *platform_open(const char *path);
 //   target  receives it: links are followed, including those to missing files
 //   why     receives one phrase if no file could be written there: a folder, a device, a
 //           write-protected file or folder, too many links, ...
-// Returns false then, not reported.
+// Then returns false without reporting an error.
 bool platform_target(const char *path, char target[PLATFORM_PATH], char why[PLATFORM_WHY]);
 
 // Write data into a new file beside a target and rename it to the target, so that no reader sees

@@ -72,7 +72,7 @@ static char *split_word(char *c, char **word)
     return rest;
 }
 
-// Split a command line into the arguments of a main. Returns false, reported.
+// Split a command line into the arguments of a main. Returns false after reporting the error.
 static bool split(const char *stem, const char *line)
 {
     live.program = live_chapters;

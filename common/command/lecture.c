@@ -36,8 +36,8 @@ struct lecture {
 
 // ---- The list ----
 
-// Split a scene's line into words as a shell does, without its quotes. Returns their number, or -1,
-// reported.
+// Split a scene's line into words as a shell does, without its quotes. Returns their number, or -1
+// after reporting the error.
 static int split(struct scene *scene, char *to)
 {
     const char *from = scene->text;
@@ -65,7 +65,7 @@ static int split(struct scene *scene, char *to)
     return count;
 }
 
-// The chapter of a number or stem: "03", "3" or "03_shadows"; NULL, reported.
+// The chapter of a number or stem: "03", "3" or "03_shadows"; NULL after reporting the error.
 static const struct lecture_chapter *find(const struct lecture_chapter *chapters, int count,
                                           const char *name)
 {
@@ -116,7 +116,7 @@ static void add_scene(struct lecture *lecture, int line, const char *text)
         (struct scene){.line = line, .part = lecture->parts, .text = text};
 }
 
-// Add a line to the sentence of the last scene. Returns false, reported.
+// Add a line to the sentence of the last scene. Returns false after reporting the error.
 static bool add_sentence(struct lecture *lecture, const char *text)
 {
     if (lecture->count == 0)
@@ -295,7 +295,7 @@ static void compile_ahead(struct lecture *lecture)
 
 // ---- The window ----
 
-// Show the scene that the speaker has reached. Returns false, reported.
+// Show the scene that the speaker has reached. Returns false after reporting the error.
 static bool show(struct lecture *lecture, bool from_behind)
 {
     struct scene *scene = &lecture->scene[lecture->at];

@@ -75,8 +75,8 @@ void options_free(struct options *options);
 // default is not printed.
 struct options_row {
     const char *letter, *name, *value;
-    // Sets the value, NULL if it is omitted. Returns false, reported. NULL: there is only the
-    // action.
+    // Sets the value, NULL if it is omitted. Returns false after reporting the error. NULL: there
+    // is only the action.
     bool (*set)(struct options *options, const char *text);
     enum options_action action;
     const char *meaning, *initial;

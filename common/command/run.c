@@ -110,7 +110,7 @@ static int read_shader(struct run *run, int number, const char *path)
 }
 
 // Check that the first shader has the tool's texture, and that the strokes are in the range of its
-// parameter. Returns false, reported.
+// parameter. Returns false after reporting the error.
 static bool check_strokes(const struct run *run)
 {
     const struct strokes *strokes = &run->options.strokes;
@@ -202,8 +202,8 @@ struct window_start run_window_start(struct run *run)
                                  .shown = options->step + 1};
 }
 
-// Check that a picture would not overwrite a file that a shader was read from. Returns false,
-// reported.
+// Check that a picture would not overwrite a file that a shader was read from. Returns false after
+// reporting the error.
 static bool check_source(const struct shader_source *source, const char *path)
 {
     struct platform_file target, read;

@@ -32,7 +32,7 @@ struct run {
 
 // Read the command line.
 //   stem, title, camera, tool  the chapter's; the strings, the tool and argv must outlive the run
-// Returns false, reported: the command line is wrong.
+// Returns false after reporting the error: the command line is wrong.
 bool run_parse(struct run *run, const char *stem, const char *title, const struct camera *camera,
                const struct sculpture_tool *tool, int argc, char **argv);
 
@@ -41,10 +41,10 @@ void run_close(struct run *run);
 // ---- Files ----
 
 // Find the project's folder: --root, or the nearest folder above the program that has shaders/, so
-// that programs run from any directory. Returns false, reported.
+// that programs run from any directory. Returns false after reporting the error.
 bool run_find_root(struct run *run);
 
-// Find the shader, once the root is known. Returns false, reported.
+// Find the shader, once the root is known. Returns false after reporting the error.
 bool run_find_shader(struct run *run);
 
 // Read the shaders and their parameters, with the values and pictures of the command line. Returns
@@ -52,20 +52,21 @@ bool run_find_shader(struct run *run);
 int run_read_shaders(struct run *run);
 
 // Let the driver begin to compile the shaders that were read; shader_ready tells when run_compile
-// no longer has to wait. Returns false, reported.
+// no longer has to wait. Returns false after reporting the error.
 bool run_begin(struct run *run, const struct gl *gl);
 
 // Compile the shaders that were read, and put the second picture beside the first. A renderer that
 // is open already is kept, and a shader that it has is not compiled again.
 //   gl  must outlive the run
-// Returns false, reported.
+// Returns false after reporting the error.
 bool run_compile(struct run *run, const struct gl *gl);
 
 // What a window of this run opens with; it points into the run.
 struct window_start run_window_start(struct run *run);
 
 // Check before rendering that each file of --output can be written and that this run does not read
-// it: a picture must never overwrite a shader or a texture. Returns false, reported.
+// it: a picture must never overwrite a shader or a texture. Returns false after reporting the
+// error.
 bool run_check_targets(const struct run *run);
 
 // The exit status of a program that ends with this one: it is RUN_NOT_DONE, reported, if what was
@@ -85,13 +86,13 @@ void run_start_ray(const struct options *options, const struct renderer *rendere
 
 // Draw a picture with its overlay or its labels. The caller frees image.
 //   probe  of the pixel that --probe names, or NULL
-// Returns false, reported.
+// Returns false after reporting the error.
 bool run_draw(struct run *run, const struct renderer_inputs *inputs, const struct probe *probe,
               struct image *image);
 
 // Print the tables of --probe, then write the picture of --output, or the pictures of --frames. The
 // shaders must be compiled.
-// Returns false, reported.
+// Returns false after reporting the error.
 bool run_still(struct run *run);
 
 #endif

@@ -83,7 +83,8 @@ void run_start_ray(const struct options *options, const struct renderer *rendere
     inputs->eye = options->has_from ? eye : NULL;
 }
 
-// March the ray that the pictures show. Returns false, reported: --step is beyond its end.
+// March the ray that the pictures show. Returns false after reporting the error: --step is beyond
+// its end.
 static bool march_shown(struct run *run, const struct renderer_inputs *inputs, struct probe *probe)
 {
     int x = inputs->pixel[0] < 0 ? inputs->width / 2 : inputs->pixel[0];

@@ -47,7 +47,7 @@ bool context_open_offscreen(struct context *context, enum context_backend wanted
 // Open a visible, resizable window with a current context.
 //   wanted         CONTEXT_ANY or CONTEXT_GLFW; no other backend can show a window
 //   width, height  in screen coordinates; on a high-density display the framebuffer is larger
-// Returns false, reported: no display, no OpenGL 3.3, ...
+// Returns false after reporting the error: no display, no OpenGL 3.3, ...
 bool context_open_window(struct context *context, enum context_backend wanted, const char *title,
                          int width, int height);
 

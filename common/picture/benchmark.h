@@ -67,7 +67,7 @@ bool benchmark_load(struct benchmark *benchmark, struct renderer *renderer,
 // Draw the warm-up frames and the timed frames; then count evaluations on the GPU.
 //   benchmark  with shader, frames (at least 1) and inputs set, after benchmark_load
 //   context    of the renderer
-// Returns false, reported.
+// Returns false after reporting the error.
 bool benchmark_run(struct benchmark *benchmark, const struct context *context,
                    struct renderer *renderer);
 

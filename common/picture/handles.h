@@ -20,7 +20,7 @@ struct handle {
 //   formula  shaders/places.glsl finds the pixels of the points p, p + e a and p + e b, where a and
 //            b are the axes, and e is a hundredth of the distance to the camera; move is the
 //            difference divided by e, which is the derivative up to terms of order e
-// Returns their number, or -1, reported.
+// Returns their number, or -1 after reporting the error.
 int handles_find(struct renderer *renderer, const struct renderer_inputs *inputs,
                  struct handle handle[HANDLES_MOST]);
 

@@ -14,8 +14,8 @@ struct image {
     unsigned char *pixel; // 3 * width * height bytes, owned by this struct
 };
 
-// Allocate a black picture. Returns false, reported, if a side is out of range or memory is short.
-// Free it with image_free.
+// Allocate a black picture. Reports an error and returns false if a side is out of range or memory
+// is short. Free it with image_free.
 bool image_create(struct image *image, int width, int height);
 
 // Free the pixels. An image of zeros is allowed.
@@ -31,11 +31,12 @@ void image_store(struct image *image, const float *values, int bottom, int rows)
 // Write a PNG (8-bit RGB, sRGB chunk, fast compression).
 //   path  links are followed, and a target that is not a regular file is refused. The picture is
 //         written to a new file, which is then renamed, so that no reader sees half a file
-// Returns false, reported; then no new file is left, and the old one is unchanged.
+// Returns false after reporting the error; then no new file is left, and the old one is unchanged.
 bool image_write_png(const struct image *image, const char *path);
 
-// Check before rendering whether image_write_png could write a file. Returns false, reported: a
-// missing folder, a target that is not a regular file, a folder without write permission.
+// Check before rendering whether image_write_png could write a file. Returns false after reporting
+// the error: a missing folder, a target that is not a regular file, a folder without write
+// permission.
 bool image_check_target(const char *path);
 
 // The contents of a PNG.
@@ -51,7 +52,7 @@ struct image_bytes {
 //   most      the largest number of pixels allowed
 //   why       receives one phrase on failure: missing, not a file, not a PNG, cut off, a wrong
 //             checksum, a side above IMAGE_SIDE_LIMIT, no memory
-// Returns false then, not reported.
+// Then returns false without reporting an error.
 bool image_read_bytes(struct image_bytes *bytes, const char *path, int channels, size_t most,
                       char why[IMAGE_WHY]);
 

@@ -19,7 +19,7 @@ struct loader {
 
 // Read the file and its parameters. What an earlier call left there is freed; the renderer does not
 // change.
-// Returns false, reported.
+// Returns false after reporting the error.
 bool loader_read(struct loader *loader);
 
 // Let the driver begin to compile the shader that was read; the renderer must be open. shader_ready
@@ -27,7 +27,7 @@ bool loader_read(struct loader *loader);
 void loader_begin(const struct loader *loader);
 
 // Compile the shader that was read, and load it into the renderer, which must be open.
-// Returns false, reported; then the renderer still draws the last good shader.
+// Returns false after reporting the error; then the renderer still draws the last good shader.
 bool loader_compile(struct loader *loader);
 
 // As loader_compile, but if the renderer already has exactly this shader, it only receives the

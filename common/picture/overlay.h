@@ -43,7 +43,7 @@ struct overlay {
 
 // Link the program that draws a frame's boxes, lines and letters.
 //   gl  must outlive the overlay
-// Returns false, reported. Close with overlay_close in the same context.
+// Returns false after reporting the error. Close with overlay_close in the same context.
 bool overlay_open(struct overlay *overlay, const struct gl *gl);
 
 // Free everything. An overlay of zeros is allowed.

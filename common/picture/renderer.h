@@ -134,15 +134,15 @@ struct renderer {
 
 // Make the triangle's vertex array and read shaders/screen.vert.
 //   gl, root  must outlive the renderer
-// Returns false, reported. Close with renderer_close in the same context.
+// Returns false after reporting the error. Close with renderer_close in the same context.
 bool renderer_open(struct renderer *renderer, const struct gl *gl, const char *root);
 void renderer_close(struct renderer *renderer);
 
 // Compile and link a shader, and read its textures. Parameters that it shares with the previous
 // shader keep their values, as described for parameters_keep.
 //   source, parameters  of the shader; taken over and left empty
-// Returns false, reported; then both still belong to the caller, and the renderer still draws the
-// last good shader.
+// Returns false after reporting the error; then both still belong to the caller, and the renderer
+// still draws the last good shader.
 bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters);
 
@@ -154,21 +154,21 @@ bool renderer_set_view(struct renderer *renderer, enum shader_view view);
 
 // Draw rows [bottom, bottom + rows) of the picture into the float target, tile by tile, as the mean
 // of samples x samples jittered passes. Row 0 is the bottom row.
-// Returns false, reported: no memory for the target, no float target.
+// Returns false after reporting the error: no memory for the target, no float target.
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows);
 
 // Draw rows [from, from + rows) of the picture into the target sharp, which keeps its other rows
 // while the picture's size stays the same. The top rows must come first, because drawing them
-// clears the target. The rows are bit-for-bit identical to those of renderer_draw. Returns false,
-// reported.
+// clears the target. The rows are bit-for-bit identical to those of renderer_draw. Returns false
+// after reporting the error.
 bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *inputs, int from,
                       int rows);
 
 // Copy the picture of renderer_draw into the window's framebuffer: pixel by pixel if the sizes are
 // equal, otherwise through a filter.
 //   width, height  of the framebuffer, pixels
-// Returns false, reported: the driver rejects the filter.
+// Returns false after reporting the error: the driver rejects the filter.
 bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int width, int height);
 
 // Copy rows [from, from + rows) of the picture of renderer_sharpen into the window's framebuffer,
@@ -177,7 +177,7 @@ void renderer_present_sharp(struct renderer *renderer, int from, int rows);
 
 // Draw a whole picture, with the overlay if there is one, and read it back: value v becomes
 // floor(255 clamp(v, 0, 1) + 0.5).
-// The caller frees image. Returns false, reported.
+// The caller frees image. Returns false after reporting the error.
 bool renderer_picture(struct renderer *renderer, const struct renderer_inputs *inputs,
                       struct image *image);
 
@@ -198,8 +198,8 @@ struct renderer_eye renderer_eye_of(const struct renderer *renderer,
 
 // March the ray of pixel (x, y), 0,0 bottom left, from inputs->eye, and read back every step, its
 // position in the picture, and the pixel's colour in the current view, or in the picture if the
-// view is slice or plot. For a file with its own main, only the colour is known. Returns false,
-// reported: the driver failed.
+// view is slice or plot. For a file with its own main, only the colour is known. Returns false
+// after reporting the error: the driver failed.
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
 
@@ -218,13 +218,13 @@ struct march {
 struct renderer_inputs renderer_from_eye(const struct renderer_inputs *inputs);
 
 // March the ray of pixel (x, y), whose steps stay in renderer->table.
-// Returns false, reported.
+// Returns false after reporting the error.
 bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
 
 // March the selected ray, or the middle one if none is selected, and find the frame that shows it.
 //   beside  a second renderer, whose distances a plot must have room for too; NULL: none
-// Returns false, reported.
+// Returns false after reporting the error.
 bool renderer_march_selected(struct renderer *renderer, struct renderer *beside,
                              const struct renderer_inputs *inputs, struct march *march);
 
@@ -236,7 +236,7 @@ void renderer_set_steps(const struct renderer *renderer, const struct march *mar
 // Find the positions of a march's steps in the picture: all in its pixel, or, if the ray does not
 // start at the camera, in the pixels whose rays meet them.
 //   probe  of pixel (x, y), whose steps are still in renderer->table
-// Returns false, reported.
+// Returns false after reporting the error.
 bool renderer_place_steps(struct renderer *renderer, const struct renderer_inputs *inputs, int x,
                           int y, struct probe *probe);
 
@@ -244,7 +244,7 @@ bool renderer_place_steps(struct renderer *renderer, const struct renderer_input
 
 // Link a view, and the programs that its pictures need: the slice and plot views show a probe, and
 // a program that calls coarseStart reads the coarse pass. Thus an error in any of them is found
-// while the old shader is still loaded. Returns false, reported.
+// while the old shader is still loaded. Returns false after reporting the error.
 bool renderer_link(struct renderer *renderer, enum shader_view view);
 
 // Delete all programs.
@@ -255,7 +255,8 @@ void renderer_unlink(struct renderer *renderer);
 bool renderer_reads(const struct renderer *renderer, enum shader_view view,
                     enum renderer_uniform uniform);
 
-// Carry out the strokes that the texture does not have yet. Returns false, reported.
+// Carry out the strokes that the texture does not have yet. Returns false after reporting the
+// error.
 bool renderer_sculpt(struct renderer *renderer, const struct renderer_inputs *inputs);
 
 // Use a linked view, and set everything that is the same for all tiles and samples of a picture,
@@ -296,7 +297,7 @@ bool renderer_wants_coarse(const struct renderer *renderer, enum shader_view vie
 // number of evaluations that it took, the number of pixels in the block, unused.
 //   view       the linked view that is drawn next
 //   low, high  opposite corners of the rectangle, pixels, the upper one excluded
-// Returns false, reported.
+// Returns false after reporting the error.
 bool renderer_run_coarse(struct renderer *renderer, const struct renderer_inputs *inputs,
                          enum shader_view view, const int low[2], const int high[2]);
 

@@ -71,7 +71,8 @@ void strokes_add(struct strokes *strokes, const double point[3]);
 // Take back the last strokes, at most this many.
 void strokes_take_back(struct strokes *strokes, int count);
 
-// Read a stroke, AMOUNT,X,Y,Z,X,Y,Z,... Returns false, not reported, if the text is not a stroke.
+// Read a stroke, AMOUNT,X,Y,Z,X,Y,Z,... Returns false without reporting an error if the
+// text is not a stroke.
 bool strokes_read(struct strokes *strokes, const char *text);
 
 // The text that strokes_read reads; the caller frees it.
@@ -85,8 +86,8 @@ void strokes_free(struct strokes *strokes);
 //   textures, samplers, source  of the shader, which may lack the tool's texture: then nothing is
 //                               done
 //   strokes                     NULL: none
-// Returns false, reported: the picture cannot be read again, or its size is not the one that the
-// tool needs.
+// Returns false after reporting the error: the picture cannot be read again, or its size is not the
+// one that the tool needs.
 bool sculpture_follow(struct sculpture *sculpture, const struct gl *gl,
                       const struct textures *textures, const struct samplers *samplers,
                       const struct shader_source *source, const struct strokes *strokes);

@@ -15,7 +15,7 @@ struct target {
 
 // Link a program of the harness itself.
 //   what  names it in the report
-// Returns 0, reported, if the driver rejects it.
+// Reports an error and returns 0 if the driver rejects it.
 GLuint target_program(const struct gl *gl, const char *what, const char *vertex,
                       const char *fragment);
 
@@ -35,7 +35,7 @@ void target_open(struct target *target, const struct gl *gl, GLenum format);
 void target_close(struct target *target, const struct gl *gl);
 
 // Bind a target to draw into. If its size changes, its pixels are undefined.
-// Returns false, reported: the driver has no float target, or none of that size.
+// Returns false after reporting the error: the driver has no float target, or none of that size.
 bool target_bind(struct target *target, const struct gl *gl, int width, int height);
 
 // Read a target: 4 floats per pixel, bottom row first. It stays bound for reading.

@@ -26,7 +26,7 @@ struct texture_image {
 //            the top, and each is upright
 //   why      receives one phrase on failure: that of image_read_bytes, slices that do not fit, no
 //            memory
-// Returns false then, not reported. Free with texture_image_free.
+// Then returns false without reporting an error. Free with texture_image_free.
 bool texture_image_read(struct texture_image *image, const struct sampler *sampler,
                         const char *path, char why[IMAGE_WHY]);
 void texture_image_free(struct texture_image *image);

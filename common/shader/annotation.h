@@ -38,12 +38,13 @@ bool annotation_refuse(const struct annotation *a, const char *format, ...)
 bool annotation_accept(struct annotation *a, char c);
 bool annotation_accept_word(struct annotation *a, const char *word);
 
-// Copy the next length bytes of the comment, without the blanks around them. Returns false,
-// reported: there are none, or too many.
+// Copy the next length bytes of the comment, without the blanks around them. Returns false after
+// reporting the error: there are none, or too many.
 //   part  what these bytes are, for messages
 bool annotation_copy(struct annotation *a, const char *part, char *to, size_t size, size_t length);
 
-// Read "uniform TYPE NAME;", which must be the only code on its line. Returns false, reported.
+// Read "uniform TYPE NAME;", which must be the only code on its line. Returns false after reporting
+// the error.
 bool annotation_declaration(struct annotation *a);
 
 // Read the samplers of a source: see parameters_read.

@@ -58,12 +58,12 @@ char *dialect_prelude(const struct shader_source *source, enum shader_view view)
 // something that is not offered, it has no main, or it is not a fragment shader.
 //   log      the driver's log
 //   linking  the shader has compiled but did not link
-// Returns false, not reported, if nothing of the kind is the cause.
+// Returns false without reporting an error if nothing of the kind is the cause.
 bool dialect_refuses(const struct shader_source *source, const char *log, bool linking);
 
 // Check a shader that a driver has linked. Warns, in one line each, about uniforms and blocks that
-// are read but never set, and keeps the first warning in the source. Returns false, reported: a
-// whole file that has no output, or gives it no value.
+// are read but never set, and keeps the first warning in the source. Returns false after reporting
+// the error: a whole file that has no output, or gives it no value.
 bool dialect_accepts(struct shader_source *source);
 
 #endif

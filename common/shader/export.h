@@ -14,7 +14,7 @@
 // mainImage. In a file in another dialect, the output, the parameters and the inputs that Shadertoy
 // lacks become variables, which a new mainImage sets and reads; a file that needs none of this is
 // copied.
-// Returns memory that the caller frees, or NULL, reported.
+// Returns memory that the caller frees, or NULL after reporting the error.
 char *export_shadertoy(struct shader_source *source, const struct parameters *parameters,
                        const struct camera *camera, float focal_length);
 

@@ -67,7 +67,8 @@ static bool is_portable(const char *name, const char *folder, char why[TEXT_FILE
     return !absolute && strchr(name, '\\') == NULL;
 }
 
-// Resolve a name, as files_find does. Returns memory that the caller frees, or NULL, not reported.
+// Resolve a name, as files_find does. Returns memory that the caller frees, or NULL without
+// reporting an error.
 static char *resolve(const struct shader_source *source, int from, const char *name,
                      const char *const folders[], const char *where, char why[TEXT_FILE_WHY])
 {

@@ -22,7 +22,7 @@ int files_add(struct shader_source *source, char *name, char *path);
 //   folders  each begins with /; the last is NULL
 //   where    the same folders in words, for messages
 //   why      receives one phrase if there is none
-// Returns its index, or -1, not reported.
+// Returns its index, or -1 without reporting an error.
 int files_find(struct shader_source *source, int from, const char *name,
                const char *const folders[], const char *where, char why[TEXT_FILE_WHY]);
 

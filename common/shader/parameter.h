@@ -111,8 +111,8 @@ void parameters_free(struct parameters *parameters);
 struct parameter *parameters_find(const struct parameters *parameters, const char *name);
 
 // Carry out NAME=VALUE. A vector takes comma-separated values; a bool takes true, false, 1 or 0.
-// Returns false, reported: unknown name (with the known ones), not a number, NaN, wrong count, out
-// of range (with the range).
+// Returns false after reporting the error: unknown name (with the known ones), not a number, NaN,
+// wrong count, out of range (with the range).
 bool parameters_assign(const struct parameters *parameters, const char *assignment);
 
 // Keep values over a reload: copy each old value to the new parameter of the same name, type and

@@ -75,7 +75,7 @@ bool shader_expand(struct shader_source *source, const char *path, const char *r
 //   from  index of the file that names it: the picture is looked for next to that file, then in
 //         root/shaders/textures, but never outside root and the first file's own folder
 //   why   receives one phrase if there is none
-// Returns its index, or -1, not reported.
+// Returns its index, or -1 without reporting an error.
 int shader_find_texture(struct shader_source *source, int from, const char *name,
                         char why[TEXT_FILE_WHY]);
 

@@ -9,14 +9,14 @@
 
 // Open a regular file for reading.
 //   why  receives one phrase if it cannot be read
-// Returns NULL then, not reported.
+// Then returns NULL without reporting an error.
 FILE *text_file_open(const char *path, char why[TEXT_FILE_WHY]);
 
 // Read a text file. Drops a byte-order mark and carriage returns, adds a missing line end at the
 // end, and terminates the text with '\0'.
 //   why  receives one phrase if it cannot be read: missing, not a regular file, empty, with a zero
 //        byte, over the limit
-// Returns memory that the caller frees, or NULL, not reported.
+// Returns memory that the caller frees, or NULL without reporting an error.
 char *text_file_read(const char *path, char why[TEXT_FILE_WHY]);
 
 #endif

@@ -30,7 +30,8 @@ struct translation {
     FILE *extensions;
 };
 
-// Check the declarations, rewrite them, and gather the inputs. Returns false, reported.
+// Check the declarations, rewrite them, and gather the inputs. Returns false after reporting the
+// error.
 bool translation_declarations(struct translation *t);
 
 // Declare the inputs that the text reads but does not declare.

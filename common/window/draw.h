@@ -17,7 +17,7 @@ bool window_sharpens(const struct window *window, double now);
 // Draw a frame with its overlay: the picture if it is stale, otherwise some rows of the sharp
 // picture if that is due.
 //   now  of glfwGetTime
-// Returns false, reported.
+// Returns false after reporting the error.
 bool window_draw(struct window *window, double now);
 
 #endif

@@ -22,7 +22,7 @@ void window_next_handle(struct window *window);
 bool window_nudge_handle(struct window *window, int right, int up);
 
 // Find where the handles are, and move the one that is dragged or nudged. To be called once per
-// turn, before the picture is drawn. Returns false, reported.
+// turn, before the picture is drawn. Returns false after reporting the error.
 bool window_place_handles(struct window *window);
 
 // Add them to the overlay's frame.

@@ -15,7 +15,7 @@ bool window_screenshot_due(const struct window *window)
                                 window->sharpening.rows == window->sharpening.inputs.height);
 }
 
-// The first unused name. Returns false, reported, if there is none.
+// The first unused name. Reports an error and returns false if there is none.
 static bool find_name(const struct window *window, char path[256])
 {
     struct platform_file there;

@@ -15,7 +15,7 @@ struct window;
 // Open the loop.
 //   context  with a visible window
 //   start    must outlive the window, as the context must
-// Returns the window, which the caller closes; NULL, reported.
+// Returns the window, which the caller closes; NULL after reporting the error.
 struct window *window_open(struct context *context, const struct window_start *start);
 
 // Show something else in the same window, with its own camera, time, view and parameters.
@@ -39,12 +39,12 @@ void window_warn(struct window *window, const char *text);
 void window_fill_screen(struct window *window);
 
 // Carry out the input since the last turn and draw what is due, without waiting.
-// Returns false, reported, if drawing failed.
+// Reports an error and returns false if drawing failed.
 bool window_turn(struct window *window);
 
 // Run at most 60 turns per second until the window is closed.
 //   turned  called with to after each turn; NULL: not called
-// Returns false, reported, if drawing failed.
+// Reports an error and returns false if drawing failed.
 bool window_run(struct window *window, void (*turned)(void *to), void *to);
 
 // Free the loop's memory; the context's window stays. NULL is allowed.

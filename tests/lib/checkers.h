@@ -43,7 +43,7 @@ double checkers_of_pixel(const struct checkers_view *view, int x, int y);
 bool checkers_hidden(const struct checkers_view *view, int x, int y);
 
 // The shares that one of the experiment's methods shows on the GPU, for every pixel. The caller
-// frees the result. NULL, reported.
+// frees the result. NULL after reporting an error.
 double *checkers_shown(const struct checkers_view *view, int way);
 
 #endif

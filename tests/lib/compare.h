@@ -19,12 +19,12 @@ struct image_difference {
 #define IMAGE_F2_TOLERANCE 0.0005 // 0.05 % of the pixels
 #define IMAGE_B8_TOLERANCE 0.15
 
-// Read any PNG as 8-bit RGB (transparency is dropped). Returns false, reported; free with
-// image_free.
+// Read any PNG as 8-bit RGB (transparency is dropped). Returns false after reporting the error;
+// free with image_free.
 bool image_read_png(struct image *image, const char *path);
 
-// Compare two pictures. Returns false, reported, if their sizes differ. Blocks at the right and
-// bottom edges are smaller if the size is not a multiple of 8.
+// Compare two pictures. Reports an error and returns false if their sizes differ. Blocks at the
+// right and bottom edges are smaller if the size is not a multiple of 8.
 bool image_compare(const struct image *a, const struct image *b, struct image_difference *result);
 
 // True when f2 and b8 are both within tolerance.
@@ -37,7 +37,7 @@ const char *image_difference_words(const struct image_difference *difference, ch
 void image_print_difference(const struct image_difference *difference);
 
 // A picture of the difference: 128 + 4 (b - a) per channel, clamped. Same sizes required; the
-// caller frees result. Returns false, reported.
+// caller frees result. Returns false after reporting the error.
 bool image_difference_picture(const struct image *a, const struct image *b, struct image *result);
 
 #endif

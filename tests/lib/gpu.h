@@ -18,7 +18,8 @@ extern struct gpu {
 // The project's folder: the environment's PROJECT_ROOT, or ".".
 const char *gpu_project_root(void);
 
-// Open a context without a window, and a renderer in it. False, reported. Close with gpu_close.
+// Open a context without a window, and a renderer in it. Returns false after reporting the error.
+// Close with gpu_close.
 bool gpu_open(void);
 void gpu_close(void);
 
@@ -26,11 +27,11 @@ void gpu_close(void);
 int gpu_setup(void **state);
 int gpu_teardown(void **state);
 
-// Read a file and load it into a renderer. False, reported.
+// Read a file and load it into a renderer. Returns false after reporting the error.
 bool gpu_load_file(struct renderer *renderer, const char *path);
 
 // Load a shader, given as a path below the project's folder, with the shader's default parameters.
-// False, reported.
+// Returns false after reporting the error.
 bool gpu_load(const char *shader);
 
 // These fail the test, or end the program, if they fail. Load a shader like gpu_load. Return the
@@ -41,7 +42,7 @@ struct camera gpu_camera(const char *stem);
 struct camera gpu_open_chapter(const char *stem);
 void gpu_set(const char *name, double value);
 
-// Load a text from a file that is written into the folder. False, reported.
+// Load a text from a file that is written into the folder. Returns false after reporting the error.
 bool gpu_load_text(const char *text);
 
 // The first lines of such a text if only a colour is needed: a parallel view of the plane z = 0.

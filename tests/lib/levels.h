@@ -13,7 +13,7 @@ enum { LEVELS_SIDE = 512 }; // side of granite.png, texels
 // footprint of a ray that meets a floor (footprintOn of shaders/texture.glsl).
 enum levels_reading { LEVELS_SIDES, LEVELS_LEVEL, LEVELS_FLOOR };
 
-// Read the picture and load the shader, after gpu_open. False, reported.
+// Read the picture and load the shader, after gpu_open. Returns false after reporting the error.
 bool levels_open(void);
 
 // The values that the shader reads at 1024 points.
@@ -21,7 +21,7 @@ bool levels_open(void);
 //           the level
 //   factor  by which the footprint is multiplied before it is passed; 0 passes none
 //   sine    of the angle between the ray and the floor
-// 4 floats per point, which the caller frees; NULL, reported.
+// 4 floats per point, which the caller frees; NULL after reporting the error.
 float *levels_read(enum levels_reading reading, double x, double y, double factor, double sine);
 
 // The root mean square of the difference from the mean over rectangles of width x height texels at

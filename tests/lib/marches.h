@@ -40,7 +40,8 @@ struct march_scene {
 enum { MARCH_SCENES = 11, MARCH_STRESS = 7 }; // the last four are those of 16_stress.frag
 extern const struct march_scene march_scenes[MARCH_SCENES];
 
-// Load a scene with a march into a renderer, and the inputs of its picture. False, reported.
+// Load a scene with a march into a renderer, and the inputs of its picture. Returns false after
+// reporting the error.
 bool march_load(struct renderer *renderer, const struct march_scene *scene, enum march_kind kind);
 struct renderer_inputs march_inputs(const struct march_scene *scene, int width, int height);
 

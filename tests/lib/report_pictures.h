@@ -27,7 +27,7 @@ extern const struct report_scene report_scenes[REPORT_SCENES];
 
 // Load a scene.
 //   variant  one of its variants, or NULL for the picture itself
-// False, reported.
+// Returns false after reporting the error.
 bool report_load(struct renderer *renderer, const struct report_scene *scene,
                  const struct report_variant *variant);
 

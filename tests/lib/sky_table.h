@@ -8,7 +8,7 @@
 // Heights of the sun, from -8 to 90 degrees, and of the direction, from 0 to 90.
 enum { SKY_SUNS = 128, SKY_HEIGHTS = 48 };
 
-// Load tests/shaders/sky_table.frag into the renderer. False, reported.
+// Load tests/shaders/sky_table.frag into the renderer. Returns false after reporting the error.
 bool sky_table_open(void);
 
 // The sine of the height of a column's sun.

@@ -19,7 +19,7 @@
 
 enum { SAME = 0, DIFFERENT = 1, NOT_COMPARED = 2 };
 
-// Crop a picture to the requested part, if there is one. Returns false, reported.
+// Crop a picture to the requested part, if there is one. Returns false after reporting the error.
 static bool cut(struct image *image, const char *text)
 {
     int width, height, left, top;
