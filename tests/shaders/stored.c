@@ -169,6 +169,47 @@ TEST(a_step_crosses_no_surface)
     assert_true(beyond > 0);
 }
 
+// Experiment 5: if the values at all corners of a brick of 3 x 3 x 3 cells exceed 4 cells, no value
+// in the brick has another sign, and interpolating between its corners differs from the finer
+// interpolation by at most 2 sqrt(3) cells.
+TEST(a_shell_of_bricks_keeps_the_surface)
+{
+    enum { BRICK = 3, BRICKS = (SIDE - 1) / BRICK };
+    int kept = 0;
+    double worst = 0.0;
+    for (int n = 0; n < BRICKS * BRICKS * BRICKS; n++) {
+        const int low[3] = {BRICK * (n % BRICKS), BRICK * (n / BRICKS % BRICKS),
+                            BRICK * (n / (BRICKS * BRICKS))};
+        double corner[8], least = ELEPHANT_RANGE;
+        for (int k = 0; k < 8; k++) {
+            corner[k] = value_at[low[2] + BRICK * (k >> 2)][low[1] + BRICK * (k >> 1 & 1)]
+                                [low[0] + BRICK * (k & 1)];
+            least = fmin(least, fabs(corner[k]));
+        }
+        if (least < 4.0 * cell) {
+            kept++;
+            continue;
+        }
+        for (int m = 0; m < 64; m++) {
+            const int at[3] = {m & 3, m >> 2 & 3, m >> 4};
+            double coarse = 0.0, fine = value_at[low[2] + at[2]][low[1] + at[1]][low[0] + at[0]];
+            for (int k = 0; k < 8; k++) {
+                double weight = 1.0;
+                for (int a = 0; a < 3; a++)
+                    weight *= ((k >> a & 1) == 1 ? at[a] : BRICK - at[a]) / (double)BRICK;
+                coarse += weight * corner[k];
+            }
+            worst = fmax(worst, fabs(coarse - fine));
+            assert_true(coarse * fine > 0.0);
+        }
+    }
+    int all = BRICKS * BRICKS * BRICKS, corners = (BRICKS + 1) * (BRICKS + 1) * (BRICKS + 1);
+    print_message("# a shell of bricks: %d of %d keep their 64 points; %d values of %d; largest "
+                  "difference %.2f of a cell\n",
+                  kept, all, 64 * kept + corners, SIDE * SIDE * SIDE, worst / cell);
+    assert_true(worst < 2.0 * root3 * cell);
+}
+
 // The distance to a point of the grid: next to that point the gradient has length sqrt(3).
 TEST(the_lipschitz_constant_is_attained)
 {
