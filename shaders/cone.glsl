@@ -1,7 +1,7 @@
 // cone.glsl - sphere tracing with a cone instead of a line: a surface closer to the ray than half a pixel
 // counts as reached.
 //
-// Its two loops are separate from that of march: a shared loop makes the chapters that use it up to 5 % slower.
+// Its two loops are separate from that of march, because a shared loop makes the chapters that use it up to 5 % slower.
 #include "camera.glsl"
 #include "march.glsl"
 
@@ -42,7 +42,7 @@ Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, in
 }
 
 // The visible part of a lamp with a width, found with a cone from the surface to the lamp: 1 if no step
-// found anything in the cone, 0 if a surface crosses the axis, between if a surface is beside the axis.
+// found anything in the cone, 0 if a surface crosses the axis, in between if a surface is beside the axis.
 //   ray         from shadowRay
 //   tMin, tMax  the interval to search, scene units; an empty interval costs nothing and returns 1
 //   threshold   radius of the cone where it starts, scene units, > 0

@@ -1,7 +1,7 @@
 // march.glsl - sphere tracing: advance along a ray by the scene's distance until the scene is near.
 #include "scene.glsl"
 
-// What a march found.
+// The result of a march.
 struct Hit {
     bool  found; // the scene was nearer than the threshold
     float t;     // where the march ended, in scene units along the ray

@@ -23,7 +23,7 @@
 // needs at most n + 1 evaluations where march needs n. A ray that only grazes, nearer than r and away again, may be
 // a hit for one of them and a miss for the other.
 // Source: B. Keinert and others, 'Enhanced sphere tracing', STAG 2014; docs/16_fewer_steps.md has the proofs
-// and what is different here.
+// and lists the differences.
 Hit marchRelaxed(Ray ray, float tMin, float tMax, float threshold, float spread, float omega,
                  int maxSteps)
 {
