@@ -142,7 +142,7 @@ Place placeAt(Ray ray)
     return Place(open, p, normal, hit.found ? STONE : floorColour(p, width), radius);
 }
 
-// The shadow ray from a place to the centre of the sun.
+// The shadow ray from a point to the centre of the sun.
 Ray sunRay(Place place, vec3 toSun)
 {
     return shadowRay(place.p, place.normal, toSun, 2.0 * place.radius);

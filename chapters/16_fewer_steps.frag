@@ -122,7 +122,7 @@ float coarseMargin(float t)
 // March a pixel's ray as before, or with this chapter's methods. One loop does both: the methods
 // are its arguments.
 //   ground  where the ray meets the water
-//   now     true: with the methods
+//   now     true to use this chapter's methods
 Hit marchPier(Ray ray, float ground, bool now)
 {
     float last = min(ground, far), spread = now ? footprint * pixelSpread() : 0.0;

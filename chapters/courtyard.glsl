@@ -233,7 +233,7 @@ Place courtyardPlaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
     return Place(!hit.found && !onTrough, p, normal, colour, radius);
 }
 
-// The same, starting at the eye.
+// courtyardPlaceFrom, starting at the eye.
 Place courtyardPlace(Ray ray, float threshold, int maxSteps)
 {
     return courtyardPlaceFrom(ray, 0.0, threshold, maxSteps);
