@@ -15,7 +15,7 @@
 
 uniform bool  lit;          // false: show the scene in sunlight instead of its steps
 uniform float divider;      // 0.5 in [0, 1] step 0.05, widths of the picture: left of it the scene is marched as before, right of it with the methods below
-uniform float far;          // 150 in [20, 100000] step *1.5, scene units: a ray that has travelled this far sees the sky, on both sides
+uniform float far;          // 150 in [20, 100000] step *1.5, scene units: a ray that has travelled this far meets the sky, on both sides
 uniform bool  boxes;        // true: march only in the boxes around the pier and the poles
 uniform float footprint;    // 1 in [0, 4] step 0.25, half pixels: how fast the threshold grows along the ray
 uniform float omega;        // 1.2 in [1, 1.95] step 0.05, distances: length of a step

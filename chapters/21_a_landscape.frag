@@ -38,7 +38,7 @@ uniform float footprint;      // 1 in [0, 8] step 0.25, half pixels: how fast th
 uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.0002 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
 
-const float FAR = 160.0;       // a ray that has travelled this far sees the sky
+const float FAR = 160.0;       // a ray that has travelled this far meets the sky
 const float SHADOW_FAR = 60.0; // length of a shadow ray
 const float MIST_SCALE = 3.0;  // the height over which the mist thins to 1 / e
 const float LATITUDE = 43.6;   // degrees

@@ -38,7 +38,7 @@ vec3 forwardNormal(vec3 p, float h)
     return size > 0.0 ? gradient / size : vec3(0.0);
 }
 
-// The typical angles over the ball, in degrees: central, forward. Each point takes a different
+// The typical angles over the ball, in degrees, for central and forward differences. Each point takes a different
 // step, up to a tenth larger, so that rounding is not favourable at all points at once.
 vec2 typicalAngles(float h)
 {

@@ -21,7 +21,7 @@ float sceneDistance(vec3 p)
     return mix(sdCircle(p.xy + centre, radius), sdCircle(p.xy - centre, radius), 0.5);
 }
 
-// In the quadrant that contains p.
+// The distance to the ellipse, computed in the quadrant that contains p.
 float ellipseDistance(vec2 p)
 {
     vec2 axes = vec2(radius, sqrt(radius * radius - apart * apart)), before = vec2(axes.x, 0.0);

@@ -10,13 +10,13 @@
 // over these two contains all the light, for each wavelength.
 enum { HEIGHTS = 32, SUNS = 96, ABOVE = 10, BELOW = 6, AROUND = 8, PATH_STEPS = 24, ORDERS = 4 };
 
-// The share of the light on the ground that the ground reflects.
+// The share of the light that the ground reflects.
 static const double ALBEDO = 0.15;
 
 typedef double grid[HEIGHTS][SUNS][AIR_WAVES];
 
-// At a point, as shares of the sunlight above the air: the sun's own light, and the mean over all
-// directions of the light that air and ground have scattered.
+// The light at a point, as shares of the sunlight above the air: the sun's own light, and the mean
+// over all directions of the light that air and ground have scattered.
 static grid direct, scattered;
 
 static double grid_height(int row)

@@ -3,7 +3,7 @@
 // vapour.
 //
 // u turns once around the horizon; v is the square root of the height above it, where a quarter
-// turn is 1: the rows are denser where clouds are seen from the side.
+// turn is 1, so the rows are denser where clouds are seen from the side.
 #ifndef CUMULUS_H
 #define CUMULUS_H
 

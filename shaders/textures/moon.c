@@ -116,7 +116,7 @@ struct crater {
     struct place middle;
     double radius; // in radii of the moon
     double fresh;  // 0 old and worn down, 1 young and bright
-    double rays;   // length of its rays, in its own radii; 0: it has none
+    double rays;   // length of its rays, in its own radii; 0 if it has none
     uint32_t name;
 };
 
@@ -265,7 +265,7 @@ static void draw(void)
     }
 }
 
-// The value of a map at a row and a column of the picture; far outside the disc a mean.
+// The value of a map at a row and a column of the picture; far outside the disc, its mean.
 static double look_up(float map[SIDE][SIDE], double row, double column, double mean)
 {
     int i = (int)fmin(fmax(floor(row), 0.0), SIDE - 1.0);
