@@ -70,7 +70,7 @@ vec3 lightDirection(vec3 sun)
     return sun.y > 0.0 ? sun : -sun;
 }
 
-// ---- What a ray meets ----
+// ---- Where a ray ends ----
 
 // The point where a ray ends, and how it appears in the pixel.
 struct Place {
@@ -107,7 +107,7 @@ Place placeAlong(Ray ray)
     return Place(p, t, met, ground, tower, lamp, block, normal, width, facing);
 }
 
-// ---- What it is made of, found once, at the hit ----
+// ---- The material, found once, at the hit ----
 
 // The glass of a shop and of a window above, as shares of the wall that belongs to each,
 // horizontally and vertically; and the share of each that is lit in the evening.
@@ -189,7 +189,7 @@ Material materialAt(Place place, vec3 sun)
     return Material(colour, windows.x, place.ground ? asphalt : 0.0, glow * LAMPLIGHT);
 }
 
-// ---- What light arrives, and what goes to the camera ----
+// ---- The light that arrives, and the light that goes to the camera ----
 
 // 1 where the sun or the moon is visible, else 0. A ray that grazes for too long counts as blocked.
 // Walls that the light grazes, at a cosine below 0.02, are not tested: they receive hardly any

@@ -127,7 +127,7 @@ vec2 sceneInterval(Ray ray)
     return intervalUnion(boxInterval(ray, LOW, HIGH), boxInterval(ray, ROW_LOW, ROW_HIGH));
 }
 
-// ---- What they are made of ----
+// ---- Materials ----
 
 struct Surface {
     vec4 part;   // partDistances near it

@@ -65,7 +65,7 @@ float pierDistance(vec3 p)
     return min(min(deck, rails), min(min(posts, piles), min(bar(mast, 0.025, 1.3), lantern)));
 }
 
-// The pavilion at the end of the pier: a roof on slender columns, and a lantern above it. A lower
+// The pavilion at the end of the pier: a roof on slender columns, and a lantern above it. It is a lower
 // bound.
 float pavilionDistance(vec3 p)
 {

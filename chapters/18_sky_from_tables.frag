@@ -62,7 +62,7 @@ float zigzag(float x)
     return 4.0 * abs(fract(x) - 0.5) - 1.0;
 }
 
-// The pine: a leaning trunk that forks, and a crown of four flat domes, cut off at the bottom. A
+// The pine: a leaning trunk that forks, and a crown of four flat domes, cut off at the bottom. It is a
 // lower bound.
 float pineDistance(vec3 p)
 {

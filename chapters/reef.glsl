@@ -88,7 +88,7 @@ struct Cell {
     vec3  low;
     float size;
     int   first, count;
-    float bound; // if count is 0: the distance from the centre to the scene
+    float bound; // the distance from the centre to the scene if count is 0
 };
 
 Cell cellAt(vec3 p)

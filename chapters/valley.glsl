@@ -41,7 +41,7 @@ vec3 oneWay(float climb)
 // The gap between the land and the last point that landDistance was called for, scene units.
 float overLand = 0.0;
 
-// From north and east to right and ahead in the valley, and back.
+// Convert north and east to right and ahead in the valley, and back.
 vec2 inValley(vec2 xz)
 {
     return vec2(dot(xz, vec2(-AHEAD.y, AHEAD.x)), dot(xz, AHEAD));

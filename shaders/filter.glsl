@@ -48,7 +48,7 @@ vec2 filterOffset(vec2 place, int kernel)
 // The point of the screen that the ray of this sample passes through, instead of the middle of its cell.
 //   screen   as passed to pixelRay
 //   kernel   as for filterOffset
-//   jitter   true: the sample lies anywhere in its cell; false: in the middle of the cell. A single sample
+//   jitter   true if the sample lies anywhere in its cell, false if in the middle of the cell. A single sample
 //            stays in the pixel's middle
 //   dimension  of pixelRandom; this one and the next are used
 //   returns  a point of the screen, for perspectiveRay

@@ -7,7 +7,7 @@
 #include "march.glsl"
 
 // march of march.glsl on either side of a surface: it marches through side * distanceAt.
-//   side     1: the ray starts outside, and this is march; -1: it starts inside a solid, where the distance is
+//   side     1 if the ray starts outside, as in march; -1 if it starts inside a solid, where the distance is
 //            negative
 //   the other parameters and the result are those of march; found means that it reached the surface from this side
 Hit marchSide(Ray ray, float side, float tMin, float tMax, float threshold, int maxSteps)

@@ -1,4 +1,4 @@
-// inputs.glsl - what the harness passes to a shader for each picture, and the position of a pixel.
+// inputs.glsl - the inputs that the harness passes to a shader for each picture, and the position of a pixel.
 //
 // The names are Shadertoy's where Shadertoy has one.
 

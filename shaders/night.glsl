@@ -19,7 +19,7 @@ const float MONTH = 29.530589;
 // The angle between the equator and the sun's path among the stars, degrees.
 const float OBLIQUITY = 23.4393;
 
-// From a direction to the stars' frame: starDirection = skyTurn(hour, latitude) * direction.
+// The rotation of directions to the stars' frame: starDirection = skyTurn(hour, latitude) * direction.
 //   hour      solar time on the day of the March equinox; any value; 24 more is a day later
 //   latitude  degrees, north positive
 //   returns   a rotation

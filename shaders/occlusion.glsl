@@ -128,7 +128,7 @@ float openByTaps(vec3 place, vec3 normal, float reach, float strength)
 // The light of a point that sees a share of the sky, and otherwise surfaces that are lit as it is.
 //   open     its openness, in [0, 1]
 //   colour   share of the light that those surfaces reflect, in [0, 1] per channel
-//   bounces  0: only the sky's light; 1: with the light of one reflection; 2: of all reflections
+//   bounces  0 for only the sky's light, 1 to include the light of one reflection, 2 that of all reflections
 //   returns  light, where an open floor has 1
 //   formula  open, open (1 + b), or open / (1 - b), b = colour (1 - open). The last is 1 if colour is 1 and
 //            open at least 1e-6, and 0 if open is 0; exact in a hollow ball with a hole

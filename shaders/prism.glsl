@@ -9,7 +9,7 @@
 // The sine of the angle at which light leaves.
 //   entering  sine of the angle at which it enters, in [-1, 1]
 //   index     of the prism, divided by that of its surroundings, >= 1
-//   returns   above 1: total reflection, no light leaves through the second face
+//   returns   above 1 for total reflection: no light leaves through the second face
 //   formula   sin(apex) sqrt(index^2 - entering^2) - cos(apex) entering
 float prismLeaving(float entering, float apex, float index)
 {

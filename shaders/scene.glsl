@@ -1,4 +1,4 @@
-// scene.glsl - the three functions of a chapter, and the record of what its rays did.
+// scene.glsl - the three functions of a chapter, and the record of its rays.
 
 // A half-line: the points origin + t direction, t >= 0.
 struct Ray {
@@ -23,8 +23,8 @@ const int END_HIT    = 1; // the scene was nearer than the threshold
 const int END_PASSED = 2; // the far limit was passed
 const int END_STEPS  = 3; // the steps ran out
 
-// What the rays of this pixel did: filled in by distanceAt, march and normalAt, shown by the views
-// and by --probe. If nothing reads it, the compiler removes it.
+// The record of the rays of this pixel, filled in by distanceAt, march and normalAt, and shown by the
+// views and by --probe. If nothing reads it, the compiler removes it.
 struct Trace {
     int   evaluations;    // of sceneDistance, whoever called it
     int   allSteps;       // of all marches

@@ -76,7 +76,7 @@ float sceneDistance(vec3 p)
     return min(min(tower, parks ? max(others, row) : others), postDistance(p - POST));
 }
 
-// ---- What a ray meets: the march finds towers and the lamp, the ground ends the interval ----
+// ---- Where a ray ends: the march finds towers and the lamp, the ground ends the interval ----
 
 // The normal of a tower: upwards on its roof, otherwise that of the nearest wall.
 vec3 towerNormal(Plot plot, vec2 outside)

@@ -16,7 +16,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// From a point of the floor to its position on the screen, and back.
+// Map a point of the floor to its position on the screen, and back.
 vec2 screenAt(vec2 p)
 {
     return vec2(p.x - eye.x, -height) / max(p.y - eye.y, 0.001);

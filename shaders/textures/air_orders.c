@@ -76,7 +76,7 @@ static void add_between(grid light, struct corner at, const double weight[AIR_WA
 struct path {
     double distance[2 * PATH_STEPS], height[2 * PATH_STEPS], dip[2 * PATH_STEPS];
     double air[2 * PATH_STEPS][AIR_WAVES];  // the share that a step's air scatters to the point
-    double dust[2 * PATH_STEPS][AIR_WAVES]; // the same for its dust
+    double dust[2 * PATH_STEPS][AIR_WAVES]; // the share that its dust scatters
     double ground[AIR_WAVES];               // the share that arrives from the end of the path
     double length;
     int steps;
