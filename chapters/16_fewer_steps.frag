@@ -137,8 +137,8 @@ Hit marchPier(Ray ray, float ground, bool now)
 
 // ---- Colours ----
 
-// From night blue through violet and rose to straw: each colour is lighter than the previous one,
-// so that the order is also visible in grey.
+// The colours go from night blue through violet and rose to straw. Each is lighter than the previous
+// one, so that the order is also visible in grey.
 vec3 stepColour(int steps)
 {
     const vec3 colours[5] = vec3[5](vec3(0.05, 0.04, 0.15), vec3(0.24, 0.16, 0.43), vec3(0.62, 0.27, 0.46),

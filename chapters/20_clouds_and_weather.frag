@@ -60,7 +60,7 @@ float cameraRoom(vec3 p)
 
 // ---- The sources of light ----
 
-// Computed once for each pixel. The full moon is opposite the sun: it fades in while the sun sinks
+// These values are computed once for each pixel. The full moon is opposite the sun: it fades in while the sun sinks
 // from -2 degrees to -7, and the light of both skies adds.
 struct Lights {
     vec3  skySun;      // direction of the source whose sky is brighter, length 1

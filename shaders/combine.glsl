@@ -37,7 +37,7 @@ float opSubtraction(float a, float b)
 //   k        width of the blend, scene units, > 0: where |a - b| >= k the result is min(a, b)
 //   formula  min(a, b) - h^3 / (6 k^2), h = max(k - |a - b|, 0)
 //   a lower bound of the distance to the surface that it draws, outside and inside. Its value is at most
-//   min(a, b) and at least min(a, b) - k / 6, which it reaches where a = b. Twice continuously
+//   min(a, b) and at least min(a, b) - k / 6, which it reaches where a = b. It is twice continuously
 //   differentiable in a and b
 // Source: I. Quilez, 'Smooth minimum', the cubic one.
 float opSmoothUnion(float a, float b, float k)
@@ -62,8 +62,8 @@ float smoothUnionShare(float a, float b, float k)
 //   k        width of the blend, scene units, > 0: where |a - b| >= k the result is min(a, b)
 //   formula  min(a, b) - h^2 / (4 k), h = max(k - |a - b|, 0)
 //   a lower bound as opSmoothUnion is. Its value is at most min(a, b) and at least min(a, b) - k / 4, which
-//   it reaches where a = b. Once continuously differentiable in a and b: a highlight shows where the blend
-//   begins
+//   it reaches where a = b. It is once continuously differentiable in a and b, so a highlight shows where
+//   the blend begins
 // Source: I. Quilez, 'Smooth minimum', the quadratic one.
 float opSmoothUnionQuadratic(float a, float b, float k)
 {

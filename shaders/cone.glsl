@@ -49,7 +49,7 @@ Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, in
 //   spread      how fast it widens, per scene unit: the tangent of the lamp's angular radius
 //   formula     max((s - 0.2) / 0.8, 0), where s is the smallest of 1 and distance / (threshold + spread t)
 //               over the steps; a march that has reached s = 1/5 is dark and can end
-// Needs a lower bound of the distance. The greys are a model and measure no area.
+// It needs a lower bound of the distance. The greys are a model and measure no area.
 float coneReaching(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
     traceBegin(tMin, tMax);

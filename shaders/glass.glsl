@@ -1,7 +1,7 @@
 // glass.glsl - rays through clear solids: the march with a sign, the start of the next ray, and the light
 // that remains.
 //
-// Needs a scene distance that is negative inside a solid and bounds the depth there: on both sides, |distance| is
+// The scene distance must be negative inside a solid and bound the depth there: on both sides, |distance| is
 // at most the distance to the surface. docs/17_glass.md proves the claims and says which shapes satisfy this.
 #include "fresnel.glsl"
 #include "march.glsl"

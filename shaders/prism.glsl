@@ -49,7 +49,7 @@ float planIndex(float index, float rise)
 // A narrow beam of white light and an equilateral prism, seen from above at one point.
 struct Beam {
     float white; // share of the beam that passes this point in front of the prism, in [0, 1]
-    vec2  waves; // behind it: the wavelengths that arrive lie between these two, micrometres; equal: none
+    vec2  waves; // behind it: the wavelengths that arrive lie between these two, micrometres; equal if none do
 };
 
 // The light at a point, from a beam that enters the middle of one side of an upright prism whose plan is an

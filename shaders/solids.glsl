@@ -23,7 +23,7 @@ float opExtrude(float figure, float along, float halfLength)
     return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0);
 }
 
-// Revolution: from a point of a figure revolved about the y axis back to the figure's plane. The half-plane
+// Revolution: map a point of a figure revolved about the y axis back to the figure's plane. The half-plane
 // through the axis and the point becomes the plane of the figure: x away from the axis, y upwards.
 //   p        point, scene units
 //   offset   scene units: the figure's origin moves on a circle of this radius; with 0, it is on the axis

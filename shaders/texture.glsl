@@ -55,7 +55,7 @@ struct Slide {
 
 // The position of a point in a picture projected along an axis, the same at every depth.
 //   p, f     in repeats of the picture
-//   axis     0: along x, at (z, y); 1: along y, at (x, z); 2: along z, at (x, y): on walls y is up
+//   axis     0 for along x, at (z, y); 1 for along y, at (x, z); 2 for along z, at (x, y). On walls y is up
 Slide slideAlong(vec3 p, Footprint f, int axis)
 {
     if (axis == 0)

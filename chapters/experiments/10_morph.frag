@@ -35,7 +35,7 @@ float ellipseDistance(vec2 p)
     return dot(p / axes, p / axes) < 1.0 ? -nearest : nearest;
 }
 
-// A line at every multiple of 0.1 of a distance; thicker at 0.
+// A line at every multiple of 0.1 of a distance, thicker at 0.
 float levels(float d, float pixel)
 {
     float nearest = 0.1 * floor(10.0 * d + 0.5);

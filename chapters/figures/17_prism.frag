@@ -44,7 +44,7 @@ vec3 rayColour(Ray ray)
         float index = GREEN + dispersion * (1.0 / (wave * wave) - 1.0 / 0.3025);
         vec2 from = meet, direction = refract(start, side, 1.0 / index);
         bool within = true;
-        // Through the prism; after total reflection, through it once more; and away.
+        // The ray passes through the prism, after total reflection once more, and leaves it.
         for (int piece = 0; piece < 3; piece++) {
             facing = direction * normal;
             way = (size - (from - MIDDLE) * normal) / (facing + 1e-7);

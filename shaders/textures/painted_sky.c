@@ -1,7 +1,7 @@
 // A sky painted by eye, for an exercise of chapter 18. The sine of the sun's height increases to
 // the right, from -1 to 1, and that of the direction's height upwards, from 0 to 1. The lower
 // storey is the half of the sky that contains the sun, the upper one the other half. The colours
-// are those that the screen should show. Read with sRGB and clamp.
+// are those that the screen should show. It is read with sRGB and clamp.
 #include <math.h>
 
 #include "paint.h"
