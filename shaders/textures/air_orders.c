@@ -143,7 +143,7 @@ static const double AROUND_COSINE[AROUND] = {
     0.98078528040323044,  0.83146961230254524,  0.55557023301960222,  0.19509032201612828,
     -0.19509032201612828, -0.55557023301960222, -0.83146961230254524, -0.98078528040323044};
 
-// Add one order of scattering: from the light at all points, the light that they send to each
+// Compute one order of scattering: from the light at all points, the light that they send to each
 // point.
 //   from    the sunlight, or the mean light of the order before
 //   first   true for sunlight, which comes from one direction; scattered light is assumed to come
