@@ -73,8 +73,8 @@ vec2 sceneInterval(Ray ray)
     return clipped ? boxInterval(ray, LOW, HIGH) : vec2(0.0, FAR);
 }
 
-// 1 if the light arrives, else 0. Marches only where the surface faces the light, and no farther
-// than the lamp.
+// 1 if the light arrives, else 0. The march is made only where the surface faces the light, and goes
+// no farther than the lamp.
 float visibility(vec3 p, vec3 normal, vec3 toLight, float distance)
 {
     Ray ray = shadowRay(p, normal, toLight, shadowOffset * hitThreshold);

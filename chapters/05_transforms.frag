@@ -28,7 +28,7 @@ const vec3  AMPLITUDE = vec3(0.060, 0.036, 0.024);
 const vec3  WAVE_X = vec3(0.45, -1.10, 1.90);
 const vec3  WAVE_Z = vec3(1.20, 1.70, 1.60);
 const vec3  WAVE_SPEED = vec3(3.55, 4.46, 4.94);
-const float STEEPEST = 0.210;                     // sum of amplitude times |k|, bounds the slope
+const float STEEPEST = 0.210;                     // sum of amplitude times |k|, which bounds the slope
 const float RING = 0.66;                          // radius of the ring, scene units
 const float RING_REACH = 1.5;                     // radius of a ball around the ring, in its radii
 
@@ -173,7 +173,7 @@ vec3 skyLight(vec3 direction, vec3 toSun)
     return blue + vec3(0.62, 0.25, 0.04) * sun8 * low * low + vec3(0.55, 0.36, 0.14) * sun32;
 }
 
-// The light of the sun in the sky: a disc, or spread out by a mirror that is never quite smooth.
+// The light of the sun in the sky: a disc, or a wider spot in a mirror that is never quite smooth.
 vec3 sunGlare(vec3 direction, vec3 toSun, bool mirrored)
 {
     float sun = max(dot(direction, toSun), 0.0);

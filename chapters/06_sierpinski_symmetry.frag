@@ -22,7 +22,7 @@ uniform int   maxSteps;     // 160 in [1, 1024]: steps after which a ray is aban
 uniform float hitThreshold; // 0.0002 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit, at the eye
 uniform float normalStep;   // 0.0005 in [0.0000001, 0.5] step *2, scene units: step of the differences that give the normal, at the eye
 
-const float SIZE = 1.1;                            // of the pyramid; its height: 4 SIZE / sqrt(3)
+const float SIZE = 1.1;                            // of the pyramid, whose height is 4 SIZE / sqrt(3)
 const vec3  PYRAMID = vec3(-0.7, 0.63508530, -0.5); // its centre, SIZE / sqrt(3) above the ground
 const vec3  SLAB = vec3(0.0, -0.1, 0.0);           // centre and half size of the slab it stands on
 const vec3  SLAB_HALF = vec3(4.2, 0.1, 3.2);
@@ -110,8 +110,8 @@ vec3 slabColour(vec3 p, vec3 direction, float radius)
     return SLAB_COLOUR * (1.0 - 0.5 * max(joint.x, joint.y));
 }
 
-// Gold where no fold moves the point, rose where all do. A point nearer to the slab than the radius
-// of the footprint has the colour of the slab.
+// The stone is gold where no fold moves the point and rose where all folds do. A point nearer to the slab than the
+// radius of the footprint has the colour of the slab.
 vec3 colourAt(vec3 p, vec3 direction, Trail trail, float radius)
 {
     vec3 stone = hsvToRGB(46.0 - 60.0 * trail.address, tint, 0.85);
@@ -135,8 +135,8 @@ vec3 skyLight(vec3 direction, vec3 toSun)
     return mix(vec3(0.05, 0.065, 0.12), sky, smoothstep(-0.14, 0.06, direction.y));
 }
 
-// The light that arrives from the sun. It marches only where the surface faces the sun, and only
-// through the pyramid.
+// The light that arrives from the sun. A ray is marched only where the surface faces the sun, and
+// only through the pyramid.
 //   radius  of the pixel's footprint at p
 vec3 sunLight(vec3 p, vec3 normal, vec3 toSun, float radius)
 {

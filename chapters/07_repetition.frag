@@ -55,8 +55,8 @@ float ballDistance(Lantern lantern)
     return length(lantern.place) - BALL * lantern.size;
 }
 
-// The distance to a frame of twelve round bars: the distance to the nearest edge of the box, less
-// the radius of a bar; exact outside. Beside an edge, one of the three differences does not count.
+// The distance to a frame of twelve round bars: the distance to the nearest edge of the box, minus
+// the radius of a bar. It is exact outside. Beside an edge, one of the three differences does not count.
 float frameDistance(Lantern lantern)
 {
     vec3 corner = abs(lantern.place) - lantern.size * BODY;
@@ -98,8 +98,8 @@ float cameraRoom(vec3 p)
     return p.y - 0.1;
 }
 
-// The light of the sky from a direction: an afterglow above the horizon. The light of the mist is
-// the same.
+// The light of the sky from a direction: an afterglow above the horizon. The mist has the same
+// light.
 vec3 skyLight(vec3 direction)
 {
     float low = exp(-6.0 * max(direction.y, 0.0));

@@ -20,8 +20,8 @@ uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is aba
 uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit, at the eye
 
 // x points north, y up, z east: the avenue looks west. One scene unit is about 8 metres.
-const float LATITUDE = 43.6;   // degrees: of Toulouse
-const float DECLINATION = 2.0; // of the sun, degrees: at the end of March
+const float LATITUDE = 43.6;   // of Toulouse, degrees
+const float DECLINATION = 2.0; // of the sun at the end of March, degrees
 const float FAR = 80.0;        // a ray that has travelled this far shows the sky
 const float SHADOW_FAR = 18.0; // length of a shadow ray
 const vec3  LAMPLIGHT = vec3(1.0, 0.55, 0.22);
@@ -70,14 +70,14 @@ vec3 lightDirection(vec3 sun)
     return sun.y > 0.0 ? sun : -sun;
 }
 
-// ---- What a ray meets ----
+// ---- Where a ray ends ----
 
 // The point where a ray ends, and how it appears in the pixel.
 struct Place {
     vec3  p;
     float t;                   // of p along the ray
-    bool  met;                 // false: the ray shows the sky
-    bool  ground, tower, lamp; // none of the three: a tree
+    bool  met;                 // false if the ray shows the sky
+    bool  ground, tower, lamp; // a tree if none of the three
     Block block;
     vec3  normal;
     float width;               // of the pixel at p, scene units
@@ -107,7 +107,7 @@ Place placeAlong(Ray ray)
     return Place(p, t, met, ground, tower, lamp, block, normal, width, facing);
 }
 
-// ---- What it is made of, found once, at the hit ----
+// ---- The material, found once, at the hit ----
 
 // The glass of a shop and of a window above, as shares of the wall that belongs to each,
 // horizontally and vertically; and the share of each that is lit in the evening.
@@ -144,7 +144,7 @@ vec3 fromBulb(Place place)
 
 // The share of windows in a pixel of a wall (x), and how brightly they are lit (y).
 //   at      the position on the wall, in windows and floors
-//   random  number of the window
+//   random  the window's random number
 vec2 windowsAt(Place place, vec2 at, float random, vec3 sun)
 {
     vec2 width = vec2(place.width / place.facing, place.width) / BAY.xy;
@@ -189,11 +189,11 @@ Material materialAt(Place place, vec3 sun)
     return Material(colour, windows.x, place.ground ? asphalt : 0.0, glow * LAMPLIGHT);
 }
 
-// ---- What light arrives, and what goes to the camera ----
+// ---- The light that arrives, and the light that goes to the camera ----
 
 // 1 where the sun or the moon is visible, else 0. A ray that grazes for too long counts as blocked.
 // Walls that the light grazes, at a cosine below 0.02, are not tested: they receive hardly any
-// light and cost most.
+// light and cost the most.
 float lightSeen(Place place, vec3 toLight)
 {
     bool faces = place.met && dot(place.normal, toLight) > 0.02;
@@ -213,7 +213,7 @@ vec3 receivedLight(Place place, vec3 sun, vec3 beam, vec3 direct)
     return open + 0.08 * catches * LAMPLIGHT;
 }
 
-// The sky that panes reflect, and the sun that asphalt reflects: more at smaller grazing angles.
+// The sky that panes reflect, and the sun that asphalt reflects, both more at smaller grazing angles.
 // The fourth power instead of Schlick's fifth was chosen by eye, for panes that are not quite flat.
 //   sky  the sky behind the point: a wall at a small grazing angle reflects nearly the same part
 vec3 mirroredLight(Place place, Material material, vec3 direction, vec3 sun, vec3 direct, vec3 sky)
@@ -245,7 +245,7 @@ vec3 exposed(vec3 light, vec3 sun)
     return encodeSRGB(1.0 - 1.0 / (1.0 + x + x * x));
 }
 
-// The city under a sky: what the ray meets, or the sky itself, and the air in between.
+// The city under a sky: the surface that the ray meets, or the sky itself, and the air in between.
 //   sun  direction of the sun, length 1
 //   sky  light of the sky in the direction of the ray
 vec3 cityColour(Ray ray, vec3 sun, vec3 sky)

@@ -112,7 +112,7 @@ float sceneDistance(vec3 p)
 
 // ---- The print ----
 
-// Linear RGB.
+// Colours, linear RGB.
 const vec3 PAPER    = vec3(0.91, 0.79, 0.57);
 const vec3 GLOW     = vec3(0.76, 0.24, 0.05); // outside, near the figure
 const vec3 EDGE     = vec3(0.07, 0.25, 0.48); // inside, near the outline
@@ -184,7 +184,7 @@ vec3 rayColour(Ray ray)
 {
 #if VIEW >= 1 && VIEW <= 6
     Hit hit = march(ray, 0.0, FAR, hitThreshold, maxSteps);
-    if (VIEW == 2) // the greys of this view change most around 6 units: here, at a quarter of that
+    if (VIEW == 2) // the greys of this view change most around 6 units, so scale the sheet by 4
         traceMarch(trace.steps, 4.0 * hit.t, trace.end);
     if (VIEW < 4 && hit.found)
         normalAt(ray.origin + hit.t * ray.direction, hitThreshold);

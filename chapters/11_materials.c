@@ -1,4 +1,4 @@
-// Chapter 11: materials. What a hit is made of, found once where the march has ended.
+// Chapter 11: materials. The material of a hit is found once, where the march has ended.
 //
 // The page is docs/11_materials.md.
 #include "../common/chapter.h"

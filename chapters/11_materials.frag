@@ -103,7 +103,7 @@ float linenShare(vec3 p, Pixel pixel)
     return checkers(seen.middle, averaged ? seen.width : vec2(1e-4));
 }
 
-// The nearer of two parts, with its material.
+// Keep the nearer of two parts, with its material.
 void take(inout float nearest, inout Material found, float distance, Material candidate)
 {
     if (distance < nearest) {
@@ -182,8 +182,8 @@ vec3 surfaceLight(vec3 p, vec3 normal, vec3 toEye, Material material, float radi
     return (material.colour * (1.0 - mirrored) + gloss) * received + material.colour * room;
 }
 
-// The normal at a hit: known on table and wall, which fill most of the picture; elsewhere from
-// differences.
+// The normal at a hit. It is known on the table and the wall, which fill most of the picture;
+// elsewhere it is computed from differences.
 vec3 surfaceNormal(vec3 p, float radius)
 {
     bool wall = p.z < WALL + radius;

@@ -100,7 +100,7 @@ vec4 stoneNoise(vec3 p, int count)
     return vec4(1.0, vec3(CELLS)) * octaveNoise(CELLS * p, count, GAIN, LACUNARITY);
 }
 
-// Its Lipschitz constant.
+// The Lipschitz constant of this noise.
 float stoneNoiseStretch()
 {
     return CELLS * octaveStretch(OCTAVES, GAIN, LACUNARITY);
@@ -127,15 +127,15 @@ vec2 sceneInterval(Ray ray)
     return intervalUnion(boxInterval(ray, LOW, HIGH), boxInterval(ray, ROW_LOW, ROW_HIGH));
 }
 
-// ---- What they are made of ----
+// ---- Materials ----
 
 struct Surface {
     vec4 part;   // partDistances near it
     vec3 normal; // of the smooth shapes
 };
 
-// Uses differences of the smooth shapes only, at the corners of a tetrahedron. Where they cancel,
-// the normal points up.
+// The surface at p. Its normal comes from differences of the smooth shapes only, at the corners of a
+// tetrahedron. Where they cancel, the normal points up.
 Surface surfaceAt(vec3 p, float h, bool hit)
 {
     Surface surface = Surface(vec4(1.0), vec3(0.0));
@@ -151,7 +151,7 @@ Surface surfaceAt(vec3 p, float h, bool hit)
     return surface;
 }
 
-// Granite, projected from as many sides as the parameter planes says.
+// Granite, projected from as many sides as the parameter planes specifies.
 //   p, normal, f  in the coordinates of the stone
 vec3 graniteAt(vec3 p, vec3 normal, Footprint f)
 {
@@ -164,7 +164,7 @@ vec3 graniteAt(vec3 p, vec3 normal, Footprint f)
 struct Material {
     vec3  colour;
     vec3  normal; // including all roughness
-    float polish; // 1: it mirrors the sky
+    float polish; // 1 if it mirrors the sky
 };
 
 // The material at the point where the ray ends, found once, at the hit. Without a hit it is the
@@ -191,7 +191,7 @@ Material materialAt(vec3 p, vec3 direction, float width, bool hit)
     Pose pose = Pose(vec3(0.0), mat3(1.0));
     if (isBall && carried)
         pose = ballPose();
-    bool granular = isStone || isBall; // elsewhere one lookup is enough: the result is not used
+    bool granular = isStone || isBall; // elsewhere one lookup is enough, because the result is not used
     vec3 stone = graniteAt(seenFrom(pose, p), granular ? normal * pose.turn : vec3(0.0, 1.0, 0.0), footprintSeen(f, pose.turn, 1.0));
     stone = planes == 0 ? mix(vec3(0.10, 0.09, 0.08), vec3(0.62, 0.56, 0.52), pale) : stone;
 

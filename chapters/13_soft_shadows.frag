@@ -50,7 +50,7 @@ float trellisDistance(vec3 p)
     return min(posts, sdBox(q - vec3(0.0, 1.37, -0.9), vec3(0.09, 0.07, 3.7)));
 }
 
-// A slender figure on a plinth: a body that tapers upwards, shoulders, a neck and a head. A lower bound.
+// A slender figure on a plinth: a body that tapers upwards, shoulders, a neck and a head. It is a lower bound.
 float figureDistance(vec3 p)
 {
     vec3 q = p - vec3(1.45, 0.0, 0.1);
@@ -103,7 +103,7 @@ vec3 floorColour(vec3 p, vec2 width)
     return STONE * (0.94 + 0.1 * tone) * (1.0 - 0.35 * max(alongZ, alongX));
 }
 
-// Peach above the horizon and pale blue higher up; the sea below the horizon.
+// The sky is peach above the horizon and pale blue higher up; the sea is below the horizon.
 vec3 skyLight(vec3 direction, vec3 toSun)
 {
     float facing = 0.5 + 0.5 * dot(direction, toSun);
@@ -142,7 +142,7 @@ Place placeAt(Ray ray)
     return Place(open, p, normal, hit.found ? STONE : floorColour(p, width), radius);
 }
 
-// The shadow ray from a place to the centre of the sun.
+// The shadow ray from a point to the centre of the sun.
 Ray sunRay(Place place, vec3 toSun)
 {
     return shadowRay(place.p, place.normal, toSun, 2.0 * place.radius);

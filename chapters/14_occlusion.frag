@@ -20,7 +20,7 @@ const vec3 SKY = vec3(1.18, 1.22, 1.26);              // light of the whole sky 
 const vec3 NEAR = vec3(0.66, 0.56, 0.46);             // share of it that the court's surfaces reflect, on average
 const vec3 DARKER = vec3(0.03, 0.16, 0.50), LIGHTER = vec3(0.85, 0.32, 0.02); // for large errors of the taps
 
-bool lookingRound; // true: the distance is for rays to the sky; false: for the ray from the eye
+bool lookingRound; // true if the distance is for rays to the sky, false for the ray from the eye
 
 Ray pixelRay(vec2 screen)
 {
@@ -60,7 +60,7 @@ float openBy(Place place, float taps, float truth)
     return method == 0 ? openOverGround(place.normal) : (method == 1 ? taps : truth);
 }
 
-// The light that reaches the eye from a place of this openness.
+// The light that reaches the eye from a point of this openness.
 vec3 placeLight(Place place, float open)
 {
     vec3 light = SKY * skyAndBounces(open, NEAR, bounces);

@@ -92,8 +92,8 @@ float mistSeen(Ray ray, float depth, vec3 toSun)
     return shafts > 0 ? lit / float(shafts) : 1.0;
 }
 
-// The light from a place to the eye: it reflects the light of the sun that arrives there, and that
-// of the sky.
+// The light from a point to the eye: the point reflects the light of the sun and of the sky that
+// arrives there.
 vec3 placeLight(Place place, vec3 toSun)
 {
     Ray ray = shadowRay(place.p, place.normal, toSun, 2.0 * place.radius);
@@ -144,7 +144,7 @@ vec3 lightOnFilm(Ray ray)
     return exposed(share * throughFog(seen.light, seen.fog, seen.depth), exposure);
 }
 
-// The result: encoded numbers, with more contrast if requested. The dither comes last.
+// The result: encoded values, with more contrast if requested. The dither comes last.
 vec3 rayColour(Ray ray)
 {
     vec3 numbers = contrast(encodeSRGB(developed(lightOnFilm(ray))), punch);

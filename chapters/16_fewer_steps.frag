@@ -15,7 +15,7 @@
 
 uniform bool  lit;          // false: show the scene in sunlight instead of its steps
 uniform float divider;      // 0.5 in [0, 1] step 0.05, widths of the picture: left of it the scene is marched as before, right of it with the methods below
-uniform float far;          // 150 in [20, 100000] step *1.5, scene units: a ray that has travelled this far sees the sky, on both sides
+uniform float far;          // 150 in [20, 100000] step *1.5, scene units: a ray that has travelled this far meets the sky, on both sides
 uniform bool  boxes;        // true: march only in the boxes around the pier and the poles
 uniform float footprint;    // 1 in [0, 4] step 0.25, half pixels: how fast the threshold grows along the ray
 uniform float omega;        // 1.2 in [1, 1.95] step 0.05, distances: length of a step
@@ -65,7 +65,7 @@ float pierDistance(vec3 p)
     return min(min(deck, rails), min(min(posts, piles), min(bar(mast, 0.025, 1.3), lantern)));
 }
 
-// The pavilion at the end of the pier: a roof on slender columns, and a lantern above it. A lower
+// The pavilion at the end of the pier: a roof on slender columns, and a lantern above it. It is a lower
 // bound.
 float pavilionDistance(vec3 p)
 {
@@ -122,7 +122,7 @@ float coarseMargin(float t)
 // March a pixel's ray as before, or with this chapter's methods. One loop does both: the methods
 // are its arguments.
 //   ground  where the ray meets the water
-//   now     true: with the methods
+//   now     true to use this chapter's methods
 Hit marchPier(Ray ray, float ground, bool now)
 {
     float last = min(ground, far), spread = now ? footprint * pixelSpread() : 0.0;
@@ -137,8 +137,8 @@ Hit marchPier(Ray ray, float ground, bool now)
 
 // ---- Colours ----
 
-// From night blue through violet and rose to straw: each colour is lighter than the previous one,
-// so that the order is also visible in grey.
+// The colours go from night blue through violet and rose to straw. Each is lighter than the previous
+// one, so that the order is also visible in grey.
 vec3 stepColour(int steps)
 {
     const vec3 colours[5] = vec3[5](vec3(0.05, 0.04, 0.15), vec3(0.24, 0.16, 0.43), vec3(0.62, 0.27, 0.46),

@@ -169,11 +169,11 @@ struct Way {
     Ray   ray;   // behind the last surface
     float far;   // length of the path from the eye to there, scene units
     vec3  share; // of the light there that reaches the eye
-    vec3  light; // reflected towards the eye at the surfaces before
-    bool  free;  // the ray met nothing more; false: the number of surfaces ran out
+    vec3  light; // reflected towards the eye at the surfaces before it
+    bool  free;  // true if the ray met nothing more, false if it met too many surfaces
 };
 
-// From surface to surface. The part that is not followed, which is the reflected one unless all is
+// Follow a ray from surface to surface. The part that is not followed, which is the reflected one unless all is
 // reflected, is assumed to come straight from the room.
 //   wave  wavelength of the light, micrometres
 //   lot   the first dimension of pixelRandom

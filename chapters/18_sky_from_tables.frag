@@ -22,7 +22,7 @@ uniform float hitThreshold;   // 0.01 in [0.00001, 0.2] step *2, metres: distanc
 
 // x points north, y up, z east; the camera looks west. One scene unit is one metre.
 const float LATITUDE = 43.6;              // degrees
-const float DECLINATION = 2.0;            // of the sun, degrees: at the end of March
+const float DECLINATION = 2.0;            // of the sun at the end of March, degrees
 const vec3  PINE = vec3(29.0, 2.4, -47.0); // its foot
 const vec3  HILL = vec3(31.5, -12.8, -48.0); // the centre of the ball whose top is the largest rock
 
@@ -62,7 +62,7 @@ float zigzag(float x)
     return 4.0 * abs(fract(x) - 0.5) - 1.0;
 }
 
-// The pine: a leaning trunk that forks, and a crown of four flat domes, cut off at the bottom. A
+// The pine: a leaning trunk that forks, and a crown of four flat domes, cut off at the bottom. It is a
 // lower bound.
 float pineDistance(vec3 p)
 {
@@ -91,7 +91,7 @@ float landDistance(vec3 p)
     return 0.42 * (land + rock);
 }
 
-// Above the water the islet, below it the mirror image, displaced by the waves. Water shows the
+// Above the water is the islet, below it the mirror image, displaced by the waves. Water shows the
 // world upside down, so a ray goes straight on into the mirror image.
 float sceneDistance(vec3 p)
 {

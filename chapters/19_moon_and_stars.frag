@@ -16,19 +16,19 @@ uniform sampler2D moon;       // "moon.png" linear clamp: brightness and slopes 
 
 uniform float timeOfDay;      // 19.35 in [0, 24] step 0.25, hour of the day: solar time at the start; at 12 the sun is highest
 uniform float hoursPerSecond; // 0.25 in [0, 4] step 0.05, hours per second: speed of the time of day
-uniform float moonAge;        // 2.9 in [0, 29.5] step 0.5, days: since new moon, at the start; 14.77 is full moon
+uniform float moonAge;        // 2.9 in [0, 29.5] step 0.5, days: time since new moon, at the start; 14.77 is full moon
 uniform float moonRadius;     // 2.6 in [0.1, 8] step *1.1, degrees: radius of the moon as drawn; the true one is 0.259, the article's 1.7
 uniform bool  lightKept;      // true: an enlarged moon sends as much light as the true one; false: its surface is as bright as the true one's
 uniform float relief;         // 1.5 in [0, 6] step 0.5: factor by which the moon's slopes are exaggerated
 uniform float exposure;       // 2 in [-16, 8] step 0.5, stops: added to the exposure of the hour
 uniform float softness;       // 0.6 in [0.2, 1] step 0.05: exponent applied to the light before it is shown, at dusk and at night; 1 changes nothing
-uniform float latitude;       // 43.6 in [-89, 89] step 5, degrees: of the observer
+uniform float latitude;       // 43.6 in [-89, 89] step 5, degrees: latitude of the observer
 uniform int   maxSteps;       // 90 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.005 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
 
 // x points north, y up, z east, as in chapter 09; at the start the camera looks west. One scene
 // unit is one metre.
-const float DECLINATION = 2.0;                // of the sun, degrees: at the end of March
+const float DECLINATION = 2.0;                // of the sun at the end of March, degrees
 const vec3  DOME = vec3(17.0, 6.2, -57.0);    // the foot of the observatory
 const vec3  DOME_LOW = DOME + vec3(-3.1, -2.1, -3.1);
 const vec3  DOME_HIGH = DOME + vec3(7.0, 5.8, 3.1);

@@ -34,7 +34,7 @@ uniform float hitThreshold;   // 0.002 in [0.00001, 0.1] step *2, scene units: d
 
 // x points north, y up, z east; the camera looks south. One scene unit is 5 metres.
 const float LATITUDE = 43.6;
-const float DECLINATION = -8.0; // of the sun, degrees: in the middle of October
+const float DECLINATION = -8.0; // of the sun in the middle of October, degrees
 const float RISE = 0.56;        // upward shift of the lens, half screen heights: vertical lines stay vertical
 const float LOW_CLOUDS = 1.2, CLOUD_TOPS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
 const float MOON = 2.2e-6;      // light of the full moon, as a share of the sun's
@@ -60,18 +60,18 @@ float cameraRoom(vec3 p)
 
 // ---- The sources of light ----
 
-// Computed once for each pixel. The full moon is opposite the sun: it fades in while the sun sinks
+// These values are computed once for each pixel. The full moon is opposite the sun: it fades in while the sun sinks
 // from -2 degrees to -7, and the light of both skies adds.
 struct Lights {
-    vec3  skySun;      // the one whose sky is brighter, length 1
+    vec3  skySun;      // direction of the source whose sky is brighter, length 1
     float skyStrength; // of that sky: 1 for the sun
-    vec3  even;        // light of the other one's sky, taken as the same in all directions
+    vec3  even;        // light of the other source's sky, taken as the same in all directions
     vec3  clear;       // the mean light of both skies
     float apart;       // 0 where both are equally bright, and the whole sky is taken as even; 1 by day
     vec3  sun;      // direction to the sun, or to the moon once the sun lights no cloud
-    float strength; // light of that one: 1 for the sun
+    float strength; // light of that source: 1 for the sun
     vec3  low;      // its light at the ground, on a perpendicular surface
-    vec3  high;     // the same at the clouds
+    vec3  high;     // its light at the clouds
     vec3  sky;      // light of the whole sky on a horizontal white surface
     float stops;    // of the exposure
     float lamp;     // brightness of the lamps
@@ -89,7 +89,8 @@ Lights lightsAt(float hour)
     vec3 low = strength * tableSunlight(sun);
     vec3 high = strength * tableSunlight(vec3(0.0, cloudSunHeight(sun.y, CLOUD_TOPS), 0.0));
     vec3 sky = mix(clear, overcastWhite(clear + low * max(sun.y, 0.0)), overcastShare(weather));
-    // Exposed for what the eye sees most of: sky and sunlit clouds, or the overcast sky alone.
+    // The exposure suits the light of which the eye sees most: sky and sunlit clouds, or the overcast
+    // sky alone.
     float bright = mix(clear.y + 0.2 * high.y, 2.0 * sky.y, overcastShare(weather));
     float stops = -1.2 - 0.85 * log2(bright), left = sunLeft(weather);
     float dark = 1.0 - smoothstep(0.04, 0.15, sky.y);
@@ -141,7 +142,7 @@ vec3 skyWithClouds(vec3 direction, Lights lights, float width)
 
 // The point that a ray meets.
 struct Place {
-    bool  land, water; // both false: the sky
+    bool  land, water; // both false for the sky
     float t;           // of p along the ray; 1e5 for the sky
     vec3  p;
     vec3  part;        // distances of rock, tower and house
@@ -206,7 +207,7 @@ vec3 placeLight(Place place, vec3 direction, vec3 sky, Lights lights)
     return place.land ? land : (place.water ? mix(deep, sky, share) : sky);
 }
 
-// Adds the haze lit by the lamp and its beam, then the rain in front of everything; then the film.
+// Add the haze lit by the lamp and its beam, then the rain in front of everything, and last the film.
 vec3 developed(vec3 light, Place place, Lights lights)
 {
     vec3 from = place.seen.origin - LANTERN, beam = vec3(sin(1.2 * iTime + 0.5), 0.03, cos(1.2 * iTime + 0.5));

@@ -25,10 +25,10 @@ uniform sampler2D cloudsHigh;  // "clouds_high.png" linear repeat: a layer from 
 
 uniform float timeOfDay;      // 18.4 in [0, 24] step 0.2, hour of the day: solar time at the start
 uniform float hoursPerSecond; // 0.1 in [0, 4] step 0.05, hours per second: speed of the time of day
-uniform float declination;    // 10 in [-23, 23] step 1, degrees: of the sun
+uniform float declination;    // 10 in [-23, 23] step 1, degrees: declination of the sun
 uniform float weather;        // 1 in [0.5, 1] step 0.05: 1 fair, 0.5 bad
-uniform float moonAge;        // 14.77 in [0, 29.53] step 1, days: since new moon; 14.77 is full moon
-uniform bool  clouds;         // true: false: a sky without clouds
+uniform float moonAge;        // 14.77 in [0, 29.53] step 1, days: time since new moon; 14.77 is full moon
+uniform bool  clouds;         // true: show the clouds
 uniform float turned;         // 0.1 in [0, 1] step 0.02, turns: position of the clouds at noon; they go round once a day
 uniform float wind;           // 0.3 in [0, 1] step 0.05: roughness of the water
 uniform float mist;           // 0.005 in [0, 0.1] step 0.001, per scene unit: share of light lost in the clear air at the water
@@ -38,15 +38,15 @@ uniform float footprint;      // 1 in [0, 8] step 0.25, half pixels: how fast th
 uniform int   maxSteps;       // 160 in [1, 512]: steps after which a ray is abandoned
 uniform float hitThreshold;   // 0.0002 in [0.00001, 0.1] step *2, scene units: distance at the eye that counts as a hit
 
-const float FAR = 160.0;       // a ray that has travelled this far sees the sky
-const float SHADOW_FAR = 60.0; // how far a shadow ray looks
+const float FAR = 160.0;       // a ray that has travelled this far meets the sky
+const float SHADOW_FAR = 60.0; // length of a shadow ray
 const float MIST_SCALE = 3.0;  // the height over which the mist thins to 1 / e
 const float LATITUDE = 43.6;   // degrees
 const float SUN_RADIUS = 0.0047, MOON_RADIUS = 0.009; // radians: the moon's is twice the true one
 const float DISC = 0.0047;      // the true radius of both, for shadows
 const float LOW_CLOUDS = 3.0, HIGH_CLOUDS = 8.0; // altitudes, km
 const float HIGH_PERIOD = 70.0; // of the picture of the high clouds, km; it passes once a day
-const float MOON_STOPS = 3.5;   // of exposure at most for the moon: an eye that looks at it adapts
+const float MOON_STOPS = 3.5;   // most stops of exposure for the moon, because an eye that looks at it adapts
 const vec3  LAMPLIGHT = vec3(0.62, 0.24, 0.06);  // from the windows of the cabin
 
 // The hour, the weather and the point on the screen, set once for each pixel.
@@ -90,8 +90,8 @@ float coarseMargin(float t)
 // The sources of light, computed once for each pixel.
 struct Hour {
     float noon;             // hours since noon, in [0, 24)
-    vec3  sun, moon, toLight; // directions; toLight is that of the one that counts
-    vec3  beam, cloudBeam;  // its light on a perpendicular surface: ground, clouds
+    vec3  sun, moon, toLight; // directions; toLight is that of the source that counts
+    vec3  beam, cloudBeam;  // its light on a perpendicular surface at the ground and at the clouds
     vec3  sky;              // light of the whole sky on a horizontal white surface
     vec3  moonlit;          // light of the clear night sky that comes from the moon
     float lamp;             // brightness of the lamps, in [0, 1]
@@ -111,7 +111,8 @@ Hour hourNow()
     float moonUp = max(moon.y, 0.0);
     vec3 moonlit = vec3(0.8, 1.0, 1.3) * (0.15 * moonUp * moonBeam), clear = tableAmbient(sun) + moonlit + 6e-8;
     vec3 sky = mix(clear, overcastWhite(clear + max(toLight.y, 0.0) * beam), overcastShare(theWeather));
-    // Exposed for what the eye sees most of: sky and sunlit clouds, or the overcast sky alone.
+    // The exposure suits the light of which the eye sees most: sky and sunlit clouds, or the overcast
+    // sky alone.
     vec3 cloudBeam = (day ? vec3(1.0) : full) * high;
     float left = sunLeft(theWeather), bright = exp2(skyBrightness(sun.y)) + 9e-8 + 0.08 * (2.0 * moonUp * moonBeam.g + cloudBeam.g);
     float stops = exposure - 1.5 - 0.9 * log2(mix(bright, 1.3 * sky.g + 8e-8, overcastShare(theWeather)));
@@ -165,7 +166,7 @@ vec3 skyLight(vec3 direction, Hour now, bool mirrored, out float open)
 struct Place {
     vec3  p, normal, colour;
     float lamp; // share of lit window
-    bool  met;  // false: sky
+    bool  met;  // false for the sky
 };
 
 Place placeAt(vec3 p, vec3 direction, float width, bool met, bool thing)

@@ -142,7 +142,7 @@ vec3 surfaceLight(Ray ray, float t, bool onSand, float seen, Skin skin, float op
     return skin.colour * (direct + open * (above + below) + torch) + (onSand ? vec3(0.0) : through);
 }
 
-// From night blue to straw: the number of parts that were evaluated, on a logarithmic scale to 1024.
+// The number of parts that were evaluated as a colour from night blue to straw, on a logarithmic scale to 1024.
 vec3 countColour(int count)
 {
     const vec3 colours[5] = vec3[5](vec3(0.05, 0.04, 0.15), vec3(0.24, 0.16, 0.43), vec3(0.62, 0.27, 0.46),

@@ -9,7 +9,8 @@
 #include "../shaders/textures/elephant.h"
 #include "../shaders/textures/sculpt.h"
 
-// From the scene to the elephant, whose turntable has turned by an angle, radians.
+// Map a point of the scene to the elephant's coordinates; the turntable has turned by an angle,
+// radians.
 static void turn_back(const double p[3], double angle, double q[3])
 {
     double c = cos(angle), s = sin(angle);

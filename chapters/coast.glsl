@@ -42,7 +42,7 @@ float houseDistance(vec3 p)
     return opUnion(d, sdBox(q - vec3(0.1, 1.0, -0.8), vec3(0.14, 0.36, 0.16)));
 }
 
-// The distances to rocks, tower and house; the smallest tells which of them a ray has hit.
+// The distances to rocks, tower and house; the smallest shows which of them a ray has hit.
 vec3 coastDistances(vec3 p)
 {
     return vec3(rockDistance(p), towerDistance(p), houseDistance(p));

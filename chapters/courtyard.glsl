@@ -16,7 +16,7 @@
 
 const vec3  COURT_LOW = vec3(-4.80, -0.01, -6.35);   // opposite corners of a box around all objects
 const vec3  COURT_HIGH = vec3(4.80, 4.75, 1.50);
-const float COURT_FAR = 40.0;                        // a ray that has travelled this far sees the sky
+const float COURT_FAR = 40.0;                        // a ray that has travelled this far meets the sky
 const float COURT_SIDE = 4.75;                       // the side walls are at x = -4.75 and 4.75
 const float COURT_TOP = 3.10;                        // their height
 const float COURT_FRONT = -3.60;                     // z at which the gallery's floor begins
@@ -233,7 +233,7 @@ Place courtyardPlaceFrom(Ray ray, float tMin, float threshold, int maxSteps)
     return Place(!hit.found && !onTrough, p, normal, colour, radius);
 }
 
-// The same, starting at the eye.
+// courtyardPlaceFrom, starting at the eye.
 Place courtyardPlace(Ray ray, float threshold, int maxSteps)
 {
     return courtyardPlaceFrom(ray, 0.0, threshold, maxSteps);

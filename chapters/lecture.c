@@ -2,7 +2,7 @@
 //
 //   build/lecture docs/lecture.txt
 //
-// With --print, the scenes are printed instead.
+// With --print, it prints the scenes instead.
 #include "../common/chapter.h"
 
 #include <stdio.h>

@@ -88,7 +88,7 @@ struct Cell {
     vec3  low;
     float size;
     int   first, count;
-    float bound; // if count is 0: the distance from the centre to the scene
+    float bound; // the distance from the centre to the scene if count is 0
 };
 
 Cell cellAt(vec3 p)
@@ -113,7 +113,7 @@ float listDistance(vec3 p, Cell cell)
 Cell  here;         // the cell of the last evaluation
 float listValue;    // and the value of its list
 
-// The distance to the reef. A lower bound everywhere: near the reef the value of the list, elsewhere the bound.
+// The distance to the reef, a lower bound everywhere: near the reef the value of the list, elsewhere the bound.
 float reefDistance(vec3 p)
 {
     here = cellAt(p);
@@ -130,7 +130,7 @@ float roomAlong(vec3 p, vec3 direction, float distance)
     return here.count > 0 ? min(listValue, leave) : max(distance, leave);
 }
 
-// March along a ray through the reef: march, with the steps of roomAlong.
+// March along a ray through the reef, as march does but with the steps of roomAlong.
 //   spread  how fast the threshold grows, per scene unit
 Hit marchReef(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {

@@ -13,7 +13,7 @@ const vec2  AHEAD = vec2(-0.9063, -0.4226); // the direction ahead, as north and
 const float CELLS = 0.08;                   // of the largest ridges, per scene unit,
 const vec2  SEED = vec2(31.2, 9.9);         //   shifted by this: other numbers give other mountains
 const float GAIN = 0.42;                    // each octave is lower by this factor
-const float LACUNARITY = 2.1;               //   and finer by this one than the one before,
+const float LACUNARITY = 2.1;               //   and finer by this factor than the one before,
 const mat2  TURN = mat2(0.8, 0.6, -0.6, 0.8); // turned, so that no lattice is visible,
 const vec2  SHIFT = vec2(17.17, 29.73);     //   and shifted
 const float FOOT = 0.4;                     // height of the hills at which ridges begin, scene units;
@@ -41,7 +41,7 @@ vec3 oneWay(float climb)
 // The gap between the land and the last point that landDistance was called for, scene units.
 float overLand = 0.0;
 
-// From north and east to right and ahead in the valley, and back.
+// Convert north and east to right and ahead in the valley, and back.
 vec2 inValley(vec2 xz)
 {
     return vec2(dot(xz, vec2(-AHEAD.y, AHEAD.x)), dot(xz, AHEAD));
@@ -121,7 +121,7 @@ float landDistance(vec3 p, int count)
 
 // The land at a point: height (x), gradient (yz), and, for its colours, a value in [0, 1] that
 // varies from point to point (w).
-//   count  octaves, any number >= 1; the last one is weighted by the fractional part
+//   count  octaves, any value >= 1; the last one is weighted by the fractional part
 vec4 landAt(vec2 q, float count)
 {
     vec3 base = higherGround(hills(q), shore(q)), sum = vec3(0.0), first = vec3(1.0, 0.0, 0.0);
@@ -223,7 +223,7 @@ float pineDistance(vec3 p, float height)
 }
 
 // The pine of a cell: its position (x, y ahead), the height of its foot (z) and its own height (w),
-// 0 where none grows.
+// which is 0 where none grows.
 vec4 pineOf(vec2 cell)
 {
     float lot = cellRandom(ivec3(cell, 5)), other = fract(64.0 * lot);
@@ -270,8 +270,8 @@ float thingsDistance(vec3 p)
     return min(min(cabinDistance(local), pinesDistance(local)), boatDistance(local));
 }
 
-// The normal of an object near its surface, length 1: of roof or wall, of a cone for a pine, of the
-// sail.
+// The normal of an object near its surface, length 1: that of roof or wall, of a cone for a pine,
+// or of the sail.
 vec3 thingNormal(vec3 p)
 {
     vec3 local = localOf(p), q = atCabin(local);
@@ -302,7 +302,7 @@ vec4 thingColour(vec3 p, vec3 normal)
 // The point where the water mirrors a ray, and the direction from there. Below the water lies the
 // mirrored world: a ray that goes straight on meets there the image of what the mirrored ray meets.
 struct Bend {
-    bool  waves;     // false: level water, the same for every ray
+    bool  waves;     // false for level water, which is the same for every ray
     vec3  place;     // on the water
     vec3  direction; // length 1, upwards
 };
@@ -315,7 +315,7 @@ vec3 unmirrored(vec3 p)
     return p.y >= 0.0 ? p : (bend.waves ? bent : vec3(p.x, -p.y, p.z));
 }
 
-// Marches only to the objects, in their bounding boxes; returns the t of the hit, or -1.
+// March only to the objects, in their bounding boxes. Returns the t of the hit, or -1.
 //   water  where the ray meets the water
 float thingsAlong(Ray ray, float water, float tMax, float threshold, float spread)
 {

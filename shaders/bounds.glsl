@@ -19,11 +19,11 @@ vec2 boxInterval(Ray ray, vec3 low, vec3 high)
     return vec2(max(0.0, max(entry.x, max(entry.y, entry.z))), min(leave.x, min(leave.y, leave.z)));
 }
 
-// The smallest interval that contains two intervals, either of which may be empty: for a scene of two parts,
-// each with its own bounds.
+// The smallest interval that contains two intervals, either of which may be empty. Use it for a scene of two
+// parts, each with its own bounds.
 //   a, b     (entry, exit); empty where entry >= exit
-//   returns  from the first entry to the last exit, including any gap between the two; if one interval is
-//            empty, the other unchanged; if both are, an empty one
+//   returns  from the first entry to the last exit, including any gap between the two; the other interval,
+//            unchanged, if one is empty; an empty interval if both are
 vec2 intervalUnion(vec2 a, vec2 b)
 {
     vec2 both = vec2(min(a.x, b.x), max(a.y, b.y));

@@ -8,7 +8,7 @@
 const float PERIOD = 6.0;     // from the middle of a block to the next
 const float GAP = 1.35;       // half a street: no tower comes closer to the border of its block
 const float TALLEST = 9.3;    // no tower is higher
-const vec3  BAY = vec3(0.36, 0.4, 0.36); // a window and its share of the wall; a floor is 0.4 high
+const vec3  BAY = vec3(0.36, 0.4, 0.36); // size of a window with the wall around it; a floor is 0.4 high
 const vec3  LAMP = vec3(0.26, 1.08, 0.0); // position of a lamp's bulb, from the foot of its post
 
 // A point in its block, and the block's random number.
@@ -48,7 +48,7 @@ vec3 pavement(vec3 local)
     return vec3(abs(local.x) - 2.1, local.yz);
 }
 
-// A lamp: a post, an arm over the street, a bulb. Exact outside.
+// The distance to a lamp, which consists of a post, an arm over the street and a bulb. Exact outside.
 //   q  from pavement
 float lampDistance(vec3 q)
 {
@@ -64,7 +64,7 @@ vec3 treeAxis(vec3 q)
     return vec3(q.x, q.y - clamp(q.y, 0.5, 1.0), abs(q.z) - 1.5);
 }
 
-// A tree: a trunk, and a crown that tapers upwards. A lower bound.
+// A lower bound of the distance to a tree, which consists of a trunk and a crown that tapers upwards.
 //   q  from pavement
 float treeDistance(vec3 q)
 {
@@ -86,11 +86,11 @@ float cityDistance(vec3 p)
     return min(min(tower, wall + GAP), min(lampDistance(q), treeDistance(q)));
 }
 
-// The normal of the city, length 1, from the shapes: that of a face of a box, or away from the axis of a
-// crown or a post.
+// The normal of the city, length 1, computed from its shapes: on a box it is that of the face; on a crown or a
+// post it points away from the axis.
 //   block        of a point on the surface
 //   tower, lamp  whether the surface belongs to a tower or a lamp; otherwise it belongs to a tree
-// On a post, the component along z is never negative: the half that faces -z is the mirror image.
+// On a post, the component along z is never negative: the half that faces -z has the mirrored normals of the other.
 vec3 cityNormal(Block block, bool tower, bool lamp)
 {
     vec3 base = outsideBase(block), shaft = outsideShaft(block), q = pavement(block.local);

@@ -30,7 +30,7 @@ float layerHit(float height, float climb, float altitude)
 // The direction in which an eye at the centre of the panorama sees the point where a ray meets a layer. With it, the
 // clouds overhead move when the eye does, and those at the horizon hardly do.
 //   eye       from the centre, km: x and z along the ground, a few km at most, y above it
-//   direction, altitude  as of layerHit
+//   direction, altitude  as for layerHit
 //   returns   length 1
 vec3 seenFromMiddle(vec3 eye, vec3 direction, float altitude)
 {
@@ -72,7 +72,7 @@ struct Cloud {
 // The clouds of a panorama.
 //   panorama  cover, above, 1/2 + side / 2; repeats in u
 //   turned    turns by which the clouds have drifted, from east to north
-//   others    as of panoramaFootprint
+//   the other parameters are those of panoramaFootprint
 // High up, a texel is half a degree high but narrow, so the footprint is at least a large part of that height. At the
 // zenith a pixel reaches all around, and a mip level that coarse would average the whole panorama, including clouds at
 // the horizon. So a pixel counts as at most twice as many texels in u as in v, in a panorama 6.4 times as wide as high.
@@ -87,7 +87,7 @@ Cloud cloudPanorama(sampler2D panorama, vec3 direction, float turned, float widt
 // The clouds of a thin layer over a round Earth.
 //   layer     its cover, seen from below; repeats in u, to the north, and in v, to the east
 //   eye       above the ground, km; x and z grow as the eye moves, and against the wind
-//   direction, altitude  as of layerHit; below the horizon the direction counts as horizontal
+//   direction, altitude  as for layerHit; below the horizon the direction counts as horizontal
 //   period    of the picture, km
 //   width     angle of a pixel, radians
 //   formula   the picture at eye + t direction, t of layerHit, averaged over width t / s, s the sine of the angle at
@@ -103,14 +103,14 @@ Cloud cloudLayer(sampler2D layer, vec3 eye, vec3 direction, float altitude, floa
 }
 
 // One cloud in front of another.
-//   near, far  the far one counts where the near one lets light through
+//   near, far  the far cloud counts where the near one lets light through
 Cloud cloudOver(Cloud near, Cloud far)
 {
     float left = 1.0 - near.cover;
     return Cloud(near.cover + left * far.cover, near.above + left * far.above, near.side + left * far.side);
 }
 
-// A share of a cloud.
+// A cloud whose three values are multiplied by a share.
 Cloud cloudShare(Cloud cloud, float share)
 {
     return Cloud(share * cloud.cover, share * cloud.above, share * cloud.side);
@@ -171,7 +171,7 @@ float overcastShare(float weather)
 }
 
 // The share of the light of sun and moon that arrives through the clouds of this weather.
-//   weather  as above
+//   weather  as for fairShare
 //   formula  exp(-4 overcastShare)
 float sunLeft(float weather)
 {
@@ -186,7 +186,7 @@ float discLeft(float weather)
     return exp(-16.0 * overcastShare(weather));
 }
 
-// The light of an overcast sky in a direction: three times as bright overhead as at the horizon.
+// The light of an overcast sky in a direction. The sky is three times as bright overhead as at the horizon.
 //   sinHeight  the direction's y; below 0 it counts as 0
 //   white      the light of a horizontal white surface under such a sky
 //   formula    9/7 white (1 + 2 y) / 3: a horizontal surface receives pi white from all of it together
@@ -197,8 +197,8 @@ vec3 overcastSky(float sinHeight, vec3 white)
     return 3.0 / 7.0 * white * (1.0 + 2.0 * max(sinHeight, 0.0));
 }
 
-// The light of a horizontal white surface under an overcast sky: a fifth of its light in clear weather, by eye, and
-// slightly blue.
+// The light of a horizontal white surface under an overcast sky. It is a fifth of the light in clear weather, a value
+// chosen by eye, and slightly blue.
 //   clear  the light of the same surface under the clear sky and its sun
 vec3 overcastWhite(vec3 clear)
 {
@@ -206,7 +206,7 @@ vec3 overcastWhite(vec3 clear)
 }
 
 // The share of the light that haze and rain remove, per kilometre.
-//   weather  as of fairShare
+//   weather  as for fairShare
 //   formula  0.02 in fair weather, growing to 0.1 in bad: Koschmieder's visual range, 3.9 divided by this, is 200 km
 //            and 39 km
 float hazeDensity(float weather)
@@ -221,8 +221,8 @@ float rainShare(float weather)
 }
 
 // The share of a pixel filled by falling drops, drawn out into streaks by a shutter that is open for about a tenth of a
-// second: two sheets of rain, one behind the other. A streak is at least a pixel wide; the wider it is, the fainter, so
-// that a picture of few pixels has as much rain as one of many.
+// second. There are two sheets of rain, one behind the other. A streak is at least a pixel wide, and the wider it is,
+// the fainter it is, so that a picture of few pixels has as much rain as one of many.
 //   screen  y from -1 to 1, x from -aspect to aspect
 //   time    seconds
 //   pixel   height of a pixel, in the units of screen

@@ -4,16 +4,16 @@
 // Before each picture the harness marches a cone for each block (VIEW 8), and the rays of the block's pixels
 // begin where it ended. The pass runs only in programs that call coarseStart.
 //
-// Why nothing is lost. The ball of radius r(t) = radius + t spread around the axis at t contains the points
-// at t of all rays of the block. Let the cone be at t, where the scene is at distance d. Let m be at least
-// coarseMargin up to t + d. Later, at t + h, a point of a ray is at most sqrt(r(t + h)^2 + 2 h ahead + h^2)
+// The pass loses nothing, for the following reason. The ball of radius r(t) = radius + t spread around the axis at t
+// contains the points at t of all rays of the block. Let the cone be at t, where the scene is at distance d. Let m be
+// at least coarseMargin up to t + d. Later, at t + h, a point of a ray is at most sqrt(r(t + h)^2 + 2 h ahead + h^2)
 // from the axis point at t. While that is at most d - m, the point lies in the empty ball of radius d, at
 // least m from its rim, so the scene is at least m away. The root grows with h, so the same holds for all
 // points in between. The step is the largest such h, the root of a quadratic; if there is none, the pass ends.
 // So at every t below the start, on every ray of the block, a march would have gone on. A march that
 // begins there misses no surface, and no point that it would have counted as a hit.
 //
-// What it requires of a chapter:
+// Requirements for a chapter:
 // - sceneDistance is a lower bound, so that no surface is missed, and 1-Lipschitz, so that the margin is
 //   kept; any step factor that this requires is part of sceneDistance. The pass ignores anything that
 //   sceneDistance leaves out, such as a ground with a distance of its own.
@@ -60,8 +60,8 @@ float coarseStart(Ray ray)
 // Compiled only for the pass.
 #if VIEW == 8
 
-const int   COARSE_STEPS = 64;    // most steps of a block's march
-const float COARSE_FAR = 100.0;   // the march ends here at the latest, scene units
+const int   COARSE_STEPS = 64;    // limit on the steps of a block's march
+const float COARSE_FAR = 100.0;   // where the march ends at the latest, scene units
 
 // A cone that contains the rays of a block: a ball around each point of the axis.
 struct Cone {

@@ -4,7 +4,7 @@
 // both are 1-Lipschitz, so is each result. The result then never exceeds the distance to the surface that
 // it draws, inside or outside, and a march needs no step factor anywhere.
 
-// The points of a or b.
+// The points in a or b.
 //   formula  min(a, b)
 //   exact outside if a and b are; inside it is a lower bound of the depth: where two balls overlap, part of
 //   each surface is hidden inside the other ball, and min still counts it
@@ -14,7 +14,7 @@ float opUnion(float a, float b)
     return min(a, b);
 }
 
-// The points of both a and b.
+// The points in both a and b.
 //   formula  max(a, b)
 //   exact inside if a and b are; outside it is a lower bound: above the rim of a lens, the nearest point of
 //   each ball does not belong to the other
@@ -24,7 +24,7 @@ float opIntersection(float a, float b)
     return max(a, b);
 }
 
-// The points of a that are not in b: the intersection of a with the outside of b.
+// The points in a but not in b: the intersection of a with the outside of b.
 //   formula  max(a, -b)
 //   exact inside if a and b are; outside it is a lower bound
 // Source: report, section 2.
@@ -37,7 +37,7 @@ float opSubtraction(float a, float b)
 //   k        width of the blend, scene units, > 0: where |a - b| >= k the result is min(a, b)
 //   formula  min(a, b) - h^3 / (6 k^2), h = max(k - |a - b|, 0)
 //   a lower bound of the distance to the surface that it draws, outside and inside. Its value is at most
-//   min(a, b) and at least min(a, b) - k / 6, which it reaches where a = b. Twice continuously
+//   min(a, b) and at least min(a, b) - k / 6, which it reaches where a = b. It is twice continuously
 //   differentiable in a and b
 // Source: I. Quilez, 'Smooth minimum', the cubic one.
 float opSmoothUnion(float a, float b, float k)
@@ -58,12 +58,12 @@ float smoothUnionShare(float a, float b, float k)
     return a < b ? lesser : 1.0 - lesser;
 }
 
-// The union with its crease filled in by a parabola: cheaper by one product, and deeper.
+// The union with its crease filled in by a parabola, which costs one product less and fills it deeper.
 //   k        width of the blend, scene units, > 0: where |a - b| >= k the result is min(a, b)
 //   formula  min(a, b) - h^2 / (4 k), h = max(k - |a - b|, 0)
 //   a lower bound as opSmoothUnion is. Its value is at most min(a, b) and at least min(a, b) - k / 4, which
-//   it reaches where a = b. Once continuously differentiable in a and b: a highlight shows where the blend
-//   begins
+//   it reaches where a = b. It is once continuously differentiable in a and b, so a highlight shows where
+//   the blend begins
 // Source: I. Quilez, 'Smooth minimum', the quadratic one.
 float opSmoothUnionQuadratic(float a, float b, float k)
 {

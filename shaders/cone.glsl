@@ -1,7 +1,7 @@
 // cone.glsl - sphere tracing with a cone instead of a line: a surface closer to the ray than half a pixel
 // counts as reached.
 //
-// Its two loops are separate from that of march: a shared loop makes the chapters that use it up to 5 % slower.
+// Its two loops are separate from that of march, because a shared loop makes the chapters that use it up to 5 % slower.
 #include "camera.glsl"
 #include "march.glsl"
 
@@ -42,14 +42,14 @@ Hit marchCone(Ray ray, float tMin, float tMax, float threshold, float spread, in
 }
 
 // The visible part of a lamp with a width, found with a cone from the surface to the lamp: 1 if no step
-// found anything in the cone, 0 if a surface crosses the axis, between if a surface is beside the axis.
+// found anything in the cone, 0 if a surface crosses the axis, in between if a surface is beside the axis.
 //   ray         from shadowRay
 //   tMin, tMax  the interval to search, scene units; an empty interval costs nothing and returns 1
 //   threshold   radius of the cone where it starts, scene units, > 0
 //   spread      how fast it widens, per scene unit: the tangent of the lamp's angular radius
 //   formula     max((s - 0.2) / 0.8, 0), where s is the smallest of 1 and distance / (threshold + spread t)
 //               over the steps; a march that has reached s = 1/5 is dark and can end
-// Needs a lower bound of the distance. The greys are a model and measure no area.
+// It needs a lower bound of the distance. The greys are a model and measure no area.
 float coneReaching(Ray ray, float tMin, float tMax, float threshold, float spread, int maxSteps)
 {
     traceBegin(tMin, tMax);

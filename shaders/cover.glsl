@@ -1,7 +1,7 @@
 // cover.glsl - the least number of evaluations that could have shown what the first march of a ray showed.
 //
 // One evaluation at t shows only that nothing lies between t - d and t + d, where d is the distance there.
-// docs/benchmark.md proves what is computed here.
+// docs/benchmark.md proves the claims made here.
 #include "inputs.glsl"
 #include "scene.glsl"
 

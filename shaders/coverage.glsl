@@ -1,4 +1,4 @@
-// coverage.glsl - patterns seen through the width of a pixel: shares instead of yes and no.
+// coverage.glsl - patterns averaged over the width of a pixel: shares instead of yes or no.
 //
 // Widths and positions have the same unit, that of the pattern. The width of a pixel on a surface grows with
 // the distance and with 1 / cosine of the angle between ray and normal.

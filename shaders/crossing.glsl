@@ -15,7 +15,7 @@ const float CROSSING_SHORT = 0.7; // how far short of the distance a step ends, 
 //            change at a constant rate, as in front of a wall. If the second derivative of d is at most K and g
 //            falls by at least s per unit, the error is at most K h^2 / (8 s). If the first step is
 //            a hit, t is tMin
-// Needs a lower bound of the distance: then it steps over no surface, and over nothing that comes nearer to the
+// It needs a lower bound of the distance: then it steps over no surface, and over nothing that comes nearer to the
 // ray than 0.988 r. march and marchCone promise 0.86 r. It may or may not meet a surface that comes within r but
 // no nearer than 0.988 r. It takes a few more steps than marchCone: one to three in front of a wall.
 // docs/16_fewer_steps.md has the proofs.

@@ -21,7 +21,7 @@ const vec3 BLUE = vec3(0.184, 0.435, 0.753), SKY = vec3(0.812, 0.878, 0.961), TE
 
 vec3 sheetColour = PAPER; // what has been drawn so far
 
-// The sheet is seen straight from above, whatever the camera.
+// The sheet is seen straight from above, wherever the camera is.
 Ray pixelRay(vec2 screen)
 {
     return Ray(vec3(screen, 1.0), vec3(0.0, 0.0, -1.0));
@@ -47,7 +47,7 @@ float penWidth(float width)
 
 // ---- Angles ----
 //
-// Both by atan, because no specification limits the error of a driver's asin and acos.
+// Both functions use atan, because no specification limits the error of a driver's asin and acos.
 
 // The angle in [-pi/2, pi/2] with a given sine.
 float arcSine(float s)
@@ -119,7 +119,7 @@ void curve(float above, float slope, float width, vec3 colour)
     fill(abs(above) * inversesqrt(1.0 + slope * slope) - 0.5 * penWidth(width), colour, 1.0);
 }
 
-// A number, centred at a point.
+// Draw a number, centred at a point.
 void number(vec2 p, vec2 at, float value, int decimals, vec3 colour)
 {
     int scaled = int(floor(value * pow(10.0, float(decimals)) + 0.5)), cell = signCell();

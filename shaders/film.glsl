@@ -4,7 +4,7 @@
 
 // A picture with a longer or shorter exposure.
 //   light    linear, >= 0
-//   stops    any number; each doubles the light
+//   stops    any value; each stop doubles the light
 //   formula  2^stops light
 vec3 exposed(vec3 light, float stops)
 {
@@ -24,7 +24,7 @@ float cosineFourth(vec2 screen, float focalLength)
     return cosineSquare * cosineSquare;
 }
 
-// More contrast in the middle, less at both ends.
+// Raise the contrast in the middle of the range and lower it at both ends.
 //   v        in [0, 1] per channel, encoded for the screen, where 1/2 is close to middle grey (in linear light,
 //            1/2 is bright, and the picture would become dark); clamped first
 //   amount   in [0, 1]: 0 leaves v unchanged, 1 is smoothstep(0, 1, v)
@@ -36,7 +36,7 @@ vec3 contrast(vec3 v, float amount)
 }
 
 // The response of a film to light: a straight line in the middle of a logarithmic scale, with a toe in the
-// dark and a shoulder in the bright range, where contrast shrinks.
+// dark range and a shoulder in the bright range, where the contrast is lower.
 //   x        linear light, >= 0, per channel; negative values count as 0
 //   gamma    >= 1: how steep the line is. On a logarithmic scale, its slope at middle grey is
 //            0.82 gamma / (1 - (0.18 / white)^gamma)
@@ -52,7 +52,7 @@ vec3 filmCurve(vec3 x, float gamma, float white)
     return (1.0 + kappa / w) / (1.0 + kappa / h);
 }
 
-// The same curve applied to the largest channel: the ratios of the channels stay, and with them the hue.
+// filmCurve applied to the largest channel, which keeps the ratios of the channels and therefore the hue.
 //   light    linear, >= 0
 //   gamma, white  as for filmCurve
 //   formula  light filmCurve(m) / m, m the largest channel
@@ -62,7 +62,7 @@ vec3 filmOfLargest(vec3 light, float gamma, float white)
     return light * (filmCurve(vec3(largest), gamma, white).r / largest);
 }
 
-// The dither value that a pixel adds before its colour is rounded, from a pattern of 8 x 8 pixels that repeats.
+// The dither value to add to a pixel's colour before it is rounded, from a pattern of 8 x 8 pixels that repeats.
 //   pixel    of the picture, as iPixel; any integers
 //   returns  one of (j + 1/2) / 64 - 1/2, j = 0 to 63: each once in every 8 x 8 pixels, with mean 0. Multiply
 //            by one step of the file, 1 / 255, and add to an encoded colour

@@ -5,7 +5,7 @@
 // pixel's middle, in pixels, with the inverse of the filter's cumulative distribution; (1/2, 1/2) goes to (0, 0).
 #include "samples.glsl"
 
-// The position of this sample in its pixel, (0, 0) the pixel's lower left corner, (1, 1) the upper right.
+// The position of this sample in its pixel, from (0, 0) at the lower left corner to (1, 1) at the upper right.
 //   screen  as passed to pixelRay
 vec2 placeInPixel(vec2 screen)
 {
@@ -48,9 +48,9 @@ vec2 filterOffset(vec2 place, int kernel)
 // The point of the screen that the ray of this sample passes through, instead of the middle of its cell.
 //   screen   as passed to pixelRay
 //   kernel   as for filterOffset
-//   jitter   true: the sample lies anywhere in its cell; false: in the middle of the cell. A single sample
+//   jitter   true if the sample lies anywhere in its cell, false if in the middle of the cell. A single sample
 //            stays in the pixel's middle
-//   dimension  of pixelRandom; uses this one and the next
+//   dimension  of pixelRandom; this one and the next are used
 //   returns  a point of the screen, for perspectiveRay
 vec2 filteredScreen(vec2 screen, int kernel, bool jitter, int dimension)
 {

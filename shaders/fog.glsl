@@ -94,7 +94,7 @@ float lampInFog(vec3 from, vec3 direction, float far, float size)
     return atan(far * aside, aside * aside - (far - nearest) * nearest) / aside;
 }
 
-// The same for a lamp whose light is a beam.
+// lampInFog for a lamp whose light is a beam.
 //   beam     its direction, length 1
 //   wide     width of the beam at the lamp (x), and its growth per scene unit (y)
 //   returns  per scene unit

@@ -1,13 +1,13 @@
 // glass.glsl - rays through clear solids: the march with a sign, the start of the next ray, and the light
 // that remains.
 //
-// Needs a scene distance that is negative inside a solid and bounds the depth there: on both sides, |distance| is
+// The scene distance must be negative inside a solid and bound the depth there: on both sides, |distance| is
 // at most the distance to the surface. docs/17_glass.md proves the claims and says which shapes satisfy this.
 #include "fresnel.glsl"
 #include "march.glsl"
 
 // march of march.glsl on either side of a surface: it marches through side * distanceAt.
-//   side     1: the ray starts outside, and this is march; -1: it starts inside a solid, where the distance is
+//   side     1 if the ray starts outside, as in march; -1 if it starts inside a solid, where the distance is
 //            negative
 //   the other parameters and the result are those of march; found means that it reached the surface from this side
 Hit marchSide(Ray ray, float side, float tMin, float tMax, float threshold, int maxSteps)
@@ -31,7 +31,7 @@ Hit marchSide(Ray ray, float side, float tMin, float tMax, float threshold, int 
     return Hit(found, t);
 }
 
-// How a surface splits a ray: the two new rays, and the share of the light of each.
+// How a surface splits a ray: the two new rays, and the share of the light in each.
 struct Parting {
     float mirrored; // share of the light that is mirrored, in [0, 1]; the rest is transmitted
     vec3  away;     // direction of the mirrored ray, length 1
@@ -41,8 +41,8 @@ struct Parting {
 // The two rays into which a smooth surface splits one ray.
 //   direction  of the ray, length 1
 //   normal     of the surface, outwards, length 1
-//   side       from which the ray comes, as for marchSide
-//   index      of the solid divided by that of its surroundings, > 0
+//   side       the side from which the ray comes, as for marchSide
+//   index      of refraction of the solid divided by that of its surroundings, > 0
 //   formula    Snell's law, with GLSL's refract, the normal on the side of the ray and the ratio of the index before
 //              the surface to that behind it; fresnelShare. A ray that does not come from the given side is treated
 //              as grazing: from inside it is mirrored completely
@@ -74,20 +74,20 @@ vec3 absorbed(vec3 absorption, float way)
     return exp(-absorption * way);
 }
 
-// What a straight line through glass meets.
+// The path of a straight line through glass.
 struct Passage {
     float share;   // of the light that the boundaries transmit, in [0, 1]
     float inside;  // length of the path inside solids, scene units
     float deepest; // t where the line is farthest inside
 };
 
-// A straight ray through all solids in its path: a simple model of a shadow that is not black. In truth, glass
-// bends the light elsewhere; here the light goes straight on, minus what each boundary mirrors.
+// Follow a straight ray through all solids in its path, as a simple model of a shadow that is not black. In truth,
+// glass bends the light elsewhere; here the light goes straight on, minus the share that each boundary mirrors.
 //   ray       from shadowRay, outside
 //   far       how far to search, scene units; 0 or less costs nothing
 //   index     of refraction of the glass
 //   least     the shortest step, scene units, > 0: a solid that is thinner along the ray may be missed
-//   maxSteps  evaluations
+//   maxSteps  limit on the evaluations
 //   formula   steps of max(|distance|, least). If two successive distances d, e differ in sign, there is a boundary
 //             between them, found by linear interpolation; the cosine to its normal is |d - e| divided by the step,
 //             exact for a flat face and an exact distance. So no normal is computed

@@ -1,14 +1,14 @@
 // gloss.glsl - light that a rough surface mirrors: two models of its highlight.
 //
-// A surface that is rough on a small scale consists of many tiny mirrors. A model says how many of them
+// A surface that is rough on a small scale consists of many tiny mirrors. A model determines how many of them
 // send a lamp's light to the eye: those whose normal is halfway between the directions to lamp and eye.
-// Each function returns, per steradian, the light sent towards the eye for light of 1 from one direction, on
+// Each highlight is, per steradian, the light sent towards the eye for light of 1 from one direction, on
 // a surface whose mirrors reflect all light. The caller multiplies by the share that they really reflect, as
 // given by schlickShare, and by the cosine of Lambert's law.
 
 const float GLOSS_PI = 3.14159265;
 
-// The direction halfway between two: the normal of the mirrors that send light from one to the other.
+// The direction halfway between two directions: the normal of the mirrors that send light from one to the other.
 //   toLight, toEye  length 1 each, not opposite
 //   formula         normalize(toLight + toEye)
 vec3 halfway(vec3 toLight, vec3 toEye)
@@ -64,8 +64,9 @@ float smithVisibility(float cosLight, float cosEye, float alpha)
 //   roughness  in (0, 1]; its square is alpha, so that equal steps look equal. Below 0.05 the rounding of
 //              floats is visible
 //   formula    ggxDensity smithVisibility; 0 if lamp or eye is behind the surface
-// It never reflects more light than arrives. It leaves out light that meets a second mirror: the rougher the surface,
-// the more, except at grazing angles (over 80 degrees). build/tests/measure gloss prints how much.
+// It never reflects more light than arrives. It leaves out the light that meets a second mirror: the rougher the
+// surface, the more light it leaves out, except at grazing angles (over 80 degrees). build/tests/measure gloss prints
+// how much.
 float ggxGloss(vec3 normal, vec3 toLight, vec3 toEye, float roughness)
 {
     float cosLight = dot(normal, toLight), cosEye = dot(normal, toEye);

@@ -1,11 +1,11 @@
-// inputs.glsl - what the harness passes to a shader for each picture, and the position of a pixel.
+// inputs.glsl - the inputs that the harness passes to a shader for each picture, and the position of a pixel.
 //
 // The names are Shadertoy's where Shadertoy has one.
 
 uniform vec3  iResolution;     // size of the picture in pixels (x, y), and 1
 uniform float iTime;           // time of the picture, seconds
 uniform float iTimeDelta;      // time since the previous picture, seconds
-uniform int   iFrame;          // number of the picture, from zero
+uniform int   iFrame;          // index of the picture, from zero
 uniform vec4  iMouse;          // the mouse, in pixels: last position with a button held, and position of the press
 uniform vec4  iDate;           // year, month from zero, day, seconds of the day
 uniform vec3  iCameraPosition; // the eye, scene units

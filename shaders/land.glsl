@@ -20,8 +20,9 @@ vec3 groundNoise(vec2 p)
 }
 
 // Ridges: the lines on which noise is 1/2 become crests.
-//   noise    of groundNoise
-//   returns  value in [0, 1], which rounding may leave by 2e-6, and gradient, which is never longer than 2 VALUE_STRETCH
+//   noise    from groundNoise
+//   returns  value in [0, 1], which rounding may leave by 2e-6, and gradient, which is never longer than 2
+//            VALUE_STRETCH
 //   formula  1 - |2 n - 1|
 // Source: F. K. Musgrave, in D. S. Ebert and others, 'Texturing and modeling' (1994), ridged multifractals.
 vec3 ridged(vec3 noise)
@@ -45,7 +46,7 @@ vec3 hill(vec2 p, vec2 radius, float height)
 
 const float HILL_STRETCH = 1.5396007; // 8 sqrt(3) / 9: the slope of (1 - r^2)^2 at r = 1 / sqrt(3)
 
-// The higher of two grounds: no steeper than the steeper of the two.
+// The higher of two grounds. It is no steeper than the steeper of the two.
 vec3 higherGround(vec3 a, vec3 b)
 {
     return a.x > b.x ? a : b;

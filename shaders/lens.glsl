@@ -10,7 +10,7 @@ vec2 sampleDisc(int dimension)
     return iSamples > 1 ? discPoint(sampleSquare(dimension)) : vec2(0.0);
 }
 
-// The ray through a point of the lens that meets the ray through its centre where that is in focus.
+// The ray through a point of the lens that meets the ray through its centre where the latter is in focus.
 //   ray      through the centre of the lens, from perspectiveRay
 //   place    point of the lens, in radii of the aperture: in the unit disc, from discPoint; (0, 0) returns ray
 //   radius   of the aperture, scene units, >= 0

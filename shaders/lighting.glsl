@@ -20,7 +20,7 @@ float fallOff(float distance, float reference)
     return ratio * ratio;
 }
 
-// From linear light to the values that a screen expects: the screen decodes them and then sends out the light
+// Encode linear light as the values that a screen expects: the screen decodes them and then sends out the light
 // that was computed.
 //   light    linear red, green, blue; clamped to [0, 1] first, per channel
 //   formula  12.92 v up to 0.0031308, 1.055 v^(1/2.4) - 0.055 above

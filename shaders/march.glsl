@@ -1,7 +1,7 @@
 // march.glsl - sphere tracing: advance along a ray by the scene's distance until the scene is near.
 #include "scene.glsl"
 
-// What a march found.
+// The result of a march.
 struct Hit {
     bool  found; // the scene was nearer than the threshold
     float t;     // where the march ended, in scene units along the ray
@@ -16,7 +16,7 @@ struct Hit {
 //   returns    found: the first point of the march at which the scene is nearer than threshold. It is never
 //              behind a flat surface, and at most threshold / |cos a| in front of it along the ray, where a is
 //              the angle between the ray and the normal
-// Needs a scene distance that is a lower bound of the true one; then it steps over no surface.
+// It needs a scene distance that is a lower bound of the true one; then it steps over no surface.
 // Source: J. C. Hart, 'Sphere tracing', The Visual Computer 12 (1996); report, section 1.4.
 Hit march(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 {

@@ -6,7 +6,7 @@
 // cost as many additional evaluations as the march has steps.
 #include "scene.glsl"
 
-const int MARCHED_STEPS = 64; // the table has at most this many
+const int MARCHED_STEPS = 64; // the table has at most this many steps
 
 #ifndef EXPORTED
 
@@ -28,7 +28,7 @@ vec2 marchedStep(int k)
     return iMarched[k];
 }
 
-// Did its last step find the surface?
+// Did the last step of the march find the surface?
 bool marchedHit()
 {
     return iMarchedHit;

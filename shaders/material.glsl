@@ -3,7 +3,7 @@
 // A march needs only distances. The material is computed once per ray, for the point that was found, so the
 // record may be as long as it needs to be.
 
-// What light meets at a surface.
+// How a surface reflects light.
 struct Material {
     vec3  colour;    // share of the light that enters and returns in all directions, linear RGB, in [0, 1]
     vec3  straight;  // share that the surface mirrors at normal incidence, in [0, 1]: 0.04 for glaze, wax and

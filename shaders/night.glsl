@@ -13,14 +13,14 @@ const float NIGHT_PI = 3.14159265;
 // The time in which the stars turn once, hours: 23 h 56 min 4 s.
 const float SIDEREAL_DAY = 23.9344696;
 
-// From new moon to new moon, days.
+// The time from new moon to new moon, days.
 const float MONTH = 29.530589;
 
 // The angle between the equator and the sun's path among the stars, degrees.
 const float OBLIQUITY = 23.4393;
 
-// From a direction to the stars' frame: starDirection = skyTurn(hour, latitude) * direction.
-//   hour      solar time on the day of the March equinox; any number, and 24 more is a day later
+// The rotation of directions to the stars' frame: starDirection = skyTurn(hour, latitude) * direction.
+//   hour      solar time on the day of the March equinox; any value; 24 more is a day later
 //   latitude  degrees, north positive
 //   returns   a rotation
 //   formula   rows cos L M + sin L W, sin L M - cos L W, P, with L = 360 (hour - 12) / SIDEREAL_DAY degrees,
@@ -34,11 +34,11 @@ mat3 skyTurn(float hour, float latitude)
     return transpose(mat3(c * meridian + s * west, s * meridian - c * west, pole));
 }
 
-// The direction to the moon, which moves along the sun's path among the stars. Its own path is inclined to that by
-// 5 degrees, which is left out.
+// The direction to the moon, which moves along the sun's path among the stars. Its own path is inclined to the
+// sun's by 5 degrees, which is left out.
 //   hour, latitude  as for sunDirection in sky.glsl
 //   declination     of the sun, degrees, in [-23.43, 23.43], in the half of the year in which it rises
-//   age             days since new moon; any number
+//   age             days since new moon; any value
 //   formula         the sun's longitude l has sin l = sin declination / sin OBLIQUITY; the moon's is
 //                   l + 360 age / MONTH. Both are turned so that at this hour the sun is where it should be
 vec3 moonDirection(float hour, float latitude, float declination, float age)
@@ -63,7 +63,7 @@ const float STAR_FAINTEST = 5.75e-13;
 
 // The light of the stars, averaged over the footprint of a pixel.
 //   direction  in the stars' frame: from skyTurn
-//   width      of the pixel, radians, > 0; from 0.0031 on, the spot does not grow any more
+//   width      of the pixel, radians, > 0; above 0.0031, the spot no longer grows
 //   returns    linear light, above the air. The sum over the pixels of light times solid angle is the same for all
 //              positions of the stars between the pixels, within 0.7 %
 //   formula    the sum over the stars of flux colour (1 - d^2 / r^2)^3 4 / (pi r^2), d the distance to the star, r
@@ -71,8 +71,8 @@ const float STAR_FAINTEST = 5.75e-13;
 //              of stars grows as 10^(0.51 m) with the magnitude m. The colour is that of a black body,
 //              exp(14388 (1/0.55 - 1/wavelength) (1/T - 1/6500)) by Wien, T from 3,300 to 14,000 K
 // Only the four cells nearest to the direction are evaluated, all at once, one in each component: a spot reaches less
-// far than half of a cell's side. Beyond the pole is the same ring, half a turn further, and beyond the equator the same
-// ring of the other hemisphere.
+// far than half of a cell's side. Beyond the pole is the same ring, half a turn further, and beyond the equator the
+// same ring of the other hemisphere.
 // Source: counts of the Hipparcos catalogue (ESA 1997); 2.54e-6 lx: C. W. Allen, 'Astrophysical quantities' (1973).
 vec3 starLight(vec3 direction, float width)
 {
@@ -166,7 +166,8 @@ vec3 airglow(float sinHeight)
     return 4.5e-8 / sqrt(1.0 - (1.0 - s * s) / 1.0302) * vec3(0.72, 1.0, 1.25);
 }
 
-// The exposure for the light of the sky, in stops: an eye makes up for a little more than one of two stops of darkness.
+// The exposure for the light of the sky, in stops. An eye compensates for a little more than one of every two stops of
+// darkness.
 //   light    of the sky overhead, from zenithLight, plus that of the moon
 //   returns  0.25 at noon, 14.2 on a dark night
 //   formula  -0.58 log2(light)

@@ -22,7 +22,7 @@ uvec4 stirredBits(uvec4 v)
 // The bits of the eight corners of a cell.
 struct CellBits {
     uvec4 near; // z = 0: the corners (0, 0), (1, 0), (0, 1), (1, 1) in x and y
-    uvec4 far;  // z = 1: the same
+    uvec4 far;  // z = 1: the corners in the same order
 };
 
 // The bits of the cell with the given lowest corner.
@@ -76,7 +76,7 @@ vec4 blendedValues(vec3 x, vec4 near, vec4 far)
 // Value noise: a random number at every lattice point, interpolated between them.
 //   p        scene units
 //   returns  value in [0, 1), gradient; twice continuously differentiable; the gradient is never longer than
-//            VALUE_STRETCH. Floats may leave the range of the value by their rounding, about 1e-6
+//            VALUE_STRETCH. Rounding may take the value out of its range by about 1e-6
 vec4 valueNoise(vec3 p)
 {
     vec3 corner = floor(p);
@@ -85,8 +85,8 @@ vec4 valueNoise(vec3 p)
     return blendedValues(p - corner, vec4(near) / 16777216.0, vec4(far) / 16777216.0);
 }
 
-// Lipschitz constants, both the smallest that are true for all numbers and directions at the corners. The first
-// is proved in docs/12_textures.md. That the second is never exceeded is computed there, on a grid.
+// Two Lipschitz constants, each the smallest that holds for all numbers and directions at the corners. The first
+// is proved in docs/12_textures.md, where a computation on a grid shows that the second is never exceeded.
 const float VALUE_STRETCH = 1.875;        // 15/8: of the fade on one axis, and of valueNoise in space
 const float GRADIENT_STRETCH = 2.7922885; // sqrt(499) / 8: of gradientNoise
 
@@ -134,7 +134,7 @@ vec4 gradientNoise(vec3 p)
 // points all octaves of gradient noise would be 0, and so would all gradients of value noise.
 const vec3 OCTAVE_SHIFT = vec3(17.17, 5.31, 29.73);
 
-// The sum of 1, ratio, ratio^2 and so on, count terms.
+// The sum of the first count terms of 1, ratio, ratio^2 and so on.
 //   count    >= 1
 //   formula  added term by term; its limit is 1 / (1 - ratio) if |ratio| < 1
 float geometricSum(float ratio, int count)
@@ -150,7 +150,7 @@ float geometricSum(float ratio, int count)
 // A sum of octaves of value noise, each finer and weaker than the one before, divided by the sum of their weights.
 //   count       of octaves, >= 1
 //   gain        weight of an octave divided by that of the one before, in (0, 1]
-//   lacunarity  the same for the number of cells per unit, >= 1
+//   lacunarity  cells per unit of an octave divided by those of the one before, >= 1
 //   returns     value in [0, 1) up to rounding, about 1e-6; gradient, never longer than octaveStretch
 //   formula     sum of gain^i valueNoise(p_i) / sum of gain^i, p_0 = p, p_(i+1) = lacunarity p_i + shift
 vec4 octaveNoise(vec3 p, int count, float gain, float lacunarity)

@@ -52,7 +52,7 @@ float hiddenByBall(vec3 p, vec3 normal, vec3 centre, float radius)
 // A direction in the half-space of a normal, from a point of the unit square. Each part of the sky receives
 // directions in proportion to its contribution.
 //   normal   length 1
-//   square   each in [0, 1]
+//   square   both coordinates in [0, 1]
 //   formula  discPoint gives a point of the disc; the direction is the point of the hemisphere above it
 //   returns  length 1. Uniformly distributed points become directions of density cos / pi
 // Source: W. Nusselt (1928) for the disc; T. J. V. Malley (1988) for the sampling.
@@ -66,14 +66,14 @@ vec3 cosineDirection(vec3 normal, vec2 square)
 
 // The share of side x side rays that reach the sky: one at a random point in each cell of the unit square. Of
 // the k x k samples of a pixel, each takes a different one of the k x k parts of the cell, and each ray uses a
-// different order: so all samples together have one ray in each of (k side)^2 cells.
+// different order, so all samples together have one ray in each of (k side)^2 cells.
 //   place      on the surface, or a little above it, scene units
 //   normal     length 1
-//   offset     how far above it the rays start, as for shadowRay
+//   offset     how far above the surface the rays start, as for shadowRay
 //   far        how far to search, scene units
 //   side       >= 0; with 0, no ray is marched and the result is 1
 //   threshold, maxSteps  of the march
-//   dimension  the first of 2 side^2 dimensions of pixelRandom that it uses
+//   dimension  the first of 2 side^2 dimensions of pixelRandom that are used
 // Its mean over the samples of a pixel tends to the openness.
 float skyReaching(vec3 place, vec3 normal, float offset, float far, int side, float threshold,
                   int maxSteps, int dimension)
@@ -96,7 +96,7 @@ float skyReaching(vec3 place, vec3 normal, float offset, float far, int side, fl
 const int TAPS = 5;
 
 // How far above the surface tap k lies, k from 0 to TAPS - 1. Each tap is twice as high as the one before.
-//   reach    of the last, > 0, scene units
+//   reach    height of the last tap, > 0, scene units
 //   formula  reach / 2^(TAPS - 1 - k)
 float tapHeight(int k, float reach)
 {
@@ -111,7 +111,7 @@ float tapHeight(int k, float reach)
 //   formula  1 - strength times the mean of 1 - d_k / h_k, each in [0, 1], h_k = tapHeight, d_k = the scene's
 //            distance at place + h_k normal; never less than 0
 //   returns  1 where no tap is nearer to anything than to the surface itself: with an exact distance, on a single
-//            plane, ball or other convex solid. An estimate: neither an upper nor a lower bound of the openness
+//            plane, ball or other convex solid. It is neither an upper nor a lower bound of the openness
 // Source: after A. Evans, 'Fast approximations for global illumination on dynamic scenes', SIGGRAPH 2006.
 float openByTaps(vec3 place, vec3 normal, float reach, float strength)
 {
@@ -128,7 +128,7 @@ float openByTaps(vec3 place, vec3 normal, float reach, float strength)
 // The light of a point that sees a share of the sky, and otherwise surfaces that are lit as it is.
 //   open     its openness, in [0, 1]
 //   colour   share of the light that those surfaces reflect, in [0, 1] per channel
-//   bounces  0: only the sky's light; 1: with the light of one reflection; 2: of all reflections
+//   bounces  0 for only the sky's light, 1 to include the light of one reflection, 2 that of all reflections
 //   returns  light, where an open floor has 1
 //   formula  open, open (1 + b), or open / (1 - b), b = colour (1 - open). The last is 1 if colour is 1 and
 //            open at least 1e-6, and 0 if open is 0; exact in a hollow ball with a hole

@@ -3,20 +3,20 @@
 
 uniform float orthographic; // 1 in [0, 1] step 0.05: 0 the perspective view, 1 the orthographic one
 
-// The ray of a parallel view: all have the camera's direction, and each starts at its own point of the camera's plane.
+// The ray of a parallel view: all rays have the camera's direction, and each starts at its own point of the camera's
+// plane.
 //   screen      y from -1 to 1, x from -aspect to aspect
 //   halfHeight  half the height of the area that the picture shows, scene units, > 0
 //   formula     origin = position + halfHeight (x right + y up), direction = forward
-// The report (section 2.3) leaves halfHeight out: then the picture shows 2 scene units, whatever the
-// scene.
+// The report (section 2.3) leaves halfHeight out, so its picture shows 2 scene units, whatever the scene.
 Ray orthographicRay(vec2 screen, float halfHeight)
 {
     vec3 across = screen.x * iCameraRight + screen.y * iCameraUp;
     return Ray(iCameraPosition + halfHeight * across, iCameraForward);
 }
 
-// The ray of a view between the two: the perspective view of an eye that has moved back to
-// framingDistance / (1 - u) while its focal length grew in proportion, u = orthographic. Points of the framing
+// The ray of a view between the perspective and the parallel one: the perspective view of an eye that has moved
+// back to framingDistance / (1 - u) while its focal length grew in proportion, u = orthographic. Points of the framing
 // plane, perpendicular to the view at framingDistance from the camera, keep their positions in the picture.
 //   screen           y from -1 to 1, x from -aspect to aspect
 //   framingDistance  from the camera's plane to the framing plane along the view, scene units, > 0

@@ -18,7 +18,7 @@ vec3 placeWanted(int k)
 }
 
 // The offset from a pixel's ray to a point, perpendicular to the ray, scene units.
-//   along  where it passes the point, scene units along that ray
+//   along  where the ray passes the point, scene units along it
 vec3 placeMissed(vec3 p, vec2 pixel, float along)
 {
     Ray ray = pixelRay(screenPosition(pixel));

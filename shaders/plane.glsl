@@ -1,8 +1,8 @@
 // plane.glsl - signed distances of the elementary figures of the plane.
 //
-// Positive outside, negative inside, in scene units. Each is exact everywhere: the distance to the
-// nearest point of the boundary. A figure without an interior, such as a segment or an arc, has a distance
-// that is never negative; opRound gives it a width. The operations of combine.glsl work in the plane too.
+// The distances are positive outside, negative inside, and in scene units. Each is exact everywhere: it is the
+// distance to the nearest point of the boundary. A figure without an interior, such as a segment or an arc, has a
+// distance that is never negative; opRound gives it a width. The operations of combine.glsl work in the plane too.
 
 // A disc around the origin. Exact everywhere.
 //   p        point, scene units
@@ -60,7 +60,7 @@ const int POLYGON_CORNERS = 16;
 //   p        point, scene units
 //   corner   the corners in order, clockwise or counter-clockwise, scene units, no two neighbours equal; those
 //            from count on are not read
-//   count    how many there are, at most POLYGON_CORNERS
+//   count    number of corners, at most POLYGON_CORNERS
 //   formula  the smallest distance to a side; its sign from the crossings of the half-line from p to the
 //            right. A side contains its lower end but not its upper end, so that a corner counts once
 // Source: M. Shimrat, 'Algorithm 112: position of point relative to polygon', Communications of the ACM

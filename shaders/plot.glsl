@@ -60,7 +60,7 @@ float plotCurve(Ray ray, vec2 pixel)
     return lineCover(nearest, 2.2 * pen);
 }
 
-// The intervals that the steps show to be empty, the stairs, and the positions of the steps.
+// Draw the intervals that the steps show to be empty, the stairs, and the positions of the steps.
 vec3 plotSteps(vec3 colour, vec2 pixel)
 {
     float pen = slicePen(), promised = 0.0, slopes = 0.0, stairs = 0.0, here = 0.0, dots = 0.0;
@@ -92,7 +92,7 @@ vec3 plotSteps(vec3 colour, vec2 pixel)
     return mix(colour, SLICE_HERE, here);
 }
 
-// The end of the march, marked with a ring for a hit or a cross for a miss, and its name.
+// Mark the end of the march with a ring for a hit or a cross for a miss, and with its name.
 vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
 {
     float pen = slicePen();
@@ -102,7 +102,7 @@ vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
     float cross = max(abs(from.x), abs(from.y)) < 5.0 * pen ? lineCover((abs(from.x) - abs(from.y)) * 0.7, 1.8 * pen) : 0.0;
     float mark = iPlotEnd == END_HIT ? lineCover(length(from) - 5.5 * pen, 1.8 * pen) : cross;
     vec2 corner = floor(place / cell) + vec2(iPlotEnd == END_HIT ? -5.0 : -7.0, 7.0);
-        // An end outside the picture is named in the corner, where any word fits.
+    // An end outside the picture is named in the corner, where any word fits.
     vec2 most = floor(vec2(iResolution.x / cell, iPlotFrame.z / cell)) - vec2(32.0, 8.0);
     float shorter = iPlotEnd == END_HIT ? 20.0 : iPlotEnd == END_STEPS ? 0.0 : 15.0;
     corner = place.x > iResolution.x ? most : min(corner, most + vec2(shorter, 0.0));
@@ -114,7 +114,8 @@ vec3 plotEnd(vec3 colour, vec2 pixel, float cell)
     return mix(colour, SLICE_INK, max(mark, wordCover(word, pixel - cell * corner)));
 }
 
-// The axis of the distance, at the eye or at the left edge: ticks, their numbers and its name, with grid lines.
+// Draw the axis of the distance, at the eye or at the left edge, with its name, its ticks, their numbers and grid
+// lines.
 vec3 plotAxis(vec3 colour, vec2 pixel, float cell)
 {
     float pen = slicePen(), left = max(plotPlace(0.0, 0.0).x, 26.0 * cell);
@@ -139,7 +140,7 @@ vec3 plotAxis(vec3 colour, vec2 pixel, float cell)
     return mix(colour, SLICE_INK, max(mark, wordCover(SIGN_DISTANCE, pixel - cell * name)));
 }
 
-// The line below which a distance counts as a hit, dashed, and its name where that does not touch the axis.
+// Draw the dashed line below which a distance counts as a hit, and its name where that does not touch the axis.
 vec3 plotLimit(vec3 colour, vec2 pixel, float cell)
 {
     float pen = slicePen();

@@ -1,7 +1,7 @@
 // primitives.glsl - signed distances of the elementary volumes, each centred at the origin.
 //
-// Positive outside, negative inside, in scene units. Each is 1-Lipschitz: between two points its value changes
-// by at most their distance.
+// The distances are positive outside, negative inside, and in scene units. Each is 1-Lipschitz: between two points
+// its value changes by at most their distance.
 
 // A ball. Exact everywhere.
 //   p        point, scene units
@@ -24,8 +24,7 @@ float sdPlane(vec3 p, vec3 normal, float height)
     return dot(p, normal) - height;
 }
 
-// From the distances to three pairs of faces, each negative inside, to the signed distance of the box that
-// they bound.
+// The signed distance of a box, computed from the distances to its three pairs of faces, each negative inside.
 //   q        (|x| - a, |y| - b, |z| - c)
 //   formula  |max(q, 0)| + min(max(q.x, q.y, q.z), 0)
 float boxDistance(vec3 q)
@@ -42,13 +41,13 @@ float sdBox(vec3 p, vec3 halfSize)
     return boxDistance(abs(p) - halfSize);
 }
 
-// The twelve edges of a box, as square beams. Exact outside; inside a lower bound of the depth, in
-// the corners where three beams meet.
+// The twelve edges of a box, as square beams. Exact outside; inside, where three beams meet in a corner, a lower
+// bound of the depth.
 //   p         point, scene units
 //   halfSize  half of the outer width, height and depth, scene units
 //   beam      half the thickness of a beam, scene units, in [0, smallest half size]
 // Folded by |p|, the beams along x are one box: x within the outer size, y and z within half a beam's
-// thickness of its centre line. The same holds for y and z; then the union of the three.
+// thickness of its centre line. The same holds for y and z, and the result is the union of the three.
 // Source: report, annex A1.
 float sdBoxFrame(vec3 p, vec3 halfSize, float beam)
 {

@@ -9,7 +9,7 @@
 // The sine of the angle at which light leaves.
 //   entering  sine of the angle at which it enters, in [-1, 1]
 //   index     of the prism, divided by that of its surroundings, >= 1
-//   returns   above 1: total reflection, no light leaves through the second face
+//   returns   above 1 for total reflection: no light leaves through the second face
 //   formula   sin(apex) sqrt(index^2 - entering^2) - cos(apex) entering
 float prismLeaving(float entering, float apex, float index)
 {
@@ -49,7 +49,7 @@ float planIndex(float index, float rise)
 // A narrow beam of white light and an equilateral prism, seen from above at one point.
 struct Beam {
     float white; // share of the beam that passes this point in front of the prism, in [0, 1]
-    vec2  waves; // behind it: the wavelengths that arrive lie between these two, micrometres; equal: none
+    vec2  waves; // behind it: the wavelengths that arrive lie between these two, micrometres; equal if none do
 };
 
 // The light at a point, from a beam that enters the middle of one side of an upright prism whose plan is an

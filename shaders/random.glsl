@@ -3,7 +3,7 @@
 
 // A number that looks random: uniformly distributed over [0, 1), independent of those of other pixels, samples
 // and dimensions. For a given pixel, sample and dimension it is the same on every machine and never depends on
-// the time: a picture stays a function of its options, and a film does not flicker.
+// the time, so a picture remains a function of its options, and a film does not flicker.
 //   dimension  index of this number within the sample, >= 0: if a point in a disc uses 0 and 1, the next
 //              quantity begins at 2; the same dimension always gives the same number
 //   formula    pcg4d of (x and y of iPixel, iSample, dimension), all modulo 2^32; the upper 24 bits of the

@@ -18,12 +18,12 @@
 //              t + d, and the next point is t + omega d, tMax at most
 //   returns    found: a point where the scene is nearer than r; no surface lies in front of it.
 //              t: that point, or covered if the march gave up or passed tMax
-// Needs a lower bound of the distance: then it steps over no surface, and over nothing that comes nearer to
+// It needs a lower bound of the distance: then it steps over no surface, and over nothing that comes nearer to
 // the ray than 0.86 r, which is all that march promises. If the distance is also 1-Lipschitz along the ray, it
 // needs at most n + 1 evaluations where march needs n. A ray that only grazes, nearer than r and away again, may be
 // a hit for one of them and a miss for the other.
 // Source: B. Keinert and others, 'Enhanced sphere tracing', STAG 2014; docs/16_fewer_steps.md has the proofs
-// and what is different here.
+// and lists the differences.
 Hit marchRelaxed(Ray ray, float tMin, float tMax, float threshold, float spread, float omega,
                  int maxSteps)
 {

@@ -60,7 +60,7 @@ float cellNeighbour(float x, float period)
     return cell + (x < period * cell ? -1.0 : 1.0);
 }
 
-// The same among the cells from first to last: if the neighbour lies beyond one end, the cell at that end.
+// cellNeighbour among the cells from first to last: if the neighbour lies beyond one end, the cell at that end.
 //   formula  clamp(cellNeighbour(x), first, last)
 float cellNeighbourLimited(float x, float period, float first, float last)
 {
@@ -78,14 +78,14 @@ float cellWall(float x, float period)
     return 0.5 * period + abs(opRepeat(x, period));
 }
 
-// The same if only the cells from first to last contain copies; it grows beyond the ends.
+// cellWall if only the cells from first to last contain copies; it grows beyond the ends.
 //   formula  period / 2 + |opRepeatLimited(x)|
 float cellWallLimited(float x, float period, float first, float last)
 {
     return 0.5 * period + abs(opRepeatLimited(x, period, first, last));
 }
 
-// The distance to the other copies, if all stay near the middle of their cells: then only the cell's own
+// The distance to the other copies, if all copies stay near the middle of their cells. Then only the cell's own
 // copy has to be evaluated.
 //   reach    how far a copy reaches from the middle of its cell along this axis, scene units, less
 //            than period / 2, or a march stops at the borders
@@ -98,8 +98,9 @@ float cellOthers(float x, float period, float reach)
     return period - abs(opRepeat(x, period)) - reach;
 }
 
-// A number in [0, 1) that looks random, the same for the same cell on every machine: it comes from an integer
-// hash, without a sine. Its 24 bits are independent, so fract(64 cellRandom), which drops the first 6, is a second number.
+// A number in [0, 1) that looks random. It is the same for the same cell on every machine, because it comes from an
+// integer hash and not from a sine. Its 24 bits are independent, so fract(64 cellRandom), which drops the first 6, is a
+// second number.
 //   cell  integers; exchanging the last two has no effect, so in a plane vary the first and one of the others
 // Source: after pcg3d of M. Jarzynski, M. Olano, 'Hash functions for GPU rendering', JCGT 9 (2020),
 // whose rounds change x, y and z one after another; here all three change at once.

@@ -2,9 +2,9 @@
 #include "inputs.glsl"
 #include "scene.glsl"
 
-// The room around a camera at p: the distance to the scene, or a lower bound of it, less the distance that the camera
-// must keep, scene units. A camera that is moved in the window stops where the room would become negative. A chapter
-// defines this function if it wants that; no picture depends on it.
+// The room around a camera at p: the distance to the scene, or a lower bound of it, minus the distance that the
+// camera must keep, scene units. A camera that is moved in the window stops where the room would become negative.
+// Only chapters that want this define the function; no picture depends on it.
 float cameraRoom(vec3 p);
 
 // Compiled only for the program that moves the camera.

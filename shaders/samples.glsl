@@ -27,7 +27,7 @@ int sampleCell(int dimension)
 }
 
 // A number of this sample between 0 and 1, one in each of iSamples equal parts; a single sample lies anywhere.
-//   dimension  of sampleCell; uses the number of the same dimension of pixelRandom too
+//   dimension  of sampleCell and of pixelRandom
 float sampleLine(int dimension)
 {
     return (float(sampleCell(dimension)) + pixelRandom(dimension)) / float(iSamples);
@@ -35,7 +35,7 @@ float sampleLine(int dimension)
 
 // A point of this sample in the unit square, one in each of its k x k cells, iSamples = k^2; a single sample
 // lies in the middle.
-//   dimension  of sampleCell; uses this one and the next of pixelRandom
+//   dimension  of sampleCell; pixelRandom is called for this one and the next
 vec2 sampleSquare(int dimension)
 {
     int side = int(sqrt(float(iSamples)) + 0.5), cell = sampleCell(dimension);

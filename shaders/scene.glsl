@@ -1,4 +1,4 @@
-// scene.glsl - the three functions of a chapter, and the record of what its rays did.
+// scene.glsl - the three functions of a chapter, and the record of its rays.
 
 // A half-line: the points origin + t direction, t >= 0.
 struct Ray {
@@ -14,7 +14,7 @@ Ray pixelRay(vec2 screen);
 // inside.
 float sceneDistance(vec3 p);
 
-// The colour that the ray sees: red, green, blue in [0, 1]; the screen clamps values outside.
+// The colour of the ray: red, green, blue in [0, 1]; the screen clamps values outside.
 vec3 rayColour(Ray ray);
 
 // Why a march ended.
@@ -23,19 +23,19 @@ const int END_HIT    = 1; // the scene was nearer than the threshold
 const int END_PASSED = 2; // the far limit was passed
 const int END_STEPS  = 3; // the steps ran out
 
-// What the rays of this pixel did: filled in by distanceAt, march and normalAt, shown by the views
-// and by --probe. If nothing reads it, the compiler removes it.
+// The record of the rays of this pixel, filled in by distanceAt, march and normalAt, and shown by the
+// views and by --probe. If nothing reads it, the compiler removes it.
 struct Trace {
     int   evaluations;    // of sceneDistance, whoever called it
     int   allSteps;       // of all marches
-    int   marches;        // begun
+    int   marches;        // marches begun
     vec2  interval;       // of the first march: from tMin to tMax
     float threshold;      // of the first march: a distance below threshold + spread t was a hit,
-    float spread;         // scene units, and scene units per scene unit; 0, 0: not reported
+    float spread;         // scene units, and scene units per scene unit; 0, 0 if not reported
     int   steps;          // of the first march
     float t;              // where the first march ended
-    int   end;            // why it did
-    int   normals;        // computed
+    int   end;            // why it ended
+    int   normals;        // normals computed
     vec3  normal;         // the first one
     int   wanted;         // the step that a probe wants, from 0
     float wantedT;        // t at that step
@@ -45,7 +45,7 @@ struct Trace {
 Trace trace;
 
 // Forget all rays. Every pixel begins with this.
-//   wanted  the step whose values a probe wants, from 0; -1: none
+//   wanted  the step whose values a probe wants, from 0; -1 for none
 void traceReset(int wanted)
 {
     trace = Trace(0, 0, 0, vec2(0.0), 0.0, 0.0, 0, 0.0, END_NONE, 0, vec3(0.0), wanted, 0.0, 0.0);
@@ -66,7 +66,7 @@ void traceBegin(float tMin, float tMax)
     trace.marches++;
 }
 
-// Record which distances a march takes for a hit: those below threshold + spread t. The first march's are kept.
+// Record which distances a march takes for a hit: those below threshold + spread t. The first march's values are kept.
 void traceThreshold(float threshold, float spread)
 {
     if (trace.marches == 1) {

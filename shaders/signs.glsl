@@ -3,9 +3,9 @@
 // Compiled only with the files that write text.
 #if (VIEW >= 1 && VIEW <= 5) || defined(FIGURE)
 
-// The coverage of each sign's pixels, from a font (common/picture/axis_labels.c). A row is 8 cells high, and the baseline
-// of its signs is 2 cells above its lower end. Row 0 contains the digits, the point and the minus, each in the
-// middle of 4 cells, the point of 2; each further row contains a word.
+// The coverage of each sign's pixels, from a font (common/picture/axis_labels.c). A row is 8 cells high, and the
+// baseline of its signs is 2 cells above its lower end. Row 0 contains the digits, the point and the minus, each in the
+// middle of 4 cells, but the point in the middle of 2; each further row contains a word.
 uniform sampler2D iSigns;
 
 const int SIGN_POINT = 10, SIGN_MINUS = 11;
@@ -27,7 +27,7 @@ float signCover(int row, ivec2 at)
     return texelFetch(iSigns, at + ivec2(0, (8 * row + 2) * cell), 0).r;
 }
 
-// The same for a word.
+// The share of a pixel that a word covers, in [0, 1].
 //   word   SIGN_T, ...
 //   place  in pixels, from the word's bottom left corner
 float wordCover(int word, vec2 place)

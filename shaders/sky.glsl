@@ -54,7 +54,7 @@ vec3 scatteredLight(vec3 depth, float viewMass, float sunMass)
 }
 
 // The direction to the sun, length 1: x north, y up, z east.
-//   hour         solar time, 12 when the sun is highest, any number
+//   hour         solar time, 12 when the sun is highest, any value
 //   latitude     degrees, north positive, in [-90, 90]
 //   declination  of the sun, degrees, in [-23.44, 23.44]: 0 at the equinoxes
 //   formula      with H = 15 (hour - 12) degrees, p the latitude, d the declination:
@@ -92,7 +92,7 @@ float glow(vec3 direction, vec3 sun, float g)
 }
 
 // How much of the day is left: 1 while the sun is more than 3.4 degrees high, 0 once it is 14.5 degrees
-// below the horizon. By eye: it replaces the rising shadow of the Earth.
+// below the horizon. This model by eye replaces the rising shadow of the Earth.
 //   sinHeight  of the sun
 float daylight(float sinHeight)
 {
@@ -116,7 +116,7 @@ vec3 sunlitSky(vec3 direction, vec3 sun, vec3 depth)
     return gain * scatteredLight(depth, view, sunMass) + halo;
 }
 
-// The sky's own light at night, by eye: brighter above the horizon.
+// The sky's own light at night, a model by eye. It is brightest at the horizon.
 //   direction, sun  as for sunlitSky
 vec3 nightSky(vec3 direction, vec3 sun)
 {

@@ -3,7 +3,7 @@
 //
 // Light is linear; 1 is 4,000 cd/m^2, about twice the blue overhead at a clear noon. Light that falls on a surface is
 // given as the light that a white matt surface sends back. So it ranges from 8.7, a white surface that faces the noon
-// sun, to 6e-8 at night: hourStops says how to expose. y is up; directions have length 1; below the horizon the sky is
+// sun, to 6e-8 at night; hourStops gives the exposure. y is up; directions have length 1; below the horizon the sky is
 // the same as at the horizon.
 //
 // The chapter must declare each texture as sRGB and clamp, because it contains light.
@@ -21,8 +21,8 @@ const vec2 SKY_WIDTH = vec2(0.1, 0.06);
 const float SUN_TABLE = 64.0;
 const float SUN_REACH = 12.0;
 
-// The range of what a table's fourth number adds to the blue, as a share of the red's scale: from about -0.03 to 0.03.
-// The byte NO_BLUE adds nothing.
+// The range of the amount that a table's fourth number adds to the blue, as a share of the red's scale: from about
+// -0.03 to 0.03. The byte NO_BLUE adds nothing.
 const float BLUE_FINE = 0.06;
 const float NO_BLUE = 128.0 / 255.0;
 
@@ -42,7 +42,7 @@ float drawnOut(float sine, float k)
 }
 
 // Column (x) and row (y) of the sky in a table: 0 is the centre of the first one, 1 that of the last one.
-//   sun        sine of the sun's height; below LOWEST_SUN it counts as that
+//   sun        sine of the sun's height; below LOWEST_SUN it counts as LOWEST_SUN
 //   direction  sine of its height; below 0 it counts as 0
 vec2 skyPlace(float sun, float direction)
 {
@@ -50,7 +50,7 @@ vec2 skyPlace(float sun, float direction)
     return vec2((column - lowest) / (1.0 - lowest), drawnOut(max(direction, 0.0), SKY_WIDTH.y));
 }
 
-// x if it is far above 0, 0 if it is far below, smooth between.
+// x if it is far above 0, 0 if it is far below, and a smooth transition in between.
 float beyond(float x)
 {
     return 0.5 * (x + sqrt(x * x + 0.0004));
@@ -66,8 +66,8 @@ struct SkyScale {
 // Light spans decades, and a byte does not.
 //   sun      sine of the sun's height
 //   row      of skyPlace, in [0, 1]
-//   formula  fitted; the remaining factor is in the table, and lies in [0, 1]. In a few texels at dusk, where dust sends
-//            little of the light, its green would exceed 1 and is cut off
+//   formula  fitted; the remaining factor is in the table, and lies in [0, 1]. In a few texels at dusk, where dust
+//            sends little of the light, its green would exceed 1 and is cut off
 SkyScale skyScale(float sun, float row)
 {
     float low = 1.0 / (max(sun, 0.0) + 0.068), foot = 1.0 / (1.0 + 114.0 * row * row);
@@ -94,7 +94,7 @@ float phaseAir(float c)
     return 0.0596831 * (1.0 + c * c);
 }
 
-// The same for dust and droplets, which scatter mostly forwards.
+// The share that dust and droplets, which scatter mostly forwards, scatter into a direction, per steradian.
 //   formula  (1 - g^2) / (4 pi) (1 + g^2 - 2 g c)^(-3/2), g = DUST_FORWARD; its integral is 1
 // Source: L. G. Henyey, J. L. Greenstein, Astrophysical Journal 93 (1941).
 float phaseDust(float c)
@@ -127,7 +127,7 @@ float sunwardShare(float a, float sun, float row)
     return pow(0.5 + 0.5 * a, 1.0 + narrow * (1.0 - 0.28 * a));
 }
 
-// The same share for light that was scattered more than once, which comes from all sides and so depends less on the
+// sunwardShare for light that was scattered more than once, which comes from all sides and so depends less on the
 // position of the sun.
 //   a        cosine of the horizontal angle to the sun
 //   sun      sine of its height
@@ -159,7 +159,7 @@ vec3 onceLight(sampler2D table, vec2 place, float c, SkyScale scale)
     return phaseAir(c) * storeyLight(table, place, 0.0, scale.air) + phaseDust(c) * storeyLight(table, place, 1.0, scale.dust);
 }
 
-// All the light of a table in a direction: exact in the middle of the table's half of the sky.
+// All the light of a table in a direction. It is exact in the middle of the table's half of the sky.
 vec3 tableLight(sampler2D table, vec2 place, float c, SkyScale scale)
 {
     return onceLight(table, place, c, scale) + storeyLight(table, place, 2.0, scale.more);
@@ -184,8 +184,8 @@ vec3 tableSky(sampler2D sunward, sampler2D away, vec3 direction, vec3 sun)
 
 // ---- The sun ----
 
-// The sun's light on a surface perpendicular to its rays, after the air: to be multiplied by the cosine of the angle to
-// the surface's normal.
+// The sun's light on a surface perpendicular to its rays, after the air. Multiply it by the cosine of the angle to the
+// surface's normal.
 //   sun      direction of the sun; the light falls smoothly to 0 as the sun's centre sinks to 0.7 degrees below the
 //   horizon
 //   formula  light exp(-depth airMass), fitted to the integral; above 2 degrees within 5 % of the largest channel
@@ -199,7 +199,7 @@ vec3 tableSunlight(vec3 sun)
 //   table      sun_halo.png, sRGB clamp
 //   direction  of the ray, length 1
 //   sun        direction of the sun, length 1
-//   radius     of the disc, radians: 0.00466 is the real one. A larger disc sends as much light in all
+//   radius     of the disc, radians: 0.00466 is the real one. A larger disc sends as much light in total
 //   returns    linear light: 46,000 times tableSunlight on average over a disc of the real radius
 //   formula    the table by |direction - sun| / radius and by the direction's height, times the light of a
 //              disc of this size, and outside of it times 0.004 (1 + 0.054 x^2)^(-3/2), x the distance in radii: the
@@ -237,7 +237,7 @@ vec3 tableAmbient(vec3 sun)
 }
 
 // The exposure for a time of day, in stops, for exposed() of film.glsl. An eye and a camera follow the light,
-// but not all the way: light that is fainter by 1 stop is shown darker by 0.15.
+// but not all the way: light that is fainter by 1 stop is shown darker by 0.15 stops.
 //   sinSunHeight  any sine
 //   returns       -1.7 at noon, 1.1 at sunset, 8.1 with the sun at -6 degrees, 18.4 at night
 //   formula       -2 - 0.85 log2(2^skyBrightness + 6e-8); the last term is the light of a moonless night
@@ -246,8 +246,8 @@ float hourStops(float sinSunHeight)
     return -2.0 - 0.85 * log2(exp2(skyBrightness(max(sinSunHeight, -0.4))) + 6e-8);
 }
 
-// Light as a daylight film records it: white is the colour of white paper at noon in sunlight alone, whereas the screen's
-// white would be bluer. Before exposed(), after all light is added.
+// Light as a daylight film records it: white is the colour of white paper at noon in sunlight alone, whereas the
+// screen's white would be bluer. Call it after all light is added and before exposed().
 //   light    linear, >= 0
 //   formula  light over the colour of tableSunlight with the sun 48 degrees high, of brightness 1
 vec3 daylightFilm(vec3 light)

@@ -13,8 +13,8 @@
 uniform sampler2D iMarch;      // column k: t and distance of step k, as a probe wrote them
 uniform int   iMarchSteps;     // columns that contain a step
 uniform bool  iMarchHit;       // the last step found the surface
-uniform float iMarchStep;      // the selected step, with a fraction on the way to the next; -1: all are shown
-uniform vec2  iMarchPixel;     // centre of the pixel whose ray it is, in pixels
+uniform float iMarchStep;      // the selected step, with a fraction on the way to the next; -1 to show all
+uniform vec2  iMarchPixel;     // centre of the pixel whose ray is marched, in pixels
 uniform vec3  iSliceFrame;     // (along, across) of the picture's bottom left corner; units per pixel
 uniform float iSliceTick;      // scene units from tick to tick, 1, 2 or 5 times a power of ten
 uniform float iSliceLine;      // scene units from one line of equal distance to the next
@@ -46,7 +46,7 @@ float discCover(float distance, float radius)
     return clamp(radius - distance + 0.5, 0.0, 1.0);
 }
 
-// The thickness of the pen, the same for every size of picture, in pixels.
+// The thickness of the pen, pixels: a fixed share of the picture's height, but at least 0.75.
 float slicePen()
 {
     return max(iResolution.y / 360.0, 0.75);
@@ -62,7 +62,7 @@ float sliceSlope(vec3 p, vec3 along, vec3 across)
     return clamp(length(slope), 0.25, 1.0);
 }
 
-// The distance as a colour, its lines, the surface.
+// The distance as a colour, with its lines and the surface.
 //   slope  from sliceSlope
 vec3 sliceField(float distance, float slope)
 {
@@ -100,8 +100,8 @@ float sliceHere()
     return mix(sliceStep(k).x, sliceStep(min(k + 1, iMarchSteps - 1)).x, way);
 }
 
-// The number of a step above its position, if there is room for it: 0 nothing, 1 the label's
-// background, more with the coverage of the number.
+// The number of a step above its position, if there is room for it: 0 for nothing, else 1 for the label's
+// background plus the share of the pixel that the number covers.
 //   pixel     of the picture
 //   position  of the step in the picture, in pixels
 //   room      to the neighbours, in pixels
@@ -118,7 +118,7 @@ float stepNumber(int step, vec2 pixel, vec2 position, float room)
     return 1.0 + numberCover(step, 0, pixel - cell * corner);
 }
 
-// Every step over a colour: the area that the circles prove empty, the circles, the positions, the numbers.
+// Draw every step over a colour: the area that the circles prove empty, the circles, the positions, the numbers.
 // A circle whose centre lies outside the picture is pale: such circles are large and crowd together.
 // The circle of the next step grows as the selected position approaches it.
 //   point  (along, across)
@@ -147,8 +147,8 @@ vec3 sliceMarch(vec3 colour, vec2 point, vec2 pixel)
     return mix(colour, SLICE_INK, max(number - 1.0, dots));
 }
 
-// The ray: a solid line up to where it was marched, or up to the selected position, and dashes beyond; the eye
-// at its start, a ring where it found the surface.
+// Draw the ray: a solid line up to where it was marched, or up to the selected position, and dashes beyond, with
+// the eye at its start and a ring where the march found the surface.
 vec3 sliceRay(vec3 colour, vec2 point)
 {
     float pen = slicePen();
@@ -167,7 +167,7 @@ vec3 sliceRay(vec3 colour, vec2 point)
     return mix(colour, SLICE_INK, found ? lineCover(hit - 5.5 * pen, 1.6 * pen) : 0.0);
 }
 
-// The selected position on the ray, a dot, and an arrow from there to the next step.
+// Draw the selected position on the ray as a dot, and an arrow from there to the next step.
 vec3 sliceWalk(vec3 colour, vec2 point)
 {
     float pen = slicePen();
@@ -177,7 +177,7 @@ vec3 sliceWalk(vec3 colour, vec2 point)
     vec2 from = (point - vec2(sliceHere(), 0.0)) / iSliceFrame.z;
     float way = steps < iMarchSteps ? (sliceStep(steps).x - sliceHere()) / iSliceFrame.z : 0.0;
     float head = min(9.0 * pen, 0.6 * way);
-    // Its width, from the tail to the head's base, and from there to the tip.
+    // The arrow's width: constant from the tail to the head's base, decreasing from there to the tip.
     float width = from.x < way - head ? min(3.0 * pen, 0.4 * head) : 0.9 * (way - from.x);
     float arrow = from.x > 0.0 && from.x < way ? lineCover(from.y, width) : 0.0;
     float edge = from.x > 0.0 && from.x < way + pen ? lineCover(from.y, width + 2.4 * pen) : 0.0;
@@ -186,7 +186,7 @@ vec3 sliceWalk(vec3 colour, vec2 point)
     return mix(colour, SLICE_HERE, max(way > 4.0 * pen ? arrow : 0.0, discCover(dot, 4.2 * pen)));
 }
 
-// The axis along the bottom: scene units along the ray, 0 at the eye.
+// Draw the axis along the bottom: scene units along the ray, 0 at the eye.
 vec3 sliceAxis(vec3 colour, vec2 point, vec2 pixel)
 {
     float pen = slicePen();
@@ -225,7 +225,7 @@ vec3 slicePlane(Ray ray, vec2 pixel)
     return sliceWalk(sliceRay(colour, point), point);
 }
 
-// The view.
+// The colour of a pixel in the slice view.
 //   pixel  in pixels of the picture
 vec3 sliceView(vec2 pixel)
 {

@@ -1,8 +1,8 @@
-// soft_shadow.glsl - which share of a lamp with a size is visible from a point.
+// soft_shadow.glsl - the share of an extended lamp that is visible from a point.
 //
 // The lamp is a disc of radius spread, at a distance of 1 from the point and perpendicular to the direction to it:
 // the sun, or a round lamp that faces the point with a radius of spread times its distance. A point of the disc is
-// given in its radii, (0, 0) is its centre. docs/13_soft_shadows.md proves the claims made here.
+// given in its radii, with (0, 0) at its centre. docs/13_soft_shadows.md proves the claims made here.
 #include "random.glsl"
 #include "shadow.glsl"
 
@@ -35,7 +35,7 @@ float segmentArea(float angle)
 // The visible share of the disc beside another disc.
 //   clear    how far the centre of the first is clear of the other's rim, in radii of the first;
 //            negative behind it, at least -radius
-//   radius   of the other, in the same unit, > 0; for a large one it tends to discBesideEdge
+//   radius   of the other, in the same unit, > 0; for a large radius the result tends to discBesideEdge
 //   formula  1 - (S(a) + radius^2 S(b)) / pi, S = segmentArea: two segments on one chord. With d = clear +
 //            radius from centre to centre, the chord is at x = cos a = (d^2 + 1 - radius^2) / (2 d) from
 //            the first centre and at d - x = radius cos b from the other. Exact for discs in one plane
@@ -63,7 +63,7 @@ float lampBesideEdge(vec3 p, vec3 toLight, float spread, vec3 onEdge, vec3 along
 }
 
 // The visible share of the lamp beside a ball.
-//   p, toLight, spread  as above
+//   p, toLight, spread  as for lampBesideEdge
 //   centre, radius      of the ball, which does not contain p. The whole outline of the ball must be in front of the
 //                       plane through p perpendicular to toLight
 //   formula  the ball hides directions up to beta = asin(radius / distance) from that of its centre, which
@@ -83,8 +83,7 @@ float lampBesideBall(vec3 p, vec3 toLight, float spread, vec3 centre, float radi
 
 // ---- One march ----
 
-// The angle around a ray that is free, as its tangent or sine, between two bounds. Both are 0
-// if the ray itself is blocked.
+// Two bounds of the free angle around a ray, as its tangent or sine. Both are 0 if the ray itself is blocked.
 struct Clearance {
     float most;  // no larger angle is free: the smallest distance / t of the march
     float least; // everything within this angle is free, as far as the march went
@@ -131,8 +130,8 @@ Clearance clearanceAlong(Ray ray, float tMin, float tMax, float threshold, int m
 
 // ---- Many rays ----
 
-// From a point of the unit square to one of the disc: equal areas to equal areas.
-//   square   each in [0, 1]
+// Map a point of the unit square to one of the disc, and equal areas to equal areas.
+//   square   both coordinates in [0, 1]
 //   returns  x, y in the disc of radius 1
 //   formula  sqrt(u) (cos 2 pi v, sin 2 pi v): a ring from r to r + dr has the area 2 pi r dr = pi d(r^2)
 vec2 discPoint(vec2 square)
@@ -152,13 +151,13 @@ vec3 lampDirection(vec3 toLight, float spread, vec2 point)
     return normalize(toLight + spread * (point.x * right + point.y * up));
 }
 
-// The share of side x side rays to the lamp that arrive: the square of discPoint is divided into this many cells,
-// and each ray goes to a random point of one of them.
+// The share of side x side rays that reach the lamp. The square of discPoint is divided into this many cells, and
+// each ray goes to a random point of one of them.
 //   ray        from shadowRay, towards the lamp's centre
 //   spread     radius of the lamp's disc, > 0
 //   side       >= 0; with 0, no ray is marched and the result is 1
 //   distance, threshold, maxSteps  as for lightReaching
-//   dimension  the first of 2 side^2 dimensions of pixelRandom that it uses
+//   dimension  the first of 2 side^2 dimensions of pixelRandom that are used
 // Its mean over the samples of a pixel tends to the visible share.
 float lampReaching(Ray ray, float distance, float spread, int side, float threshold, int maxSteps,
                    int dimension)

@@ -23,10 +23,10 @@ float opExtrude(float figure, float along, float halfLength)
     return length(max(q, 0.0)) + min(max(q.x, q.y), 0.0);
 }
 
-// Revolution: from a point of a figure revolved about the y axis back to the figure's plane. The half-plane
+// Revolution: map a point of a figure revolved about the y axis back to the figure's plane. The half-plane
 // through the axis and the point becomes the plane of the figure: x away from the axis, y upwards.
 //   p        point, scene units
-//   offset   scene units: the figure's origin moves on a circle of this radius; 0: it is on the axis
+//   offset   scene units: the figure's origin moves on a circle of this radius; with 0, it is on the axis
 //   formula  (|(x, z)| - offset, y); 1-Lipschitz
 //   sd(opRevolve(p, offset))  a lower bound if sd is one: no figure makes it unsafe. The part of the figure,
 //            moved by offset, at x < 0 is not drawn but still counts. So it is

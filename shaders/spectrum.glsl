@@ -60,7 +60,8 @@ float sampleWave(int k, int count, float shift)
     return mix(SHORTEST_WAVE, LONGEST_WAVE, (float(k) + shift) / float(count));
 }
 
-// The colour of light that contains only the wavelengths between two, relative to white light, which contains all.
+// The colour of light that contains only the wavelengths between two limits, relative to white light, which contains
+// all of them.
 //   a, b     wavelengths, in either order; any part outside the visible range is left out
 //   returns  white, (1, 1, 1), for the whole range: computed from ten wavelengths, off by at most 0.02 there and by at
 //            most 0.03 for parts of it

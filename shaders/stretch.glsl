@@ -1,7 +1,7 @@
 // stretch.glsl - how fast a distance can change along one ray: a Lipschitz constant for each ray.
 //
-// A stretch of transform.glsl holds for all directions, so it is that of the steepest. A ray has one direction, which
-// may be less steep. Divided by the stretch along a ray, a distance is safe for marching that ray,
+// A stretch of transform.glsl holds for all directions, so it is that of the steepest direction. A ray has only one,
+// which may be less steep. Divided by the stretch along a ray, a distance is safe for marching that ray,
 // forwards and backwards, but not for any other ray, nor for a normal.
 
 // The stretch along a ray over y - h(x, z), a ground or a sea of height h.

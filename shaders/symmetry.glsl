@@ -2,15 +2,15 @@
 #include "scene.glsl"
 
 // Fold space along a plane: a point behind it is replaced by its mirror image, a point in front stays.
-// One-sided: the part of a scene behind the plane is lost, the part in front appears twice.
+// The fold is one-sided: the part of a scene behind the plane is lost, and the part in front appears twice.
 //   p        point, scene units
 //   normal   of the plane, length 1, pointing to the side that is kept
 //   offset   scene units; the plane is dot(p, normal) = -offset
 //   formula  p - 2 min(dot(p, normal) + offset, 0) normal; with (-normal, -offset) the plane is the same, and
 //            the other side is kept
-// 1-Lipschitz: a distance evaluated at the folded point is a lower bound of that to the visible scene,
-// and outside exact if no part of the scene lies behind the plane. If the length of the normal is not 1, it is
-// not a mirror, and if it is more than 1, not a bound.
+// It is 1-Lipschitz: a distance evaluated at the folded point is a lower bound of that to the visible scene,
+// and is exact outside if no part of the scene lies behind the plane. If the length of the normal is not 1, the
+// plane is not a mirror, and if it is more than 1, the distance is not a bound.
 // Source: report, section 2.2.4.
 vec3 opReflect(vec3 p, vec3 normal, float offset)
 {
@@ -18,7 +18,7 @@ vec3 opReflect(vec3 p, vec3 normal, float offset)
 }
 
 // A regular tetrahedron with the corners (1, 1, 1), (1, -1, -1), (-1, 1, -1) and (-1, -1, 1) times
-// size: alternate corners of a cube. Inside exact; outside a lower bound: if d is the true distance, the result is
+// size: alternate corners of a cube. Exact inside; outside a lower bound: if d is the true distance, the result is
 // d in front of a face, at least d / sqrt(3) in front of an edge, and at least d / 3 in front of a corner.
 //   p        point, scene units
 //   size     half the side of that cube, scene units, > 0; an edge is sqrt(8) size long
@@ -31,7 +31,7 @@ float sdTetrahedronPlanes(vec3 p, float size)
     return (largest - size) * 0.57735027;
 }
 
-// The same tetrahedron. Exact everywhere.
+// The tetrahedron of sdTetrahedronPlanes. Exact everywhere.
 //   p, size  as for sdTetrahedronPlanes
 // Three folds bring p in front of the face x + y + z = -size. The nearest of that face's edges is the one
 // on which the smallest coordinate is -size. Beyond that edge, the distance to the edge is returned; otherwise, the
@@ -65,12 +65,12 @@ vec3 foldToCorner(vec3 q, float size)
     return q;
 }
 
-// The Sierpinski pyramid: 4^levels tetrahedra from three folds per level, with halving offsets. Inside exact;
+// The Sierpinski pyramid: 4^levels tetrahedra from three folds per level, with halving offsets. Exact inside;
 // outside between d / 3 and d, as for sdTetrahedronPlanes, on which it is built.
 //   p        point, scene units
 //   size     of the whole, as for sdTetrahedronPlanes
-//   levels   >= 0; 0 is the tetrahedron itself. The smallest are size / 2^levels: at most 15, because of the
-//            rounding of floats
+//   levels   >= 0; 0 is the tetrahedron itself. At most 15, because the size of the smallest is size / 2^levels
+//            and floats are rounded
 // Source: W. Sierpinski (1915), in the plane; report, section 3.3 and its engine.
 float sdSierpinskiPlanes(vec3 p, float size, int levels)
 {
@@ -82,7 +82,7 @@ float sdSierpinskiPlanes(vec3 p, float size, int levels)
     return sdTetrahedronPlanes(q + size, size);
 }
 
-// The same pyramid. Exact everywhere.
+// The pyramid of sdSierpinskiPlanes. Exact everywhere.
 //   p, size, levels  as for sdSierpinskiPlanes
 float sdSierpinski(vec3 p, float size, int levels)
 {

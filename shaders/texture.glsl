@@ -8,7 +8,7 @@
 // The area of a surface that one pixel covers: an ellipse, given by its two axes, from one pixel to the next.
 struct Footprint {
     vec3 across; // scene units: perpendicular to the ray and to the normal, the short axis
-    vec3 along;  // scene units: the longer, the closer the ray is to grazing
+    vec3 along;  // scene units: the long axis, longer the closer the ray is to grazing
 };
 
 // The ellipse in which a ray of circular cross-section cuts a surface.
@@ -55,7 +55,7 @@ struct Slide {
 
 // The position of a point in a picture projected along an axis, the same at every depth.
 //   p, f     in repeats of the picture
-//   axis     0: along x, at (z, y); 1: along y, at (x, z); 2: along z, at (x, y): on walls y is up
+//   axis     0 for along x, at (z, y); 1 for along y, at (x, z); 2 for along z, at (x, y). On walls y is up
 Slide slideAlong(vec3 p, Footprint f, int axis)
 {
     if (axis == 0)
@@ -65,7 +65,7 @@ Slide slideAlong(vec3 p, Footprint f, int axis)
     return Slide(p.xy, f.across.xy, f.along.xy);
 }
 
-// The picture there, averaged over the footprint using its mipmaps.
+// The picture at a point, averaged over the footprint using its mipmaps.
 vec4 textureOnSlide(sampler2D picture, Slide slide)
 {
     return textureGrad(picture, slide.at, slide.across, slide.along);
@@ -80,7 +80,7 @@ vec4 textureFromAbove(sampler2D picture, vec3 p, Footprint f)
 
 // The weights of three pictures: those projected along x, along y and along z.
 //   normal     length 1
-//   sharpness  >= 1: how fast the picture that the surface faces dominates; in the limit only that one remains
+//   sharpness  >= 1: how fast the picture that the surface faces dominates; in the limit only that picture remains
 //   formula    |normal|^sharpness, per component, divided by the sum of the three, so the weights sum to 1
 // Source: R. Geiss, 'Generating complex procedural terrains using the GPU', GPU Gems 3 (2007), chapter 1.
 vec3 planeWeights(vec3 normal, float sharpness)
@@ -103,12 +103,12 @@ vec4 textureOnPlanes(sampler2D picture, vec3 p, Footprint f, vec3 weights)
     return sum;
 }
 
-// The weights of the two most important projections; the third is 0 and gets there continuously. A third
-// cheaper.
+// The weights of the two most important projections; the third is 0, a value that it approaches continuously.
+// This costs a third less.
 //   weights  from planeWeights
 //   formula  weights minus the smallest of them, divided by their new sum; (1, 0, 0) if all are equal
-// Continuous except there, in the eight diagonal directions: no method that drops the smallest weight is
-// continuous in them.
+// They are continuous except in the eight diagonal directions, where all are equal: no method that drops the smallest
+// weight is continuous in them.
 vec3 twoPlaneWeights(vec3 weights)
 {
     vec3 w = weights - min(weights.x, min(weights.y, weights.z));
@@ -122,7 +122,7 @@ vec3 twoPlaneWeights(vec3 weights)
 // repeat, 0 along the axis.
 //   slide, axis  from slideAlong, with that axis
 //   reach        step of the differences, in repeats: about a texel, and at least a pixel
-//   wanted       false: only the height is needed, one lookup instead of three
+//   wanted       false if only the height is needed, which takes one lookup instead of three
 //   formula      forward differences over reach of the first channel; error O(reach)
 vec4 heightOnSlide(sampler2D heights, Slide slide, int axis, float reach, bool wanted)
 {

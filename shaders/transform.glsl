@@ -88,8 +88,8 @@ vec3 opTwist(vec3 p, float rate)
     return vec3(c * p.x + s * p.z, p.y, c * p.z - s * p.x);
 }
 
-// The Lipschitz constant of opTwist in the cylinder x^2 + z^2 <= radius^2, a convex region. Tight: it
-// is reached on the cylinder's wall. Without a bound on the radius there is none.
+// The Lipschitz constant of opTwist in the cylinder x^2 + z^2 <= radius^2, a convex region. It is tight:
+// it is reached on the cylinder's wall. Without a bound on the radius there is none.
 //   formula  (u + sqrt(u^2 + 4)) / 2, u = |rate| radius
 float twistStretch(float rate, float radius)
 {
@@ -109,8 +109,8 @@ vec3 opBend(vec3 p, float rate)
     return vec3(c * p.x - s * p.y, s * p.x + c * p.y, p.z);
 }
 
-// The Lipschitz constant of opBend in the cylinder x^2 + y^2 <= radius^2. Tight: it is reached on the
-// wall at x = 0, on the side where rate y < 0.
+// The Lipschitz constant of opBend in the cylinder x^2 + y^2 <= radius^2. It is tight: it is reached on
+// the wall at x = 0, on the side where rate y < 0.
 //   formula  1 + |rate| radius
 float bendStretch(float rate, float radius)
 {
@@ -126,7 +126,7 @@ float displacementStretch(float slope)
 }
 
 // The Lipschitz constant of y - h(x, z), a ground or a sea of height h: here the two gradients are
-// always perpendicular, so it is smaller than for a displacement in general. Tight.
+// always perpendicular, so it is smaller than for a displacement in general. It is tight.
 //   slope    the largest |grad h| in the region, >= 0
 //   formula  sqrt(1 + slope^2)
 float heightStretch(float slope)

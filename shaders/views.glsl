@@ -7,7 +7,7 @@
 // Compiled only for one of these views.
 #if VIEW >= 1 && VIEW <= 3
 
-// Nothing was found along the ray.
+// The colour of a ray along which nothing was found.
 const vec3 VIEW_NOTHING = vec3(0.09, 0.10, 0.13);
 
 // The first normal N of the pixel's rays, as 0.5 N + 0.5: x red, y green, z blue.
@@ -27,8 +27,8 @@ vec3 depthView()
 // The number of steps at the bright end of the ramp, which also stands for any larger number.
 const float STEPS_SHOWN = 64.0;
 
-// The legend over the picture: the ramp along the bottom, with 0, 16, 32, 48, 64 above it. Left out if
-// the picture is too small for it.
+// The legend over the picture: the ramp along the bottom, with 0, 16, 32, 48, 64 above it. It is left
+// out if the picture is too small for it.
 //   pixel  in pixels of the picture
 vec3 stepLegend(vec3 colour, vec2 pixel)
 {

@@ -1,10 +1,10 @@
 // Experiment of chapter 01: the error of the normal against the step of the differences, measured
 // by the GPU itself. Each column of pixels takes one step and 512 points of a unit ball, 10 units
-// from the origin, and shows the root mean square of their errors. Yellow: central differences;
-// blue: forward differences.
+// from the origin, and shows the root mean square of their errors. Central differences are
+// yellow, forward differences blue.
 //
-// Horizontal axis: the step, from 1e-5 to 1. Vertical axis: the angle between the computed and the
-// true normal, from 1e-4 to 100 degrees. There is a line at each power of ten; the brighter ones
+// The horizontal axis is the step, from 1e-5 to 1; the vertical axis is the angle between the
+// computed and the true normal, from 1e-4 to 100 degrees. There is a line at each power of ten; the brighter ones
 // are at 0.001 and at 0.01 degrees.
 #include "main.glsl"
 #include "normal.glsl"     // normalAt
@@ -38,7 +38,7 @@ vec3 forwardNormal(vec3 p, float h)
     return size > 0.0 ? gradient / size : vec3(0.0);
 }
 
-// The typical angles over the ball, in degrees: central, forward. Each point takes a different
+// The typical angles over the ball, in degrees, for central and forward differences. Each point takes a different
 // step, up to a tenth larger, so that rounding is not favourable at all points at once.
 vec2 typicalAngles(float h)
 {

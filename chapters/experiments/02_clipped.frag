@@ -2,7 +2,8 @@
 // channels exceed the range of a screen, the picture is painted over in one flat colour. Compared
 // with the original picture, it shows how large a share is cut off.
 //
-// The macro turns the chapter's call to encodeSRGB into a call to warn; all else is the chapter's.
+// The macro turns the chapter's call to encodeSRGB into a call to warn; everything else is the
+// chapter's.
 #include "main.glsl"
 #include "lighting.glsl"
 

@@ -53,7 +53,7 @@ float trueDistance(vec2 p)
     return min(corner, min(a, b)) * sign(combined(vec3(p, 0.0)));
 }
 
-// A line at every 0.25 of a distance; thicker at 0.
+// A line at every 0.25 of a distance, thicker at 0.
 float levels(float distance, float pixel)
 {
     float nearest = 0.25 * floor(4.0 * distance + 0.5);

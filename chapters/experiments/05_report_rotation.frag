@@ -2,8 +2,8 @@
 // rods are laid along its turned axes. With the right inverse, the rods leave the block at the
 // centres of its faces and perpendicular to them.
 //
-// formula 0: the transposed matrix. 1: the report's inverse, the same rotation by the negated
-// angles. 2: the matrix as the report prints it, with a missing term, transposed.
+// formula=0 uses the transposed matrix, 1 the report's inverse, which is the same rotation by the
+// negated angles, and 2 the matrix as the report prints it, with a missing term, transposed.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march

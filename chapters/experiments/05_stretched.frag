@@ -2,7 +2,7 @@
 // a ring made half as large, a ball squeezed to half its width by diag(2, 1, 1), a bent plank, and
 // a ball with bumps.
 //
-// With divided=true each distance is divided by its Lipschitz constant. With false it is not, as in
+// With divided=true each distance is divided by its Lipschitz constant. With divided=false it is not, as in
 // the formula that the report's section 2.2 states for every transformation.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay

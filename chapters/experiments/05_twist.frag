@@ -2,7 +2,7 @@
 // angle of the twist is proportional to the height.
 //
 // With divided=false the point is twisted and nothing else is done, so steps are too long, and rays
-// jump through the surface. With true the distance is divided by its Lipschitz constant.
+// jump through the surface. With divided=true the distance is divided by its Lipschitz constant.
 #include "main.glsl"
 #include "camera.glsl"     // perspectiveRay
 #include "march.glsl"      // march

@@ -1,5 +1,5 @@
-// Experiment of chapter 07: the number of the cell is rounded towards zero, as C's % and fmod round
-// a quotient. From -N / 2 on, this agrees with floor. Below that, every cell has the number of its
+// Experiment of chapter 07: the index of the cell is rounded towards zero, as C's % and fmod round
+// a quotient. From -N / 2 on, this agrees with floor. Below that, every cell has the index of its
 // neighbour, so the position in the cell is off by a whole period, and its lantern is missing.
 //
 // A macro replaces the chapter's calls of cellOf with calls of truncatedCellOf.

@@ -20,8 +20,8 @@ vec3 decodeSRGB(vec3 v)
     return mix(pow((v + 0.055) / 1.055, vec3(2.4)), v / 12.92, vec3(lessThanEqual(v, vec3(0.04045))));
 }
 
-// Green outside, red inside, black near the outline, lines from a cosine, the outline a band of the
-// distance.
+// The workshop's colours: green outside, red inside and black near the outline. The lines come from a
+// cosine, and the outline is a band of the distance.
 vec3 workshopColour(float d)
 {
     float bright = (1.0 - exp(-3.0 * abs(d))) * (0.8 + 0.2 * cos(150.0 * d));

@@ -5,7 +5,7 @@
 #include "10_distance_in_the_plane.frag"
 #undef rayColour
 
-// Stops at the first point that is inside.
+// The chapter's colour. For the probe, a second march takes fixed steps to the first point inside.
 vec3 rayColour(Ray ray)
 {
     vec3 colour = chapterRayColour(ray);

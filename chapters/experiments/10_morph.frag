@@ -21,7 +21,7 @@ float sceneDistance(vec3 p)
     return mix(sdCircle(p.xy + centre, radius), sdCircle(p.xy - centre, radius), 0.5);
 }
 
-// In the quadrant that contains p.
+// The distance to the ellipse, computed in the quadrant that contains p.
 float ellipseDistance(vec2 p)
 {
     vec2 axes = vec2(radius, sqrt(radius * radius - apart * apart)), before = vec2(axes.x, 0.0);
@@ -35,7 +35,7 @@ float ellipseDistance(vec2 p)
     return dot(p / axes, p / axes) < 1.0 ? -nearest : nearest;
 }
 
-// A line at every multiple of 0.1 of a distance; thicker at 0.
+// A line at every multiple of 0.1 of a distance, thicker at 0.
 float levels(float d, float pixel)
 {
     float nearest = 0.1 * floor(10.0 * d + 0.5);

@@ -39,7 +39,7 @@ float line(float distance, float width)
     return clamp(0.5 * width + 0.5 - abs(distance), 0.0, 1.0);
 }
 
-// A line at every multiple of 0.1 of a distance; thicker at 0.
+// A line at every multiple of 0.1 of a distance, thicker at 0.
 float levels(float distance, float pixel)
 {
     float nearest = 0.1 * floor(10.0 * distance + 0.5);

@@ -4,8 +4,8 @@
 //   way=0  evaluated only at the centre of the pixel
 //   way=1  the chapter's method: the footprint from the ray, the normal and t
 //   way=2  the workshop's method: the footprint from fwidth, the difference of neighbouring pixels.
-//          Where one of them shows a ball and the other the plane, it is undefined, and wrong: look
-//          at the outlines
+//          Where one of them shows a ball and the other the plane, it is undefined and wrong, as the
+//          outlines show
 //
 // This is the only shader of the course that uses derivatives across pixels.
 #include "main.glsl"

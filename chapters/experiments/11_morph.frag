@@ -27,7 +27,7 @@ float slopeAt(vec3 p, float h)
     return length(slope) / (2.0 * h);
 }
 
-// A line at every multiple of 0.25 of a value; thicker at 0.
+// A line at every multiple of 0.25 of a value, thicker at 0.
 float levels(float value, float pixel)
 {
     float nearest = 0.25 * floor(4.0 * value + 0.5);

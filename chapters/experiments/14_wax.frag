@@ -80,7 +80,7 @@ float sceneDistance(vec3 p)
 // The point that a ray meets, and its material.
 struct Spot {
     vec3  p, normal, colour;
-    vec3  depth;  // the path inside after which 1 / e of the light is left, scene units; 0: opaque
+    vec3  depth;  // the path inside after which 1 / e of the light is left, scene units; 0 if opaque
     float radius; // of the pixel's footprint there
 };
 

@@ -10,7 +10,7 @@ uniform int fogWay; // 1 in [0, 2]: 0 in the light, 1 after the encoding, 2 one 
 
 const vec3 GREY = vec3(0.30, 0.33, 0.38); // linear
 
-// From light to encoded numbers.
+// Convert light to encoded values.
 vec3 shown(vec3 light)
 {
     float share = vignette ? cosineFourth(screenPosition(vec2(iPixel) + 0.5), focalLength) : 1.0;

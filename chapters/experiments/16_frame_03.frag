@@ -62,8 +62,8 @@ vec2 groupsInterval(vec3 origin, vec3 inverse)
     return intervalUnion(frame, intervalUnion(ball, block));
 }
 
-// What central differences with the step h give on the face of a box, in closed form: near an edge,
-// both of its faces contribute.
+// The result of central differences with the step h on the face of a box, in closed form: near an
+// edge, both of its faces contribute.
 vec3 stageNormal(vec3 p, float h)
 {
     vec3 q = p - STAGE, outside = abs(q) - STAGE_HALF - MET_BEFORE * hitThreshold;

@@ -11,13 +11,13 @@
 #undef sceneDistance
 #undef rayColour
 
-// Only the pyramid.
+// The distance to the pyramid alone.
 float sceneDistance(vec3 p)
 {
     return sdSierpinskiPlanes(pyramidPoint(p), SIZE, levels);
 }
 
-// The same, at t on a ray that was rotated to the pyramid's axes once for all its steps.
+// The distance to the pyramid at t on a ray that was rotated to the pyramid's axes once for all its steps.
 float turnedDistance(Ray turned, float t)
 {
     trace.evaluations++;
@@ -71,7 +71,7 @@ End endOf(Ray ray, float spread)
 }
 
 // The pyramid is well inside the slab's outline, so near it the distance to the slab is the height.
-//   asked  false: leave the loop at once
+//   asked  false to leave the loop at once
 vec3 bothNormal(vec3 p, float h, bool asked)
 {
     vec3 gradient = vec3(0.0);
@@ -83,8 +83,8 @@ vec3 bothNormal(vec3 p, float h, bool asked)
     return normalize(gradient);
 }
 
-// Upwards, and near an edge a little to the side: about what differences with the step h give
-// there.
+// The normal points upwards, and near an edge a little to the side, about as it does with
+// differences of the step h.
 vec3 slabNormal(vec3 p, float h)
 {
     vec3 q = p - SLAB, reach = max(abs(q) - SLAB_HALF + h, 0.0);

@@ -114,7 +114,8 @@ Hit marchEnhanced(Ray ray, float tMin, float tMax, float threshold, float omega,
 //   bound    where s = 1, it is the plain march. Each step also computes s, which costs about as much as d
 //   safe     if s is a bound; where the distance is convex along the ray, as in front of one convex body,
 //            -d'(t) at the start is one
-// Source: E. Galin, E. Guerin, A. Paris, A. Peytavie, 'Segment tracing using local Lipschitz bounds', Eurographics 2020.
+// Source: E. Galin, E. Guerin, A. Paris, A. Peytavie, 'Segment tracing using local Lipschitz bounds', Eurographics
+// 2020.
 Hit marchSegment(Ray ray, float tMin, float tMax, float threshold, int maxSteps)
 {
     traceBegin(tMin, tMax);
@@ -164,9 +165,9 @@ Hit marchOverstep(Ray ray, float tMin, float tMax, float threshold, float omega,
     return marchEnded(found, t, tMax, steps);
 }
 
-// TIGHT: march with a threshold near the least that floats allow, for the truth. At a grazing angle it ends far in
-// front of the surface, so it then goes on to where the ray is inside, or leaves the surface again: nothing that ends
-// there or before it has missed the surface.
+// TIGHT: march with a threshold near the least that floats allow, to find the true hit. At a grazing angle it ends far
+// in front of the surface, so it then goes on to where the ray is inside, or leaves the surface again: nothing that
+// ends there or before it has missed the surface.
 Hit marchTight(Ray ray, float tMin, float tMax)
 {
     Hit hit = marchCone(ray, tMin, tMax, 1e-5, 1e-6, MARCH_STEPS);
@@ -227,7 +228,7 @@ vec3 marchCountColour(int count)
     return mix(colours[i], colours[i + 1], x - float(i));
 }
 
-// What a file of this kind draws: evaluations from night blue to straw, 64 or more; or three numbers in [0, 1].
+// The picture of a file of this kind: evaluations from night blue to straw, 64 or more; or three numbers in [0, 1].
 vec3 marchColour()
 {
     int end = hitOfMarch.found ? END_HIT : (hitOfMarch.t >= trace.interval.y ? END_PASSED : END_STEPS);

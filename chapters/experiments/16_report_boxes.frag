@@ -20,7 +20,7 @@ uniform int   maxSteps;     // 128 in [1, 1024]: steps after which a ray is aban
 uniform float hitThreshold; // 0.0003 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
 // Lengths as measured in the figure; the unit is the side of the frame.
-const float FAR = 20.0;                            // a ray that has travelled this far sees the sky
+const float FAR = 20.0;                            // a ray that has travelled this far meets the sky
 const float FRAME = 0.5, BEAM = 0.05;              // half the frame's side, half a beam's thickness
 const float BALL = 0.15;                           // radius of a ball
 const float LAST = 3.0;                            // there is a ball at each integer height from 0 to LAST
@@ -106,7 +106,7 @@ vec3 rayColour(Ray ray)
         vec3 seen = (spot.onSlab ? SLAB_COLOUR : OBJECT_COLOUR) * receivedLight(spot.p, spot.normal);
         light += share * (spot.met ? seen : skyLight(ray.direction));
 
-        // The reflected ray, if it can hit something. Otherwise it sees the sky, which takes no
+        // The reflected ray, if it can hit something. Otherwise it meets the sky, which takes no
         // turn.
         share *= spot.onSlab ? schlickShare(max(-dot(ray.direction, spot.normal), 0.0), STRAIGHT) : 0.0;
         ray = Ray(spot.p + 4.0 * hitThreshold * spot.normal, reflect(ray.direction, spot.normal));

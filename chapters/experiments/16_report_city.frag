@@ -30,7 +30,7 @@ const vec3  POST = vec3(-2.7, 0.0, 6.3);           // foot of the lamp
 const vec3  GLOBE = vec3(0.0, 2.95, 0.0);          // centre of its globe, from the foot
 const float GLOBE_RADIUS = 0.42;
 const float TAPER = 0.48;                          // slope of the post's foot
-const float CITY_FAR = 110.0;                      // a ray that has travelled this far sees the sky
+const float CITY_FAR = 110.0;                      // a ray that has travelled this far meets the sky
 const float SHADOW = 40.0;                         // length of a shadow ray
 const float NEAR = 0.001;                          // the distance that counts as a hit, for the ray from the eye
 const int   STEPS = 400;                           // after which a ray is abandoned
@@ -38,7 +38,7 @@ const int   STEPS = 400;                           // after which a ray is aband
 // A point on its plot.
 struct Plot {
     vec2  local;  // from the centre of the plot: x and z
-    vec2  aside;  // the same, perpendicular to the nearest wall and along it, each >= 0
+    vec2  aside;  // likewise, perpendicular to the nearest wall and along it, each >= 0
     float floors; // of the tower; 0 on a road or in a park, where there is none
 };
 
@@ -51,22 +51,22 @@ Plot plotAt(vec3 p)
     return Plot(local, aside.x > aside.y ? aside : aside.yx, built ? floors : 0.0);
 }
 
-// A tower is a box without a bottom. The distances to its walls and to the plane of its roof.
+// The distances to the walls of a tower and to the plane of its roof. A tower is a box without a bottom.
 //   max of the two  a lower bound
 vec2 outsideTower(Plot plot, float y)
 {
     return vec2(plot.aside.x - 1.0, y - FLOOR * plot.floors);
 }
 
-// A globe on a post with a wider foot. A lower bound.
+// A lower bound of the distance to the lamp, a globe on a post with a wider foot.
 float postDistance(vec3 q)
 {
     float post = 0.9 * (length(q.xz) - 0.13 - TAPER * max(0.4 - q.y, 0.0)); // 0.9 sqrt(1 + TAPER^2) < 1
     return min(max(post, q.y - GLOBE.y), sdSphere(q - GLOBE, GLOBE_RADIUS));
 }
 
-// The tower of this plot, a lower bound for all other towers, and the lamp. A lower bound,
-// 1-Lipschitz.
+// The smallest of the distances to the tower of this plot and to the lamp, and of a lower bound for
+// all other towers. It is a lower bound and 1-Lipschitz.
 float sceneDistance(vec3 p)
 {
     Plot plot = plotAt(p);
@@ -76,7 +76,7 @@ float sceneDistance(vec3 p)
     return min(min(tower, parks ? max(others, row) : others), postDistance(p - POST));
 }
 
-// ---- What a ray meets: the march finds towers and the lamp, the ground ends the interval ----
+// ---- Where a ray ends: the march finds towers and the lamp, the ground ends the interval ----
 
 // The normal of a tower: upwards on its roof, otherwise that of the nearest wall.
 vec3 towerNormal(Plot plot, vec2 outside)
@@ -96,7 +96,7 @@ struct Spot {
     vec3  p, normal;
     float t, width;           // of p along the ray; width of the pixel there, scene units
     float facing;             // cosine of the angle between normal and ray, at least 0.03
-    bool  met, ground, post;  // met and neither of the others: a tower
+    bool  met, ground, post;  // a tower if met and neither of the others
 };
 
 // The end of a ray: there are objects only between the ground and the highest roof.

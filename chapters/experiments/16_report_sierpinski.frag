@@ -18,7 +18,7 @@ uniform int   maxSteps;     // 128 in [1, 1024]: steps after which a ray is aban
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.2] step *2, scene units: distance that counts as a hit
 
 const float HALF_HEIGHT = 1.567;                  // of the picture, in halves of the cube around the pyramid
-const float FAR = 8.0;                            // a ray that has travelled this far sees the sky
+const float FAR = 8.0;                            // a ray that has travelled this far meets the sky
 const float MARGIN = 0.02;                        // by which the bound is larger than the pyramid
 const vec3  TO_SUN = vec3(0.447, 0.866, -0.224);  // length 1
 const float SUN_SPREAD = 0.03;                    // tangent of the angular radius of the sun's disc

@@ -9,7 +9,7 @@
 #include "experiments/18_ways.glsl"
 
 uniform bool  sheet;     // true: twelve hours, from noon to night; false: two skies, the selected method on the right
-uniform float sunHeight; // 48 in [-18, 90] step 1, degrees: of the sun, with sheet=false
+uniform float sunHeight; // 48 in [-18, 90] step 1, degrees: height of the sun, with sheet=false
 
 // The heights of the sun on the sheet, degrees, from the upper left to the lower right.
 const float HEIGHTS[12] = float[](48.0, 30.0, 15.0, 8.0, 4.0, 1.0, -1.0, -2.5, -4.0, -5.5, -7.0, -9.0);

@@ -7,7 +7,7 @@
 uniform vec2 first;  // (-1.3, -0.75) handle: the darker light
 uniform vec2 second; // (0.2, 0.75) handle: the brighter light
 
-const vec2 CORNER = vec2(-1.3, -0.75); // of the graph, where light and number are 0
+const vec2 CORNER = vec2(-1.3, -0.75); // of the graph, where light and value are 0
 const float SIDE = 1.5;
 
 float sceneDistance(vec3 p)
@@ -15,7 +15,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// The number that the screen gets for a light.
+// The value that the screen gets for a light.
 float encoded(float light)
 {
     return encodeSRGB(vec3(light)).x;

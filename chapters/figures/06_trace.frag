@@ -11,7 +11,7 @@ const float SCALE = 0.88;              // units of the sheet per unit of length;
 const vec2  CORNER = vec2(0.0, 0.92);  // its upper corner
 const vec3  N1 = vec3(0.5, 0.8660254, 0.0), N2 = vec3(-0.5, 0.8660254, 0.0); // normals of the mirrors
 
-// From the sheet to the triangle, whose upper corner is the origin.
+// Map a point of the sheet to the triangle, whose upper corner is the origin.
 vec2 trianglePoint(vec2 p)
 {
     return (p - CORNER) / SCALE;

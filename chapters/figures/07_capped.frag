@@ -11,7 +11,7 @@ const float PERIOD = 0.66;
 const float EDGE = 2.5 * PERIOD;          // of the field, which has 5 x 2 cells
 const float BOTTOM = -0.35, GROUND = -0.93; // of the field, and of the graph
 
-// From the sheet to the field, where cell (0, 0) is in the middle of the lower row.
+// Map a point of the sheet to the field, where cell (0, 0) is in the middle of the lower row.
 vec2 fieldPoint(vec2 p)
 {
     return p - vec2(0.0, BOTTOM + 0.5 * PERIOD);

@@ -1,5 +1,5 @@
 // How much air the sunlight passes: drag the sun. The dots on the ray are one vertical air mass (dashed) apart.
-// Green: the air mass of the round Earth; orange: that of flat layers, whose top is dashed. The sun has the
+// Green is the air mass of the round Earth, orange that of flat layers, whose top is dashed. The sun has the
 // colour of the light that remains. Make the Earth larger: at 721.5 it is the real one, and nearly flat.
 #include "figure.glsl"
 #include "lighting.glsl" // encodeSRGB

@@ -1,7 +1,7 @@
 // The sun's day: drag the sun along its path, and its highest point up and down to change the season. The day goes
 // from left to right, from 0 to 24 h; above the horizon, each column is the sky in the direction of the sun at that
-// hour, from the horizon to the zenith. Below: the hour, the elevation of the sun in degrees (orange) and the air mass
-// of its light (green).
+// hour, from the horizon to the zenith. Below are the hour, the elevation of the sun in degrees (orange) and the air
+// mass of its light (green).
 #include "figure.glsl"
 #include "lighting.glsl" // encodeSRGB
 #include "sky.glsl"      // sunDirection, airMass, transmittance, sunlitSky, nightSky

@@ -14,7 +14,7 @@ uniform bool numbered; // false: mix the numbers of the materials, and look the 
 const Material CLAY = Material(vec3(0.69, 0.17, 0.01), vec3(0.04), 0.6);
 const Material GLAZE = Material(vec3(0.03, 0.16, 0.53), vec3(0.04), 0.1);
 
-// The two distances.
+// The distances to the two discs.
 vec2 partsAt(vec2 p)
 {
     return vec2(sdCircle(p - clay, 0.46), sdCircle(p - glaze, 0.38));

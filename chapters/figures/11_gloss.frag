@@ -1,6 +1,6 @@
 // Where a rough surface sends the light: drag the lamp and the eye. The farther out the curve is in a direction, the
-// more light goes there: orange GGX, blue Blinn and Phong. The eye sees the tiny mirrors whose normal, green,
-// is halfway between the lamp and the eye. Change the roughness.
+// more light goes there. The orange curve is GGX, the blue one Blinn and Phong. The eye sees the tiny mirrors whose
+// normal, green, is halfway between the lamp and the eye. Change the roughness.
 #include "figure.glsl"
 #include "gloss.glsl" // ggxGloss, blinnPhongGloss, halfway
 

@@ -1,6 +1,6 @@
-// The footprint of a pixel on a chequered floor, from above: drag the eye and the pixel. Blue: the part that the pixel
-// sees, between the rays through its corners. Orange: the rectangle that is averaged; the square at the top right shows
-// its mean. The pale lines are the borders of all pixels.
+// The footprint of a pixel on a chequered floor, from above: drag the eye and the pixel. Blue is the part that the
+// pixel covers, between the rays through its corners. Orange is the rectangle that is averaged; the square at the top
+// right shows its mean. The pale lines are the borders of all pixels.
 #include "figure.glsl"
 #include "checkers.glsl" // checkers
 
@@ -16,7 +16,7 @@ float sceneDistance(vec3 p)
     return p.z;
 }
 
-// From a point of the floor to its position on the screen, and back.
+// Map a point of the floor to its position on the screen, and back.
 vec2 screenAt(vec2 p)
 {
     return vec2(p.x - eye.x, -height) / max(p.y - eye.y, 0.001);

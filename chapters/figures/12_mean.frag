@@ -1,5 +1,5 @@
 // What a pixel should show: drag the pixel over the grains, and change its width. On the right, from
-// the top: the one texel in its middle, which keeps changing; the mean of all its texels; a lookup in the
+// the top, are the one texel in its middle, which keeps changing, the mean of all its texels, and a lookup in the
 // level that fits. The numbers are the green channels, from 0 to 255.
 #include "figure.glsl"
 #include "lighting.glsl" // encodeSRGB

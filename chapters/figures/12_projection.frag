@@ -46,7 +46,7 @@ vec3 rayColour(Ray ray)
     fill(sdRectangle(slide, vec2(0.65, 0.03)), stripesAt(across, INK, SKY), 1.0);
     stroke(sdRectangle(slide, vec2(0.65, 0.03)), 1.2, INK);
 
-    // By what factor the picture is stretched at the point.
+    // The factor by which the picture is stretched at the point.
     vec2 at = point;
     for (int i = 0; i < 4; i++)
         at -= sceneDistance(vec3(at, 0.0)) * normalOf(at);

@@ -26,9 +26,9 @@ float arcBetween(vec2 q, float low, float high)
 vec3 rayColour(Ray ray)
 {
     vec2 p = sheetPoint(ray), up = normalize(normal - POINT + 1e-6), along = vec2(up.y, -up.x), eyes = vec2(1.16, 0.06);
-    vec2 q = vec2(dot(p - POINT, along), dot(p - POINT, up)), toBall = ball - POINT; // q: along the surface, above it
+    vec2 q = vec2(dot(p - POINT, along), dot(p - POINT, up)), toBall = ball - POINT; // q is along the surface and above it
     float far = length(toBall), beta = far > radius ? arcSine(radius / far) : PI;
-    float theta = atan(dot(toBall, along), dot(toBall, up) + 1e-6); // of the ball's centre, from the normal
+    float theta = atan(dot(toBall, along), dot(toBall, up) + 1e-6); // angle of the ball's centre from the normal
     float low = clamp(theta - beta, -0.5 * PI, 0.5 * PI), high = clamp(theta + beta, -0.5 * PI, 0.5 * PI);
 
     if (p.x < 0.52) {

@@ -25,7 +25,7 @@ vec3 rayColour(Ray ray)
     float size = 0.5 * clamp(length(corner - MIDDLE), 0.2, 0.9), width = penWidth(3.0); // from the middle to a side
     mat3x2 normal = mat3x2(-up, 0.5 * up + 0.8660254 * right, 0.5 * up - 0.8660254 * right); // of its three sides
     vec3 above = (p - MIDDLE) * normal - size;
-    float prism = max(above.x, max(above.y, above.z)), turned = 0.0, amount = 0.0; // amount: of the spectrum
+    float prism = max(above.x, max(above.y, above.z)), turned = 0.0, amount = 0.0; // the amount of the spectrum
 
     // White, up to the prism: the light enters through the last of the sides that it faces.
     vec2 start = normalize(aim - lamp + 1e-6);
@@ -44,7 +44,7 @@ vec3 rayColour(Ray ray)
         float index = GREEN + dispersion * (1.0 / (wave * wave) - 1.0 / 0.3025);
         vec2 from = meet, direction = refract(start, side, 1.0 / index);
         bool within = true;
-        // Through the prism; after total reflection, through it once more; and away.
+        // The ray passes through the prism, after total reflection once more, and leaves it.
         for (int piece = 0; piece < 3; piece++) {
             facing = direction * normal;
             way = (size - (from - MIDDLE) * normal) / (facing + 1e-7);

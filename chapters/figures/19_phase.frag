@@ -45,7 +45,7 @@ vec3 rayColour(Ray ray)
     float arc = sdArc(vec2(dot(q, vec2(middle.y, -middle.x)), dot(q, middle)), 0.19, max(half_, 0.01));
     fill(arc - 0.5 * penWidth(2.0), TEAL, 1.0);
     number(p, moon - 0.19 * middle, degrees(2.0 * half_), 0, TEAL);
-    // The disc: right is what an eye on the Earth has on its right, and the sun is in the plane of the picture.
+    // The disc: its right side is on the right of an eye on the Earth, and the sun is in the plane of the picture.
     vec2 place = (p - SEEN) / DISC;
     vec3 inFrame = vec3(side, 0.0, cosine);
     vec3 face = moonFace(moonMap, place, sheetPixel() / DISC, inFrame, 1.5) * exp(1.2 * half_);

@@ -1,7 +1,7 @@
 // A cloud layer over the round Earth: drag the end of the ray down to the horizon, and the layer up and down. To
 // the right are 137 km, and upwards 3 km, drawn 25 times as high as they are. The dashed layer is flat. At the top
 // are the height of the ray in degrees and the distances to the round layer and to the flat one in km; on the layer
-// is what a pixel of the chapter's picture covers, with its length in km.
+// is the piece that a pixel of the chapter's picture covers, with its length in km.
 #include "figure.glsl"
 #include "clouds.glsl"
 
@@ -44,7 +44,7 @@ vec3 rayColour(Ray ray)
     dashes(p, vec2(-1.78, EYE.y + KM.y * altitude), vec2(1.78, EYE.y + KM.y * altitude), 1.5, ORANGE);
     stroke((height - altitude) * slope, 2.0, BLUE);
 
-    // What a pixel covers, and the ray.
+    // The piece that a pixel covers, and the ray.
     vec2 hit = onLayer(climb, altitude), near = onLayer(climb + 0.5 * PIXEL, altitude), far = onLayer(climb - 0.5 * PIXEL, altitude);
     float within = max(near.x - p.x, p.x - far.x);
     fill(max(abs((height - altitude) * slope) - 0.5 * penWidth(7.0), within), TEAL, 1.0);

@@ -1,7 +1,7 @@
 // A march over the mountain of this chapter, cut upright: drag the eye and the end of the ray, and choose the
 // bound. 0 is one slope for all the land; 1 is a slope for each position, and its balls are empty; 2 is the same only
 // for this ray, with longer steps, and its balls are free of land only along the ray. The number counts the steps,
-// 60 at most. From left to right are 5 km.
+// at most 60. From left to right are 5 km.
 #include "figure.glsl"
 #include "land.glsl"
 

@@ -21,7 +21,7 @@ float seenPyramid(vec3 p, float size, int levels)
 #define sdSierpinskiPlanes seenPyramid
 #include "06_sierpinski_symmetry.frag"
 
-// From the pyramid's coordinates back to the scene, with the transposed matrix.
+// Map a point in the pyramid's coordinates back to the scene, with the transposed matrix.
 vec3 scenePoint(vec3 p)
 {
     return p * TO_PYRAMID + PYRAMID;

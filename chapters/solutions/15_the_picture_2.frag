@@ -7,7 +7,7 @@
 
 // The length of a path inside the layer: the part before the ray crosses its top, or the part after
 // that.
-//   height, climb, t  as of fogDepth
+//   height, climb, t  as for fogDepth
 float inLayer(float height, float climb, float t)
 {
     climb = abs(climb) < 1e-6 ? 1e-6 : climb;   // a level ray is treated as climbing a little

@@ -92,7 +92,7 @@ double air_drawn_back(double x, double k)
     return x * (k + (1.0 - k) * (x < 0.0 ? -x : x));
 }
 
-// 0 if x is far below 0, x if it is far above, smooth between.
+// 0 if x is far below 0, x if it is far above, and a smooth transition in between.
 static double beyond(double x)
 {
     return 0.5 * (x + sqrt(x * x + 0.0004));

@@ -38,13 +38,13 @@ struct air_light {
 //   ozone    amount of ozone; 1 is 300 Dobson units, 0 leaves it out
 struct air_light air_scattered(double sun, double view, double azimuth, double ozone);
 
-// The same for each wavelength, as shares of the sunlight above the air, per steradian.
+// The scattered light of each wavelength, as shares of the sunlight above the air, per steradian.
 struct air_shares {
     double air[AIR_WAVES], dust[AIR_WAVES], more[AIR_WAVES];
 };
 void air_shares(double sun, double view, double azimuth, double ozone, struct air_shares *shares);
 
-// The sun's light on a surface perpendicular to its rays, after the air; without refraction.
+// The sun's light on a surface perpendicular to its rays, after the air, without refraction.
 //   sun      sine of its height; 0 where the Earth is in the way
 void air_sunlight(double sun, double colour[3]);
 
@@ -59,7 +59,7 @@ enum { AIR_COLUMNS = 288, AIR_ROWS = 160 };
 //   formula  the x with x (k + (1 - k) |x|) = sine
 double air_drawn_out(double sine, double k);
 
-// The sine that lies at x: the inverse.
+// The inverse: the sine that lies at x.
 double air_drawn_back(double x, double k);
 
 // k for the sun's height and for the direction's; the lowest sun of a table.
@@ -70,7 +70,7 @@ double air_drawn_back(double x, double k);
 // The light of a low sun is redder than a screen's red: its blue is slightly negative, which a
 // colour of a picture cannot represent; and near 0 a screen distinguishes more blues than a byte.
 // So a fourth number, stored unchanged, contains the missing part, as a share of the red's scale;
-// the byte 128 is nothing.
+// the byte 128 adds nothing.
 #define AIR_FINE 0.06
 
 // The light that a table's number 1 represents: a smooth function of the sun's height and of the

@@ -10,13 +10,13 @@
 // over these two contains all the light, for each wavelength.
 enum { HEIGHTS = 32, SUNS = 96, ABOVE = 10, BELOW = 6, AROUND = 8, PATH_STEPS = 24, ORDERS = 4 };
 
-// The share of the light on the ground that the ground reflects.
+// The share of the light that the ground reflects.
 static const double ALBEDO = 0.15;
 
 typedef double grid[HEIGHTS][SUNS][AIR_WAVES];
 
-// At a point, as shares of the sunlight above the air: the sun's own light, and the mean over all
-// directions of the light that air and ground have scattered.
+// The light at a point, as shares of the sunlight above the air: the sun's own light, and the mean
+// over all directions of the light that air and ground have scattered.
 static grid direct, scattered;
 
 static double grid_height(int row)
@@ -76,7 +76,7 @@ static void add_between(grid light, struct corner at, const double weight[AIR_WA
 struct path {
     double distance[2 * PATH_STEPS], height[2 * PATH_STEPS], dip[2 * PATH_STEPS];
     double air[2 * PATH_STEPS][AIR_WAVES];  // the share that a step's air scatters to the point
-    double dust[2 * PATH_STEPS][AIR_WAVES]; // the same for its dust
+    double dust[2 * PATH_STEPS][AIR_WAVES]; // the share that its dust scatters
     double ground[AIR_WAVES];               // the share that arrives from the end of the path
     double length;
     int steps;
@@ -143,7 +143,8 @@ static const double AROUND_COSINE[AROUND] = {
     0.98078528040323044,  0.83146961230254524,  0.55557023301960222,  0.19509032201612828,
     -0.19509032201612828, -0.55557023301960222, -0.83146961230254524, -0.98078528040323044};
 
-// One order of scattering: from the light at all points, the light that they send to each point.
+// Compute one order of scattering: from the light at all points, the light that they send to each
+// point.
 //   from    the sunlight, or the mean light of the order before
 //   first   true for sunlight, which comes from one direction; scattered light is assumed to come
 //           equally from all sides

@@ -121,7 +121,7 @@ struct air_amount air_amount_up(double radius, double sine)
     return sum;
 }
 
-// The same for any ray that does not meet the Earth. One that goes down rises again beyond its
+// The amounts along any ray that does not meet the Earth. One that goes down rises again beyond its
 // lowest point: its amount is twice the amount beyond that point, minus the amount behind the eye.
 static struct air_amount amount_along(double radius, double sine)
 {

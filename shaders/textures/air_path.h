@@ -1,5 +1,5 @@
-// air_path.h - the air of a round Earth: how much of it, of dust and of ozone a path meets, and
-// what is left of sunlight behind them. Distances and heights are in kilometres.
+// air_path.h - the air of a round Earth: how much of it, of dust and of ozone a path meets, and how
+// much sunlight is left behind them. Distances and heights are in kilometres.
 #ifndef AIR_PATH_H
 #define AIR_PATH_H
 

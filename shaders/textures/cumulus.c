@@ -117,7 +117,7 @@ static double beside_the_way(const struct tower *tower, double x, double z)
     return sqrt(north * north + east * east) / tower->clearing;
 }
 
-// As inside_tower, but for the ordinary columns, which keep away from towers.
+// inside_tower for the ordinary columns, which keep away from towers.
 static double inside_column(const struct cumulus *field, double x, double z, double altitude)
 {
     double period = MAP_CELLS * field->cell, height = (altitude - field->base) / field->depth;
@@ -136,7 +136,7 @@ static double ceiling_of(const struct cumulus *field)
 }
 
 // Optical depth of a kilometre at a point; x and z along the ground, y up from the eye. The small
-// puffs may be left out, because nobody sees them inside a cloud.
+// puffs may be left out, because they are invisible inside a cloud.
 static double thickness_at(const struct cumulus *field, double x, double y, double z,
                            bool small_too)
 {
@@ -244,7 +244,7 @@ static void along_ray(const struct cumulus *field, double u, double v, double va
         inside = inside && idle < 6;
         t += inside ? fine : stride;
     }
-    double whole = 0.98; // the loss at which a ray is abandoned
+    double whole = 0.98; // the loss of light at which a ray is abandoned
     value[0] = fmin((1.0 - seen) / whole, 1.0);
     value[1] = above / whole;
     value[2] = 0.5 + 0.5 * side / whole;

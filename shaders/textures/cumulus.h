@@ -3,14 +3,14 @@
 // vapour.
 //
 // u turns once around the horizon; v is the square root of the height above it, where a quarter
-// turn is 1: the rows are denser where clouds are seen from the side.
+// turn is 1, so the rows are denser where clouds are seen from the side.
 #ifndef CUMULUS_H
 #define CUMULUS_H
 
 #include <stdint.h>
 
 // A cumulonimbus: a column whose head has met warm air that stops it, and spreads into an anvil.
-// Lengths in kilometres.
+// Lengths are in kilometres.
 struct tower {
     double north, east; // position of its base, from the eye
     double width;       // radius of the column
@@ -21,7 +21,7 @@ struct tower {
 
 enum { TOWERS = 2, CUMULUS_WIDTH = 2048, CUMULUS_HEIGHT = 320 }; // sizes of a panorama: texels
 
-// Lengths in kilometres. There is a column of cloud wherever the ground's noise is above the
+// Lengths are in kilometres. There is a column of cloud wherever the ground's noise is above the
 // threshold; the more it is above, the higher the column. Puffs of two sizes make it round.
 struct cumulus {
     double base,

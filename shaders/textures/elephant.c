@@ -65,7 +65,7 @@ enum {
     CENTRE = 7 // the middle cell along x
 };
 
-// From the sketch to the cube.
+// Convert the coordinates of the sketch to those of the cube.
 static void fit(struct mesh_block *block)
 {
     static const double origin[3] = {0.0, -0.04, 0.381};

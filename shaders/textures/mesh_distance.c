@@ -63,7 +63,7 @@ double mesh_angle(const double a[3], const double b[3])
 
 // ---- The nearest point of a triangle ----
 
-// A point of an edge: from + share (to - from).
+// The point from + share (to - from) of an edge.
 static int on_edge(const double from[3], const double to[3], double share, double nearest[3],
                    int feature)
 {

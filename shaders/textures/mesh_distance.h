@@ -17,7 +17,7 @@ enum { MESH_LEAF = 4 }; // the most triangles in a leaf
 struct mesh_box {
     double low[3], high[3];
     int first, count;
-    int left; // 0: a leaf
+    int left; // 0 for a leaf
 };
 
 struct mesh_tree {
@@ -46,8 +46,8 @@ void mesh_tree_free(struct mesh_tree *tree);
 // The distance from p to the mesh: exact but for rounding, positive outside, negative inside.
 double mesh_distance(const struct mesh_tree *tree, const double p[3]);
 
-// The angle between two nonzero vectors, in [0, pi] radians, within 1e-12. The C library's acos
-// differs from machine to machine.
+// The angle between two nonzero vectors, in [0, pi] radians, within 1e-12. It does not use the C
+// library's acos, which differs from machine to machine.
 double mesh_angle(const double a[3], const double b[3]);
 
 #endif

@@ -74,7 +74,7 @@ static double rough(struct place p, double k, int octaves, double gain, uint32_t
 
 // ---- The seas ----
 
-// Centre on the disc and radius of each basin that lava has filled; its darkness.
+// Centre on the disc, radius and darkness of each basin that lava has filled.
 static const double seas[][4] = {
     {-0.231, 0.545, 0.315, 1.00},  {0.273, 0.469, 0.175, 1.00},   {0.500, 0.155, 0.215, 1.10},
     {0.400, 0.300, 0.120, 1.05},   {0.835, 0.285, 0.125, 1.10},   {0.775, -0.080, 0.150, 1.00},
@@ -116,7 +116,7 @@ struct crater {
     struct place middle;
     double radius; // in radii of the moon
     double fresh;  // 0 old and worn down, 1 young and bright
-    double rays;   // length of its rays, in its own radii; 0: it has none
+    double rays;   // length of its rays, in its own radii; 0 if it has none
     uint32_t name;
 };
 
@@ -265,7 +265,7 @@ static void draw(void)
     }
 }
 
-// The value of a map at a row and a column of the picture; far outside the disc a mean.
+// The value of a map at a row and a column of the picture; far outside the disc, its mean.
 static double look_up(float map[SIDE][SIDE], double row, double column, double mean)
 {
     int i = (int)fmin(fmax(floor(row), 0.0), SIDE - 1.0);

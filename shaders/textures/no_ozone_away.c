@@ -1,4 +1,5 @@
-// sky_away.png for air without ozone, for an experiment of chapter 18. Read with sRGB and clamp.
+// sky_away.png for air without ozone, for an experiment of chapter 18. It is read with sRGB and
+// clamp.
 #include "air.h"
 #include "paint.h"
 

@@ -215,7 +215,7 @@ static void draw_pixel(const struct picture *picture, int x, int y, double mean[
     }
 }
 
-// The byte that stores a number in [0, 1] as it is; others are clamped.
+// The byte that stores a number in [0, 1] unchanged; other numbers are clamped.
 static unsigned char number_byte(double number)
 {
     return (unsigned char)lround(255.0 * fmin(fmax(number, 0.0), 1.0));

@@ -1,5 +1,5 @@
-// paint.h - drawing functions for the textures: a picture from a function of a point, which repeats
-// without a seam, as PNG on standard output.
+// paint.h - drawing functions for the textures: a function of a point becomes a picture that
+// repeats without a seam, written as PNG to standard output.
 //
 // A texture is the same on every machine, to the last bit of each pixel: random numbers come from
 // an integer hash, and real arithmetic uses only the operations that IEEE 754 rounds in one way, +
@@ -34,7 +34,7 @@ int paint_texture(int width, int height, int samples, enum paint_kind kind,
 // 32 bits that depend on all bits of two whole numbers and of a seed.
 uint32_t paint_hash(int i, int j, uint32_t seed);
 
-// The same as a number in [0, 1), a multiple of 2^-32.
+// These bits as a number in [0, 1), a multiple of 2^-32.
 double paint_random(int i, int j, uint32_t seed);
 
 // ---- Real arithmetic ----
@@ -46,7 +46,7 @@ double paint_exp(double x);
 
 // ---- Patterns ----
 
-// From 0 to 1 as x goes from a to b, with slope and curvature 0 at both ends.
+// A step from 0 to 1 as x goes from a to b, with slope and curvature 0 at both ends.
 double paint_step(double a, double b, double x);
 
 // Value noise in [0, 1): random numbers at the corners of columns x rows cells per period, joined
@@ -75,7 +75,7 @@ void paint_colour(uint32_t code, double value[3]);
 // 1] become 0 or 255.
 unsigned char paint_byte(double light);
 
-// The light that a byte stores: the inverse.
+// The inverse: the light that a byte stores.
 double paint_light(int byte);
 
 // The colour at x in [0, 1] of a scale: count colours 0xRRGGBB at equal steps, joined by straight

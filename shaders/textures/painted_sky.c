@@ -1,12 +1,12 @@
-// A sky painted by eye, for an exercise of chapter 18: to the right the sine of the sun's height,
-// from -1 to 1, upwards that of the direction's, from 0 to 1; the lower storey is the half of the
-// sky that contains the sun, the upper one the other half. The colours are those that the screen
-// should show. Read with sRGB and clamp.
+// A sky painted by eye, for an exercise of chapter 18. The sine of the sun's height increases to
+// the right, from -1 to 1, and that of the direction's height upwards, from 0 to 1. The lower
+// storey is the half of the sky that contains the sun, the upper one the other half. The colours
+// are those that the screen should show. It is read with sRGB and clamp.
 #include <math.h>
 
 #include "paint.h"
 
-// Night, dusk, sunset, morning, noon.
+// The colours of night, dusk, sunset, morning and noon.
 static const uint32_t zenith[9] = {0x0a0e1c, 0x0a0e1c, 0x0c1224, 0x1c2850, 0x44588e,
                                    0x4f7cc0, 0x4a80cc, 0x4480d0, 0x4080d0};
 static const uint32_t horizon[9] = {0x121a2c, 0x121a2c, 0x1c2238, 0x6a4a5e, 0xf0884a,

@@ -133,7 +133,7 @@ static void finish(struct builder *b, struct block *block, double value, double 
     grid->most = kept > grid->most ? kept : grid->most;
 }
 
-// One eighth of a box of cells; false if it has no cells.
+// Select one eighth of a box of cells. Returns false if it has no cells.
 static bool eighth(const struct block *block, int number, struct block *part)
 {
     bool any = true;

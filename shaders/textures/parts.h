@@ -33,13 +33,13 @@ double part_distance(const struct part *part, const double p[3]);
 // opSmoothUnion of combine.glsl.
 double part_union(double a, double b, double blend);
 
-// The distance from p to some parts: their smooth union, one after the other, in their order.
-//   id, count  the parts; if id is NULL, the first count
+// The distance from p to the smooth union of some parts, joined one after the other in their order.
+//   id, count  the parts; if id is NULL, the first count parts
 //   blend      width of the blends, > 0
 double parts_distance(const struct part *part, const uint16_t *id, int count, double blend,
                       const double p[3]);
 
-// The part with its numbers as they are stored: rounded to the multiples above.
+// The part with its numbers as they are stored, rounded to the multiples above.
 struct part part_stored(struct part part);
 
 // ---- The grid ----

@@ -1,4 +1,4 @@
-// plank.c - four oak boards that have been outside, the grain along u, with gaps between them.
+// plank.c - four oak boards that have been outside, with the grain along u and gaps between them.
 //
 // Each board is cut from its own log: its rings are lines of equal distance from the log's axis,
 // which is inclined to the cut, so that the board shows long pointed arches.

@@ -1,5 +1,5 @@
 // reef.c - the parts of a reef and their lists, as a table of bytes. It is read by texelFetch, with
-// linear and clamp; chapters/reef.glsl says what the bytes mean.
+// linear and clamp; chapters/reef.glsl explains the bytes.
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,7 +19,7 @@ static void put(int texel, unsigned a, unsigned b, unsigned c, unsigned d)
         table[texel][i] = (unsigned char)byte[i];
 }
 
-// A whole number below 2^24 after a byte.
+// Store a byte and a whole number below 2^24 in a texel.
 static void put_number(int texel, unsigned first, unsigned number)
 {
     put(texel, first, number & 255U, number >> 8 & 255U, number >> 16);

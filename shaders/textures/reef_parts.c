@@ -87,7 +87,7 @@ static void add(struct reef *reef, struct v3 a, struct v3 b, double radius, int 
     reef->part[reef->count++] = part_stored(part);
 }
 
-// ---- What grows ----
+// ---- Corals ----
 
 // A coral that forks until it has used its parts.
 static void fork(struct reef *reef, enum kind kind, struct v3 base, double size, int colour,

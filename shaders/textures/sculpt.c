@@ -75,7 +75,7 @@ static double to_roll(const double p[3], const double from[3], const double to[3
     return sqrt(apart) - radius;
 }
 
-// The same for a roll that is cut off before it leaves the grid: a lower bound.
+// A lower bound of the distance from p to a roll that is cut off before it leaves the grid.
 static double to_cut_roll(const double p[3], const double from[3], const double to[3],
                           double radius)
 {

@@ -25,11 +25,11 @@ bool sculpt_march(const unsigned char *grid, const double origin[3], const doubl
 
 // Add a roll of clay, a capsule from one point to another, or take it away, and make the values
 // distances again.
-//   grid      is changed
+//   grid      the grid that is changed
 //   before    the same grid as it was before the first piece of a stroke. The pieces of a stroke
 //             are united with each other first and blended with this, so that their joints do not
 //             swell
-//   radius    of the roll; negative: the clay is taken away
+//   radius    of the roll; negative to take clay away
 //   slices    receives the first slice in z that may have changed, and the one after the last
 //   formula   min(F, U(F before, r)) where clay is added, max(F, -U(-F before, r)) where it is
 //             taken away, U the quadratic smooth union. A point whose distance to the roll is at

@@ -45,7 +45,8 @@ static double to_crossing(const struct grid *grid, ptrdiff_t i, int axis)
     return nearest;
 }
 
-// Next to the surface: the distance to the plane that cuts the axes at the crossings, or the value.
+// The distance of a point next to the surface: that to the plane that cuts the axes at the
+// crossings, or the value.
 //   formula  1 / sqrt(1 / a^2 + 1 / b^2 + 1 / c^2)
 static void begin(struct grid *grid, ptrdiff_t i)
 {
@@ -90,7 +91,7 @@ static void relax(struct grid *grid, ptrdiff_t i)
     grid->distance[i] = least_of(*here, solve(a, b, c, grid->cell));
 }
 
-// Visit all points, each axis upwards or downwards, according to a bit of the order.
+// Visit all points, upwards or downwards on each axis according to a bit of the order.
 static void sweep(struct grid *grid, int order)
 {
     const int *size = grid->size;
@@ -105,7 +106,7 @@ static void sweep(struct grid *grid, int order)
             }
 }
 
-// Copy the values and those that are kept.
+// Copy the values, and mark those that are kept.
 static void open_grid(struct grid *grid, const double *value, const bool *keep, const int size[3],
                       double cell)
 {
