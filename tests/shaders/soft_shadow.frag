@@ -19,6 +19,7 @@ float sceneDistance(vec3 p)
 }
 
 const vec3 TO_LIGHT = vec3(0.48, 0.6, -0.64);
+const vec3 P = vec3(0.4, -0.3, 0.2); // the point, from which the ball and the edge are measured
 
 // A ball whose edge passes the lamp's centre at a distance given in the lamp's radii.
 //   iMouse: spread, radius, distance
@@ -44,14 +45,14 @@ void main()
     } else if (function == 2) {
         float clear = (number - 32.0) / 24.0;
         ball = ballAt(clear);
-        FragColor = vec4(ball.xyz, lampBesideBall(vec3(0.0), TO_LIGHT, iMouse.x, ball.xyz, ball.w));
+        FragColor = vec4(ball.xyz, lampBesideBall(P, TO_LIGHT, iMouse.x, P + ball.xyz, ball.w));
     } else if (function == 3) {
         // A slanting edge at the distance 3 that passes the lamp's centre at iMouse.y of its radii.
         vec3 aside = normalize(cross(TO_LIGHT, vec3(0.0, 1.0, 0.0)));
         vec3 across = cross(TO_LIGHT, aside);
         vec3 onEdge = 3.0 * (TO_LIGHT - iMouse.y * iMouse.x * aside) + 0.7 * across;
         vec3 along = across + (0.1 * number - 1.5) * (TO_LIGHT - iMouse.y * iMouse.x * aside);
-        FragColor = vec4(along, lampBesideEdge(vec3(0.0), TO_LIGHT, iMouse.x, onEdge, along));
+        FragColor = vec4(along, lampBesideEdge(P, TO_LIGHT, iMouse.x, P + onEdge, along));
     } else if (function == 4) {
         vec2 square = vec2(number, floor(gl_FragCoord.y)) / 255.0;
         FragColor = vec4(square, discPoint(square));
