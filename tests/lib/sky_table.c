@@ -46,14 +46,9 @@ static double shown(double light, double sun)
     return 255.0 * mirror_encode(fmin(fmax(exp2(stops(sun)) * light, 0.0), 1.0));
 }
 
-enum {
-    EVERY_SUN = 3,
-    EVERY_HEIGHT = 2
-}; // of the points, so that they lie on all parts of the cells
-
 struct truth {
     double azimuth;
-    double light[SKY_HEIGHTS / EVERY_HEIGHT][SKY_SUNS / EVERY_SUN + 1][3];
+    double light[SKY_HEIGHTS][SKY_SUNS][3];
 };
 
 static double height_of(int row)
@@ -70,10 +65,9 @@ static const struct truth *truth_at(double azimuth)
     if (truth.azimuth == azimuth)
         return &truth;
     truth.azimuth = azimuth;
-    for (int i = 0; i < SKY_SUNS; i += EVERY_SUN)
-        for (int j = 0; j < SKY_HEIGHTS; j += EVERY_HEIGHT)
-            air_all_of(sky_table_sun(i), height_of(j), azimuth, 1.0,
-                       truth.light[j / EVERY_HEIGHT][i / EVERY_SUN]);
+    for (int i = 0; i < SKY_SUNS; i++)
+        for (int j = 0; j < SKY_HEIGHTS; j++)
+            air_all_of(sky_table_sun(i), height_of(j), azimuth, 1.0, truth.light[j][i]);
     return &truth;
 }
 
@@ -83,9 +77,9 @@ struct sky_table_error sky_table_error(int way, double azimuth, bool encoded)
     float *values = sky_table_read(way, 0, azimuth, encoded);
     int count = 0, over = 0;
     const struct truth *at = truth_at(azimuth);
-    for (int i = 0; i < SKY_SUNS; i += EVERY_SUN)
-        for (int j = 0; j < SKY_HEIGHTS; j += EVERY_HEIGHT) {
-            const double *truth = at->light[j / EVERY_HEIGHT][i / EVERY_SUN];
+    for (int i = 0; i < SKY_SUNS; i++)
+        for (int j = 0; j < SKY_HEIGHTS; j++) {
+            const double *truth = at->light[j][i];
             double sun = sky_table_sun(i);
             double largest = 0.0;
             for (int c = 0; c < 3; c++) {

@@ -46,7 +46,7 @@ TEST(test_program_integrates)
 
 // ---- The tables ----
 
-// Along the middles of both halves of the sky, the tables are right to within 1.4 steps of the
+// Along the middles of both halves of the sky, the tables are right to within 2.3 steps of the
 // screen, exposed for the hour, in every direction.
 TEST(test_tables_are_right_along_their_middles)
 {
@@ -55,7 +55,7 @@ TEST(test_tables_are_right_along_their_middles)
         print_message(
             "# azimuth %3d: off by %.2f of 255 on average, %.2f at most, sun %.1f, height %.1f\n",
             half > 0 ? 0 : 180, e.mean, e.most, e.sun, e.height);
-        assert_true(e.most >= 0.0 && e.most <= 1.4 && e.mean < 0.15);
+        assert_true(e.most >= 0.0 && e.most <= 2.3 && e.mean < 0.15);
     }
 }
 
