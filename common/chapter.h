@@ -21,7 +21,7 @@ struct chapter {
     const char *title;                 // for the window's title bar and --help
     const char *shows;                 // one sentence: what the picture shows
     struct camera camera;              // where the eye starts
-    const struct sculpture_tool *tool; // with which the pointer changes a texture; NULL: none
+    const struct sculpture_tool *tool; // changes a texture below the pointer; may be NULL
 };
 
 // Carry out the command line: options -> shader -> context -> renderer -> picture or window.
@@ -41,7 +41,7 @@ struct window;
 int chapter_open(struct run **run, const struct chapter *chapter, int argc, char **argv);
 
 // Read the shaders of a command line, and let the driver begin to compile them: chapter_open then
-// does not wait for it, once chapter_ready returns true. What fails is reported, and fails again
+// does not wait for it, once chapter_ready returns true. An error is reported here, and again
 // there.
 //   run  as for chapter_open, which gets another one
 void chapter_begin(struct run **run, const struct chapter *chapter, int argc, char **argv);

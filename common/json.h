@@ -13,11 +13,11 @@ struct json {
 };
 
 // Each writes one value.
-//   name     of the member of an object; NULL in an array, and for the outermost value
+//   name     of the member of an object; NULL in an array and for the outermost value
 //   bracket  { or [ to begin, } or ] to end
 //   text     UTF-8; NULL is written as ""
 //   value    infinities and NaN are written as null
-//   decimals of the number; -1: nine digits
+//   decimals of the number; -1 for nine digits
 void json_begin(struct json *json, const char *name, char bracket);
 void json_end(struct json *json, char bracket);
 void json_text(struct json *json, const char *name, const char *text);

@@ -10,8 +10,8 @@
 #define DIGITS  "0123456789"
 #define LONGEST 128 // characters of a number
 
-// The number of characters at the beginning that form a number; point receives the index of the
-// decimal point, if there is one.
+// The length of the number with which the text begins. point receives the index of its decimal
+// point if it has one.
 static size_t measure(const char *text, size_t *point)
 {
     size_t i = text[0] == '-' || text[0] == '+';

@@ -5,17 +5,17 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-// Read a number at the beginning of a text: "3", "-3", "1.", ".5", "1e-6"; no blanks, no
-// hexadecimal, no "inf", no "nan".
+// Read a number at the beginning of a text, such as "3", "-3", "1.", ".5" or "1e-6". Blanks,
+// hexadecimal numbers, "inf" and "nan" are not accepted.
 //   value  receives the number; infinite if it is too large for a double
-// Returns its number of characters, 0 if the text does not begin with a number.
+// Returns the number's length in characters, or 0 if the text does not begin with a number.
 size_t number_begin(const char *text, double *value);
 
 // Read a text that is one finite number and nothing else. Otherwise returns false without
 // reporting an error.
 bool number_read(const char *text, double *value);
 
-// As number_read, for a whole number from minimum to maximum; "3.0" is not whole, "+3" is.
+// As number_read, for a whole number from minimum to maximum. "+3" is accepted, "3.0" is not.
 bool number_read_int(const char *text, int minimum, int maximum, int *value);
 
 #define NUMBER_SIZE 32

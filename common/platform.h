@@ -19,11 +19,11 @@ struct platform_file {
     bool regular;                // not a folder, pipe or device
     long long size;              // bytes
     long long changed;           // when, in nanoseconds of the file system's clock
-    unsigned long long place[2]; // its disk, and its number there: a file that replaces it differs
+    unsigned long long place[2]; // its disk and its number there, which no other file has
 };
 
 // Describe the file at a path, following links.
-// Returns false, errno set, if there is none.
+// Returns false with errno set if there is none.
 bool platform_look(const char *path, struct platform_file *file);
 
 // True if both are the same file, whatever their names.
@@ -34,16 +34,15 @@ bool platform_is_same(const struct platform_file *one, const struct platform_fil
 // Returns memory that the caller frees, or NULL with errno set.
 char *platform_resolve(const char *path);
 
-// Open a file for reading bytes. Only a regular file is opened: a pipe would wait, and a device may
-// act.
-// Returns NULL with errno set, to 0 if the file is not regular.
+// Open a file for reading bytes. Only a regular file is opened, because a pipe would wait and a
+// device may act. Returns NULL with errno set, to 0 if the file is not regular.
 FILE *platform_open(const char *path);
 
 // The file that is written for a path.
 //   target  receives it: links are followed, including those to missing files
 //   why     receives one phrase if no file could be written there: a folder, a device, a
 //           write-protected file or folder, too many links, ...
-// Then returns false without reporting an error.
+// Returns false without reporting an error if no file could be written.
 bool platform_target(const char *path, char target[PLATFORM_PATH], char why[PLATFORM_WHY]);
 
 // Write data into a new file beside a target and rename it to the target, so that no reader sees
@@ -67,7 +66,7 @@ bool platform_close_text(FILE *stream);
 // more, because the reason of an earlier failure may be lost. A signal may end the program first.
 bool platform_reader_left(void);
 
-// What an errno means, for a message: as strerror, in the words of this system.
+// What an errno means, in the words of this system, as strerror returns them.
 const char *platform_why(int error);
 
 // ---- The program and its environment ----
@@ -106,14 +105,14 @@ enum platform_display platform_display(void);
 
 // From now on, if the program crashes, it prints these words and ends with status 1.
 //   words  kept, with their line end; NULL restores the earlier behaviour
-// To be called with words and with NULL in turn.
+// Call it with words and with NULL in turn.
 void platform_watch_crash(const char *words);
 
-// The same, for good, if a file that is mapped into memory loses its disk.
+// Do the same, for good, if a file that is mapped into memory loses its disk.
 void platform_watch_lost_page(const char *words);
 
-// The same, for good, if the process has only limited memory (ulimit -v): a driver that gets none
-// crashes.
+// Do the same, for good, if the memory of the process is limited (ulimit -v), because a driver that
+// gets none crashes.
 void platform_watch_short_memory(const char *words);
 
 // Limit the process to this many bytes more than it has; no limit if the system does not say how

@@ -8,7 +8,8 @@
 //   across, down   of its drawing buffer, pixels
 void live_size(int width, int height, int across, int down);
 
-// A key, by GLFW's key and action: the page maps positions, and keeps its own keys.
+// A key was pressed, repeated or released. The page maps positions to GLFW's keys, and keeps for
+// itself the keys that it uses.
 void live_key(int key, int action, int modifiers);
 
 // A character was typed.
@@ -20,12 +21,12 @@ void live_pointer(double x, double y);
 // A button of the mouse, by GLFW's number.
 void live_button(int button, int pressed, int modifiers);
 
-// Notches of the wheel, away from the user positive.
+// The wheel was turned by some notches, positive away from the user.
 void live_wheel(double notches);
 
 void live_focus(int focused);
 
-// While the page or the canvas cannot be seen, the program's clock is stopped.
+// The page or the canvas was hidden or shown. While it is hidden, the program's clock is stopped.
 void live_hide(int hidden);
 
 // True if float targets do not blend, so that half floats are used.

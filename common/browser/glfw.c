@@ -15,7 +15,7 @@
 #include "context/gl.h"
 #include "platform.h"
 
-// Emscripten's library has each by its own name.
+// Emscripten's library exports each function under its own name.
 #define WEB_DECLARE(type, name, arguments) type gl##name arguments;
 GL_FUNCTIONS(WEB_DECLARE)
 #undef WEB_DECLARE

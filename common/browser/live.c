@@ -234,7 +234,7 @@ static void give_back(struct window *window)
 int live_restore(void)
 {
     if (window() != NULL) {
-        shader_forget(window()->renderer->gl); // they were of the lost context
+        shader_forget(window()->renderer->gl); // they belonged to the lost context
         keep(window());
     }
     if (!kept.is)
@@ -274,7 +274,7 @@ const char *live_version(void)
     return live.answer;
 }
 
-// The parameter with a name of live_state, such as "factor (right)"; or NULL.
+// The parameter with a name of live_state, such as "factor (right)". Returns NULL if there is none.
 static struct parameter *parameter(const char *name)
 {
     const struct renderer *renderer = window() != NULL ? window()->renderer : NULL;

@@ -17,8 +17,8 @@
 int live_start(const char *stem, const char *line);
 
 // Let the driver begin to compile the shaders of a command line, after closing what ran before.
-// Once live_ready returns 1, live_start does not wait for the driver. What fails, fails again
-// there.
+// Once live_ready returns 1, live_start does not wait for the driver. An error that occurs here
+// occurs again there.
 void live_begin(const char *stem, const char *line);
 int live_ready(void);
 

@@ -10,7 +10,7 @@
 
 struct scene {
     int line;          // of the list
-    int part;          // index of its part, from 1; 0: before the first one
+    int part;          // index of its part, from 1; 0 before the first one
     const char *text;  // its options, as they are in the list
     char *word[WORDS]; // argv, whose text is in words
     char *words;       // owned
@@ -128,7 +128,7 @@ static bool add_sentence(struct lecture *lecture, const char *text)
     return true;
 }
 
-// Messages begin with the list's name and this line.
+// Let messages begin with the list's name and this line.
 static void begin_line(const struct lecture *lecture, int line)
 {
     char place[1024];
@@ -338,7 +338,7 @@ struct window *lecture_window(const struct lecture *lecture)
     return lecture->window;
 }
 
-// The first scene of a part; the present one if there is no such part.
+// The first scene of a part, or the present one if there is no such part.
 static int first_of(const struct lecture *lecture, int part)
 {
     for (int i = 0; i < lecture->count; i++)

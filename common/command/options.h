@@ -25,22 +25,22 @@ enum options_action {
 // The command line. Strings point into argv.
 struct options {
     enum options_action action;
-    bool window;    // the run needs one: no --output, --probe or --benchmark
+    bool window;    // the run needs a window, because there is no --output, --probe or --benchmark
     bool shadertoy; // --print-shader=shadertoy
     bool compares;  // there is a second picture
     bool walk;      // --step walk: the pictures of --frames step along the ray
     bool has_from, has_divider, has_camera, has_overlay, has_time;
-    const char *output;    // the PNG file to write, or NULL
-    int width, height;     // pixels, 1 to OPTIONS_SIZE_LIMIT
-    double time;           // seconds
-    int frames;            // pictures of the film, whose output contains one %d; 0: one picture
-    int first_frame;       // the first one to write; those before it are left out
-    double fps;            // pictures per second of time
-    int benchmark;         // frames to measure; 0: none
-    bool json;             // --benchmark=json
+    const char *output; // the PNG file to write, or NULL
+    int width, height;  // pixels, 1 to OPTIONS_SIZE_LIMIT
+    double time;        // seconds
+    int frames;         // pictures of the film, whose output contains one %d; 0 if there is no film
+    int first_frame;    // the first one to write; those before it are left out
+    double fps;         // pictures per second of time
+    int benchmark;      // frames to measure, or 0
+    bool json;          // --benchmark=json
     const char **settings; // NAME=VALUE, in the order given; owned, see options_free
     int setting_count;
-    const char *compare;   // the second shader's file; NULL: that of the first
+    const char *compare;   // the second shader's file; NULL if it is that of the first
     int shared_settings;   // the number of settings, from the first, that apply to both pictures
     double divider;        // fraction of the width that the first picture has, 0 to 1
     const char **textures; // NAME=FILE, in the order given; owned
@@ -54,17 +54,17 @@ struct options {
     const char **probe_text; // as they were typed
     int probe_count;
     enum context_backend backend;
-    double overlay;     // its scale; 0: chosen by the height of the picture
-    int step;           // the last step of the ray's march that is shown, from 0; -1: all
+    double overlay;     // its scale; 0 if the height of the picture decides
+    int step;           // the last step of the ray's march that is shown, from 0; -1 for all
     struct camera from; // where the ray of --probe starts; meaningful when has_from
     const char *shader; // --shader, or NULL for the chapter's own
-    const char *root;   // --root, or NULL: found from the program's folder
+    const char *root;   // --root; NULL if it is found from the program's folder
 };
 
 // Read the command line: syntax, ranges, and what options require of each other. Names and ranges
 // of parameters are not checked, because only the shader knows them.
 //   options  receives it; the caller frees it with options_free
-// Returns false, reported in one line: exit status 2.
+// Returns false after reporting the error in one line; the exit status is then 2.
 bool options_parse(struct options *options, int argc, char **argv);
 
 // Free what options_parse allocated.
@@ -75,8 +75,8 @@ void options_free(struct options *options);
 // default is not printed.
 struct options_row {
     const char *letter, *name, *value;
-    // Sets the value, NULL if it is omitted. Returns false after reporting the error. NULL: there
-    // is only the action.
+    // Sets the value; text is NULL if it is omitted. Returns false after reporting the error. NULL
+    // if the option has only an action.
     bool (*set)(struct options *options, const char *text);
     enum options_action action;
     const char *meaning, *initial;

@@ -32,7 +32,7 @@ struct run {
 
 // Read the command line.
 //   stem, title, camera, tool  the chapter's; the strings, the tool and argv must outlive the run
-// Returns false after reporting the error: the command line is wrong.
+// Returns false after reporting the error if the command line is wrong.
 bool run_parse(struct run *run, const char *stem, const char *title, const struct camera *camera,
                const struct sculpture_tool *tool, int argc, char **argv);
 
@@ -69,8 +69,8 @@ struct window_start run_window_start(struct run *run);
 // error.
 bool run_check_targets(const struct run *run);
 
-// The exit status of a program that ends with this one: it is RUN_NOT_DONE, reported, if what was
-// printed could not be written.
+// The exit status of a program that ends with this one: it is RUN_NOT_DONE, after a report, if some
+// output could not be written.
 int run_end(int status);
 
 // ---- Without a window (run_still.c) ----

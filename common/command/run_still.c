@@ -9,7 +9,8 @@
 #include "report.h"
 #include "command/sequence.h"
 
-// The fraction of a film of a march that it waits at the first step; twice as long at the last one.
+// The fraction of a film during which it waits at the first step of a march. At the last one it
+// waits twice as long.
 #define WALK_WAIT 0.06
 
 // Add the overlay, or only the labels of a comparison, to a picture that is about to be written.
@@ -83,8 +84,8 @@ void run_start_ray(const struct options *options, const struct renderer *rendere
     inputs->eye = options->has_from ? eye : NULL;
 }
 
-// March the ray that the pictures show. Returns false after reporting the error: --step is beyond
-// its end.
+// March the ray that the pictures show. Reports an error and returns false if --step is beyond its
+// end.
 static bool march_shown(struct run *run, const struct renderer_inputs *inputs, struct probe *probe)
 {
     int x = inputs->pixel[0] < 0 ? inputs->width / 2 : inputs->pixel[0];

@@ -14,7 +14,7 @@ bool sequence_is_name(const char *name);
 //   name    for which sequence_is_name is true
 //   number  from 0
 //   path    receives the name with the number instead of the conversion, at most size bytes
-// Returns false after reporting the error: it is too long.
+// Reports an error and returns false if it is too long.
 bool sequence_path(const char *name, int number, char *path, size_t size);
 
 // Print how many pictures are done, on standard error if that is a terminal. The cursor stays at

@@ -18,8 +18,8 @@ struct context_driver {
     // Make a 3.3 core context current, with nothing on the screen. Returns the backend's own state,
     // or NULL and one phrase in why: what was tried, what the library answered.
     void *(*open_offscreen)(char why[CONTEXT_WHY]);
-    // The same with a visible, resizable window, whose handle is the state. NULL for a backend
-    // without windows.
+    // Do the same with a visible, resizable window, whose handle is the state. A backend that has
+    // no windows has NULL here.
     //   width, height  in screen coordinates
     void *(*open_window)(const char *title, int width, int height, char why[CONTEXT_WHY]);
     gl_function (*find)(const char *name);
@@ -41,13 +41,13 @@ struct context {
 
 // Open a context without a window, which draws into targets of its own.
 //   wanted   CONTEXT_ANY tries egl, then osmesa, then a hidden glfw window
-// Returns false after one reported line with each backend that was tried and why it failed.
+// Otherwise reports in one line why each backend failed, and returns false.
 bool context_open_offscreen(struct context *context, enum context_backend wanted);
 
 // Open a visible, resizable window with a current context.
 //   wanted         CONTEXT_ANY or CONTEXT_GLFW; no other backend can show a window
 //   width, height  in screen coordinates; on a high-density display the framebuffer is larger
-// Returns false after reporting the error: no display, no OpenGL 3.3, ...
+// Returns false after reporting the error, such as a missing display or OpenGL 3.3.
 bool context_open_window(struct context *context, enum context_backend wanted, const char *title,
                          int width, int height);
 
@@ -57,7 +57,8 @@ void context_close(struct context *context);
 // One line: "egl (surfaceless), OpenGL 3.3 (Core Profile) Mesa 22.3.6, llvmpipe (...)".
 void context_describe(const struct context *context, char *text, size_t size);
 
-// The backend of a name from the command line; false, not reported, for an unknown one.
+// Find the backend of a name from the command line. Returns false without reporting an error if it
+// is unknown.
 bool context_backend_from_name(const char *name, enum context_backend *backend);
 
 #endif

@@ -19,7 +19,7 @@ struct egl_state {
     char platform[32];  // "surfaceless", "device 0", "default display"
 };
 
-// True if a list of words separated by spaces has the whole word; a NULL list has none.
+// True if a list of words separated by spaces contains the whole word. NULL is an empty list.
 static bool has_word(const char *list, const char *word)
 {
     size_t length = strlen(word);

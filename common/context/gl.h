@@ -13,7 +13,7 @@
 // How a shader's text begins, how the driver's version is read, and the version that is needed. A
 // browser has OpenGL ES, whose fragment shaders have no default precision for floats, and one for
 // samplers that is too low for a table of numbers.
-//   directives  those that must come first, each with its line end; "" for none
+//   directives  those that must come first, each with its line end, or ""
 #ifdef __EMSCRIPTEN__
 #define GL_IS_ES 1
 #define GL_GLSL_WITH(directives)                                                                   \
@@ -121,7 +121,7 @@ struct gl {
 
 // Fill the table for the current context.
 //   find  the backend's lookup: takes "glDrawArrays", returns NULL for a function that it lacks
-// Returns false, reported with the name of the first function that is missing.
+// Otherwise reports the name of the first function that is missing, and returns false.
 bool gl_load(struct gl *gl, gl_function (*find)(const char *name));
 
 #endif

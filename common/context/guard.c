@@ -19,7 +19,7 @@ void guard_forget_caches(void)
 
 void guard_process(void)
 {
-    // Mesa's shader cache is a file in memory.
+    // Mesa's shader cache is a file that is mapped into memory.
     platform_watch_lost_page(
         "the graphics driver lost its memory: is the disk of its shader cache full? "
         "set MESA_SHADER_CACHE_DISABLE=true\n");

@@ -13,8 +13,8 @@
 #include <windows.h>
 
 enum {
-    TRIES = 20,       // while another program has a file open: a virus scanner, an editor
-    TRY_AGAIN = 50,   // ms
+    TRIES = 20,     // while another program, such as an editor or a virus scanner, has a file open
+    TRY_AGAIN = 50, // ms
     PLAIN_PATH = 240, // letters of a path that every call accepts
     BESIDE = 40       // letters that the name of a new file beside a target may have
 };
@@ -349,7 +349,7 @@ static BOOL WINAPI on_interrupt(DWORD event)
     (void)event;
     EnterCriticalSection(&writing);
     LeaveCriticalSection(&writing);
-    return FALSE; // so the next handler ends the program
+    return FALSE; // the next handler then ends the program
 }
 
 int platform_replace(const char *target, const char *data, size_t size)

@@ -54,7 +54,7 @@ static void select_next(struct window *window, int by)
         return;
     while (comparison_parameter(renderer, index) != parameter)
         index++;
-    // With Shift too, by one: ten rows at once would only confuse.
+    // Shift makes no difference here, because ten rows at once would only confuse.
     window_select(window,
                   comparison_parameter(renderer, (index + (by > 0 ? 1 : count - 1)) % count));
 }
@@ -105,8 +105,9 @@ static bool goes_on(const struct window *window, int by)
            to >= first && to <= probe_rows(window->ray.probe);
 }
 
-// A lecture's next scene, or the one before; never by a key that is held. Presses that have piled
-// up while a scene was compiled count once, or an impatient speaker would pass over scenes.
+// Ask for a lecture's next scene, or the one before. A key that is held does not repeat this.
+// Presses that have piled up while a scene was compiled count once, or an impatient speaker would
+// pass over scenes.
 static void change_scene(struct window *window, int by)
 {
     if (window->start->caption != NULL)

@@ -21,7 +21,7 @@ void window_picker_input(struct window *window, const struct window_event *event
 // Set what the panel shows of the picker.
 void window_picker_fill(struct window *window, struct panel *panel);
 
-// Close a picker whose colour is no longer shown. To be called once per turn.
+// Close a picker whose colour is no longer shown. Call it once per turn.
 void window_picker_update(struct window *window);
 
 #endif

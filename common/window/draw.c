@@ -16,7 +16,7 @@
 
 #define FIGURES_SECONDS 0.25 // between two changes of the overlay's rate
 // Longer than between two repeats of a held key.
-#define REST_SECONDS 0.3  // without motion before the picture is sharpened
+#define REST_SECONDS 0.3  // that the picture must be at rest before it is sharpened
 #define BAND_SECONDS 0.05 // of sharpening between two looks at the input
 
 // True if nothing has moved for a while: then the rate of earlier frames says nothing.

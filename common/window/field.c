@@ -67,7 +67,7 @@ static void assign(struct window *window)
 }
 
 // A comma counts as a decimal point, as on a French keyboard, unless it separates the numbers of a
-// vector. That keyboard needs Shift for digits, which a message says.
+// vector. On that keyboard digits need Shift, as a message explains.
 static void type_character(struct window *window, int code)
 {
     const struct parameter *parameter = window_selected(window);

@@ -5,7 +5,8 @@
 
 #include "window/state.h"
 
-// The handle at a position, in units of the overlay; -1: none that the panel does not cover.
+// The handle at a position, in units of the overlay; -1 if there is none, or if the panel covers
+// it.
 int window_handle_at(const struct window *window, const float unit[2]);
 
 // True if a press grabs a handle, which it focuses. A press beside them focuses none.
@@ -21,8 +22,8 @@ void window_next_handle(struct window *window);
 // focused.
 bool window_nudge_handle(struct window *window, int right, int up);
 
-// Find where the handles are, and move the one that is dragged or nudged. To be called once per
-// turn, before the picture is drawn. Returns false after reporting the error.
+// Find where the handles are, and move the one that is dragged or nudged. Call it once per turn,
+// before the picture is drawn. Returns false after reporting the error.
 bool window_place_handles(struct window *window);
 
 // Add them to the overlay's frame.

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#define LONGEST_STEP 0.1 // seconds: a slow frame must not throw the camera far away
+#define LONGEST_STEP 0.1 // seconds: even a slow frame moves the camera by no more than this
 #define FASTER       4.0 // times the speed while Left Shift or F is held
 #define DRAG_BEGINS  3.0 // pixels: the pointer moves less than this during a click
 #define DOUBLE       0.4 // seconds between the two presses of a double click, at most

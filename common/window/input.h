@@ -31,7 +31,7 @@ struct window_event {
     int amount;
     bool shifted, repeated;
     double movement[3];
-    double position[2]; // of the pointer, window units from the top left; -1,-1: outside
+    double position[2]; // of the pointer, window units from the top left; -1,-1 if it is outside
     // The same position, which pointer.c adds:
     double pixel[2]; // in pixels of the picture from its bottom left
     float unit[2];   // in units of the overlay from the top left; negative while there is none
@@ -47,7 +47,7 @@ enum window_held_key {
     HELD_FORWARD,
     HELD_BACK,
     HELD_FASTER,
-    HELD_FASTER_F, // Windows has a meaning of its own for five presses of Shift
+    HELD_FASTER_F, // because Windows asks something after five presses of Shift
     HELD_KEYS
 };
 
@@ -82,11 +82,11 @@ struct window_input {
 
 // Receive the events of a window from now on.
 //   input  must outlive the window's last event
-//   show   called with its argument; or NULL
+//   show   called with its argument, unless it is NULL
 void window_input_open(struct window_input *input, GLFWwindow *window, void (*show)(void *to),
                        void *to);
 
-// Add the movement up to now. To be called before the events are read.
+// Add the movement up to now. Call it before the events are read.
 void window_input_count(struct window_input *input);
 
 // Forget the gathered events. Held keys stay held.

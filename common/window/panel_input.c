@@ -126,7 +126,7 @@ static void click_button(struct window *window)
     window->title.due = 0.0;
 }
 
-// Everything but the parameters. The mark of a folded panel unfolds it.
+// Handle a press on anything but the parameters. The mark of a folded panel unfolds it.
 static void click_words(struct window *window)
 {
     bool *mark = window->panel.folded ? &window->panel.folded : &window->panel.rolled;

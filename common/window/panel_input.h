@@ -19,7 +19,7 @@ bool window_panel_wheel(struct window *window, const struct window_event *event)
 // Handle a pointer that moves without a button.
 void window_panel_hover(struct window *window, const struct window_event *event);
 
-// Show the tooltip of a pointer that has rested for long enough. To be called once per turn.
+// Show the tooltip of a pointer that has rested for long enough. Call it once per turn.
 void window_panel_rest(struct window *window);
 
 // Set what the panel shows of the pointer, the field and the colour picker.

@@ -8,7 +8,7 @@
 // panel.
 bool window_pointer_input(struct window *window, struct window_event *event);
 
-// To be called after the events of a turn.
+// Call it after the events of a turn.
 void window_pointer_rest(struct window *window);
 
 #endif

@@ -64,7 +64,7 @@ bool window_continue_transition(struct window *window, double seconds)
     window->transition.on = value != NULL;
     if (value == NULL)
         return false;
-    // A bool or an int has no values between its ends.
+    // A bool or an int cannot change gradually.
     const struct parameter *parameter =
         parameters_find(&window->renderer->parameters, "orthographic");
     double left = window->transition.target - *value;

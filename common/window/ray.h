@@ -14,7 +14,7 @@ void window_deselect_ray(struct window *window);
 void window_click_ray(struct window *window, const double pixel[2]);
 
 // Keep the selected ray when the picture gets another size: its pixel is then the one at the ray's
-// position on the screen. A ray beside a picture that has become narrower is deselected.
+// position on the screen. If the picture has become too narrow for it, the ray is deselected.
 //   width, height  of the new size, pixels
 void window_resize_ray(struct window *window, int width, int height);
 

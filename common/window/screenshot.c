@@ -54,6 +54,6 @@ void window_screenshot(struct window *window)
         fflush(stdout);
     }
     image_free(&image);
-    // Its drawing has replaced the picture on the screen.
+    // The drawing has replaced the picture on the screen.
     window->stale |= !sharpened;
 }

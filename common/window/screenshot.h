@@ -7,7 +7,7 @@
 // True if a screenshot was requested and the picture is sharp, or quick to draw.
 bool window_screenshot_due(const struct window *window);
 
-// Write the screenshot. A failure is reported and ends nothing.
+// Write the screenshot. An error is reported, and the window stays open.
 void window_screenshot(struct window *window);
 
 #endif

@@ -16,7 +16,7 @@ void window_select(struct window *window, const struct parameter *parameter);
 // *first up to, but not including, *behind.
 struct parameter *window_grabbed(const struct window *window, int *first, int *behind);
 
-// To be called after the value of a parameter has changed.
+// Call it after the value of a parameter has changed.
 void window_parameter_changed(struct window *window);
 
 // Switch to a view. One that the shader does not have is refused in the overlay, where the reader

@@ -17,11 +17,11 @@ struct window_start {
     bool paused;             // the time stands still until Escape is pressed
     int samples;             // along each side of a pixel
     struct strokes *strokes; // of the command line; the pointer adds more. Not owned
-    double overlay_scale;    // 0: chosen by the picture's height
+    double overlay_scale;    // 0 if the picture's height decides
     bool overlay_kept;       // screenshots show the overlay too
-    int shown;               // steps of the middle ray, which is selected; 0: no ray is selected
-    const char *selected;    // "NAME=VALUE": the parameter that is selected; NULL: the first one
-    const char *caption;     // of a lecture's scene, for the speaker; NULL: not a lecture
+    int shown; // steps of the middle ray, which is then selected; 0 if no ray is selected
+    const char *selected; // "NAME=VALUE", the parameter that is selected; NULL for the first one
+    const char *caption;  // of a lecture's scene, for the speaker; NULL if there is no lecture
 };
 
 #endif

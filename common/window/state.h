@@ -72,7 +72,7 @@ struct window {
     int opening;   // steps of the middle ray that are still to be shown
     bool shooting; // a screenshot waits for the sharp picture, with the time stopped
     struct {
-        bool on;       // Tab was pressed: orthographic is on its way
+        bool on;       // Tab was pressed, and the orthographic parameter changes
         double target; // to this value
     } transition;
     struct {
@@ -96,7 +96,7 @@ struct window {
         struct renderer_inputs inputs; // of the last picture, at its full size
         int rows;                      // sharp rows, from the top
         int band;                      // rows to sharpen next
-        double seconds;                // that the sharp rows took
+        double seconds;                // that drawing the sharp rows took
     } sharpening;
     struct {
         struct overlay overlay;

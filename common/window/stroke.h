@@ -13,11 +13,11 @@ bool window_stroke_claims(struct window *window, const struct window_event *pres
 // Go on with the stroke, or end and print it.
 void window_stroke_input(struct window *window, const struct window_event *event);
 
-// Add the point below the pointer, which the scene may have moved. To be called once per turn,
-// after the events.
+// Add the point below the pointer, which the scene may have moved. Call it once per turn, after the
+// events.
 void window_stroke_rest(struct window *window);
 
-// Take back the last strokes, at most this many; nothing while one is being made.
+// Take back at most this many of the last strokes. Nothing happens while a stroke is being made.
 void window_take_back(struct window *window, int count);
 
 #endif

@@ -18,7 +18,7 @@ struct watch {
     struct watch_file *file; // owned
     int count;
     bool pending; // a change has not been reported yet
-    int quiet;    // looks in a row that saw nothing new
+    int quiet;    // consecutive looks that saw nothing new
 };
 
 // Add a file in its present state, unless the set has it already.

@@ -21,8 +21,8 @@
 
 // A little less than 1/60 s, so that a display with its own rate sets the pace.
 #define FRAME_SECONDS   0.0163
-#define WATCH_SECONDS   0.1  // between two looks at the shader's files
-#define TRANSITION_STEP 0.1  // seconds: a slow machine too shows something between the ends
+#define WATCH_SECONDS   0.1 // between two looks at the shader's files
+#define TRANSITION_STEP 0.1 // seconds: so that even a slow machine shows something between the ends
 #define TITLE_SECONDS   0.25 // between two changes of the title bar
 #define DIGITS          8.0f // height of a figure's digits at least, units of the page
 #define SHOWN_SECONDS   2.0  // that a moving picture is shown before something disturbs it
@@ -97,7 +97,7 @@ static bool update_size(struct window *window)
     return !hidden;
 }
 
-// Wait until the next frame is due; while the picture is still, until something happens.
+// Wait until the next frame is due or, while the picture is at rest, until something happens.
 static void wait_for_turn(const struct window *window)
 {
     double due = window->pace.frame + FRAME_SECONDS;

@@ -43,7 +43,7 @@ void window_fill_screen(struct window *window);
 bool window_turn(struct window *window);
 
 // Run at most 60 turns per second until the window is closed.
-//   turned  called with to after each turn; NULL: not called
+//   turned  called with to after each turn, unless it is NULL
 // Reports an error and returns false if drawing failed.
 bool window_run(struct window *window, void (*turned)(void *to), void *to);
 
