@@ -52,7 +52,7 @@ static void add_between(struct column *sum, double lowest, double from, double t
     }
 }
 
-// Towards the sun from a radius. False if the Earth is in the way.
+// Find the column towards the sun from a radius. Returns false if the Earth is in the way.
 static bool to_the_sun(double radius, double sine, double tall, struct column *sum)
 {
     double lowest = radius * sqrt(fmax(1.0 - sine * sine, 0.0)), from = radius * sine;

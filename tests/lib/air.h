@@ -12,7 +12,7 @@
 void air_light_of(double sun, double view, double azimuth, double ozone, double tall,
                   double light[3]);
 
-// The same with light that is scattered more than once. For that part it uses the program's own
+// The same plus the light that is scattered more than once. That part comes from the program's own
 // code, which air_paths checks.
 void air_all_of(double sun, double view, double azimuth, double ozone, double light[3]);
 

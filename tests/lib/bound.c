@@ -39,8 +39,8 @@ static void add(struct samples *samples, const struct bound_case *of, struct mir
     samples->item[samples->count++] = (struct cover_sample){t, d};
 }
 
-// Between the steps of the march as the probe reports it, from the start of its interval to the hit
-// or to the end.
+// Take samples between the steps of the march as the probe reports it, from the start of its
+// interval to the hit or to the end.
 static void sample_ray(struct samples *samples, const struct bound_case *of, struct mirror_ray ray,
                        const struct probe *probe)
 {
@@ -65,7 +65,7 @@ static double steepest(const struct samples *samples)
     double most = 0.0;
     for (int i = 0; i + 1 < samples->count; i++) {
         const struct cover_sample *s = &samples->item[i];
-        // Steps so short that rounding dominates tell nothing.
+        // Where a step is this short, rounding dominates the slope.
         if (s[1].t - s[0].t > 1e-6)
             most = fmax(most, fabs(s[1].d - s[0].d) / (s[1].t - s[0].t));
     }

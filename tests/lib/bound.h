@@ -29,7 +29,7 @@ struct bound_sums {
 };
 
 // Follow rays of the chapter's first picture, 640x360: those that shaders/cover.glsl chooses.
-//   every  1: all of them; n: each nth
+//   every  1 for all of them, n for each nth
 //   sums   takes misses, then hits
 // Fails the test, or ends the program, if it cannot be drawn.
 void bound_measure(const struct bound_case *of, int every, struct bound_sums sums[2]);

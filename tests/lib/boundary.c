@@ -28,7 +28,8 @@ void boundary_add_segment(struct boundary *of, struct d2 a, struct d2 b)
     of->piece[of->count++] = (struct piece){.a = a, .b = b, .high = 1.0};
 }
 
-// In two halves, because the search in a piece does not continue from its end to its beginning.
+// An ellipse consists of two halves, because the search in a piece does not continue from its end
+// to its beginning.
 void boundary_add_ellipse(struct boundary *of, struct d2 centre, struct d2 axes, double from,
                           double to)
 {

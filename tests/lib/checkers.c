@@ -77,7 +77,7 @@ double checkers_of_grid(const double low[2], const double high[2], int side)
     return x * y + (1.0 - x) * (1.0 - y);
 }
 
-// A number from 0 to 63 with its six bits in reversed order, over 64.
+// Reverse the six bits of a number from 0 to 63, and divide by 64.
 static double reversed(int i)
 {
     double value = 0.0;

@@ -18,7 +18,7 @@ enum { CHECKERS_WIDTH = 640, CHECKERS_HEIGHT = 360, CHECKERS_SIDE = 64 };
 extern const struct checkers_view checkers_views[3];
 
 // The smallest rectangle along the pattern's axes that contains what the corners of a pixel see, in
-// sides of a square. False if a corner does not see the plane.
+// sides of a square. Returns false if a corner does not see the plane.
 bool checkers_rectangle(const struct checkers_view *view, int x, int y, double low[2],
                         double high[2]);
 

@@ -58,8 +58,8 @@ enum {
 }; // pixels of the picture in which the wire is half a pixel wide
 
 // A wire across the picture of a camera 7 in front of the origin. The wire is half a pixel wide.
-// Some balls are close to it, so that cones only just pass them, and one ball is behind it, in
-// front of which the wire would get lost.
+// Some balls are so close to it that cones only just pass them. One ball is behind the wire, which
+// would get lost in front of it.
 //   growth  of the threshold, in half pixels
 //   lean    slope of the wire
 struct coarse_scene coarse_wire(double growth, double lean);

@@ -61,8 +61,8 @@ int cover_plane_least(double height, double slope, double far, double threshold)
     int steps = cover_plane_march(height, slope, far, threshold, &hit);
     double rate = (1.0 - slope) / (1.0 + slope);
     double end = hit ? height * pow(1.0 - slope, steps - 1) : height - slope * far;
-    // For a hit, up to the beginning of the hit's own interval, where the distance is end (1 +
-    // slope).
+    // For a hit, the goal is the beginning of the hit's own interval, where the distance is end (1
+    // + slope).
     double goal = hit ? (1.0 + slope) * end : end;
     if (slope == 0.0)
         return (int)ceil(far / (2.0 * height));

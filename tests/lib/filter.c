@@ -8,7 +8,7 @@
 const char *const filter_way_names[FILTER_WAYS] = {
     "box", "box jittered", "tent", "tent jittered", "Gaussian", "Gaussian jittered", "workshop"};
 
-enum { PIXELS = 64, TRUTH = 16 }; // TRUTH: no pixel has more samples in a line
+enum { PIXELS = 64, TRUTH = 16 }; // no pixel has more samples in a line than TRUTH
 
 // A fan of dark and light rays that get thinner towards its centre, which lies beside the picture.
 static double picture(double x, double y)
@@ -22,7 +22,7 @@ static double tent(double share)
     return share < 0.5 ? sqrt(2.0 * share) - 1.0 : 1.0 - sqrt(2.0 - 2.0 * share);
 }
 
-// By halving.
+// Solve for the position with this share by halving an interval.
 static double gaussian(double share)
 {
     double low = -4.0, high = 4.0;

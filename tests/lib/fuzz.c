@@ -249,7 +249,7 @@ void fuzz_parameter(const uint8_t *bytes, size_t size)
     char *assignment = string_of(bytes, first);
     char *text = string_of(bytes + first, size - first);
     if (access(scratch_path("text"), F_OK) != 0)
-        scratch_write("text", ""); // for samplers: no picture is read here
+        scratch_write("text", ""); // for samplers, although no picture is read here
     struct shader_source source = source_of(text);
     struct parameters parameters;
     capture_begin();
@@ -292,7 +292,7 @@ static uint32_t checksum(const uint8_t *bytes, size_t size)
     return ~sum;
 }
 
-// Correct the checksum of each chunk: random bytes would never get past one.
+// Correct the checksum of each chunk, because random bytes would never get past a check.
 static void mend(uint8_t *bytes, size_t size)
 {
     for (size_t at = 8; at + 12 <= size;) {

@@ -12,7 +12,7 @@ double glass_fresnel(double facing, double eta)
     if (sine >= 1.0)
         return 1.0;
     double b = asin(sine);
-    if (a < 1e-9) // both angles 0: their limit
+    if (a < 1e-9) // the limit for two angles of 0
         return pow((1.0 - eta) / (1.0 + eta), 2.0);
     double across = sin(a - b) / sin(a + b), along = tan(a - b) / tan(a + b);
     return 0.5 * (across * across + along * along);

@@ -12,7 +12,7 @@
 double glass_fresnel(double facing, double eta);
 double glass_schlick(double facing, double straight);
 
-// The refracted direction, from the angle of refraction. False: total reflection.
+// The refracted direction, from the angle of refraction. Returns false for total reflection.
 //   normal  on the side from which light comes
 bool glass_refract(struct d3 direction, struct d3 normal, double eta, struct d3 *bent);
 
@@ -23,7 +23,8 @@ static inline struct d3 glass_reflect(struct d3 direction, struct d3 normal)
 
 typedef double (*glass_distance)(struct d3 p);
 
-// marchSide of shaders/glass.glsl. t receives the end of the march; false: no surface.
+// marchSide of shaders/glass.glsl. t receives the end of the march. Returns false if there is no
+// surface.
 bool glass_march(glass_distance distance, struct mirror_ray ray, double side,
                  const double from_to[2], double threshold, int max_steps, double *t);
 

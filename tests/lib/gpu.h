@@ -34,9 +34,10 @@ bool gpu_load_file(struct renderer *renderer, const char *path);
 // Returns false after reporting the error.
 bool gpu_load(const char *shader);
 
-// These fail the test, or end the program, if they fail. Load a shader like gpu_load. Return the
-// starting camera of a chapter; gpu_open_chapter also loads its shader. Set a parameter of the
-// loaded shader to a number, which may be outside its range.
+// If one of these fails, it fails the test or ends the program. The first loads a shader like
+// gpu_load. The next two return the starting camera of a chapter; gpu_open_chapter also loads its
+// shader. The last sets a parameter of the loaded shader to a number, which may be outside its
+// range.
 void gpu_open_shader(const char *shader);
 struct camera gpu_camera(const char *stem);
 struct camera gpu_open_chapter(const char *stem);

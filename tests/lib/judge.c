@@ -76,7 +76,7 @@ struct march {
     size_t outcome, at; // length of the end up to the first ';', and up to the first of ' ' ':' ';'
 };
 
-// Read the next march that --probe printed. Returns the rest; NULL if there is none.
+// Read the next march that --probe printed. Returns the rest, or NULL if there is no march.
 static const char *read_march(const char *text, struct march *march)
 {
     *march = (struct march){0};
@@ -99,7 +99,7 @@ static const char *read_march(const char *text, struct march *march)
     return NULL;
 }
 
-// Both on the surface at the same distance, or neither?
+// Do both marches end on the surface at the same distance, or neither of them?
 static bool ends_alike(const struct march *a, const struct march *b)
 {
     if (a->at != b->at || strncmp(a->end, b->end, a->at) != 0)

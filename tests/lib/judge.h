@@ -7,7 +7,7 @@
 //   with          the picture's options, as the page spells them; "" for none
 //   width, height of both
 //   right, mine   3 bytes per pixel, row 0 at the top
-//   shown         receives the picture of image_difference_picture; NULL: not needed
+//   shown         receives the picture of image_difference_picture, unless it is NULL
 // Returns what is wrong with it and where, or "" if the two pictures are the same.
 const char *judge_picture(const char *with, int width, int height, const unsigned char *right,
                           const unsigned char *mine, unsigned char *shown);

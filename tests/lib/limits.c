@@ -16,7 +16,7 @@ static double sheet_distance(int sheet, struct d3 p, struct d3 middle)
                            : mirror_box(q, d3((double)0.7f, 0.5, (double)0.6f)));
 }
 
-// Where the ray first meets the sheet: HUGE_VAL if it does not. It begins outside.
+// Where a ray that begins outside first meets the sheet, or HUGE_VAL.
 static double first_meeting(int sheet, struct mirror_ray ray, struct d3 middle)
 {
     double t[2];
@@ -34,7 +34,8 @@ static double error_bound(struct mirror_ray ray, struct d3 middle, double t)
     return 1.00001 * unit * (t + d3_length(p) + 6.0 * (d3_length(d3_sub(p, middle)) + SIZE));
 }
 
-// A ray that only grazes the sheet is not counted: there the direction's own rounding decides.
+// A ray that only grazes the sheet is not counted, because the rounding of its direction decides
+// whether it meets the sheet.
 static bool crosses(int sheet, struct mirror_ray ray, struct d3 middle, double t, double threshold)
 {
     if (t == HUGE_VAL)
@@ -74,8 +75,7 @@ struct limits_sums limits_of(int sheet, double away, double threshold)
     return sums;
 }
 
-// The largest threshold, as a power of two of the proved one, at which a ray passes a sheet; 0:
-// none.
+// The largest threshold, as a power of two of the proved one, at which a ray passes a sheet, or 0.
 static double largest_unsound(double away)
 {
     for (double threshold = 1.0; threshold > 1e-6; threshold *= 0.5)

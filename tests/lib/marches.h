@@ -28,8 +28,8 @@ struct march_scene {
     const char *stem;   // of the chapter whose camera it has
     const char *before; // GLSL in front of the marches
     const char *source; // what is included: a chapter or an experiment
-    const char *after; // GLSL behind it: coarseMargin where the chapter has none; NULL: a file that
-                       // is complete
+    const char
+        *after; // GLSL behind it: coarseMargin where the chapter has none; NULL for a complete file
     const char *restore; // GLSL that resets what later rays have changed in the scene
     const char *setting; // NAME=VALUE, or NULL
     bool knows_fall; // it bounds the slope along a segment, so the segment march differs from the

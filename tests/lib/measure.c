@@ -13,7 +13,7 @@ static float ball_at_ten(const float p[3])
     return sqrtf(p[0] * p[0] + p[1] * p[1] + z * z) - 1.0f;
 }
 
-// One point: central and forward differences against the direction from the centre.
+// Compare central and forward differences at one point with the direction from the centre.
 static void compare_differences(const float p[3], float h, struct normal_error *worst)
 {
     float central[3], forward[3];
@@ -179,7 +179,8 @@ static float *shadow_shares(const struct camera *camera, int formula)
     return gpu_numbers(&inputs);
 }
 
-// Over the pixels that do not see all of the sun, which are the same for every formula.
+// Add up the errors over the pixels that do not see all of the sun, which are the same for every
+// formula.
 //   quick, truth  the red channel and the blue channel
 static void add_up(const float *quick, const float *truth, struct shadow_error *error)
 {

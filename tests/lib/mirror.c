@@ -212,7 +212,7 @@ bool mirror_ball_crossing(struct mirror_ray ray, double radius, double t[2])
     return true;
 }
 
-// Where the ray crosses the plane of a face, if that is inside the face: widens t.
+// Find where the ray crosses the plane of a face. If that point is inside the face, widen t.
 //   o, d  the ray along the face's axis; at: the face; a_o .. b_d: along the face's two sides
 static void cross_face(const double ray[6], const double low[3], const double high[3], int face,
                        double t[2])

@@ -159,7 +159,8 @@ struct mirror_march {
 struct mirror_march mirror_march(const struct mirror_scene *scene, struct mirror_ray ray,
                                  double t_min, double t_max, double threshold, int max_steps);
 
-// The same to the limit of double precision: where the ray meets the surface, or past t_max.
+// March to the limit of double precision: to the point where the ray meets the surface, or past
+// t_max.
 struct mirror_march mirror_reach(const struct mirror_scene *scene, struct mirror_ray ray,
                                  double t_min, double t_max);
 
@@ -179,11 +180,12 @@ static inline double mirror_screen_y(double y, int height)
     return (2.0 * y - height) / height;
 }
 
-// Where a ray crosses a ball around the origin: false if it misses; t[0] <= t[1], of either sign.
+// Where a ray crosses a ball around the origin: t[0] <= t[1], of either sign. Returns false if it
+// misses the ball.
 bool mirror_ball_crossing(struct mirror_ray ray, double radius, double t[2]);
 
-// Where a ray enters and leaves a box, from its crossings with the six faces: false if it has none
-// at t >= 0. t[0] is 0 from inside.
+// Where a ray enters and leaves a box, from its crossings with the six faces; t[0] is 0 from
+// inside. Returns false if there is no crossing at t >= 0.
 bool brute_box_interval(struct mirror_ray ray, struct d3 low, struct d3 high, double t[2]);
 
 // ---- shaders/lighting.glsl ----
@@ -231,8 +233,8 @@ extern const struct mirror_scene mirror_scene_02;
 #define MIRROR_FOCAL_LENGTH 2.0
 #define MIRROR_FAR          40.0
 
-// The starting camera of a chapter, read from chapters/STEM.c below root. False if there is no such
-// file.
+// The starting camera of a chapter, read from chapters/STEM.c below root. Returns false if there is
+// no such file.
 bool mirror_camera(const char *root, const char *stem, struct camera *camera);
 
 #endif

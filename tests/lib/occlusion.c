@@ -34,7 +34,7 @@ double occlusion_share(occlusion_blocked blocked, const void *data, struct d3 no
 
 // ---- One scene ----
 
-// From a point (away, y) in front of a wall of a given height, whose foot is at 0.
+// The distance from a point (away, y) to a wall of a given height, whose foot is at 0.
 static double wall_distance(double away, double y, double height)
 {
     return y < height ? away : hypot(away, y - height);

@@ -49,11 +49,11 @@ struct occlusion_error {
     double mean, mean_size, worst; // formula minus truth; its absolute value; the largest of these
 };
 
-// Over the fields of the experiment 14_map, with a reach of 1.
-//   strength  0: nothing hides the sky
+// The error over the fields of the experiment 14_map, with a reach of 1.
+//   strength  at 0 nothing hides the sky
 struct occlusion_error occlusion_error_of(enum occlusion_thing thing, double strength);
 
-// Over the pixels of chapter 14's picture that do not show the sky, drawn at 160x90 by
+// The error over the pixels of chapter 14's picture that do not show the sky, drawn at 160x90 by
 // tests/shaders/openness.frag.
 //   formula  as there. It needs the context of gpu.h.
 struct occlusion_error occlusion_scene_error(int formula);

@@ -9,7 +9,7 @@ enum { PARTS_WIDE = 24, PARTS_HIGH = 14, PART_RAYS = PARTS_WIDE * PARTS_HIGH };
 
 // The methods that find the parts that matter.
 enum part_means {
-    PARTS_FLAT,    // nothing: every part is evaluated
+    PARTS_FLAT,    // every part is evaluated
     PARTS_TREE,    // a tree of boxes; a box is skipped where its parts cannot change the value
     PARTS_BOUNDED, // the same, and the last step gives an upper bound of the value
     PARTS_GRID,    // the list of the cell, steps end at its exit
@@ -20,7 +20,7 @@ enum part_means {
 struct part_node {
     double low[3], high[3];
     int skip;         // the node that follows everything below this one
-    int first, count; // parts of a leaf, in the tree's order; count 0: not a leaf
+    int first, count; // parts of a leaf, in the tree's order; count is 0 if it is not a leaf
 };
 
 struct part_scene {

@@ -10,7 +10,7 @@
 struct png_kind {
     int type, depth; // as libpng has them
     bool interlaced, transparent;
-    double gamma; // that the file declares; 0: none
+    double gamma; // that the file declares, or 0
 };
 
 // The number of samples of a pixel.

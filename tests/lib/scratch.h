@@ -21,7 +21,7 @@ const char *scratch_path(const char *name);
 const char *scratch_write(const char *name, const char *text);
 const char *scratch_write_bytes(const char *name, const void *bytes, size_t size);
 
-// Collect standard error from here on. capture_end returns the text written since then, valid until
+// Collect standard error from now on. capture_end returns the text written since then, valid until
 // the next capture_end.
 void capture_begin(void);
 const char *capture_end(void);

@@ -27,7 +27,7 @@ void session_open_bare(const char *stem, const char *options, ...)
 // End the program. Fails the test if it has reported something that no session_said has fetched.
 void session_close(void);
 
-// A sixtieth of a second later, one turn of the loop; turns for some seconds.
+// Carry out one turn of the loop, a sixtieth of a second later; or the turns of some seconds.
 void session_turn(void);
 void session_wait(double seconds);
 

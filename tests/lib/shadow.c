@@ -53,8 +53,8 @@ static void round_thing(const struct shadow_case *scene, double *radius, double 
 static double obstacle_distance(const struct shadow_case *scene, double t)
 {
     if (scene->obstacle == SHADOW_SHEET) {
-        // Everything at the distance or farther, on one side of a plane through the point and the
-        // edge: a wall, so that it has an inside.
+        // The obstacle is everything at the distance or farther on one side of a plane through the
+        // point and the edge. It is a wall and not a sheet, so that it has an inside.
         double edge = scene->clear * SPREAD * scene->distance;
         double ahead = scene->distance - t;
         double length = sqrt(1.0 + scene->clear * SPREAD * scene->clear * SPREAD);

@@ -55,11 +55,11 @@ double shadow_clearance(const struct shadow_case *scene);
 // The same share from a formula.
 double shadow_quick(const struct shadow_case *scene, enum shadow_formula formula);
 
-// The two clearances that one march finds; 0 and 0 where it is stopped.
+// The two clearances that one march finds; both are 0 if it is stopped.
 void shadow_march(const struct shadow_case *scene, double *most, double *least);
 
-// How far a formula is from the truth, over all the penumbra and as much again: clear from -2 to 2,
-// distances from 0.5 to 4.
+// How far a formula is from the truth over a range twice as wide as the penumbra: clear from -2 to
+// 2, distances from 0.5 to 4.
 struct shadow_error {
     double mean, mean_size, worst; // formula minus truth; its absolute value; the largest of these
 };

@@ -134,7 +134,7 @@ static void check_point(const struct solid *solid, const float *slot, struct tal
     bool outside = d > 0.0, exact = outside ? solid->exact_outside : solid->exact_inside;
     if (exact)
         tally->worst = fmax(tally->worst, fabs(f - d) / slack);
-    // A lower bound on either side, of the right sign.
+    // The value is a lower bound on either side and has the right sign.
     assert_true(outside ? f >= -slack && f <= d + slack : f <= slack && f >= d - slack);
     if (fabs(d) > 0.01)
         tally->least[outside] = fmin(tally->least[outside], f / d);

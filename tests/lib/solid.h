@@ -69,7 +69,7 @@ float *solid_call(const struct solid *solid);
 // solid, plus the remaining error of the search.
 double solid_slack(struct d3 p);
 
-// False: a sheet has no inside.
+// Always false, because a sheet has no inside.
 bool solid_never(const struct solid *solid, struct d3 p);
 
 // Compare the shader with the surface at each point: it must be a lower bound on either side with a

@@ -24,7 +24,7 @@ bool system_make_scratch(char path[PLATFORM_PATH])
     return resolved != NULL;
 }
 
-// Not tmpfile: Wine's may give the same file to two programs that run at once.
+// tmpfile would not do: Wine's may give the same file to two programs that run at once.
 FILE *system_open_scratch(void)
 {
     static int number;

@@ -30,7 +30,7 @@ struct user {
     char title[400];
     int frames, waits; // shown so far; waited for events so far
     int links;         // programs linked so far
-    int cursor;        // its shape, 0: the arrow
+    int cursor;        // its shape; 0 for the arrow
     int hint[USER_HINTS][2], hints;
     struct {
         void *pointer;
@@ -50,30 +50,30 @@ extern struct user user;
 // Begin with a black window of 320x200 units that nobody has touched.
 void user_reset(void);
 
-// A key goes down or up; a key is pressed and released.
+// Press or release a key; press it and release it again.
 //   modifiers  GLFW_MOD_SHIFT or 0
 void user_press(int key, int modifiers);
 void user_release(int key);
 void user_key(int key, int modifiers);
 
-// Letters arrive, one event each.
+// Type letters, one event each.
 //   text  ISO 8859-1
 void user_type(const char *text);
 
-// The pointer moves to a position; a button goes down or up at the pointer's position.
+// Move the pointer to a position; press or release a button there.
 void user_point(double x, double y);
 void user_button(int button, int action);
 
-// The pointer moves to a position, and a button is clicked there once.
+// Move the pointer to a position and click a button there once.
 void user_click(double x, double y, int button);
 
-// The pointer moves to a position, and from there with the left button held.
+// Move the pointer to a position, and from there with the left button held.
 void user_drag(double x, double y, double right, double down);
 
-// The wheel turns by notches; away from the user is positive.
+// Turn the wheel by notches; away from the user is positive.
 void user_wheel(double notches);
 
-// The window gets a new size: its content is lost, and the program is told at once.
+// Give the window a new size: its content is lost, and the program is told at once.
 void user_resize(int width, int height);
 
 // Read what the window shows; the caller frees image.
