@@ -16,7 +16,8 @@
 
 enum { BACKS = 16 };
 
-// The keyboard's name of any key is as long as possible, or as short as possible.
+// True if the keyboard's name of every key is as long as possible; otherwise it is as short as
+// possible.
 static bool long_names;
 
 const char *glfwGetKeyName(int key, int scancode)
@@ -186,7 +187,7 @@ static void gather(struct panel *panel, const struct way *way)
     panel_gather(panel, &overlay, way->size[0], way->size[1], way->scale);
 }
 
-// The help for one row: for a parameter its own, or the reason why a field rejects its text.
+// Try the help for one row: that of a parameter, or the reason why a field rejects its text.
 static void try_help(struct panel panel, const struct way *way, int turn)
 {
     struct panel_rows *rows = panel.rows;
@@ -211,7 +212,7 @@ static void try_help(struct panel panel, const struct way *way, int turn)
         fail_msg("%s: of %zu letters of the help, %zu are drawn", way->where, letters, written);
 }
 
-// The picker of a colour, and a full field.
+// Try the picker of a colour, and a full field.
 static void try_colour(struct panel panel, const struct way *way, int turn)
 {
     int count = comparison_parameter_count(panel.renderer), first = -1, behind = 0;
@@ -238,8 +239,8 @@ static void try_colour(struct panel panel, const struct way *way, int turn)
         fail_msg("%s: a colour has no picker", way->where);
 }
 
-// With keys of long and short names and without keys, with a ray and without, on either side. Every
-// third case has a colour, so each size has it, with and without keys.
+// Try the picture with keys of long and short names and without keys, with a ray and without, on
+// either side. Every third case has a colour, so each size has it, with and without keys.
 static void try_picture(struct renderer *chapter, const char *name, const int size[2], float scale)
 {
     static struct probe probe = {.steps = 40, .all_steps = 60, .recorded = true};

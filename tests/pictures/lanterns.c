@@ -33,7 +33,7 @@ static double ball(const struct lantern *lantern, struct d3 p)
     return d3_length(d3_sub(p, lantern->middle)) - 0.34 * lantern->size;
 }
 
-// From the nearest point of the twelve edges to p, edge by edge.
+// The vector from the nearest point of the twelve edges to p, edge by edge.
 static struct d3 from_edges(const struct lantern *lantern, struct d3 p)
 {
     struct d3 q = d3_sub(p, lantern->middle), best = {1e9, 0.0, 0.0};

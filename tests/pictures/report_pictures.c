@@ -48,7 +48,7 @@ static double yellow(const float *colour)
     return (double)colour[0] / (double)colour[2];
 }
 
-// The first value is larger by the factor, for every pair.
+// Check that the first value of every pair is larger by the factor.
 static void assert_borders(const float *pixels, const struct border *border, size_t count,
                            double (*measure)(const float *), double factor)
 {

@@ -34,7 +34,7 @@ static void load(int figure)
     set("aim", 1.0, 0.0);
 }
 
-// Half a unit is this many pixels high: the position of a pixel's centre.
+// The coordinate of a pixel's centre on the sheet: half of the picture shows height / 2 units.
 static double place(int pixel, int size, double height)
 {
     return (2.0 * pixel + 1.0 - size) / HEIGHT * height / 2.0;

@@ -55,7 +55,7 @@ static struct bound_sums total(const struct bound_sums sums[2])
     return all;
 }
 
-// Every second ray of those that --benchmark samples.
+// Follow every second ray of those that --benchmark samples.
 static void check_chapter(int chapter)
 {
     struct bound_sums sums[2], all;

@@ -94,7 +94,8 @@ static double correlation(const float *values, double from, double to, int dx, i
     return 12.0 * sum / count; // 1/12 is the variance of a uniform distribution
 }
 
-// chi^2 of 64 classes: 63 on average, with a standard deviation of 11.2; five of these are allowed.
+// The chi^2 of 64 classes is 63 on average, with a standard deviation of 11.2. Five of these are
+// allowed.
 static double chi_square(const float *values, double shift)
 {
     int classes[64] = {0};

@@ -15,7 +15,7 @@ static const double earth = 6371.0;
 
 // ---- The layer ----
 
-// By bisection: how far the ray has come when it is this high above the ground.
+// How far the ray has come when it is this high above the ground, found by bisection.
 static double hit_by_halving(double height, double climb, double altitude)
 {
     double low = 0.0, high = 20000.0;
@@ -128,7 +128,8 @@ TEST(test_places_are_angles)
         double level = hypot(d.x, d.z), height = atan2(d.y, level), w = (double)width[0];
         worst = fmax(worst, turn_apart((double)v[0], atan2(d.z, d.x) / (2.0 * MIRROR_PI)));
         worst = fmax(worst, fabs((double)v[1] - sqrt(2.0 * height / MIRROR_PI)));
-        // Half a pixel to each side, from differences: along the horizon, and upwards.
+        // The footprint comes from differences over half a pixel to each side, along the horizon
+        // and upwards.
         double u = w / level / (2.0 * MIRROR_PI);
         double up = sqrt(2.0 * (height + 0.5 * w) / MIRROR_PI) -
                     sqrt(2.0 * fmax(height - 0.5 * w, 0.0) / MIRROR_PI);
@@ -222,7 +223,7 @@ TEST(test_overcast_sky_keeps_its_light)
         for (int i = 0; i < 256; i++)
             sum += 2.0 * MIRROR_PI / 256.0 * (double)values[4 * i + 3] * (double)values[4 * i + c];
         assert_true(fabs(sum / (MIRROR_PI * (double)white[c]) - 1.0) < 1e-5);
-        // Linear in y: 0 and 1 are half a step outside.
+        // The values are linear in y, and 0 and 1 are half a step outside.
         double first = (double)values[c], last = (double)values[4 * 255 + c];
         double step = (last - first) / 255.0;
         assert_true(fabs((last + 0.5 * step) / (first - 0.5 * step) - 3.0) < 1e-4);

@@ -51,7 +51,7 @@ static struct coarse_scene any_scene(double orthographic)
     return scene;
 }
 
-// From somewhere around the scene, towards an object in the middle.
+// A camera somewhere around the scene that looks at an object in the middle.
 static struct camera any_camera(void)
 {
     double pan = any(-180.0, 180.0), tilt = any(-70.0, 70.0), away = any(3.0, 8.0);
@@ -107,7 +107,8 @@ static void look_at_picture(double orthographic, int width, int height, struct s
     free(table);
 }
 
-// Perspective, parallel, and between the two; pictures that blocks fill exactly, and others.
+// The views are perspective, parallel and between the two. Blocks fill some of the pictures
+// exactly, others not.
 TEST(test_nothing_is_before_the_start)
 {
     static const int sizes[][2] = {{96, 56}, {67, 37}, {160, 45}, {5, 3}, {1, 1}};
@@ -132,7 +133,7 @@ TEST(test_nothing_is_before_the_start)
 struct course {
     bool meets;  // it enters the scene
     bool nears;  // it comes nearer than the margin
-    bool grazes; // it does, and leaves it again before it meets anything
+    bool grazes; // it comes nearer, and moves away again before it meets anything
 };
 
 static struct course course_of(const struct coarse_scene *scene,

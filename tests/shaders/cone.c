@@ -147,7 +147,7 @@ TEST(test_a_pixel_spreads_as_the_screen_says)
 
 // ---- coneReaching ----
 
-// The smallest share over the steps, with the same steps; above a plane there is a second method.
+// The smallest share over the same steps. Above a plane, it is also found by a second method.
 static double walked_share(int scene, struct mirror_ray ray, double threshold, double spread)
 {
     double t = 0.0, smallest = 1.0;
@@ -159,7 +159,7 @@ static double walked_share(int scene, struct mirror_ray ray, double threshold, d
     return fmax((smallest - 0.2) / 0.8, 0.0);
 }
 
-// Does the ray meet the ball, and how close does it pass, minus the radius?
+// How close the ray passes to the ball's centre, minus the radius; negative if it meets the ball.
 static double clearance(struct mirror_ray ray)
 {
     double nearest = fmax(-d3_dot(ray.origin, ray.direction), 0.0);

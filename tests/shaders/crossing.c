@@ -21,7 +21,9 @@ struct crossing {
 static struct crossing march_of(const float *values, int row, int number)
 {
     const float *v = values + 4 * (row * CASES + number);
-    assert_true(v[0] == v[3]); // what the views and the probe receive; -1: not the threshold
+    assert_true(
+        v[0] ==
+        v[3]); // what the views and the probe receive; -1 if the march did not end at the threshold
     return (struct crossing){(double)v[0], v[1] > 0.5f, (double)v[2]};
 }
 
@@ -159,7 +161,7 @@ TEST(no_surface_is_passed)
     assert_true(hits > 1000 && misses > 500);
 }
 
-// The price: the total of evaluations, compared with marchCone's.
+// The total of evaluations is hardly larger than marchCone's.
 TEST(it_takes_little_more)
 {
     float *values = marches(WALL, 0.0, 4.0);

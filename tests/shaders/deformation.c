@@ -40,8 +40,7 @@ static double stretch_at(map function, struct d3 p, double rate)
     return m3_largest_stretch(&m);
 }
 
-// The largest stretch over the cylinder of a radius around an axis (0 x, 1 y, 2 z), sampled
-// densely.
+// The largest stretch over many points of a cylinder around an axis (0 x, 1 y, 2 z).
 static double stretch_in_cylinder(map function, double rate, double radius, int axis)
 {
     double largest = 0.0;
@@ -58,7 +57,8 @@ static double stretch_in_cylinder(map function, double rate, double radius, int 
     return largest;
 }
 
-// The largest |f(p) - f(q)| / |p - q| over random pairs of the same cylinder: never more.
+// The largest |f(p) - f(q)| / |p - q| over random pairs of the same cylinder, which never exceeds
+// it.
 static double stretch_of_pairs(map function, double rate, double radius, int axis)
 {
     double largest = 0.0;

@@ -152,7 +152,7 @@ static float *picture_with(const char *setting)
     return gpu_numbers(&inputs);
 }
 
-// At 1 it is a smoothstep of the encoded value, not of light.
+// At 1, the punch is a smoothstep of the encoded value, not of light.
 TEST(punch_is_a_contrast_of_numbers)
 {
     float *plain = picture_with("punch=0"), *punched = picture_with("punch=1");

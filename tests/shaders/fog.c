@@ -49,7 +49,8 @@ TEST(the_mean_of_a_decay_keeps_its_digits_near_0)
     assert_true(worst < 1e-6);
 }
 
-// Uniform fog and thin mist, from above and from inside; horizontal rays, rays up and down.
+// These are uniform fog and thin mist, from above and from inside, with horizontal rays and rays up
+// and down.
 static const float airs[][4] = {{1.6f, 0.05f, 1.5f},
                                 {0.0f, 0.2f, 0.4f},
                                 {1.6f, 0.05f, 1e6f},
@@ -77,9 +78,9 @@ TEST(the_depth_is_the_sum_of_thin_slices)
     assert_true(worst < 1e-5);
 }
 
-// From 200 scales upwards, where the density is 0 as a float, down to where it is not. Counted from
-// the upper end it would be 0 times infinity. The lower end is known to 200 times a float's
-// rounding error.
+// The ray goes from 200 scales above, where the density is 0 as a float, down to where it is not.
+// Counted from the upper end it would be 0 times infinity. The lower end is known to 200 times a
+// float's rounding error.
 TEST(a_way_from_far_above_has_a_depth)
 {
     const float numbers[4] = {200.0f, 0.5f, 1.0f};
@@ -99,7 +100,7 @@ TEST(a_way_from_far_above_has_a_depth)
     assert_true(reached > 1);
 }
 
-// From 1 upwards, the values are those of a ray so long that it leaves the fog.
+// The values from index 1 on are those of a ray so long that it leaves the fog.
 TEST(the_sky_is_seen_through_a_finite_fog)
 {
     for (int k = 0; k < AIRS; k++) {

@@ -76,7 +76,8 @@ struct through {
     bool done;
 };
 
-// In at offset from the axis, and out again: by marching, in double precision.
+// The path of a ray that enters the ball at offset from the axis and leaves it again, marched in
+// double precision.
 static struct through ball_marched(double offset, double turn, double index, double threshold,
                                    double start)
 {
@@ -98,7 +99,7 @@ static struct through ball_marched(double offset, double turn, double index, dou
     return way;
 }
 
-// The analytical path: deflected by 2 (i - j) towards the axis, 2 cos(j) long inside.
+// The analytical path is deflected by 2 (i - j) towards the axis, and 2 cos(j) long inside.
 static double ball_error(struct through way, double offset, double turn, double index)
 {
     double i = asin(offset), j = asin(offset / index), bend = 2.0 * (i - j);
@@ -268,8 +269,9 @@ TEST(no_light_comes_before_it_has_left_the_ball)
     }
 }
 
-// Rays traced one by one and counted in rings. The position of the light within its ring of b is
-// unknown, and the rings of r here are as wide as one of b at the edge.
+// The truth comes from rays that are traced one by one and counted in rings. The position of the
+// light within its ring of b is unknown, and the rings of r here are as wide as one of b at the
+// edge.
 TEST(the_light_behind_a_ball_is_that_of_many_rays)
 {
     enum { RINGS = 12, RAYS = 200000 };

@@ -46,7 +46,8 @@ static void check(int number, gloss_model *model, double cosine, double roughnes
     print_message(
         "# model %d, cosine %.2f, roughness %.2f: sends back %.4f, in double %.4f; worst %.2g\n",
         number, cosine, roughness, sum, albedo, worst);
-    // Rounding error of a cosine near 1 times the exponent; the sum's own grid.
+    // The tolerances cover the rounding error of a cosine near 1 times the exponent, and the grid
+    // of the sum.
     assert_true(worst < 1e-4);
     assert_true(fabs(sum - albedo) < 1e-3);
     assert_true(sum <= 1.0 + 1e-3 && albedo <= 1.0 + 1e-3);
@@ -94,8 +95,8 @@ TEST(test_the_integral_is_the_sum)
         }
 }
 
-// Never more than all the light, on a fine grid of both parameters; and the mirrors' areas add up
-// to 1.
+// On a fine grid of both parameters, no more than all the light is sent back, and the mirrors'
+// areas add up to 1.
 TEST(test_no_light_is_made)
 {
     double most[2] = {0.0, 0.0};
@@ -115,7 +116,7 @@ TEST(test_no_light_is_made)
     assert_true(fabs(area - 1.0) < 1e-3);
 }
 
-// The page's statements on the usual factors: one creates light, without one nearly all of it is
+// The page says that the usual factor creates light, and that without a factor nearly all of it is
 // lost.
 TEST(test_the_usual_factors)
 {

@@ -215,7 +215,7 @@ static double land(double x, double z)
     return fmax(base + ridges * fmax(base - foot, 0.0) * most, shore(x, z));
 }
 
-// The largest of all bounds, for all directions.
+// The largest of the bounds, which hold for all directions.
 static double land_distance(struct d3 p)
 {
     double base = hills(p.x, p.z), high = ridges * fmax(base - foot, 0.0);
@@ -288,7 +288,7 @@ TEST(no_land_is_nearer_than_the_distance)
 
 static const double highest = 18.8, disc = 0.0047;
 
-// From the valley, with x to the right and z ahead, to the world and back.
+// Convert from the valley, with x to the right and z ahead, to the world or back.
 static struct d3 turned(struct d3 p)
 {
     return d3(0.4226 * p.x - 0.9063 * p.z, p.y, -0.9063 * p.x - 0.4226 * p.z);
@@ -318,7 +318,7 @@ static double skyline(struct d3 p, struct d3 direction)
     return least;
 }
 
-// Each divided by the bound on which the march relies: hills, shore and heights, over the whole
+// Hills, shore and heights, each divided by the bound on which the march relies, over the whole
 // valley.
 TEST(no_land_is_steeper_or_higher_than_is_said)
 {
@@ -374,7 +374,7 @@ TEST(the_sun_sets_behind_land_by_shares)
     double off[2] = {0.0, 0.0}, hard = 0.0; // elsewhere, in the penumbra
     int count[2] = {0, 0}, wrong = 0;
     for (int i = 0; i < CHAPTER_WIDTH * CHAPTER_HEIGHT; i += 23) {
-        if (values[4 * i + 1] <= 0.0f || values[4 * i + 2] <= 0.1f) // in the lake, facing away
+        if (values[4 * i + 1] <= 0.0f || values[4 * i + 2] <= 0.1f) // in the lake, or facing away
             continue;
         double x = -12.0 + 0.04 * (i % CHAPTER_WIDTH), z = 24.0 + 0.05 * (i / CHAPTER_WIDTH),
                share = (double)values[4 * i];

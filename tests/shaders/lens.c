@@ -41,7 +41,7 @@ TEST(rays_meet_in_the_plane_in_focus)
     }
 }
 
-// A point, and where lines through it from all over the rim of the lens meet the plane in focus.
+// The lines through a point from all over the rim of the lens meet the plane in focus in a circle.
 // The image of that plane on the screen is scaled by focal length / focus.
 static double confusion_of(double depth, double radius, double focus, double focal)
 {

@@ -22,7 +22,7 @@ static double apart(float *a, float *b)
     return largest;
 }
 
-// Between a footprint of n x n texels and a level.
+// The largest difference between a footprint of n x n texels and a level.
 static double off_level(double n, double level)
 {
     return apart(levels_read(LEVELS_SIDES, n, n, 1.0, 1.0),

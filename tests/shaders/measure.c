@@ -30,7 +30,7 @@ TEST(test_normal_error_has_two_sides)
 
 enum { CURVE_POINTS = 512, CURVES = 2 }; // central and forward differences
 
-// For the unit normal n: the differences that the formulas give in double precision, without
+// The differences that the formulas give for the unit normal n in double precision, without
 // rounding.
 static void differences_at(struct d3 n, double step, double difference[CURVES][3])
 {

@@ -34,8 +34,8 @@ TEST(test_four_cells_are_enough)
     }
 }
 
-// The light that a picture receives from a patch of sky, weighted by a smooth window that turns
-// with the stars: the sum over the pixels of light times solid angle.
+// The light that a picture receives from a patch of sky: the sum over the pixels of light times
+// solid angle, weighted by a smooth window that turns with the stars.
 static double patch_light(const float look[4], struct d3 middle, double reach)
 {
     float *values = gpu_call(SHADER, 128, 128, 1, look);

@@ -212,8 +212,8 @@ static double mean_excess(const double *light, int count)
     return encoded - mirror_encode(mean);
 }
 
-// Chapter 02, proof 4: never by more than (1 - 1/n) of the step down between the two pieces of the
-// curve; and two lights on either side of that step come close to it.
+// Chapter 02, proof 4: it is never brighter by more than (1 - 1/n) of the step down between the two
+// pieces of the curve, and two lights on either side of that step come close to this.
 TEST(test_mean_of_encoded_lights_is_brighter_by_a_hair_at_most)
 {
     const double corner = 0.0031308;

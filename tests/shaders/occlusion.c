@@ -19,7 +19,7 @@ static const struct d3 up = {0.0, 1.0, 0.0};
 
 // ---- In closed form ----
 
-// Above the horizon, cut by it, and below it.
+// The ball is above the horizon, cut by it, or below it.
 TEST(a_ball_hides_its_share_of_the_disc)
 {
     static const float radii[] = {0.02f, 0.3f, 1.0f, 1.6f, 1.99f};

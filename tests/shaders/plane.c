@@ -268,7 +268,7 @@ static float *values_of(int which)
     return gpu_call("tests/shaders/plane.frag", 2 * WIDE, ROWS, which, none);
 }
 
-// Of a figure or an operation: exact outside, exact inside, or a bound.
+// Check a figure or an operation, which is exact outside, exact inside, or a bound.
 static void check_figure(int which, bool exact_outside, bool exact_inside)
 {
     struct boundary edge;

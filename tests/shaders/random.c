@@ -32,7 +32,7 @@ static float *draw(struct renderer *renderer, const struct renderer_inputs *inpu
 
 // ---- What the harness sets ----
 
-// Wider and higher than a tile, in one part and in bands.
+// The picture is wider and higher than a tile, and is drawn in one part and in bands.
 TEST(a_number_is_that_of_its_pixel_in_every_tile_and_band)
 {
     assert_true(gpu_load_text(RANDOM_COLOUR));
@@ -127,7 +127,7 @@ TEST(a_probe_marches_sample_0_of_1_of_its_pixel)
         }
 }
 
-// Blue is inside, orange outside.
+// The slice is blue inside and orange outside.
 TEST(a_slice_is_that_of_its_pixel)
 {
     assert_true(gpu_load_text(RANDOM_SCENE));
@@ -192,7 +192,7 @@ static double chi_square(const int *count, int bins, int numbers)
     return (sum - (bins - 1)) / sqrt(2.0 * (bins - 1));
 }
 
-// 256 bins; from too uniform a distribution (below) to too irregular a one.
+// With 256 bins, the distribution is neither too uniform nor too irregular.
 TEST(each_bin_gets_its_share)
 {
     static double number[COUNT];

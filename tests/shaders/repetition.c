@@ -294,7 +294,7 @@ TEST(test_the_cap_glues_the_cells)
     assert_true(weak > 10.0);
 }
 
-// The nearest of all towers around a point.
+// The distance to the nearest of all towers around a point.
 static double all_towers(struct d3 p, double share)
 {
     int x = (int)floor(p.x / 1.6 + 0.5), z = (int)floor(p.z / 1.6 + 0.5);

@@ -164,7 +164,8 @@ TEST(test_scattered_light_is_the_integral)
         free(values);
         print_message("# scattered light, haze %.2f: worst relative error %.4f\n", (double)haze[k],
                       worst);
-        // Where the masses agree to within 0.02, one of them is moved by up to 0.04: depth / 50.
+        // Where the masses agree to within 0.02, one of them is moved by up to 0.04, which changes
+        // the light by depth / 50.
         assert_true(worst < (0.25 + (double)haze[k]) / 40.0);
     }
 }

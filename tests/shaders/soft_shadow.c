@@ -86,7 +86,7 @@ TEST(two_discs_overlap_in_a_lens)
 
 // ---- Edges and balls in space ----
 
-// Balls from a pea to a hill.
+// The largest error over balls from a pea to a hill.
 static double worst_ball(float spread)
 {
     static const float balls[][2] = {{0.01f, 2.0f}, {0.1f, 2.0f}, {0.25f, 2.0f},

@@ -196,7 +196,7 @@ TEST(the_beam_has_the_colours_of_traced_rays)
             struct d3 left = {0.0, 0.0, 0.0}, first = d3(-cos(0.5 * apex), 0.5, 0.0),
                       second = d3(cos(0.5 * apex), 0.5, 0.0);
             assert_true(traced(apex, index, entering, -asin(rise), &left) >= 0.0);
-            // Inside: from the midpoint of the first side to the second.
+            // Inside, the ray goes from the midpoint of the first side to the second.
             struct d3 plan, inside;
             plan = d3_sub(d3_times(sin(entering), d3(0.5, cos(0.5 * apex), 0.0)),
                           d3_times(cos(entering), first));
@@ -235,7 +235,7 @@ TEST(the_rainbow_is_at_42_degrees)
     double outer = 180.0 - least[0] / degree, inner = 180.0 - least[1] / degree;
     print_message("# red at %.2f, violet at %.2f degrees\n", outer, inner);
     assert_true(fabs(outer - 42.4) < 0.3 && fabs(inner - 40.6) < 0.3);
-    // Reflected twice: outside the first, in reverse order.
+    // The rainbow of two reflections is outside the first, with its colours in reverse order.
     double second[2] = {10.0, 10.0};
     for (int k = 0; k < 2; k++)
         for (double b = 0.0; b < 1.0; b += 1e-5)

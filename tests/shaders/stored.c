@@ -119,8 +119,8 @@ TEST(the_shader_interpolates_the_file)
 
 // ---- The claims ----
 
-// |F - d| <= sqrt(3) / 2 cell in the cube; outside, sqrt(a^2 + F^2) exceeds the distance by no more
-// than that.
+// In the cube, |F - d| <= sqrt(3) / 2 cell. Outside, sqrt(a^2 + F^2) exceeds the distance by no
+// more than that.
 TEST(the_error_is_within_its_bound)
 {
     struct triangles t = elephant_mesh(3);

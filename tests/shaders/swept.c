@@ -101,9 +101,10 @@ static struct tally check_disc(float centre, bool exact_outside, bool exact_insi
     return solid_check(&solid);
 }
 
-// A disc of radius 1 with its centre at c. If it keeps clear of the axis: exact. If it crosses the
-// axis and its larger part is drawn: exact outside, but inside the part at x < 0 makes the rim seem
-// too near. If it is symmetric: a ball. If its smaller part is drawn: the other way round.
+// A disc of radius 1 with its centre at c. If it keeps clear of the axis, the solid is exact. If it
+// crosses the axis and its larger part is drawn, the solid is exact outside, but inside, the part
+// at x < 0 makes the rim seem too near. If its smaller part is drawn, it is the other way round. If
+// it is symmetric, the solid is a ball.
 TEST(test_turned_discs)
 {
     struct tally apple, lemon;
@@ -124,7 +125,7 @@ static bool in_turned_rectangle(const struct solid *solid, struct d3 p)
            fabs(c * p.y - s * x) < (double)solid->number[1];
 }
 
-// With an offset, clear of the axis and slanting: exact everywhere.
+// A slanting rectangle that keeps clear of the axis is exact everywhere.
 TEST(test_turned_rectangle)
 {
     struct solid solid = {.name = "turned rectangle",

@@ -59,8 +59,8 @@ TEST(colours_are_decoded_and_numbers_are_not)
         fail_msg("decoded sRGB is off by %g", worst);
 }
 
-// Two by two texels, where red tells left from right and green bottom from top; then the same with
-// blue for the slices of a volume.
+// In a picture of two by two texels, red tells left from right and green bottom from top. In a
+// volume, blue tells the slices apart.
 TEST(pictures_are_upright)
 {
     const struct png_kind kind = {.type = PNG_COLOR_TYPE_RGB, .depth = 8};
@@ -116,7 +116,8 @@ TEST(edges_repeat_or_go_on)
     }
 }
 
-// At the centre of a level's texel, its own value: requested by number, and by the footprint.
+// At the centre of a level's texel, the texel's own value is read, whether the level is requested
+// by number or by the footprint.
 TEST(the_level_is_the_one_asked_for)
 {
     struct texture_image image;

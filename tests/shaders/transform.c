@@ -84,7 +84,7 @@ TEST(test_rotations_are_orthonormal)
     }
     print_message("# 40 rotations: off by at most %.2g; R^T R = 1 and det R = 1 as well\n", worst);
     assert_true(worst < 2e-5);
-    float *x = ask(TURN, (float)(MIRROR_PI / 2.0), 0.0f, 0.0f); // about x: y goes to z
+    float *x = ask(TURN, (float)(MIRROR_PI / 2.0), 0.0f, 0.0f); // about x, which turns y to z
     assert_true(d3_length(d3_sub(d3_of(x + 4), d3(0.0, 0.0, 1.0))) < 1e-6);
     free(x);
 }

@@ -13,7 +13,7 @@ static double solid(struct d3 p, int i)
     return fmax(faces, mirror_sphere(q, 0.45));
 }
 
-// Half a unit above the stage, and over all of it; a distance is at most 4 here.
+// The points lie half a unit above the stage, over all of it. A distance is at most 4 here.
 TEST(test_folding_finds_the_nearest_of_twelve_solids)
 {
     float *values = chapter_numbers(

@@ -7,7 +7,7 @@
 #define ANGLES 20000
 #define NEAR   1e-6
 
-// Knuth's constants: the same angles on every machine.
+// With Knuth's constants, the angles are the same on every machine.
 static double next_random(uint64_t *seed)
 {
     *seed = *seed * 6364136223846793005u + 1442695040888963407u;

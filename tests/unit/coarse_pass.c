@@ -22,8 +22,8 @@ static size_t size_of(const struct renderer_inputs *inputs)
     return sizeof(float[4]) * (size_t)inputs->width * (size_t)inputs->height;
 }
 
-// Any bands, including those that begin within a block; the sharpened rows of a window, with
-// another picture drawn between them.
+// This holds for any bands, including those that begin within a block, and for the sharpened rows
+// of a window with another picture drawn between them.
 TEST(test_parts_of_a_picture_are_the_whole_to_the_bit)
 {
     for (int samples = 1; samples <= 2; samples++) {
@@ -97,7 +97,7 @@ TEST(test_samples_find_what_a_larger_picture_finds)
     assert_int_equal(differ, 0);
 }
 
-// A sample that moves its ray: the margin includes the shift.
+// Samples move their rays here, and the margin includes the shift.
 TEST(test_rays_that_samples_move_lose_nothing)
 {
     struct renderer_inputs inputs = wide_inputs(3);
@@ -145,7 +145,7 @@ TEST(test_a_shader_that_does_not_ask_gets_no_pass)
                       "float sceneDistance(vec3 p) { return 1.0; }\n"
                       "vec3 rayColour(Ray ray) { return vec3(0.5); }\n"));
     free(gpu_numbers(&inputs));
-    // A name that belongs to the author, in a whole file.
+    // In a whole file, the name belongs to the author.
     capture_begin();
     assert_true(gpu_load_text("#version 330 core\nuniform float iCoarse;\nout vec4 c;\n"
                               "void main() { c = vec4(iCoarse); }\n"));
@@ -174,8 +174,8 @@ TEST(test_a_missing_margin_is_reported_at_once)
     free(after);
 }
 
-// A driver that cannot make a float target of the table's size, which is requested before the
-// picture's.
+// This driver cannot make a float target of the table's size. The table's target is requested
+// before the picture's.
 static GLenum no_target(GLenum target)
 {
     return target == GL_FRAMEBUFFER ? GL_FRAMEBUFFER_UNSUPPORTED : 0;

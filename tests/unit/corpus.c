@@ -32,7 +32,7 @@ static long most_memory(void)
     return usage.ru_maxrss;
 }
 
-// A folder of the corpus: each file, and each prefix of it.
+// Try a folder of the corpus: each file, and each prefix of it.
 static void run_folder(const struct fuzz_target *target)
 {
     char pattern[4096 + 64];

@@ -94,9 +94,9 @@ TEST(a_picture_may_change_along_one_axis)
     enlarge_close(&enlarge, &gpu.context.gl);
 }
 
-// A slanted edge from black to white, at any angle: no value lies outside the range of the 4
-// nearest texels, so there is no ringing; and the result is closer to the edge itself than that of
-// the bilinear filter.
+// The picture is a slanted edge from black to white, at any angle. No value lies outside the range
+// of the 4 nearest texels, so there is no ringing, and the result is closer to the edge itself than
+// that of the bilinear filter.
 TEST(the_edge_filter_follows_an_edge)
 {
     for (int degrees = 7; degrees < 180; degrees += 13) {

@@ -246,7 +246,8 @@ IN_FOLDER(a_full_disk_leaves_the_old_file)
     image_free(&new);
 }
 
-// In a child without root's rights, because no permission stops root: the target must be refused.
+// Run in a child without root's rights, because no permission stops root. The target must be
+// refused.
 static int refused_as_nobody(const struct picture_folder *in)
 {
     fflush(NULL);

@@ -87,8 +87,9 @@ TEST(a_file_that_is_not_a_picture_is_refused)
         assert_refused("fifo.png", "not a regular file");
 }
 
-// Each prefix of a file, and a file with one byte changed. The last four bytes are the checksum of
-// the chunk that ends the file: the chunk is empty, and libpng 1.6.48 no longer checks it.
+// Each prefix of a file is refused, and so is a file with one byte changed. The last four bytes are
+// the checksum of the chunk that ends the file: the chunk is empty, and libpng 1.6.48 no longer
+// checks it.
 TEST(broken_pictures_are_refused)
 {
     unsigned char bytes[4096];

@@ -69,7 +69,7 @@ static const struct overlay_rectangle *table(void)
     return found;
 }
 
-// The height at which a line of text is drawn. -1: it is not drawn.
+// The height at which a line of text is drawn; -1 if it is not drawn.
 static float height_of(const char *text)
 {
     struct overlay words = {0};
@@ -102,7 +102,8 @@ TEST_WITH(the_row_of_the_step_is_in_sight_and_marked, set_up, NULL)
                 band = overlay.rectangle[i].top;
         assert_true(band <= row && band + OVERLAY_LINE > row + 2.0f);
     }
-    gather(640, 360, 10, 20, 0.0f); // all of them: the last rows, and none is marked
+    gather(640, 360, 10, 20,
+           0.0f); // all steps are shown: the last rows are visible, and none is marked
     assert_true(height_of("7.37500") > 0.0f && height_of("last steps of pixel 10, 20") > 0.0f);
     for (int i = 0; i < overlay.count; i++)
         assert_false(coloured(&overlay.rectangle[i], PEN_BAND));
@@ -127,7 +128,7 @@ static void assert_apart_from_the_chapter(const struct overlay_rectangle *box)
         assert_true(box->left >= chapter->right || box->top >= chapter->bottom);
 }
 
-// Wherever the pixel is, at any size.
+// The pixel may be anywhere, in a picture of any size.
 TEST_WITH(the_table_leaves_the_pixel_free, set_up, NULL)
 {
     for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
@@ -147,7 +148,7 @@ TEST_WITH(the_table_leaves_the_pixel_free, set_up, NULL)
         }
 }
 
-// A pinned ray, in many directions through many points.
+// The pinned ray has many directions and goes through many points.
 TEST_WITH(the_table_leaves_a_ray_free_that_is_seen_from_aside, set_up, NULL)
 {
     probe.pinned = true;

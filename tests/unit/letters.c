@@ -118,7 +118,7 @@ TEST(an_image_covers_what_the_outline_does)
         double wide = 1407.0 * em, high = 1568.0 * em;
         for (int phase = 0; phase < LETTERS_PHASES; phase++) {
             struct picture picture = picture_of(0x25A0, (float)scales[i], phase);
-            // Each pixel of the edge is rounded to 1/255; the others are full.
+            // Each pixel of the edge is rounded to 1/255, and the others are full.
             assert_true(fabs(covered(&picture, &middle) - wide * high) <=
                         2.0 * (wide + high + 4.0) / 255.0);
             first = phase == 0 ? middle : first;

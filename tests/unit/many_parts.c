@@ -181,7 +181,7 @@ TEST(the_grid_evaluates_few_parts)
     assert_true(at_8192 <= 2.0 * at_64 && few > 100 && many > 100);
 }
 
-// Building the lists takes few distances: with 8,192 parts, a thirtieth of all parts times all
+// Building the lists takes few distances: with 8,192 parts, a thirtieth of the product of parts and
 // cells.
 TEST(the_lists_are_built_from_few_distances)
 {

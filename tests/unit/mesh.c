@@ -42,8 +42,8 @@ static double to_segment(struct d3 p, struct d3 a, struct d3 b)
     return d3_length(d3_sub(p, d3_add(a, d3_times(fmin(fmax(share, 0.0), 1.0), ab))));
 }
 
-// The distance to the plane if the point is on the inner side of all three edges; otherwise to an
-// edge.
+// The distance to the plane if the point is on the inner side of all three edges, otherwise the
+// distance to an edge.
 static double to_triangle(struct d3 p, const struct d3 v[3])
 {
     struct d3 normal = d3_cross(d3_sub(v[1], v[0]), d3_sub(v[2], v[0]));
@@ -67,7 +67,8 @@ static double solid_angle(struct d3 p, const struct d3 v[3])
     return 2.0 * atan2(d3_dot(a, d3_cross(b, c)), under);
 }
 
-// All triangles, one by one: a point is inside if they fill the whole sphere of directions.
+// The distance to all triangles, one by one. A point is inside if they fill the whole sphere of
+// directions.
 static double true_distance(const struct triangles *t, struct d3 p)
 {
     double least = INFINITY, angle = 0.0;
@@ -81,7 +82,7 @@ static double true_distance(const struct triangles *t, struct d3 p)
 
 // ---- The elephant ----
 
-// Exact but for rounding, and no sign is wrong.
+// Every distance is exact except for rounding, and no sign is wrong.
 TEST(the_distance_is_that_of_all_triangles)
 {
     struct triangles t = elephant_mesh(2);

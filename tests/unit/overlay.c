@@ -23,8 +23,8 @@ static struct image picture_of(const struct overlay *over)
     return image;
 }
 
-// The smallest box of whole pixels that contains all changes: left, top, right, bottom, the last
-// two just outside. Returns the number of changed pixels.
+// The smallest box of whole pixels that contains all changes: left, top, right, bottom, where the
+// last two are just outside. Returns the number of changed pixels.
 static int changes(const struct image *a, const struct image *b, int box[4])
 {
     int count = 0;
@@ -109,7 +109,7 @@ TEST(a_letter_is_upright)
     overlay_begin(&overlay, WIDTH, HEIGHT, 4.0f);
     overlay_text(&overlay, 10, 10, "L", WHITE);
     drawn(box);
-    // Only the upper half; the lower half is covered in both pictures.
+    // Only the upper half counts, because the lower half is covered in both pictures.
     struct image without = picture_of(NULL), with = picture_of(&overlay);
     size_t half = 3 * (size_t)WIDTH * (size_t)((box[1] + box[3]) / 2);
     memcpy(with.pixel + half, without.pixel + half, 3 * (size_t)WIDTH * HEIGHT - half);
@@ -178,7 +178,7 @@ TEST(the_scale_follows_the_height)
     }
 }
 
-// The panel of a picture: everything that it changes lies inside its background, which is one box.
+// Everything that the panel of a picture changes lies inside its background, which is one box.
 TEST(a_panel_changes_only_itself)
 {
     int box[4];

@@ -58,7 +58,8 @@ static float *numbers_of(struct renderer *renderer, const struct renderer_inputs
     return numbers;
 }
 
-// Row by row: left of the divider is the first picture, right of it the second.
+// Check that each row shows the first picture on the left of the divider and the second one on the
+// right.
 static void assert_sides(const float *both, const float *one, const float *other, int split)
 {
     size_t left = sizeof(float[4]) * (size_t)split, right = sizeof(float[4]) * WIDTH - left;

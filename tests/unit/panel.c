@@ -180,8 +180,8 @@ TEST(a_panel_does_not_tremble)
     renderer.parameters.count = 3;
 }
 
-// Any size and any length of text: an error takes at most half of the picture's lines, and at any
-// size that people use, nothing lies outside the picture.
+// At any size and with any length of text, an error takes at most half of the picture's lines. At
+// any size that people use, nothing lies outside the picture.
 TEST(a_panel_fits_any_picture)
 {
     char error[6000];
@@ -228,7 +228,8 @@ TEST(a_line_ends_between_words)
     assert_false(pen_next_line(&at, limit, line));
 }
 
-// The rows, from the top: their words, their positions, and that a position on a row finds it.
+// Check the rows from the top: their words and their positions, and that a position on a row finds
+// the row.
 TEST(rows_are_below_each_other)
 {
     static const char *const texts[] = {"A title",     "view: picture", "", "long",   "wide",

@@ -106,7 +106,8 @@ TEST(test_key_presses)
     struct parameter *p = parameters_find(&read, "height");
     for (int i = 0; i < 10; i++)
         parameter_change(p, -1);
-    // To the last bit: a sum of steps of 0.1 that drifts would miss 0 and 0.3.
+    // The values are equal to the last bit, because a sum of steps of 0.1 that drifts would miss 0
+    // and 0.3.
     assert_true(p->value[0] == 0.0);
     parameter_change(p, 3);
     assert_true(p->value[0] == 0.3);
