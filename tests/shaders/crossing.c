@@ -21,9 +21,9 @@ struct crossing {
 static struct crossing march_of(const float *values, int row, int number)
 {
     const float *v = values + 4 * (row * CASES + number);
-    assert_true(
-        v[0] ==
-        v[3]); // what the views and the probe receive; -1 if the march did not end at the threshold
+    // The views and the probe receive the end of the march, or -1 if it did not end at the
+    // threshold.
+    assert_true(v[0] == v[3]);
     return (struct crossing){(double)v[0], v[1] > 0.5f, (double)v[2]};
 }
 

@@ -36,9 +36,8 @@ static void judge(const char *what, const float *values, int sunset, int night)
             for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++) {
                 double here = shown(values, hour, azimuth, row);
                 darkest = fmin(darkest, here);
-                if (row >= 320 && hour > 16 &&
-                    hour <
-                        48) // from 80 degrees on, compared with 5 degrees lower; there is no star
+                // From 80 degrees on, compared with 5 degrees lower, by day: there is no star.
+                if (row >= 320 && hour > 16 && hour < 48)
                     spot = fmax(spot, here / (mean_of(values, hour, row - 20, row - 19) + 0.02));
             }
     for (int hour = sunset; hour < night; hour++)

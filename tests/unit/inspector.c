@@ -102,8 +102,8 @@ TEST_WITH(the_row_of_the_step_is_in_sight_and_marked, set_up, NULL)
                 band = overlay.rectangle[i].top;
         assert_true(band <= row && band + OVERLAY_LINE > row + 2.0f);
     }
-    gather(640, 360, 10, 20,
-           0.0f); // all steps are shown: the last rows are visible, and none is marked
+    // All steps are shown: the last rows are visible, and none is marked.
+    gather(640, 360, 10, 20, 0.0f);
     assert_true(height_of("7.37500") > 0.0f && height_of("last steps of pixel 10, 20") > 0.0f);
     for (int i = 0; i < overlay.count; i++)
         assert_false(coloured(&overlay.rectangle[i], PEN_BAND));
