@@ -11,7 +11,7 @@
 bool report(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
 // Begin every message of report() with a place and ": ", as in "my.txt:3: ", until the next call.
-//   text  the place, which is copied; or NULL
+//   text  the place, which is copied, or NULL
 void report_place(const char *text);
 
 // As report(), for a text of several lines: a shader's errors with their source.

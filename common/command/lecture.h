@@ -43,8 +43,8 @@ int lecture_open(struct lecture *lecture);
 // The window of the lecture, whose loop the caller runs; NULL before the lecture is open.
 struct window *lecture_window(const struct lecture *lecture);
 
-// To be called after each turn of the window: show the scene that the speaker has asked for, or, in
-// a turn that draws nothing, compile the next one. A scene that cannot be shown is reported, in the
+// Call it after each turn of the window. It shows the scene that the speaker has asked for or, in a
+// turn that draws nothing, compiles the next one. A scene that cannot be shown is reported, in the
 // window too, and the present one stays.
 //   of  a struct lecture
 void lecture_follow(void *of);

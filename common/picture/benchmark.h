@@ -30,7 +30,7 @@ struct benchmark_span {
 // once, are divided among all pixels. The bound is for a single ray, so a march with a coarse pass
 // may be below it.
 struct benchmark_cover {
-    int rays;                // number of rays that were compared; 0: unknown
+    int rays;                // number of rays that were compared; 0 if unknown
     double march, bound;     // evaluations per ray, averaged over these rays
     double ratio, ray_ratio; // march / bound, and its smallest value for a single ray
 };

@@ -35,7 +35,7 @@ static const struct parameters *second_of(const struct renderer *renderer)
     return renderer->comparison != NULL ? &renderer->comparison->other->parameters : NULL;
 }
 
-// The first picture's parameter that a parameter of the second follows; NULL: none.
+// The first picture's parameter that a parameter of the second follows; NULL if there is none.
 static const struct parameter *leader_of(const struct renderer *renderer,
                                          const struct parameter *to)
 {

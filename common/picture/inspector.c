@@ -21,7 +21,7 @@ struct table {
     float lines;     // of the whole table
 };
 
-// The current row; -1: none.
+// The current row; -1 if there is none.
 static int row_of(const struct inspector *inspector)
 {
     int last = probe_rows(inspector->probe) - 1;

@@ -11,9 +11,9 @@
 
 struct inspector {
     int pixel[2];
-    const struct probe *probe; // its march; NULL: none
-    const char *side;          // of a comparison: "left" or "right"; NULL: only one picture
-    float shown;               // number of steps shown, with a fraction of the next one; 0: all
+    const struct probe *probe; // its march; NULL if there is none
+    const char *side; // of a comparison: "left" or "right"; NULL if there is only one picture
+    float shown;      // number of steps shown, with a fraction of the next one; 0 for all
     enum shader_view view;
     float middle; // in the slice and plot views: the row of the ray, pixels
 };
@@ -50,7 +50,7 @@ void inspector_ray(const struct overlay *overlay, float middle, float span[2]);
 // Find room for the table of a march: at the right edge, otherwise beside the panel on the left,
 // above the ray, below it, or below the panel on the left. The first of these that does not cover
 // the ray and has enough lines is chosen; if none has enough, the one with the most lines.
-//   taken   the panel on the left; zeros: none
+//   taken   the panel on the left; zeros if there is none
 //   bottom  lower edge of the room, units
 struct inspector_room inspector_place(const struct overlay *overlay,
                                       const struct inspector *inspector,
@@ -59,7 +59,7 @@ struct inspector_room inspector_place(const struct overlay *overlay,
 // Draw the steps of a march, with the current one visible and marked, and its outcome. The table
 // has as many lines as there is room for; nothing is drawn if a heading, one step and the outcome
 // do not fit.
-//   drawn  receives the table; NULL: not wanted
+//   drawn  receives the table, unless it is NULL
 void inspector_march(struct overlay *overlay, const struct inspector *inspector,
                      const struct inspector_room *room, struct inspector_table *drawn);
 

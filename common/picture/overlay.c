@@ -12,8 +12,8 @@
 // One instance: a box, a letter's image, or a line from (left, low) to (right, high).
 struct shape {
     float left, low, right, high; // pixels from the target's bottom left
-    float letter[2];              // top left of its image in the atlas; -1: not a letter
-    float width;                  // of a line, pixels; 0: not a line
+    float letter[2];              // top left of its image in the atlas; -1 if it is not a letter
+    float width;                  // of a line, pixels; 0 if it is not a line
     unsigned char colour[4];      // red, green, blue, opacity
 };
 

@@ -27,7 +27,7 @@ struct overlay_rectangle {
     float left, top, right, bottom; // units; for a line, its two ends
     struct overlay_colour colour;
     uint32_t letter; // its code; 0 for a box or a line
-    float width;     // of a line, units; 0: no line
+    float width;     // of a line, units; 0 if there is no line
 };
 
 struct overlay {

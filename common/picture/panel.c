@@ -41,7 +41,7 @@ static int error_lines(const struct panel *panel, const struct overlay *overlay)
     return lines;
 }
 
-// The height of the error's panel with its heading; 0: no panel.
+// The height of the error's panel with its heading; 0 if there is no panel.
 static float error_height(const struct panel *panel, const struct overlay *overlay)
 {
     if (words_of(panel)[0] == '\0' || panel->bare)
@@ -76,7 +76,7 @@ static float write_error(const struct panel *panel, struct overlay *overlay, flo
 // ---- Keys ----
 
 // Lay the keys out in lines of limited width.
-//   pen     where to draw them; NULL: only measure
+//   pen     where to draw them; NULL to measure only
 //   widest  receives the width of the longest line
 // Returns the number of lines.
 static int lay_keys(const struct panel *panel, const struct pen *pen, float limit, float *widest)

@@ -41,19 +41,19 @@ struct panel {
     bool refused;            // tip says why the typed value is rejected
     const char *typed;       // text that replaces the selected parameter's value
     const char *tip;         // the help for the row under the pointer
-    int typed_part;          // the component that is typed; -1: all
+    int typed_part;          // the component that is typed; -1 for all
     float tip_at[2];         // the pointer, units from the picture's top left
     struct panel_rows *rows; // receives the rows, if there is a pointer
-    struct inspector_table *table; // receives the lines of the ray's march; NULL: not wanted
-    struct picker *picker;         // of the selected colour; receives its position. NULL: not open
-    const char *hint;              // what the main keys do, in one line
-    const char *caption;           // of a lecture, shown at the bottom
+    struct inspector_table *table; // receives the lines of the ray's march, unless it is NULL
+    struct picker *picker; // of the selected colour; receives its position; NULL if it is not open
+    const char *hint;      // what the main keys do, in one line
+    const char *caption;   // of a lecture, shown at the bottom
     const struct panel_key *keys;
     int key_count;
-    int pixel[2];              // of the selected ray, 0,0 bottom left; -1,-1: none
+    int pixel[2];              // of the selected ray, 0,0 bottom left; -1,-1 if there is none
     const char *side;          // the ray's side of a comparison: "left" or "right"
     float shown;               // steps of the ray, as in renderer_inputs
-    const struct probe *probe; // its march; NULL: why gives the reason
+    const struct probe *probe; // its march; NULL if why gives the reason
     const char *why;
     const char *error; // lines that end with '\n'
     bool broken;       // the error comes from a reload; otherwise from a view
@@ -84,11 +84,11 @@ enum panel_button { PANEL_PAUSE, PANEL_STEP_BACK, PANEL_STEP_ON, PANEL_HIDE };
 struct panel_row {
     enum panel_row_kind kind;
     char cell[PANEL_COLUMNS][PANEL_CELL]; // name, value, range and unit of a parameter; or a text
-    int parameter;                        // its index for comparison_parameter; -1: none
-    int part;                             // of a vector; -1: all components
+    int parameter;                        // its index for comparison_parameter; -1 if there is none
+    int part;                             // of a vector; -1 for all components
     bool selected;                        // part of the selected parameter, or the current view
-    double place;    // of the value in its range, 0 to 1; below 0: nothing to drag
-    float swatch;    // distance of a colour's swatch from the row's left; 0: none
+    double place;    // of the value in its range, 0 to 1; below 0 if nothing can be dragged
+    float swatch;    // distance of a colour's swatch from the row's left; 0 if there is none
     double share[3]; // that colour, as fractions of the range
     float left, top, width, height;
 };
@@ -123,7 +123,7 @@ const struct panel_row *panel_rows_at(const struct panel_rows *rows, float x, fl
 // True if a point is in the panel, including its edges.
 bool panel_rows_hold(const struct panel_rows *rows, float x, float y);
 
-// The button at a position in the row of buttons: an enum panel_button; -1: none.
+// The button at a position in the row of buttons: an enum panel_button; -1 if there is none.
 int panel_row_button(const struct panel_row *row, float x);
 
 // The distance of a button from the row's left, units.

@@ -16,7 +16,7 @@ enum picker_part { PICKER_NOTHING, PICKER_SQUARE, PICKER_BAR };
 struct picker {
     double hsv[3];                  // hue in turns, saturation, value, 0 to 1 each
     double value[3];                // of the parameter, which corresponds to this hsv
-    float left, top, width, height; // with its edges, units; width 0: not shown
+    float left, top, width, height; // with its edges, units; width is 0 if it is not shown
     float side;                     // of the square
 };
 

@@ -13,7 +13,7 @@ struct probe_step {
     float t;           // distance along the ray, scene units
     float distance;    // the scene's distance there
     float position[3]; // scene units
-    float threshold;   // a smaller distance would be a hit, scene units; 0: unknown
+    float threshold;   // a smaller distance would be a hit, scene units; 0 if unknown
     float place[2];    // position in the picture, pixels from its bottom left corner
     bool seen;         // it is in front of the camera, so that place is defined
 };
@@ -23,13 +23,13 @@ enum probe_end { PROBE_NO_MARCH, PROBE_HIT, PROBE_PASSED, PROBE_GAVE_UP };
 // The march of one pixel's first ray, as the GPU computed it.
 struct probe {
     struct probe_step step[PROBE_STEPS];
-    int steps;               // of the first march; step has at most PROBE_STEPS of them
-    int all_steps;           // of all marches of the pixel, including shadow rays
-    int evaluations;         // of the scene's distance, including those for normals
-    enum probe_end end;      // why the first march stopped
-    float interval[2];       // of the first march, scene units along the ray; 0, 0: unknown
-    bool pinned;             // the ray starts elsewhere than at the picture's camera
-    bool recorded;           // false: a file with its own main, for which only the colour is known
+    int steps;          // of the first march; step has at most PROBE_STEPS of them
+    int all_steps;      // of all marches of the pixel, including shadow rays
+    int evaluations;    // of the scene's distance, including those for normals
+    enum probe_end end; // why the first march stopped
+    float interval[2];  // of the first march, scene units along the ray; 0, 0 if unknown
+    bool pinned;        // the ray starts elsewhere than at the picture's camera
+    bool recorded;      // false for a file with its own main, for which only the colour is known
     unsigned char colour[3]; // of the pixel in the picture
 };
 

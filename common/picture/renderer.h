@@ -40,18 +40,18 @@ struct renderer_inputs {
     double time;       // seconds
     double time_delta; // seconds since the last frame; 0 for a file
     int frame;         // index of the frame; 0 for a file
-    double rate;       // frames per second of a film; 0: derived from time_delta
+    double rate;       // frames per second of a film; 0 if it follows from time_delta
     float mouse[4];    // Shadertoy's iMouse; zeros for a file
     float date[4];     // Shadertoy's iDate: year, month from 0, day, seconds of the day
     int samples;       // along each side of a pixel
-    float digits;      // least height of a figure's digits, pixels; 0: from the picture's height
-    int pixel[2];      // of the selected ray, 0,0 bottom left; -1,-1: none (a slice: the middle)
-    const struct renderer_eye *eye; // where the selected ray starts; NULL: at the camera
-    const double *lens;             // values that replace renderer_lens; NULL: the parameters' own
-    const struct strokes *strokes;  // on the chapter's volume; NULL: none
-    float zoom;                     // of the slice view; 1, or 0: the whole march
+    float digits; // least height of a figure's digits, pixels; 0 if the picture's height decides
+    int pixel[2]; // of the selected ray, 0,0 bottom left; -1,-1 if there is none
+    const struct renderer_eye *eye; // where the selected ray starts; NULL for the camera
+    const double *lens; // values that replace renderer_lens; NULL for the parameters' own
+    const struct strokes *strokes; // on the chapter's volume; NULL if there is none
+    float zoom;                    // of the slice view; 1 or 0 for the whole march
     float shown; // steps of the selected ray's march that are shown, with a fraction of the next
-                 // one; 0: all
+                 // one; 0 for all
 };
 
 // Two pictures side by side: a divider separates the columns of the first from those of the second.
@@ -62,7 +62,7 @@ struct comparison {
     double divider;         // fraction of the width that the first picture has, 0 to 1
     const char *const *own; // NAME=VALUE: the parameters that the second sets itself. Not owned
     int own_count;
-    const char *label[2]; // their names; NULL: the parameters tell them apart. Not owned
+    const char *label[2]; // their names; NULL if the parameters tell them apart. Not owned
     bool gripped;         // the divider can be dragged, and shows a grip
 };
 
@@ -126,8 +126,8 @@ struct renderer {
     struct target points;          // where the handles are in the picture
     struct target coarse;          // of the coarse pass, one texel per block
     struct enlarge enlarge;        // shows a small picture in a large window
-    struct comparison *comparison; // not owned; NULL: a single picture
-    const struct overlay *overlay; // drawn over every written picture; not owned; NULL: none
+    struct comparison *comparison; // not owned; NULL for a single picture
+    const struct overlay *overlay; // drawn over every written picture; not owned; may be NULL
 };
 
 // ---- Open, load, close ----
@@ -207,7 +207,7 @@ bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inp
 struct march {
     int pixel[2];
     int steps; // number of steps in renderer->table
-    float at;  // the step that is shown, from 0, with a fraction of the next one; -1: none
+    float at;  // the step that is shown, from 0, with a fraction of the next one; -1 for none
     enum probe_end end;
     struct slice_frame frame;
     struct plot_frame plot;        // of a plot, below the slice
@@ -223,7 +223,7 @@ bool renderer_march(struct renderer *renderer, const struct renderer_inputs *inp
                     struct probe *probe);
 
 // March the selected ray, or the middle one if none is selected, and find the frame that shows it.
-//   beside  a second renderer, whose distances a plot must have room for too; NULL: none
+//   beside  a second renderer, whose distances a plot must have room for too; NULL if there is none
 // Returns false after reporting the error.
 bool renderer_march_selected(struct renderer *renderer, struct renderer *beside,
                              const struct renderer_inputs *inputs, struct march *march);

@@ -35,7 +35,7 @@ struct sculpture_aim {
 struct sculpture_tool {
     const char *texture; // the sampler3D whose volume it changes
     int size[3];         // texels of the volume
-    const char *amount;  // the parameter that is a new stroke's amount; 0: the tool is put away
+    const char *amount;  // the parameter that is a new stroke's amount; 0 puts the tool away
     // Find the point of a stroke.
     //   volume  as it was when the stroke began: four bytes for each texel, x fastest, then y
     //           upwards, then z
@@ -53,7 +53,7 @@ struct sculpture_tool {
 
 // The volume of a renderer. It is closed if everything but its tool is zero.
 struct sculpture {
-    const struct sculpture_tool *tool; // NULL: none
+    const struct sculpture_tool *tool; // NULL if there is none
     // The volume as in the file, before the last stroke, and now; NULL until there is a stroke.
     // Owned.
     unsigned char *original, *before, *now;
@@ -85,7 +85,7 @@ void strokes_free(struct strokes *strokes);
 // Carry out the strokes that the texture does not have yet.
 //   textures, samplers, source  of the shader, which may lack the tool's texture: then nothing is
 //                               done
-//   strokes                     NULL: none
+//   strokes                     NULL if there is none
 // Returns false after reporting the error: the picture cannot be read again, or its size is not the
 // one that the tool needs.
 bool sculpture_follow(struct sculpture *sculpture, const struct gl *gl,

@@ -39,7 +39,8 @@ float slice_cell(int height);
 // Frame a march: from behind the eye to a little past its end. A ray that passed the far limit is
 // shown to a little past its point nearest to the scene, or, if that point is its start, a little
 // past its last step.
-//   zoom  1, or 0: as above; z: z times as large, around the point nearest to the scene
+//   zoom  1 or 0 frames the march as above; z enlarges it z times, around the point nearest to
+//         the scene
 struct slice_frame slice_frame_of(const struct probe *probe, int width, int height, float zoom);
 
 // Frame the distances of the steps that a slice shows, including 0 and negative ones.

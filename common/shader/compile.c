@@ -59,7 +59,7 @@ static GLuint compile(const struct gl *gl, GLenum stage, const char *text)
 // wait for the driver.
 struct begun {
     char *text[2];            // of its stages, owned; NULL if the caller has them
-    GLuint stage[2], program; // 0: not begun
+    GLuint stage[2], program; // 0 before they have begun
 };
 
 static void begin(const struct gl *gl, struct begun *one, const char *vertex, const char *fragment)

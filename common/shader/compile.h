@@ -38,7 +38,7 @@ enum shader_step { SHADER_COMPILE_VERTEX, SHADER_COMPILE_FRAGMENT, SHADER_LINK }
 // Compile and link two texts unchanged.
 //   step  receives the step that failed, or SHADER_LINK
 //   log   receives the driver's log of the step that failed, which the caller frees, or NULL
-// Returns the program, owned by the caller, or 0, not reported.
+// Returns the program, owned by the caller, or 0 without reporting an error.
 GLuint shader_link_texts(const struct gl *gl, const char *vertex, const char *fragment,
                          enum shader_step *step, char **log);
 

@@ -126,7 +126,7 @@ struct glsl_name *glsl_name(const struct glsl *code, const char *word);
 int glsl_mentions(const struct glsl *code, const char *word);
 
 // For a word, respectively: its first live mention in the text; its next mention among the
-// statements after a token (NULL: the first mention); its mention as the name in a function's
+// statements after a token (NULL for the first mention); its mention as the name in a function's
 // definition; its first call, which is neither a prototype nor a definition. NULL if there is none.
 const struct glsl_token *glsl_find(const struct glsl *code, const char *word);
 const struct glsl_token *glsl_find_next(const struct glsl *code, const struct glsl_token *after,

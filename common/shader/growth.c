@@ -10,7 +10,7 @@
 struct body {
     const struct glsl_token *from, *end;
     int name;
-    int next;      // another definition of the same name; -1: none
+    int next;      // another definition of the same name; -1 if there is none
     bool function; // not a macro
 };
 
@@ -19,10 +19,10 @@ struct growth {
     struct body *body;
     int bodies;
     struct size {
-        int body;      // index of its last definition; -1: none
+        int body;      // index of its last definition; -1 if there is none
         int uses;      // of a macro: how often it repeats one argument, at most
         int mentions;  // in the macro being counted
-        double tokens; // that one mention expands to, without arguments; 0: not known yet
+        double tokens; // that one mention expands to, without arguments; 0 if it is not known yet
     } * of;            // of each name
 };
 
@@ -87,7 +87,7 @@ static void add_bodies(struct growth *growth)
 }
 
 // The number of tokens that a part of the text expands to.
-//   heaviest  receives the word that expands to the largest part; NULL: not wanted
+//   heaviest  receives the word that expands to the largest part, unless it is NULL
 static double tokens_of(struct growth *growth, const struct glsl_token *from,
                         const struct glsl_token *end, int depth,
                         const struct glsl_token **heaviest);

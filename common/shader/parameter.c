@@ -232,7 +232,7 @@ void parameter_reset(struct parameter *parameter)
 
 // ---- Samplers ----
 
-// True if a sampler has the name in NAME=FILE; otherwise reported.
+// True if a sampler has the name in NAME=FILE; otherwise reports an error.
 static bool knows(const struct samplers *samplers, const char *assignment)
 {
     size_t length = strcspn(assignment, "=");

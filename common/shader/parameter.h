@@ -56,7 +56,7 @@
 struct sampler {
     char name[64];
     int file;          // the picture, among the files of the source
-    int line;          // of the source's text that declares it, from 0; -1: a channel
+    int line;          // of the source's text that declares it, from 0; -1 for a channel
     bool srgb, repeat; // otherwise linear, clamp
     int slices;        // of a volume; 0 for a picture
     char meaning[200];

@@ -211,7 +211,7 @@ static void export_output(struct translation *t, struct declared *at, bool certa
 }
 
 // The first live mention of a word, outside parentheses, in a macro that contains more than this
-// word; or NULL.
+// word. Returns NULL if there is none.
 static const struct glsl_token *find_hidden(const struct glsl *code, const char *word)
 {
     int depth = 0;

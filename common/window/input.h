@@ -56,7 +56,7 @@ enum window_button_state { BUTTON_UP, BUTTON_PRESSED, BUTTON_DRAGS };
 struct window_input {
     GLFWwindow *window;
     // Called as soon as the window must be drawn again, because GLFW may not return while the user
-    // resizes the window. NULL: not called.
+    // resizes the window. It may be NULL.
     void (*show)(void *to);
     void *to; // its argument
     // Since the last window_input_forget:

@@ -124,7 +124,7 @@ struct window {
     struct {
         enum panel_grab what;
         int button;         // of the last press: 0 left, 1 right
-        int part;           // the component of the selected parameter; -1: all
+        int part;           // the component of the selected parameter; -1 for all
         double fraction[4]; // of each component in its range, as dragged
         float width;        // of the row
         char typed[128];    // while input.typing
@@ -132,7 +132,7 @@ struct window {
         char refused[512];  // why the typed value is refused
         double notches;     // of the wheel, the fraction that has not acted yet
         int choice;         // the view or the button that was pressed
-        int hovered;        // the parameter below the pointer; -1: none
+        int hovered;        // the parameter below the pointer; -1 if there is none
         float at[2];        // the pointer, units of the overlay; negative: outside
         double rests_since;
         bool tip;                // its tooltip is shown
@@ -144,7 +144,7 @@ struct window {
     struct {
         struct handle item[HANDLES_MOST]; // as the last frame shows them
         int count;
-        int focused;                 // -1: none
+        int focused;                 // -1 if there is none
         bool moving;                 // the focused one moves to the target
         double offset[2], target[2]; // from the pointer to the handle; pixels
     } handles;

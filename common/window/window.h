@@ -25,7 +25,7 @@ void window_show(struct window *window, const struct window_start *start, bool a
 
 // In a lecture: 1 if the speaker has asked for the next scene since the last call, -1 for the one
 // before, or 0.
-//   part  receives the part of the lecture that was asked for, from 1; 0: none
+//   part  receives the part of the lecture that was asked for, from 1; 0 if there is none
 int window_asked(struct window *window, int *part);
 
 // True if a moment of computing disturbs nobody: the last turn has drawn nothing, or a moving

@@ -8,7 +8,7 @@
 // A picture without one method, to show what that method gains.
 struct report_variant {
     const char *name;
-    const char *setting; // NAME=VALUE, or NULL: nothing is left out
+    const char *setting; // NAME=VALUE, or NULL if nothing is left out
 };
 
 enum { REPORT_SCENES = 3, REPORT_SETTINGS = 2, REPORT_VARIANTS = 5 };

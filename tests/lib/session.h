@@ -65,7 +65,7 @@ void session_assert_screenshot(const char *stem, const char *options);
 void session_keep(int number);
 
 // The share of pixels that differ by more than rounding between what the window shows and what was
-// stored, in a part of both: x, y, width, height from the top left; NULL: everywhere.
+// stored, in a part of both: x, y, width, height from the top left; NULL for everywhere.
 double session_off(int number, const int part[4]);
 
 // The bounding box of these pixels: x, y, width, height. Returns their number.

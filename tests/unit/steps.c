@@ -85,7 +85,7 @@ TEST(a_film_is_between_two_steps)
 static const struct camera second = {.position = {3.6f, 1.9f, 2.2f}, .pan = -58.0f, .tilt = -20.0f};
 
 // The position of a point in the picture of a perspective or a parallel view, in double precision.
-//   half  half the height that a parallel view shows; 0: perspective
+//   half  half the height that a parallel view shows; 0 for perspective
 static bool project(const struct camera *camera, const float p[3], double half, double place[2])
 {
     struct camera_basis basis = camera_basis_of(camera);

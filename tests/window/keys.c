@@ -281,7 +281,7 @@ SESSION_TEST(a_still_window_rests)
     assert_in_range(user.waits, 80, 100);
 }
 
-// The last value of a hint; -1: it was not given.
+// The last value of a hint; -1 if it was not given.
 static int hinted(int hint)
 {
     int value = -1;
