@@ -241,8 +241,8 @@ static void take_pictures(struct lecture *lecture, struct scene *to)
     }
 }
 
-// Read a scene's shaders again, with its values, and compile what has changed. Returns false,
-// reported with the scene's line.
+// Read a scene's shaders again, with its values, and compile what has changed. Returns false after
+// reporting the error with the scene's line.
 static bool compile(struct lecture *lecture, struct scene *scene)
 {
     begin_line(lecture, scene->line);

@@ -27,9 +27,10 @@ struct lecture;
 //   lecture          receives what lecture_close frees, whatever the status is
 //   path             of the list
 //   chapters, count  must outlive the lecture
-// Returns RUN_DONE; RUN_WRONG_COMMAND_LINE, reported with the line: an unknown chapter, a wrong
-// option, an option that is not for a window, a quote without an end, a sentence without a scene,
-// no scene, no such file; RUN_NOT_DONE, reported: a shader cannot be read.
+// Returns RUN_DONE, or after reporting the error RUN_NOT_DONE if a shader cannot be read, and
+// RUN_WRONG_COMMAND_LINE with the line for an unknown chapter, a wrong option, an option that is
+// not for a window, a quote without an end, a sentence without a scene, a list without scenes, or a
+// missing file.
 int lecture_read(struct lecture **lecture, const char *path, const struct lecture_chapter *chapters,
                  int count);
 

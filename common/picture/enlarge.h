@@ -39,7 +39,7 @@ struct enlarge {
 // Fill the framebuffer that is bound for drawing with a target's picture, clamped to [0, 1].
 //   target         of any size
 //   width, height  of the framebuffer, pixels
-// Returns false after reporting the error: the driver rejects the program.
+// Returns false after reporting the error if the driver rejects the program.
 bool enlarge_draw(struct enlarge *enlarge, const struct gl *gl, enum enlarge_filter filter,
                   const struct target *target, int width, int height);
 

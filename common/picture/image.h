@@ -35,8 +35,7 @@ void image_store(struct image *image, const float *values, int bottom, int rows)
 bool image_write_png(const struct image *image, const char *path);
 
 // Check before rendering whether image_write_png could write a file. Returns false after reporting
-// the error: a missing folder, a target that is not a regular file, a folder without write
-// permission.
+// the error if the folder is missing or write-protected, or the target is not a regular file.
 bool image_check_target(const char *path);
 
 // The contents of a PNG.

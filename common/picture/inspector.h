@@ -23,7 +23,8 @@ struct inspector_room {
     float left, top, right, bottom;
 };
 
-// A table as it was drawn: its edges, and its steps, one per line. A struct of zeros: no table.
+// A table as it was drawn: its edges, and its steps, one per line. In a struct of zeros there is no
+// table.
 struct inspector_table {
     float left, top, right, bottom; // units, as in struct inspector_room
     float row;                      // the upper edge of the first step's line

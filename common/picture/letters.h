@@ -39,7 +39,7 @@ struct letter {
 // An atlas of letters at one scale, each drawn when it is first needed. A struct of zeros is empty.
 struct letters {
     float scale;          // pixels per unit
-    unsigned char *pixel; // owned: LETTERS_ROW x rows, row 0 on top; 255: completely covered
+    unsigned char *pixel; // owned: LETTERS_ROW x rows, row 0 on top; 255 where completely covered
     int rows;
     bool grown;                  // has new images since the caller set it to false
     struct letters_known *known; // owned

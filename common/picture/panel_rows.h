@@ -24,7 +24,7 @@ struct panel {
     const struct parameter *selected; // the selected parameter, which the arrow keys change
     double rate, milliseconds;        // frames per second, and the duration of one frame
     double time;                      // seconds
-    int resolution; // percent of each side at which the picture is drawn; 0 and 100: full
+    int resolution; // percent of each side at which the picture is drawn; 0 means 100
     int sharp;      // percent of the picture that is already sharp
     bool timed;     // the picture depends on the time
     bool paused;

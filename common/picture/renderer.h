@@ -146,15 +146,15 @@ void renderer_close(struct renderer *renderer);
 bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters);
 
-// Choose the view, in both pictures of a comparison; links it if it is new. Returns false,
-// reported, and keeps the old view if a shader has no such view or the view does not link.
+// Choose the view, in both pictures of a comparison; links it if it is new. If a shader has no such
+// view or the view does not link, reports the error, keeps the old view and returns false.
 bool renderer_set_view(struct renderer *renderer, enum shader_view view);
 
 // ---- Draw and read pictures ----
 
 // Draw rows [bottom, bottom + rows) of the picture into the float target, tile by tile, as the mean
 // of samples x samples jittered passes. Row 0 is the bottom row.
-// Returns false after reporting the error: no memory for the target, no float target.
+// Returns false after reporting the error if there is no memory for the target or no float target.
 bool renderer_draw(struct renderer *renderer, const struct renderer_inputs *inputs, int bottom,
                    int rows);
 
@@ -168,7 +168,7 @@ bool renderer_sharpen(struct renderer *renderer, const struct renderer_inputs *i
 // Copy the picture of renderer_draw into the window's framebuffer: pixel by pixel if the sizes are
 // equal, otherwise through a filter.
 //   width, height  of the framebuffer, pixels
-// Returns false after reporting the error: the driver rejects the filter.
+// Returns false after reporting the error if the driver rejects the filter.
 bool renderer_present(struct renderer *renderer, enum enlarge_filter filter, int width, int height);
 
 // Copy rows [from, from + rows) of the picture of renderer_sharpen into the window's framebuffer,
@@ -199,7 +199,7 @@ struct renderer_eye renderer_eye_of(const struct renderer *renderer,
 // March the ray of pixel (x, y), 0,0 bottom left, from inputs->eye, and read back every step, its
 // position in the picture, and the pixel's colour in the current view, or in the picture if the
 // view is slice or plot. For a file with its own main, only the colour is known. Returns false
-// after reporting the error: the driver failed.
+// after reporting the error if the driver fails.
 bool renderer_probe(struct renderer *renderer, const struct renderer_inputs *inputs, int x, int y,
                     struct probe *probe);
 

@@ -9,7 +9,7 @@
 // the program, which the first call begins. Each call waits for the GPU.
 //   inputs  of the picture that is shown, with the camera before the move
 //   to      where the camera is going; receives where it stops
-// Returns false, reported, and leaves to unchanged, if the program does not link.
+// If the program does not link, reports the error, leaves to unchanged and returns false.
 bool room_keep(struct renderer *renderer, const struct renderer_inputs *inputs, float to[3]);
 
 #endif

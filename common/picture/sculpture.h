@@ -86,8 +86,8 @@ void strokes_free(struct strokes *strokes);
 //   textures, samplers, source  of the shader, which may lack the tool's texture: then nothing is
 //                               done
 //   strokes                     NULL if there is none
-// Returns false after reporting the error: the picture cannot be read again, or its size is not the
-// one that the tool needs.
+// Returns false after reporting the error if the picture cannot be read again, or its size is not
+// the one that the tool needs.
 bool sculpture_follow(struct sculpture *sculpture, const struct gl *gl,
                       const struct textures *textures, const struct samplers *samplers,
                       const struct shader_source *source, const struct strokes *strokes);

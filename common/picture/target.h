@@ -35,7 +35,7 @@ void target_open(struct target *target, const struct gl *gl, GLenum format);
 void target_close(struct target *target, const struct gl *gl);
 
 // Bind a target to draw into. If its size changes, its pixels are undefined.
-// Returns false after reporting the error: the driver has no float target, or none of that size.
+// Returns false after reporting the error if the driver has no float target, or none of that size.
 bool target_bind(struct target *target, const struct gl *gl, int width, int height);
 
 // Read a target: 4 floats per pixel, bottom row first. It stays bound for reading.

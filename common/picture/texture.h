@@ -26,7 +26,7 @@ struct texture_image {
 //            the top, and each is upright
 //   why      receives one phrase on failure: that of image_read_bytes, slices that do not fit, no
 //            memory
-// Then returns false without reporting an error. Free with texture_image_free.
+// Returns false without reporting an error if that fails. Free with texture_image_free.
 bool texture_image_read(struct texture_image *image, const struct sampler *sampler,
                         const char *path, char why[IMAGE_WHY]);
 void texture_image_free(struct texture_image *image);
@@ -46,8 +46,8 @@ struct textures {
 // Read the pictures of all samplers, in their order. Textures are filtered linearly, within a level
 // and between levels.
 //   source  of the samplers
-// Returns false, reported with file and line: texture_image_read failed, or the driver has too
-// little memory or too few units. Free with textures_free in the same context.
+// Returns false after reporting the error with file and line: texture_image_read failed, or the
+// driver has too little memory or too few units. Free with textures_free in the same context.
 bool textures_load(struct textures *textures, const struct gl *gl, const struct samplers *samplers,
                    const struct shader_source *source);
 void textures_free(struct textures *textures, const struct gl *gl);

@@ -39,7 +39,7 @@ bool annotation_accept(struct annotation *a, char c);
 bool annotation_accept_word(struct annotation *a, const char *word);
 
 // Copy the next length bytes of the comment, without the blanks around them. Returns false after
-// reporting the error: there are none, or too many.
+// reporting the error if there are none or too many.
 //   part  what these bytes are, for messages
 bool annotation_copy(struct annotation *a, const char *part, char *to, size_t size, size_t length);
 

@@ -30,9 +30,10 @@ enum shader_view {
 // and defines no main. Any other file with a #version is a whole one, with its own main, and so is
 // a file that defines main and includes nothing. All others, and the output of --print-shader, are
 // in the course's dialect.
-// Returns false, reported with file and line: anything that shader_expand or translate refuses; a
-// file of another kind; nothing but comments; an array whose literal size exceeds 65536; more
-// tokens than growth.h allows; a #version above an include of main.glsl. Free with shader_free.
+// Returns false after reporting the error with file and line: anything that shader_expand or
+// translate refuses; a file of another kind; nothing but comments; an array whose literal size
+// exceeds 65536; more tokens than growth.h allows; a #version above an include of main.glsl. Free
+// with shader_free.
 bool shader_read_asked(struct shader_source *source, const char *path, const char *root,
                        const struct shader_request *request);
 
@@ -42,7 +43,8 @@ bool shader_read(struct shader_source *source, const char *path, const char *roo
 // True for the views of one ray's march, whose pixels are not those of the picture.
 bool shader_shows_ray(enum shader_view view);
 
-// The name of a view ("steps"), and the view of a name (false if unknown, not reported).
+// The name of a view ("steps"), and the view of a name. The latter returns false without a report
+// if the name is unknown.
 const char *shader_view_name(enum shader_view view);
 bool shader_view_from_name(const char *name, enum shader_view *view);
 

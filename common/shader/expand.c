@@ -202,7 +202,7 @@ static void end_lines(struct shader_source *source, struct shader_line *from)
 // Obey a directive that is not meant for the driver: it becomes a comment, or a uniform. #line
 // becomes a comment too, because it would make the driver blame another line.
 //   line  moves past the directive
-//   done  receives false after an error, reported
+//   done  receives false after an error, which has been reported
 // Returns false for any other line.
 static bool take_directive(struct expansion *e, struct shader_line *from, const char **line,
                            bool *done)

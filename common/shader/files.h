@@ -5,7 +5,7 @@
 #include "platform.h"
 #include "shader/source.h"
 
-// Pass a path that is read or tried to the request's function see.
+// Pass a path that is read or tried to the function see of the request.
 void files_tell(const struct shader_source *source, const char *path);
 
 // The folder of a resolved path.

@@ -95,10 +95,11 @@ struct parameters {
 // Read the parameters and the samplers of a source, in the order of the text. In dialects other
 // than the course's, a malformed annotation declares nothing, and the samplers are the pictures of
 // the request's channels and those that the text names.
-// Returns false, reported with file and line. For a comment that begins with a value: no range, a
-// value outside it, a wrong number of values, an unknown type, no meaning. For a sampler: no such
-// comment, a malformed one, a type other than sampler2D and sampler3D, a declaration in a structure
-// or a macro, a missing file. For both: a name that is declared twice. Free with parameters_free.
+// Returns false after reporting the error with file and line. For a comment that begins with a
+// value: no range, a value outside it, a wrong number of values, an unknown type, no meaning. For a
+// sampler: no such comment, a malformed one, a type other than sampler2D and sampler3D, a
+// declaration in a structure or a macro, a missing file. For both: a name that is declared twice.
+// Free with parameters_free.
 bool parameters_read(struct parameters *parameters, struct shader_source *source);
 
 // True if the declaration of a uniform has a well-formed comment that makes it a parameter.

@@ -64,10 +64,11 @@ struct shader_source {
 // Two directives of Shader Toy, an extension of VS Code, are understood: #iUniform becomes an
 // annotated uniform, and #iChannel0 names a picture next to its file, or tells what the channel
 // was.
-// Returns false, reported in one line with file and line: a file that is missing, unreadable,
-// empty, binary (has a zero byte) or larger than 1 MiB, or than 8 MiB with its includes; an include
-// that is malformed, is missing, includes itself or leaves these folders; a missing picture; a
-// #version that does not come first; a comment that is never closed. Free with shader_free.
+// Returns false after reporting the error in one line with file and line: a file that is missing,
+// unreadable, empty, binary (has a zero byte) or larger than 1 MiB, or than 8 MiB with its
+// includes; an include that is malformed, is missing, includes itself or leaves these folders; a
+// missing picture; a #version that does not come first; a comment that is never closed. Free with
+// shader_free.
 bool shader_expand(struct shader_source *source, const char *path, const char *root,
                    const struct shader_request *request);
 

@@ -9,7 +9,7 @@
 
 // Open a regular file for reading.
 //   why  receives one phrase if it cannot be read
-// Then returns NULL without reporting an error.
+// Returns NULL without reporting an error if it cannot be read.
 FILE *text_file_open(const char *path, char why[TEXT_FILE_WHY]);
 
 // Read a text file. Drops a byte-order mark and carriage returns, adds a missing line end at the

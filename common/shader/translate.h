@@ -19,9 +19,10 @@ enum translate_target { TRANSLATE_DRIVER, TRANSLATE_SHADERTOY };
 //   prelude  receives the lines before the text; for Shadertoy, the inputs that it lacks, or NULL
 //            if the file's own mainImage can be called
 //   body     receives the text; the caller frees both
-// Returns false, reported with file and line: an unknown input; an input or a uniform of a type
-// that cannot be set; a texture that is read but has no picture; an output that is not a colour, or
-// several of which none is at location 0; for Shadertoy, anything else that WebGL lacks.
+// Returns false after reporting the error with file and line: an unknown input; an input or a
+// uniform of a type that cannot be set; a texture that is read but has no picture; an output that
+// is not a colour, or several of which none is at location 0; for Shadertoy, anything else that
+// WebGL lacks.
 bool translate(struct shader_source *source, enum translate_target target, char **prelude,
                char **body);
 

@@ -14,7 +14,7 @@ enum window_event_kind {
     EVENT_TYPED,        // amount: a character's code, or INPUT_ENTER and the like
     EVENT_PRESS,        // amount: 0 the left button, 1 the right one
     EVENT_DOUBLE_PRESS, // the second press of a double click
-    EVENT_RELEASE,      // amount: 1 a click; 0 the end of a drag, or the window lost the focus
+    EVENT_RELEASE, // amount: 1 for a click; 0 if a drag has ended or the window has lost the focus
     // Consecutive events of one of these kinds are merged, and their movements added up.
     EVENT_WHEEL, // movement: notches, away from the user positive
     EVENT_LOOK,  // movement: pixels of the captured pointer to the right and down

@@ -98,7 +98,7 @@ TEST(before_a_ball_it_is_near)
     assert_true(sum < 0.02 * CASES && sum < 0.1 * cone);
 }
 
-// The same ray from two starts: its marches end at one point, those of marchCone at two.
+// From two starts on the same ray, both marches end at one point, but those of marchCone at two.
 TEST(another_start_ends_in_the_same_place)
 {
     float *first = marches(BALL, 0.0, 0.0), *second = marches(BALL, 0.0, 4.0);

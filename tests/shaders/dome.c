@@ -36,7 +36,8 @@ static void judge(const char *what, const float *values, int sunset, int night)
             for (int azimuth = 0; azimuth < AZIMUTHS; azimuth++) {
                 double here = shown(values, hour, azimuth, row);
                 darkest = fmin(darkest, here);
-                // From 80 degrees on, compared with 5 degrees lower, by day: there is no star.
+                // By day there are no stars. From 80 degrees on, compare with the ring 5 degrees
+                // lower.
                 if (row >= 320 && hour > 16 && hour < 48)
                     spot = fmax(spot, here / (mean_of(values, hour, row - 20, row - 19) + 0.02));
             }

@@ -48,7 +48,7 @@ static int judge_files(const char *with, char **path)
     return status;
 }
 
-// A whole file, which the caller frees; NULL, reported, on failure.
+// A whole file, which the caller frees, or NULL after reporting the error.
 static char *read_text(const char *path)
 {
     enum { MOST = 1 << 22 };
