@@ -319,6 +319,10 @@ run: ready ## open a chapter in a window: make run CHAPTER=03 OPTIONS='--time 2'
 play: ready ## open your own shader in a window: make play FILE=my.frag; without FILE, create and open chapters/play.frag
 	@.make/play.sh $(OPTIONS)
 
+bake: ready ## show a mesh of your own in chapter 23: make bake MESH=my.obj computes its distance, build/my.png
+	+@$(AGAIN) $(BUILD)/shaders/textures/clay$(EXE)
+	@.make/bake.sh $(OPTIONS)
+
 lecture: ready ## show the scenes of docs/lecture.txt, or of your own list, full screen: make lecture LIST=my.txt
 	+@$(AGAIN) lecture_program
 	@.make/lecture.sh
@@ -478,7 +482,7 @@ references: ready ## regenerate the references, or those of CHAPTER=03, that are
 	@tests/pictures/references.sh update
 
 always:
-.PHONY: all programs tests fuzzer lecture_program ready run play lecture slides handouts check marks student questions compare diff film gallery benchmark book setup clean help test \
+.PHONY: all programs tests fuzzer lecture_program ready run play bake lecture slides handouts check marks student questions compare diff film gallery benchmark book setup clean help test \
         test-all test-fresh test-gpu fuzz mutants lint format chapter docs figures figure_programs textures texture_programs \
         references web test-web test-windows site serve module windows windows-zip always
 .DELETE_ON_ERROR:

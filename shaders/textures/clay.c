@@ -1,8 +1,14 @@
 // The distance to a clay elephant at the points of a grid, 64 slices of 64 x 64, from -1 to 1 on
 // each axis: x to the right, y upwards, z from slice to slice. Red is the high byte, green the low
 // one. It is read with linear and clamp, texel by texel.
+//
+// With the name of an OBJ file, the distance to its mesh instead, which must be closed.
+#include <errno.h>
+#include <string.h>
+
 #include "elephant.h"
 #include "mesh_distance.h"
+#include "mesh_obj.h"
 #include "paint.h"
 
 static struct mesh_tree tree;
@@ -19,9 +25,35 @@ static void texel(double u, double v, double value[3])
     value[2] = 0.0;
 }
 
-int main(void)
+// Read a mesh and let it stand where the elephant does. Returns the exit status.
+static int read_mesh(const char *path, struct triangles *triangles)
 {
-    struct triangles triangles = elephant_mesh(3);
+    static const double low[3] = {-0.9, -0.562, -0.9}, high[3] = {0.9, 0.9, 0.9};
+    FILE *file = fopen(path, "rb");
+    const char *why = file != NULL ? mesh_read_obj(file, triangles) : strerror(errno);
+    if (file != NULL)
+        fclose(file);
+    if (why != NULL) {
+        fprintf(stderr, "clay: %s: %s\n", path, why);
+        return 1;
+    }
+    mesh_fit(triangles, low, high);
+    return 0;
+}
+
+int main(int argc, char **argv)
+{
+    struct triangles triangles = {0};
+    if (argc > 2) {
+        fprintf(stderr, "clay: usage: clay [MESH.obj] >PICTURE.png\n");
+        return 2;
+    }
+    if (argc == 1)
+        triangles = elephant_mesh(3);
+    else if (read_mesh(argv[1], &triangles) != 0) {
+        triangles_free(&triangles);
+        return 1;
+    }
     tree = mesh_tree_build(&triangles);
     int status =
         paint_texture(ELEPHANT_SIDE, ELEPHANT_SIDE * ELEPHANT_SIDE, 1, PAINT_NUMBERS, texel);

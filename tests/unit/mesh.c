@@ -1,13 +1,15 @@
-// mesh.c - shaders/textures/mesh.c and mesh_distance.c: the distance to the clay elephant's mesh,
-// compared with the distance to every triangle; its sign, compared with the solid angle of the
-// whole mesh; and the sign at a sharp corner.
+// mesh.c - shaders/textures/mesh.c, mesh_distance.c and mesh_obj.c: the distance to the clay
+// elephant's mesh, compared with the distance to every triangle; its sign, compared with the solid
+// angle of the whole mesh; the sign at a sharp corner; and meshes from files.
 #include "lib/test.h"
 
 #include "textures/elephant.h"
 #include "textures/mesh_distance.h"
+#include "textures/mesh_obj.h"
 #include "textures/paint.h"
 #include "textures/sweep.h"
 #include "lib/mirror.h"
+#include "lib/system.h"
 
 enum { POINTS = 10000 };
 
@@ -239,6 +241,106 @@ TEST(sweeping_keeps_a_plane)
     sweep_distances(value, NULL, (const int[]){FEW, FEW, FEW}, 1.0);
     for (int i = 0; i < FEW * FEW * FEW; i++)
         assert_true(fabs(value[i] - (i % FEW - 4.3)) < 1e-12);
+}
+
+// ---- Meshes from files ----
+
+static const char *read_text(const char *text, struct triangles *triangles)
+{
+    FILE *file = system_open_scratch();
+    fputs(text, file);
+    rewind(file);
+    const char *why = mesh_read_obj(file, triangles);
+    fclose(file);
+    return why;
+}
+
+static const char tetrahedron[] = "# a comment\nv 1 1 1\nv 1 -1 -1\nv -1 1 -1 1.0\r\nv -1 -1 1\n"
+                                  "vn 0 0 1\nf 1/1/1 2//1 3\nf 1 3 4\nf -4 -1 -3\nf 2 4 3\n";
+
+// The elephant's mesh, written with four corners for each face, is read again.
+TEST(an_obj_file_is_the_mesh_that_was_written)
+{
+    struct triangles t = elephant_mesh(1), read;
+    FILE *file = system_open_scratch();
+    for (int i = 0; i < t.vertices; i++)
+        fprintf(file, "v %.17g %.17g %.17g\n", t.vertex[i][0], t.vertex[i][1], t.vertex[i][2]);
+    for (int i = 0; i < t.count; i += 2) { // the two triangles of a square share a diagonal
+        const int *a = t.corner[i], *b = t.corner[i + 1];
+        int lone = 0, k = 0; // the corner of b that a does not have, and that of a
+        while (b[lone] == a[0] || b[lone] == a[1] || b[lone] == a[2])
+            lone++;
+        while (a[k] == b[0] || a[k] == b[1] || a[k] == b[2])
+            k++;
+        fprintf(file, "f %d %d %d %d\n", b[(lone + 2) % 3] + 1, b[lone] + 1, b[(lone + 1) % 3] + 1,
+                a[k] + 1);
+    }
+    rewind(file);
+    assert_null(mesh_read_obj(file, &read));
+    fclose(file);
+    assert_int_equal(read.count, t.count);
+    assert_memory_equal(read.vertex, t.vertex, (size_t)t.vertices * sizeof *t.vertex);
+    struct mesh_tree tree = mesh_tree_build(&t), other = mesh_tree_build(&read);
+    for (int i = 0; i < 100; i++) {
+        struct d3 p = point_of(&t, 2 * i);
+        const double q[3] = {p.x, p.y, p.z};
+        assert_true(fabs(mesh_distance(&tree, q) - mesh_distance(&other, q)) < 1e-12);
+    }
+    mesh_tree_free(&tree);
+    mesh_tree_free(&other);
+    triangles_free(&t);
+    triangles_free(&read);
+}
+
+// A tetrahedron with all kinds of indices; a mesh that is inside out is turned, and stands on the
+// floor of the box.
+TEST(a_mesh_fits_into_its_box)
+{
+    static const double low[3] = {-0.5, -0.4, -0.5}, high[3] = {0.5, 0.8, 0.5};
+    for (int flip = 0; flip < 2; flip++) {
+        struct triangles t;
+        assert_null(read_text(tetrahedron, &t));
+        assert_int_equal(t.count, 4);
+        for (int i = 0; flip == 1 && i < t.count; i++) {
+            int *corner = t.corner[i], first = corner[0];
+            corner[0] = corner[2];
+            corner[2] = first;
+        }
+        mesh_fit(&t, low, high);
+        struct mesh_tree tree = mesh_tree_build(&t);
+        // The corners are those of a cube with sides of 1, from -0.4 to 0.6; the faces are at a
+        // third of the way from its centre to a corner.
+        assert_true(fabs(mesh_distance(&tree, (const double[3]){0.0, 0.1, 0.0}) +
+                         sqrt(0.75) / 3.0) < 1e-12);
+        assert_true(fabs(mesh_distance(&tree, (const double[3]){0.5, 0.6, 0.5})) < 1e-12);
+        assert_true(fabs(mesh_distance(&tree, (const double[3]){0.5, -1.4, -0.5}) - 1.0) < 1e-12);
+        mesh_tree_free(&tree);
+        triangles_free(&t);
+    }
+}
+
+TEST(files_that_are_no_mesh_are_refused)
+{
+    static const char *const refused[][2] = {
+        {"", "no faces"},
+        {"v 1 2\n", "three numbers"},
+        {"v 1 2 nan\n", "three numbers"},
+        {"v 1 2 3\nf 1 1\n", "three indices"},
+        {"v 1 2 3\nf 1 1 2\n", "precede"},
+        {"v 1 2 3\nf -1 -1 -2\n", "precede"},
+        {"v 1 2 3\nf 0 1 1\n", "precede"},
+        {"v 0 0 0\nv 1 1 1\nv 2 2 2\nf 1 2 3\n", "no area"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "not closed"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\n", "not closed"},
+        {"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\nf 1 2 3\nf 3 2 1\n", "not closed"},
+    };
+    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
+        struct triangles t;
+        const char *why = read_text(refused[i][0], &t);
+        assert_non_null(why);
+        assert_non_null(why != NULL ? strstr(why, refused[i][1]) : NULL);
+        triangles_free(&t);
+    }
 }
 
 TESTS(NULL, NULL)
