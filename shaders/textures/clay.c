@@ -28,7 +28,7 @@ static void texel(double u, double v, double value[3])
 // Read a mesh and let it stand where the elephant does. Returns the exit status.
 static int read_mesh(const char *path, struct triangles *triangles)
 {
-    static const double low[3] = {-0.9, -0.562, -0.9}, high[3] = {0.9, 0.9, 0.9};
+    static const double low[3] = {-0.7, -0.562, -0.7}, high[3] = {0.7, 0.85, 0.7};
     FILE *file = fopen(path, "rb");
     const char *why = file != NULL ? mesh_read_obj(file, triangles) : strerror(errno);
     if (file != NULL)
