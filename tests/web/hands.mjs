@@ -125,6 +125,7 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
         program.call('live_set', 'tool', 0, 0.1);
     });
     now = await comes(page, 's.tool');
+    await page.getByRole('button', {name: 'Undo stroke'}).waitFor({timeout: PATIENCE}).catch(() => {}); // the page shows it after the state has come
     check(`${name}: a tool has a button that undoes its last stroke`, now.tool === true && await page.getByRole('button', {name: 'Undo stroke'}).count() === 1);
     await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
     const still = async () => { // the picture, once it no longer changes
