@@ -8,7 +8,8 @@ set -u
 [ -n "${MESH-}" ] || { echo 'bake: name a mesh: make bake MESH=my.obj' >&2 && exit 2; }
 name=$(basename "$MESH")
 file=build/${name%.obj}.png
-build/shaders/textures/clay "$MESH" >"$file.new" || { rm -f "$file.new" && exit 1; }
+trap 'rm -f "$file.new"' EXIT
+build/shaders/textures/clay "$MESH" >"$file.new" || exit 1
 mv "$file.new" "$file" || exit 1
 echo "written  $file"
 CHAPTER=23 exec .make/run.sh --texture "grid=$file" "$@"

@@ -75,8 +75,8 @@ void options_free(struct options *options);
 // default is not printed.
 struct options_row {
     const char *letter, *name, *value;
-    // Sets the value; text is NULL if it is omitted. Returns false after reporting the error. NULL
-    // if the option has only an action.
+    // Sets the value; text is NULL if it is omitted. Returns false after reporting the error.
+    // An option that has only an action has NULL here.
     bool (*set)(struct options *options, const char *text);
     enum options_action action;
     const char *meaning, *initial;

@@ -41,7 +41,7 @@ struct context {
 
 // Open a context without a window, which draws into targets of its own.
 //   wanted   CONTEXT_ANY tries egl, then osmesa, then a hidden glfw window
-// Otherwise reports in one line why each backend failed, and returns false.
+// If none of them can be opened, reports in one line why each failed, and returns false.
 bool context_open_offscreen(struct context *context, enum context_backend wanted);
 
 // Open a visible, resizable window with a current context.

@@ -121,7 +121,7 @@ struct gl {
 
 // Fill the table for the current context.
 //   find  the backend's lookup: takes "glDrawArrays", returns NULL for a function that it lacks
-// Otherwise reports the name of the first function that is missing, and returns false.
+// If a function is missing, reports the name of the first one and returns false.
 bool gl_load(struct gl *gl, gl_function (*find)(const char *name));
 
 #endif

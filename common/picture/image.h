@@ -51,7 +51,7 @@ struct image_bytes {
 //   most      the largest number of pixels allowed
 //   why       receives one phrase on failure: missing, not a file, not a PNG, cut off, a wrong
 //             checksum, a side above IMAGE_SIDE_LIMIT, no memory
-// Then returns false without reporting an error.
+// Returns false without reporting an error if that fails.
 bool image_read_bytes(struct image_bytes *bytes, const char *path, int channels, size_t most,
                       char why[IMAGE_WHY]);
 

@@ -45,7 +45,7 @@ struct renderer_inputs {
     float date[4];     // Shadertoy's iDate: year, month from 0, day, seconds of the day
     int samples;       // along each side of a pixel
     float digits; // least height of a figure's digits, pixels; 0 if the picture's height decides
-    int pixel[2]; // of the selected ray, 0,0 bottom left; -1,-1 if there is none
+    int pixel[2]; // of the selected ray, 0,0 bottom left; -1,-1 for none: a slice shows the middle
     const struct renderer_eye *eye; // where the selected ray starts; NULL for the camera
     const double *lens; // values that replace renderer_lens; NULL for the parameters' own
     const struct strokes *strokes; // on the chapter's volume; NULL if there is none

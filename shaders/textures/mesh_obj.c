@@ -159,7 +159,7 @@ void mesh_fit(struct triangles *triangles, const double low[3], const double hig
     }
     for (int k = 0; k < triangles->vertices; k++) {
         double *p = triangles->vertex[k];
-        for (int i = 0; i < 3; i++) // upright, it stands on the box's floor
+        for (int i = 0; i < 3; i++) // along y, its lowest point is on the floor
             p[i] = i == 1 ? low[1] + scale * (p[1] - least[1])
                           : 0.5 * (low[i] + high[i]) + scale * (p[i] - 0.5 * (least[i] + most[i]));
     }

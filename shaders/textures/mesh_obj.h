@@ -14,9 +14,9 @@
 // mesh_tree_build needs it. Otherwise returns one phrase that says what is wrong.
 const char *mesh_read_obj(FILE *file, struct triangles *triangles);
 
-// Scale and move a mesh so that it stands in the middle of the floor of a box, y upwards, and is as
-// large as the box allows. A mesh that is inside out, whose volume by the sum
-// of its signed tetrahedra is negative, is turned the right way round.
+// Scale and move a mesh so that it rests on the middle of the floor of a box, with y upwards, and
+// is as large as the box allows. A mesh that is inside out, whose volume by the sum of its signed
+// tetrahedra is negative, is turned the right way round.
 //   low, high  opposite corners of the box
 void mesh_fit(struct triangles *triangles, const double low[3], const double high[3]);
 

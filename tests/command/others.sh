@@ -174,6 +174,25 @@ check 'make play FILE opens a file' opens
 missing() { ! play nowhere.frag && grep -q 'nowhere.frag: no such file' "$scratch/err" && [ ! -e "$scratch/project/nowhere.frag" ]; }
 check 'make play FILE says that a file is missing' missing
 
+# ---- make bake; the program that bakes is not built for Windows ----
+
+if [ "$BUILD" = build ]; then
+    printf '%s\n' 'v -1 0 -1' 'v 1 0 -1' 'v 1 0 1' 'v -1 0 1' 'v 0 1.5 0' 'f 1 2 3 4' 'f 2 1 5' 'f 3 2 5' 'f 4 3 5' 'f 1 4 5' >"$scratch/pyramid.obj"
+    baked=$scratch/project/build/pyramid.png
+    bake() { (cd "$scratch/project" && MESH=${1-} .make/bake.sh -o "$scratch/baked.png" "${size[@]}" >"$scratch/out" 2>"$scratch/err"); }
+    shows_mesh() {
+        bake "$scratch/pyramid.obj" && build/23_stored_distances "${size[@]}" --texture "grid=$baked" -o "$scratch/pyramid.png" &&
+            same baked pyramid && build/23_stored_distances "${size[@]}" -o "$scratch/elephant.png" && ! same baked elephant
+    }
+    check 'make bake shows a mesh' shows_mesh
+    refuses_hole() {
+        cp "$baked" "$scratch/before.png" && sed -i.old '$d' "$scratch/pyramid.obj" && ! bake "$scratch/pyramid.obj" &&
+            grep -q 'not closed' "$scratch/err" && cmp -s "$baked" "$scratch/before.png" && [ ! -e "$baked.new" ]
+    }
+    check 'and refuses one with a hole, and keeps the earlier picture' refuses_hole
+    rm -f "$baked"
+fi
+
 # If no window can be opened, the scripts render into files instead, and say so; commands that need no window still work.
 runs() { (cd "$scratch/project" && .make/run.sh "$@" >"$scratch/out" 2>"$scratch/err"); }
 gallery() { # NAME

@@ -292,7 +292,7 @@ TEST(an_obj_file_is_the_mesh_that_was_written)
     triangles_free(&read);
 }
 
-// A tetrahedron with all kinds of indices; a mesh that is inside out is turned, and stands on the
+// The file has all kinds of indices. A mesh that is inside out is turned, and the mesh touches the
 // floor of the box.
 TEST(a_mesh_fits_into_its_box)
 {

@@ -14,11 +14,11 @@ async function open(name, context = {viewport: {width: 1440, height: 900}}, more
 const runs = (page) => page.waitForFunction(() => document.querySelector('.live-window')?.program?.state().rate > 0);
 // Wait until a scroll has ended: an animation that is still under way may swallow the next one.
 const settled = (page) => page.evaluate(() => new Promise((done) => {
-    let last = -1, same = 0;
+    let last = -1, same = 0, frames = 0;
     const look = () => {
         same = scrollY === last ? same + 1 : 0;
         last = scrollY;
-        same > 10 ? done() : requestAnimationFrame(look);
+        same > 10 || ++frames > 1000 ? done() : requestAnimationFrame(look);
     };
     look();
 }));
