@@ -49,6 +49,7 @@ export async function serve(folder) {
 
 export const PATIENCE = Number(process.env.WEB_PATIENCE || 180e3); // milliseconds after which a state that has not come counts as missing
 
+// Start Chromium. It scrolls at once: a position that is measured during a smooth scroll would depend on the clock.
 //   angle  the renderer: 'gl-egl' is Mesa, 'swiftshader' Chromium's own
 export function launch(angle = 'gl-egl') {
     return chromium.launch({
@@ -56,7 +57,8 @@ export function launch(angle = 'gl-egl') {
         headless: true,
         timeout: PATIENCE,
         env: {...process.env, LIBGL_ALWAYS_SOFTWARE: '1', GALLIUM_DRIVER: 'llvmpipe'},
-        args: [...(angle === 'none' ? ['--disable-gpu'] : ['--use-gl=angle', `--use-angle=${angle}`]), '--no-sandbox', '--ignore-gpu-blocklist', '--enable-unsafe-swiftshader', '--force-color-profile=srgb'],
+        args: [...(angle === 'none' ? ['--disable-gpu'] : ['--use-gl=angle', `--use-angle=${angle}`]), '--no-sandbox', '--ignore-gpu-blocklist', '--enable-unsafe-swiftshader',
+            '--force-color-profile=srgb', '--disable-smooth-scrolling'],
     });
 }
 
