@@ -27,12 +27,12 @@ void svg_end(void);
 
 // The style of lines and shapes.
 struct svg_pen {
-    const char *stroke; // colour; NULL none
-    double width;       // pixels; 0 is 1.5
-    const char *fill;   // colour; NULL none
+    const char *stroke; // colour, or NULL for none
+    double width;       // pixels; 0 means 1.5
+    const char *fill;   // colour, or NULL for none
     const char *dash;   // as SVG's stroke-dasharray; NULL for a solid line
-    double opacity;     // 0 is 1
-    int decimals;       // of the points of a polygon or a path; 0 is 2
+    double opacity;     // 0 means 1
+    int decimals;       // of the points of a polygon or a path; 0 means 2
 };
 
 void svg_line(double x0, double y0, double x1, double y1, struct svg_pen pen);
