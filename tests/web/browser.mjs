@@ -149,6 +149,16 @@ export async function until(page, right) {
     }
 }
 
+// Wait until a condition that asks the page holds. Returns whether it does.
+export async function holds(page, condition) {
+    const begun = Date.now();
+    while (!await condition()) {
+        if (Date.now() - begun > PATIENCE) return false;
+        await frames(page, 2);
+    }
+    return true;
+}
+
 // Wait until a page of the site is laid out, below its first screen too.
 export const whole = (page) => page.waitForFunction(() => !document.querySelector('.quick, .later'));
 

@@ -1,6 +1,6 @@
 // hands.mjs - pages that respond to the hand: a picture that runs in its place, the points of an interactive figure
 // with mouse, finger and keys, numbers in sentences, guesses, the phone, the front page. At 1440 and at 390 pixels.
-import {blankPage, check, finish, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
+import {blankPage, check, finish, holds, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
 
 const server = await serve(SITE), browser = await launch();
 const DESK = {viewport: {width: 1440, height: 900}}, PHONE = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2};
@@ -68,7 +68,7 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     await figure.locator('.live-start')[phone ? 'tap' : 'click']();
     now = await comes(page, 's.handles.length > 2');
     await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
-    const [x, y] = await handle(page, 'ball'), old = await value(page, 'ball');
+    const [x, y] = await handle(page, 'ball');
     const fingers = phone && await page.context().newCDPSession(page), touch = (type, ...at) => fingers.send('Input.dispatchTouchEvent', {type, touchPoints: at.map(([x, y]) => ({x, y}))});
     const scroll = await page.evaluate(() => scrollY);
     if (phone) {
@@ -81,9 +81,7 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
         await page.mouse.move(x + 20, y + 42, {steps: 6});
         await page.mouse.up();
     }
-    now = await comes(page, 's.parameters.find((p) => p.name === "ball").value[1] < v[0] - 0.05', old[1]);
-    const [, moved] = await handle(page, 'ball');
-    check(`${name}: a point follows ${phone ? 'the finger' : 'the mouse'}`, Math.abs(moved - y - 42) < 4, y, moved);
+    check(`${name}: a point follows ${phone ? 'the finger' : 'the mouse'}`, await holds(page, async () => Math.abs((await handle(page, 'ball'))[1] - y - 42) < 4), y, await handle(page, 'ball'));
     check(`${name}: and the page does not scroll`, await page.evaluate(() => scrollY) === scroll);
     if (phone) {
         const box = await page.locator('.live-canvas').boundingBox(), from = [box.x + 12, box.y + box.height - 12], all = JSON.stringify((await state(page)).parameters);
@@ -128,14 +126,10 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
     await page.getByRole('button', {name: 'Undo stroke'}).waitFor({timeout: PATIENCE}).catch(() => {}); // the page shows it after the state has come
     check(`${name}: a tool has a button that undoes its last stroke`, now.tool === true && await page.getByRole('button', {name: 'Undo stroke'}).count() === 1);
     await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
-    const still = async () => { // the picture, once it no longer changes
-        for (let last = '', next; ; last = next) {
-            await page.waitForTimeout(400);
-            next = (await page.locator('.live-canvas').screenshot()).toString('base64');
-            if (next === last) return next;
-        }
-    };
-    const bare = await still(), box = await page.locator('.live-canvas').boundingBox();
+    const shot = async () => (await page.locator('.live-canvas').screenshot()).toString('base64');
+    let bare = ''; // the picture, once it no longer changes
+    for (let next; (next = await shot()) !== bare; bare = next) await page.waitForTimeout(400);
+    const box = await page.locator('.live-canvas').boundingBox();
     const at = (share) => [box.x + (0.42 + share) * box.width, box.y + 0.5 * box.height];
     if (finger) {
         const fingers = await page.context().newCDPSession(page), touch = (type, ...points) => fingers.send('Input.dispatchTouchEvent', {type, touchPoints: points.map(([x, y]) => ({x, y}))});
@@ -148,9 +142,9 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
         await page.mouse.move(...at(0.08), {steps: 4});
         await page.mouse.up();
     }
-    check(`${name}: a drag over the clay adds clay`, await still() !== bare);
+    check(`${name}: a drag over the clay adds clay`, await holds(page, async () => await shot() !== bare));
     await page.evaluate(() => [...document.querySelectorAll('button')].find((one) => one.textContent.trim() === 'Undo stroke' || one.title === 'Undo stroke' || one.ariaLabel === 'Undo stroke').click());
-    check(`${name}: which the button undoes`, await still() === bare);
+    check(`${name}: which the button undoes`, await holds(page, async () => await shot() === bare));
     check(`${name}: no error in the console`, said.length === 0, said);
     await page.close();
 }
@@ -172,9 +166,11 @@ now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value
 check('a number that is touched is set in the nearest picture', (await value(page, 'lampHeight'))[0] === 2);
 await page.mouse.move(box.x + 100, box.y + 8, {steps: 5});
 await page.mouse.up();
-now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] > 2.5');
-const height = (await value(page, 'lampHeight'))[0];
-check('when dragged sideways, it grows, in the sentence and in the picture', height > 2.5 && await code.textContent() === `lampHeight=${Number(height.toPrecision(3))}`, height, await code.textContent());
+let height;
+check('when dragged sideways, it grows, in the sentence and in the picture', await holds(page, async () => {
+    [height] = await value(page, 'lampHeight');
+    return height > 2.5 && await code.textContent() === `lampHeight=${Number(height.toPrecision(3))}`;
+}), height, await code.textContent());
 await page.keyboard.press('ArrowLeft');
 now = await comes(page, 's.parameters.find((p) => p.name === "lampHeight").value[0] < v[0]', height);
 check('and the arrow keys change it too', (await value(page, 'lampHeight'))[0] < height && Number(await code.getAttribute('aria-valuenow')) < height);
