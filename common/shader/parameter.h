@@ -148,9 +148,10 @@ void parameter_range_text(const struct parameter *parameter, char *text, size_t 
 // The table of --list: name, value, range, unit, meaning.
 void parameters_print(const struct parameters *parameters, FILE *file);
 
-// True if each picture of the source's request has a sampler that reads it. Otherwise reported: a
-// NAME of NAME=FILE that no sampler has, with the names of all samplers; a channel that the shader
-// does not mention; --texture in another dialect, or --channel in the course's.
+// True if each picture of the source's request has a sampler that reads it. Returns false after
+// reporting the error: a NAME of NAME=FILE that no sampler has, with the names of all samplers; a
+// channel that the shader does not mention; --texture in another dialect, or --channel in the
+// course's.
 bool samplers_fit(const struct samplers *samplers, const struct shader_source *source);
 
 // Report a problem with a sampler's picture; always false.
