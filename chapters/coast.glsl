@@ -11,7 +11,7 @@ const vec3 TOWER = vec3(-15.5, 1.5, -6.4);
 const vec3 HOUSE = vec3(-16.0, 2.0, -8.9);
 const vec3 LANTERN = TOWER + vec3(0.0, 4.95, 0.0); // the lamp
 
-// Flat rocks with ledges and clefts: folds of triangle waves, whose total slope is at most 0.9.
+// Flat rocks with ledges and clefts: folds of triangle waves, whose total slope is at most 0.7.
 float rockDistance(vec3 p)
 {
     vec3 fold = abs(fract(vec3(0.47, 0.9, 0.61) * p + 0.21 * p.zxy) - 0.5);
