@@ -191,7 +191,7 @@ static void take_directive(struct translation *t, const struct glsl_token *hash)
                 code->text + hash->begin);
 }
 
-// Remove the suffix of a double, lf.
+// Remove the suffix lf of a double.
 static void take_number(struct translation *t, const struct glsl_token *token)
 {
     const char *end = token->text + token->length;

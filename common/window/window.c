@@ -34,9 +34,9 @@ static void add_file(void *watch, const char *path)
     watch_add(watch, path);
 }
 
-// Load the shaders again, while their readings add each file to the watch. While the driver
-// compiles them, and if one has an error, the last good picture stays. Then the files of both
-// versions are watched for the correction.
+// Load the shaders again; each file that is read is added to the watch. While the driver compiles
+// them, and if one has an error, the last good picture stays, and the files of both versions are
+// watched for the correction.
 static void reload(struct window *window)
 {
     const struct window_start *start = window->start;

@@ -39,8 +39,8 @@ const struct air_wave air_waves[AIR_WAVES] = {
 // unit is 2.687e20 molecules per square metre.
 static const double OZONE = 300.0 * 2.687e20 * 1e-25;
 
-// Depth of the dust overhead at 550 nm; it is proportional to 1 / wavelength. A clear day: T.
-// Angstrom's exponent 1.
+// Depth of the dust overhead at 550 nm, on a clear day. It is proportional to 1 / wavelength, which
+// is an Angstrom exponent of 1.
 static const double DUST = 0.03;
 
 static double wave_length(int wave) // micrometres

@@ -218,8 +218,9 @@ static const int steps[][4] = {{1, 0, 0, 0}, {0, 1, 0, 0},  {1, 1, 0, 0}, {1, -1
                                {0, 1, 0, 1}, {16, 0, 0, 0}, {0, 64, 0, 0}};
 enum { STEPS = sizeof steps / sizeof *steps };
 
-// Without a correlation, its standard deviation is 1 / sqrt(n). And pairs fill the 16 x 16 bins of
-// their square evenly, which a relation without correlation would not.
+// If neighbours are independent, their measured correlation has the standard deviation 1 / sqrt(n).
+// Their pairs also fill the 16 x 16 bins of a square evenly; pairs that depend on each other
+// without being correlated would not.
 TEST(neighbours_are_not_related)
 {
     double worst = 0.0, least = 0.0, most = 0.0;

@@ -210,7 +210,8 @@ static double tower_in(struct d3 p, double period, int x, int z, double share)
     return share * tower(d3_sub(p, d3(period * x, 0.0, period * z)), x, z);
 }
 
-// The cell's own tower, which reaches 0.8 from the centre of its cell of 2, and cellOthers.
+// The smaller of cellOthers and the distance to the cell's own tower. Cells are 2 wide, and a tower
+// reaches 0.8 from the centre of its cell.
 static double own_and_others(struct d3 p, double share)
 {
     int x = (int)floor(p.x / 2.0 + 0.5), z = (int)floor(p.z / 2.0 + 0.5);

@@ -69,7 +69,7 @@ TEST(what_is_taken_is_given_back)
     }
 }
 
-// Dragged to black and back, or to grey and back, the hue is kept. A value typed in between counts.
+// A colour that is dragged to black and back keeps its hue; a value that is typed replaces it.
 TEST(a_hue_outlives_grey)
 {
     struct parameter *lamp = &parameters[1];

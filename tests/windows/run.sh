@@ -41,7 +41,7 @@ if [ "${1-}" = --suite ]; then
     unit=$(echo build/windows/tests/*/"$2".exe)
     script=$(echo tests/[!l]*/"$2".sh) # not of tests/lib/
     case $2 in window | zip | images | failures) own_wine "$2" || exit; trap end_wine EXIT ;; esac
-    # One of its many programs may end badly without a message; in that case Wine prints what it knows.
+    # One of the many programs of the suite export may crash without a message: let Wine print what it knows.
     [ "$2" != export ] || export WINEDEBUG=err+all,fixme-all
     case $2 in
     own | zip) "tests/windows/$2.sh" ;;
