@@ -24,7 +24,7 @@ uniform int   maxSteps;     // 256 in [1, 1024]: steps after which a ray is aban
 uniform float hitThreshold; // 0.0005 in [0.00001, 0.1] step *2, scene units: distance that counts as a hit at the eye
 
 // The pier runs along z and is symmetric about the plane x = 0. The water is the plane y = SEA,
-// which rays meet with a division; it is not part of the distance.
+// whose intersection with a ray takes one division; it is not part of the distance.
 const float SEA = -1.1;
 const vec3  LOW = vec3(-4.3, -1.2, -49.0), HIGH = vec3(4.3, 7.1, 7.9); // corners of a box around the pier
 const vec3  POLES_LOW = vec3(3.9, -1.5, -36.0), POLES_HIGH = vec3(4.7, 2.2, 1.0); // the poles on one side

@@ -9,7 +9,7 @@
 #include "03_shadows.frag"
 #undef rayColour
 
-uniform bool stopping; // false: end the shadow ray at the lamp, as it should
+uniform bool stopping; // false: end the shadow ray at the lamp, where it should end
 
 const vec3  HUNG_LAMP = vec3(-0.3, 0.9, 0.6);
 const float HUNG_REFERENCE = 1.2; // distance at which its light is LAMP_COLOUR, scene units

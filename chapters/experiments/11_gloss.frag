@@ -1,7 +1,7 @@
-// Experiment of chapter 11: seven balls from smooth to rough, the upper row with GGX, the lower
-// with Blinn and Phong, with the exponent that belongs to the same roughness. The tiny mirrors
-// reflect all light that they receive, and nothing enters the balls: light that is missing was lost
-// between the tiny mirrors.
+// Experiment of chapter 11: two rows of seven balls, from smooth to rough. The upper row uses GGX,
+// the lower one Blinn and Phong with the exponent that corresponds to the same roughness. The tiny
+// mirrors reflect all light that they receive, and nothing enters the balls: light that is missing
+// was lost between the tiny mirrors.
 #include "main.glsl"
 #include "cone.glsl"
 #include "normal.glsl"

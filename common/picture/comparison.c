@@ -149,7 +149,7 @@ void comparison_text(const struct renderer *renderer, int side, char *text, size
     }
 }
 
-// Shorten a text until it fits its room.
+// Shorten a text until it fits into a width, and end it with an ellipsis.
 static void fit(char *text, float room)
 {
     size_t length = strlen(text);

@@ -130,10 +130,9 @@ static void put_foreign_character(const struct explanation *e, int line)
     while (length < 4 && ((unsigned char)code[length] & 0xC0) == 0x80)
         length++;
     if (strncmp(code, "\xC2\xA0", 2) == 0)
-        fputs("only plain letters and signs are allowed; here is a no-break space: ", e->text);
+        fputs("only ASCII characters are allowed here; found a no-break space: ", e->text);
     else
-        fprintf(e->text, "only plain letters and signs are allowed; here is '%.*s': ", length,
-                code);
+        fprintf(e->text, "only ASCII characters are allowed here; found '%.*s': ", length, code);
 }
 
 // Drivers blame a missing semicolon on the line of the next statement: also name the line where it

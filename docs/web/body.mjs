@@ -238,7 +238,7 @@ export function bodyOf(html, {stem, sources, pictures}) {
     return enlarged(html);
 }
 
-// The sections of a body: [{level, id, html, text}], where text is the text below the heading.
+// The sections of a body: [{level, id, html, lang, text}], where html is the heading's content, and text what is below.
 export function sectionsOf(html) {
     const parts = html.split(/<h([1-3])((?: [\w-]+="[^"]*")*)>(.*?)<\/h\1>/s);
     const sections = [];

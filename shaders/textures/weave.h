@@ -8,7 +8,7 @@
 // The thread that lies uppermost at a point.
 struct weave {
     double height; // 0 in the depth between the threads, 1 at the top of the highest
-    bool warp;     // of the threads along v, or of those along u
+    bool warp;     // true: one of the threads along v; false: one of those along u
     int thread;    // its index among those, from 0
     double along;  // from 0 to 1 along the thread
     double across; // from -1 to 1 across it

@@ -58,7 +58,7 @@ double brute_box(struct d3 p, struct d3 half_size)
     return -fmin(x, fmin(y, z));
 }
 
-// From a point inside the frame, folded into x, y, z >= 0, to the outside of the frame.
+// The distance from a point inside the frame, folded into x, y, z >= 0, to the frame's surface.
 //   inner  inner end of the beams: half size - 2 beam
 static double frame_depth(struct d3 p, struct d3 half_size, struct d3 inner)
 {

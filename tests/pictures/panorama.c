@@ -39,7 +39,7 @@ static double texel_at(const struct image_bytes *image, double u, double v, int 
 }
 
 // Between 9 and 16 degrees above the horizon, a pixel is smaller than a texel, so level 0 is read.
-// The driver's weights have 8 bits: three steps of 1/256.
+// The driver's weights have 8 bits, so the tolerance is three steps of 1/256.
 TEST(test_clouds_are_the_panorama_turned)
 {
     struct image_bytes image = {0};

@@ -21,8 +21,8 @@ struct crossing {
 static struct crossing march_of(const float *values, int row, int number)
 {
     const float *v = values + 4 * (row * CASES + number);
-    // The views and the probe receive the end of the march, or -1 if it did not end at the
-    // threshold.
+    // The views and the probe receive the end of the march; v[3] is -1 if they received another
+    // threshold or spread.
     assert_true(v[0] == v[3]);
     return (struct crossing){(double)v[0], v[1] > 0.5f, (double)v[2]};
 }

@@ -185,7 +185,8 @@ TEST(test_the_nearer_neighbour_corrects_identical_copies)
     check_exact("plank, both", &(struct field){PLANK_BOTH, {2.5f, 1.0f, 0.0f, 0.0f}});
     check_exact("plank, -2 to 1", &(struct field){PLANK_LIMITED, {2.5f, 1.0f, -2.0f, 1.0f}});
     struct found ghosts = compare(&(struct field){PLANK_GHOSTS, {2.5f, 1.0f, -2.0f, 1.0f}});
-    print_message("# neighbours that do not exist: %.2f too little\n", ghosts.under);
+    print_message("# neighbours that do not exist: a distance too small by up to %.2f\n",
+                  ghosts.under);
     assert_true(ghosts.under > 1.0 && ghosts.over < rounding);
 }
 

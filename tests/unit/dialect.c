@@ -91,7 +91,7 @@ IN_PROJECT(test_dialects_behind_conditions)
     static const char toy[] = "void mainImage(out vec4 c, in vec2 p) {}\n";
     static const struct {
         const char *before, *after;
-        enum shader_dialect dialect; // of main between them, and Shadertoy's after
+        enum shader_dialect dialect; // of main between them, followed by mainImage
     } cases[] = {
         {"#if 0\n", "#endif\n", DIALECT_SHADERTOY},
         {"#if 1\n", "#endif\n", DIALECT_WHOLE},

@@ -259,7 +259,7 @@ IN_PROJECT(test_links)
                 "// #include \"inner.glsl\"\nfloat leaf();\n// #include \"leaf.glsl\"\n");
 }
 
-// Where the system distinguishes upper and lower case, a link has the other case.
+// On a system that distinguishes upper and lower case, a link provides the name in the other case.
 IN_PROJECT(test_letters_of_another_size)
 {
     assert_refused("#include \"Leaf.glsl\"\n", "main.frag:1: #include \"Leaf.glsl\": ");

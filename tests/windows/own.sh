@@ -10,7 +10,7 @@ export LC_ALL=C.UTF-8 # bash passes names on unchanged
 
 small=(-s 64x36)
 picture() { "$BUILD/03_shadows" "${small[@]}" "$@" >"$scratch/said" 2>"$scratch/why"; }
-# refused PATTERN COMMAND...: the command fails with status 1 and one line that matches the pattern.
+# refused PATTERN COMMAND...: the command fails and prints one line, which matches the pattern.
 refused() {
     local pattern=$1
     shift
