@@ -97,7 +97,8 @@ void main()
     colour = stepView(pixel);
 #endif
 #if VIEW == 7
-    // For pixels of the grid, the steps that the march took and the evaluations that would have been enough; elsewhere both are 0.
+    // For pixels of the grid, the steps that the march took and the evaluations that would have been enough;
+    // elsewhere both are 0.
     bool looked = onCoverGrid(pixel);
     int steps = looked ? trace.steps : 0;
     fragColour = vec4(float(trace.evaluations), float(steps), float(fewestEvaluations(ray, steps)), float(looked));

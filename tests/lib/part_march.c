@@ -189,7 +189,7 @@ struct part_result part_march(const struct part_scene *scene, enum part_means me
 
 struct part_ray part_heap_ray(double x, double y)
 {
-    // The eye looks down by 20.9 degrees, along x = 4.4, z = 9.6.
+    // The eye looks down by 20.9 degrees, towards positive x and z.
     const double forward[3] = {0.3830, -0.3569, 0.8520}, right[3] = {0.9119, 0.0, -0.4103},
                  up[3] = {0.1464, 0.9341, 0.3255};
     struct part_ray ray = {{-4.4, 5.4, -9.6}, {0.0, 0.0, 0.0}};

@@ -1,6 +1,6 @@
 // hands.mjs - pages that respond to the hand: a picture that runs in its place, the points of an interactive figure
 // with mouse, finger and keys, numbers in sentences, guesses, the phone, the front page. At 1440 and at 390 pixels.
-import {blankPage, check, finish, holds, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
+import {blankPage, check, finish, frames, holds, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
 
 const server = await serve(SITE), browser = await launch();
 const DESK = {viewport: {width: 1440, height: 900}}, PHONE = {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2};
@@ -128,7 +128,12 @@ for (const [name, context] of [['mouse', DESK], ['finger', PHONE]]) {
     await page.evaluate(() => document.querySelector('.live-screen:has(.live-canvas)').scrollIntoView({block: 'center', behavior: 'instant'}));
     const shot = async () => (await page.locator('.live-canvas').screenshot()).toString('base64');
     let bare = ''; // the picture, once it no longer changes
-    for (let next; (next = await shot()) !== bare; bare = next) await page.waitForTimeout(400);
+    await holds(page, async () => {
+        const last = bare;
+        await frames(page, 30); // a picture at rest is sharpened by then
+        bare = await shot();
+        return bare === last;
+    });
     const box = await page.locator('.live-canvas').boundingBox();
     const at = (share) => [box.x + (0.42 + share) * box.width, box.y + 0.5 * box.height];
     if (finger) {
