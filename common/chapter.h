@@ -40,10 +40,10 @@ struct window;
 // Returns the exit status so far, as chapter_run does.
 int chapter_open(struct run **run, const struct chapter *chapter, int argc, char **argv);
 
-// Read the shaders of a command line, and let the driver begin to compile them: chapter_open then
-// does not wait for it, once chapter_ready returns true. An error is reported here, and again
-// there.
-//   run  as for chapter_open, which gets another one
+// Read the shaders of a command line, and have the driver start compiling them. When chapter_ready
+// returns true, chapter_open, called with a run of its own, no longer waits for the compiler. An
+// error is reported here, and again by chapter_open.
+//   run  receives what chapter_close frees
 void chapter_begin(struct run **run, const struct chapter *chapter, int argc, char **argv);
 bool chapter_ready(const struct run *run);
 
@@ -54,7 +54,7 @@ void chapter_close(struct run *run);
 
 // Visit every path that is looked at while the shaders of a command line are read. No picture is
 // drawn.
-//   visit  is called with each path, and with to
+//   visit  is called with to and each path
 void chapter_visit_files(const struct chapter *chapter, int argc, char **argv,
                          void (*visit)(void *to, const char *path), void *to);
 

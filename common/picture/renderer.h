@@ -146,8 +146,8 @@ void renderer_close(struct renderer *renderer);
 bool renderer_load(struct renderer *renderer, struct shader_source *source,
                    struct parameters *parameters);
 
-// Choose the view, in both pictures of a comparison; links it if it is new. If a shader has no such
-// view or the view does not link, reports the error, keeps the old view and returns false.
+// Choose the view, in both pictures of a comparison, and link it if it is new. If a shader has no
+// such view or the view does not link, reports the error, keeps the old view and returns false.
 bool renderer_set_view(struct renderer *renderer, enum shader_view view);
 
 // ---- Draw and read pictures ----

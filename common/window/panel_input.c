@@ -217,7 +217,8 @@ void window_panel_hover(struct window *window, const struct window_event *event)
     memcpy(window->grab.at, event->unit, sizeof event->unit);
 }
 
-// While the pointer is on the panel, no row moves away below it.
+// Follow the parameter under the pointer. The rows that open on demand close only when the pointer
+// has left the panel, so that no row moves away from under it.
 static void update_rows(struct window *window)
 {
     const struct panel_row *row = row_at(window, window->grab.at);
