@@ -46,7 +46,7 @@ void svg_path(int count, const double (*point)[2], struct svg_pen pen); // open
 //   size    pixels
 //   words   SVG text: <tspan font-style='italic'> and entities are allowed
 void svg_text(double x, double y, char anchor, double size, const char *colour, const char *words);
-// The same from a format as of printf.
+// The same from a format, as for printf.
 void svg_textf(double x, double y, char anchor, double size, const char *colour, const char *format,
                ...) __attribute__((format(printf, 6, 7)));
 

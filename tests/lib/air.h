@@ -6,7 +6,7 @@
 
 // The light that arrives from a direction after one scattering, in the unit of the tables, 4,000
 // cd/m^2. Values that a screen cannot show are not clamped.
-//   sun, view, azimuth  as of air_scattered in shaders/textures/air.h
+//   sun, view, azimuth  as for air_scattered in shaders/textures/air.h
 //   ozone               1, or 0 for none
 //   tall                how high the air reaches, km
 void air_light_of(double sun, double view, double azimuth, double ozone, double tall,

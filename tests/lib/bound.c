@@ -12,8 +12,11 @@
 #include "lib/city.h"
 #include "lib/pyramid.h"
 
-// Samples from one step of a march to the next.
-enum { WIDTH = 640, HEIGHT = 360, PARTS = 64 };
+enum {
+    WIDTH = 640,
+    HEIGHT = 360,
+    PARTS = 64 // samples from one step of a march to the next
+};
 
 #define HALF_PIXEL (1.0 / (HEIGHT * MIRROR_FOCAL_LENGTH))
 

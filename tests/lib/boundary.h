@@ -11,9 +11,9 @@ struct d2 {
     double x, y;
 };
 
-// A piece of a boundary: a segment from a to b, or an arc of the ellipse around a with half axes b,
-// from angle from to angle to. Only the part from low to high, in shares of its length, belongs to
-// the boundary.
+// A piece of a boundary: a segment from a to b, or an arc of the ellipse with the centre a and the
+// half axes b, between the angles `from` and `to`. Only the part from low to high, in shares of its
+// length, belongs to the boundary.
 struct piece {
     bool arc;
     struct d2 a, b;

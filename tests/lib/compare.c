@@ -59,7 +59,7 @@ static void block_difference(const struct image *a, const struct image *b, int l
         difference[c] = (double)sum[c] / ((right - left) * (bottom - top));
 }
 
-// The centre of a block, in pixels as --probe counts them: 0,0 is at the bottom left.
+// Store the centre of a block, in pixels as --probe counts them: 0,0 is at the bottom left.
 static void note_place(const struct image *image, int left, int top,
                        struct image_difference *result)
 {
@@ -69,7 +69,7 @@ static void note_place(const struct image *image, int left, int top,
     result->y = image->height - 1 - (top + bottom) / 2;
 }
 
-// Fills in b8, and the position of the block that differs most.
+// Fill in b8 and the position of the block that differs most.
 static void compare_blocks(const struct image *a, const struct image *b,
                            struct image_difference *result)
 {
@@ -114,7 +114,7 @@ bool image_same(const struct image_difference *difference)
     return difference->f2 <= IMAGE_F2_TOLERANCE && difference->b8 <= IMAGE_B8_TOLERANCE;
 }
 
-// A share has two digits, or three from 1 % on.
+// A share is written with two significant digits, or with three from 1 % on.
 const char *image_difference_words(const struct image_difference *difference, char words[256])
 {
     double share = 100.0 * difference->f2;

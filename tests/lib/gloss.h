@@ -21,8 +21,8 @@ double gloss_exponent(double roughness);
 struct d3 gloss_eye(double cosine);
 
 // The directional albedo: the light that a surface sends to the eye under a sky of 1 everywhere. By
-// reciprocity, it is also the share of light from there that the surface sends back. Computed over
-// 256 x 256 half vectors, chosen where a highlight of this roughness is.
+// reciprocity, it is also the share that the surface sends back of light from the eye's direction.
+// Computed over 384 x 384 half vectors, chosen where a highlight of this roughness is.
 double gloss_albedo(gloss_model *model, double parameter, double roughness, double cosine);
 
 // The same over all directions of the eye, each weighted by its cosine: the share of a whole sky's

@@ -14,9 +14,8 @@ enum march_kind {
     MARCH_OVERSTEP,
     MARCH_CONE,
     MARCH_COARSE,
-    MARCH_KINDS, // those that are compared
-    MARCH_TIGHT =
-        MARCH_KINDS, // the plain march with the smallest threshold, which finds what is true
+    MARCH_KINDS,               // those that are compared
+    MARCH_TIGHT = MARCH_KINDS, // the plain march with the smallest threshold, which gives the truth
 };
 
 // The value of MARCH in GLSL, and what a table calls it.

@@ -212,8 +212,9 @@ bool mirror_ball_crossing(struct mirror_ray ray, double radius, double t[2])
     return true;
 }
 
-// Find where the ray crosses the plane of a face. If that point is inside the face, widen t.
-//   o, d  the ray along the face's axis; at: the face; a_o .. b_d: along the face's two sides
+// Find where a ray crosses the plane of a face of the box. If that point is on the face, widen t.
+//   ray   origin, then direction
+//   face  0 to 2: at low x, y, z; 3 to 5: at high x, y, z
 static void cross_face(const double ray[6], const double low[3], const double high[3], int face,
                        double t[2])
 {

@@ -169,7 +169,7 @@ struct mirror_march mirror_reach(const struct mirror_scene *scene, struct mirror
 struct mirror_ray mirror_screen_ray(const struct camera *camera, double focal_length, double x,
                                     double y);
 
-// The position on the screen of a position in the picture, in pixels: y from -1 to 1.
+// The screen's coordinates of a position in the picture, which is in pixels: y runs from -1 to 1.
 static inline double mirror_screen_x(double x, int width, int height)
 {
     return (2.0 * x - width) / height;

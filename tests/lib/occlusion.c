@@ -20,8 +20,8 @@ double occlusion_share(occlusion_blocked blocked, const void *data, struct d3 no
     shadow_axes(normal, &right, &up);
     for (int i = 0; i < n * n; i++) {
         double a = (2.0 * (i % n) + 1.0) / n - 1.0, b = (2.0 * (i / n) + 1.0) / n - 1.0;
-        double x = a * cos(1.0) - b * sin(1.0),
-               y = a * sin(1.0) + b * cos(1.0); // no edge is parallel to it
+        // Turned, so that no edge of a scene is parallel to a row of points.
+        double x = a * cos(1.0) - b * sin(1.0), y = a * sin(1.0) + b * cos(1.0);
         double square = 1.0 - x * x - y * y;
         if (square < 0.0)
             continue;
@@ -70,7 +70,7 @@ static bool thing_blocks(struct d3 w, const void *data)
         return meets_wall(GROOVE + x, -w.x, w.y, size) || meets_wall(GROOVE - x, w.x, w.y, size);
     case OCCLUSION_SHAFT:
         return meets_wall(x, hypot(w.x, w.z), w.y, size);
-    case OCCLUSION_BAR: { // in the plane perpendicular to it
+    case OCCLUSION_BAR: { // in the plane perpendicular to the bar
         double along = (-x * w.x + size * w.y) / hypot(w.x, w.y);
         return along > 0.0 && x * x + size * size - along * along < BAR * BAR;
     }

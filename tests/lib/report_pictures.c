@@ -7,8 +7,8 @@
 
 enum { FRAMES = 25, WARM_UP = 3 };
 
-// The engine's units were measured once, at 640x360, on the same machine and day as its own annex
-// scene.
+// The engine's times were measured once, at 640x360. Their unit is the engine's time for its annex
+// scene, measured on the same machine and day.
 const struct report_scene report_scenes[REPORT_SCENES] = {
     {.name = "boxes",
      .shader = "chapters/experiments/16_report_boxes.frag",

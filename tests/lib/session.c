@@ -17,8 +17,8 @@ static struct {
     char line[4096], *argument[ARGUMENTS + 1];
     struct said {
         FILE *file;   // its output, or its reports; NULL while none is open
-        long fetched; // bytes of that
-        int stream;   // where it goes otherwise
+        long fetched; // bytes of the file that session_said has returned
+        int stream;   // a copy of the descriptor that the file replaces
     } said[2];
     char text[65536];
     struct image kept[KEPT];

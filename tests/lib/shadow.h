@@ -49,7 +49,8 @@ struct shadow_case {
 // ball.
 double shadow_truth(const struct shadow_case *scene);
 
-// The tangent of the angle between the lamp's centre and the obstacle's edge; negative behind it.
+// The tangent of the angle between the lamp's centre and the obstacle's edge; negative if the
+// obstacle hides the centre.
 double shadow_clearance(const struct shadow_case *scene);
 
 // The same share from a formula.

@@ -33,7 +33,7 @@ float *sky_table_read(int way, int function, double number, bool encoded)
     return values;
 }
 
-// As hourStops and skyBrightness of shaders/sky_table.glsl.
+// Like hourStops and skyBrightness of shaders/sky_table.glsl.
 static double stops(double sun)
 {
     double high = fmax(sun, 0.0), deep = fmax(-sun, 0.0);

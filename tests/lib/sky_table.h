@@ -16,7 +16,7 @@ double sky_table_sun(int column);
 
 // The values of a function of that shader: SKY_HEIGHTS rows of SKY_SUNS points of four numbers,
 // which the caller frees.
-//   way, encoded  as of chapters/experiments/18_ways.glsl
+//   way, encoded  as in chapters/experiments/18_ways.glsl
 //   function      0 0 the sky; the shader lists the others
 //   number        its iMouse.x: for the sky, the cosine of the horizontal angle to the sun
 float *sky_table_read(int way, int function, double number, bool encoded);

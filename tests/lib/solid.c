@@ -33,9 +33,9 @@ static struct d3 patch_at(const struct patch *patch, double u, double v)
     return d3(x * cos(turn), y, x * sin(turn));
 }
 
-// The squared distance from p to a piece: the nearest point of a grid (none on the axis), then
-// steps that are halved again and again, towards any point that is nearer. The remaining error is
-// less than the last step.
+// The squared distance from p to a piece: the nearest point of a grid, which has no point
+// on the axis, then steps that are halved again and again, towards any point that is nearer. The
+// remaining error is less than the last step.
 static double patch_distance(const struct patch *patch, struct d3 p)
 {
     double best = HUGE_VAL, u = 0.0, v = 0.0;

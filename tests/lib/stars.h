@@ -10,7 +10,7 @@ enum { STAR_RINGS = 64, STAR_COUNT = 8 * STAR_RINGS * STAR_RINGS };
 struct star {
     struct d3 place; // length 1, in the stars' frame
     double light;    // in the library's unit times steradians, for green
-    double share;    // of all brighter stars
+    double share;    // the share of the stars that are at least as bright
 };
 
 // All stars, sorted by z. Owned by the module.

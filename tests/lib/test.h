@@ -24,8 +24,8 @@
 
 #include <cmocka.h>
 
-// A test; its body can use 'void **state'. The second form has a setup and a teardown of cmocka, or
-// NULL.
+// A test; its body can use 'void **state'. The second form takes a setup and a teardown function of
+// cmocka; each may be NULL.
 #define TEST(name) TEST_WITH(name, NULL, NULL)
 #define TEST_WITH(name, setup, teardown)                                                           \
     static void name(void **state);                                                                \
@@ -35,7 +35,7 @@
     }                                                                                              \
     static void name(__attribute__((unused)) void **state)
 
-// The program: all tests of the file, with a setup and a teardown for all of them, or NULL.
+// The program: all tests of the file. Setup and teardown, which may be NULL, run once for all.
 #define TESTS(setup, teardown)                                                                     \
     int main(void)                                                                                 \
     {                                                                                              \

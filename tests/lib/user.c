@@ -15,7 +15,7 @@ struct GLFWwindow {
     struct context context; // not shown by the system
     GLuint framebuffer, texture;
     int width, height;    // of the texture, pixels
-    double drawn, waited; // pixels; the program has waited for this many of them
+    double drawn, waited; // pixels drawn so far, and those of them that were waited for
 };
 
 struct GLFWmonitor {

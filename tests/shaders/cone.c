@@ -147,7 +147,7 @@ TEST(test_a_pixel_spreads_as_the_screen_says)
 
 // ---- coneReaching ----
 
-// The smallest share over the same steps. Above a plane, it is also found by a second method.
+// coneReaching in double precision: the smallest share over the same steps.
 static double walked_share(int scene, struct mirror_ray ray, double threshold, double spread)
 {
     double t = 0.0, smallest = 1.0;

@@ -1,5 +1,4 @@
 // texture.c - pictures that shaders read: what the driver makes of them.
-// cmocka needs the four above.
 #include "lib/test.h"
 #include "picture/texture.h"
 #include "lib/gpu.h"

@@ -1,6 +1,5 @@
 // camera.c - the eye's frame is orthonormal and right-handed, turns stop and wrap where they
 // should, and a path does not depend on the frame rate.
-// cmocka needs the four above.
 #include "lib/test.h"
 #include "camera.h"
 

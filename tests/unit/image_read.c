@@ -68,7 +68,7 @@ static void assert_refused(const char *name, const char *expected)
     char why[IMAGE_WHY] = "";
     struct image_bytes bytes;
     if (image_read_bytes(&bytes, scratch_path(name), 4, PIXELS, why))
-        fail_msg("%s is taken", name);
+        fail_msg("%s is accepted", name);
     assert_null(bytes.value);
     if (strstr(why, expected) == NULL)
         fail_msg("%s: '%s', not '%s'", name, why, expected);

@@ -106,7 +106,7 @@ TEST(the_distance_is_that_of_all_triangles)
     triangles_free(&t);
 }
 
-// Each edge belongs to two triangles, in opposite directions; and V - E + F = 2, as of a sphere.
+// Each edge belongs to two triangles, in opposite directions; and V - E + F = 2, as for a sphere.
 TEST(the_mesh_is_closed)
 {
     for (int steps = 0; steps < 3; steps++) {

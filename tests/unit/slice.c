@@ -114,7 +114,8 @@ TEST(the_frame_shows_the_march)
     assert_float_equal(frame.left, -0.05f, 1e-6f);
 }
 
-// Between two ticks of 1, 10 or 100 there are five lines, of 2 or 20 four, of 5 or 50 five.
+// Lines divide a tick of 1, 10 or 100 into five parts, one of 2 or 20 into four, one of 5 or 50
+// into five.
 TEST(the_lines_are_round_parts_of_a_tick)
 {
     static const float parts[10] = {[1] = 5.0f, [2] = 4.0f, [5] = 5.0f};

@@ -15,7 +15,7 @@ static void assert_refused(const char *name, int slices, const char *expected)
     struct texture_image image;
     const struct sampler sampler = {.srgb = true, .slices = slices};
     if (texture_image_read(&image, &sampler, scratch_path(name), why))
-        fail_msg("%s is taken", name);
+        fail_msg("%s is accepted", name);
     assert_int_equal(image.count, 0);
     if (strstr(why, expected) == NULL)
         fail_msg("%s: '%s', not '%s'", name, why, expected);

@@ -188,7 +188,7 @@ TEST_WITH(a_held_key_moves, set_up, NULL)
     assert_true(fabs(travelled() - 0.25) < 1e-5);
 }
 
-// A way is right, up and forward as seen by the eye, except that up is the world's.
+// A way: how far to the right, up and forward, seen from the eye, except that up is the world's.
 TEST_WITH(each_key_has_its_way, set_up, NULL)
 {
     static const struct {

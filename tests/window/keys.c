@@ -115,7 +115,8 @@ SESSION_TEST(a_screenshot_is_the_picture)
     session_close();
 }
 
-// A camera that is moved by hand equals that of the command line; a drag is 0.15 degrees per pixel.
+// A camera moved by hand shows what one placed by the command line shows; a drag turns it by 0.15
+// degrees per pixel.
 SESSION_TEST(the_camera_is_led)
 {
     session_open_bare(CHAPTER, SESSION_STILL);

@@ -16,7 +16,7 @@ static void make_heavy(void)
     user.pixel_seconds = 1.0 / WIDTH / HEIGHT;
 }
 
-// Keep the sharp picture under 0.
+// Open the chapter, and keep its sharp picture under the number 0.
 static void open_sharp(const char *options)
 {
     session_open_bare(CHAPTER, LARGE "%s", options);

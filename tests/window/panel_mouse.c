@@ -67,7 +67,7 @@ static void type(const char *text, int key)
     session_turn();
 }
 
-// Now only the selected parameter shows its range or its components.
+// Move the pointer off the panel: then only the selected parameter shows its range or components.
 static void leave_panel(void)
 {
     point(400, 200);
@@ -108,8 +108,8 @@ SESSION_TEST(a_row_changes_its_value)
     session_close();
 }
 
-// Chapter 02 shows lampColour, whose components are in view, above encoded: a second click at the
-// same position meets encoded again, and its tooltip is its own.
+// A click selects another parameter, and the rows of the one that was selected stay open while the
+// pointer is on the panel: a second click at the same position meets the same row.
 SESSION_TEST(rows_stay_below_the_pointer)
 {
     open_rows(1);
@@ -213,7 +213,7 @@ SESSION_TEST(numbers_are_typed)
     session_close();
 }
 
-// The picture is the colour itself, which comes first.
+// The picture shows only the colour, whose row is the first.
 static const char colour[] =
     "uniform vec3 tint; // 0.5 in [0, 1], linear RGB: the colour of all\n"
     "#include \"main.glsl\"\n#include \"camera.glsl\"\n#include \"lighting.glsl\"\n"

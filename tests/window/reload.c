@@ -11,8 +11,8 @@
 
 static char said[2][65536];
 
-// Two and a half seconds, in which a saved file is noticed and loaded, or reported. Stores what was
-// printed and reported, and returns how often it was one of the two files.
+// Wait for two and a half seconds, in which a saved file is noticed and loaded, or reported. Stores
+// what was printed and reported, and returns how often a file of this name was reloaded.
 static int reloads(const char *name)
 {
     char line[64];
