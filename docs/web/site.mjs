@@ -59,7 +59,7 @@ async function pagesOf(names) {
     return pages;
 }
 
-// The note below a chapter's program, because a page speaks of a terminal, and its reader has none.
+// The note below a chapter's program: the page speaks of a terminal, which its reader may not have.
 const HERE_TOO = '<p class="note">You need no terminal on this page: <b>Run</b> carries out the command beside it, a picture comes to life when you touch it, and <b>Edit</b>, below it, opens its shader. '
     + '<a href="pages.html">How these pages work</a></p>';
 const hinted = (page) => page.stem ? page.body.replace(/<\/live-chapter>(?:\s*<div class="commands">.*?<\/button><\/div><\/div>)?/s, (program) => `${program}\n${HERE_TOO}`) : page.body;

@@ -349,7 +349,7 @@ export class Stage {
         return lines.join('\n') + '\n';
     }
 
-    // The keyboard immediately has a point of an interactive figure: Enter leads to the next one.
+    // With the keyboard, an interactive figure begins with one of its points selected; Enter selects the next one.
     takeHandle() {
         const {handles} = this.at?.hasHands ? this.program.state() : {};
         if (handles?.length > 0 && this.canvas.matches(':focus-visible') && !handles.some((one) => one.focused)) this.press(NEXT_HANDLE);
