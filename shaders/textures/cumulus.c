@@ -106,7 +106,8 @@ static double inside_tower(const struct cumulus *field, const struct tower *towe
     return fmin(aside, 0.5 * (tower->top - altitude)) / field->depth;
 }
 
-// The distance of a point from the line between the eye and a tower, in clearings.
+// The distance of a point from the line between the eye and a tower, as a multiple of the
+// tower's clearing.
 static double beside_the_way(const struct tower *tower, double x, double z)
 {
     if (tower->clearing <= 0.0)

@@ -27,7 +27,7 @@ SESSION_TEST(the_window_opens_on_its_picture)
     session_close();
 }
 
-// The list of keys has the labels of the keyboard, if there is one.
+// The list of keys shows the labels of the keyboard as soon as there is one.
 SESSION_TEST(a_french_keyboard_has_its_labels)
 {
     scratch_write("flat.frag", "void mainImage(out vec4 c, in vec2 p) { c = vec4(0.3); }");
