@@ -160,7 +160,7 @@ END {
         pick = random(changes[line]) + 1
         printf "%s\037%d\037%s\037%s\n", file[line], number[line], old[line], change[line, pick]
         change[line, pick] = change[line, changes[line]]
-        if (--changes[line] == 0) { # the last line takes its number
+        if (--changes[line] == 0) { # the last line moves into the free slot
             for (i = 1; i <= changes[lines]; i++)
                 change[line, i] = change[lines, i]
             file[line] = file[lines]

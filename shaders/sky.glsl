@@ -91,8 +91,8 @@ float glow(vec3 direction, vec3 sun, float g)
     return x * sqrt(x);
 }
 
-// How much of the day is left: 1 while the sun is more than 3.4 degrees high, 0 once it is 14.5 degrees
-// below the horizon. This model by eye replaces the rising shadow of the Earth.
+// The strength of daylight: 1 while the sun is more than 3.4 degrees high, 0 once it is 14.5 degrees
+// below the horizon. This model, fitted by eye, replaces the rising shadow of the Earth.
 //   sinHeight  of the sun
 float daylight(float sinHeight)
 {

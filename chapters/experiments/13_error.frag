@@ -1,6 +1,6 @@
-// Experiment of chapter 13: where one march is wrong. The picture is blue where its shadow is darker
-// than the estimate from 64 rays, and orange where it is lighter. Where they agree, the picture shows
-// the scene in grey.
+// Experiment of chapter 13: where one march is wrong. The picture is blue where the shadow from
+// one march is darker than the estimate from 64 rays, and orange where it is lighter. Where the two
+// agree, the picture shows the scene in grey.
 //
 // The chapter's own rayColour is renamed; everything else is the chapter's.
 #include "main.glsl"

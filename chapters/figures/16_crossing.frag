@@ -1,6 +1,6 @@
-// The same end for every start: drag the start to the left and right, and the end of the line, which sets the angle
-// to the wall. The distance is upwards, the path along the ray to the right. A plain march (orange) ends anywhere below
-// the threshold (blue).
+// The same end for every start: drag the start to the left or right, and drag the end of the line to set its angle to
+// the wall. The distance is plotted upwards, and the path along the ray to the right. A plain march (orange) ends
+// anywhere below the threshold (blue).
 #include "figure.glsl"
 #include "crossing.glsl"
 

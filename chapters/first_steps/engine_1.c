@@ -89,7 +89,7 @@ static bool add_shader(GLuint program, GLenum kind, const char *text, const char
     return right || fail(name, log);
 }
 
-// Make a program of both shaders. Returns 0 if they have an error.
+// Make a program from both shaders. Returns 0 if either has an error.
 static GLuint make_program(void)
 {
     GLuint program = glCreateProgram();

@@ -144,7 +144,7 @@ static bool add_shader(GLuint program, GLenum kind, const char *text, const char
     return right || fail_at_line(name, log);
 }
 
-// Make a program of the vertex shader above and a file. Returns 0 if they have an error.
+// Make a program from the vertex shader above and a file. Returns 0 if either has an error.
 static GLuint make_program(const char *path)
 {
     static char text[TEXT];

@@ -31,7 +31,7 @@ void live_stop(void);
 // True while there is a window.
 int live_runs(void);
 
-// Carry out the input and draw what is due. Returns 0 when drawing failed or the reader has quit:
+// Act on the input and draw what is due. Returns 0 when drawing failed or the reader has quit:
 // live_report gives the reason, or nothing.
 int live_turn(void);
 

@@ -91,8 +91,8 @@ static bool check_kind(const struct shader_source *source)
     const struct glsl_token *glslify = glsl_find(code, "glslify");
     if (glslify != NULL && glslify->directive && glsl_is(glslify - 1, "pragma"))
         return shader_refuse(source, glslify->line,
-                             "#pragma glslify: a file for glslify, a tool in JavaScript: run that "
-                             "first and give its output");
+                             "#pragma glslify: this file needs glslify, a JavaScript tool: run "
+                             "glslify first and use its output");
     return source->dialect != DIALECT_WHOLE || glsl_mentions(code, "gl_Position") == 0 ||
            refuse_vertex(source);
 }

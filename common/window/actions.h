@@ -4,7 +4,7 @@
 
 #include "window/state.h"
 
-// Carry out the input since the last turn.
+// Act on the input since the last turn.
 void window_act(struct window *window);
 
 #endif

@@ -38,7 +38,7 @@ void window_warn(struct window *window, const char *text);
 // Fill the screen.
 void window_fill_screen(struct window *window);
 
-// Carry out the input since the last turn and draw what is due, without waiting.
+// Act on the input since the last turn and draw what is due, without waiting.
 // Reports an error and returns false if drawing failed.
 bool window_turn(struct window *window);
 

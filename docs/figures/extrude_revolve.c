@@ -7,7 +7,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-// ---- Extrusion: horizontally the distance to the figure, upwards the position along the line ----
+// ---- Extrusion: the distance to the figure is horizontal, the position along the line vertical
+// ----
 
 static void draw_extrusion(void)
 {

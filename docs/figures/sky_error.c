@@ -67,8 +67,8 @@ int main(void)
     struct svg_plot plot = {90.0, 30.0, 620.0, 300.0, {1.0, 200.0}, {0.01, 1.0}, true, true};
     svg_begin(
         760.0, 400.0, "The error of the openness against the number of rays",
-        "Two falling lines on logarithmic scales: with random rays the line falls more slowly, "
-        "with one ray per cell it falls faster.");
+        "Two falling lines on logarithmic scales: the line for random rays falls more slowly than "
+        "the line for one ray per cell.");
     svg_plot_frame(&plot, 1.0, 1.0, "number of rays", "error of the share");
     for (int curve = 0; curve < CURVES; curve++) {
         double point[SIDES][2];

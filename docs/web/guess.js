@@ -52,7 +52,8 @@
     function takeTaps(form, tap) {
         const point = () => (form.elements.guess.value || '0.5 0.5').split(' ').map(Number);
         tap.addEventListener('click', (event) => {
-            const box = tap.getBoundingClientRect(); // a click by a key has no position
+            const box = tap.getBoundingClientRect();
+            // A click made with a key has no position.
             if (event.detail) mark(form, (event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height);
             else mark(form, ...point());
         });

@@ -269,10 +269,10 @@ export class Program {
         return near && Math.hypot(...near) <= FINGER ? near : null;
     }
 
-    // One finger or the mouse drags and clicks; two fingers act as the wheel. A finger that comes down is held back
-    // until it moves or goes up, because a second one may follow: two fingers that are put down and lifted are not a
-    // click. The picture gets the keyboard, and with it the wheel and all swipes, once the reader has clicked, tapped
-    // or dragged it.
+    // One finger or the mouse drags and clicks; two fingers act as the wheel. A touch away from any handle counts as a
+    // press only once the finger moves or is lifted, because a second finger may follow: putting two fingers down and
+    // lifting them is not a click. The picture gets the keyboard focus, and with it the wheel and all swipes, once the
+    // reader has clicked, tapped or dragged it.
     hearPointer(modifiers) {
         const {canvas, module} = this;
         const fingers = new Map(), locked = [0, 0];

@@ -53,8 +53,8 @@ export class Stage {
         return button;
     }
 
-    // A button of a narrow page that shows and hides a part.
-    //   shows  is called with the new state, and returns the present one
+    // A button, on a narrow page, that shows or hides a part.
+    //   shows  toggles the part, and returns true if it is now visible
     toggle(text, shows) {
         const button = this.icon(text, () => button.setAttribute('aria-expanded', shows()), {className: 'live-toggle'});
         button.setAttribute('aria-expanded', 'false');

@@ -8,8 +8,9 @@ enum { REEF_MOST = 8192 };
 
 #define REEF_BLEND 0.024 // width of the blends
 
-// Fill in a reef of count parts, from 64 to REEF_MOST. The fewer there are, the larger they are:
-// there is one coral for every 128 parts, and their total volume stays the same.
+// Fill in a reef of count parts, from 64 to REEF_MOST. There is one coral for roughly every
+// 100 to 130 parts. The fewer corals there are, the larger each one is, so that their total volume
+// stays about the same.
 void reef_build(int count, struct part *part);
 
 #endif

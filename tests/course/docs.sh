@@ -498,7 +498,7 @@ lists() { # NAME EXPECTED
     printf 'before `%s`\n<!-- code: %s %s -->\nafter\n' "${name/\*/source.glsl}" "$scratch/source.glsl" "$1" >"$page"
     .make/listings.sh "$page" >/dev/null || return 1
     [ "$(sed -n '3,$p' "$page")" = "$(printf '```glsl\n%s\n```\nafter' "$2")" ] &&
-        .make/listings.sh --check "$page" # what was written agrees with itself
+        .make/listings.sh --check "$page" # --check accepts what was just written
 }
 
 # fails PAGE PATTERN OPTION...: status 1, the message matches, and the page is untouched.

@@ -53,8 +53,8 @@ struct march_picture {
     double shared; // evaluations of the coarse pass, per pixel
 };
 
-// Draw and read it. Free it with march_free. Fails the test, or ends the program, if that is
-// impossible.
+// Draw a scene and read back what its march found. Free the result with march_free. Fails the test,
+// or ends the program, if that is impossible.
 struct march_picture march_draw(struct renderer *renderer, const struct march_scene *scene,
                                 int width, int height);
 void march_free(struct march_picture *picture);

@@ -68,8 +68,8 @@ TEST(test_the_divisor_is_large_enough)
         struct d3 p = random_near_stones(), q = d3_add(p, d3_times(1e-3, random_direction()));
         steepest = fmax(steepest, fabs(rough_stones(p) - rough_stones(q)) / 1e-3);
     }
-    print_message("# %d pairs: the rough stones change by at most %.4f of the step before they are "
-                  "divided by %.4f: %.0f %% to spare\n",
+    print_message("# %d pairs: the distance to the rough stones changes by at most %.4f times the "
+                  "step, before it is divided by %.4f: %.0f %% to spare\n",
                   PAIRS, steepest, stretch(), 100.0 * (stretch() / steepest - 1.0));
     assert_true(steepest <= stretch() && steepest > 0.75 * stretch());
 }

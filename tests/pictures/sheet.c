@@ -80,7 +80,7 @@ static double outline_width(double height, double morph, double *slope)
     return width;
 }
 
-// It is 2.6 pixels wide; only the pixels that it covers at least by half count.
+// The outline is 2.6 pixels wide; only pixels that it covers by at least half count.
 TEST(test_the_outline_has_one_width)
 {
     for (double height = 1.9; height < 6.0; height *= 1.6)

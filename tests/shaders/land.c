@@ -371,7 +371,7 @@ TEST(the_sun_sets_behind_land_by_shares)
                  "Place place = Place(vec3(xz.x, h.x, xz.y), n, vec3(0.0), 0.0, true);"
                  "return vec3(lightSeen(place, light, 0.02), h.x / HIGHEST, dot(n, light));");
     struct d3 light = sun_at(18.0);
-    double off[2] = {0.0, 0.0}, hard = 0.0; // elsewhere, in the penumbra
+    double off[2] = {0.0, 0.0}, hard = 0.0; // off[0]: outside the penumbra; off[1]: in it
     int count[2] = {0, 0}, wrong = 0;
     for (int i = 0; i < CHAPTER_WIDTH * CHAPTER_HEIGHT; i += 23) {
         if (values[4 * i + 1] <= 0.0f || values[4 * i + 2] <= 0.1f) // in the lake, or facing away

@@ -335,9 +335,10 @@ TEST(test_a_march_by_a_bound_that_jumps)
         jumping += marched(block_and_wall, 0.5, from, way) > truth + 0.01;
         uncapped += marched(block_alone, 1.0, from, way) > truth + 0.01;
     }
-    print_message("# 1500 rays, %d hits: %d pass a tower by half the distances under the cap, %d "
-                  "without the cap\n",
-                  hits, jumping, uncapped);
+    print_message(
+        "# 1500 rays, %d hits: %d pass through a tower with half the distances and the cap, "
+        "%d with the full distances and no cap\n",
+        hits, jumping, uncapped);
     assert_true(hits > 500 && jumping == 0 && uncapped > 100);
 }
 

@@ -108,7 +108,8 @@ static void assert_same(struct solid a, struct solid b, double tolerance)
     }
     free(first);
     free(second);
-    print_message("# %s and %s: at most %.2f of the rounding apart\n", a.name, b.name, worst);
+    print_message("# %s and %s differ by at most %.2f times the allowed error\n", a.name, b.name,
+                  worst);
     assert_true(worst <= tolerance);
 }
 

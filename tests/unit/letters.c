@@ -23,7 +23,7 @@ TEST(texts_are_read_as_utf8)
         {"\xa9x", 0xFFFD, 1},            // the middle of a character
         {"\xc3x", 0xFFFD, 1},            // one without its end
         {"\xe2\x86", 0xFFFD, 2},         // cut off by the text's end
-        {"\xc1\x81", 0xFFFD, 2},         // an A, longer than necessary
+        {"\xc1\x81", 0xFFFD, 2},         // an overlong encoding of A
         {"\xed\xa0\x80", 0xFFFD, 3},     // half of a pair
         {"\xf4\x90\x80\x80", 0xFFFD, 4}, // beyond the last code
         {"\xff", 0xFFFD, 1},

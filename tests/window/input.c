@@ -94,7 +94,7 @@ TEST_WITH(the_free_pointer_turns_nothing, set_up, NULL)
 TEST_WITH(a_captured_pointer_looks, set_up, NULL)
 {
     user_press(GLFW_KEY_M, 0);
-    user_point(3000, 2000); // the origin of GLFW's clock is arbitrary
+    user_point(3000, 2000); // the origin of a captured pointer's position is arbitrary
     user_point(3040, 1980);
     assert_turned(16, 23);
     user.pointer[0] = 100;

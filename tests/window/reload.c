@@ -11,8 +11,9 @@
 
 static char said[2][65536];
 
-// Wait for two and a half seconds, in which a saved file is noticed and loaded, or reported. Stores
-// what was printed and reported, and returns how often a file of this name was reloaded.
+// Wait two and a half seconds, long enough for a saved file to be noticed and either loaded or
+// refused with an error. Stores what was printed and reported, and returns how many times a file of
+// this name was reloaded.
 static int reloads(const char *name)
 {
     char line[64];
