@@ -112,7 +112,7 @@ static void finish(struct builder *b, struct block *block, double value, double 
     int kept = 0, nearest = 0;
     for (int i = 1; i < block->count; i++)
         nearest = block->distance[i] < block->distance[nearest] ? i : nearest;
-    bool solid = value < -r; // no march gets here
+    bool solid = value < -r; // no march gets here: the nearest part is enough
     for (int i = 0; i < block->count; i++)
         if (solid ? i == nearest : block->distance[i] - r < PART_MARGIN * grid->blend)
             block->id[kept++] = block->id[i];
