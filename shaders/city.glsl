@@ -5,7 +5,7 @@
 #include "primitives.glsl"
 #include "repetition.glsl"
 
-const float PERIOD = 6.0;     // from the middle of a block to the next
+const float PERIOD = 6.0;     // between the middles of neighbouring blocks
 const float GAP = 1.35;       // half a street: no tower comes closer to the border of its block
 const float TALLEST = 9.3;    // no tower is higher
 const vec3  BAY = vec3(0.36, 0.4, 0.36); // size of a window with the wall around it; a floor is 0.4 high

@@ -152,8 +152,8 @@ vec3 cloudLight(Cloud cloud, vec3 direction, vec3 sun, vec3 sunlight, vec3 skyli
 
 // ---- Weather ----
 
-// The shares of the fair panorama, of the storm's, and of an overcast sky, in [0, 1]. The storm appears behind the fair
-// clouds before they disappear.
+// The shares of the fair panorama, of the storm panorama, and of an overcast sky, in [0, 1]. The storm appears behind
+// the fair clouds before they disappear.
 //   weather  1 fair, 0.5 bad
 float fairShare(float weather)
 {
