@@ -73,7 +73,7 @@ static double outline_width(double height, double morph, double *slope)
     for (double along = -6.0; along < 6.0; along += 0.125) {
         int column = (int)floor(0.5 * WIDTH + low / pixel + along * x / *slope);
         int row = (int)floor(0.5 * HEIGHT + 0.05 / pixel + along * y / *slope);
-        // Of everything drawn, only the outline is this blue.
+        // Of everything drawn, only the white outline has so much blue.
         width += values[4 * (row * WIDTH + column) + 2] > 0.84f ? 0.125 : 0.0;
     }
     free(values);

@@ -73,7 +73,8 @@ TEST(test_layer_at_its_ends)
     assert_true(fabs(hit_by_halving(0.0, 0.0, 1.2) - sqrt(2.0 * earth * 1.2 + 1.44)) < 1e-6);
 }
 
-// From a point one step aside, a point of the layer is seen in the direction of its own vector.
+// The shader turns a direction from an eye beside the origin into that of the same point of the
+// layer from the origin.
 TEST(test_the_middle_sees_the_same_place)
 {
     const float eye[4] = {0.8f, 0.1f, -0.5f, 1.2f};

@@ -58,7 +58,7 @@ static double stretch_in_cylinder(map function, double rate, double radius, int 
 }
 
 // The largest |f(p) - f(q)| / |p - q| over random pairs of the same cylinder, which never exceeds
-// it.
+// the largest stretch.
 static double stretch_of_pairs(map function, double rate, double radius, int axis)
 {
     double largest = 0.0;

@@ -49,8 +49,8 @@ TEST(the_mean_of_a_decay_keeps_its_digits_near_0)
     assert_true(worst < 1e-6);
 }
 
-// These are uniform fog and thin mist, from above and from inside, with horizontal rays and rays up
-// and down.
+// Uniform fog and thin mist, seen from above and from inside, with horizontal rays and rays up and
+// down.
 static const float airs[][4] = {{1.6f, 0.05f, 1.5f},
                                 {0.0f, 0.2f, 0.4f},
                                 {1.6f, 0.05f, 1e6f},
@@ -78,9 +78,9 @@ TEST(the_depth_is_the_sum_of_thin_slices)
     assert_true(worst < 1e-5);
 }
 
-// The ray goes from 200 scales above, where the density is 0 as a float, down to where it is not.
-// Counted from the upper end it would be 0 times infinity. The lower end is known to 200 times a
-// float's rounding error.
+// The ray goes from a height of 200 scales, where the density is 0 as a float, down to where it is
+// not. Computed from the upper end, the depth would be 0 times infinity. The lower end is known to
+// 200 times a float's rounding error.
 TEST(a_way_from_far_above_has_a_depth)
 {
     const float numbers[4] = {200.0f, 0.5f, 1.0f};
@@ -170,7 +170,7 @@ TEST(the_horizon_is_the_fog)
     free(values);
 }
 
-// The sum of thin slices of 1 / (distance^2), where the lamp is 0.05 farther aside than it is.
+// The sum of thin slices of 1 / distance^2, with the lamp 0.05 farther from the ray than it is.
 TEST(the_light_round_a_lamp_is_the_sum_of_thin_slices)
 {
     static const float rays[][4] = {

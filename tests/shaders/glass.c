@@ -51,7 +51,7 @@ TEST(both_sides_mirror_the_same)
     }
 }
 
-// The header's numbers.
+// The numbers in the header of fresnel.glsl.
 TEST(schlick_is_off_by_what_is_said)
 {
     static const double cases[][2] = {{1.333, 0.060}, {1.5, 0.036}};
@@ -256,8 +256,8 @@ TEST(no_light_is_lost_behind_a_ball)
     }
 }
 
-// Beside the ball, and below it, no ray has come out yet: every ray leaves the ball beyond 0.98 of
-// the radius.
+// No light arrives at planes up to 0.9 of the radius behind the ball's centre: every ray leaves the
+// ball beyond 0.98 of it.
 TEST(no_light_comes_before_it_has_left_the_ball)
 {
     for (int k = 1; k < 10; k++) {
@@ -281,7 +281,7 @@ TEST(the_light_behind_a_ball_is_that_of_many_rays)
     for (int i = 0; i < RAYS; i++) {
         double b = 0.96 * (i + 0.5) / RAYS, j = asin(b / 1.5168), turn = 2.0 * (asin(b) - j);
         double passes = 1.0 - glass_fresnel(sqrt(1.0 - b * b), 1.0 / 1.5168);
-        // The point where it leaves the ball, and its path from there.
+        // The point where the ray leaves the ball, and its path from there.
         double angle = asin(b) - turn, y = sin(angle), z = cos(angle);
         double r = fabs(y - (1.2 - z) * tan(turn));
         int ring = (int)(r / 0.075);

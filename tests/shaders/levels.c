@@ -29,8 +29,8 @@ static double off_level(double n, double level)
                  levels_read(LEVELS_LEVEL, level, 0.0, 1.0, 1.0));
 }
 
-// At powers of two it is a whole level. Half a level off changes some point by more than 0.02, so
-// the texture differs between all levels.
+// A footprint of a power of two is read at a whole level. Half a level off changes some point by
+// more than 0.02, so the texture differs between all levels.
 TEST(test_level_is_the_logarithm_of_the_texels)
 {
     for (int level = 0; level <= 6; level++) {
@@ -38,7 +38,7 @@ TEST(test_level_is_the_logarithm_of_the_texels)
         assert_true(off_level(exp2(level), level + 0.5) > 0.02);
         assert_true(level == 0 || off_level(exp2(level), level - 0.5) > 0.02);
     }
-    assert_true(off_level(0.25, 0.0) < 0.002); // nearby it is level 0
+    assert_true(off_level(0.25, 0.0) < 0.002); // a smaller footprint is read at level 0
 }
 
 // Without a level, a pixel shows one point of the part that it covers, so its error grows to the

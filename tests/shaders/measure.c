@@ -106,7 +106,7 @@ TEST(test_steps_to_a_plane_follow_the_formula)
         assert_int_equal(measure_plane_moves(angle, 0.001), moves);
         bound_ask(sin(angle * MIRROR_PI / 180.0), 0.0, 100.0, 0.001, answer);
         assert_true(answer[0] >= moves &&
-                    answer[0] <= moves + 2); // of the library: one more, up to rounding
+                    answer[0] <= moves + 2); // the library: one more, up to rounding
     }
     assert_int_equal(measure_plane_moves(90.0, 0.001), 1);
     assert_near(measure_plane_limit(60, 0.01), 4.3, 0.01);

@@ -52,7 +52,7 @@ static double patch_light(const float look[4], struct d3 middle, double reach)
 }
 
 // The smallest and the largest ratio of that light to the true value, in a hundred frames.
-//   look  as above; each frame turns the sky by step radians
+//   look  see patchDirection in night.frag; each frame turns the sky by step radians
 static void light_of_frames(float look[4], double step, struct d3 middle, double reach,
                             double truth, double ends[2])
 {

@@ -311,7 +311,7 @@ TEST(test_octaves_have_their_constant)
     }
 }
 
-// Two lattice points with the same bits: all that are nearer than 1,565 cells are checked. c
+// No two lattice points nearer than 1,565 cells have the same bits: all pairs are checked. c
 // follows from a and b, because LATTICE_STEP.z is odd.
 TEST(test_lattice_points_agree_far_away_alone)
 {

@@ -180,7 +180,7 @@ static float *values_of(int function, int rows)
     return gpu_call(VALUES, 1024, rows, function, (const float[4]){0});
 }
 
-// pow is the only inexact function in it, so a thousandth of a step of the screen's 255 is allowed.
+// pow is its only inexact function, so a hundredth of a step of the screen's 255 is allowed.
 TEST(test_encoding_agrees_with_double_and_rises)
 {
     enum { COUNT = 1024 * 12 };
@@ -212,8 +212,8 @@ static double mean_excess(const double *light, int count)
     return encoded - mirror_encode(mean);
 }
 
-// Chapter 02, proof 4: it is never brighter by more than (1 - 1/n) of the step down between the two
-// pieces of the curve, and two lights on either side of that step come close to this.
+// Chapter 02, proof 4: the mean of n encoded lights is brighter by at most (1 - 1/n) of the step
+// down between the two pieces of the curve; two lights on either side of it come close to this.
 TEST(test_mean_of_encoded_lights_is_brighter_by_a_hair_at_most)
 {
     const double corner = 0.0031308;

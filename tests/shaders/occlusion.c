@@ -89,14 +89,14 @@ TEST(directions_are_above_the_disc)
         for (int i = 0; i < 256 * 256; i++) {
             const float *v = values + 4 * i;
             struct d3 w = d3_of(v);
-            double u = (i % 256 + 0.5) / 256.0; // of the radius: its square
+            double u = (i % 256 + 0.5) / 256.0; // the square of the point's radius
             assert_true(fabs(d3_length(w) - 1.0) < 1e-5);
             assert_true(fabs((double)v[3] * (double)v[3] - (1.0 - u)) < 1e-5 && v[3] >= 0.0f);
             sum = d3_add(sum, d3_times(1.0 / 65536.0, w));
             rise += (double)v[3] / 65536.0;
         }
         free(values);
-        assert_true(fabs(rise - 2.0 / 3.0) < 1e-4); // the mean cosine: of cos^2 / pi
+        assert_true(fabs(rise - 2.0 / 3.0) < 1e-4); // the mean cosine: the integral of cos^2 / pi
         assert_true(d3_length(d3_sub(sum, d3_times(2.0 / 3.0, normal))) < 1e-4);
     }
 }
@@ -333,7 +333,7 @@ TEST(a_way_through_a_ball_is_its_chord)
     free(values);
 }
 
-// Inside the union it is only a lower bound, but the length of the path is right.
+// Inside the union the distance is only a lower bound, but the length of the path is right.
 TEST(a_way_through_a_union_does_not_end_between)
 {
     const float numbers[4] = {-1.5f, 0.1f, 9.0f, TWO_BALLS};

@@ -64,7 +64,7 @@ static void add_rounded(struct boundary *of, double x, double y, double r)
                          0.5 * MIRROR_PI * (i + 1));
 }
 
-// The remaining parts of each piece, on which a test holds; their ends are found by bisection.
+// Keep the parts of each piece on which a test holds; their ends are found by bisection.
 static void keep(struct boundary *of, const struct boundary *all, bool (*kept)(struct d2))
 {
     enum { PARTS = 512 };
@@ -142,7 +142,7 @@ static void add_grown_dart(struct boundary *of)
     }
 }
 
-// The remaining parts of the boundaries of the box and the disc in their combination.
+// The parts of the boundaries of the box and the disc that bound their combination.
 static void add_combined(struct boundary *of, int which)
 {
     struct boundary first = {.count = 0}, second = {.count = 0};
@@ -254,7 +254,7 @@ static bool inside(int which, struct d2 p)
     }
 }
 
-// ---- The GPU compared with them ----
+// ---- The GPU compared with these figures ----
 
 // Rounding errors of a point's coordinates, of a square and of its root.
 static double slack(struct d2 p)

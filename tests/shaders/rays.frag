@@ -1,5 +1,5 @@
 #version 330 core
-// For numeric.c: the library's march, box interval, shadow ray and normal along random rays.
+// For rays.c: the library's march, box interval, shadow ray and normal along random rays.
 //
 // Each item takes 4 pixels of a row: (origin, -), (direction, -), and two of results. Time selects the function; iMouse
 // contains its numbers.

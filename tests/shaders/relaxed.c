@@ -94,8 +94,8 @@ TEST(no_surface_is_passed)
     assert_true(hits > 1000 && misses > 1000);
 }
 
-// Where the plain march takes n evaluations, this one takes at most n + 1. With a useful factor, it
-// takes fewer in total.
+// Where the plain march takes n evaluations, the relaxed one takes at most n + 1; with a useful
+// factor, it takes fewer in total.
 TEST(at_most_one_more)
 {
     const double threshold = 0.002;
@@ -121,7 +121,7 @@ TEST(at_most_one_more)
     }
 }
 
-// With omega 1 it equals marchCone to the last bit.
+// With omega 1, the relaxed march equals marchCone to the last bit.
 TEST(a_factor_of_one_is_the_march)
 {
     for (int function = LINES; function <= POINTS; function++) {

@@ -51,7 +51,7 @@ static double tower(struct d3 q, int x, int z)
     return brute_box(d3(q.x, q.y - tall, q.z), d3(0.8, tall, 0.8));
 }
 
-// The copy of cell (x, y, z), with its centre at the origin.
+// The copy of a cell with these x and z, with its centre at the origin.
 static double copy(int function, struct d3 q, int x, int z)
 {
     if (function <= LIMITED)
@@ -152,7 +152,7 @@ static void check_bound(const char *what, const struct field *field)
     assert_true(found.over < rounding && found.under > 0.1);
 }
 
-// The largest overestimate, which must be known to 3 per cent.
+// The largest overestimate, which must be within 3 per cent of the expected one.
 static void check_over(const char *what, const struct field *field, double expected)
 {
     struct found found = compare(field);
@@ -319,8 +319,8 @@ static double marched(double (*distance)(struct d3 p, double share), double shar
     return fmin(t, 30.0);
 }
 
-// A bound that jumps is safe too: half of each distance under the cap passes no tower. Without the
-// cap, the distances themselves do.
+// A bound that jumps is safe too: a march by half of each distance, under the cap, passes through
+// no tower. Without the cap, even one by the full distances does.
 TEST(test_a_march_by_a_bound_that_jumps)
 {
     int jumping = 0, uncapped = 0, hits = 0;

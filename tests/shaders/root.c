@@ -48,7 +48,7 @@ struct cell {
     double value[8], from[3], along[3];
 };
 
-// The interpolation at a path along the ray: a sum over the eight corners.
+// The interpolation at a distance t along the ray: a sum over the eight corners.
 static double value_along(const struct cell *c, double t)
 {
     double sum = 0.0;
@@ -82,7 +82,7 @@ static struct cell random_cell(int n)
     return c;
 }
 
-// The path to the end of the cell.
+// The distance to the end of the cell.
 static double end_of(const struct cell *c)
 {
     double end = 2.0;
@@ -143,7 +143,7 @@ static const char *const whole_march =
 
 struct ends {
     int clay;                      // pixels that show clay
-    double residual, least, steps; // largest size at the end, smallest value before it, mean
+    double residual, least, steps; // largest |value| at the end, smallest before it, mean
 };
 
 static struct ends ends_of(double exact)

@@ -20,7 +20,7 @@ static int setup(void **state)
 // ---- The integral ----
 
 // The program's integral, with Simpson's rule and midpoints in the air up to 120 km, compared with
-// Gauss's: within half a per cent of the direction's brightest channel wherever there is visible
+// Gauss's: within 1.5 per cent of the direction's brightest channel wherever there is visible
 // light.
 TEST(test_program_integrates)
 {
@@ -60,7 +60,7 @@ TEST(test_tables_are_right_along_their_middles)
 }
 
 // Between them, the share is a model: by day it is also right to within a step, but not when the
-// sun is lower. The article's two are worse at each angle.
+// sun is lower. The article's two models are worse at each angle.
 TEST(test_between_the_tables)
 {
     for (int angle = 45; angle <= 135; angle += 45) {
@@ -176,8 +176,8 @@ TEST(test_stops_follow_the_hour)
     free(values);
 }
 
-// A disc of any radius sends the same total light: its mean over the disc, with half of the light
-// or less outside the disc.
+// A disc of any radius sends nearly the same total light, the sunlight; outside it, its halo adds
+// less than a twentieth.
 TEST(test_disc_sends_the_sunlight)
 {
     double truth[3];
@@ -203,7 +203,7 @@ TEST(test_disc_sends_the_sunlight)
 // ---- The real sky ----
 
 // The light on level ground, from day to the end of nautical twilight, within a factor of 1.5 of
-// measurements. Below, the measured formula joins two known values, so the zenith is compared
+// measurements. Later, the measured formula joins two known values, so the zenith is compared
 // instead: F. Patat, O. S. Ugolnikov, O. V. Postylyakov, 'UBVRI twilight sky brightness at
 // ESO-Paranal', Astronomy and Astrophysics 455 (2006), in magnitudes per square second of arc, 27
 // units at 0.
@@ -231,15 +231,15 @@ TEST(test_twilight_is_as_bright_as_measured)
 }
 
 // Light scattered more than once, compared with random paths, which use no grid, no order and no
-// mean over directions: all the light of a direction within 13 %, the light scattered once within
-// the standard error.
+// mean over directions: all the light of a direction agrees within 13 % and two standard errors;
+// with the sun at or above the horizon, the light scattered once agrees within 4 %.
 TEST(test_program_against_chance)
 {
     enum { WAVE = 8, COUNT = 30000 };
     const double suns[] = {48.4, 0.0, -4.0, -6.0}, views[] = {1.0, 0.3, 0.05};
     for (int i = 0; i < 4 * 3 * 2; i++) {
         double sun = sine(suns[i / 6]), view = views[i / 2 % 3], azimuth = i % 2 == 0 ? 1.0 : -1.0;
-        if (view == 1.0 && azimuth < 0.0) // the zenith has one
+        if (view == 1.0 && azimuth < 0.0) // at the zenith, every azimuth is the same
             continue;
         double c = sun * view + sqrt((1.0 - sun * sun) * (1.0 - view * view)) * azimuth;
         struct air_paths chance = air_paths(sun, view, azimuth, 0.15, WAVE, COUNT);

@@ -176,7 +176,7 @@ TEST(a_ray_goes_to_its_place_on_the_lamp)
     for (int i = 0; i < 256; i++) {
         const float *v = values + 4 * i;
         assert_true(fabs((double)v[0] - 1.0) < 1e-6);
-        // Its points are half the radius from the centre.
+        // The points on the lamp are half its radius from its centre.
         assert_true(fabs((double)v[2] / (double)v[1] - 0.1) < 1e-5);
     }
     free(values);

@@ -146,8 +146,8 @@ TEST(test_turned_rectangle)
     solid_check(&solid);
 }
 
-// A stroke that ends on the axis reaches across it, by its width; the part beyond has its mirror
-// image in the stroke: exact outside.
+// A stroke that ends on the axis reaches across it, by its width. The part beyond has its mirror
+// image in the stroke, so the solid is exact outside.
 TEST(test_turned_bowl)
 {
     struct solid solid = {.name = "bowl", .function = TURNED_BOWL, .number = {0.08f}};

@@ -230,7 +230,7 @@ TEST(test_fold_keeps_one_side)
         bool behind = side < 0.0;
         assert_true(apart(got, behind ? reflected(p, normal, (double)offset) : p) <= slack);
         assert_true(d3_dot(got, normal) + (double)offset >= -slack);
-        // The other sign of both: the same plane, the other side, the mirror image.
+        // With both signs changed, the plane is the same, but the mirror image is kept.
         struct d3 mirrored = d3_of(other + (size_t)4 * SLOTS * (size_t)i + 8);
         assert_true(apart(mirrored, reflected(got, normal, (double)offset)) <= 2.0 * slack);
         moved += behind;

@@ -6,7 +6,7 @@
 #include "lib/png.h"
 #include "lib/scratch.h"
 
-// A shader whose pixel (x, y) shows an expression; size of the picture in pixels.
+// Draw a picture of this size, each pixel of which shows an expression.
 static float *draw_expression(const char *samplers, const char *expression, int width, int height)
 {
     char text[4096];
@@ -26,7 +26,7 @@ static float *draw_expression(const char *samplers, const char *expression, int 
     return values;
 }
 
-// A red ramp of all byte values, from 0 on the left to 255.
+// A grey ramp of all byte values, from 0 on the left to 255.
 static void write_ramp(void)
 {
     const struct png_kind kind = {.type = PNG_COLOR_TYPE_GRAY, .depth = 8};
@@ -147,7 +147,7 @@ TEST(the_level_is_the_one_asked_for)
     texture_image_free(&image);
 }
 
-// More samplers than any driver has units for; the harness uses the first unit, and one for
+// As many samplers as the driver has units, although the harness uses the first unit, and one for
 // letters.
 TEST(too_many_are_refused)
 {

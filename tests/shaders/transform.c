@@ -128,7 +128,7 @@ TEST(test_negated_angles_are_no_inverse)
                   small, estimate, estimated(30.0, 40.0, 20.0));
     assert_true(fabs(small / estimate - 1.0) < 0.05);
     assert_true(fabs(estimated(30.0, 40.0, 20.0) - 27.3) < 0.05);
-    // The angle of a cosine that is 1 up to a float's rounding.
+    // What is left here is only the rounding of a cosine of 1.
     assert_true(residual(30.0, 0.0, 0.0) < 0.05 && residual(0.0, 0.0, -70.0) < 0.05);
     // The printed matrix: a term in row 1, column 2 is missing.
     double k = MIRROR_PI / 180.0;
@@ -212,7 +212,7 @@ TEST(test_largest_stretch_agrees_with_squaring)
         const float *v = values + 16 * i;
         struct m3 m = {{d3_of(v), d3_of(v + 4), d3_of(v + 8)}};
         worst = fmax(worst, fabs((double)v[12] / m3_largest_stretch(&m) - 1.0));
-        assert_true(fabs((double)v[13] - 1.0) < 1e-3); // of a rotation
+        assert_true(fabs((double)v[13] - 1.0) < 1e-3); // the stretch of a rotation
     }
     free(values);
     print_message("# largestStretch of %d matrices: relative error %.2g\n", ITEMS, worst);

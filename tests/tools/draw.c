@@ -49,7 +49,7 @@ static bool read_line(struct listed *listed, const char *name)
     return true;
 }
 
-// Find a picture. The command line begins like that of a program that writes it.
+// Find a picture. Its command line begins like that of a program that writes the picture.
 static bool find_picture(struct listed *listed, const char *name, char *output)
 {
     FILE *file = fopen("tests/pictures/images.txt", "r");

@@ -25,7 +25,7 @@ int LLVMFuzzerInitialize(int *argc, char ***argv)
         fprintf(stderr, "FUZZ='%s': no such target\n", name != NULL ? name : "");
         exit(2);
     }
-    scratch_make(); // fuzz.sh removes it, because libFuzzer exits without atexit
+    scratch_make(); // fuzz.sh removes the folder, because libFuzzer exits without atexit
     return 0;
 }
 

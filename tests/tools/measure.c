@@ -157,7 +157,7 @@ static void print_shadow_row(const char *scene, const char *formula,
     printf("%s,%s,%.3f,%.3f,%.3f\n", scene, formula, error->mean, error->mean_size, error->worst);
 }
 
-// The wall of the page's worked point: its edge is 0.4 above the floor and 0.43 away.
+// The wall of the page's worked example: its edge is 0.4 above the floor and 0.43 away.
 static bool wall_blocks(struct d3 direction, const void *unused)
 {
     (void)unused;

@@ -122,7 +122,7 @@ TEST(test_wrapping_keeps_the_view)
                   NEAR);
 }
 
-// Where one second at a speed of 3 ends, cut into steps.
+// The camera after one second at a speed of 3, divided into steps.
 static struct camera walk(struct camera camera, const float direction[3], int steps)
 {
     for (int i = 0; i < steps; i++)

@@ -22,8 +22,8 @@ static size_t size_of(const struct renderer_inputs *inputs)
     return sizeof(float[4]) * (size_t)inputs->width * (size_t)inputs->height;
 }
 
-// This holds for any bands, including those that begin within a block, and for the sharpened rows
-// of a window with another picture drawn between them.
+// The parts are bands, some of which begin within a block, and the sharpened rows of a window with
+// another picture drawn between them.
 TEST(test_parts_of_a_picture_are_the_whole_to_the_bit)
 {
     for (int samples = 1; samples <= 2; samples++) {
@@ -50,7 +50,7 @@ TEST(test_parts_of_a_picture_are_the_whole_to_the_bit)
     }
 }
 
-// The probe begins where the picture does, and both are in the table, whatever was drawn in
+// The probe begins where the picture does: both starts are from the table, whatever was drawn in
 // between.
 TEST(test_a_probe_begins_where_the_picture_does)
 {
@@ -74,9 +74,8 @@ TEST(test_a_probe_begins_where_the_picture_does)
     free(picture);
 }
 
-// Samples lie within their pixel, so one table serves them all. More samples are the pixels of a
-// larger picture, except for the smaller blocks of that picture, and no ray has met anything
-// before its start.
+// Samples lie within their pixel, so one table serves them all. They agree with the pixels of a
+// larger picture although its blocks are smaller, because no ray meets anything before its start.
 TEST(test_samples_find_what_a_larger_picture_finds)
 {
     struct renderer_inputs small = wide_inputs(4), large = small;
@@ -174,8 +173,7 @@ TEST(test_a_missing_margin_is_reported_at_once)
     free(after);
 }
 
-// This driver cannot make a float target of the table's size. The table's target is requested
-// before the picture's.
+// This driver makes no float target. The table's target is requested before the picture's.
 static GLenum no_target(GLenum target)
 {
     return target == GL_FRAMEBUFFER ? GL_FRAMEBUFFER_UNSUPPORTED : 0;

@@ -136,7 +136,7 @@ IN_PROJECT(test_shadertoy_s_words)
     shader_free(&source);
 }
 
-// Features that only OpenGL ES knows do not reach the driver.
+// Versions and extensions that the driver may not know do not reach it.
 IN_PROJECT(test_versions)
 {
     static const struct {
@@ -159,7 +159,7 @@ IN_PROJECT(test_versions)
     }
 }
 
-// The text of a whole file for the driver, without the lines in front of it.
+// The driver must get this text for a whole file, after the lines in front of it.
 static void assert_driver_gets(const char *text, const char *expected)
 {
     char whole[512];
@@ -248,9 +248,9 @@ IN_PROJECT(test_texts_without_sense)
     assert_non_null(strstr(said, "main.frag: contains only comments"));
 }
 
-// A text of lines in which each name expands to the one before it, twice.
+// A text of lines in which each name expands to two copies of the previous one.
 //   line   "%1$d" is its number, and "%2$d" the number before
-//   ascends  the lines are in this order
+//   ascends  whether the numbers ascend
 static const char *doubled(const char *line, int count, bool ascends, const char *last)
 {
     static char text[8192];
@@ -325,7 +325,7 @@ IN_PROJECT(test_inputs_and_textures)
         "uniform sampler2D tex; out vec4 A; void main() { A = texture(tex, vec2(0)); }\n",
         "main.frag:2: tex has no picture: name it iChannel0");
     assert_dialect("#version 330 core\nuniform sampler2D tex; float k; " WRITES, DIALECT_WHOLE);
-    // A row where there is one picture, and one picture where there is a row: neither would be
+    // An array instead of a single value, and a single value instead of an array: neither would be
     // filled in.
     assert_refused(
         "uniform sampler2D iChannel0[2]; out vec4 A; void main() { A = texture(iChannel0[1], "

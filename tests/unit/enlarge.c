@@ -8,7 +8,7 @@ enum { SMALL_WIDTH = 40, SMALL_HEIGHT = 24, WIDTH = 97, HEIGHT = 71 };
 static const double byte = 1.0 / 255.0;
 
 // Draw colours into the renderer's picture, small.
-//   text  GLSL for c, from the texel's centre p, from 0,0 on
+//   text  GLSL that sets c, from the texel's indices p, counted from 0,0
 static void draw_small(const char *text, int width, int height)
 {
     char shader[1024];
@@ -136,8 +136,8 @@ TEST(the_edge_filter_follows_an_edge)
     }
 }
 
-// At half the resolution, its root mean square error is less than 0.95 of the bilinear filter's on
-// solids and shadows, and little larger than it on textures.
+// At half the resolution, the edge filter's root mean square error is less than 0.95 of the
+// bilinear filter's on solids and shadows, and hardly larger on textures.
 TEST(the_edge_filter_is_near_the_full_picture)
 {
     static const double most[ENLARGE_SCENES] = {0.95, 0.93, 1.04, 1.02, 1.01};

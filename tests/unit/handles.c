@@ -81,7 +81,7 @@ TEST(a_handle_is_where_its_point_is)
     }
 }
 
-// The handle is moved below a far pixel; the coordinate that its plane fixes is kept.
+// The handle is dragged to a distant pixel; the coordinate that its plane fixes is kept.
 TEST(a_handle_follows_a_pointer)
 {
     static const double to[][2] = {{220.0, 90.0}, {60.0, 80.0}, {160.0, 75.0}};

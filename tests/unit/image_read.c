@@ -116,7 +116,7 @@ TEST(sizes_have_their_limits)
     assert_refused("long.png", "longer than 16384 pixels: make it smaller");
     png_file("large.png", &kind, 16384, 1025, sample);
     assert_refused("large.png", "too many pixels");
-    // A width of 0 with a right checksum, because libpng does not write one.
+    // A width of 0 with a correct checksum, written here because libpng refuses to.
     unsigned char bytes[4096];
     const char *path = png_file("none.png", &kind, 4, 12, sample);
     size_t size = picture_bytes(path, bytes, sizeof bytes);

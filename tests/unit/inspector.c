@@ -180,7 +180,7 @@ TEST_WITH(slice_and_plot_keep_their_ray_free, set_up, NULL)
             assert_true(table() != NULL || sizes[i][0] < 640);
             for (int k = 0; k < overlay.count && sizes[i][0] >= 640; k++)
                 assert_true(overlay.rectangle[k].bottom < ray - 20.0f);
-            // The cross would be somewhere in them.
+            // There is no cross: the pixel has no position in these views.
             for (int k = 0; k < overlay.count; k++)
                 assert_false(coloured(&overlay.rectangle[k], PEN_HERE));
         }

@@ -21,10 +21,10 @@ TEST(texts_are_read_as_utf8)
         {"\x7f", 0xFFFD, 1},
         {"\xc2\x85", 0xFFFD, 2},         // a control of two bytes
         {"\xa9x", 0xFFFD, 1},            // the middle of a character
-        {"\xc3x", 0xFFFD, 1},            // one without its end
+        {"\xc3x", 0xFFFD, 1},            // a character without its end
         {"\xe2\x86", 0xFFFD, 2},         // cut off by the text's end
         {"\xc1\x81", 0xFFFD, 2},         // an overlong encoding of A
-        {"\xed\xa0\x80", 0xFFFD, 3},     // half of a pair
+        {"\xed\xa0\x80", 0xFFFD, 3},     // half of a surrogate pair
         {"\xf4\x90\x80\x80", 0xFFFD, 4}, // beyond the last code
         {"\xff", 0xFFFD, 1},
     };
@@ -128,7 +128,7 @@ TEST(an_image_covers_what_the_outline_does)
     }
 }
 
-// Each image keeps its contents while others are added, and another scale makes all of them again.
+// Each image keeps its contents while others are added; at another scale, all are drawn again.
 TEST(images_do_not_disturb_each_other)
 {
     struct letters letters = {0};

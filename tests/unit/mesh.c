@@ -125,7 +125,7 @@ TEST(the_mesh_is_closed)
             assert_int_equal(found, 1);
         }
         assert_int_equal(t.vertices - t.count / 2, 2);
-        for (int i = 0; steps > 1 && i < 3 * t.vertices; i++) // the grid has to contain it
+        for (int i = 0; steps > 1 && i < 3 * t.vertices; i++) // the grid must contain the mesh
             assert_true(fabs(t.vertex[i / 3][i % 3]) < 1.0 - 2.0 / (ELEPHANT_SIDE - 1));
         free(next);
         triangles_free(&t);
@@ -267,7 +267,7 @@ TEST(an_obj_file_is_the_mesh_that_was_written)
         fprintf(file, "v %.17g %.17g %.17g\n", t.vertex[i][0], t.vertex[i][1], t.vertex[i][2]);
     for (int i = 0; i < t.count; i += 2) { // the two triangles of a square share a diagonal
         const int *a = t.corner[i], *b = t.corner[i + 1];
-        int lone = 0, k = 0; // the corner of b that a does not have, and that of a
+        int lone = 0, k = 0; // the corner of b that a does not have, and vice versa
         while (b[lone] == a[0] || b[lone] == a[1] || b[lone] == a[2])
             lone++;
         while (a[k] == b[0] || a[k] == b[1] || a[k] == b[2])

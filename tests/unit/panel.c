@@ -152,7 +152,7 @@ TEST(a_panel_scrolls_to_the_selected_parameter)
     assert_true(says("20 parameters") && !says("0 to 0"));
 }
 
-// The panels of a chapter and of a ray are side by side, or the ray's is alone.
+// The panels of a chapter and a ray are side by side, or only the ray's fits and is shown.
 TEST(a_ray_comes_first_where_room_is_short)
 {
     struct panel panel = {
@@ -210,8 +210,8 @@ TEST(a_panel_fits_any_picture)
         }
 }
 
-// A line contains as much as fits, ends between words if there is a blank, and begins like the line
-// of the text, because an error shows a line of code by its indentation.
+// A line contains as much as fits, ends between words if there is a blank, and keeps the text's
+// indentation, by which an error marks a line of code.
 TEST(a_line_ends_between_words)
 {
     static const char *const lines[] = {"here: a long", "reason", "    int x;", "aaaaaaaaaaaa",

@@ -106,8 +106,7 @@ TEST(test_key_presses)
     struct parameter *p = parameters_find(&read, "height");
     for (int i = 0; i < 10; i++)
         parameter_change(p, -1);
-    // The values are equal to the last bit, because a sum of steps of 0.1 that drifts would miss 0
-    // and 0.3.
+    // The values must be exact: a sum of steps of 0.1 that drifts would miss 0 and 0.3.
     assert_true(p->value[0] == 0.0);
     parameter_change(p, 3);
     assert_true(p->value[0] == 0.3);
@@ -137,7 +136,7 @@ TEST(test_key_presses)
     parameter_change(p, -1);
     parameter_number(p->value[0], 0.99);
     parameter_number(p->value[2], 0.49);
-    // A factor of 1.1 rounds 1 to 1, but a key press must change the value all the same.
+    // 1 times 1.1 is rounded to 1, but a key press must change the value all the same.
     p = parameters_find(&read, "more");
     parameter_change(p, 1);
     parameter_number(p->value[0], 2.0);

@@ -54,7 +54,7 @@ TEST(a_code_has_its_light_again)
         assert_near(colour_encode(colour_decode(i / 255.0)), i / 255.0, 1e-6);
 }
 
-// Every step of a hue and of both axes; values are rounded to a thousandth of the range.
+// A grid of 9 x 9 x 9 colours; values are rounded to a thousandth of the range.
 TEST(what_is_taken_is_given_back)
 {
     struct parameter *lamp = &parameters[1];
@@ -101,7 +101,7 @@ TEST(the_square_shows_what_it_gives)
     for (int i = 0; i < 36; i++) {
         float x = 17.5f + 2.0f * (float)i, y = 27.5f + 60.0f * (float)(i % 7) / 7.0f;
         double shown[3] = {0}, rgb[3];
-        // All boxes at the position; the last ones are the marks.
+        // All boxes at the position, without the last five, which are the marks.
         for (int k = 0; k < overlay.count - 5; k++) {
             const struct overlay_rectangle *r = &overlay.rectangle[k];
             double share = r->colour.channel[3] / 255.0;
@@ -147,7 +147,7 @@ TEST(a_swatch_is_a_colour_s)
     const double many[3] = {0.123, 3.456, 1.234};
     memcpy(parameters[1].value, many, sizeof many);
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
-    assert_true(rows.width == wide); // it does not tremble while a colour is dragged
+    assert_true(rows.width == wide); // the panel does not tremble while a colour is dragged
     panel.rolled = true;
     panel_gather(&panel, &overlay, 640, 360, 1.0f);
     assert_true(picker.width == 0.0f);

@@ -27,7 +27,7 @@ static float *draw(const struct renderer_inputs *inputs, int band)
 
 // ---- Where each pixel is ----
 
-// Shows the pixel's position, divided by 4: screen.x and screen.y are within [-2, 2] here.
+// Shows 0.5 plus a quarter of the pixel's position, which is within [-2, 2] on both axes here.
 #define COURSE_PLACE                                                                               \
     GPU_COURSE                                                                                     \
     "vec3 rayColour(Ray ray) { return 0.5 + 0.25 * ray.origin; }\n"
@@ -56,8 +56,8 @@ static double worst_place(const struct renderer_inputs *inputs, int band)
     return worst * inputs->height / 2.0;
 }
 
-// A float stores 0.5 + screen / 4 to 2^-24: 4 * 2^-24 of the screen, times half the height. An
-// interpolated position has a few more rounding errors.
+// A float stores 0.5 + screen / 4 with an error of 2^-24, which is 4 * 2^-24 * height / 2 pixels.
+// An interpolated position has a few more rounding errors.
 static void check_place(const char *text, double most)
 {
     assert_true(gpu_load_text(text));
@@ -110,7 +110,7 @@ TEST(a_picture_of_several_bands_has_no_seam)
 
 // ---- Samples, bands ----
 
-// Several samples per pixel are the mean of the same samples taken as the pixels of a larger
+// A pixel of several samples is the mean of the same samples taken as the pixels of a larger
 // picture.
 //   difference  from which values count as different
 //   most        the share of the values that may differ
@@ -315,8 +315,8 @@ TEST(where_floats_do_not_blend_samples_are_added_as_halves)
 
 TEST(values_become_bytes)
 {
-    // The colours red, green and blue of a whole file, one per column, which are not clamped before
-    // the target.
+    // A whole file writes each value as red, beside 0.25 and 0.75; it is not clamped before the
+    // target.
     static const struct {
         const char *value;
         unsigned char byte;

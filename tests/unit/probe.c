@@ -15,7 +15,7 @@ static void load_chapter(const char *stem, struct renderer_inputs *inputs)
 }
 
 // At some pixels, the probe's colour equals the picture's to the last bit, whatever the bands and
-// samples of the picture; in the slice view, it equals the colour of the slice.
+// samples of the picture, even while the slice view is shown.
 static void check_colours(const struct renderer_inputs *inputs, enum shader_view view)
 {
     struct image image = {0};

@@ -5,8 +5,7 @@
 enum { FRAMES = 60 };
 static const double pixels = 960.0 * 540.0;
 
-// The time of a frame at a level: a fixed time, plus a time per pixel, times the error of the
-// clock.
+// A frame takes a fixed time, plus a cost for each pixel; to enlarge it takes the time beside.
 struct machine {
     double fixed, cost, beside;
 };
@@ -126,8 +125,8 @@ TEST(a_change_that_lasts_is_followed)
         assert_int_equal(draw_frame(&resolution, &slow, 1.0), coarse);
 }
 
-// Windows of all sizes: the filter is chosen once, by the time that it takes, under a clock that
-// varies by 15 %, with one time in five ten times as long.
+// Whatever time it takes, the filter changes at most once under a clock that varies by 15 %, with
+// one time in five ten times as long.
 TEST(the_filter_does_not_flicker)
 {
     for (double edge = 0.002; edge < 0.2; edge *= 1.05) {

@@ -92,7 +92,7 @@ TEST(no_walk_leads_into_the_scene)
     }
 }
 
-// A camera that flies down at an angle stops above the ground, but not sideways.
+// A camera that flies down at an angle stops above the ground, but continues sideways.
 TEST(the_camera_slides_along_the_ground)
 {
     float at[3] = {0.0f, 0.2f, 0.0f};

@@ -11,7 +11,7 @@ static struct shader_source source;
 static struct parameters parameters;
 static bool has_link; // the system has links
 
-// No sampler checks that its file is a picture.
+// The files are empty, because reading a sampler does not check that its file is a picture.
 static int set_up(void **state)
 {
     scratch_setup(state);

@@ -40,7 +40,7 @@ static unsigned char *ball(void)
     return grid;
 }
 
-// Two points on the ball, 0.3 apart, and the distance to a roll between them.
+// Two points on the ball, 0.28 apart, and the distance to a roll between them.
 static const double from[3] = {0.0, 0.48, 0.14}, to[3] = {0.0, 0.48, -0.14};
 
 static double to_roll(const double p[3], double radius)
@@ -50,7 +50,7 @@ static double to_roll(const double p[3], double radius)
     return length(way) - radius;
 }
 
-// Work along the same line in pieces.
+// Work along the line between them, in this number of pieces.
 static void work(unsigned char *grid, int pieces, double radius)
 {
     unsigned char *before = mesh_memory(BYTES, 1);
@@ -64,8 +64,8 @@ static void work(unsigned char *grid, int pieces, double radius)
     free(before);
 }
 
-// Added: away from the blend the distance is the smaller of both. Taken away: near the surface, the
-// larger of the ball's distance and the negated distance of the roll.
+// Where clay is added, the distance away from the blend is the smaller one. Where it is taken away,
+// the distance near the surface is the larger of the ball's and the negated distance of the roll.
 static void assert_near_truth(double radius)
 {
     unsigned char *grid = ball();

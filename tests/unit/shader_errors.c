@@ -219,7 +219,7 @@ IN_PROJECT(test_syntax_errors)
         "/root/main.frag:5: error: ", "\n    colour = = lib(1.0);\n");
 }
 
-// A statement without its end is blamed on the next line.
+// The driver finds a missing semicolon at the next token; the message names both lines.
 IN_PROJECT(test_a_missing_semicolon)
 {
     assert_blamed("float lib(float x)\n{\n    float y = x\n\n    return 2.0 * y;\n}\n", main_ok,

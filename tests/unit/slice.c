@@ -10,7 +10,7 @@ enum { WIDTH = 640, HEIGHT = 360 };
 
 // ---- The number of steps ----
 
-// Everything is at least 0.5 away: step k is at 0.5 k, and ends at the column's own limit.
+// The distance is 0.5 everywhere: step k is at 0.5 k, and the march ends at its column's limit.
 static const char equal_steps[] = "#include \"main.glsl\"\n"
                                   "#include \"march.glsl\"\n"
                                   "Ray pixelRay(vec2 screen)\n"

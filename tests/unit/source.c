@@ -119,7 +119,7 @@ IN_PROJECT(test_shader_outside_the_project)
     shader_free(&source);
 }
 
-// A handed-in file finds the chapter from any location; the nearest file of a name is used.
+// A file in any folder finds the chapters; of the files with one name, the nearest is used.
 IN_PROJECT(test_chapters_come_last)
 {
     struct shader_source source;
@@ -237,7 +237,7 @@ IN_PROJECT(test_climbing_out)
     assert_refused("#include \"../../secret.glsl\"\n", "main.frag:1: ", "outside the project");
     assert_refused("#include \"../../rootless/secret.glsl\"\n",
                    "main.frag:1: ", "outside the project");
-    // Up to the root of the disk and down again, after its drive letter if it has one.
+    // Up to the root of the disk and down again; the path has no drive letter.
     const char *secret = scratch_path("secret.glsl");
     char text[PLATFORM_PATH];
     snprintf(text, sizeof text, "#include \"../../../../../../../../../..%s\"\n",

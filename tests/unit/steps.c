@@ -38,9 +38,9 @@ static double dark_at(const float *values, double x, double y)
     return 1.0 - (double)values[4 * ((int)y * WIDTH + (int)x)];
 }
 
-// ---- The slice as far as a step ----
+// ---- The slice up to a step ----
 
-// Everything is at least 0.5 away: step k is at 0.5 k, and there are nine.
+// The distance is 0.5 everywhere: step k is at 0.5 k, and there are nine.
 static const char equal_steps[] = "#include \"main.glsl\"\n"
                                   "#include \"march.glsl\"\n"
                                   "Ray pixelRay(vec2 screen)\n"
@@ -155,7 +155,7 @@ TEST(the_places_are_those_of_the_other_camera)
         behind += !before;
     }
     seen = check_places(probe, &inputs.camera, 0.0);
-    print_message("# %d steps behind a third camera, %d before it\n", behind, seen);
+    print_message("# %d steps behind a third camera, %d in front\n", behind, seen);
     assert_true(behind >= 2 && seen >= 5);
     free(from);
     free(probe);
@@ -208,7 +208,7 @@ TEST(any_view_has_places)
             seen++;
         }
     }
-    print_message("# %d places\n", seen);
+    print_message("# %d steps have a position\n", seen);
     assert_true(seen >= 5);
     free(probe);
 }

@@ -52,7 +52,7 @@ TEST(a_texture_leaves_no_file_open)
 
 // ---- Levels ----
 
-// The part of cell a of n that lies in cell b of m, where both rows fill [0, 1].
+// The length that cell a of n shares with cell b of m, where both rows of cells fill [0, 1].
 static double common_part(int a, int n, int b, int m)
 {
     double begin = fmax((double)a / n, (double)b / m);

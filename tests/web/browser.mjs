@@ -25,7 +25,7 @@ export function check(name, right, ...more) {
     return right;
 }
 
-// Call it while the browsers are still running, because their time is counted.
+// Call this before the browsers are closed, because their time is counted.
 export function finish() {
     console.log(`# ${(processors() + process.cpuUsage().user / 1e6).toFixed(0)} s of processor time`);
     console.log(`1..${count}`);
@@ -149,7 +149,7 @@ export async function until(page, right) {
     }
 }
 
-// Wait until a condition that asks the page holds. Returns whether it does.
+// Wait until a condition holds, which may query the page. Returns whether it does.
 export async function holds(page, condition) {
     const begun = Date.now();
     while (!await condition()) {

@@ -23,7 +23,7 @@ const server = await serve(WEB), browser = await launch(), said = [], text = fs.
 async function open(options = {}, fragment = '', context = null) {
     context ??= await browser.newContext({viewport: {width: 1280, height: 800}, permissions: ['clipboard-read', 'clipboard-write'], ...options});
     const page = await context.newPage(), asked = [];
-    page.setDefaultTimeout(PATIENCE); // a limit for tests that hang: a machine with other work is slow
+    page.setDefaultTimeout(PATIENCE); // only for tests that hang; it is long because a busy machine is slow
     page.on('console', (message) => { if (message.type() === 'error') said.push(message.text()); });
     page.on('pageerror', (error) => said.push(error.message));
     page.on('request', (request) => asked.push(path.basename(new URL(request.url()).pathname)));
@@ -85,7 +85,7 @@ await lamp.getByRole('button').click();
 check('and its button resets it', await value(page, 'lampHeight') === 4.6);
 const shadows = page.locator('.live-row', {hasText: 'check whether the light is visible from the surface'}).locator('input');
 await shadows.uncheck();
-check('a box switches', await value(page, 'shadows') === 0);
+check('a checkbox switches its parameter', await value(page, 'shadows') === 0);
 await press(page, 'Reset all');
 check('all are reset', await value(page, 'shadows') === 1);
 const steps = page.locator('.live-row', {hasText: 'hitThreshold'}).locator('input[type=range]');
@@ -116,12 +116,12 @@ await page.waitForFunction(() => document.querySelector('.live-at')?.sectionRowI
 await page.locator('.live-table tbody tr').nth(3).locator('td').first().click();
 check('a row of the table selects its step', (await comes(page, 's.shown === 4')).shown === 4);
 await press(page, 'Back one step');
-check('and back', (await comes(page, 's.shown === 3')).shown === 3);
+check('and the button goes back', (await comes(page, 's.shown === 3')).shown === 3);
 await press(page, 'Slice');
-check('its slice is shown', (await comes(page, 's.view === "slice"')).view === 'slice');
+check('the slice of the ray is shown', (await comes(page, 's.view === "slice"')).view === 'slice');
 await press(page, 'Slice');
 await press(page, 'Deselect');
-check('it is deselected', (await comes(page, 's.pixel[0] < 0')).pixel[0] === -1 && await page.locator('.live-table').isHidden());
+check('the ray is deselected', (await comes(page, 's.pixel[0] < 0')).pixel[0] === -1 && await page.locator('.live-table').isHidden());
 
 // ---- The editor ----
 
@@ -136,20 +136,20 @@ await page.keyboard.press('Control+End');
 await page.keyboard.type('float wasd() { return vec3(1.0); }');
 await page.waitForSelector('.live-error:not([hidden])');
 const line = text.split('\n').length;
-check('an error has its line', (await words()).includes(`${FILE}:${line}: error:`), await words());
-check('which is marked, in the tab too', await page.locator('.cm-lint-marker-error').count() === 1 && await page.locator('.live-faulty').count() === 1);
+check('an error is reported with its line', (await words()).includes(`${FILE}:${line}: error:`), await words());
+check('the line is marked, and so is the tab', await page.locator('.cm-lint-marker-error').count() === 1 && await page.locator('.live-faulty').count() === 1);
 now = await state(page);
-check('and is visible', await page.evaluate(() => { const box = document.querySelector('.live-error').getBoundingClientRect(); return box.height > 0 && box.top >= document.querySelector('.live-canvas').getBoundingClientRect().bottom - 1 && box.bottom <= innerHeight + 1; }));
+check('and the error is visible', await page.evaluate(() => { const box = document.querySelector('.live-error').getBoundingClientRect(); return box.height > 0 && box.top >= document.querySelector('.live-canvas').getBoundingClientRect().bottom - 1 && box.bottom <= innerHeight + 1; }));
 check('typing does not move the page', now.camera.every((x, i) => x === eye[i]) && now.view === 'picture', eye, now.camera);
 check('the picture is visible above the text', await page.evaluate(() => { const box = document.querySelector('.live-canvas').getBoundingClientRect(); return box.top >= 0 && box.bottom < innerHeight; }));
 
-// It is kept although it is broken: the course's picture is shown then.
+// A broken edit is kept; until it is mended, the course's picture is shown.
 await page.reload();
 await page.waitForSelector('.live-start');
 await run(page);
 await page.waitForSelector('.live-error:not([hidden])');
 check('a reload keeps a broken edit, its error and a picture', (await words()).includes('error') && (await state(page)).runs);
-// A context that is lost with it is restored in the same way.
+// A context that is lost while the edit is broken is restored in the same way.
 await lamp.locator('input[type=number]').fill('3.25');
 await lamp.locator('input[type=number]').press('Enter');
 await page.evaluate(() => new Promise((found) => {
@@ -159,8 +159,8 @@ await page.evaluate(() => new Promise((found) => {
     taken.loseContext();
 }));
 now = await comes(page, 's.error !== "" && s.rate > 0');
-check('so does a lost context, with the values', now.runs && now.error !== '' && await value(page, 'lampHeight') === 3.25, now.error);
-check('and the page says whose changes they are', (await page.locator('.live-changes').textContent()).startsWith(`With your changes in ${FILE}.`));
+check('so does a restored context, with the values', now.runs && now.error !== '' && await value(page, 'lampHeight') === 3.25, now.error);
+check('and the page says that they are the reader\'s changes', (await page.locator('.live-changes').textContent()).startsWith(`With your changes in ${FILE}.`));
 await press(page, 'Edit');
 await page.waitForSelector('.cm-content');
 await press(page, 'Reset this file');
@@ -198,9 +198,9 @@ const buttons = page.locator('button.run');
 await buttons.nth(0).click();
 await page.waitForSelector('.live-beside.live-window');
 check('a command opens its program below it', (await state(page)).view === 'normals' && await page.evaluate(() => document.querySelector('.command').nextElementSibling.matches('.live-beside.live-on')));
-check('and the one at the top shows its poster again', await first(page).locator('.live-start').isVisible() && await first(page).locator('canvas').count() === 0);
+check('and the chapter at the top shows its poster again', await first(page).locator('.live-start').isVisible() && await first(page).locator('canvas').count() === 0);
 await press(page, 'Close');
-check('once closed, it is gone, and its button has the focus', await page.locator('.live-beside').count() === 0 && await page.evaluate(() => document.activeElement === document.querySelector('button.run')));
+check('once closed, the program is gone, and the command\'s button has the focus', await page.locator('.live-beside').count() === 0 && await page.evaluate(() => document.activeElement === document.querySelector('button.run')));
 await buttons.nth(1).click();
 const printed = page.locator('.live-printed');
 await printed.waitFor();
@@ -288,8 +288,8 @@ await page.emulateMedia({media: 'screen'});
 // ---- A reader's own file ----
 
 const toy = 'void mainImage(out vec4 c, in vec2 p) { c = vec4(p / iResolution.xy, 0.5, 1.0); }\n';
-// On a busy machine the browser may report late that the canvas is visible again: a ray that is selected before that
-// stays.
+// On a busy machine, the browser may report late that the canvas is visible again. A ray that is selected before the
+// report stays selected.
 await page.waitForFunction(() => document.querySelector('.live-on').program.near);
 const seen = (near) => page.evaluate((near) => {
     const {program} = document.querySelector('.live-on');

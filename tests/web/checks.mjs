@@ -1,6 +1,6 @@
 // checks.mjs [PATTERN] - the check of exercises in a page: the course's solution is right and the unsolved chapter
 // wrong, each in a sentence. Of every chapter that PATTERN selects, the exercise with the fewest pictures; without
-// PATTERN a few chapters, in continuous integration all. `make test SUITE=check` tests every exercise in the same way
+// PATTERN a few chapters; with ALL=1 every chapter. `make test SUITE=check` tests every exercise in the same way
 // in the terminal.
 import fs from 'node:fs';
 import {blankPage, check, finish, launch, serve, WEB} from './browser.mjs';

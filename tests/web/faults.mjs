@@ -186,7 +186,7 @@ await page.goto(`${server.at}/${LONG}#exit-questions`);
 check('and so is an address within it', await there(page));
 await page.goto(`${server.at}/index.html`);
 await page.goto(`${server.at}/${LONG}#:~:text=A%20star%20in%20one%20stroke`);
-check('and one that quotes its words', await page.getByText('A star in one stroke').first().isVisible());
+check('and an address that quotes words of the rest', await page.getByText('A star in one stroke').first().isVisible());
 await page.close();
 ({page} = await open('01_normal_colouring.html'));
 const policy = await page.evaluate(() => new Promise((told) => {

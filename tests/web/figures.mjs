@@ -1,7 +1,7 @@
 // figures.mjs [PATTERN] - the interactive figures of every chapter's page: each runs in its place, and one of its
-// points responds, first to the mouse at 1440 pixels and then to a finger at 390. The time that this takes is printed
-// but not judged. Every third chapter is tried; with ALL=1 all of them and all their figures; with PATTERN those that
-// match.
+// points responds: in every other figure to the mouse at 1440 pixels, in the rest to a finger at 390. The time that
+// this takes is printed but not judged. Every third chapter is tried, with two figures; with ALL=1 all chapters, with
+// all figures; with PATTERN the chapters that match.
 import fs from 'node:fs';
 import {blankPage, check, finish, launch, PATIENCE, serve, SITE, whole} from './browser.mjs';
 

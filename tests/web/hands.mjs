@@ -53,7 +53,7 @@ const other = page.locator('.in-place:has(img[src*="normals"])').first();
 await other.scrollIntoViewIfNeeded();
 await other.locator('.live-start').click();
 await page.waitForFunction(() => document.querySelector('.live-drawn img')?.src.includes('normals'));
-check('the program of the page moves to the next one, and the first is a picture again', await page.locator('.live-canvas').count() === 1 && await picture.locator('img').isVisible());
+check('the page\'s program moves to the next picture, and the first is still again', await page.locator('.live-canvas').count() === 1 && await picture.locator('img').isVisible());
 check('no error in the console', said.length === 0, said);
 await page.close();
 
@@ -102,7 +102,7 @@ for (const [name, context] of [['1440 pixels', DESK], ['390 pixels', PHONE]]) {
     check(`${name}: with the keyboard a point is focused, and the arrow keys move it`, (await value(page, focused))[0] > stood[0], focused, stood);
     for (let i = 0; i < 2; i++) await page.keyboard.press('Enter'); // the ball is the last one: then none is selected, then the first
     now = await comes(page, 's.handles.some((one) => one.focused && one.name !== v[0])', focused);
-    check(`${name}: Enter selects the next one`, ![undefined, focused].includes(now.handles.find((one) => one.focused)?.name));
+    check(`${name}: Enter selects the next point`, ![undefined, focused].includes(now.handles.find((one) => one.focused)?.name));
     check(`${name}: nothing to scroll sideways`, await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
     check(`${name}: no error in the console`, said.length === 0, said);
     await page.close();
@@ -184,7 +184,7 @@ await page.evaluate(() => document.querySelector('code.scrub').focus({preventScr
 await page.keyboard.press('ArrowRight');
 await page.waitForSelector('.live-afloat');
 box = await page.locator('.live-canvas').boundingBox();
-check('a picture that is scrolled out of view becomes visible while its number is dragged', box.y >= 0 && box.y + box.height <= 900, box);
+check('a picture that is scrolled out of view becomes visible while its number is changed', box.y >= 0 && box.y + box.height <= 900, box);
 check('no error in the console', said.length === 0, said);
 await page.close();
 
@@ -263,9 +263,9 @@ await page.waitForFunction(() => document.querySelector('img[data-film]').curren
 check('and continues with a film of a day', true);
 await page.locator('a.begin').click();
 await page.waitForSelector('.live-window.live-editing .cm-content');
-check('its button starts a ball, with its text', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
+check('its button starts a ball, and opens its text', new URL(page.url()).pathname === '/play.html' && /sdSphere/.test(await page.locator('.cm-content').textContent()));
 const [left, right] = [await page.locator('.live-canvas').boundingBox(), await page.locator('.live-editor').boundingBox()];
-check('which is beside the picture', right.x >= left.x + left.width, left, right);
+check('the text is beside the picture', right.x >= left.x + left.width, left, right);
 check('the button for a file has the font of the page', await page.evaluate(() => getComputedStyle(document.querySelector('#file'), '::file-selector-button').fontFamily === getComputedStyle(document.body).fontFamily));
 check('no error in the console', said.length === 0, said);
 await page.close();

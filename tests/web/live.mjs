@@ -95,14 +95,14 @@ await page.close();
 ({page, said} = await chapter('02_lighting', {viewport: {width: 390, height: 844}, hasTouch: true, isMobile: true, deviceScaleFactor: 2}));
 await page.locator('live-chapter .live-start').first().tap();
 now = await until(page, (s) => s.rate > 0);
-check('on a telephone a tap runs it', now?.runs);
+check('on a telephone a tap runs the chapter', now?.runs);
 const across = () => page.evaluate(() => document.documentElement.scrollWidth - document.documentElement.clientWidth);
 check('nothing to scroll sideways', await across() <= 0, await across());
 await page.getByRole('toolbar', {name: 'The program'}).getByRole('button', {name: 'Edit'}).tap();
 await page.locator('.cm-content').waitFor();
 check('nor with the editor', await across() <= 0, await across());
 check('nor in the editor, whose long lines wrap', await page.locator('.cm-scroller').evaluate((one) => one.scrollWidth <= one.clientWidth));
-await page.addStyleTag({content: 'html { overflow-anchor: none; }'}); // not every browser keeps the text by itself
+await page.addStyleTag({content: 'html { overflow-anchor: none; }'}); // not every browser keeps the text in its place by itself
 const above = async () => (await page.locator('.live-editor').boundingBox()).y, stands = await above();
 await page.keyboard.type('// mine\n');
 await page.locator('.live-changes').waitFor();
@@ -192,7 +192,7 @@ await page.close();
 
 // ---- The line of every button ----
 
-// options.c reads each line as the program would, and prints the shader's parameters; it draws nothing.
+// With --list, the program reads each line, prints the shader's parameters and draws nothing.
 const plain = (html) => html.replaceAll('&quot;', '"').replaceAll('&#39;', '\'').replaceAll('&lt;', '<').replaceAll('&gt;', '>').replaceAll('&amp;', '&');
 const lines = new Map();
 for (const name of fs.readdirSync(SITE).filter((name) => name.endsWith('.html'))) {

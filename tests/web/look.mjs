@@ -1,8 +1,8 @@
 // look.mjs [PATTERN] - every page of the site in Chromium: what axe-core finds, in light and in dark; nothing to scroll
 // sideways on a phone's 390 pixels; nothing wider than a printed page, whose answers are at its end; no error in the
 // console, no request that fails or leaves the site, and none before a click for the module, the editor or the course's
-// files. One page is opened as a file. It looks at the front page, the page Play
-// and every third of the others; with ALL=1 at all; with PATTERN at those that match.
+// files. One page is opened as a file. By default it looks at the front page, the page Play and every third
+// of the others; with ALL=1 at all of them; with PATTERN at those that match.
 import fs from 'node:fs';
 import {pathToFileURL} from 'node:url';
 import {blankPage, check, finish, launch, serve, SITE, whole} from './browser.mjs';
@@ -11,7 +11,7 @@ const AXE = fs.readFileSync('build/node/node_modules/axe-core/axe.min.js', 'utf8
 const LATER = /harness|course|stage\.js|program\.js|editor\.js|check\.js|exercises|search\.js/; // loaded only by a click or a search
 const pattern = new RegExp(process.argv[2] || '');
 const server = await serve(SITE), browser = await launch('none');
-// The page of a file differs from another one only in its text.
+// The pages of the source files differ only in their texts, so a few of them suffice.
 const sources = fs.readdirSync(`${SITE}/source`, {recursive: true}).filter((name) => name.endsWith('.html')).map((name) => `source/${name}`).sort();
 const names = [...fs.readdirSync(SITE).filter((name) => name.endsWith('.html')), ...sources.filter((_, i) => i % 40 === 0)].filter((name, i) => pattern.test(name) &&
     (process.argv[2] || process.env.ALL || i % 3 === 0 || /^(index|play)\.html$/.test(name)));

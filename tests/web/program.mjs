@@ -8,7 +8,7 @@ const {page, said} = await openPage(browser, server.at);
 const canvas = page.locator('#canvas');
 const parameter = (now, name) => now.parameters.find((p) => p.name === name).value;
 
-// What the canvas shows, from the browser's own screenshot: the mean of its bytes, and whether a part is black.
+// What the canvas shows, from the browser's own screenshot: the mean of its colour bytes, and its size.
 async function shown(of = page) {
     const png = await of.locator('#canvas').screenshot();
     return of.evaluate(async (data) => {
@@ -27,11 +27,11 @@ const calls = () => page.evaluate(() => ({...window.calls}));
 // ---- Command lines ----
 
 check('a wrong option is refused with status 2', await start(page, '03_shadows', '--nonsense') === 2);
-check('with one line of the program', (await page.evaluate(() => window.lines.filter((line) => line.startsWith('! ')))).length === 1);
+check('with one line from the program', (await page.evaluate(() => window.lines.filter((line) => line.startsWith('! ')))).length === 1);
 check('an unknown chapter is refused', await start(page, '77_nothing') === 2);
 await page.evaluate(() => { window.lines.length = 0; });
 check('--help ends with status 0', await start(page, '03_shadows', '--help') === 0);
-check('and prints what the program prints', (await page.evaluate(() => window.lines.join('\n'))).trim() ===
+check('and prints what the native program prints', (await page.evaluate(() => window.lines.join('\n'))).trim() ===
     execFileSync('build/03_shadows', ['--help'], {encoding: 'utf8'}).replaceAll('build/03_shadows', '03_shadows').trim());
 check('a word may be in quotes', await start(page, '03_shadows', `--set "lampHeight=2.5" --size '320x180'`) === 0);
 check('a value in the command line sets the parameter', parameter(await state(page), 'lampHeight')[0] === 2.5);
@@ -124,7 +124,7 @@ await canvas.focus();
 const length = parameter(await state(page), 'focalLength')[0];
 await page.mouse.wheel(0, -300);
 now = await until(page, (s) => parameter(s, 'focalLength')[0] > length);
-check('with it, the wheel belongs to the program', parameter(now, 'focalLength')[0] > length && await page.evaluate(() => window.scrollY) === 0, length);
+check('with the focus, the wheel belongs to the program', parameter(now, 'focalLength')[0] > length && await page.evaluate(() => window.scrollY) === 0, length);
 
 // ---- Fingers ----
 
@@ -160,7 +160,7 @@ await touch('touchStart', [160, 110]);
 await touch('touchEnd');
 now = await until(phone.page, (s) => s.probe !== undefined);
 check('a tap marches the ray of its pixel', now.probe?.steps > 0 && Math.abs(now.pixel[0] - 320) <= 1 && Math.abs(now.pixel[1] - 139) <= 1, now.pixel);
-check('the page has not moved under them', await phone.page.evaluate(() => window.scrollY === 0 && visualViewport.scale === 1));
+check('the page has not moved under the fingers', await phone.page.evaluate(() => window.scrollY === 0 && visualViewport.scale === 1));
 check('no error in the phone\'s console', phone.said.length === 0, phone.said);
 await phone.page.close();
 
@@ -170,7 +170,7 @@ check('a value that the page sets is kept within its range', lamp.value[0] === l
 
 // ---- WebGL's traps ----
 
-// Only the overlay is drawn again, over a picture that is only copied. By then, a browser has cleared the canvas.
+// Only the overlay is drawn again, over a copy of the stored picture: by then, a browser has cleared the canvas.
 await page.evaluate(() => window.program.call('live_pause', 1));
 await rest(page);
 const whole = (await shown()).mean;
@@ -207,7 +207,7 @@ check('and its time does not advance', (await state(page)).time === hiddenTime);
 const [shownAt] = await hide(false);
 now = await until(page, (s) => s.time > hiddenTime);
 const shownFor = (await page.evaluate(() => performance.now() / 1000)) - shownAt;
-// When the page was hidden, up to one turn had passed since the last turn.
+// A turn may have been almost due when the page was hidden, so its time is allowed for.
 check('the time for which it was hidden is not made up', now.time - hiddenTime < shownFor + 0.5 * (shownAt - hiddenAt), hiddenTime, now.time, hiddenAt, shownAt, shownFor);
 await page.evaluate(() => window.scrollTo(0, 2000));
 await page.waitForFunction(() => !window.program.visible).catch(() => {});
@@ -259,7 +259,7 @@ await rest(page);
 const both = await state(page), bothMean = (await shown()).mean;
 await take();
 now = await giveBack();
-check('so are both pictures of a comparison', JSON.stringify(now.parameters) === JSON.stringify(both.parameters) && parameter(now, 'factor (right)')[0] === 0.3, now.parameters, now.error);
+check('both pictures of a comparison are restored', JSON.stringify(now.parameters) === JSON.stringify(both.parameters) && parameter(now, 'factor (right)')[0] === 0.3, now.parameters, now.error);
 check('with their divider', Math.abs((await shown()).mean - bothMean) < 0.1, bothMean, await shown());
 
 // ---- Other people's files ----
@@ -296,9 +296,9 @@ const poor = await openPage(browser, server.at, {before: () => {
 await start(poor.page, '03_shadows');
 now = await state(poor.page);
 const forms = await poor.page.evaluate(() => window.forms);
-check('without EXT_float_blend targets are made of half floats, and the page can ask for it', now.halves && forms.includes(0x881A) && !forms.includes(0x8814), now.halves, forms);
+check('without EXT_float_blend targets are made of half floats, and the state says so', now.halves && forms.includes(0x881A) && !forms.includes(0x8814), now.halves, forms);
 check('and the picture is there', (await shown(poor.page)).mean > 20);
-check('with it they are floats', !kept.halves);
+check('with EXT_float_blend they are floats', !kept.halves);
 
 const none = await openPage(browser, server.at, {before: () => {
     const own = HTMLCanvasElement.prototype.getContext;
@@ -329,7 +329,7 @@ await frames(apart.page, 60);
 check('a further change is compiled instead', (await state(apart.page)).compiles);
 await apart.page.evaluate(() => { window.compiled = true; });
 now = await until(apart.page, (s) => !s.compiles);
-check('and its errors are those of its text', /03_shadows\.frag:\d+: error/.test(now.error), now.error);
+check('and the errors are those of the further change', /03_shadows\.frag:\d+: error/.test(now.error), now.error);
 await apart.page.close();
 
 // ---- A slow driver ----

@@ -1,6 +1,6 @@
 // swiftshader.mjs [PATTERN] - the pictures on SwiftShader, Chromium's own rasteriser for machines without a graphics
 // card: how far each is from its reference, and how large the errors of its functions are, next to Mesa's; printed but
-// not judged. docs/architecture.md has the reasons. PATTERN selects others than one of each chapter.
+// not judged. docs/architecture.md has the reasons. By default one picture of each chapter; PATTERN selects others.
 import fs from 'node:fs';
 import {check, compare, draw, finish, keep, launch, openPage, pictures, serve, WEB} from './browser.mjs';
 

@@ -1,5 +1,5 @@
 // comparison.c - two pictures side by side in a window: the divider is dragged, both follow the
-// camera and the keys, and each has its own values. tests/window/reload.c saves their files.
+// camera and the keys, and each has its own values. tests/window/reload.c tests saved files.
 #include "lib/compare.h"
 #include "lib/scratch.h"
 #include "lib/session.h"
@@ -8,8 +8,8 @@
 #define CHAPTER "01_normal_colouring"
 #define PAIR    SESSION_STILL " --compare --set normalStep=0.4"
 
-// A picture that is written and a screenshot both have labels, but neither shows the window's
-// handle: the screenshot equals the picture of the command line.
+// A picture that is written and a screenshot both have labels, but neither shows the handle of the
+// window's divider: the screenshot equals the picture of the command line.
 static void assert_shot(const char *options, ...) __attribute__((format(printf, 1, 2)));
 static void assert_shot(const char *options, ...)
 {
@@ -34,12 +34,12 @@ SESSION_TEST(the_divider_is_dragged)
     session_keep(0);
     drag(160, 96);
     assert_shot(PAIR " --divider 0.3");
-    assert_true(session_off(0, (const int[]){96, 0, 64, 200}) > 0.01); // as shown
+    assert_true(session_off(0, (const int[]){96, 0, 64, 200}) > 0.01); // in the window too
     drag(96, 319);
     drag(318, 64);
     assert_shot(PAIR " --divider 0.2");
     session_keep(0);
-    drag(100, 160); // beside it: both turn
+    drag(100, 160); // beside the divider: both pictures turn
     assert_true(session_off(0, (const int[]){0, 0, 60, 200}) > 0.01);
     assert_true(session_off(0, (const int[]){70, 0, 250, 200}) > 0.01);
     session_shift_key(GLFW_KEY_R);
@@ -69,7 +69,7 @@ SESSION_TEST(each_has_its_own_values)
     session_key(GLFW_KEY_LEFT);
     session_assert_title("normalStep (right) = 0.2");
     assert_shot(SESSION_STILL " --compare --set normalStep=0.2 --divider 0.2");
-    // In the panel its row is at 70 units.
+    // In the panel, the parameter's row is 70 units below the top of the window.
     session_key(GLFW_KEY_H);
     session_turn();
     user_drag(60, 70, -20, 0);

@@ -72,7 +72,7 @@ static double travelled(void)
     return (double)glm_vec3_norm(way);
 }
 
-// All events wait in one poll, and by then the pointer is at the end of the drag.
+// All these events arrive in one poll, and by then the pointer is at the end of the drag.
 TEST_WITH(a_drag_behind_a_focus_turns, set_up, NULL)
 {
     user.calls.focus(NULL, GLFW_TRUE);
@@ -116,8 +116,8 @@ TEST_WITH(a_click_chooses_a_ray, set_up, NULL)
     assert_true(tested.inputs.pixel[0] == -1 && tested.dirty);
 }
 
-// A click has a position in the window's units from the top left, a pixel one from the bottom left;
-// on a dense display a unit is 2, or 1.5, pixels wide.
+// A click is measured in the window's units from the top left, a pixel from the bottom left; on a
+// dense display a unit is 2, or 1.5, pixels wide.
 TEST_WITH(a_click_finds_its_pixel_on_any_display, set_up, NULL)
 {
     static const struct {
@@ -164,8 +164,8 @@ TEST_WITH(the_wheel_zooms, set_up, NULL)
     assert_false(tested.moved);
 }
 
-// The distance is the time for which the key was down, at 2 units a second, whatever the number of
-// turns.
+// The eye moves by 2 units for each second that the key is down, or by 8 with Shift or F held,
+// however many turns of the loop that takes.
 TEST_WITH(a_held_key_moves, set_up, NULL)
 {
     user_press(GLFW_KEY_W, 0);
@@ -188,7 +188,7 @@ TEST_WITH(a_held_key_moves, set_up, NULL)
     assert_true(fabs(travelled() - 0.25) < 1e-5);
 }
 
-// A way: how far to the right, up and forward, seen from the eye, except that up is the world's.
+// way: how far to the right, up and forward, seen from the eye, except that up is the world's.
 TEST_WITH(each_key_has_its_way, set_up, NULL)
 {
     static const struct {
@@ -283,8 +283,8 @@ TEST_WITH(tab_passes_through_what_lies_between, set_up, NULL)
     assert_true(renderer.orthographic == 1.0);
 }
 
-// Characters typed into a field. A French keyboard's comma counts as a point; accents and signs are
-// reported.
+// Characters typed into a field. The comma of a French keyboard counts as a point, and a character
+// that no number contains is reported.
 TEST_WITH(a_field_takes_a_number_alone, set_up, NULL)
 {
     struct parameter item[] = {{.name = "size", .components = 1, .maximum = 9.0, .value = {5.0}},
@@ -361,19 +361,19 @@ TEST_WITH(a_picker_closes, set_up, NULL)
     for (int k = 0; k < 3; k++)
         assert_true(colour.value[k] == 1.0);
     assert_turned(10, 20);
-    tested.dirty = false; // drawn, and its row was not there
+    tested.dirty = false; // as if drawn without the picker's row
     tested.grab.picker.width = 0.0f;
     window_act(&tested);
     assert_false(tested.input.picker_open);
     user_press(GLFW_KEY_ESCAPE, 0);
     window_act(&tested);
     assert_true(tested.paused);
-    // Once it is closed a drag in the picture turns the eye again.
+    // Once it is closed, a drag in the picture turns the eye again.
     drag(40, 0);
     assert_turned(16, 20);
 }
 
-// Each key with its effect, under its label on a French keyboard.
+// Each effect with its keys, under their labels on a French keyboard.
 TEST_WITH(every_key_is_listed, set_up, NULL)
 {
     static const char *const listed[][2] = {{"move", "Z Q S D"},      {"up, down", "Space C"},

@@ -104,7 +104,7 @@ SESSION_TEST(a_screenshot_is_the_picture)
     session_close();
     struct image shot, shown;
     struct image_difference difference;
-    session_open(CHAPTER, SESSION_STILL " --overlay"); // kept in it
+    session_open(CHAPTER, SESSION_STILL " --overlay"); // the screenshot contains it
     user_look(&shown);
     session_shoot(&shot);
     assert_true(image_compare(&shot, &shown, &difference) && difference.f2 < 0.01);
@@ -173,7 +173,7 @@ SESSION_TEST(time_runs_and_is_held)
     session_keep(0);
     session_wait(0.5);
     assert_true(session_off(0, NULL) <= 0.0);
-    session_key(GLFW_KEY_4); // the steps, which a whole file does not have
+    session_key(GLFW_KEY_4); // the steps, which a file with its own main does not have
     session_assert_title(" - picture");
     assert_non_null(strstr(session_said(2), "steps"));
     assert_true(session_off(0, NULL) > 0.01); // the overlay says so too,
@@ -185,11 +185,11 @@ SESSION_TEST(time_runs_and_is_held)
     session_key(GLFW_KEY_ESCAPE);
     session_wait(0.5);
     assert_true(session_off(0, NULL) > 0.01);
-    session_key(GLFW_KEY_E); // it keeps no trace: there is no ray
+    session_key(GLFW_KEY_E); // this shader keeps no trace, so there is no ray
     session_close();
 }
 
-// Red is OrthoView of a whole file.
+// The shader has its own main, and shows OrthoView as red.
 SESSION_TEST(tab_leads_to_the_other_projection)
 {
     scratch_write("whole.frag", "#version 330 core\nin float OrthoView;\nout vec4 FragColor;\n"

@@ -109,7 +109,7 @@ SESSION_TEST(page_keys_lead_through_the_scenes)
     on();
     turns(60); // its time is paused
     assert_scene(stems[2], "--time 1 --set lampSpeed=50");
-    session_assert_title("lampSpeed = 50"); // the first of --set is selected
+    session_assert_title("lampSpeed = 50"); // the first parameter of --set is selected
     on();                                   // it is the last scene
     key(GLFW_KEY_RIGHT, 0);
     session_assert_title("lampSpeed = 55");
@@ -141,7 +141,7 @@ SESSION_TEST(a_ray_comes_before_the_next_scene)
     assert_scene(stems[1], STILL " --view slice --step 4");
     back();
     back();
-    back(); // nothing is before the second step
+    back(); // the scene begins at step 2
     assert_scene(stems[1], STILL " --view slice --step 2");
     close_list();
 }
@@ -198,7 +198,7 @@ SESSION_TEST(the_next_scene_is_compiled_ahead)
     on();
     assert_int_equal(user.links, ahead);
     assert_scene(stems[2], "--time 0");
-    assert_true(user.links > ahead); // the fourth
+    assert_true(user.links > ahead); // the fourth scene is compiled ahead
     ahead = user.links;
     back();
     assert_scene(stems[1], STILL " --set focalLength=1.5");

@@ -86,7 +86,7 @@ static int grey(void)
 }
 
 // The selected pixel is scaled with the picture; otherwise another ray would be marched. The grey
-// shows how far its second step is from a plane on the right.
+// shows how far the second step of the marched ray is from a plane on the right.
 SESSION_TEST(a_coarse_picture_marches_the_selected_ray)
 {
     scratch_write("marched.frag",

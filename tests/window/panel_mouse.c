@@ -108,8 +108,8 @@ SESSION_TEST(a_row_changes_its_value)
     session_close();
 }
 
-// A click selects another parameter, and the rows of the one that was selected stay open while the
-// pointer is on the panel: a second click at the same position meets the same row.
+// When a click selects another parameter, the rows below the previous one stay open while the
+// pointer is on the panel, so a second click at the same position meets the same row.
 SESSION_TEST(rows_stay_below_the_pointer)
 {
     open_rows(1);
@@ -126,7 +126,7 @@ SESSION_TEST(rows_stay_below_the_pointer)
     session_click(60, 74);
     session_assert_title("fine = ");
     leave_panel();
-    session_click(60, 62); // the same parameter, now that size has closed
+    session_click(60, 62); // fine is one row higher, because the range of size is hidden
     session_assert_title("fine = ");
     session_close();
 }
@@ -169,7 +169,7 @@ SESSION_TEST(words_are_pressed)
     session_assert_title("(paused)");
     session_click(28, 128);
     assert_false(session_titled("(paused)"));
-    session_click(126, 128); // step on: the ray of the middle
+    session_click(126, 128); // step on: selects the ray of the middle pixel
     assert_non_null(strstr(session_said(1), "ray of pixel 240,135"));
     session_key(GLFW_KEY_X);
     session_click(165, 128); // hide
@@ -178,9 +178,9 @@ SESSION_TEST(words_are_pressed)
     point(60, 18);
     session_keep(1);
     leave_panel();
-    assert_true(session_off(1, NULL) > 0.005); // its title was there
+    assert_true(session_off(1, NULL) > 0.005); // the panel's title was visible
     point(60, 18);
-    session_click(68, 18); // its mark
+    session_click(68, 18); // the mark in the title unfolds the panel
     leave_panel();
     assert_true(session_off(0, NULL) <= 0.0);
     session_close();
@@ -230,7 +230,7 @@ SESSION_TEST(a_colour_is_picked)
         session_open(CHAPTER, "--size %dx%d --overlay=%d --shader %s", s * 480, s * 270, s,
                      scratch_path("colour.frag"));
         session_keep(0);
-        session_click(s * 97, s * 50); // the colour's own colour
+        session_click(s * 97, s * 50); // the sample of the colour in its row
         point(s * 400, s * 250);
         session_bounds(0, beside, box);
         assert_int_equal(box[2], s * 104);
@@ -310,7 +310,7 @@ SESSION_TEST(the_panel_moves_folds_and_helps)
 
 // ---- Shadertoy's mouse ----
 
-// The shader shows iMouse: the window looks the same when these numbers are written in its place.
+// The shader shows iMouse. The window looks the same if these numbers are written instead of it.
 static void assert_mouse(const char *mouse)
 {
     char text[512];
@@ -335,9 +335,9 @@ SESSION_TEST(shadertoy_s_mouse_is_set)
     user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_PRESS);
     session_turn();
     assert_mouse("vec4(100.0, 120.0, 100.0, 120.0)");
-    point(
-        160,
-        150); // held: the position of the press, with a negative last number from the next turn on
+    // While the button is held, the last two numbers are the position of the press; from the next
+    // turn on, the last one is negative.
+    point(160, 150);
     assert_mouse("vec4(160.0, 50.0, 100.0, -120.0)");
     user_button(GLFW_MOUSE_BUTTON_LEFT, GLFW_RELEASE);
     point(30, 90);

@@ -1,10 +1,10 @@
-// playback.c - one ray in the window, step by step: the slice, the plot and the picture show it
-// like the command line, and it stays in space while the camera moves.
+// playback.c - one ray in the window, step by step: the slice, the plot and the picture show it as
+// the command line does, and it stays in space while the camera moves.
 #include "lib/session.h"
 #include "lib/system.h"
 
 #define CHAPTER "01_normal_colouring"
-// The ray of the pixel that is 170 from the left and 70 from the top.
+// The ray of the pixel that is 170 pixels from the left and 70 from the top.
 #define RAY SESSION_STILL " --probe 170,129"
 
 static void press_and_see(int key, const char *options)
@@ -89,13 +89,13 @@ SESSION_TEST(keys_lead_along_the_march)
     session_assert_title("focalLength = 2");
     session_click(170, 70);
     session_assert_shown(CHAPTER, SESSION_STILL " --view plot");
-    press_and_see(GLFW_KEY_E, SESSION_STILL " --view plot --step 0"); // takes the middle one
+    press_and_see(GLFW_KEY_E, SESSION_STILL " --view plot --step 0"); // selects the middle pixel
     assert_non_null(strstr(session_said(1), "ray of pixel 160,100"));
     press_and_see(GLFW_KEY_X, SESSION_STILL " --view plot");
     session_close();
 }
 
-// A click on a line of the table goes to its step; the ray below it is not replaced.
+// A click on a line of the table goes to its step, and does not select the ray behind the table.
 SESSION_TEST(a_click_in_the_table_goes_to_its_step)
 {
     const char *ray = "--size 640x360 --camera 1.65,1.6,3.4,-26,-23.5 --probe 400,200";

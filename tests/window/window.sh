@@ -32,7 +32,7 @@ drag() {
 check 'dragging right and up turns right and up, 0.15 degree a pixel' drag
 wheel() { xdotool mousemove --window "$window" 100 100 click 4 && shows 'focalLength = 2.2' && xdotool click 5 && shows 'focalLength = 2'; }
 check 'the wheel zooms, and back' wheel
-# If the system moves the captured pointer to the middle at that moment, a first move can get lost.
+# If the system is just moving the captured pointer to the middle, the first move can get lost.
 swings() { xdotool mousemove_relative 30 0 && shoot_as captured && differ before captured; }
 captured() { key m && xdotool mousemove_relative 4 0 && shoot_as before && eventually swings; }
 check 'M captures the pointer: it looks without a button' captured
@@ -62,7 +62,7 @@ full_screen() {
     key F11 && eventually size_is 1280x1024 && key F11 && eventually rectangle_is "$before"
 }
 check 'F11 fills the screen, and F11 again restores position and size' full_screen
-goes() { # X Y: there by the window manager
+goes() { # X Y: the window manager moves the window there
     local before
     before=$(rectangle)
     xdotool windowmove "$window" "$1" "$2" && eventually moved_from "$before"
@@ -110,9 +110,9 @@ paged() {
         key Prior && shows ' - picture - '
 }
 check 'Page Down leads to the next scene, and Page Up back' paged
-check 'Backspace ends it' backspace
+check 'Backspace ends the lecture' backspace
 
-# Where coordinates are pixels, as on Windows and X11, the window itself is larger.
+# Where coordinates are pixels, as on Windows and X11, a dense display makes the window itself larger.
 xprop -root -format RESOURCE_MANAGER 8s -set RESOURCE_MANAGER 'Xft.dpi: 192'
 start $chapter -s 160x100 -c 1.65,1.6,3.4,-26,-23.5 && key h
 check 'a window on a display of 192 dots per inch is twice as wide and high' eventually shown expected

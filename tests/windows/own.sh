@@ -95,7 +95,7 @@ check 'and this picture is unchanged' stays
 check 'an error is one line' refused 'unknown option' picture --nothing
 bytes() { picture --list && [ -s "$scratch/said" ] && ! grep -q $'\r' "$scratch/said" "$scratch/why"; }
 check 'output has the same line ends as on other systems' bytes
-# More than one write: the first one fails, and Windows' reason for it is requested after others.
+# The text takes several writes. The first fails, and the reason is requested only after the others.
 first_line() {
     for _ in 1 2 3; do
         "$BUILD/03_shadows" --print-shader 2>"$scratch/why" | head -n 1 >"$scratch/said"

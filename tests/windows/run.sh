@@ -19,7 +19,7 @@ loader=/usr/lib/wine/wine64
 export loader
 # At each start Wine searches for the time zone in its list of all zones: this one is the first.
 export TZ=AFT-4:30
-export WINEPREFIX=$PWD/build/windows/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=' # not installed first
+export WINEPREFIX=$PWD/build/windows/wine WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml=' # Wine must not install Mono and Gecko first
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe PROJECT_ROOT=$PWD CMOCKA_MESSAGE_OUTPUT=TAP
 export BUILD=build/wine SYSTEM=Windows
 unset WAYLAND_DISPLAY LOCPATH
@@ -80,7 +80,7 @@ export DISPLAY=:$number
 # Some suites unset DISPLAY, but Windows always has a display.
 for program in build/windows/[0-9]*.exe build/windows/tests/draw.exe build/windows/tests/compare.exe; do
     name=${program#build/windows/}
-    # shellcheck disable=SC2016 # for that shell
+    # shellcheck disable=SC2016 # expanded by the shell that runs the script
     printf '#!/bin/sh\nDISPLAY=${DISPLAY-%s} LD_PRELOAD=%s exec %s "%s" "$@"\n' "$DISPLAY" "$at_once" "$loader" "$PWD/$program" >"build/wine/${name%.exe}"
     chmod +x "build/wine/${name%.exe}"
 done

@@ -111,7 +111,7 @@ checks() {
 }
 # words FILE: the verdict and the two rays, without file names.
 words() { LC_ALL=C sed -nE 's/.*: ((right|wrong): .*)/\1/; s/: see .*//; /^(right|wrong): /p; /^ +(your pixel|the solution)/p' "$1"; }
-# as_here STATUS PATTERN: for 03_2; the words are those of make check on this machine.
+# as_here STATUS PATTERN: as checks, for 03_2; the verdict must have the words of make check on this machine.
 as_here() {
     checks "$@" 03_2 "$(windows_path "$mine")" || return
     EXERCISE=03_2 FILE=$mine CHECK_FOLDER=$scratch/check .make/check.sh >"$scratch/here" 2>&1
@@ -138,7 +138,7 @@ check 'check.bat: an exercise and no file' without_file
 # ---- A reader's own shader ----
 
 searched() { window=$(wmctrl -l | grep -E -e "$1" | cut -d ' ' -f 1) && [ -n "$window" ]; }
-play() { # NAME [FILE]: opens a window of that name whose picture is there
+play() { # NAME [FILE]: opens a window of that name and waits for its picture
     title="$1 - ([0-9]+ fps - )?picture" # the rate is shown if it is measured
     shift
     rm -f "$scratch/said"
@@ -170,7 +170,7 @@ sed 's/sdSphere(p, radius)/sdSphere(p, radios)/' chapters/first_steps/play.frag 
 says_error() { eventually has_words 'réponse.frag:[0-9]*: error.*radios' && eventually searched 'réponse.frag - error: see terminal'; }
 check 'play.bat: a saved error is reported' says_error
 cp chapters/first_steps/play.frag "$mine"
-# Beside the panel: once it is sharp, it equals the picture that this machine draws.
+# Beside the panel, the sharpened picture equals the one that this machine draws.
 mended() { eventually has_words 'réponse.frag: reloaded' && eventually searched "$title" && eventually part_shown right 300x280+330+120; }
 check 'play.bat: the next version, which compiles, is shown' mended
 check 'play.bat: ends with status 0 again' ends
