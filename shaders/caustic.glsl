@@ -36,7 +36,7 @@ float ballCaustic(vec3 p, vec3 toLight, float radius, float index, float spread)
     float z = -dot(p, toLight), r = length(p + z * toLight), width = max(spread * z, 0.002 * radius);
     float light = 0.0, before = 0.0, within = 0.0; // the ring's inner r and b^2,
     float passed = 1.0 - fresnelShare(1.0, 1.0 / index); // and the share that passes there
-    int rings = z > 0.0 && r < max(radius, 2.5 * z) + width ? CAUSTIC_RINGS : 0; // the last ring turns by at most 70 degrees
+    int rings = z > 0.0 && r < max(radius, 2.5 * z) + width ? CAUSTIC_RINGS : 0; // no ring turns by 70 degrees
     for (int k = 1; k <= rings; k++) {
         float sine = 0.96 * float(k) / float(CAUSTIC_RINGS), inner = sine / index;
         float cosine = sqrt(1.0 - sine * sine), innerCosine = sqrt(1.0 - inner * inner);

@@ -214,7 +214,7 @@ static bool check_source(const struct shader_source *source, const char *path)
     return true;
 }
 
-// Check it for the sources of both pictures and for the vertex shader.
+// Check the same for the sources of both pictures and for the vertex shader.
 static bool check_unread(const struct run *run, const char *path)
 {
     char vertex[PLATFORM_PATH + 32];

@@ -7,8 +7,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-// ---- Extrusion: the distance to the figure is horizontal, the position along the line vertical
-// ----
+// ---- Extrusion: x is the distance to the figure, y the position along the line ----
 
 static void draw_extrusion(void)
 {

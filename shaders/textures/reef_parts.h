@@ -8,9 +8,9 @@ enum { REEF_MOST = 8192 };
 
 #define REEF_BLEND 0.024 // width of the blends
 
-// Fill in a reef of count parts, from 64 to REEF_MOST. There is one coral for roughly every
-// 100 to 130 parts. The fewer corals there are, the larger each one is, so that their total volume
-// stays about the same.
+// Fill in a reef of count parts, from 64 to REEF_MOST. There is one coral for every 96 parts
+// that are not pebbles, rocks or fish, and at least one. The fewer corals there are, the larger
+// each one is, so that their total volume stays about the same.
 void reef_build(int count, struct part *part);
 
 #endif
