@@ -78,10 +78,13 @@ names_here() {
     done
 }
 
-# need PURPOSE PACKAGES TEST...: if the test fails, the packages are missing.
+# need PURPOSE PACKAGES TEST...: if the test fails, the packages are missing. Several sets may need the same.
 need() {
     purpose=$1 names=$2
     shift 2
+    case ", $purposes, " in
+    *", $purpose, "*) return ;;
+    esac
     "$@" >/dev/null 2>&1 && return
     # If the package manager has no such package, everything that needs it is skipped, with a message.
     found=$(names_here "$names")
