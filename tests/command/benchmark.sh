@@ -1,5 +1,6 @@
 #!/bin/bash
-# benchmark.sh - --benchmark: its numbers agree with each other, and the evaluations are those that --probe counts.
+# benchmark.sh - tests --benchmark: its figures are consistent with each other, and it counts the same evaluations as
+# --probe. It also tests make benchmark and the tables of docs/benchmark.md.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -10,13 +11,13 @@ program=$BUILD/03_shadows
 
 run() { "$program" "$@" >"$scratch/out" 2>"$scratch/err"; }
 value() { sed -n "s/^  \"$1\": \(.*[^,]\),\{0,1\}\$/\1/p" "$scratch/out"; }
-# holds EXPRESSION of awk.
-holds() { awk "BEGIN { exit !($1) }" || { echo "# not so: $1"; return 1; }; }
+# holds EXPRESSION: true if this awk expression is true.
+holds() { awk "BEGIN { exit !($1) }" || { echo "# false: $1"; return 1; }; }
 
 text() { run --benchmark 5 -s 64x36 -t 2 && [ ! -s "$scratch/err" ] && grep -q '^picture  *64x36, time 2 s.* frames: 5$' "$scratch/out"; }
-check 'aligned text' text # tests/unit/numbers.c tests its lines
+check 'aligned text' text # tests/unit/numbers.c tests the lines of this text
 json() { run --benchmark 7 --benchmark=json -s 48x27 && [ ! -s "$scratch/err" ] && [ "$(value frames)" = 7 ] && [ "$(value frame_median_gpu_ms)" = null ]; }
-check 'JSON, with the number of frames' json
+check 'JSON gives the number of frames' json
 if command -v python3 >/dev/null; then
     valid() { python3 -c 'import json, sys; json.load(sys.stdin)' <"$scratch/out"; }
     check 'the output is valid JSON' valid
@@ -29,16 +30,16 @@ ordered() {
 }
 check 'minimum, median and maximum are in order' ordered
 cold() { holds "$(value compile_cpu_ms) > 1 && $(value first_frame_cpu_ms) > 3 * $(value frame_median_cpu_ms)"; }
-check 'compilation and the first frame take longer than a frame' cold
+check 'compilation takes more than 1 ms, and the first frame more than three median frames' cold
 caches() { find "$scratch/cache" -type f -size +0 2>/dev/null | grep -q .; }
 uncached() {
     mkdir "$scratch/cache" && MESA_SHADER_CACHE_DIR=$scratch/cache run --benchmark 1 -s 48x27 && ! caches
 }
-check "the driver's cache is off" uncached
+check "the driver's shader cache is off for a benchmark" uncached
 cached() { MESA_SHADER_CACHE_DIR=$scratch/cache run -s 48x27 -o "$scratch/x.png" && caches; }
-check "the driver's cache is on for a picture" cached
+check "the driver's shader cache is on for a picture" cached
 
-# A picture of a few pixels, each of which is probed.
+# Benchmark a small picture, and probe each of its pixels.
 counted() {
     local x y
     run --benchmark=json -s 6x4 || return 1
@@ -51,8 +52,8 @@ counted() {
         holds "$(value evaluations_p99) == $(sed -n 24p "$scratch/probes")" &&
         holds "($(value evaluations_mean) - $(awk '{ s += $1 } END { print s / NR }' "$scratch/probes")) ^ 2 < 1e-4"
 }
-check 'evaluations: mean, 99 % and maximum are those of the probes' counted
-# A shader whose pixels evaluate the distance 0, 1, 2, ... 199 times.
+check 'evaluations: the mean, the 99th percentile and the maximum are those of the probes' counted
+# A shader whose pixels evaluate the distance 0, 1, 2, ..., 199 times.
 cat >"$scratch/count.frag" <<'GLSL'
 #include "main.glsl"
 Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, 1.0)); }
@@ -70,7 +71,7 @@ percent() {
     run --benchmark=json -s 20x10 -f "$scratch/count.frag" && [ "$(value evaluations_mean)" = 99.5000 ] &&
         [ "$(value evaluations_p99)" = 197 ] && [ "$(value evaluations_maximum)" = 199 ]
 }
-check 'mean, 99 % and maximum of a known count' percent
+check 'the mean, the 99th percentile and the maximum of known counts' percent
 # ---- Marches compared with the fewest evaluations that would be enough ----
 
 bound() {
@@ -78,9 +79,10 @@ bound() {
         holds "$(value march_over_bound_minimum) >= 1 && $(value march_over_bound) > 1.3" &&
         holds "($(value march_evaluations) / $(value march_bound) - $(value march_over_bound)) ^ 2 < 1e-6"
 }
-check 'a march takes more evaluations than the bound' bound
-# Rays that leave a plane perpendicularly, from 1 above it. In the left half, 288 of them step 1, 2, 4 and 8 to the end
-# at 15, then 144 step 1 to the end at 1, and 144 do not march. One evaluation would be enough: t - d is -1 throughout.
+check 'no march takes fewer evaluations than the bound' bound
+# Rays that leave a plane perpendicularly and start 1 above it. Of the 576 rays that are examined, the 288 in the left
+# half take steps of 1, 2, 4 and 8 to the end at 15, 144 take one step of 1 to the end at 1, and 144 do not march. One
+# evaluation would be enough, because t - d is -1 everywhere on a ray, where d is the distance at t.
 cat >"$scratch/leave.frag" <<'GLSL'
 #include "main.glsl"
 #include "march.glsl"
@@ -98,8 +100,9 @@ known() {
         [ "$(value march_over_bound_minimum)" = 1.0000 ]
 }
 check 'a known march is counted, and rays that do not march are left out' known
-# Parallel rays perpendicular to a plane 10 away: a march takes 2 evaluations. The picture has two blocks, whose
-# cylinder also takes 2: 4 shared among 128 pixels, counted in the mean and in the march. The bound is that of single rays.
+# Parallel rays perpendicular to a plane at a distance of 10: a march takes 2 evaluations. The picture has two blocks of
+# pixels, and the march of each block's cylinder also takes 2. These 4 are shared among 128 pixels, in the mean and in
+# the evaluations of the march. The bound is that of single rays.
 cat >"$scratch/shared.frag" <<'GLSL'
 #include "main.glsl"
 #include "march.glsl"
@@ -124,7 +127,7 @@ check 'without a march there is no bound' unmarched
 whole() { run --benchmark 2 -f tests/pictures/reference_scene.frag -s 32x18 && grep -q 'not counted in a file with its own main' "$scratch/out" &&
     run --benchmark 2 --benchmark=json -f tests/pictures/reference_scene.frag -s 32x18 && [ "$(value evaluations_mean)" = null ] &&
     [ "$(value march_over_bound)" = null ]; }
-check 'a whole file counts no evaluations' whole
+check 'no evaluations are counted in a file with its own main' whole
 set_ones() { run --benchmark=json -s 32x18 -p maxSteps=3 && holds "$(value evaluations_maximum) < 30"; }
 check 'parameters take effect' set_ones
 
@@ -139,7 +142,7 @@ check 'make benchmark prints a table and a comparison' table
 committed() {
     local stem
     for stem in chapters/[0-9][0-9]_*.c; do
-        grep -qE "^\| $(basename "$stem" .c)( \| [0-9.]+){4}( \| [0-9.]+| \| -){4} \|$" docs/benchmark.md || { echo "# no row: make benchmark WRITE=1"; return 1; }
+        grep -qE "^\| $(basename "$stem" .c)( \| [0-9.]+){4}( \| [0-9.]+| \| -){4} \|$" docs/benchmark.md || { echo "# a row is missing: run make benchmark WRITE=1"; return 1; }
     done
 }
 check 'docs/benchmark.md has a row for every chapter' committed
@@ -148,7 +151,7 @@ marched() {
     for scene in 03 06 07 09 16 21 22 torus plane 'hollow cube' plates; do
         if ! grep -qE "^\| $scene \|( $cell \|| - \|){7}$" docs/benchmark.md ||
             ! grep -qE "^\| $scene \|( $errors \|| - \|){7}$" docs/benchmark.md; then
-            echo '# no rows: make benchmark MARCHES=1 WRITE=1'
+            echo "# the rows of $scene are missing: run make benchmark MARCHES=1 WRITE=1"
             return 1
         fi
     done

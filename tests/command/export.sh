@@ -1,6 +1,6 @@
 #!/bin/bash
-# export.sh - --print-shader=shadertoy: each shader as one file that Shadertoy would accept, and that draws the same
-# picture here when it is given to --shader.
+# export.sh - tests --print-shader=shadertoy: it prints each shader as one file that Shadertoy would accept, and that
+# renders the same picture here with --shader.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -10,11 +10,11 @@ open_scratch
 unset DISPLAY WAYLAND_DISPLAY
 small=(-s 160x90)
 
-# prints PROGRAM OPTION...: leaves $scratch/toy.frag.
+# prints PROGRAM OPTION...: writes the exported file to $scratch/toy.frag.
 prints() { "$@" --print-shader=shadertoy >"$scratch/toy.frag" 2>"$scratch/err"; }
 
-# same PROGRAM OPTION...: the exported file's picture is the shader's own. Only the size and the time are given again:
-# the rest is in the file.
+# same PROGRAM OPTION...: the exported file renders the same picture as the shader. For the exported file, only the size
+# and the time are given, because the file contains the values of the other options.
 same() {
     local program=$1 numbers
     shift
@@ -25,8 +25,8 @@ same() {
 }
 worst=0
 
-# refused_textures PROGRAM OPTION...: one line says that nothing was printed and names each texture that the shader
-# reads; the shader reads at least one.
+# refused_textures PROGRAM OPTION...: nothing was printed, and the one line of error names each texture that the shader
+# reads. The shader reads at least one.
 refused_textures() {
     [ ! -s "$scratch/toy.frag" ] && [ "$(wc -l <"$scratch/err")" = 1 ] && "$@" --list >"$scratch/parts" &&
         grep -q '^texture ' "$scratch/parts" && sed '1,/^texture /d' "$scratch/parts" | while read -r _ file _; do
@@ -34,13 +34,13 @@ refused_textures() {
     done
 }
 
-passes() { # NAME PROGRAM OPTION...: true where a file was printed that passes
+passes() { # NAME PROGRAM OPTION...: true if a file was printed and is valid
     local name=$1
     shift
     if prints "$@"; then
-        check "$name passes as Shadertoy's" valid "$scratch/toy.frag"
+        check "$name is valid as a shader of Shadertoy" valid "$scratch/toy.frag"
     else
-        check "$name reads textures: refused" refused_textures "$@" || sed 's/^/# /' "$scratch/err"
+        check "$name is refused, because it reads textures" refused_textures "$@" || sed 's/^/# /' "$scratch/err"
         return 1
     fi
 }
@@ -48,8 +48,8 @@ exported() { # NAME PROGRAM OPTION...
     passes "$@" && check "$1 looks the same" same "${@:2}"
 }
 
-# An exported file has no coarse pass, which a picture of steps shows, so it is compared with the chapter without the
-# pass.
+# An exported file has no coarse pass, and a picture that shows steps would reveal this. The chapter is therefore
+# rendered without the coarse pass too.
 for program in "$BUILD"/[0-9][0-9]_*; do
     if [ ! -x "$program" ] || [ ! -f "$program" ]; then continue; fi
     options=()
@@ -69,9 +69,9 @@ exported 'a camera' "$BUILD/01_normal_colouring" -c 0,1,5,10,-10
 } | sed 's/return SKY;/return part() * 0.001;/; s/^vec3 rayColour/vec3 part();\n&/' >"$scratch/part.frag"
 exported 'the position of a pixel, which the shader itself reads' "$BUILD/01_normal_colouring" -f "$scratch/part.frag"
 
-exported 'a chapter with a coarse pass, which the exported file lacks' "$BUILD/01_normal_colouring" -f tests/shaders/coarse.frag -p coarsePass=false
-# Shaders that are drawn nowhere else are only validated; under Wine, where programs start slowly, only those of one
-# chapter.
+exported 'a shader with a coarse pass, which the exported file lacks' "$BUILD/01_normal_colouring" -f tests/shaders/coarse.frag -p coarsePass=false
+# Experiments and solutions are only validated, not rendered; under Wine, where programs start slowly, only those of
+# chapter 03.
 for file in chapters/experiments/*.frag chapters/solutions/*.frag; do
     case ${SYSTEM-}$file in Windows*/03_*) ;; Windows*) continue ;; esac
     passes "${file#chapters/}" "$BUILD/01_normal_colouring" -f "$file"
@@ -88,7 +88,7 @@ exported 'every input of a whole file' "$BUILD/01_normal_colouring" -f "$scratch
 printf '%s\n' '# version 330' 'precision mediump float;' 'layout(location = 1) in vec2 FragCoord; flat in int CustomInt, CustomToggle;' \
     'uniform float iTime; uniform float radius = 0.5; uniform sampler2D none;' 'layout(location = 1) out vec4 other; layout(location = 0) out vec4 shown;' \
     'void main() { shown = vec4(FragCoord * 0.37, radius + iTime * 0.1 + float(CustomInt + CustomToggle), 1.0); other = vec4(1.0); }' >"$scratch/placed.frag"
-exported 'locations, values and inputs in other spellings' "$BUILD/01_normal_colouring" -f "$scratch/placed.frag"
+exported 'locations, initial values and inputs in other spellings' "$BUILD/01_normal_colouring" -f "$scratch/placed.frag"
 printf '#version 120\nvarying vec2 FragCoord; void main() { gl_FragColor = vec4(FragCoord * 0.37, 0.5, 1.0); }\n' >"$scratch/old.frag"
 exported 'gl_FragColor' "$BUILD/01_normal_colouring" -f "$scratch/old.frag"
 printf '#version 330 core\nvoid main() { gl_FragDepth = 0.0; }\n' >"$scratch/none.frag"
@@ -96,7 +96,7 @@ none() { ! "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/no
 check 'a file without an output is refused' none
 printf 'void mainImage(out vec4 c, vec2 p) { c = vec4(1.0); } // toy\n' >"$scratch/given.frag"
 stays() { "$BUILD/01_normal_colouring" --print-shader=shadertoy -f "$scratch/given.frag" | cmp -s - "$scratch/given.frag"; }
-check "a Shadertoy file stays as it is" stays
+check "a Shadertoy file is printed unchanged" stays
 printf '#include "%s"\nuniform sampler2D a; // "granite.png" sRGB repeat: stone\nuniform sampler3D n; // "noise.png" linear repeat 64: noise\n' \
     01_normal_colouring.frag >"$scratch/stone.frag"
 reads_both() {
@@ -121,9 +121,9 @@ named() {
         ! grep -q '^lines' "$scratch/toy.frag"
 }
 if [ "${SYSTEM-}" = Windows ]; then
-    skip 'a line break in the name of a shader stays in its comment' 'no file name contains one'
+    skip "a line break in a shader's name does not end the comment" 'no file name contains one'
 else
-    check 'a line break in the name of a shader stays in its comment' named
+    check "a line break in a shader's name does not end the comment" named
 fi
-echo "# the worst picture: F2 $worst"
+echo "# the largest difference of a picture: F2 $worst"
 plan

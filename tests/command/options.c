@@ -1,4 +1,5 @@
-// options.c - the command line: what each option sets, and one clear line for each mistake.
+// options.c - tests of the command line: what each option sets, and that each mistake is reported
+// in one clear line.
 #include "lib/test.h"
 #include "command/options.h"
 #include "lib/scratch.h"
@@ -6,7 +7,7 @@
 
 #define WORDS 32
 
-// Parse a command line whose words are separated by spaces; a word of two quotes is empty.
+// Parse a command line whose words are separated by spaces; the word '' stands for an empty one.
 // The words are valid until the next call.
 static bool parse(struct options *options, const char *line)
 {
@@ -35,7 +36,7 @@ static struct options parsed(const char *line)
     return options;
 }
 
-// The command line is accepted, and then the condition on o is true.
+// Assert that the command line is accepted, and that its options, o, satisfy the condition.
 #define ACCEPTED(line, condition)                                                                  \
     do {                                                                                           \
         struct options o = parsed(line);                                                           \
@@ -143,11 +144,11 @@ TEST(frames_have_a_rate)
     ACCEPTED("--frames 1 -o %d.png", o.fps == 25.0);
     ACCEPTED("--frames 100-199 -o %d.png", o.first_frame == 100 && o.frames == 200);
     ACCEPTED("--frames 7-7 --frames 3 -o %d.png", o.first_frame == 0 && o.frames == 3);
-    ACCEPTED("-o %d.png", o.frames == 0); // an ordinary name
+    ACCEPTED("-o %d.png", o.frames == 0); // without --frames, an ordinary name
     ACCEPTED("--frames 2 --probe 1,1 -v slice -o %d.png", o.frames == 2);
 }
 
-// The march of one ray, up to a step, or step by step in a film; and from another camera.
+// The march of one ray can be shown up to a step, step by step in a film, or from another camera.
 TEST(a_ray_has_steps)
 {
     ACCEPTED("-v slice --step 3 -o a.png", o.step == 3 && !o.walk);
@@ -163,8 +164,8 @@ TEST(a_ray_has_steps)
              o.probe_count == 2 && o.probe[0][0] == 3 && o.probe[1][0] == 15 && o.probe[1][1] == 8);
 }
 
-// --set before --compare sets both pictures, after it only the second. The file is the next word,
-// unless that word begins with '-'.
+// --set before --compare applies to both pictures; after it, only to the second. The file of
+// --compare is the next word, unless that word begins with '-'.
 TEST(a_comparison_has_a_file_or_values)
 {
     ACCEPTED("-p a=1 --compare my.frag -p b=2 -p c=3 -o a.png",
@@ -216,7 +217,7 @@ static void assert_refused(const char *line, const char *why)
     assert_null(options.settings);
 }
 
-// Each of the words, after the same beginning of the line.
+// Each of the words is refused after the given beginning of a command line.
 TEST(values_out_of_range_are_refused)
 {
     static const struct {
@@ -352,7 +353,8 @@ TEST(mistakes_are_named)
         assert_refused(mistakes[i][0], mistakes[i][1]);
 }
 
-// A comma that separates other things is not a decimal comma.
+// A comma is not taken for a decimal comma where an integer or a list is expected, or where the
+// rest is not a number.
 TEST(no_number_is_guessed)
 {
     static const char *const lines[] = {"-a 1,5", "-c 0,5", "-t 1,5,2", "-t 1,x"};

@@ -1,8 +1,9 @@
 #!/bin/bash
-# others.sh - shaders that were written for other programs, the report's engine and Shadertoy: their inputs, textures,
-# samples and films, and texts that no parser expects. tests/command/dialects.sh draws a shader of each kind.
+# others.sh - tests shaders that were written for other programs, the report's engine and Shadertoy: their inputs,
+# textures and films, and texts that no parser expects. It also tests make play, make bake, make run and printed
+# shaders. tests/command/dialects.sh draws a shader of each dialect.
 #
-# A shader that checks its inputs draws white where they have the right values, and black elsewhere.
+# A shader that checks its inputs is white if they have the right values, and black otherwise.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -12,7 +13,7 @@ unset DISPLAY WAYLAND_DISPLAY
 program=$BUILD/01_normal_colouring
 size=(-s 48x27)
 
-# draw NAME OPTION...: render $scratch/NAME.frag into NAME.png; its messages are in $said.
+# draw NAME OPTION...: renders $scratch/NAME.frag into NAME.png, and sets $said to the messages.
 draw() {
     local name=$1
     shift
@@ -28,7 +29,7 @@ is_white() {
     if draw "$name" "$@" && [ -z "$said" ] && same "$name" white; then ok "$title"; else not_ok "$title" "$(tr '\n' ' ' <<<"$said")"; fi
 }
 
-# refused NAME PATTERN TITLE <TEXT: status 1, a message with the pattern, and no picture.
+# refused NAME PATTERN TITLE <TEXT: the run fails with status 1 and a message that matches, and leaves no picture.
 refused() {
     cat >"$scratch/$1.frag"
     draw "$1"
@@ -39,7 +40,7 @@ refused() {
 head='void mainImage(out vec4 c, vec2 p)'
 printf '%s { c = vec4(1.0); }\n' "$head" >"$scratch/white.frag"
 printf '%s { c = vec4(0.0); }\n' "$head" >"$scratch/black.frag"
-check 'two pictures to compare with' eval 'draw white && draw black && ! same white black'
+check 'a white and a black picture to compare with' eval 'draw white && draw black && ! same white black'
 
 # ---- Inputs ----
 
@@ -55,15 +56,15 @@ void main() {
         CustomToggle == 0.0 && CustomInt == 0.0 && near(vec3(FragCoord, 0), vec3((2.0 * gl_FragCoord.xy - vec2(48, 27)) / 27.0, 0)));
 }
 GLSL
-is_white inputs "Shadertoy's inputs for a file: no mouse and no clock" -t 1.5 <<GLSL
+is_white inputs "Shadertoy's inputs when rendering to a file: no mouse and no clock" -t 1.5 <<GLSL
 $head {
     c = vec4(iResolution == vec3(48, 27, 1) && iTime == 1.5 && iTimeDelta == 0.0 && iFrame == 0 && iFrameRate == 60.0 &&
         iMouse == vec4(0) && iDate == vec4(1970, 0, 1, 1.5) &&
         fract(p) == vec2(0.5) && p == gl_FragCoord.xy && all(lessThan(p, iResolution.xy)));
 }
 GLSL
-is_white numbers 'not a number is black, and 1e9 white' -t 1.5 <<<"$head { c = vec4(1e9) + (p.x < 0.0 ? sqrt(-iTime) : 0.0); }"
-as_written() { # TEXT: drawn like the same scene without changes
+is_white numbers 'a value of 1e9 is white, beside the root of a negative number that is not selected' -t 1.5 <<<"$head { c = vec4(1e9) + (p.x < 0.0 ? sqrt(-iTime) : 0.0); }"
+as_written() { # TEXT: a variant of the scene that looks like the original
     printf '%s' "$1" >"$scratch/changed.frag"
     draw changed && [ -z "$said" ] && same changed scene
 }
@@ -74,12 +75,12 @@ scene="$head
 }
 "
 printf '%s' "$scene" >"$scratch/scene.frag" && draw scene
-check "Windows' line ends" as_written "${scene//$'\n'/$'\r\n'}"
+check "Windows' line endings" as_written "${scene//$'\n'/$'\r\n'}"
 check 'a byte-order mark' as_written $'\357\273\277'"$scene"
 check 'tabs' as_written "${scene//    /$'\t'}"
 check 'comments in Latin-1 and UTF-8' as_written $'// caf\xe9, \xc3\xa9t\xc3\xa9, \xe2\x88\x9e : c\'est une "scene"\n'"$scene"
 
-# A discarded pixel is black, whatever the previous picture was: of two frames, the second is discarded entirely.
+# A discarded pixel is black, whatever the previous picture was. All pixels of the second of two frames are discarded.
 discards() {
     printf '#version 330 core\nin float Time; out vec4 c; void main() { if (Time > 0.5) discard; c = vec4(1.0); }\n' >"$scratch/discard.frag"
     "$program" -f "$scratch/discard.frag" "${size[@]}" --frames 2 --fps 1 -o "$scratch/discard-%d.png" && same discard-0 white && same discard-1 black
@@ -89,15 +90,16 @@ rate() {
     printf '%s { c = vec4(iFrameRate == 25.0); }\n' "$head" >"$scratch/rate.frag"
     "$program" -f "$scratch/rate.frag" "${size[@]}" --frames 2 --fps 25 -o "$scratch/rate-%d.png" && same rate-0 white && same rate-1 white
 }
-check 'iFrameRate is the rate of a film, from its first picture on' rate
+check 'iFrameRate is the frame rate of a film, from the first picture on' rate
 piped() {
     said=$("$program" -f <(cat "$scratch/rate.frag") -o "$scratch/piped.png" 2>&1)
     [ $? = 1 ] && [[ $said =~ a\ pipe,\ which\ can\ be\ read\ only\ once ]]
 }
 [ "${SYSTEM-}" = Windows ] || [ ! -e /dev/fd ] || check 'a shader from a pipe is refused, with the reason' piped
 
-# ---- Textures from --channel: upright, repeated, and read as numbers; the upper row of this one is white ----
+# ---- Textures from --channel ----
 
+# A texture is upright and repeated, and its values are not converted from sRGB. The upper row of this one is white.
 echo "$head { c = vec4(step(1.0, p.y)); }" >"$scratch/rows.frag"
 "$program" -f "$scratch/rows.frag" -s 2x2 -o "$scratch/rows.png"
 reads='texture(iChannel0, vec2(0.2, 0.75)).rgb == vec3(1) && texture(iChannel0, vec2(0.7, 0.25)).rgb == vec3(0) &&
@@ -116,8 +118,8 @@ GLSL
 
 # ---- Texts that no parser expects ----
 
-# Reading takes time in proportion to the length of the text. A suite that hangs is ended.
-crowd() { # FORMAT: white, after 30,000 such lines with numbers for %d
+# The time to read a text must be proportional to its length. If it is not, the suite hangs, and tests/run ends it.
+crowd() { # FORMAT: a shader is white after 30,000 lines of this format, with their numbers for %d
     local i
     { for i in {1..30000}; do printf '%s\n' "${1//%d/$i}"; done; cat "$scratch/white.frag"; } >"$scratch/crowd.frag"
     draw crowd && same crowd white
@@ -130,23 +132,23 @@ malformed() { # DIALECT BEGINNING
     refused "$name" 'never closed: write \*/ at its end$' "$1: a comment that is not closed" < <(printf '%s\n/*' "$2"; cat "$scratch/white.frag")
     refused "$name" 'larger than 1 MiB: is it a shader\?$' "$1: 10 MB" < <(printf '%s\n' "$2"; head -c 10000000 /dev/zero | tr '\0' ' ')
     refused "$name" 'an array of 2000000000 elements: ' "$1: a huge array" < <(printf '%s\nfloat big[ 2000000000 ];\n' "$2")
-    refused "$name" '\.\.\.$' "$1: 100000 parentheses, and only the beginning of them" < <(printf '%s\nfloat deep = %s1.0%s;\n' "$2" "$deep" "$close")
-    refused "$name" 'and [0-9]* more$' "$1: no more than 20 errors" < <(printf '%s\n' "$2"; for i in {1..99}; do echo "float e$i = none$i;"; done)
-    refused "$name" 'does not|never|error' "$1: noise" < <(printf '%s\n' "$2"; head -c 3000 "$program" | tr -d '\0')
+    refused "$name" '\.\.\.$' "$1: 100000 parentheses, of which only the beginning is reported" < <(printf '%s\nfloat deep = %s1.0%s;\n' "$2" "$deep" "$close")
+    refused "$name" 'and [0-9]* more$' "$1: 99 errors, of which only the first are reported" < <(printf '%s\n' "$2"; for i in {1..99}; do echo "float e$i = none$i;"; done)
+    refused "$name" 'does not|never|error' "$1: binary data" < <(printf '%s\n' "$2"; head -c 3000 "$program" | tr -d '\0')
 }
 deep=$(printf '%100000s' '' | tr ' ' '(') close=$(tr '(' ')' <<<"$deep")
 malformed course '#include "main.glsl"'
 malformed whole '#version 330 core'
 malformed toy "$head {}"
-# A sum of this many terms uses up the stack of some drivers' compilers; others draw it.
+# A sum of this many terms uses up the stack of some drivers' compilers; other drivers render it.
 endures() {
     printf '%s { c = vec4(p.x%s); }\n' "$head" "$(printf '%40000s' '' | sed 's/ /+p.x/g')" >"$scratch/sum.frag"
     (ulimit -s 4096; draw sum; [ $? = 1 ] && [[ $said =~ sum.frag:\ the\ graphics\ driver\ crashed\ on\ it ]] && [ "$(grep -c '' <<<"$said")" = 1 ]) || draw sum
 }
 check 'a sum of 40000 terms' endures
 
-# A shader that hides its size makes the driver request all its memory at once, up to the limit for a driver, or for the
-# process, which is reached sooner if it is small. The sanitizer has its own message when it ends a program
+# A shader hides the size of its array, and the driver then requests all the memory at once. It reaches the limit for a
+# driver or, if that is smaller, the limit for the process. A sanitizer prints its own message when it ends a program
 # that gets no memory.
 bomb() { draw bomb; [ $? = 1 ] && [[ $said =~ bomb.frag:\ the\ graphics\ driver\ crashed\ on\ it,\ or\ needs\ more ]] && [ "$(grep -c '' <<<"$said")" = 1 ]; }
 if [ "$BUILD" = build ]; then
@@ -155,7 +157,7 @@ if [ "$BUILD" = build ]; then
     limited() { (ulimit -v 1000000; bomb); }
     check 'constants that hide a huge array, within the memory limit of the process' limited
 fi
-refused bomb 'bomb.frag:42: A40: expands to more than 4 million' 'macros that grow without end' \
+refused bomb 'bomb.frag:42: A40: expands to more than 4 million' 'macros that double 40 times' \
     < <(echo '#define A0 p.x'; for i in {1..40}; do echo "#define A$i A$((i - 1)) + A$((i - 1))"; done; echo "$head { c = vec4(A40); }")
 
 # ---- make play ----
@@ -163,7 +165,7 @@ refused bomb 'bomb.frag:42: A40: expands to more than 4 million' 'macros that gr
 mkdir "$scratch/project" && cp -r Makefile .make chapters shaders "$scratch/project" && ln -s "$root/$BUILD" "$scratch/project/build"
 play() { (cd "$scratch/project" && FILE=${1-} .make/play.sh "${@:2}" >"$scratch/out" 2>"$scratch/err"); }
 copies() { play '' -o "$scratch/play.png" "${size[@]}" && cmp -s "$scratch/project/chapters/play.frag" chapters/first_steps/play.frag; }
-check 'make play makes chapters/play.frag' copies
+check 'make play creates chapters/play.frag' copies
 keeps() {
     echo '// mine' >>"$scratch/project/chapters/play.frag"
     play '' -o "$scratch/play.png" "${size[@]}" && tail -n 1 "$scratch/project/chapters/play.frag" | grep -q mine
@@ -189,27 +191,28 @@ if [ "$BUILD" = build ]; then
         cp "$baked" "$scratch/before.png" && sed -i.old '$d' "$scratch/pyramid.obj" && ! bake "$scratch/pyramid.obj" &&
             grep -q 'not closed' "$scratch/err" && cmp -s "$baked" "$scratch/before.png" && [ ! -e "$baked.new" ]
     }
-    check 'and refuses one with a hole, and keeps the earlier picture' refuses_hole
+    check 'make bake refuses a mesh with a hole, and keeps the earlier picture' refuses_hole
     rm -f "$baked"
 fi
 
-# If no window can be opened, the scripts render into files instead, and say so; commands that need no window still work.
+# If no window can be opened, the scripts report this and render to files instead; commands that need no window still
+# work.
 runs() { (cd "$scratch/project" && .make/run.sh "$@" >"$scratch/out" 2>"$scratch/err"); }
 gallery() { # NAME
     [ "$(cat "$scratch/out")" = "$(printf 'No window can be opened here: rendering into files instead.\n  build/gallery/%s.png' "$1")" ] &&
         [ "$(grep -c '' "$scratch/err")" = 1 ] && [ -s "$root/$BUILD/gallery/$1.png" ]
 }
-check 'make play on a display that is gone renders a file' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' play '' \"\${size[@]}\" && gallery play"
-check 'make run on a display that is gone renders a file' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
-check 'make run on a compositor that is gone renders a file' \
+check 'make play renders to a file if the display is gone' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' play '' \"\${size[@]}\" && gallery play"
+check 'make run renders to a file if the display is gone' eval "DISPLAY=:4321 WAYLAND_DISPLAY='' CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
+check 'make run renders to a file if the compositor is gone' \
     eval "DISPLAY='' WAYLAND_DISPLAY=nowhere XDG_RUNTIME_DIR=\$scratch CHAPTER=3 runs \"\${size[@]}\" && gallery 03_shadows"
-check 'make run without a display runs a benchmark' eval "DISPLAY='' WAYLAND_DISPLAY='' runs --benchmark 1 \"\${size[@]}\" && grep -q '^shader  *00_' \"\$scratch/out\""
+check 'make run can run a benchmark without a display' eval "DISPLAY='' WAYLAND_DISPLAY='' runs --benchmark 1 \"\${size[@]}\" && grep -q '^shader  *00_' \"\$scratch/out\""
 refuses() { runs -p nothing=1; [ $? = 2 ] && [ ! -s "$scratch/out" ] && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
 check 'make run refuses an unknown parameter' refuses
 
 # ---- The course's own shaders, printed ----
 
-# The output of --print-shader is the chapter again: the same picture, its parameters, every view.
+# The output of --print-shader renders like the chapter, with the same parameters and views.
 printed() { # OPTION...
     "$program" --print-shader >"$scratch/printed.frag" &&
         "$program" "${size[@]}" -o "$scratch/chapter.png" "$@" && draw printed "$@" && [ -z "$said" ] &&

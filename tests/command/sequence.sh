@@ -1,6 +1,6 @@
 #!/bin/bash
-# sequence.sh - --frames: each picture of a film is the picture at its time, an interruption leaves only whole files,
-# and make film passes the pictures to ffmpeg.
+# sequence.sh - tests --frames: each picture of a film is the same as a single picture at its time, an interruption
+# leaves only complete files, and make film passes the pictures to ffmpeg.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -21,7 +21,7 @@ row() {
     "$program" "${small[@]}" -t 1 --frames 3 --fps 4 -o "$out/f-%03d.png" >"$scratch/said" 2>&1 &&
         [ "$(names)" = 'f-000.png f-001.png f-002.png ' ] && [ ! -s "$scratch/said" ]
 }
-check 'three pictures, and no message without a terminal' row
+check 'a film has three pictures, and prints no message without a terminal' row
 each() {
     local number time
     for number in 0 1 2; do
@@ -29,9 +29,9 @@ each() {
         "$program" "${small[@]}" -t "$time" -o "$scratch/one.png" && cmp -s "$scratch/one.png" "$out/f-00$number.png" || return 1
     done
 }
-check 'each is, bit for bit, the picture at its time' each
+check 'each picture is, bit for bit, the single picture at its time' each
 differ() { ! cmp -s "$out/f-000.png" "$out/f-002.png"; }
-check 'the first and the last differ' differ
+check 'the first and the last picture differ' differ
 
 cat >"$scratch/inputs.frag" <<'GLSL'
 void mainImage(out vec4 c, vec2 p)
@@ -50,10 +50,10 @@ inputs() {
         "$program" "${small[@]}" -f "$scratch/grey.frag" -o "$scratch/grey.png" && cmp -s "$scratch/grey.png" "$out/i-$number.png" || return 1
     done
 }
-check 'iFrame, iTimeDelta, iTime and iDate follow' inputs
+check 'iFrame, iTimeDelta, iTime and iDate change from picture to picture' inputs
 
 clear_out
-parts() { # three at once, as on three machines
+parts() { # three programs at once, as on three machines
     local part pids=()
     mkdir "$out/parts"
     "$program" "${small[@]}" -t 1 --frames 7 --fps 10 -o "$out/%02d.png" || return 1
@@ -71,16 +71,16 @@ default_fps() {
     "$program" "${small[@]}" --frames 26 -o "$out/%d.png" && "$program" "${small[@]}" -t 1 -o "$scratch/one.png" &&
         cmp -s "$scratch/one.png" "$out/25.png"
 }
-check '25 pictures a second by default' default_fps
+check 'a film has 25 pictures per second by default' default_fps
 settings() {
     "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 --frames 1 -o "$out/s%d.png" &&
         "$BUILD/01_normal_colouring" "${small[@]}" -a 2 -v steps -p maxSteps=20 -o "$scratch/one.png" &&
         cmp -s "$scratch/one.png" "$out/s0.png"
 }
-check 'samples, view and parameters as for one picture' settings
+check 'samples, view and parameters apply as in a single picture' settings
 slices() { "$BUILD/01_normal_colouring" "${small[@]}" -v slice --probe 30,18 --frames 2 -o "$out/v%d.png"; }
-check 'the slice of a selected ray' slices
-walks() { # from the first step to the last, while the time does not change
+check 'a film can show the slice of a selected ray' slices
+walks() { # the march is shown from its first step to its last, while the time does not change
     local ray=(-v slice --probe '30,18')
     clear_out
     "$BUILD/01_normal_colouring" "${small[@]}" "${ray[@]}" --step walk --frames 20 -o "$out/w%d.png" >"$scratch/said" &&
@@ -93,12 +93,12 @@ walks() { # from the first step to the last, while the time does not change
 }
 check 'a film walks along a ray from its first step to its last' walks
 
-few_files() { # fewer files may be open at once than there are pictures
+few_files() { # fewer files may be open at once than the film has pictures
     clear_out
     (ulimit -n 40 && "$program" -s 16x9 --frames 60 -o "$out/%d.png") && [ "$(names | wc -w)" = 60 ]
 }
 if [ "${SYSTEM-}" = Windows ]; then
-    skip 'a film leaves no file open' 'ulimit does not limit programs of Windows'
+    skip 'a film leaves no file open' 'ulimit does not limit Windows programs'
 else
     check 'a film leaves no file open' few_files
 fi
@@ -118,7 +118,7 @@ refused() { # NAME STATUS PATTERN OPTION...
         not_ok "$name" "status $status: $(cat "$scratch/said")"
     fi
 }
-# tests/unit/numbers.c tests the names, tests/command/options.c the numbers and the valid combinations.
+# tests/unit/numbers.c tests the names; tests/command/options.c tests the numbers and the valid combinations.
 refused 'a name without a number' 2 'must contain one %d' --frames 2 -o "$out/frame.png"
 refused 'a time that is too large' 2 'the last time' --frames 100000 --fps 0.001 -t 1e9 -o "$out/%d.png"
 refused 'a missing folder' 1 'nowhere' --frames 2 -o "$out/nowhere/%d.png"
@@ -127,12 +127,12 @@ taken() {
     mkdir "$out/1.png"
     ! "$program" "${small[@]}" --frames 3 -o "$out/%d.png" 2>"$scratch/said" && grep -q '1\.png' "$scratch/said" && [ -z "$(names)" ]
 }
-check 'a name that is taken by a folder, before any picture' taken
+check 'a folder with the name of a picture is reported before any picture is written' taken
 rmdir "$out/1.png"
 
 # ---- Interrupted ----
 
-# Every file is a whole picture, and there is no other file.
+# True if every file is a complete picture.
 whole() {
     local file
     for file in "$out"/* "$out"/.[!.]*; do
@@ -140,7 +140,8 @@ whole() {
         case $file in *.png) "$BUILD/tests/compare" "$file" "$file" >/dev/null || return 1 ;; *) return 1 ;; esac
     done
 }
-# A shell starts background jobs with SIGINT ignored, and nohup starts everything with SIGHUP ignored.
+# A shell starts background jobs with SIGINT ignored, and nohup starts everything with SIGHUP ignored. env can restore
+# both.
 heed=(env '--default-signal=INT,HUP')
 "${heed[@]}" true 2>/dev/null || heed=()
 interrupted() { # SIGNAL [STATUS]
@@ -153,26 +154,26 @@ interrupted() { # SIGNAL [STATUS]
     status=$?
     [ $status = "${2-$((128 + $(kill -l "$1")))}" ] && [ -e "$out/00003.png" ] && [ ! -e "$out/04999.png" ] && whole
 }
-if [ "${SYSTEM-}" = Windows ]; then # Windows has only Ctrl+C, at which Wine ends any program with 0
-    for name in 'a signal during a film leaves whole pictures' 'a lost terminal during a film leaves whole pictures'; do skip "$name" 'Windows has no such signal'; done
-    check 'Ctrl+C during a film leaves whole pictures' interrupted INT 0
+if [ "${SYSTEM-}" = Windows ]; then # Windows has only Ctrl+C, on which Wine ends any program with status 0
+    for name in 'a signal during a film leaves only complete pictures' 'a lost terminal during a film leaves only complete pictures'; do skip "$name" 'Windows has no such signal'; done
+    check 'Ctrl+C during a film leaves only complete pictures' interrupted INT 0
 else
-    check 'a signal during a film leaves whole pictures' interrupted TERM
-    check 'a lost terminal during a film leaves whole pictures' interrupted HUP
-    if [ ${#heed[@]} != 0 ]; then check 'Ctrl+C during a film leaves whole pictures' interrupted INT; else skip 'Ctrl+C during a film leaves whole pictures' 'env has no --default-signal'; fi
+    check 'a signal during a film leaves only complete pictures' interrupted TERM
+    check 'a lost terminal during a film leaves only complete pictures' interrupted HUP
+    if [ ${#heed[@]} != 0 ]; then check 'Ctrl+C during a film leaves only complete pictures' interrupted INT; else skip 'Ctrl+C during a film leaves only complete pictures' 'env has no --default-signal'; fi
 fi
 
 clear_out
 if command -v script >/dev/null && script -qec true /dev/null >/dev/null 2>&1; then
     progress() {
-        # Wine's console moves the cursor: one step to the right means a space.
+        # Wine's console moves the cursor to the right instead of printing a space.
         script -qec "$program -s 64x36 --frames 3 -o $out/%d.png" /dev/null </dev/null |
             sed $'s/\e\\[1C/ /g; s/\e\\[[?0-9]*[A-Za-z]//g' >"$scratch/terminal"
         grep -q '0 of 3 pictures' "$scratch/terminal" && grep -q '2 of 3 pictures' "$scratch/terminal"
     }
     check 'a terminal shows how many pictures are done' progress
 else
-    skip 'a terminal shows how many pictures are done' 'no script on this machine'
+    skip 'a terminal shows how many pictures are done' 'no command script on this machine'
 fi
 
 # ---- make film ----
@@ -183,19 +184,19 @@ film() { (cd "$scratch/project" && CHAPTER=00 FRAMES=3 FPS=${2-10} PATH=$1 .make
 if command -v ffmpeg >/dev/null; then
     films() { film "$PATH" && [ -s "$scratch/project/build/film/00_first_scene.mp4" ] && [ -s "$scratch/project/build/film/00_first_scene.gif" ]; }
     check 'make film makes an MP4 and a GIF' films
-    # Players require an even size, subsampled colour, and the table of contents first.
+    # Players require an even width and height, subsampled colour, and the index (moov) before the data (mdat).
     playable() {
         local mp4=$scratch/project/build/film/00_first_scene.mp4
         [ "$(ffprobe -v error -show_entries stream=width,height,pix_fmt,nb_frames,color_space -of csv=p=0 "$mp4")" = '64,36,yuv420p,bt709,3' ] &&
             [ "$(ffprobe -v trace "$mp4" 2>&1 | grep -oE "type:'(moov|mdat)'" | head -n 1)" = "type:'moov'" ]
     }
-    check 'an MP4 that players accept, even of an odd size' playable
+    check 'players accept the MP4, although the pictures have an odd size' playable
 fi
 mkdir "$scratch/few" && for tool in sh basename tr sed; do ln -s "$(command -v $tool)" "$scratch/few"; done
 none() { ! film "$scratch/few" && grep -q 'ffmpeg is not installed: install it.*--frames 3' "$scratch/err" && [ "$(grep -c '' "$scratch/err")" = 1 ]; }
 check 'make film says what to do without ffmpeg' none
-# An ffmpeg that only writes its arguments.
-# shellcheck disable=SC2016 # its own words
+# A substitute for ffmpeg that only writes its arguments to the output file, if the pictures exist.
+# shellcheck disable=SC2016 # the variables are the substitute's
 printf '#!/bin/sh\nfor last; do :; done\nls build/film/00_first_scene/frame-0002.png >/dev/null || exit 1\necho "$@" >"$last"\n' >"$scratch/bin/ffmpeg"
 chmod +x "$scratch/bin/ffmpeg"
 asks() {
@@ -203,24 +204,24 @@ asks() {
         grep -q 'framerate 10 .*paletteuse' "$scratch/project/build/film/00_first_scene.gif" &&
         grep -q '00_first_scene.gif' "$scratch/said"
 }
-check 'make film gives the pictures to ffmpeg twice' asks
+check 'make film passes the pictures to ffmpeg twice' asks
 slower() { film "$scratch/bin:$PATH" 100 && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif"; }
-check 'a GIF of at most 50 pictures a second' slower
-# An ffmpeg that stops halfway.
-# shellcheck disable=SC2016 # its own words
+check 'a GIF has at most 50 pictures per second' slower
+# A substitute for ffmpeg that fails halfway.
+# shellcheck disable=SC2016 # the variables are the substitute's
 printf '#!/bin/sh\nfor last; do :; done\necho half >"$last"\nexit 255\n' >"$scratch/bin/ffmpeg"
 keeps() {
     ! film "$scratch/bin:$PATH" && grep -q 'fps=50,' "$scratch/project/build/film/00_first_scene.gif" &&
         ! grep -q half "$scratch/project/build/film/"*.* && [ "$(find "$scratch/project/build/film" -maxdepth 1 -type f | wc -l)" = 2 ]
 }
-check 'a film that stops halfway leaves the old one' keeps
+check 'if ffmpeg fails halfway, the old film is kept' keeps
 views() {
     ln -sf "$root/$BUILD/01_normal_colouring" "$scratch/project/build/01_normal_colouring"
     (cd "$scratch/project" && CHAPTER=01 FRAMES=6 FPS=10 VIEW=plot PATH=$scratch/bin:$PATH .make/film.sh -s 64x36 >"$scratch/said" 2>"$scratch/err")
-    # Its pictures are in the folder, whatever ffmpeg makes of them.
+    # The pictures are in the folder, although the substitute for ffmpeg fails.
     "$BUILD/01_normal_colouring" -s 64x36 -v plot --step 0 -o "$scratch/first.png" &&
         cmp -s "$scratch/first.png" "$scratch/project/build/film/01_normal_colouring/frame-0000.png"
 }
-check 'make film shows a view, and lets its ray walk' views
+check 'make film shows a view, and the march of its ray step by step' views
 
 plan

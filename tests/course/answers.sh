@@ -1,17 +1,19 @@
 #!/bin/bash
-# answers.sh [EXERCISE...] - can `make check` be fooled? Each wrong answer of tests/course/answers.txt must be refused
-# because it differs, and each right one accepted, as must the solution itself; the chapter's unsolved shader is refused
-# for any reason. With arguments, only those exercises, such as 03_2.
+# answers.sh [EXERCISE...] - tests that `make check` cannot be fooled. It must refuse each wrong answer of
+# tests/course/answers.txt because the answer differs, and accept each right one and the solution itself. It must also
+# refuse the chapter's unsolved shader, for whatever reason. With arguments, such as 03_2, only these exercises are
+# tested.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
-# field LINE N: the Nth field, without surrounding blanks.
+# field LINE N: prints the Nth field, without surrounding blanks.
 field() {
     printf '%s\n' "$1" | awk -F ' +[|] +' -v n="$2" '{ print $n }'
 }
 
-# The answers of one exercise as files in a folder, all checked together, with a TAP line for each.
+# Write the answers to one exercise as files in a folder, check them all together, and print a line for each: 'ok NAME'
+# or 'not ok NAME'.
 judge() { # EXERCISE
     local folder=$scratch/$1 solution number=0 line verdict what file table type=frag
     [[ $1 == [0-9]* ]] || type=c
@@ -40,9 +42,9 @@ judge() { # EXERCISE
         *'does not run'* | *'does not compile'*) ;;
         "$file,$verdict "*) echo "ok $1: $what: ${table#*."$type" }" && continue ;;
         esac
-        echo "not ok $1: $what is not found to be $verdict: ${table:-$(head -n 1 "$folder/table")}"
+        echo "not ok $1: $what is not judged to be $verdict: ${table:-$(head -n 1 "$folder/table")}"
     done <"$folder/list"
-    [ "$(grep -c '^wrong|' "$folder/list")" -ge 3 ] || echo "not ok $1: two wrong answers besides the unsolved chapter"
+    [ "$(grep -c '^wrong|' "$folder/list")" -ge 3 ] || echo "not ok $1: needs at least two wrong answers, apart from the unsolved chapter"
 }
 
 if [ "${1-}" = --exercise ]; then # called by xargs below
@@ -63,7 +65,7 @@ done | while read -r exercise; do
     done
 done >"$scratch/exercises"
 cut -d ' ' -f 1 "$scratch/answers" | sort -u | comm -23 - <(cut -d ' ' -f 1 "$scratch/exercises" | sort) >"$scratch/unknown"
-[ $# != 0 ] || check 'tests/course/answers.txt names exercises that have a solution' [ ! -s "$scratch/unknown" ]
+[ $# != 0 ] || check 'tests/course/answers.txt names only exercises that have a solution' [ ! -s "$scratch/unknown" ]
 while read -r line; do
     case $line in
     ok*) ok "${line#ok }" ;;

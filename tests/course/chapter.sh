@@ -1,6 +1,6 @@
 #!/bin/bash
-# chapter.sh - `make chapter NAME=...` in a copy of the project: the new chapter builds, renders, is listed and has a
-# page; bad names and a second try are refused, and nothing is overwritten.
+# chapter.sh - tests `make chapter NAME=...` in a copy of the project: the new chapter builds, renders, is listed and
+# has a page. Bad names are refused, and so is a name whose file already exists; nothing is overwritten.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -33,7 +33,7 @@ for file in chapters/$stem.c chapters/$stem.frag docs/$stem.md; do
     check "$file is there" [ -s "$file" ]
 done
 listed() { [ "$(tail -n 1 tests/pictures/images.txt)" = "$stem  -" ]; }
-check "its picture is in the list" listed
+check "its picture is listed in tests/pictures/images.txt" listed
 
 builds() { make -s "build/$stem" >said 2>&1 || { sed 's/^/# /' said; return 1; }; }
 check "it builds" builds
@@ -43,12 +43,12 @@ renders() {
 check "it renders a picture" renders
 # shellcheck disable=SC2016 # the backticks are Markdown's
 page() { .make/listings.sh "docs/$stem.md" >/dev/null && grep -q '`ballRadius` | 0.8 |' "docs/$stem.md"; }
-check "its page has its listing and its parameters" page
+check "its page has its listings and its table of parameters" page
 
 not_overwritten() {
     printf '// mine\n' >"chapters/$(printf '%02d' $((10#$number + 1)))_mine.frag"
     ! NAME=mine .make/chapter.sh >said 2>&1
     grep -q 'already exists$' said && grep -q '^// mine$' chapters/*_mine.frag && [ -z "$(find chapters -name '*_mine.c')" ]
 }
-check "a file that exists is not overwritten" not_overwritten
+check "an existing file is not overwritten" not_overwritten
 plan

@@ -1,13 +1,14 @@
 #!/bin/bash
-# check.sh - `make check`: it accepts a solution of an exercise, refuses the chapter's unsolved shader instead, and says
-# on one line what is wrong.
+# check.sh - tests `make check`: it accepts the solution of an exercise, refuses the chapter's unsolved shader, and says
+# what is wrong, on one line for a file that does not run, or on four lines for pictures that differ.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
 accepted() { EXERCISE=$1 FILE=$2 FILES='' .make/check.sh >"$scratch/answer.$1" 2>&1; }
 
-# Refused: one line says why the answer does not run, or four lines say where it differs and what to look at.
+# True if the answer is refused: a line says why it does not run, or four lines say where it differs and what to look
+# at.
 refused() { # EXERCISE FILE
     ! accepted "$1" "$2" || return 1
     grep -q ': wrong: does not run: ' "$scratch/answer.$1" && return
@@ -21,17 +22,17 @@ open_scratch
 awk '$2 ~ /^solution-[0-9]+$/ { sub(/^solution-/, "", $2); print substr($1, 1, 2) "_" $2 }' \
     tests/pictures/images.txt | sort >"$scratch/exercises"
 sed -n 's/^\([0-9][0-9]_[0-9]*\) .*/\1/p' tests/course/checks.txt | sort -u | comm -13 "$scratch/exercises" - >"$scratch/unknown"
-check 'tests/course/checks.txt names exercises that exist' [ ! -s "$scratch/unknown" ]
-# answers.sh checks all exercises; it runs for a release.
+check 'tests/course/checks.txt names only exercises that exist' [ ! -s "$scratch/unknown" ]
+# answers.sh checks all exercises; it runs only before a release.
 for exercise in 00_2 03_2 10_7 11_2 12_2 13_2; do
     check "$exercise: the solution is right" accepted $exercise chapters/solutions/"${exercise%_*}"_*_"${exercise#*_}".frag
     check "$exercise: the unsolved chapter is refused" refused $exercise chapters/"${exercise%_*}"_*.frag
 done
 
-# A folder outside the project, as a lecturer has it: files of several students, some with the same name.
+# A folder outside the project, like that of a lecturer: it has files of several students, some with the same name.
 handed_in="$scratch/handed in"
 mkdir -p "$handed_in/ada" "$handed_in/ben"
-# The same picture with different rays: the first march has another direction.
+# This shader renders the same picture, but its rays differ: the first march has another direction.
 cat >"$handed_in/ben/rays.frag" <<'END'
 #include "main.glsl"
 #include "march.glsl"
@@ -69,22 +70,22 @@ says() { # WORDS
 one_is() { # FILE WORDS
     ! accepted 03_2 "$handed_in/$1" && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says "$2"
 }
-check "a picture that is right with rays that are not is refused" \
-    one_is ben/rays.frag 'picture is right, its rays are not: pixel '
+check "a right picture with wrong rays is refused" \
+    one_is ben/rays.frag 'picture is right, but its rays are not: pixel '
 build/03_shadows -f chapters/solutions/03_shadows_2.frag --print-shader=shadertoy >"$handed_in/toy.frag"
-check "a right picture from a file that records no rays is refused" one_is toy.frag 'rays are not: none is recorded'
+check "a right picture from a file that records no rays is refused" one_is toy.frag 'rays are not: no ray is recorded'
 check "a file that does not compile is refused with its line" \
     one_is ben/broken.frag 'does not run: .*broken.frag:1'
 check "an empty file, with a space in its name, is refused" \
     one_is 'ben/empty file.frag' 'does not run: .*empty file.frag: empty'
 check 'a missing file is refused' one_is absent.frag 'no such file'
 
-# The maximum draws the same lens as the exact distance, but the number of steps differs.
+# The maximum of two distances renders the same lens as the exact distance, but the number of steps differs.
 bound() {
     sed 's|exact; // true|exact; // false|' chapters/solutions/04_hue_colour_4.frag >"$scratch/bound.frag"
     ! accepted 04_4 "$scratch/bound.frag" && grep -q 'most around ' "$scratch/answer.04_4"
 }
-check "a bound is refused where an exact distance is asked for" bound
+check "a bound is refused where an exact distance is required" bound
 
 table() { # EXERCISE PATTERN
     EXERCISE=$1 FILE='' FILES=$2 .make/check.sh >"$scratch/answer.03_2" 2>&1
@@ -106,15 +107,15 @@ listed() {
     table 03_2 "chapters/solutions/03_shadows_1.frag chapters/solutions/03_shadows_3.f*"
     [ $? = 1 ] && says '^0 of 2 right$' && [ ! -e build/check/03_2"$handed_in" ]
 }
-check "several names separated by spaces; earlier pictures are gone" listed
+check "several names may be separated by spaces, and earlier pictures are removed" listed
 nobody() { table 03_2 "$handed_in/eve/*.frag"; [ $? = 2 ] && says 'no file has such a name'; }
 check "a pattern that matches no file is refused" nobody
 endless() {
     CHECK_LIMIT=1 table 00_1 "$handed_in/endless.frag"
     [ $? = 1 ] && says '^wrong .*does not end: no picture after 1 s'
 }
-check "a file that never ends is refused" endless
-# A limit on the size of files acts like a full disk: the solution's picture fits, but one of noise does not.
+check "a shader that never ends is refused" endless
+# A limit on the size of files acts like a full disk: the solution's picture fits, but a picture of noise does not.
 cat >"$scratch/noise.frag" <<'END'
 #version 330 core
 out vec4 FragColor;
@@ -137,8 +138,8 @@ asks_wrong() { # EXERCISE WORDS
     EXERCISE=$1 FILE=x FILES='' .make/check.sh >"$scratch/answer.03_2" 2>&1
     [ $? = 2 ] && [ "$(wc -l <"$scratch/answer.03_2")" = 1 ] && says "$2"
 }
-check "no exercise is given" asks_wrong '' 'which exercise'
-check "an exercise of a chapter that does not exist" asks_wrong 99_1 'there are 00_1 '
-check "an exercise without a solution" asks_wrong 03_99 "there are 00_1 .* 03_4 04_1 .* $(tail -n 1 "$scratch/exercises") engine_1 .*engine_4$"
-check "a name that cannot be an exercise's" asks_wrong shadows 'such as 03_2'
+check "a missing exercise is refused" asks_wrong '' 'which exercise'
+check "an exercise of a missing chapter is refused" asks_wrong 99_1 'there are 00_1 '
+check "an exercise without a solution is refused" asks_wrong 03_99 "there are 00_1 .* 03_4 04_1 .* $(tail -n 1 "$scratch/exercises") engine_1 .*engine_4$"
+check "a name that no exercise can have is refused" asks_wrong shadows 'such as 03_2'
 plan

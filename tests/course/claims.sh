@@ -1,15 +1,16 @@
 #!/bin/bash
-# claims.sh [PAGE...] - what a page says about two pictures that it compares is what `make compare` says: the share of
-# the pixels that differ, to its last digit, or that no pixel differs. With arguments, only those pages, such as 03.
+# claims.sh [PAGE...] - tests that the pages agree with `make compare` about the pictures that they compare: the share
+# of the pixels that differ, to the last digit given, or that no pixel differs. With arguments, such as 03, only these
+# pages are tested.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
 open_scratch
 
-# The blocks of a page that compare pictures, each with the paragraph above it and the text after it up to the next
-# heading, the next numbered experiment or a dozen lines, as lines 'draw COMMAND', 'compare A B', 'none' (no pixel is
-# said to differ) and 'claim NUMBERS'. A block that first writes a shader of the reader's own is left out.
+# Print the blocks of a page that compare pictures as lines 'draw COMMAND', 'compare A B', 'none' (the text says that no
+# pixel differs) and 'claim NUMBERS'. The text of a block is the paragraph above it and what follows it, up to the next
+# heading, the next numbered experiment or 13 lines. A block that first writes the reader's own shader is left out.
 blocks_of() { # PAGE
     awk '
         function end() {
@@ -45,7 +46,7 @@ blocks_of() { # PAGE
         END { end() }' "$1" | grep -E '^(draw|compare|none|claim)'
 }
 
-# agrees SHARE NUMBER...: one of the numbers is the share, in per cent, rounded to the number's last digit.
+# agrees SHARE NUMBER...: true if one of the numbers is SHARE, a percentage, rounded to that number's last digit.
 agrees() {
     awk 'BEGIN {
         for (i = 2; i < ARGC; i++) {
@@ -55,7 +56,8 @@ agrees() {
         exit 1 }' "$@"
 }
 
-# judge PAGE NONE NUMBER...: each comparison that the block makes.
+# judge PAGE NONE NUMBER...: tests each comparison of a block. NONE is yes if the text says that no pixel differs; the
+# numbers are those in the text.
 judge() {
     local page=$1 none=$2 a b said
     shift 2
@@ -87,7 +89,7 @@ for page in docs/[0-9][0-9]_*.md; do
         compare) echo "$line" >>"$scratch/compared" ;;
         none) none=yes ;;
         claim)
-            # shellcheck disable=SC2086 # numbers
+            # shellcheck disable=SC2086 # a list of numbers
             judge "${name%.md}" $none $line
             none=no
             : >"$scratch/compared"
@@ -95,5 +97,5 @@ for page in docs/[0-9][0-9]_*.md; do
         esac
     done < <(blocks_of "$page")
 done
-check 'pages compare pictures' [ "$tap_count" -gt 0 ]
+check 'some pages compare pictures' [ "$tap_count" -gt 0 ]
 plan

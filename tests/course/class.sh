@@ -1,6 +1,6 @@
 #!/bin/bash
-# class.sh - `make marks` on a class of thirty made-up students and two exercises: right and wrong answers, copies, files that
-# do not compile, that never end, and that do harm. Every mark and every remark must be the expected one.
+# class.sh - tests `make marks` on a class of thirty invented students and two exercises: right and wrong answers,
+# copies, and files that do not compile, never end or do harm. Every mark and every remark must be the expected one.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -9,38 +9,38 @@ open_scratch
 class=$scratch/class expected=$scratch/expected
 : >"$expected"
 
-# expect STUDENT EXERCISE MARK REMARK: what the table must say.
+# expect STUDENT EXERCISE MARK REMARK: records what the table must say.
 expect() { printf '%s\t%s\t%s\t%s\n' "$@" >>"$expected"; }
 
 solution() { echo chapters/solutions/"${1%_*}"_*_"${1#*_}".frag; } # EXERCISE
 chapter() { echo chapters/"${1%_*}"_*.frag; }
 
-# hand_in STUDENT EXERCISE MARK REMARK: the text comes from standard input.
+# hand_in STUDENT EXERCISE MARK REMARK: stores an answer, whose text comes from standard input.
 hand_in() {
     mkdir -p "$class/$1"
     cat >"$class/$1/$2.frag"
     expect "$@"
 }
 
-# The edits of tests/course/answers.txt that a mark and an exercise have, one a line.
+# Print the edits in tests/course/answers.txt for an exercise and a verdict, one per line.
 edits() { # EXERCISE VERDICT
     awk -F ' +[|] +' -v exercise="$1" -v verdict="$2" '$1 == exercise && $2 == verdict { sub(/^[^|]*[|][^|]*[|][^|]*[|] /, ""); print }' tests/course/answers.txt
 }
 
 for exercise in 00_2 03_2; do
-    # Seventeen right answers: sixteen with a line of their own, and one that is written differently.
+    # Seventeen right answers: sixteen are the solution with a different last line, and one is written differently.
     for student in 01 02 03 04 05 06 07 08 09 10 11 12 13 14 15 16; do
         { cat "$(solution $exercise)"; echo "#define STUDENT_$student"; } | hand_in "$student" $exercise right 'as the solution'
     done
     edits $exercise right | head -n 1 >"$scratch/edit"
     sed "$(cat "$scratch/edit")" "$(solution $exercise)" | hand_in 17 $exercise right 'as the solution'
-    # Two wrong answers, and the unsolved chapter twice, which is no copy.
+    # Two wrong answers, and the unsolved chapter twice, which does not count as copying.
     edits $exercise wrong | head -n 2 >"$scratch/edits"
     sed "$(sed -n 1p "$scratch/edits")" "$(solution $exercise)" | hand_in 18 $exercise wrong ' differ '
     sed "$(sed -n 2p "$scratch/edits")" "$(solution $exercise)" | hand_in 19 $exercise wrong ' differ '
     hand_in 20 $exercise wrong 'differ\|compile' <"$(chapter $exercise)"
     hand_in 21 $exercise wrong 'differ\|compile' <"$(chapter $exercise)"
-    # The published solution, disguised and included; and one answer twice.
+    # The published solution, once disguised and once included, and one answer from two students.
     { echo '/* all * my own */'; sed 's/; *$/ ;  \/\/ mine/' "$(solution $exercise)"; } | hand_in 22 $exercise copied '^the published solution; as the'
     echo '#include "solutions/'"$(basename "$(solution $exercise)")"'"' | hand_in 23 $exercise copied '^the published solution; '
     for student in 24 25; do
@@ -52,7 +52,8 @@ for exercise in 00_2 03_2; do
     head -c 4000 build/00_first_scene | hand_in 28 $exercise wrong 'does not run: '
 done
 
-# The last two never end, read files of the machine, or use all its memory.
+# The last two students hand in a shader that never ends, one that includes a file of the system, one that uses up the
+# memory, and a pipe.
 hand_in 29 00_2 wrong 'does not end: no picture after' <<'END'
 #version 330 core
 in vec2 FragCoord;
@@ -83,7 +84,7 @@ while IFS=$'\t' read -r student exercise mark remark; do
     [ "$exercise" = 00_2 ] || column=4
     awk -F ',' -v student="\"$student\"" '$1 == student' "$scratch/marks.csv" | tr -d '\n' >"$scratch/row"
     found=$(awk -v column=$column '{
-        # The fields of a row: commas within quotes do not separate.
+        # Split a row into fields: commas within quotes do not separate.
         for (i = 1; i <= length($0); i++) {
             c = substr($0, i, 1)
             if (c == "\"") quoted = !quoted
@@ -94,5 +95,5 @@ while IFS=$'\t' read -r student exercise mark remark; do
         print mark "\t" text }' "$scratch/row")
     check "$student, $exercise: $mark" eval "[ '$mark' = \"\${found%%\$'\t'*}\" ] && grep -q -e '$remark' <<<\"\${found#*\$'\t'}\"" || echo "# $found"
 done <"$expected"
-check 'the marks are added up' grep -q '^30 students: 34 right, 18 wrong, 8 copied$' "$scratch/said" || sed 's/^/# /' "$scratch/said"
+check 'the marks are counted' grep -q '^30 students: 34 right, 18 wrong, 8 copied$' "$scratch/said" || sed 's/^/# /' "$scratch/said"
 plan

@@ -1,5 +1,5 @@
 #!/bin/bash
-# compare.sh - `make compare`: one line says how much two pictures differ.
+# compare.sh - tests `make compare`, which says in one line how much two pictures differ.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -11,7 +11,7 @@ build/02_lighting -s 64x36 -o "$scratch/small.png"
 draw shifted -p ambient=0.013,0.0215,0.037
 echo 'this is no picture at all' >"$scratch/text.png"
 
-# says STATUS WORDS NAME...: the pictures NAME.png compared.
+# says STATUS WORDS NAME...: comparing the pictures NAME.png must give this status and one line that matches WORDS.
 says() {
     local status=$1 words=$2 pictures='' said file
     shift 2
@@ -25,17 +25,17 @@ says() {
 shown() { [ -s build/compare.png ]; }
 says 1 '[0-9.]* % of the pixels differ by more than 2 of 255, at most by [0-9]*, most around [0-9]*,[0-9]*: see build/compare.png' one other
 check 'two pictures differ' [ $? = 0 ]
-check 'their difference is a picture' shown
+check 'their difference is shown in a picture' shown
 check 'two equal pictures' says 0 'the pictures are the same: no pixel differs' one same
-check 'the old difference is gone' eval '! shown'
+check 'the earlier picture of a difference is removed' eval '! shown'
 check 'a rounding error is not a difference' says 0 'the pictures are the same: no pixel differs by more than 2 of 255, at most by 1' one hair
 check 'a small difference over a whole region counts' says 1 'no pixel differs by more than [12] of 255, but a whole region differs a little, most around .*: see build/compare.png' one shifted
-check 'two sizes' says 2 'make: pictures of different size cannot be compared: 128x72 and 64x36' one small
+check 'two pictures of different sizes' says 2 'make: pictures of different size cannot be compared: 128x72 and 64x36' one small
 check 'a text file' says 2 "make: .*text.png: cannot be read: Not a PNG file: save it again as a PNG" one text
 check 'a missing file' says 2 "make: .*absent.png: cannot be read: No such file or directory" one absent
 check 'one picture' says 2 'make: which two pictures? .*' one
 check 'three pictures' says 2 'make: which two pictures? .*' one one one
 asks() { make -s compare PICTURES="$scratch/$1.png $scratch/$2.png" >"$scratch/said" 2>&1; }
-check 'make compare compares' asks one other
-check 'a text file is an error' eval '! asks one text'
+check 'make compare succeeds for pictures that differ' asks one other
+check 'make compare fails for a text file' eval '! asks one text'
 plan

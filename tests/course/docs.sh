@@ -1,6 +1,7 @@
 #!/bin/bash
-# docs.sh [PAGE...] - the pages, or those given, agree with the project: listings, links, pictures, parameters, commands and
-# solutions exist and agree with the sources; and the tool that writes the listings refuses mistakes.
+# docs.sh [PAGE...] - tests that all pages, or those given, agree with the project: their listings, links, pictures,
+# parameters, commands and solutions exist and match the sources. Without arguments, it also tests the checks themselves
+# and the tool that writes the listings.
 # shellcheck disable=SC2016 # the backticks are Markdown's
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -22,8 +23,8 @@ judge() {
 
 # ---- What a page contains ----
 
-# Its prose, 'LINE:text': without fenced blocks and, unless the second argument is 'code', without
-# inline code.
+# Print the prose of a page as lines 'LINE:text', without fenced blocks and, unless the second argument is 'code',
+# without inline code.
 prose_of() { # PAGE [code]
     awk -v keep="${2-}" '
         /^ *```/ { fenced = !fenced; next }
@@ -31,7 +32,8 @@ prose_of() { # PAGE [code]
         { if (keep == "") gsub(/`[^`]*`/, ""); print FNR ":" $0 }' "$1"
 }
 
-# The fenced lines, with a line that ends in \ joined to the next, and the inline code, one per line.
+# Print the fenced lines of a page, where a line that ends in \ is joined to the next, and each piece of inline code on
+# its own line.
 code_of() { # PAGE
     awk '
         /^ *```/ { fenced = !fenced; next }
@@ -40,7 +42,7 @@ code_of() { # PAGE
         { n = split($0, part, "`"); for (i = 2; i < n; i += 2) print part[i] }' "$1"
 }
 
-# The targets of its links and pictures, 'LINE:target', without other sites.
+# Print the targets of a page's links and pictures as lines 'LINE:target', without those on other sites.
 links_of() { # PAGE
     prose_of "$1" | awk '{
         line = $0; sub(/:.*/, "", line)
@@ -58,7 +60,7 @@ links_of() { # PAGE
     }' | grep -v -E '^[0-9]+:(https?|mailto):'
 }
 
-# The anchors that GitHub makes of its headings.
+# Print the anchors that GitHub derives from a page's headings.
 anchors_of() { # PAGE
     prose_of "$1" code | sed 's/^[0-9]*://' | awk '/^#+ / {
         sub(/^#+ +/, ""); sub(/ +$/, "")
@@ -69,14 +71,14 @@ anchors_of() { # PAGE
     }'
 }
 
-# The anchors of the project's own pages are found once.
+# True if a page has an anchor. The anchors of each page of the project are determined only once.
 has_anchor() { # PAGE ANCHOR
     local kept=$scratch/anchors.${1//\//,}
     [[ $1 != "$scratch"* && -e $kept ]] || anchors_of "$1" >"$kept"
     grep -q -x -F -e "$2" "$kept"
 }
 
-# ---- What is wrong with a page: each prints one line for each mistake ----
+# ---- Checks of a page: each function prints one line for each mistake ----
 
 bad_links() { # PAGE
     local line target path file folder=.
@@ -107,7 +109,7 @@ bad_pictures() { # PAGE
 }
 
 # GitHub's Markdown removes the backslash of \, \; \! \: \{ \} \| \\ before the formula is read. Only a block that
-# begins with ```math keeps them.
+# begins with ```math keeps these backslashes.
 bad_formulas() { # PAGE
     prose_of "$1" | awk -v page="$1" '
         {
@@ -121,17 +123,17 @@ bad_formulas() { # PAGE
                     open = !open
             }
         }
-        END { if (open) print page ": a formula has no end" }'
+        END { if (open) print page ": a formula is not closed" }'
 }
 
-# Five lines in French below their heading.
+# A page has a summary in French, which is five lines long, below its heading.
 bad_summary() { # PAGE
     awk '
         /^#+ L.essentiel *$/ { found = 1; next }
         found == 1 && NF && /^#/ { exit }
         found == 1 && NF { lines++ }
         found == 1 && !NF && lines { exit }
-        END { if (lines != 5) print "the part below the heading of the essentials has " lines + 0 " lines" }' "$1"
+        END { if (lines != 5) print "the French summary has " lines + 0 " lines instead of 5" }' "$1"
 }
 
 unnamed_parameters() { # STEM
@@ -141,8 +143,8 @@ unnamed_parameters() { # STEM
         END { for (n in name) if (!(n in word)) print n " is not in " page }' - "docs/$1.md"
 }
 
-# Each exercise has a grade, a folded hint and a folded solution, and, if its solution runs, the command that checks it;
-# there are at least three exercises.
+# Each exercise has a difficulty, a folded hint and a folded solution, and, if chapters/solutions/ has its solution, the
+# command that checks it. There are at least three exercises.
 bad_exercises() { # PAGE
     local name
     name=$(basename "$1" .md)
@@ -161,15 +163,15 @@ bad_exercises() { # PAGE
         here && /^\*\*[0-9]+\./ {
             judge(); count++; exercise = substr($1, 3); hint = solution = checked = 0
             if ($0 !~ /^\*\*[0-9]+\. [(](easy|medium|hard)[)] [^*]*[.?!]\*\*/)
-                print "exercise " exercise " does not begin **K. (easy|medium|hard) Title.**"
+                print "exercise " exercise " does not begin with **K. (easy|medium|hard) Title.**"
         }
         here && /<summary>Hint</ { hint = 1 }
         here && /<summary>Solution</ { solution = 1 }
-        END { judge(); if (count < 3) print "there are " count + 0 " exercises" }' "$1"
+        END { judge(); if (count < 3) print "there are only " count + 0 " exercises" }' "$1"
 }
 
-# A fold is an answer, a hint or a solution, and its tags are on lines of their own between empty lines; each prediction
-# and experiment is followed by its answer.
+# A fold (<details>) is an answer, a hint or a solution, and its tags are on separate lines between empty lines. Each
+# prediction and each experiment is followed by its folded answer.
 bad_folds() { # PAGE
     awk '
         function judge() { if (asked) print asked ": has no folded answer"; asked = "" }
@@ -189,13 +191,13 @@ bad_folds() { # PAGE
         /^#/ { judge(); experiments = /^## Experiments/ }
         /^\*Predict\.\*/ || (experiments && /^\*\*[0-9]+\./) { judge(); asked = "line " FNR }
         { last = $0 }
-        END { judge(); if (open) print "line " open ": a fold has no end" }' "$1"
+        END { judge(); if (open) print "line " open ": a fold is not closed" }' "$1"
 }
 
-# The parts of a page, in their order, and a story short enough for an evening.
+# A page has all its parts in order, and its story (the text before the parameters) has at most 4000 words.
 bad_form() { # PAGE
     local wanted=''
-    grep -q '^### In short$' "$1" || echo "has no part In short"
+    grep -q '^### In short$' "$1" || echo "has no section 'In short'"
     grep -q '^<!-- time -->$' "$1" || echo "has no reading time"
     wanted='From formula to code,What changed,Parameters,Experiments,Exercises,Proofs,What the report does,Pitfalls,Sources,'
     ! grep -q '^## What the workshop does$' "$1" || wanted=${wanted/report/workshop}
@@ -210,25 +212,26 @@ bad_form() { # PAGE
                 wanted = substr(wanted, length(next_part) + 2); next_part = ""
             }
         }
-        END { if (wanted != "") print "lacks, or has out of order: " wanted }' "$1"
-    awk -f .make/words.awk "$1" | awk '$1 > 4000 { print "its story has " $1 " words; 4000 is the most" }'
+        END { if (wanted != "") print "these parts are missing or out of order: " wanted }' "$1"
+    awk -f .make/words.awk "$1" | awk '$1 > 4000 { print "its story has " $1 " words; at most 4000 are allowed" }'
 }
 
-# matches PAGE READER PATTERN [i]: the first lines of READER's output for the page that match; i ignores case.
+# matches PAGE READER PATTERN [i]: prints the first three matching lines of READER's output for the page; i ignores
+# case.
 matches() { "$2" "$1" | grep "-E${4-}" -e "$3" | sed "s|^|$1:|" | head -n 3; }
 lines_of() { grep -n '' "$1"; }
 
-# Remains of an unfinished merge; an unusual notation for lengths and products; short options, which mean
-# nothing to a new reader; phrases that are wrong English, which pages may mention only in quotes.
+# These find the remains of an unfinished merge; an unusual notation for lengths and products; short options, which mean
+# nothing to a new reader; and phrases that are wrong English, which pages may mention only in quotes.
 bad_merges() { matches "$1" lines_of '^[0-9]+:(<<<<<<<|>>>>>>>) '; }
 bad_notation() { matches "$1" lines_of '\\(langle|rangle|lVert|rVert|Vert|\|)'; }
 bad_options() { matches "$1" code_of '(^|[ /])build/[0-9][^|>]* -[a-z]( |$)|^-[a-z] '; }
 bad_phrases() { matches "$1" prose_of "(^|[^'])\\b(in place of|under an angle|anew|as it were|(as|by|for|of|to) who) " i; }
 
-# French words in a page's brackets that the glossary lacks.
+# Find the French terms in parentheses on a page that the glossary lacks.
 untranslated() { # PAGE
     prose_of "$1" | grep -o '([*][^*]*[*]' | sed 's/^([*]//; s/[*]$//; s/, /\n/g' | awk -F ' *[|] *' -v page="$1" '
-        function words(text) { # a plural counts as the word
+        function words(text) { # a plural counts as its singular
             gsub(/[-*,()]/, " ", text)
             text = " " text " "
             gsub(/s? +/, " ", text)
@@ -243,21 +246,22 @@ untranslated() { # PAGE
         }' docs/glossary.md -
 }
 
-# The glossary's terms, in order and each once, each with its French name and the section that defines it.
+# The glossary has at least 100 terms in order, each of them once, with a French name, a definition and a link to the
+# section that introduces the term.
 bad_glossary() { # PAGE
     awk -F ' *[|] *' '
         /^## Symbols/ { exit }
         /^[|] / && !/^[|] (English|---)/ {
             term = tolower($2); gsub(/[^a-z0-9]+/, " ", term)
-            if (term "" <= last) print $2 ": out of order, or twice"
+            if (term "" <= last) print $2 ": out of order, or listed twice"
             if ($3 !~ /^[*]..*[*]$/) print $2 ": has no French name"
             if ($5 == "" || $6 !~ /^\[([0-9][0-9]|engine)\]\(/) print $2 ": no definition, or no link to its section"
             last = term; count++
         }
-        END { if (count < 100) print "there are " count + 0 " terms" }' "$1"
+        END { if (count < 100) print "there are only " count + 0 " terms" }' "$1"
 }
 
-# Each lab of the guide has all its parts, and the first six labs are all there.
+# Each lab of the guide for teachers has all its parts. The labs are in order, and none of the first six is missing.
 bad_labs() { # PAGE
     awk '
         function judge(i) {
@@ -270,19 +274,19 @@ bad_labs() { # PAGE
         /^##/ { judge(); lab = "" }
         /^### Lab / {
             lab = $0
-            if ($3 + 0 != last + 1 && ($3 + 0 <= last || last < 6)) print "lab " last " is followed by " $3
+            if ($3 + 0 != last + 1 && ($3 + 0 <= last || last < 6)) print "lab " last " is followed by lab " $3
             last = $3 + 0
         }
         /^- / { has[$2] = 1 }
         END { judge(); if (last < 6) print "the last lab is " last + 0 }' "$1"
 }
 
-# A page shows two pictures side by side in a window, a wrong one and the right one.
+# A page has a command that shows two pictures side by side in a window, a wrong one and the right one.
 lacks_pair() { # PAGE
     code_of "$1" | grep -qE '^build/[0-9].* --compare( |$)' || echo "$1: no command has --compare"
 }
 
-# Shaders that belong to a chapter but are not named on its page.
+# Print the shaders that belong to a chapter but are not named on its page.
 unnamed_shaders() { # STEM
     local file number=${1%%_*} text
     text=$(<"docs/$1.md")
@@ -294,15 +298,15 @@ unnamed_shaders() { # STEM
 
 targets=" $(sed -n 's/^\([a-z][-a-z0-9]*\):.*/\1/p' Makefile | tr '\n' ' ')"
 
-# A command is tried with its own program, with --list instead of the picture: that reads all options, the shader and
-# the values of its parameters. A shader that the page itself writes, 'my.frag', is replaced with the chapter's own. A
-# command that ends in ' refused' must be refused.
+# Each command of a chapter's program is tried with --list added. The program then reads all options, the shader and the
+# values of its parameters, but renders nothing. A shader that the reader writes, such as 'my.frag', is replaced with
+# the chapter's own. A command with the comment '# refused' must be refused.
 bad_commands() { # PAGE
     local command target
     code_of "$1" | grep -E '(^|[;&|(] *)(build/[0-9]|make [a-z]|[A-Z]+=)' | sed 's/ && /\n/g; s/[;|].*//' |
         while IFS= read -r command; do
             case $command in
-            [A-Z]*=*) # a variable that later commands use; anything after it would be executed
+            [A-Z]*=*) # a variable that later commands use; anything after its value would be executed
                 [[ $command =~ ^[A-Z_]+=[^\ ]*\ *$ || $command =~ ^[A-Z_]+=\'[^\']*\'\ *$ || $command =~ ^[A-Z_]+=\"[^\"]*\"\ *$ ]] ||
                     { echo "$1: $command: a variable in front of a command" && continue; }
                 eval "$command"
@@ -341,8 +345,8 @@ try_command() { # COMMAND
     esac
 }
 
-# The last line that a page shows of a probe is the one that its command prints. After several commands, their last
-# lines follow in the same order.
+# The last line that a page shows of a probe must be the last line that the command prints. After several commands,
+# their last lines follow in the same order.
 bad_outputs() { # PAGE
     local command shown
     awk '
@@ -354,14 +358,15 @@ bad_outputs() { # PAGE
         }
         fenced && /^ *# .*; colour: / && sub(/^ */, "") && shown < asked { print command[++shown]; print }' "$1" |
         while IFS= read -r command && IFS= read -r shown; do
-            eval "set -- $(sed -E 's/ (-o|--output) +[^ ]+//; s/ *[|] *tail -n 1$//' <<<"$command")" # a test leaves no picture behind
+            eval "set -- $(sed -E 's/ (-o|--output) +[^ ]+//; s/ *[|] *tail -n 1$//' <<<"$command")" # a test writes no picture
             command=$BUILD/${1#build/}
             shift
             same_line "$("$command" "$@" 2>&1 | tail -n 1)" "$shown" || echo "$command $*: does not print '$shown'"
         done
 }
 
-# Two last lines of a probe: a colour may differ by one on another driver.
+# True if two last lines of a probe agree. Each channel of the colour may differ by one, because the driver may be
+# another.
 same_line() { # A B
     [ "${1%colour: *}" = "${2%colour: *}" ] && awk -v a="${1##*: }" -v b="${2##*: }" 'BEGIN {
         n = split(a, x, ", "); split(b, y, ", ")
@@ -374,10 +379,10 @@ same_line() { # A B
 check_pages() {
     local page stem
     for page in "${pages[@]}"; do
-        judge "$page: listings and tables are those of the sources" \
+        judge "$page: listings and tables match the sources" \
             "$(.make/listings.sh --check "$page" 2>&1)"
         judge "$page: links, pictures and anchors exist" "$(bad_links "$page")"
-        judge "$page: pictures are references that are tested" "$(bad_pictures "$page")"
+        judge "$page: pictures are tested references" "$(bad_pictures "$page")"
         judge "$page: has no merge conflict markers" "$(bad_merges "$page")"
         judge "$page: GitHub renders its formulas" "$(bad_formulas "$page")"
         judge "$page: commands are accepted by their programs" "$(bad_commands "$page")"
@@ -391,7 +396,7 @@ check_pages() {
             not_ok "docs/$stem.md" "the chapter has no page"
             continue
         fi
-        judge "docs/$stem.md: has its five lines in French" "$(bad_summary "docs/$stem.md")"
+        judge "docs/$stem.md: has a French summary of five lines" "$(bad_summary "docs/$stem.md")"
         judge "docs/$stem.md: its French terms are in the glossary" "$(untranslated "docs/$stem.md")"
         judge "docs/$stem.md: names every parameter" "$(unnamed_parameters "$stem")"
         judge "docs/$stem.md: shows two pictures side by side" "$(lacks_pair "docs/$stem.md")"
@@ -405,7 +410,7 @@ check_pages() {
 
 # ---- The checks themselves: each must find a mistake ----
 
-# refuses NAME TEXT CHECK: a page with this text makes the check complain.
+# refuses NAME TEXT CHECK: the check must complain about a page with this text. accepts NAME TEXT CHECK: it must not.
 refuses() {
     mkdir -p "$scratch/docs"
     printf '%b' "$2" >"$scratch/docs/page.md"
@@ -415,7 +420,7 @@ refuses() {
 accepts() {
     mkdir -p "$scratch/docs"
     printf '%b' "$2" >"$scratch/docs/page.md"
-    check "a page is accepted for $1" test -z "$("$3" "$scratch/docs/page.md")"
+    check "a page is accepted with $1" test -z "$("$3" "$scratch/docs/page.md")"
 }
 
 check_checks() {
@@ -430,7 +435,7 @@ check_checks() {
     local exercises="## Exercises\n\n$task$folds${task/1/2}$folds${task/1/3}$folds"
     accepts 'exercises with hints and solutions' "$exercises" bad_exercises
     refuses 'an exercise without a solution' "${exercises/Solution/Hint}" bad_exercises
-    refuses 'an exercise without a grade' "${exercises/(easy) /}" bad_exercises
+    refuses 'an exercise without a difficulty' "${exercises/(easy) /}" bad_exercises
     accepts 'a question with its answer' "$ask${folds/Hint/Answer}" bad_folds
     refuses 'a question without an answer' "$ask$folds" bad_folds
     refuses 'an experiment without an answer' "## Experiments\n\n**1. A.** b\n" bad_folds
@@ -441,10 +446,10 @@ check_checks() {
     refuses 'parts out of order' "$(sed 's/^## Proofs/## Lemmas/' docs/01_normal_colouring.md)" bad_form
     refuses 'angle brackets for a product' '$\\langle a, b \\rangle$\n' bad_notation
     refuses 'a phrase that is always wrong' 'a mean in place of a sum\n' bad_phrases
-    accepts 'the same in quotes' "say 'instead of', not 'in place of'\n" bad_phrases
+    accepts 'such a phrase in quotes' "say 'instead of', not 'in place of'\n" bad_phrases
     refuses 'a short option' "\`build/${chapters[0]} -t 2\`\n" bad_options
     refuses 'a French term that the glossary lacks' 'the ray (*rayon*), the **word** (*mot, rayon*)\n' untranslated
-    refuses 'a term twice' "$(sed '/^| acne /p' docs/glossary.md)" bad_glossary
+    refuses 'a term listed twice' "$(sed '/^| acne /p' docs/glossary.md)" bad_glossary
     refuses 'a term without a French name' "$(sed 's/ [*]cellule[*] / /' docs/glossary.md)" bad_glossary
     refuses 'a lab without a question' "$(sed '0,/Exit question/s//Question/' docs/teaching.md)" bad_labs
     refuses 'a missing lab' "$(sed '/^### Lab 3/d' docs/teaching.md)" bad_labs
@@ -458,12 +463,12 @@ check_checks() {
     refuses 'an unknown parameter' "\`build/${chapters[0]} -p gone=1\`\n" bad_commands
     refuses 'a command that is accepted although it is marked as refused' "\`build/${chapters[0]} # refused\`\n" bad_commands
     check 'a colour may be off by one' same_line '# hit; colour: 1, 20, 3' '# hit; colour: 2, 20, 2'
-    check 'not two' eval "! same_line '# hit; colour: 1, 20, 3' '# hit; colour: 1, 20, 5'"
+    check 'a colour may not be off by two' eval "! same_line '# hit; colour: 1, 20, 3' '# hit; colour: 1, 20, 5'"
     refuses 'an output that the command does not print' "\`\`\`\n$probe\n# hit; evaluations of the scene: 0; colour: 1, 2, 3\n\`\`\`\n" bad_outputs
     refuses 'an unknown target' '`make nonsense`\n' bad_commands
     refuses 'a variable in front of a command' '`NONE=1 make test`\n' bad_commands
     printf '# A `b`: c, d!\n## A b c d\n' >"$scratch/docs/page.md"
-    check "anchors are GitHub's" test "$(anchors_of "$scratch/docs/page.md" | tr '\n' ' ')" = \
+    check "anchors are the same as GitHub's" test "$(anchors_of "$scratch/docs/page.md" | tr '\n' ' ')" = \
         'a-b-c-d a-b-c-d-1 '
 }
 
@@ -492,7 +497,7 @@ vec3 twice(vec3 x) { return 2.0 * x; }
 END
 }
 
-# lists NAME EXPECTED: this text is written below a marker.
+# True if the tool writes the expected text below the marker of NAME.
 lists() { # NAME EXPECTED
     local page=$scratch/list.md name=${1% with-comment}
     printf 'before `%s`\n<!-- code: %s %s -->\nafter\n' "${name/\*/source.glsl}" "$scratch/source.glsl" "$1" >"$page"
@@ -501,7 +506,7 @@ lists() { # NAME EXPECTED
         .make/listings.sh --check "$page" # --check accepts what was just written
 }
 
-# fails PAGE PATTERN OPTION...: status 1, the message matches, and the page is untouched.
+# fails PAGE PATTERN OPTION...: the tool must fail with a message that matches, and leave the page unchanged.
 fails() {
     local page=$1 pattern=$2
     shift 2
@@ -546,22 +551,23 @@ check_tool() {
     check 'a stale table of parameters is rewritten' rewrites "$page"
     check 'a table of parameters names them' grep -q '^| `hitThreshold` |' "$page"
     printf '<!-- parameters: 99_nothing -->\n' >"$page"
-    check 'a table of an unknown program fails' fails "$page" 'make first'
+    check 'a table of parameters of an unknown program fails' fails "$page" 'make first'
 
-    # 1100 words of story and 150 of proofs; the folded text and a listing would be 5 minutes more each.
+    # The page has 1100 words of story and 150 of proofs. If they counted, the folded text and the listing would each
+    # take 5 minutes more.
     local thousand
     thousand=$(seq 1000 | tr '\n' ' ')
     printf '<!-- time -->\n**Time.** stale\n\n## 1. a\n\n%s\n\n<details><summary>Answer</summary>\n\n%s\n\n</details>\n\n```\n%s\n```\n\n## Exercises\n\n%s\n\n## Proofs\n\n%s\n' \
         "$(seq 1100 | tr '\n' ' ')" "$thousand" "$thousand" "$thousand" "$(seq 150 | tr '\n' ' ')" >"$page"
     check 'a stale reading time fails --check' fails "$page" ':1: differs' --check
     check 'a stale reading time is rewritten' rewrites "$page"
-    check 'a reading time follows from the number of words' grep -q -x \
+    check 'the reading time follows from the number of words' grep -q -x \
         '[*][*]Time[.][*][*] The story takes about 10 minutes to read, the proofs 5 more[.]' "$page"
 }
 
 # ---- Listings are used ----
 
-# unused NAME PATTERN TEXT: a page with this text is refused, with these words.
+# unused NAME PATTERN TEXT: a page with this text must be refused with a message that matches.
 unused() {
     printf '%b' "$3" >"$scratch/used.md"
     .make/listings.sh "$scratch/used.md" >/dev/null 2>&1
@@ -569,12 +575,12 @@ unused() {
     check "a page is refused for $1" grep -q -e "$2" "$scratch/said"
 }
 
-used() { # TEXT
+used() { # TEXT: true if a page with this text is accepted
     printf '%b' "$1" >"$scratch/used.md"
     .make/listings.sh "$scratch/used.md" >/dev/null && .make/listings.sh --check "$scratch/used.md"
 }
 
-# The same for functions and structs that no page shows.
+# Print the functions and structs of the test's source that no page shows, if a page has these markers.
 unlisted() { # MARKER...
     printf '<!-- code: %s -->\n' "$@" >"$scratch/used.md"
     awk -v library="$scratch/source.glsl" -f .make/source.awk -f .make/listings_used.awk \
@@ -592,7 +598,7 @@ check_use() {
         "<!-- code: $source * -->\n\n\`once\`\n"
     check 'a listing that its text names passes' used \
         "As \`once(p)\` says:\n\n<!-- code: $source once -->\n\n[all](x) of \`$source\`:\n\n<!-- code: $source * -->\n"
-    unused 'a copy of a source by hand' ':2: copied by hand from shaders/march.glsl:5' \
+    unused 'a listing copied by hand' ':2: copied by hand from shaders/march.glsl:5' \
         'text\n```glsl\nstruct Hit {\n  bool found;\n\n};\n```\n'
     check 'a block of two lines is not a copy' used 'text\n```glsl\nstruct Hit {\n};\n```\n'
     check 'lines in another order are not a copy' used \
@@ -621,14 +627,14 @@ judge "docs/teaching.md: each lab has its prediction, its demonstration, its wor
     "$(bad_labs docs/teaching.md)"
 judge "every function and struct that the course teaches is on a page" \
     "$(.make/listings.sh --check 2>&1 | grep 'is on no page')"
-replaced() { # of `make student`; only the complaints
+replaced() { # prints the complaints of `make student` about sentences that it cannot replace
     local page
     for page in README.md docs/README.md; do
         awk -v name="$page" -v list=.make/student/replaced.txt -f .make/student/replace.awk "$page" 2>"$scratch/said" >/dev/null
         cat "$scratch/said"
     done
 }
-judge "the sentences that make student replaces are there" "$(replaced)"
+judge "the sentences that make student replaces exist" "$(replaced)"
 check_checks
 check_tool
 check_use

@@ -1,13 +1,15 @@
 #!/bin/bash
-# figures.sh - each diagram of docs/figures/ is the output of its program, has a description in words, and is on a page.
+# figures.sh - tests that each diagram of docs/figures/ is the output of its program, has a description, and is on a
+# page; and that each figure of the report has a counterpart.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
 open_scratch
 
-# Another machine's cos, log and pow may differ in their last bit, and change a second decimal place, which is a
-# hundredth of a pixel. Everything else is the same, and no number is off by more.
+# True if two figures agree. Another machine's cos, log and pow may differ in their last bit, which can change the
+# second decimal place of a number, a hundredth of a pixel. No number may differ by more, and everything else must be
+# the same.
 alike() { # A B
     awk -v most=0.0101 '
     function numbers_of(text, number,    count) {
@@ -35,7 +37,7 @@ drawn() { # NAME
     "$BUILD/docs/figures/$1" >"$scratch/$1.svg" && alike "docs/figures/$1.svg" "$scratch/$1.svg"
 }
 
-# Every element is closed, every value is in quotes, and '&' only begins an entity.
+# True if every element is closed, every value is in quotes, and each '&' begins an entity.
 well_formed() { # FILE
     awk '
     function wrong(why) { print "# line " FNR ": " why; bad = 1; exit }
@@ -53,7 +55,7 @@ well_formed() { # FILE
                 if (depth == 0 || open[depth--] != name) wrong("</" name "> closes nothing")
                 continue
             }
-            if (tag !~ /^[a-z]+( [a-zA-Z][a-zA-Z0-9-]*=("[^"<]*"|\047[^\047<]*\047))* *\/?$/) wrong("no element: <" tag ">")
+            if (tag !~ /^[a-z]+( [a-zA-Z][a-zA-Z0-9-]*=("[^"<]*"|\047[^\047<]*\047))* *\/?$/) wrong("not an element: <" tag ">")
             if (tag !~ /\/$/) open[++depth] = name
         }
         if (rest ~ /[<>]/) wrong("a stray bracket")
@@ -61,7 +63,8 @@ well_formed() { # FILE
     END { if (!bad && (FNR == 0 || depth != 0)) { print "# " open[depth] " is not closed"; bad = 1 }; exit bad }' "$1"
 }
 
-# A title, a description of at least a sentence, valid numbers, well-formed XML, and a drawing in it.
+# True if a figure has a title, a description of at least 80 characters, valid numbers, well-formed XML, and more than 8
+# shapes in at least 4 colours.
 sound() { # FILE
     grep -q '<title id="title">[^<]\{12,\}</title>' "$1" &&
         grep -q '<desc id="description">[^<]\{80,\}</desc>' "$1" &&
@@ -83,8 +86,8 @@ for source in docs/figures/*.c; do
     check "$name.svg is well formed, with a title and a description" sound "docs/figures/$name.svg"
     check "$name.svg is on a page" shown "$name"
 done
-check "there are figures" [ $count -ge 13 ]
-check "normal_error.svg, which measures rounding, is the same to the byte" \
+check "there are at least 13 figures" [ $count -ge 13 ]
+check "normal_error.svg, which shows rounding errors, is identical to the byte" \
     cmp docs/figures/normal_error.svg "$scratch/normal_error.svg"
 alone() {
     local file
@@ -92,10 +95,10 @@ alone() {
         [ -e "${file%.svg}.c" ] || { echo "# $file has no program"; return 1; }
     done
 }
-check "every figure has its program" alone
+check "every figure has a program" alone
 
-# The table of errata.md that names the counterparts of the report's figures: its rows, FIGURE and then the files that
-# it links to.
+# Print the rows of the table in errata.md that names the counterparts of the report's figures: the number of a figure,
+# and then the files that the row links to.
 counterparts() { # PAGE
     awk -F ' *[|] *' '/^## / { here = /report.s figures/ } here && $2 ~ /^[0-9]+$/ {
         row = $2
@@ -107,7 +110,7 @@ counterparts() { # PAGE
     }' "$1"
 }
 
-complete() { # PAGE
+complete() { # PAGE: true if the table has figures 1 to 11, and their counterparts exist
     local number files file row=0
     while read -r number files; do
         row=$((row + 1))
@@ -121,5 +124,5 @@ complete() { # PAGE
     done < <(counterparts "$1")
     [ "$row" = 11 ] || { echo "# $row of 11 figures"; return 1; }
 }
-check "each of the report's figures, 1 to 11, has its counterpart" complete docs/errata.md
+check "each of the report's figures, 1 to 11, has a counterpart" complete docs/errata.md
 plan

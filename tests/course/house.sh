@@ -1,19 +1,20 @@
 #!/bin/bash
-# house.sh - the arrows of docs/architecture.md: which folders of common/ may use which.
+# house.sh - tests the rules of docs/architecture.md: which folders of common/ may use which others, and which files may
+# depend on the system; and that the shaders avoid functions with undefined results.
 #
-# There are two independent checks: of the includes of the sources, and of the symbols that the objects need from each
-# other.
+# Which folders use which is checked in two independent ways: from the includes of the sources, and from the symbols
+# that the objects need from each other.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 open_scratch
 # shellcheck disable=SC2154 # open_scratch sets scratch
 
-# From bottom to top. A folder uses itself and those below it.
+# The folders from bottom to top. A folder uses only itself and those below it.
 rooms='ground context shader picture window command top browser'
 
-# room_of, in awk: the folder of a path in common/. Files directly in common/ are 'ground', except for those that use
-# all folders; the platform is part of the ground.
+# room_of, in awk: the folder of a path in common/. Files directly in common/ are 'ground', except for chapter.c and
+# chapter.h, which use all folders and are 'top'; platform/ is part of the ground.
 room_of='
 function room_of(path) {
     sub(/^common\//, "", path)
@@ -22,7 +23,7 @@ function room_of(path) {
     return path ~ /^chapter(\.|$)/ ? "top" : "ground"
 }'
 
-# The arrows "FROM TO" of standard input that lead to a higher folder, or to none.
+# Print the arrows "FROM TO" of standard input that lead to a higher folder, or whose folder is unknown.
 upwards() {
     awk -v rooms="$rooms" "$room_of"'
         BEGIN { n = split(rooms, name, " "); for (i = 1; i <= n; i++) rank[name[i]] = i }
@@ -37,7 +38,7 @@ check_empty() {
 # ---- By includes ----
 
 find common -name '*.[ch]' | sort >"$scratch/files"
-# shellcheck disable=SC2016 # awk's own
+# shellcheck disable=SC2016 # $0 is awk's
 xargs awk '/^#include "/ { split($0, part, "\""); print FILENAME, "common/" part[2] }' \
     <"$scratch/files" >"$scratch/includes"
 check 'the sources of common/ include each other' [ "$(wc -l <"$scratch/includes")" -gt 50 ]
@@ -48,7 +49,7 @@ check_empty 'each include in common/ gives the path from common/' "$scratch/lost
 upwards <"$scratch/includes" >"$scratch/up"
 check_empty 'no include leads upwards' "$scratch/up"
 
-# A module is a header and the sources that include it first: no two modules need each other.
+# A module is a header and the sources that include it first. No two modules may need each other.
 awk '
     !($1 in module) { module[$1] = $1 ~ /\.h$/ ? $1 : $2 }
     { from[NR] = $1; to[NR] = $2 }
@@ -64,8 +65,9 @@ check_empty 'no cycle of modules' "$scratch/circle"
 
 # ---- By symbols ----
 
-# The symbols that one object needs and another defines. nm -P: name, kind, ...; macOS puts a _ before each name. An
-# object without a source is left over from an earlier build, or belongs to a library that this machine lacks.
+# Find the symbols that one object needs and another defines. nm -P prints the name, the kind, ...; on macOS, each name
+# begins with a _. Objects without a source, left over from an earlier build, are not read. A source may have no object,
+# because it is for another system or for a library that this machine lacks.
 grep '\.c$' "$scratch/files" | while read -r file; do
     [ ! -e "$BUILD/${file%.c}.o" ] || nm -P -g "$BUILD/${file%.c}.o" | awk -v module="${file%.c}" '{ print $2, $1, module }'
 done | awk '
@@ -86,15 +88,15 @@ check_empty 'no cycle of calls' "$scratch/circle"
 
 # ---- Systems ----
 
-# Code for one system is in common/platform/, except for code that one backend or the table of OpenGL needs.
+# Code for one system is in common/platform/. There is one exception: the backend osmesa includes <dlfcn.h>.
 platform='^common/platform/[a-z_]*\.c:'
 
-# systems_in FILE...: the lines that test which system this is.
+# systems_in FILE...: prints the lines that test for a system.
 systems_in() {
     grep -HnE '^[[:blank:]]*#.*\<(_WIN(32|64)|__(APPLE|MACH|linux|unix|FreeBSD|MINGW32|MINGW64|CYGWIN)__|__unix)\>' "$@"
 }
 
-# headers_in FILE...: the lines that include a header which C11 does not have.
+# headers_in FILE...: prints the lines that include a header of a system, which C11 does not have.
 headers_in() {
     grep -HnE '^[[:blank:]]*#[[:blank:]]*include <(sys/|mach|unistd|fcntl|signal|pthread|dirent|dlfcn|ftw|libgen|poll|pwd|spawn|strings|termios|windows|io\.|GL/)' "$@"
 }
@@ -103,21 +105,21 @@ printf '#if defined(__APPLE__) || 0\n#ifdef _WIN32\n#  ifndef __linux__\n// #ifd
 check 'a test for a system is detected' [ "$(systems_in "$scratch/asks.c" | wc -l)" = 3 ]
 # shellcheck disable=SC2046 # no name of a source has a blank
 systems_in $(find common chapters docs shaders tests -name '*.[ch]' | sort) | grep -v "$platform" >"$scratch/systems"
-check_empty 'no file but those of the platform asks which system it is on' "$scratch/systems"
-# shellcheck disable=SC2046 # nor has one of common/
+check_empty 'only the files of the platform test for a system' "$scratch/systems"
+# shellcheck disable=SC2046 # no name of a source has a blank
 headers_in $(<"$scratch/files") | grep -v "$platform" |
     grep -v '^common/context/osmesa\.c:[0-9]*:#include <dlfcn\.h>$' >"$scratch/headers"
 check_empty "only the platform includes a system's headers" "$scratch/headers"
 check 'a header of a system is detected' [ "$(headers_in common/platform/posix.c | wc -l)" -gt 2 ]
 
-# A type, a constant or a function that differed from Khronos' would be declared twice.
+# The compiler reports a type, a constant or a function that is declared differently in Khronos' header.
 agrees() {
     printf '#define GL_GLEXT_PROTOTYPES\n#include <GL/glcorearb.h>\n#include "context/gl.h"\n%s\n%s\n%s\n' \
         '#define DECLARE(type, name, arguments) type gl##name arguments;' \
         'GL_FUNCTIONS(DECLARE)' 'GL_TIMER_FUNCTIONS(DECLARE)' >"$scratch/both.c"
     cc -std=c11 -pedantic-errors -Werror -Icommon -fsyntax-only "$scratch/both.c"
 }
-check "our types, constants and functions of OpenGL are Khronos'" agrees
+check "our types, constants and functions of OpenGL agree with Khronos'" agrees
 
 # ---- Shaders ----
 
@@ -130,16 +132,17 @@ printf 'a = smoothstep(1.0, 0.5, x) + smoothstep(-0.5, 0.5, x);\n' >"$scratch/fa
 check 'a smoothstep with falling edges is detected' [ "$(falling "$scratch/falls.glsl" | wc -l)" = 1 ]
 # shellcheck disable=SC2046 # no name of a shader has a blank
 falling $(find shaders chapters -name '*.glsl' -o -name '*.frag' | sort) >"$scratch/falling"
-check_empty 'no smoothstep of a shader has falling edges' "$scratch/falling"
+check_empty 'no shader calls smoothstep with falling edges' "$scratch/falling"
 
-# asin and acos of Mesa 22.3 err by up to 0.0004 (build/tests/shaders/precision prints the error of this driver's), and
-# no specification of GLSL bounds their error. atan(y, x) of two lengths errs by 3e-6 there.
+# In Mesa 22.3, asin and acos have an error of up to 0.0004 (build/tests/shaders/precision prints the error of this
+# machine's driver), and no specification of GLSL bounds their error. atan(y, x) of two lengths has an error of 3e-6
+# there.
 find shaders chapters \( -name '*.glsl' -o -name '*.frag' \) -exec grep -nE '^[^/]*[^a-zA-Z]a(sin|cos)\(' {} + >"$scratch/arcs"
 check_empty 'no shader relies on asin or acos' "$scratch/arcs"
 
-# Other functions leave some arguments undefined: each library function that calls one of them is tried at its edges on
-# the graphics processor. Functions that read a picture, or draw a view or a figure, are not, because the references
-# check them.
+# Other functions are undefined for some arguments. Each library function that calls one of them must be tried with its
+# extreme arguments on the graphics processor, in tests/shaders/edges.frag. Functions that read a picture, or draw a
+# view or a figure, are left out, because the references check them.
 edgy() {
     awk 'FNR == 1 { name = "" }
         /^[A-Za-z][A-Za-z0-9]* [a-z][A-Za-z0-9]*\(/ { name = /sampler2D/ ? "" : $2; sub(/\(.*/, "", name) }
@@ -154,7 +157,7 @@ check 'a logarithm is detected' [ "$(edgy "$scratch/edgy.glsl")" = bare ]
 edgy $(find shaders -name '*.glsl' | grep -vE '/(coarse|figure|places|plot|signs|slice|views).glsl$' | sort) | while read -r name; do
     grep -q "[^A-Za-z]$name(" tests/shaders/edges.frag || echo "$name"
 done >"$scratch/untried"
-check_empty 'every function of the library with an undefined argument is in tests/shaders/edges.frag' "$scratch/untried"
+check_empty 'every library function that calls one with undefined arguments is in tests/shaders/edges.frag' "$scratch/untried"
 
 # ---- Size ----
 

@@ -1,12 +1,12 @@
 #!/bin/bash
-# marks.sh - `make marks`: the table of a class whose folders contain blanks, accents and quotes, the copies in it, and
-# the requests that it refuses. check.sh tests the verdict on a single file.
+# marks.sh - tests `make marks`: the table of a class whose folder names contain blanks, accents and quotes, the copies
+# that it finds, and the requests that it refuses. check.sh tests the verdict on a single file.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 open_scratch
 class="$scratch/hand in"
-hand_in() { # STUDENT FILE: its text comes from standard input
+hand_in() { # STUDENT FILE: writes the file from standard input
     mkdir -p "$class/$1"
     cat >"$class/$1/$2"
 }
@@ -28,24 +28,24 @@ marks() { FILES=$1 EXERCISES=$2 CSV=${3-$scratch/marks.csv} .make/marks.sh >"$sc
 row() { grep -q -e "$1" "$scratch/marks.csv" || { sed 's/^/# /' "$scratch/marks.csv"; return 1; }; }
 check 'a class is marked' marks "$class/*/*.frag" '00_2 00_3'
 check 'a row has a mark and a remark for each exercise' row "^\"Zoë \"\"O'Neil\"\"\",right,\"as the solution.*\",right,\"as the solution.*\"$"
-check 'a wrong solution, of a folder that a spreadsheet would take for a formula' row "^\"'=cmd()\",wrong,\".* differ .*\",missing,\"\"$"
+check 'a wrong solution, in a folder whose name a spreadsheet would take for a formula' row "^\"'=cmd()\",wrong,\".* differ .*\",missing,\"\"$"
 check 'the published solution, however its blanks and comments are changed' row '^"copy",copied,"the published solution; '
 check 'the published solution, included' row '^"include",copied,"the published solution; '
-check 'the same text twice' row '^"twin",copied,"one text: the other twin, twin; does not run: '
+check 'the same text from two students' row '^"twin",copied,"one text: the other twin, twin; does not run: '
 check "two students' unsolved chapters are not copies" row '^"idle",wrong,".* differ '
-check "nor are two files of one student" row '^"again",wrong wrong,"does not run'
+check "two files of one student are not copies" row '^"again",wrong wrong,"does not run'
 check 'a pipe is not waited for' row '^"pipe",wrong,"no file to read"'
 check 'a file whose name has two lines is reported, and the others are marked' grep -q 'odd/00_2.*the name has a tab or a line break' "$scratch/said"
-check 'and nothing else' [ "$(wc -l <"$scratch/marks.csv")" = 10 ]
+check 'the table has no other rows' [ "$(wc -l <"$scratch/marks.csv")" = 10 ]
 check 'a file whose name has no exercise is reported' grep -q 'nameless/ball.frag: its name contains none of 00_2 00_3: not marked' "$scratch/said"
-check 'the marks are added up' grep -q '^9 students: 2 right, 5 wrong, 4 copied$' "$scratch/said"
+check 'the marks are counted' grep -q '^9 students: 2 right, 5 wrong, 4 copied$' "$scratch/said"
 pictures() {
     grep -q '<td>00_3<td>right' build/marks/index.html &&
         grep -o 'src="[^"]*' build/marks/index.html >"$scratch/pictures" &&
         while read -r picture; do [ -s "build/marks/${picture#src=?}" ] || { echo "# no $picture"; return 1; }; done <"$scratch/pictures"
 }
 check 'every picture on the page exists' pictures
-# Of the wrong files, those with a picture are scenes. Reading the list finds each file, whatever its name is.
+# The wrong files that have a picture become scenes of make lecture, which must find each file, whatever its name is.
 { cat chapters/00_first_scene.frag; echo '#define THEIRS'; } | hand_in "O'Neil \"the\" wrong" 00_2.frag
 beside() {
     marks "$class/*/00_2.frag" 00_2 && grep -q 'N for the next one: make lecture LIST=build/marks/wrong.txt$' "$scratch/said" &&
@@ -55,7 +55,8 @@ beside() {
 check 'the wrong pictures are scenes for make lecture' beside || sed 's/^/# /' "$scratch/said" "$scratch/scenes"
 to_full() { ! build/lecture --print build/marks/wrong.txt 2>"$scratch/said" >/dev/full && grep -q '^standard output: cannot be written' "$scratch/said"; }
 [ ! -w /dev/full ] || check 'scenes that cannot be printed are reported' to_full
-# The judge would go through all files if it did not end too. A process that has ended has no folder in /proc.
+# The judge, a child of marks.sh, must end with it; otherwise, the judge would go through all files. A process that has
+# ended has no folder in /proc.
 interrupted() {
     local marks judge
     rm -rf build/marks
@@ -69,7 +70,7 @@ interrupted() {
     while [ -d "/proc/${judge// /}" ]; do sleep 0.1; done
     [ ! -e build/marks/judged ] || [ "$(wc -l <build/marks/judged)" -lt 5 ]
 }
-[ ! -r "/proc/$$/task/$$/children" ] || check 'a judge ends with marks.sh' interrupted
+[ ! -r "/proc/$$/task/$$/children" ] || check 'the judge ends with marks.sh' interrupted
 one_folder() { cp "$class/copy/00_2.frag" "$scratch/ada_00_2.frag" && marks "$scratch/*.frag" 00_2 && row '^"ada",copied,'; }
 check 'in a single folder, the file is named after the student' one_folder
 refuses() { # WORDS FILES EXERCISES CSV

@@ -1,5 +1,6 @@
 // Unit tests of shaders/textures/paint.c, the functions that draw the textures, and a check that
-// the pictures repeat without a seam. tests/course/textures.sh draws them again.
+// the pictures repeat without a seam. tests/course/textures.sh compares the pictures with the
+// output of their programs.
 #include "lib/test.h"
 
 #include <dirent.h>
@@ -33,8 +34,9 @@ TEST(every_bit_matters)
     }
 }
 
-// The mean of n numbers uniformly distributed in [0, 1) is 1/2 +- 1/sqrt(12 n).
-TEST(random_numbers_are_even)
+// The mean of n numbers uniformly distributed in [0, 1) is 1/2, with a standard deviation of
+// 1/sqrt(12 n); the test allows four of these.
+TEST(random_numbers_have_the_right_mean)
 {
     enum { SIDE = 256 };
     double sum = 0.0;
@@ -48,7 +50,7 @@ TEST(random_numbers_are_even)
 
 // ---- Patterns ----
 
-// Points that a double represents exactly, even one period farther on.
+// A random coordinate in [0, 1) that a double represents exactly, as it does one period farther on.
 static double place(int i, uint32_t seed)
 {
     return (double)(paint_hash(i, 0, seed) >> 12) / 1048576.0;
@@ -74,7 +76,8 @@ TEST(patterns_have_the_period_1)
 
 // ---- The pictures ----
 
-// A picture as a volume: one slice, or square slices one below the other.
+// The number of slices of a picture as a volume, whose square slices are one below the other; 1 for
+// any other picture.
 static int slices_of(const struct image *image)
 {
     return image->height > image->width && image->height % image->width == 0
@@ -82,8 +85,8 @@ static int slices_of(const struct image *image)
                : 1;
 }
 
-// The mean difference between two neighbouring layers of a volume: layer at and the next one, which
-// after the last one is the first.
+// The mean difference between two neighbouring layers of a volume: the layer `at` and the next one.
+// The last layer is followed by the first.
 //   axis  0 for columns, 1 for rows, 2 for slices
 static double step_across(const struct image *image, int axis, int at)
 {
@@ -106,7 +109,7 @@ static double step_across(const struct image *image, int axis, int at)
     return sum / (3.0 * size[a] * size[b]);
 }
 
-// True if the step from the last layer to the first is of a size that also occurs inside.
+// True if the step from the last layer to the first is no larger than the largest step inside.
 static bool repeats(const struct image *image, int axis)
 {
     int slices = slices_of(image), size[3] = {image->width, image->height / slices, slices};
@@ -116,7 +119,7 @@ static bool repeats(const struct image *image, int axis)
     return size[axis] == 1 || step_across(image, axis, size[axis] - 1) <= largest;
 }
 
-// The picture without its right part.
+// The left part of a picture, of the given width.
 static struct image cropped(const struct image *image, int width)
 {
     struct image part;
@@ -126,8 +129,8 @@ static struct image cropped(const struct image *image, int width)
     return part;
 }
 
-// 8 bits per channel, grey or RGB, with or without alpha, not interlaced: every PNG reader supports
-// this.
+// Assert that a PNG has 8 bits per channel, is grey, RGB or RGBA, and is not interlaced; every
+// reader of PNG supports this.
 static void assert_plain(const char *path)
 {
     unsigned char head[29];
@@ -140,7 +143,8 @@ static void assert_plain(const char *path)
     assert_int_equal(head[28], 0);
 }
 
-// A table does not repeat: the first comment of its program says that it is read with clamp.
+// True for a table, which does not repeat: the first comment of its program says that it is read
+// with clamp.
 static bool is_clamped(const char *path)
 {
     char source[256], line[256];
@@ -167,7 +171,7 @@ static void look_at(const char *path)
     // A picture that does not repeat is detected.
     struct image part = cropped(&image, image.width - image.width / 10);
     if (slices_of(&image) == 1 && repeats(&part, 0))
-        fail_msg("%s: no seam is seen where a tenth is cut off", path);
+        fail_msg("%s: no seam is detected where a tenth is cut off", path);
     image_free(&part);
     image_free(&image);
 }

@@ -1,7 +1,7 @@
 #!/bin/bash
-# portable.sh - the commands that a reader types also run on a Mac: with bash 3.2, GNU make 3.81, and awk, sed and grep
-# of the BSDs. The suite searches the scripts for words that these lack. It also runs the commands with the BSDs' awk
-# and with busybox instead of GNU's tools, and compares the results.
+# portable.sh - tests that the commands that a reader types also run on a Mac, with bash 3.2, GNU make 3.81, and the
+# awk, sed and grep of the BSDs. The suite searches the scripts for words that these lack. It also runs the commands
+# with the BSDs' awk and with busybox instead of GNU's tools, and compares the results.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -10,7 +10,7 @@ open_scratch
 
 # ---- Words ----
 
-# Words that only versions of bash after 3.2, or only GNU's sed, mktemp, date, readlink, stat, sort or find, know.
+# Patterns for words that only versions of bash after 3.2, or only GNU's tools, know.
 cat >"$scratch/patterns" <<'END'
 \$\{[a-zA-Z_]+(\^|,|@[A-Z])
 (^|[ ;&(])(mapfile|readarray|coproc|nproc|tac|shuf|numfmt|realpath|md5sum|truncate) 
@@ -21,7 +21,7 @@ xargs (-d|-r|--)|(head|tail) -[nc] [-+]*-|grep -[a-zA-Z]*P|du -[a-z]*b|cp -[a-zA
 sed -i( |$)|sed [^|]*\\[|+?]|find [^|]*-(printf|regex)
 END
 
-# words_in FILE...: the lines that contain one, without comments.
+# words_in FILE...: prints the lines that contain such a word, except for comments.
 words_in() {
     grep -HnE -f "$scratch/patterns" "$@" | grep -vE '^[^:]*:[0-9]*:[[:blank:]]*#'
 }
@@ -53,20 +53,20 @@ check 'each word that a Mac lacks is detected' [ ! -s "$scratch/missed" ] || sed
 find .make -name '*.sh' ! -name fresh.sh ! -name windows_libraries.sh | sort | xargs grep -l . >"$scratch/scripts"
 printf '%s\n' tests/run tests/lib/tap.sh tests/pictures/references.sh >>"$scratch/scripts"
 while read -r file; do words_in "$file"; done <"$scratch/scripts" >"$scratch/words"
-check 'no script that a reader runs contains one' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
+check 'no script that a reader runs contains such a word' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
 
-# GNU make 3.81 does not know private, undefine, !=, ::=, .ONESHELL, &: or $(file ...).
+# GNU make 3.81 does not know private, undefine, !=, ::=, .ONESHELL, &:, $(file ...), $(intcmp ...) or $(let ...).
 newer_make() { grep -nE '^(private|undefine) |^[A-Z_a-z]+ *(!=|::=)|^\.ONESHELL|&:|\$\((file|intcmp|let) ' "$@"; }
-# shellcheck disable=SC2016 # as make would read it
+# shellcheck disable=SC2016 # the text is for make
 printf '%s\n' 'X != date' 'X ::= a' 'undefine X' '.ONESHELL:' 'a b &: c' 'X = $(file >a,b)' >"$scratch/make"
 check 'each word that make 3.81 lacks is detected' [ "$(newer_make "$scratch/make" | wc -l)" = 6 ]
 newer_make Makefile >"$scratch/words"
-check 'the Makefile contains none' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
+check 'the Makefile contains no such word' [ ! -s "$scratch/words" ] || sed 's/^/# /' "$scratch/words"
 
-# ---- Line ends ----
+# ---- Line endings ----
 
-# A checkout by a git that writes carriage returns, as Windows' installer proposes: `make` and the scripts would break
-# on them.
+# Test a checkout by a git that is set to write carriage returns, as its installer for Windows proposes: `make` and the
+# scripts would break on them.
 kept_by_git() {
     local git=(git -c core.autocrlf=true -c core.eol=crlf -c core.safecrlf=false -c user.name=t -c user.email=t@t)
     mkdir "$scratch/ours" && cp -R .gitattributes Makefile .make chapters tests/lib/tap.sh "$scratch/ours" &&
@@ -76,15 +76,15 @@ kept_by_git() {
     "${git[@]}" clone -q "$scratch/ours" "$scratch/theirs" && rm -rf "$scratch"/*/.git
 }
 if command -v git >/dev/null; then
-    check "a checkout with Windows' line ends" kept_by_git
-    check 'has the same bytes' diff -rq "$scratch/ours" "$scratch/theirs"
+    check "a checkout by a git that writes Windows' line endings" kept_by_git
+    check 'the checkout has the same bytes' diff -rq "$scratch/ours" "$scratch/theirs"
 else
-    skip "a checkout with Windows' line ends" 'no git on this machine'
+    skip "a checkout by a git that writes Windows' line endings" 'no git on this machine'
 fi
 
 # ---- A Mac's compiler ----
 
-# The code behind __APPLE__, with the names of its C library; nothing else compiles it here.
+# Compile the code behind __APPLE__, with the names of Apple's C library; nothing else compiles this code here.
 mkdir -p "$scratch/apple/mach-o"
 printf '#include <stdint.h>\nint _NSGetExecutablePath(char *path, uint32_t *size);\n' >"$scratch/apple/mach-o/dyld.h"
 apple() { # FILE...
@@ -94,14 +94,14 @@ apple() { # FILE...
             -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror -fsyntax-only "$file" || return
     done
 }
-# A whole program with a Mac's compiler and feature macros, and with GLFW, the only source of a context there; not
-# optimised, to save time.
+# Build a whole program with a Mac's compiler and feature macros, and with GLFW, the only source of a context there. The
+# program is not optimised, to save time.
 mac_build() {
     env -u MAKEFLAGS CI=1 make -j2 MAC=Darwin CC=clang CFLAGS=-O0 BUILD=build/mac build/mac/03_shadows >"$scratch/mac" 2>&1 && return
     tail -n 20 "$scratch/mac" | sed 's/^/# /'
     return 1
 }
-mac_picture() ( # in a display that is closed with it
+mac_picture() ( # on a display that is closed afterwards
     open_display && build/mac/03_shadows -o "$scratch/mac.png" &&
         build/tests/compare tests/references/03_shadows.png "$scratch/mac.png" >"$scratch/numbers"
     status=$?
@@ -109,12 +109,12 @@ mac_picture() ( # in a display that is closed with it
     exit $status
 )
 if command -v clang >/dev/null; then
-    check "what the programs need of a Mac's C library" apple common/platform/posix*.c
-    check "a program with clang, a Mac's macros and GLFW alone" mac_build
+    check "the code of the platform compiles for a Mac's C library" apple common/platform/posix*.c
+    check "a program builds with clang, a Mac's macros and only GLFW" mac_build
     if command -v Xvfb >/dev/null; then
-        check 'draws a file from a hidden window' mac_picture
+        check 'the program renders to a file with a hidden window' mac_picture
     else
-        skip 'draws a file from a hidden window' 'no Xvfb on this machine'
+        skip 'the program renders to a file with a hidden window' 'no Xvfb on this machine'
     fi
 elif [ -n "${CI-}" ]; then
     not_ok "a Mac's compiler" 'no clang on this machine'
@@ -134,7 +134,8 @@ for tool in awk basename cat cmp comm cp cut dirname grep head ls mkdir mktemp m
     ln -s "$(command -v busybox)" "$scratch/busybox/$tool"
 done
 
-# answer TOOLS COMMAND...: the output and the status of a command, with the tools of a folder before GNU's.
+# answer TOOLS COMMAND...: prints the output and the status of a command that finds the tools of this folder before
+# GNU's.
 answer() {
     local path=$PATH
     [ "$1" = gnu ] || path=$scratch/$1:$PATH
@@ -142,7 +143,7 @@ answer() {
     PATH=$path "$@" 2>&1 </dev/null
     echo "status $?"
 }
-# same NAME COMMAND...: all three answers are the same.
+# same NAME COMMAND...: the answers with all three sets of tools must be the same.
 same() {
     local name=$1
     shift
@@ -153,7 +154,7 @@ same() {
     done
 }
 
-# A wrong answer, so that the output contains pixels, reasons and rays.
+# make check judges a wrong answer, so that its output contains pixels, reasons and rays.
 sed 's/0\.5/0.6/' chapters/solutions/01_normal_colouring_2.frag >"$scratch/wrong.frag"
 export CHAPTER='' FILES='' NAME=''
 checks() { EXERCISE=01_2 FILE=$scratch/wrong.frag .make/check.sh; }
@@ -166,18 +167,18 @@ same 'the chapters' lists
 same 'the list of suites' tests/run --find no_such_suite
 compares() { PICTURES='tests/references/01_normal_colouring.png tests/references/02_lighting.png' .make/compare.sh; }
 same 'make compare' compares
-# Its numbers differ each time.
+# The numbers of make benchmark differ each time, so only the form of the table is checked.
 measures() { ROUNDS=1 FRAMES=2 CHAPTER=00 .make/benchmark.sh; }
 for tools in bsd busybox; do
     answer $tools measures >"$scratch/said"
     check "make benchmark: $tools" grep -q '^| 00_first_scene | [0-9.]* | [0-9.]* | [0-9.]* | [0-9]* | - |' "$scratch/said" ||
         sed 's/^/# /' "$scratch/said"
 done
-check 'make check said something' grep -q 'your pixel' <(answer bsd checks)
+check 'make check reported a pixel' grep -q 'your pixel' <(answer bsd checks)
 
 # ---- What setup.sh requests on a Mac ----
 
-# A Mac as setup.sh sees it: a compiler, and nothing else that the course needs.
+# A Mac as setup.sh sees it: it has a compiler, and nothing else that the course needs.
 mkdir -p "$scratch/macos" "$scratch/homebrew/include/stb"
 for tool in sh cut printf tr sort; do ln -s "$(command -v $tool)" "$scratch/macos/$tool"; done
 on_mac() { printf '#!/bin/sh\n%s\n' "$2" >"$scratch/macos/$1" && chmod +x "$scratch/macos/$1"; } # TOOL COMMAND
@@ -185,7 +186,7 @@ on_mac cc true
 on_mac id 'echo 501'
 on_mac uname 'echo Darwin'
 on_mac xcode-select false
-# asked_for PATTERN: it fails, and its last words match this.
+# asked_for PATTERN: setup.sh must fail, and its last line must match this pattern.
 asked_for() {
     ! env -i PATH="$scratch/macos" "$scratch/macos/sh" .make/setup.sh run >"$scratch/lacks" 2>&1 </dev/null &&
         tail -n 1 "$scratch/lacks" | grep -q -e "$1" && return
@@ -194,15 +195,15 @@ asked_for() {
 }
 check "a Mac is asked for Apple's tools first" asked_for 'xcode-select --install$'
 on_mac xcode-select true
-check 'then for Homebrew' asked_for 'Homebrew.*https://brew.sh'
+check 'a Mac is then asked for Homebrew' asked_for 'Homebrew.*https://brew.sh'
 on_mac brew "echo '$scratch/homebrew'"
-check 'then for the folder of stb' asked_for "git clone --depth 1 https://github.com/nothings/stb $scratch/homebrew/include/stb\$"
+check 'a Mac is then asked for the folder of stb' asked_for "git clone --depth 1 https://github.com/nothings/stb $scratch/homebrew/include/stb\$"
 : >"$scratch/homebrew/include/stb/stb_truetype.h"
-check "then for Homebrew's packages, including those of the tests" asked_for '^  brew install cglm cmocka git glfw imagemagick libpng pkg-config$'
+check "a Mac is then asked for Homebrew's packages, including those of the tests" asked_for '^  brew install cglm cmocka git glfw imagemagick libpng pkg-config$'
 
 # ---- Windows ----
 
-# A shell of Windows as setup.sh sees it: MSYS2's, with pacman and nothing else that the course needs.
+# A shell on Windows as setup.sh sees it: it is MSYS2's, with pacman and nothing else that the course needs.
 mkdir "$scratch/windows"
 for tool in sh cut printf uname tr sort; do ln -s "$(command -v $tool)" "$scratch/windows/$tool"; done
 printf '#!/bin/sh\nexit 1\n' >"$scratch/windows/pacman" && chmod +x "$scratch/windows/pacman"
@@ -211,10 +212,10 @@ lacks() { # MSYSTEM
     ! env -i OS=Windows_NT MSYSTEM="$1" PATH="$scratch/windows" sh .make/setup.sh run >"$scratch/lacks" 2>&1
 }
 names() { lacks UCRT64 && grep -qx "  pacman -Sy --needed diffutils$(printf ' mingw-w64-ucrt-x86_64-%s' cglm gcc glfw libpng pkgconf stb)" "$scratch/lacks"; }
-check "MSYS2's pacman is asked for its own packages, and for no EGL" names
+check "setup.sh asks for MSYS2's packages, without EGL" names
 other() { lacks MINGW64 && grep -q "shell 'MSYS2 UCRT64'.*MINGW64" "$scratch/lacks"; }
-check 'another shell of MSYS2 names the right one' other
+check 'setup.sh names the right shell in another shell of MSYS2' other
 builds() { make -n OS=Windows_NT programs >"$scratch/builds" && grep -q 'build/00_first_scene\.exe .*/platform/windows_main\.o .*-municode' "$scratch/builds"; }
-check 'on Windows make builds programs for it' builds
-check 'with nothing of another system' [ "$(grep -cE 'platform/posix|context/(egl|osmesa)\.o' "$scratch/builds")" = 0 ]
+check 'on Windows, make builds programs for Windows' builds
+check 'these contain no code for another system' [ "$(grep -cE 'platform/posix|context/(egl|osmesa)\.o' "$scratch/builds")" = 0 ]
 plan

@@ -1,6 +1,6 @@
 #!/bin/bash
-# questions.sh - docs/questions.txt: five questions for each chapter, whose right answer cannot be guessed from its position
-# or its length; and the files that `make questions` writes, read back with parsers of GIFT and of XML.
+# questions.sh - tests docs/questions.txt: five questions for each chapter, whose right answers cannot be guessed from
+# their position or length. It also reads back the files that `make questions` writes, with parsers of GIFT and of XML.
 # shellcheck disable=SC2154,SC2016 # open_scratch sets scratch; a dollar is awk's or GIFT's
 set -u
 cd "$(dirname "$0")/../.." || exit 1
@@ -13,7 +13,8 @@ check_empty() { # NAME FILE
 
 # ---- The source ----
 
-# A line for each question: its number, its answers, the position of the right one, the position of the longest.
+# Write a line for each question: its number, how many answers it has, and the positions of the right answer and of the
+# longest one.
 awk '
     function done() { if (id != "") print id, n, right, longest; n = right = most = 0 }
     /^## / { done(); id = $2 }
@@ -32,13 +33,13 @@ cut -d ' ' -f 1 "$scratch/list" | diff - "$scratch/wanted" >"$scratch/difference
 check_empty 'each chapter has its five questions, in order' "$scratch/difference"
 at_most_half() { awk "$1 { n++ } END { exit !(n <= NR / 2) }" "$scratch/list"; }
 for place in 1 2 3; do
-    check "the right answer is number $place in at most half of the questions" at_most_half "\$3 == $place"
+    check "the right answer is at position $place in at most half of the questions" at_most_half "\$3 == $place"
 done
-check 'and the longest one in at most half' at_most_half '$3 == $4'
+check 'the right answer is the longest one in at most half of the questions' at_most_half '$3 == $4'
 
 # ---- What is written ----
 
-# The contents of a file, one item per line: chapter, question, right, wrong, why.
+# Print the contents of a file, one item per line. A line begins with question, right, wrong or why.
 said_by_source() { # FILE
     awk -F ' // ' '
         /^## / { print "question", substr($0, 4) }
@@ -46,7 +47,7 @@ said_by_source() { # FILE
         /^- / { print "wrong", substr($1, 3); print "why", $2 }' "$1"
 }
 
-# GIFT, character by character: after a backslash, a character has no special meaning.
+# Print the contents of a GIFT file, read character by character: after a backslash, a character has no special meaning.
 said_by_gift() { # FILE
     awk '
         function say(kind) { gsub(/^[ \n]+|[ \n]+$/, "", text); print kind, text; text = "" }
@@ -65,7 +66,7 @@ said_by_gift() { # FILE
         }' "$1"
 }
 
-# XML, tag by tag: each that is opened is closed, in order.
+# Print the contents of an XML file, read tag by tag: each tag that is opened must be closed, the last one first.
 said_by_xml() { # FILE
     awk 'BEGIN { RS = "<" }
         NR == 1 || /^\?/ { next }
@@ -117,22 +118,22 @@ cat >"$scratch/signs.txt" <<'END'
 END
 check 'special characters are written' writes "$scratch/signs.txt"
 said_by_source "$scratch/signs.txt" >"$scratch/source"
-check 'and read back from GIFT' reads_back "$scratch/signs.txt" gift
-check 'and from XML' reads_back "$scratch/signs.txt" xml
+check 'special characters are read back from GIFT' reads_back "$scratch/signs.txt" gift
+check 'special characters are read back from XML' reads_back "$scratch/signs.txt" xml
 
 refuses() { # NAME WORDS TEXT
     printf '%b' "$3" >"$scratch/bad.txt"
     check "refused: $1" eval "! writes '$scratch/bad.txt' && grep -q -e '$2' '$scratch/said' && [ \"\$(wc -l <'$scratch/said')\" = 1 ] && [ ! -e '$scratch/written/ray-marching.xml' ]"
 }
 good='## 00.1 a?\n+ b\n- c // d\n- e // f\n'
-check 'a good question' eval "printf '$good' >'$scratch/good.txt' && writes '$scratch/good.txt'"
+check 'a good question is accepted' eval "printf '$good' >'$scratch/good.txt' && writes '$scratch/good.txt'"
 refuses 'no right answer' '00.1 needs one right' "${good/+ b/- b // c}"
 refuses 'a wrong answer without a reason' 'bad.txt:3: a wrong answer has its reason' "${good/ \/\/ d/}"
 refuses 'a reason for the right answer' 'bad.txt:2: .* the right one has none' "${good/+ b/+ b // c}"
 refuses 'one wrong answer' '00.1 needs' "${good/- e \/\/ f\\n/}"
 refuses 'a number that occurs twice' 'bad.txt:5: .* each number occurs once' "$good$good"
 refuses 'a chapter that does not exist' 'chapter 77 has no page' "${good/00.1/77.1}"
-refuses 'another line' 'bad.txt:5: this is neither' "${good}so\n"
+refuses 'a line of another kind' 'bad.txt:5: this is neither' "${good}so\n"
 absent() { ! writes "$scratch/absent.txt" && grep -q "no such file" "$scratch/said"; }
 check "refused: no such file" absent
 plan

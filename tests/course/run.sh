@@ -1,5 +1,6 @@
 #!/bin/bash
-# run.sh - tests/run itself, with suites that are made for this test: what it counts, and what it ends.
+# run.sh - tests tests/run itself with suites that are made for this purpose: which results it counts, and which suites
+# it ends.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -8,11 +9,11 @@ unset TEST_RESULTS ALL CI SKIPPED JOBS PATTERN
 mkdir -p "$scratch/tests/course"
 cp tests/run "$scratch/tests"
 
-suite() { # NAME: its text comes from standard input
+suite() { # NAME: writes the suite from standard input
     { echo '#!/bin/bash'; cat; } >"$scratch/tests/course/$1.sh"
     chmod +x "$scratch/tests/course/$1.sh"
 }
-# gives STATUS PATTERN SUITE...: run one suite, or all of them.
+# gives STATUS PATTERN [SUITE...]: running these suites, or all of them, must give this status and output that matches.
 gives() {
     local wanted=$1 pattern=$2 status
     shift 2
@@ -24,23 +25,24 @@ gives() {
 }
 
 suite good <<<'echo "ok 1 - a"; echo "ok 2 - b # SKIP no b"; echo 1..2'
-check 'passed and skipped' gives 0 '^1 passed, 0 failed, 1 skipped$' good
+check 'passed and skipped tests are counted' gives 0 '^1 passed, 0 failed, 1 skipped$' good
 CI=1 check 'a skip is a failure in continuous integration' gives 1 'nothing may be skipped' good
 check 'an unknown suite' gives 2 'no such suite' bad
 suite bad <<<'echo "ok 1 - a"; echo "not ok 2 - b"; echo 1..2; exit 1'
-check 'failed' gives 1 '^1 passed, 1 failed, 0 skipped$' bad
+check 'failed tests are counted' gives 1 '^1 passed, 1 failed, 0 skipped$' bad
 check 'the failures are repeated in the last lines' gives 1 '^FAILED: bad: not ok 2 - b$' bad
 suite died <<<'echo "ok 1 - a"; kill -SEGV $$'
-check 'one that dies' gives 1 '^FAILED: died: died with status 139$' died
+check 'a suite that dies' gives 1 '^FAILED: died: died with status 139$' died
 suite short <<<'echo "ok 1 - a"; echo 1..2'
-check 'one that runs fewer tests than it planned' gives 1 'planned 2 tests, ran 1' short
+check 'a suite that runs fewer tests than it planned' gives 1 'planned 2 tests, ran 1' short
 suite none <<<'exit 0'
-check 'one that tests nothing' gives 1 'ran no test' none
-check 'two of them by name' gives 1 '^2 passed, 1 failed, 1 skipped$' good bad
+check 'a suite that tests nothing' gives 1 'ran no test' none
+check 'two suites by name' gives 1 '^2 passed, 1 failed, 1 skipped$' good bad
 check 'one unknown suite of two' gives 2 'SUITE=worse: no such suite' good worse
-check 'all of them add up' gives 1 '^4 passed, 4 failed, 1 skipped$'
-# There is no program here for the picture that is drawn under the sanitizers.
-CI=1 check 'with the suites of continuous integration' gives 1 '^4 passed, 5 failed, 1 skipped$'
+check 'the results of all suites are added up' gives 1 '^4 passed, 4 failed, 1 skipped$'
+# In continuous integration, one more suite fails, because the program that renders a picture under the sanitizers does
+# not exist here.
+CI=1 check 'the suites of continuous integration are added' gives 1 '^4 passed, 5 failed, 1 skipped$'
 
 # A child of the suite must end with it.
 suite hangs <<<'echo "ok 1 - a"; sleep 1000 & echo $! >child; while :; do echo busy; sleep 0.2; done'
@@ -52,16 +54,16 @@ ended() {
         [ "$tries" -gt 0 ] && sleep 0.1 || return
     done
 }
-check 'one that hangs is ended, whatever it prints' ended
-# shellcheck disable=SC2016 # the suite's own i
+check 'a suite that hangs is ended, whatever it prints' ended
+# shellcheck disable=SC2016 # i is the suite's
 suite slow <<<'for i in 1 2 3 4 5 6 7 8; do echo "ok $i - $i"; sleep 0.5; done; echo 1..8'
 lasts() { limit=3 gives 0 '^8 passed, 0 failed' slow; }
-check 'one that has results may take longer than that' lasts
+check 'a suite that has results may take longer than the limit' lasts
 
-# At the same time, each of them would compile the other's files.
+# Two commands of make at the same time would compile each other's files.
 in_turn() { make -npq "$@" 2>/dev/null | grep -q '^[.]NOTPARALLEL:'; }
 check 'two commands of make are carried out one after the other' in_turn all tests
 at_once() { ! in_turn "$1" && ! in_turn programs tests; }
-check 'a single one does not wait' at_once test
+check 'a single command runs in parallel, and so do two commands that only build' at_once test
 
 plan

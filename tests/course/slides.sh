@@ -1,5 +1,5 @@
 #!/bin/bash
-# slides.sh - `make slides` and `make handouts`: the number of their pages, and what is on them.
+# slides.sh - tests `make slides` and `make handouts`: the number of their pages, and the text on them.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -20,11 +20,11 @@ has() { text "$1" | grep -qF -e "$2"; }
 # ---- Slides ----
 
 typeset() { LIST=$1 .make/slides.sh >"$scratch/out" 2>"$scratch/err"; }
-# shellcheck disable=SC2016 # signs
+# shellcheck disable=SC2016 # special characters
 printf '== A_part & more\n01 --set focalLength=3\n   100 %% of $x_1$ * [y](z) \\n #1 ~ <b>\n' >"$scratch/signs.txt"
-check 'special characters in a sentence are printed as they are' typeset "$scratch/signs.txt"
-# shellcheck disable=SC2016 # signs
-check 'all of them' has slides '100 % of $x_1$ * [y](z) \n #1 ~ <b>'
+check 'a sentence with special characters is typeset' typeset "$scratch/signs.txt"
+# shellcheck disable=SC2016 # special characters
+check 'all its special characters are printed as they are' has slides '100 % of $x_1$ * [y](z) \n #1 ~ <b>'
 refused() {
     printf '01\n33\n' >"$scratch/bad.txt"
     ! typeset "$scratch/bad.txt" && [ "$(cat "$scratch/err")" = "$(build/lecture "$scratch/bad.txt" 2>&1)" ]
@@ -35,7 +35,7 @@ check 'the slides are typeset' typeset docs/lecture.txt || sed 's/^/# /' "$scrat
 scenes=$(grep -c '^[0-9]' docs/lecture.txt)
 check 'each scene has a slide, after the title' [ "$(pages slides)" = $((scenes + 1)) ]
 check 'there are 15 to 20 slides' [ $((scenes + 1)) -ge 15 -a $((scenes + 1)) -le 20 ]
-sentences() { # each sentence of the list, unchanged on one slide
+sentences() { # true if each sentence of the list is unchanged on the slides
     local missing
     [ "$(build/lecture --print docs/lecture.txt | wc -l)" = "$scenes" ] || return
     missing=$(build/lecture --print docs/lecture.txt | cut -d "$(printf '\037')" -f 5 | while read -r sentence; do
@@ -51,12 +51,12 @@ check 'the handouts are typeset' eval ".make/handouts.sh >'$scratch/out' 2>'$scr
 labs=$(grep -cE '^### (Lab [0-9]+|A lab in C):' docs/teaching.md)
 check 'the guide for teachers has labs' [ "$labs" -ge 19 ]
 check 'each lab has two pages' [ "$(pages handouts)" = $((2 * labs)) ]
-check 'and a page with its answers' [ "$(pages handouts-answers)" = "$labs" ]
-apart() { # a question of each kind is on both, its answer only on the sheet of answers
+check 'each lab has a page with its answers' [ "$(pages handouts-answers)" = "$labs" ]
+apart() { # true if a question of each kind is on the handouts, and its answer only on the sheets of answers
     has handouts 'How many reflections draw 4096 tetrahedra?' && has handouts-answers 'three for each of six levels' &&
         ! has handouts 'three for each of six levels' && has handouts 'Does the ball cast a shadow on the wall?' &&
         has handouts-answers 'it hits the ball behind the lamp' && ! has handouts 'it hits the ball behind the lamp'
 }
 check 'the answers are on separate sheets' apart
-check 'an exercise has its check' has handouts 'make check EXERCISE=03_2 FILE=my.frag'
+check 'an exercise has its command for make check' has handouts 'make check EXERCISE=03_2 FILE=my.frag'
 plan

@@ -1,6 +1,6 @@
 #!/bin/bash
-# student.sh - `make student`: the course for students has no solutions and no answers, its links work, and `make
-# check` judges in it as in the whole course. Only two exercises are stored here.
+# student.sh - tests `make student`: the course for students has no solutions and no answers, its links work, and `make
+# check` judges in it as in the whole course. For this test, only two exercises are stored.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
@@ -15,7 +15,7 @@ course=$scratch/out/ray-marching
 student() { STUDENT_FOLDER=$scratch/out EXERCISES='00_2 engine_1' .make/student.sh >"$scratch/said" 2>&1; }
 check_empty() { check "$1" [ ! -s "$2" ] || head -n 8 "$2" | sed 's/^/# /'; } # NAME FILE
 
-# The folder has become a repository, with a file that is no longer in the course.
+# The folder is already a repository, and has a file that is no longer in the course.
 mkdir -p "$course/.git" "$course/docs" && : >"$course/.git/kept" && : >"$course/docs/stale.md"
 check 'make student packs the course' student || sed 's/^/# /' "$scratch/said"
 chapters=$(find docs -name '[0-9][0-9]_*.md' | wc -l)
@@ -24,16 +24,16 @@ chapters=$(find docs -name '[0-9][0-9]_*.md' | wc -l)
 
 check 'the history of the folder is kept, and nothing else' [ -e "$course/.git/kept" -a ! -e "$course/docs/stale.md" ]
 
-check 'it has all pages of the chapters' [ "$(find "$course/docs" -name '[0-9][0-9]_*.md' | wc -l)" = "$chapters" ]
+check 'the course for students has the pages of all chapters' [ "$(find "$course/docs" -name '[0-9][0-9]_*.md' | wc -l)" = "$chapters" ]
 find "$course" -path '*solutions*' -o -name 'teaching.md' -o -name 'questions.txt' -o -name 'answers.txt' >"$scratch/found"
-check_empty 'it has no solutions, no answers, no questions and no guide for teachers' "$scratch/found"
+check_empty 'the course for students has no solutions, no answers, no questions and no guide for teachers' "$scratch/found"
 grep -nE 'summary>(Answer|Solution)<|chapters/solutions/' "$course"/README.md "$course"/docs/{README,engine,[0-9]*}.md >"$scratch/found"
 check_empty 'no page of a chapter has a folded answer or names a solution' "$scratch/found"
 hints() { cat "$@" | grep -c '<summary>Hint'; }
 check 'the hints remain' [ "$(hints "$course"/docs/*.md)" = "$(hints docs/*.md)" ]
 exercises() { cat "$@" | grep -cE '^\*\*[0-9]+\. \((easy|medium|hard)\)'; }
-check 'and the exercises' [ "$(exercises "$course"/docs/*.md)" = "$(exercises docs/*.md)" ]
-# A line of a solution that is in no other file of the course, such as a function of its own.
+check 'the exercises remain' [ "$(exercises "$course"/docs/*.md)" = "$(exercises docs/*.md)" ]
+# Print the long lines of the solutions that are in no other file of the course.
 own_lines() {
     cat chapters/solutions/*.frag | grep -E '^    ' | sort -u >"$scratch/lines"
     find chapters shaders \( -name '*.frag' ! -path '*solutions*' -o -name '*.glsl' \) -exec cat {} + >"$scratch/others"
@@ -50,13 +50,13 @@ for page in "$course"/README.md "$course"/docs/*.md; do
         [ -e "$(dirname "$page")/$target" ] || echo "${page#"$course/"}: $target"
     done
 done >"$scratch/found"
-check_empty 'the target of every link and every picture of its pages exist' "$scratch/found"
+check_empty 'the target of every link and every picture on its pages exists' "$scratch/found"
 grep -n 'solutions/' "$course/tests/pictures/images.txt" >"$scratch/found"
-check_empty 'no picture of a solution is drawn by the gallery' "$scratch/found"
-check 'it has a machine in the cloud, a workflow and a folder for answers' [ -e "$course/.devcontainer/devcontainer.json" -a -e "$course/.github/workflows/check.yml" -a -x "$course/answers/check.sh" ]
+check_empty 'the gallery renders no picture of a solution' "$scratch/found"
+check 'the course for students has a dev container, a workflow and a folder for answers' [ -e "$course/.devcontainer/devcontainer.json" -a -e "$course/.github/workflows/check.yml" -a -x "$course/answers/check.sh" ]
 files() { (cd "$scratch/out" && find ray-marching -type f ! -path '*/.git/*'); }
 zipped() { unzip -Z1 "$scratch/out/ray-marching.zip" 2>/dev/null || python3 -m zipfile -l "$scratch/out/ray-marching.zip" | awk 'NR > 1 { print $1 }'; }
-check 'the zip has the same files' diff <(files | wc -l) <(zipped | wc -l)
+check 'the zip has as many files as the folder' diff <(files | wc -l) <(zipped | wc -l)
 
 # ---- make check in it ----
 
@@ -69,19 +69,19 @@ judged() { # EXERCISE FILE WORDS STATUS
 }
 right=chapters/solutions/00_first_scene_2.frag
 { cat $right; echo '#define MINE'; } >"$scratch/mine.frag"
-check 'a right answer is right' judged 00_2 "$scratch/mine.frag" ': right: as the solution in 2 pictures' 0
+check 'a right answer is accepted' judged 00_2 "$scratch/mine.frag" ': right: as the solution in 2 pictures' 0
 check 'the published solution is named' judged 00_2 "$root/$right" ': right: the published solution; as the solution' 0
 echo '#include "solutions/00_first_scene_2.frag"' >"$scratch/includes.frag"
-check 'as is an answer that includes it, though it cannot be found' judged 00_2 "$scratch/includes.frag" ': wrong: the published solution; does not run' 1
+check 'an answer that includes the published solution is named too, although that file cannot be found' judged 00_2 "$scratch/includes.frag" ': wrong: the published solution; does not run' 1
 sed 's/0.5 \* Time/Time/' $right >"$scratch/wrong.frag"
-check 'a wrong answer is wrong' judged 00_2 "$scratch/wrong.frag" ': wrong: .* most around ' 1
-check 'and the colour of the right picture is printed' grep -q "the solution's: colour: [0-9]*, [0-9]*, [0-9]*$" "$scratch/said"
-check 'right pictures with wrong rays are wrong' eval "printf '# hit\n' >$course/tests/course/stored/00_2/rays; judged 00_2 $scratch/mine.frag 'its rays are not' 1"
+check 'a wrong answer is refused' judged 00_2 "$scratch/wrong.frag" ': wrong: .* most around ' 1
+check 'the colour of the right picture is printed' grep -q "the solution's: colour: [0-9]*, [0-9]*, [0-9]*$" "$scratch/said"
+check 'right pictures with wrong rays are refused' eval "printf '# hit\n' >$course/tests/course/stored/00_2/rays; judged 00_2 $scratch/mine.frag 'its rays are not' 1"
 check 'an exercise that is not stored is refused' judged 00_3 "$scratch/mine.frag" 'neither chapters/solutions/.* nor tests/course/stored/00_3 exists' 2
 if [ -x build/first_steps/engine_6 ]; then
     patch -s -o "$scratch/engine.c" chapters/first_steps/engine_6.c chapters/solutions/engine_1.diff
     echo 'int own;' >>"$scratch/engine.c"
-    check 'a right program is right' judged engine_1 "$scratch/engine.c" ': right: as the solution in 2 pictures' 0
-    check 'an unchanged one is wrong' judged engine_1 chapters/first_steps/engine_6.c ': wrong: ' 1
+    check 'a right program is accepted' judged engine_1 "$scratch/engine.c" ': right: as the solution in 2 pictures' 0
+    check 'the unchanged program is refused' judged engine_1 chapters/first_steps/engine_6.c ': wrong: ' 1
 fi
 plan

@@ -1,29 +1,30 @@
 #!/bin/bash
-# textures.sh - each texture of shaders/textures/ is what its program draws, to the last bit of each pixel, and none is
-# too large. tests/course/paint.c checks the pictures themselves.
+# textures.sh - tests that each texture of shaders/textures/ is what its program draws, to the last bit of each pixel,
+# and that none is too large. tests/course/paint.c checks that the pictures repeat.
 set -u
 cd "$(dirname "$0")/../.." || exit 1
 . tests/lib/tap.sh
 
 open_scratch
 
-# Bytes. The files are part of every copy of the project.
+# Limits in bytes, because the files are part of every copy of the project.
 one_limit=$((512 * 1024))
 all_limit=$((4 * 1024 * 1024))
 
 names() {
     local source
     for source in shaders/textures/*.c; do
-        [ -e "${source%.c}.h" ] || basename "$source" .c # one that has a header contains functions for the others
+        [ -e "${source%.c}.h" ] || basename "$source" .c # a source with a header contains functions for the others
     done
 }
 
-# The bytes of the file depend on the machine's zlib; the pixels do not.
+# True if two pictures have the same pixels. The bytes of the files may differ, because they depend on the machine's
+# zlib.
 same() { # A.png B.png
     "$BUILD/tests/compare" "$1" "$2" | grep -q 'largest 0$' && [ "$(fourth "$1")" = "$(fourth "$2")" ]
 }
 
-# A checksum of the alpha channel, which compare ignores, if a file has one.
+# Print a checksum of the alpha channel of a file, if it has one; compare ignores this channel.
 fourth() { # A.png
     [ "$(od -An -tu1 -j25 -N1 "$1")" -ne 6 ] || convert "$1" -alpha extract -depth 8 gray:- | cksum
 }
@@ -42,7 +43,7 @@ for name in $(names); do
     check "$name.png is what its program draws: make textures" same "shaders/textures/$name.png" "$scratch/$name.png"
     check "$name.png takes at most 512 KiB" at_most "$(bytes_of "shaders/textures/$name.png")" $one_limit
 done
-check "there are textures" [ "$(names | wc -l)" -ge 5 ]
+check "there are at least five textures" [ "$(names | wc -l)" -ge 5 ]
 check "all textures together take at most 4 MiB" at_most "$(bytes_of shaders/textures/*.png)" $all_limit
 
 alone() { # FOLDER
@@ -54,11 +55,11 @@ alone() { # FOLDER
         fi
     done
 }
-check "every texture has its program" alone shaders/textures
+check "every texture has a program" alone shaders/textures
 lonely() { ! alone "$scratch" >/dev/null; }
 check "a texture without a program is detected" lonely
 
-# A single bit of one pixel makes another picture.
+# A picture with one changed pixel must not be taken for the same.
 other() {
     convert "shaders/textures/$1.png" -fill '#7f7f7f' -draw 'point 17,23' "$scratch/other.png" || return 0
     ! same "shaders/textures/$1.png" "$scratch/other.png"

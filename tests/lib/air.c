@@ -9,7 +9,7 @@
 
 enum { NODES = 6, VIEW_PIECES = 20, SUN_PIECES = 14 };
 
-// Gauss's rule with six points on [0, 1].
+// Gauss-Legendre quadrature with six points on [0, 1].
 static const double place[NODES] = {0.033765242898423986, 0.16939530676686774, 0.38069040695840155,
                                     0.61930959304159845,  0.83060469323313226, 0.96623475710157601};
 static const double weight[NODES] = {0.085662246189585172, 0.18038078652406930,
@@ -18,7 +18,8 @@ static const double weight[NODES] = {0.085662246189585172, 0.18038078652406930,
 
 static const double earth = 6371.0;
 
-// Columns of air, dust and ozone, as multiples of the vertical columns.
+// Columns of air, dust and ozone, as multiples of the vertical columns; also their densities, as
+// multiples per km.
 struct column {
     double of[3];
 };
@@ -36,8 +37,9 @@ static double height_of(double lowest, double along)
     return sqrt(lowest * lowest + along * along) - earth;
 }
 
-// Add the columns along a straight line whose lowest point has this radius, between two distances
-// from that point, in pieces of increasing length.
+// Add the columns along a straight line between two distances from its lowest point, in pieces of
+// increasing length.
+//   lowest  radius at the lowest point of the line
 static void add_between(struct column *sum, double lowest, double from, double to, int pieces)
 {
     for (int i = 0; i < pieces; i++) {
@@ -52,7 +54,8 @@ static void add_between(struct column *sum, double lowest, double from, double t
     }
 }
 
-// Find the column towards the sun from a radius. Returns false if the Earth is in the way.
+// Find the columns from a point at a radius towards the sun. Returns false if the Earth is in the
+// way.
 static bool to_the_sun(double radius, double sine, double tall, struct column *sum)
 {
     double lowest = radius * sqrt(fmax(1.0 - sine * sine, 0.0)), from = radius * sine;
@@ -61,7 +64,7 @@ static bool to_the_sun(double radius, double sine, double tall, struct column *s
     if (sine < 0.0 && lowest < earth)
         return false;
     add_between(sum, lowest, fmax(from, 0.0), end, SUN_PIECES);
-    if (sine < 0.0) // from above 0 to the end, and the part before the lowest point
+    if (sine < 0.0) // the part before the lowest point
         add_between(sum, lowest, 0.0, -from, SUN_PIECES);
     return true;
 }
@@ -113,7 +116,7 @@ void air_light_of(double sun, double view, double azimuth, double ozone, double 
     double length = out / (sqrt(climb * climb + out) + climb),
            lowest = earth * sqrt(1.0 - view * view);
     double shares[AIR_WAVES] = {0.0}, seen = 0.0;
-    struct column past = {{0.0, 0.0, 0.0}}; // from the eye on, point by point
+    struct column past = {{0.0, 0.0, 0.0}}; // from the eye to the current point
     for (int i = 0; i < VIEW_PIECES; i++) {
         double a = (double)i / VIEW_PIECES, b = (i + 1.0) / VIEW_PIECES;
         double begin = length * a * a, size = length * b * b - begin;
@@ -160,7 +163,7 @@ void air_all_of(double sun, double view, double azimuth, double ozone, double li
 
 // ---- By chance ----
 
-// A number in (0, 1) from a generator of G. Marsaglia, 'Xorshift RNGs' (2003).
+// A random number in (0, 1) from a generator of G. Marsaglia, 'Xorshift RNGs' (2003).
 static double chance(uint64_t *state)
 {
     *state ^= *state << 13;
@@ -197,7 +200,7 @@ static double phase_of(double air, double dust, double c)
     return (air * of_air + dust * of_dust) / (air + dust);
 }
 
-// The cosine of a random angle, from one of the two laws.
+// The cosine of a random scattering angle, from the law of air or that of dust.
 static double cosine_by(double air, double dust, uint64_t *state)
 {
     double x = chance(state), g = forward;
@@ -209,7 +212,7 @@ static double cosine_by(double air, double dust, uint64_t *state)
     return z - 1.0 / z;
 }
 
-// The sunlight that arrives at a point, from a sun that is a point.
+// The share of the sunlight that arrives at a point. The sun is treated as a point.
 static double sunlight_at(const double p[3], const double sun[3], int wave)
 {
     double radius = sqrt(dot(p, p));
@@ -220,7 +223,7 @@ static double sunlight_at(const double p[3], const double sun[3], int wave)
                depth(wave, 2) * beyond.of[2]);
 }
 
-// The length of a ray to the ground or out of the air.
+// The length of a ray to the ground or, if it does not land, to the top of the air.
 static double way_of(const double p[3], const double v[3], bool *lands)
 {
     double b = dot(p, v), square = dot(p, p), ground = b * b - square + earth * earth;
@@ -266,8 +269,8 @@ static double flight(const double p[3], const double v[3], int wave, uint64_t *s
     return t;
 }
 
-// One path backwards from the eye: the sunlight that arrives along it after one scattering, and
-// after more.
+// Follow one path backwards from the eye, and add the sunlight that arrives along it: after one
+// scattering to arrived[0], and after more to arrived[1].
 static void follow(double view, double azimuth, const double sun[3], double albedo, int wave,
                    uint64_t *state, double arrived[2])
 {

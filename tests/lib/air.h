@@ -1,6 +1,6 @@
-// air.h - the light of a clear sky from an independent integration, to check the tables of chapter
-// 18: with Gauss's rule in pieces, the library's exponential and air up to 120 km, and with random
-// paths.
+// air.h - the light of a clear sky, integrated independently to check the tables of chapter 18. One
+// integration uses Gauss-Legendre quadrature in pieces, the C library's exponential and air up to
+// 120 km; another follows random paths.
 #ifndef TESTS_AIR_H
 #define TESTS_AIR_H
 
@@ -8,12 +8,12 @@
 // cd/m^2. Values that a screen cannot show are not clamped.
 //   sun, view, azimuth  as for air_scattered in shaders/textures/air.h
 //   ozone               1, or 0 for none
-//   tall                how high the air reaches, km
+//   tall                the height of the air, km
 void air_light_of(double sun, double view, double azimuth, double ozone, double tall,
                   double light[3]);
 
-// The same plus the light that is scattered more than once. That part comes from the program's own
-// code, which air_paths checks.
+// The light of air_light_of plus the light that is scattered more than once. This second part comes
+// from air_scattered itself; air_paths checks it.
 void air_all_of(double sun, double view, double azimuth, double ozone, double light[3]);
 
 // The light of the whole sky on a white horizontal surface: the mean of air_all_of over the
@@ -22,10 +22,10 @@ void air_ambient_of(double sun, double light[3]);
 
 // The light of a direction from random paths. They are followed backwards from the eye through the
 // air of a round Earth, scattered in random directions by the true laws of air and dust until
-// hardly any light is left, and lit by the sun at every scattering. In shares of the sunlight above
-// the air, per steradian.
+// hardly any light is left, and lit by the sun at every scattering. The results are shares of the
+// sunlight above the air, per steradian.
 //   albedo  of the ground, in [0, 1]
-//   wave    of air_waves
+//   wave    index into air_waves
 //   count   of paths
 struct air_paths {
     double once, more; // scattered once, and more than once
@@ -34,7 +34,7 @@ struct air_paths {
 struct air_paths air_paths(double sun, double view, double azimuth, double albedo, int wave,
                            int count);
 
-// From a colour in the tables' unit to cd/m^2 and the chromaticity x, y of 1931.
+// Convert a colour in the tables' unit to cd/m^2, and to the CIE 1931 chromaticity x, y.
 double air_luminance(const double light[3]);
 void air_chromaticity(const double light[3], double xy[2]);
 

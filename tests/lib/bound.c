@@ -42,8 +42,8 @@ static void add(struct samples *samples, const struct bound_case *of, struct mir
     samples->item[samples->count++] = (struct cover_sample){t, d};
 }
 
-// Take samples between the steps of the march as the probe reports it, from the start of its
-// interval to the hit or to the end.
+// Take samples between the steps of the march that the probe reports, from the start of its
+// interval to the hit or to the end of the interval.
 static void sample_ray(struct samples *samples, const struct bound_case *of, struct mirror_ray ray,
                        const struct probe *probe)
 {

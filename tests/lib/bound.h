@@ -9,8 +9,8 @@
 
 struct bound_case {
     const char *stem;
-    const struct mirror_scene *scene; // its distance in double
-    double threshold, spread;         // a hit at t is nearer than threshold + spread t
+    const struct mirror_scene *scene; // its distance in double precision
+    double threshold, spread;         // a distance at t below threshold + spread t is a hit
 };
 
 extern const struct bound_case bound_cases[];
@@ -18,25 +18,27 @@ extern const int bound_case_count;
 
 // Sums over rays.
 struct bound_sums {
-    int rays, march;      // evaluations of the march
-    int least, most;      // the fewest that would be enough, between these
-    int shader;           // the same, computed by shaders/cover.glsl
-    int astray;           // rays for which that is not between them
-    int below;            // rays whose march takes fewer than the lower bound
-    double smallest;      // march / lower bound of one ray
+    int rays, march;      // the number of rays, and the evaluations of their marches
+    int least, most;      // lower and upper bound on the fewest evaluations that would be enough
+    int shader;           // the fewest evaluations, as computed by shaders/cover.glsl
+    int astray;           // rays for which the shader's number is outside the bounds
+    int below;            // rays whose march takes fewer evaluations than the lower bound
+    double smallest;      // the smallest ratio of march and lower bound for one ray
     double lipschitz;     // the largest change of the distance between samples, per scene unit
-    int given_up, differ; // rays that ran out of steps; rays whose steps differ from the probe's
+    int given_up, differ; // rays that ran out of steps; rays whose drawn step count differs from
+                          // that of the probe
 };
 
-// Follow rays of the chapter's first picture, 640x360: those that shaders/cover.glsl chooses.
-//   every  1 for all of them, n for each nth
-//   sums   takes misses, then hits
-// Fails the test, or ends the program, if it cannot be drawn.
+// Follow the rays of the chapter's first picture, 640x360, that shaders/cover.glsl selects.
+//   every  1 for all of these rays, n for every nth
+//   sums   receives the sums over the misses, then those over the hits
+// Fails the test, or ends the program, if the picture cannot be drawn.
 void bound_measure(const struct bound_case *of, int every, struct bound_sums sums[2]);
 
 // March one ray on the GPU, in tests/shaders/cover.frag, with the parameters that this file
 // declares.
-//   answer  receives the steps of the march, and the fewest possible steps, by shaders/cover.glsl
+//   answer  receives the steps of the march, and the fewest possible steps as computed by
+//           shaders/cover.glsl
 // Fails the test if the ray cannot be drawn.
 void bound_ask(double slope, double gap, double far, double threshold, int answer[2]);
 

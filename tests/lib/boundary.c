@@ -28,8 +28,8 @@ void boundary_add_segment(struct boundary *of, struct d2 a, struct d2 b)
     of->piece[of->count++] = (struct piece){.a = a, .b = b, .high = 1.0};
 }
 
-// An ellipse consists of two halves, because the search in a piece does not continue from its end
-// to its beginning.
+// An arc consists of two halves, because the search in a piece does not continue from its end to
+// its beginning, as a closed ellipse would require.
 void boundary_add_ellipse(struct boundary *of, struct d2 centre, struct d2 axes, double from,
                           double to)
 {
@@ -59,7 +59,7 @@ static double apart(struct d2 p, const struct piece *piece, double u)
     return hypot(p.x - at.x, p.y - at.y);
 }
 
-// The distance to a piece: start at the nearest of its samples, then use golden-section search.
+// The distance to a piece: start at the nearest of its samples, and use golden-section search.
 static double piece_distance(struct d2 p, const struct piece *piece)
 {
     const double golden = 0.6180339887498949;

@@ -12,8 +12,8 @@ struct d2 {
 };
 
 // A piece of a boundary: a segment from a to b, or an arc of the ellipse with the centre a and the
-// half axes b, between the angles `from` and `to`. Only the part from low to high, in shares of its
-// length, belongs to the boundary.
+// semi-axes b, between the angles `from` and `to`. Only the part between the fractions low and high
+// of the segment, or of the range of angles, belongs to the boundary.
 struct piece {
     bool arc;
     struct d2 a, b;
@@ -25,11 +25,11 @@ struct boundary {
     int count;
 };
 
-// The point of a piece at the share u of the part that belongs to the boundary.
+// The point at the fraction u of the part of a piece that belongs to the boundary.
 struct d2 boundary_at(const struct piece *piece, double u);
 
-// Each adds pieces to a boundary: a segment; an arc of an ellipse or of a circle, between two
-// angles in radians; the sides of a closed polygon.
+// Each of these adds pieces to a boundary: a segment; an arc of an ellipse or of a circle, between
+// two angles in radians; the sides of a closed polygon.
 void boundary_add_segment(struct boundary *of, struct d2 a, struct d2 b);
 void boundary_add_ellipse(struct boundary *of, struct d2 centre, struct d2 axes, double from,
                           double to);
@@ -37,11 +37,12 @@ void boundary_add_arc(struct boundary *of, double x, double y, double radius, do
                       double to);
 void boundary_add_polygon(struct boundary *of, const double (*corner)[2], int count);
 
-// The distance to the nearest point. For each piece, start at the nearest of 16 samples and use
+// The distance to the nearest point. For each piece, start at the nearest of 17 samples and use
 // golden-section search.
 double boundary_distance(struct d2 p, const struct boundary *of);
 
-// The winding number of a polygon around p: the sum of the angles, in turns.
+// The winding number of a polygon around p: the sum of the angles at which its sides are seen from
+// p, in turns.
 double boundary_winding(struct d2 p, const double (*corner)[2], int count);
 
 #endif

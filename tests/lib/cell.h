@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-// The number of a cell, in [0, 1), equal to the shader's to the last bit.
+// The random number of a cell, in [0, 1), equal to the shader's to the last bit.
 static inline double cell_hash(int x, int y, int z)
 {
     uint32_t v[3] = {(uint32_t)x, (uint32_t)y, (uint32_t)z};

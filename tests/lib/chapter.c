@@ -1,4 +1,4 @@
-// Numbers from the functions of a chapter's shader.
+// Read numbers from the functions of a chapter's shader.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

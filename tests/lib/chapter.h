@@ -9,9 +9,9 @@ enum { CHAPTER_WIDTH = 640, CHAPTER_HEIGHT = 360 };
 
 // Replace a chapter's rayColour with a line of GLSL, draw one picture from the starting camera, and
 // read the float target. Fails the test if that is impossible; the caller frees the numbers.
-//   stem  "21_a_landscape"
-//   body  can use the ray, the pixel as 'vec2 pixel', and chapterColour(ray), the original; the
-//         picture clamps what it returns to [0, 1]
+//   stem  for example "21_a_landscape"
+//   body  can use the ray, the pixel as 'vec2 pixel', and chapterColour(ray), which is the original
+//         function; the colour that it returns is clamped to [0, 1]
 float *chapter_numbers(const char *stem, const char *body);
 
 #endif

@@ -1,4 +1,4 @@
-// Squares on a plane, by samples.
+// The squares of a plane, sampled: see checkers.h.
 #include <math.h>
 #include <stdlib.h>
 
@@ -27,7 +27,8 @@ static struct mirror_ray ray_of(const struct checkers_view *view, double x, doub
         d3_unit(direction)};
 }
 
-// The position in the pattern that a position in the picture shows.
+// Find the position in the pattern that is seen at a position in the picture. Returns false if the
+// ray does not meet the plane.
 static bool place_of(const struct checkers_view *view, double x, double y, double place[2])
 {
     struct mirror_ray ray = ray_of(view, x, y);
@@ -62,7 +63,7 @@ static bool even(const double place[2])
     return fmod(floor(place[0]) + floor(place[1]), 2.0) == 0.0;
 }
 
-// The share of even cells among the positions along one axis.
+// The share of positions in even cells, among `side` positions along one axis.
 static double even_share(double low, double high, int side)
 {
     int count = 0;

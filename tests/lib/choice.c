@@ -1,5 +1,5 @@
-// The environment variable ONE_TEST, such as test_march_hits, selects the one test of a program
-// that runs; '*' in it matches any characters.
+// The environment variable ONE_TEST, for example test_march_hits, selects the test of a program to
+// run; '*' in it matches any characters.
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

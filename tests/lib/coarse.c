@@ -106,7 +106,7 @@ float *coarse_table(const struct renderer_inputs *inputs)
 
 struct coarse_scene coarse_wire(double growth, double lean)
 {
-    double pixel = 2.0 * 7.0 / (COARSE_HIGH * 2.0); // 7 away, focal length 2
+    double pixel = 2.0 * 7.0 / (COARSE_HIGH * 2.0); // at a distance of 7, with focal length 2
     return (struct coarse_scene){
         .ball = {{-1.2, 0.9, 3.0}, {0.9, -0.7, 2.0}, {0.3, 0.2, -4.0}, {1.7, 0.9, 0.5}},
         .radius = {0.4, 0.35, 2.0, 0.3},

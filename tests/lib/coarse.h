@@ -22,7 +22,7 @@ static inline double coarse_float(double value)
     return (double)(float)value;
 }
 
-// Pass all of them to the shader, which must be loaded.
+// Pass all these inputs to the shader, which must be loaded.
 void coarse_set_scene(const struct coarse_scene *scene);
 
 // ---- In double ----
@@ -38,8 +38,8 @@ double coarse_margin(const struct coarse_scene *scene, const struct renderer_inp
 struct mirror_ray coarse_ray(const struct coarse_scene *scene, const struct renderer_inputs *inputs,
                              double x, double y);
 
-// An upper bound on the rounding error of a distance at t along a ray: about eight roundings of
-// numbers no larger than t.
+// An upper bound on the rounding error of a distance at t along a ray: sixteen roundings of a
+// number as large as t + 1 + the length of the origin.
 double coarse_slack(struct mirror_ray ray, double t);
 
 // ---- A picture ----
@@ -47,7 +47,8 @@ double coarse_slack(struct mirror_ray ray, double t);
 // The number of blocks along a side of this many pixels.
 int coarse_blocks(int pixels);
 
-// Draw, and read the table of the coarse pass: 4 floats per block, which the caller frees.
+// Draw a picture, and read the table of its coarse pass: 4 floats per block, which the caller
+// frees. Fails the test if that is impossible.
 float *coarse_table(const struct renderer_inputs *inputs);
 
 // ---- A wire ----
@@ -58,9 +59,9 @@ enum {
 }; // pixels of the picture in which the wire is half a pixel wide
 
 // A wire across the picture of a camera 7 in front of the origin. The wire is half a pixel wide.
-// Some balls are so close to it that cones only just pass them. One ball is behind the wire, which
-// would get lost in front of it.
-//   growth  of the threshold, in half pixels
+// Some balls are so close to it that cones only just pass them. One ball is behind the wire, and is
+// seen wherever the wire is missed.
+//   growth  of the threshold along the ray, in half pixels
 //   lean    slope of the wire
 struct coarse_scene coarse_wire(double growth, double lean);
 

@@ -114,7 +114,7 @@ bool image_same(const struct image_difference *difference)
     return difference->f2 <= IMAGE_F2_TOLERANCE && difference->b8 <= IMAGE_B8_TOLERANCE;
 }
 
-// A share is written with two significant digits, or with three from 1 % on.
+// A share is written with two significant digits, or with three if it is at least 1 %.
 const char *image_difference_words(const struct image_difference *difference, char words[256])
 {
     double share = 100.0 * difference->f2;

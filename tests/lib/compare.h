@@ -1,4 +1,4 @@
-// compare.h - pictures read back, and the comparison of two.
+// compare.h - reads pictures back, and compares two of them.
 #ifndef TESTS_COMPARE_H
 #define TESTS_COMPARE_H
 
@@ -7,11 +7,11 @@
 
 #include "picture/image.h"
 
-// Two numbers that together decide whether two pictures are the same.
+// How two pictures differ: f2 and b8 together decide whether they count as the same.
 struct image_difference {
     double f2;      // share of pixels whose largest channel difference exceeds 2, in [0, 1]
     double b8;      // RMSE of the means of 8x8 blocks, on the worst channel, in [0, 255]
-    int largest;    // largest channel difference, for information only: silhouettes make it useless
+    int largest;    // largest channel difference, for information only: it is large at silhouettes
     size_t differs; // pixels that differ at all
     int x, y;       // centre of the 8x8 block that differs most, pixels, 0,0 bottom left
 };
@@ -27,7 +27,7 @@ bool image_read_png(struct image *image, const char *path);
 // right and bottom edges are smaller if the size is not a multiple of 8.
 bool image_compare(const struct image *a, const struct image *b, struct image_difference *result);
 
-// True when f2 and b8 are both within tolerance.
+// True if f2 and b8 are both within tolerance.
 bool image_same(const struct image_difference *difference);
 
 // The result in a sentence for a student. Returns words.
@@ -36,8 +36,8 @@ const char *image_difference_words(const struct image_difference *difference, ch
 // Print the numbers on one line.
 void image_print_difference(const struct image_difference *difference);
 
-// A picture of the difference: 128 + 4 (b - a) per channel, clamped. Same sizes required; the
-// caller frees result. Returns false after reporting the error.
+// Make a picture of the difference: 128 + 4 (b - a) per channel, clamped. The two sizes must be the
+// same. The caller frees result. Returns false after reporting the error.
 bool image_difference_picture(const struct image *a, const struct image *b, struct image *result);
 
 #endif

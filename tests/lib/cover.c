@@ -7,8 +7,9 @@ static double empty(const struct cover_sample *sample)
     return fmax(sample->d, 0.0);
 }
 
-// The fewest of the intervals (t_i - d_i, t_j + d_j), j = i + gap, that cover begin to goal: always
-// take the one that reaches farthest among those that begin in the part covered so far.
+// The smallest number of intervals (t_i - d_i, t_j + d_j), with j = i + gap, that cover the ray
+// from the first sample to goal: always take the interval that reaches farthest among those that
+// begin in the part covered so far. COVER_NEVER if the intervals do not cover it.
 static int fewest(const struct cover_sample *sample, int count, int gap, double goal)
 {
     double covered = sample[0].t;
@@ -52,17 +53,17 @@ int cover_plane_march(double height, double slope, double far, double threshold,
     return steps;
 }
 
-// With e = d + slope (c - t), the distance at the end of the covered part, the best position is
-// where t - d = c: there d = e / (1 + slope), and the next end of the covered part has the distance
-// e (1 - slope) / (1 + slope).
+// Let c be the end of the covered part, and e = d + slope (t - c) the distance there. The best
+// position is where t - d = c: there d = e / (1 + slope), and the next end of the covered part has
+// the distance e (1 - slope) / (1 + slope).
 int cover_plane_least(double height, double slope, double far, double threshold)
 {
     bool hit;
     int steps = cover_plane_march(height, slope, far, threshold, &hit);
     double rate = (1.0 - slope) / (1.0 + slope);
     double end = hit ? height * pow(1.0 - slope, steps - 1) : height - slope * far;
-    // For a hit, the goal is the beginning of the hit's own interval, where the distance is end (1
-    // + slope).
+    // For a hit, the goal is the beginning of the hit's own interval. The distance there is
+    // end (1 + slope).
     double goal = hit ? (1.0 + slope) * end : end;
     if (slope == 0.0)
         return (int)ceil(far / (2.0 * height));
@@ -84,8 +85,8 @@ int cover_ball_march(double gap, double reach)
     return steps;
 }
 
-// t - (hypot(t, b) - 1) = c solved for t: with k = 1 - c, b^2 = 2 k t + k^2. From c = 1 on, the
-// interval of every point of the ray begins there, however far the point is.
+// t - (hypot(t, b) - 1) = c is solved for t: with k = 1 - c, b^2 = 2 k t + k^2. If c is at least 1,
+// the interval of every point of the ray begins in the covered part, however far the point is.
 int cover_ball_least(double gap, double reach)
 {
     double covered = -reach, b = 1.0 + gap;

@@ -1,5 +1,5 @@
-// cover.h - the fewest evaluations of a distance along a ray that show an interval to be empty:
-// docs/benchmark.md, in double precision.
+// cover.h - the fewest evaluations of a distance along a ray that show an interval to be empty, as
+// in docs/benchmark.md, in double precision.
 #ifndef TESTS_COVER_H
 #define TESTS_COVER_H
 
@@ -19,31 +19,32 @@ struct cover_count {
     int most;  // the smallest number of the given samples that is enough
 };
 
-// How many evaluations cover a ray from its first sample to its last.
+// Find how many evaluations cover a ray from its first sample to its last.
 //   sample  t ascending, count >= 1; a negative d counts as 0
-//   hit     the hit at the last sample is part of the answer: one evaluation is made there
-// `most` is COVER_NEVER if the samples are not enough.
+//   hit     true: the last sample is a hit, and one evaluation is made there
+// A bound is COVER_NEVER if the samples are not enough for it.
 //
-// Along a 1-Lipschitz distance, t - d and t + d never fall. So between two samples, t - d is at
-// least that of the first, and t + d at most that of the second: the intervals of all points
-// between them lie in the interval from the one to the other. `least` is the smallest number of
-// such wide intervals.
+// For a 1-Lipschitz distance, t - d and t + d never decrease along the ray. Between two samples,
+// t - d is therefore at least its value at the first, and t + d at most its value at the second.
+// The intervals of all points between the samples lie in the wide interval from the one value to
+// the other. `least` is the smallest number of such wide intervals.
 struct cover_count cover_of(const struct cover_sample *sample, int count, bool hit);
 
-// The same for a distance that changes at a constant rate along the ray, d = height - slope t: -1 <
-// slope < 1, a plane that the ray approaches (slope > 0) or leaves.
+// The next three functions are for a distance that changes at a constant rate along the ray,
+// d = height - slope t with -1 < slope < 1: a plane that the ray approaches (slope > 0) or leaves.
 
 // The number of evaluations of a march from t = 0 until d is below threshold, or t is at least far.
 int cover_plane_march(double height, double slope, double far, double threshold, bool *hit);
 
-// The smallest number of evaluations for the same answer.
+// The smallest number of evaluations that give the same answer as this march.
 int cover_plane_least(double height, double slope, double far, double threshold);
 
-// The limit of their ratio: ln((1 - slope) / (1 + slope)) / ln(1 - slope), 2 for slope 0.
+// The limit of the ratio of these two numbers: ln((1 - slope) / (1 + slope)) / ln(1 - slope), or 2
+// for slope 0.
 double cover_plane_ratio(double slope);
 
-// The same past a ball of radius 1, where the ray misses its centre by 1 + gap, from -reach to
-// reach around the closest point, threshold 0.
+// The same two numbers for a ray past a ball of radius 1, at a distance of 1 + gap from its centre,
+// from -reach to reach around the closest point, with threshold 0.
 int cover_ball_march(double gap, double reach);
 int cover_ball_least(double gap, double reach);
 

@@ -10,7 +10,7 @@
 
 enum { WIDTH = 640, HEIGHT = 360, FRAMES = 15 };
 
-// Curved edges, shadows, thin objects, textures, mist.
+// The scenes have curved edges, shadows, thin objects, textures and mist.
 const struct enlarge_scene enlarge_scenes[ENLARGE_SCENES] = {
     {"chapters/01_normal_colouring.frag", {{1.65f, 1.6f, 3.4f}, -26.0f, -23.5f}},
     {"chapters/03_shadows.frag", {{2.5f, 2.85f, 5.15f}, -29.0f, -24.0f}},
@@ -102,8 +102,8 @@ static double cpu_time(void)
     return platform_processor_seconds();
 }
 
-// The annex scene's picture and the filters in turn: the shortest of several frames each, in
-// seconds.
+// Time the picture of the scene of the report's annex and the filters, in turn. Each time is the
+// shortest of several frames, in seconds.
 static bool time_filters(double *unit, double least[ENLARGE_FILTERS])
 {
     const struct gl *gl = &gpu.context.gl;
@@ -140,8 +140,9 @@ int enlarge_print(void)
     static const double divisors[] = {1.5, 2.0, 3.0};
     struct enlarge_error error[ENLARGE_FILTERS];
     double unit = 0.0, least[ENLARGE_FILTERS] = {0};
-    printf("# pictures at a lower resolution, enlarged to 640x360, against the full ones: share of "
-           "pixels off by more than 2, means of 8x8 blocks, root mean square, both of 255\n");
+    printf("# pictures of a lower resolution, enlarged to 640x360 and compared with full pictures: "
+           "the share of pixels that differ by more than 2 of 255, the error of the means of 8x8 "
+           "blocks and the root mean square error, both of 255\n");
     printf("shader,divisor,filter,F2 %%,B8,rms\n");
     for (int scene = 0; scene < ENLARGE_SCENES; scene++)
         for (size_t i = 0; i < sizeof divisors / sizeof *divisors; i++) {
@@ -154,7 +155,8 @@ int enlarge_print(void)
         }
     if (!time_filters(&unit, least))
         return 1;
-    printf("# process CPU time of enlarging 320x180 to 640x360, in units of the annex scene\n");
+    printf("# CPU time for enlarging 320x180 to 640x360; 1 unit is the time of the report's annex "
+           "scene\n");
     printf("filter,units\n");
     for (int filter = 0; filter < ENLARGE_FILTERS; filter++)
         printf("%s,%.3f\n", enlarge_name((enum enlarge_filter)filter), least[filter] / unit);

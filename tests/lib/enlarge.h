@@ -6,7 +6,7 @@
 #include "lib/compare.h"
 #include "lib/gpu.h"
 
-// A chapter's picture as it is drawn, 640x360.
+// A chapter's picture, to be drawn at 640x360.
 struct enlarge_scene {
     const char *shader;
     struct camera camera;
@@ -15,10 +15,10 @@ struct enlarge_scene {
 enum { ENLARGE_SCENES = 5 };
 extern const struct enlarge_scene enlarge_scenes[ENLARGE_SCENES];
 
-// How far an enlarged picture is from the full one.
+// How much an enlarged picture differs from the full one.
 struct enlarge_error {
     struct image_difference difference;
-    double rms; // over all channels, of 255
+    double rms; // root mean square over all channels, in [0, 255]
 };
 
 // Draw a target's picture through a filter, at a given size. Fails the test, or ends the program,
@@ -26,13 +26,13 @@ struct enlarge_error {
 float *enlarge_numbers(enum enlarge_filter filter, const struct target *from, int width,
                        int height);
 
-// The same with the caller's enlarger, to be closed with enlarge_close.
+// Like enlarge_numbers, with an enlarger that the caller closes with enlarge_close.
 float *enlarge_numbers_with(struct enlarge *enlarge, enum enlarge_filter filter,
                             const struct target *from, int width, int height);
 
 // Draw the scene in full and at 1/divisor of each side, and compare the enlarged picture with the
 // full one.
-//   error  takes one for each filter
+//   error  receives the error of each filter
 void enlarge_measure(const struct enlarge_scene *scene, double divisor,
                      struct enlarge_error error[ENLARGE_FILTERS]);
 

@@ -1,5 +1,5 @@
-// filter.h - how far the mean of a pixel's samples is from the mean of 256, for the filters of
-// shaders/filter.glsl and the workshop's grid, on a picture of slanting edges and fine lines.
+// filter.h - how far the mean of a pixel's samples is from the mean of 256 samples, for the filters
+// of shaders/filter.glsl and the workshop's grid, in a picture of slanting edges and fine lines.
 #ifndef TESTS_FILTER_H
 #define TESTS_FILTER_H
 
@@ -19,10 +19,10 @@ enum filter_way {
 
 extern const char *const filter_way_names[FILTER_WAYS];
 
-// The root of the mean square of the difference, of 1, over 64 x 64 pixels of the picture.
+// The root mean square difference, where white is 1, over 64 x 64 pixels of the picture.
 //   side  samples per row and per column of a pixel, 1 to 16
-// The 256 samples of the same filter form a regular grid; for the workshop's grid, those of the box
-// are used.
+// The 256 samples are those of the same filter in a regular grid; the workshop's grid is compared
+// with those of the box filter.
 double filter_error(enum filter_way way, int side);
 
 #endif

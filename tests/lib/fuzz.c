@@ -20,7 +20,7 @@ const struct fuzz_target fuzz_targets[FUZZ_TARGETS] = {{"include", fuzz_include}
                                                        {"options", fuzz_options},
                                                        {"picture", fuzz_picture}};
 
-// A promise that must be kept.
+// End the program if a promise is not kept.
 static void promise(bool kept, const char *what)
 {
     if (!kept) {
@@ -30,19 +30,20 @@ static void promise(bool kept, const char *what)
     }
 }
 
-// The report since capture_begin: empty if the call succeeded, else one line.
+// Check the report since capture_begin: it must be empty if the call succeeded, and one line
+// otherwise.
 static void promise_report(bool done)
 {
     const char *said = capture_end();
     size_t length = strlen(said);
     if (done)
-        promise(length == 0, "what is accepted is accepted in silence");
+        promise(length == 0, "an accepted input causes no message");
     else
         promise(line_count(said) == 1 && length > 1 && said[length - 1] == '\n',
-                "what is refused is refused in one line");
+                "a refused input causes one line");
 }
 
-// A copy of bytes as a string; zero bytes become blanks. The caller frees it.
+// Copy bytes into a string, where zero bytes become blanks. The caller frees the string.
 static char *string_of(const uint8_t *bytes, size_t size)
 {
     char *text = malloc(size + 1);
@@ -69,7 +70,7 @@ static const char *const names[] = {MAIN,
                                     LOG};
 #define NAMES (sizeof names / sizeof *names)
 
-// The name at the start of a line "=== NAME", or NULL.
+// The name in a line "=== NAME", or NULL if the line is not of this form or the name is unknown.
 static const char *begins(const uint8_t *line, size_t length)
 {
     for (size_t i = 0; i < NAMES; i++)
@@ -79,7 +80,7 @@ static const char *begins(const uint8_t *line, size_t length)
     return NULL;
 }
 
-// Cut the bytes into files of the scratch folder; a missing file is empty.
+// Split the bytes into files in the scratch folder. A file that they do not name is empty.
 static void write_files(const uint8_t *bytes, size_t size)
 {
     const char *name = MAIN;
@@ -112,20 +113,20 @@ static void promise_source(const struct shader_source *source)
     for (const char *c = source->text; *c != '\0'; c++)
         lines += *c == '\n';
     promise(lines == source->line_count && lines > 0, "each line of the text is in the table");
-    promise(source->text[strlen(source->text) - 1] == '\n', "the last line is ended");
+    promise(source->text[strlen(source->text) - 1] == '\n', "the last line ends with a line break");
     for (int i = 0; i < lines; i++)
         promise(source->lines[i].file >= 0 && source->lines[i].file < source->file_count &&
                     source->lines[i].line > 0,
                 "each line comes from a line of a file");
     for (int i = 0; i < source->file_count; i++) {
         promise(is_inside(source->paths[i], "own") || is_inside(source->paths[i], "root"),
-                "no file lies outside");
+                "no file is outside the folders");
         for (int k = 0; k < i; k++)
             promise(strcmp(source->paths[i], source->paths[k]) != 0, "each file is read once");
     }
 }
 
-// The driver's log is the file of that name.
+// Explain a driver's log, which is the file LOG.
 static void explain(const struct shader_source *source, enum shader_view view)
 {
     char log[8192];
@@ -159,7 +160,7 @@ static void carry_on(struct shader_source *source)
     promise_report(done);
     for (int i = files; i < source->file_count; i++)
         promise(is_inside(source->paths[i], "own") || is_inside(source->paths[i], "root"),
-                "no picture lies outside");
+                "no picture is outside the folders");
     if (!done)
         return;
     capture_begin();
@@ -188,7 +189,7 @@ void fuzz_include(const uint8_t *bytes, size_t size)
 
 // ---- Parameters ----
 
-// A text as shader_read would return it.
+// A source with this text, as shader_read would return it.
 static struct shader_source source_of(char *text)
 {
     struct shader_source source = {.text = text, .file_count = 1};
@@ -222,16 +223,18 @@ static void promise_parameter(struct parameters *all, int index)
     promise(p->name[0] != '\0' && p->meaning[0] != '\0', "a parameter has a name and a meaning");
     promise(parameters_find(all, p->name) == p, "a name occurs once");
     promise(p->components >= 1 && p->components <= 4, "there are one to four components");
-    promise(p->minimum < p->maximum && p->step > 0.0 && isfinite(p->step), "range and step fit");
+    promise(p->minimum < p->maximum && p->step > 0.0 && isfinite(p->step),
+            "range and step are valid");
     promise_in_range(p);
 
     parameter_value_text(p, value, sizeof value);
     parameter_range_text(p, range, sizeof range);
     snprintf(assignment, sizeof assignment, "%s=%s", p->name, value);
     struct parameter before = *p;
-    promise(parameters_assign(all, assignment), "what is printed can be typed");
+    promise(parameters_assign(all, assignment), "a printed value can be assigned");
     for (int i = 0; i < p->components; i++)
-        promise((float)p->value[i] == (float)before.value[i], "and is the same value");
+        promise((float)p->value[i] == (float)before.value[i],
+                "assigning a printed value does not change it");
     static const int presses[] = {1, -2, 1000, -100000, 1};
     for (size_t i = 0; i < sizeof presses / sizeof *presses; i++) {
         parameter_change(p, presses[i]);
@@ -239,7 +242,7 @@ static void promise_parameter(struct parameters *all, int index)
     }
     parameter_reset(p);
     for (int i = 0; i < p->components; i++)
-        promise(p->value[i] == p->initial[i], "a reset brings the file's value");
+        promise(p->value[i] == p->initial[i], "a reset restores the file's value");
 }
 
 void fuzz_parameter(const uint8_t *bytes, size_t size)
@@ -264,7 +267,7 @@ void fuzz_parameter(const uint8_t *bytes, size_t size)
             const struct sampler *s = &parameters.samplers.item[i];
             promise(s->name[0] != '\0' && s->meaning[0] != '\0' && s->slices >= 0 &&
                         s->slices <= SAMPLER_SLICES && s->file < source.file_count,
-                    "a sampler has its parts");
+                    "a sampler has all its parts");
         }
         FILE *nowhere = fopen("/dev/null", "w");
         promise(nowhere != NULL, "/dev/null opens");
@@ -280,7 +283,7 @@ void fuzz_parameter(const uint8_t *bytes, size_t size)
 
 // ---- Pictures ----
 
-// The checksum of PNG.
+// The checksum of a chunk of a PNG.
 static uint32_t checksum(const uint8_t *bytes, size_t size)
 {
     uint32_t sum = 0xFFFFFFFFu;
@@ -292,7 +295,7 @@ static uint32_t checksum(const uint8_t *bytes, size_t size)
     return ~sum;
 }
 
-// Correct the checksum of each chunk, because random bytes would never get past a check.
+// Correct the checksum of each chunk, because random bytes would never have the right one.
 static void mend(uint8_t *bytes, size_t size)
 {
     for (size_t at = 8; at + 12 <= size;) {
@@ -310,12 +313,13 @@ static void mend(uint8_t *bytes, size_t size)
 static void promise_levels(const struct texture_image *image, int slices)
 {
     promise(image->count >= 1 && image->count <= TEXTURE_LEVELS, "there are levels");
-    promise(image->size[0][2] == slices, "the slices are those that were asked for");
+    promise(image->size[0][2] == slices, "there are as many slices as were requested");
     for (int i = 0; i < image->count; i++)
         for (int k = 0; k < 3; k++) {
             int side = image->size[i][k], before = i > 0 ? image->size[i - 1][k] : side;
             promise(side >= 1 && side <= IMAGE_SIDE_LIMIT, "a side is in its range");
-            promise(i == 0 || side == (before > 1 ? before / 2 : 1), "a level is half of another");
+            promise(i == 0 || side == (before > 1 ? before / 2 : 1),
+                    "a level is half of the one before");
         }
     const int *last = image->size[image->count - 1];
     promise(last[0] * last[1] * last[2] == 1, "the last level is one texel");
@@ -338,7 +342,7 @@ void fuzz_picture(const uint8_t *bytes, size_t size)
         promise_levels(&image, sampler.slices > 0 ? sampler.slices : 1);
     else
         promise(image.count == 0 && why[0] != '\0' && strchr(why, '\n') == NULL,
-                "what is refused has its reason");
+                "a refused picture has a reason");
     texture_image_free(&image);
     free(copy);
 }
@@ -350,13 +354,14 @@ static void promise_options(const struct options *o, int argc)
     promise(o->width >= 1 && o->width <= OPTIONS_SIZE_LIMIT && o->height >= 1 &&
                 o->height <= OPTIONS_SIZE_LIMIT,
             "the size is in its range");
-    promise(o->samples >= 1 && o->samples <= OPTIONS_SAMPLES_LIMIT, "so are the samples");
-    promise(fabs(o->time) <= 1e9, "so is the time");
+    promise(o->samples >= 1 && o->samples <= OPTIONS_SAMPLES_LIMIT,
+            "the samples are in their range");
+    promise(fabs(o->time) <= 1e9, "the time is in its range");
     promise(o->setting_count >= 0 && o->setting_count < argc, "settings come from arguments");
     promise(o->texture_count >= 0 && o->texture_count < argc, "textures come from arguments");
     for (int i = 0; i < 4; i++)
         promise(o->channels[i] == NULL || o->channels[i][0] != '\0', "a channel names a file");
-    promise(o->view < SHADER_VIEW_COUNT, "the view is one to choose");
+    promise(o->view < SHADER_VIEW_COUNT, "the view can be selected");
     promise(!o->has_camera || (fabs((double)o->camera.position[0]) <= 1e9 &&
                                fabsf(o->camera.tilt) <= CAMERA_TILT_LIMIT),
             "the camera is in its range");
@@ -393,6 +398,6 @@ void fuzz_options(const uint8_t *bytes, size_t size)
         promise_options(&options, count);
         options_free(&options);
     }
-    promise(options.settings == NULL, "nothing is kept of a command line that is refused");
+    promise(options.settings == NULL, "nothing is kept of a command line that is refused or freed");
     free(text);
 }

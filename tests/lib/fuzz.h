@@ -1,9 +1,9 @@
-// fuzz.h - what must hold for any bytes that a person hands in, for libFuzzer, which makes them up
-// (tests/tools/fuzz.c), and for unit/corpus.c, which has a folder of them.
+// fuzz.h - what must be true for any input, whatever its bytes. libFuzzer generates inputs
+// (tests/tools/fuzz.c), and tests/unit/corpus.c reads them from a folder.
 //
-// Each function ends the program with the reason if a promise of the header in question is broken.
-// One promise is that every refusal reports exactly one line, and every success none. They need a
-// scratch folder (scratch_make).
+// Each function ends the program with the reason if a promise of the tested header is broken. One
+// promise is that every refusal reports exactly one line, and every success none. The functions
+// need a scratch folder (scratch_make).
 #ifndef TESTS_FUZZ_H
 #define TESTS_FUZZ_H
 
@@ -15,23 +15,23 @@
 //   bytes  files one after the other; a line "=== NAME" begins each but own/main.frag, which is the
 //          shader. Names: own/part.glsl, own/deep/part.glsl, outside.glsl,
 //          root/shaders/library.glsl, root/shaders/more.glsl, own/a.png, which nothing reads, and
-//          log, the driver's words; another name begins nothing
+//          log, the text of a driver's log; a line with another name is ordinary text
 void fuzz_include(const uint8_t *bytes, size_t size);
 
 // Annotated uniforms and an assignment.
-//   bytes  the first line is NAME=VALUE, the rest a text in the course's dialect
+//   bytes  the first line is NAME=VALUE, and the rest is a text in the course's dialect
 void fuzz_parameter(const uint8_t *bytes, size_t size);
 
 // A command line.
-//   bytes  one argument a line
+//   bytes  one argument per line
 void fuzz_options(const uint8_t *bytes, size_t size);
 
 // A picture for a sampler.
-//   bytes  the first says how it is read: 1 sRGB, 2 repeat, 4 a volume, with as many slices as the
-//          rest of the byte says; then a PNG, whose checksums are corrected
+//   bytes  the first byte has bits for how the picture is read: 1 sRGB, 2 repeat, 4 a volume with
+//          byte / 8 + 1 slices; then follows a PNG, whose checksums are corrected
 void fuzz_picture(const uint8_t *bytes, size_t size);
 
-// All four by name.
+// The four functions by name.
 struct fuzz_target {
     const char *name; // the name of its folder in tests/corpus
     void (*run)(const uint8_t *bytes, size_t size);

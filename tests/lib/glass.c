@@ -12,7 +12,7 @@ double glass_fresnel(double facing, double eta)
     if (sine >= 1.0)
         return 1.0;
     double b = asin(sine);
-    if (a < 1e-9) // the limit for two angles of 0
+    if (a < 1e-9) // the limit as both angles approach 0
         return pow((1.0 - eta) / (1.0 + eta), 2.0);
     double across = sin(a - b) / sin(a + b), along = tan(a - b) / tan(a + b);
     return 0.5 * (across * across + along * along);
@@ -133,16 +133,15 @@ int glass_print(void)
 {
     static const double angles[] = {0.0, 30.0, 45.0, 60.0, 70.0, 80.0, 85.0, 88.0};
     static const double indices[] = {1.333, 1.5168, 1.7283};
-    printf(
-        "# reflected share, from air to glass of index 1.5168, and inside it at the angle of the "
-        "refracted ray\ndegrees,exact,schlick,degrees_inside,exact_inside\n");
+    printf("# reflected share, from air to glass of index 1.5168, and inside the glass at the "
+           "angle of the refracted ray\ndegrees,exact,schlick,degrees_inside,exact_inside\n");
     for (size_t i = 0; i < sizeof angles / sizeof angles[0]; i++) {
         double n = indices[1], angle = angles[i] * MIRROR_PI / 180.0, behind = asin(sin(angle) / n);
         printf("%g,%.4f,%.4f,%.2f,%.4f\n", angles[i], glass_fresnel(cos(angle), 1.0 / n),
                glass_schlick(cos(angle), pow((n - 1.0) / (n + 1.0), 2.0)),
                behind * 180.0 / MIRROR_PI, glass_fresnel(cos(behind), n));
     }
-    printf("# Schlick's largest error, and where\nindex,error,degrees,critical_angle\n");
+    printf("# Schlick's largest error, and its angle\nindex,error,degrees,critical_angle\n");
     for (int i = 0; i < 3; i++) {
         double n = indices[i], worst = 0.0, at = 0.0, straight = pow((n - 1.0) / (n + 1.0), 2.0);
         for (double a = 0.05; a < 90.0; a += 0.05) {
@@ -153,9 +152,9 @@ int glass_print(void)
         }
         printf("%g,%.4f,%.1f,%.2f\n", n, worst, at, asin(1.0 / n) * 180.0 / MIRROR_PI);
     }
-    printf("# for each wavelength, micrometres: index of crown and of flint, least deviation "
-           "by a flint prism of "
-           "60 degrees, angle of the rainbow\nwavelength,crown,flint,deviation,rainbow\n");
+    printf("# for each wavelength in micrometres: the indices of crown and flint glass, the least "
+           "deviation by a flint prism of 60 degrees, and the angle of the rainbow\n"
+           "wavelength,crown,flint,deviation,rainbow\n");
     for (int k = 0; k <= 6; k++) {
         double wave = 0.40 + 0.05 * k, flint = glass_index(1.6894, 0.01341, wave);
         double water = glass_index(1.3240, 0.00310, wave),
@@ -164,9 +163,8 @@ int glass_print(void)
                2.0 * asin(0.5 * flint) * 180.0 / MIRROR_PI - 60.0,
                180.0 - glass_drop_turn(sqrt(1.0 - cosine * cosine), water, 1) * 180.0 / MIRROR_PI);
     }
-    printf(
-        "# a white world: share of the glass pixels that are not white, mean light that they lack\n"
-        "surfaces,pixels,light\n");
+    printf("# in a white world: the share of the glass pixels that are not white, and the missing "
+           "light, averaged over all glass pixels\nsurfaces,pixels,light\n");
     for (int surfaces = 2; surfaces <= 20; surfaces += 2) {
         struct glass_rest rest = glass_furnace(surfaces);
         printf("%d,%.4f,%.5f\n", surfaces, rest.pixels, rest.mean);

@@ -7,8 +7,8 @@
 
 // The reflected share from Fresnel's own sines and tangents of both angles, not from the library's
 // formula.
-//   facing  cosine on the side from which light comes
-//   eta     index there over index behind
+//   facing  cosine of the angle on the side from which light comes
+//   eta     refractive index on that side divided by that on the other side
 double glass_fresnel(double facing, double eta);
 double glass_schlick(double facing, double straight);
 
@@ -23,8 +23,8 @@ static inline struct d3 glass_reflect(struct d3 direction, struct d3 normal)
 
 typedef double (*glass_distance)(struct d3 p);
 
-// marchSide of shaders/glass.glsl. t receives the end of the march. Returns false if there is no
-// surface.
+// marchSide of shaders/glass.glsl. t receives the end of the march. Returns false if the march
+// finds no surface.
 bool glass_march(glass_distance distance, struct mirror_ray ray, double side,
                  const double from_to[2], double threshold, int max_steps, double *t);
 
@@ -34,26 +34,28 @@ struct mirror_ray glass_leaving(struct d3 p, struct d3 normal, struct d3 directi
 // Cauchy's formula; wavelength in micrometres.
 double glass_index(double a, double b, double wavelength);
 
-// The mean colour, in the screen's primaries, of the wavelengths from 0.40 to 0.70, from the fit of
-// Wyman, Sloan and Shirley to the CIE's curves. Negative channels count as 0, and each channel is
-// divided by its mean.
+// The colour of a wavelength in micrometres, in the screen's primaries, from the fit of Wyman,
+// Sloan and Shirley to the CIE's curves. Negative channels count as 0, and each channel is divided
+// by its mean over the wavelengths from 0.40 to 0.70.
 void glass_wave_colour(double wavelength, double colour[3]);
 
-// The deflection of a ray that meets a drop at radius * offset from its axis and is reflected
-// inside this many times; radians, in [0, pi] for one reflection.
+// The deflection of a ray that meets a drop at radius * offset from its axis, in radians; in
+// [0, pi] for one reflection.
+//   mirrored  the number of reflections inside the drop
 double glass_drop_turn(double offset, double index, int mirrored);
 
 // The light that chapter 17's picture lacks in a white world, 640x360, for a given number of
 // surfaces.
 struct glass_rest {
     double pixels; // share of the pixels of glass that lack more than 1/255
-    double mean;   // missing light, mean over the pixels of glass
+    double mean;   // missing light, averaged over the pixels of glass
 };
 
-// Ends the program if it cannot be drawn.
+// Fails the test, or ends the program, if the picture cannot be drawn.
 struct glass_rest glass_furnace(int surfaces);
 
-// Print both tables of the page, of reflected shares and of dark pixels. Returns an exit status.
+// Print tables of reflected shares, of Schlick's error, of each wavelength's indices and angles,
+// and of dark pixels. Returns an exit status.
 int glass_print(void);
 
 #endif

@@ -1,4 +1,4 @@
-// Highlights in double precision.
+// Highlights in double precision: see gloss.h.
 #include "lib/gloss.h"
 
 static struct d3 halfway(struct d3 to_light, struct d3 to_eye)
@@ -6,7 +6,7 @@ static struct d3 halfway(struct d3 to_light, struct d3 to_eye)
     return d3_unit(d3_add(to_light, to_eye));
 }
 
-// Written as in their sources: D G / (4 cos cos), with G from Smith's function Lambda.
+// GGX is written as in its source: D G / (4 cos cos), with G from Smith's function Lambda.
 static double density(double cosine, double alpha)
 {
     double c2 = cosine * cosine, tangent2 = (1.0 - c2) / c2, a2 = alpha * alpha;
@@ -56,10 +56,10 @@ struct d3 gloss_eye(double cosine)
     return d3(sqrt(1.0 - cosine * cosine), 0.0, cosine);
 }
 
-// The half vectors are distributed like the density of a GGX highlight times the cosine, for any
-// model. Each one represents the solid angle of light 4 (eye . half) / (density cosine). Grazing
-// light comes from the long tail of the density, which contains few of them. So they are denser
-// there: s with u = 1 - (1 - s)^3.
+// For any model, the half vectors are distributed like the density of a GGX highlight times the
+// cosine. Each of them represents the solid angle 4 (eye . half) / (density cosine) of light.
+// Grazing light comes from the long tail of the density, which contains few half vectors. They are
+// therefore made denser there: s is uniformly distributed, with u = 1 - (1 - s)^3.
 double gloss_albedo(gloss_model *model, double parameter, double roughness, double cosine)
 {
     enum { SIDE = 384 };
@@ -70,7 +70,8 @@ double gloss_albedo(gloss_model *model, double parameter, double roughness, doub
         double tangent = alpha * sqrt(u / (1.0 - u)), part = 3.0 * rest * rest;
         double c = 1.0 / sqrt(1.0 + tangent * tangent);
         for (int k = 0; k < SIDE; k++) {
-            double turn = MIRROR_PI * (k + 0.5) / SIDE; // one side: the other is its mirror image
+            double turn =
+                MIRROR_PI * (k + 0.5) / SIDE; // one half is enough: the other is its mirror image
             struct d3 half = d3(c * tangent * cos(turn), c * tangent * sin(turn), c);
             double facing = d3_dot(eye, half);
             struct d3 light = d3_sub(d3_times(2.0 * facing, half), eye);

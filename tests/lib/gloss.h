@@ -1,5 +1,5 @@
 // gloss.h - the two models of shaders/gloss.glsl in double precision, and the share of the light on
-// a surface that each sends back.
+// a surface that each model sends back.
 #ifndef TESTS_GLOSS_H
 #define TESTS_GLOSS_H
 
@@ -10,11 +10,11 @@ typedef double gloss_model(struct d3 to_light, struct d3 to_eye, double paramete
 
 double gloss_ggx(struct d3 to_light, struct d3 to_eye, double roughness);
 double gloss_blinn_phong(struct d3 to_light, struct d3 to_eye, double exponent);
-// With the usual factor (n + 8) / (8 pi), and without it.
+// Blinn-Phong with the usual factor (n + 8) / (8 pi), and without a factor.
 double gloss_usual(struct d3 to_light, struct d3 to_eye, double exponent);
 double gloss_bare(struct d3 to_light, struct d3 to_eye, double exponent);
 
-// The exponent whose highlight is about as wide as the one for a roughness: 2 / roughness^4 - 2.
+// The exponent whose highlight is about as wide as that of a roughness: 2 / roughness^4 - 2.
 double gloss_exponent(double roughness);
 
 // The direction to an eye at an angle with this cosine to the normal.
@@ -22,11 +22,12 @@ struct d3 gloss_eye(double cosine);
 
 // The directional albedo: the light that a surface sends to the eye under a sky of 1 everywhere. By
 // reciprocity, it is also the share that the surface sends back of light from the eye's direction.
-// Computed over 384 x 384 half vectors, chosen where a highlight of this roughness is.
+// It is summed over 384 x 384 half vectors, which are distributed like a highlight of this
+// roughness.
 double gloss_albedo(gloss_model *model, double parameter, double roughness, double cosine);
 
-// The same over all directions of the eye, each weighted by its cosine: the share of a whole sky's
-// light.
+// The mean of the directional albedo over all directions of the eye, each weighted by its cosine:
+// the share of a whole sky's light that the surface sends back.
 double gloss_mean_albedo(gloss_model *model, double parameter, double roughness);
 
 #endif

@@ -7,7 +7,7 @@
 #include "context/context.h"
 #include "picture/renderer.h"
 
-// Each test program has one.
+// Each test program has one context and one renderer.
 extern struct gpu {
     struct context context;
     struct renderer renderer;
@@ -23,7 +23,8 @@ const char *gpu_project_root(void);
 bool gpu_open(void);
 void gpu_close(void);
 
-// Setup and teardown of cmocka for a group: the above, and a folder (scratch.h).
+// cmocka's setup and teardown for a group: gpu_open and gpu_close, and a scratch folder
+// (scratch.h).
 int gpu_setup(void **state);
 int gpu_teardown(void **state);
 
@@ -43,7 +44,8 @@ struct camera gpu_camera(const char *stem);
 struct camera gpu_open_chapter(const char *stem);
 void gpu_set(const char *name, double value);
 
-// Load a text from a file that is written into the folder. Returns false after reporting the error.
+// Write a text to a file in the scratch folder, and load it. Returns false after reporting the
+// error.
 bool gpu_load_text(const char *text);
 
 // The first lines of such a text if only a colour is needed: a parallel view of the plane z = 0.
@@ -52,7 +54,7 @@ bool gpu_load_text(const char *text);
     "Ray pixelRay(vec2 screen) { return Ray(vec3(screen, 0.0), vec3(0.0, 0.0, -1.0)); }\n"         \
     "float sceneDistance(vec3 p) { return p.z; }\n"
 
-// A picture from a position that sees the solids of chapters 01 to 03.
+// The inputs of a picture, with a camera that sees the solids of chapters 01 to 03.
 struct renderer_inputs gpu_inputs(int width, int height, int samples);
 
 // Draw the loaded shader and read the float target: 4 * width * height floats, bottom row first,
@@ -61,8 +63,8 @@ float *gpu_numbers(const struct renderer_inputs *inputs);
 
 // Load a shader, unless the last call loaded the same one, call one of its functions with four
 // numbers, and read the target like gpu_numbers. Fails the test if that is impossible.
-//   function  the shader's Time
-//   numbers   its iMouse
+//   function  passed as the shader's Time
+//   numbers   passed as its iMouse
 float *gpu_call(const char *shader, int width, int height, int function, const float numbers[4]);
 
 #endif

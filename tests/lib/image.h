@@ -16,7 +16,7 @@ struct picture_folder {
     char target[PATH_MAX + 16], link[PATH_MAX + 16], other[PATH_MAX + 16];
 };
 
-// Setup and teardown of cmocka; *state is the struct picture_folder between them.
+// cmocka's setup and teardown; between them, *state is the struct picture_folder.
 int picture_folder_make(void **state);
 int picture_folder_remove(void **state);
 
@@ -32,7 +32,7 @@ struct image picture_random(int width, int height);
 struct image picture_smooth(int width, int height);
 struct image picture_copy(const struct image *image);
 
-// Read a file's bytes, at most size of them. Returns their number; fails the test if the file is
+// Read at most size bytes of a file. Returns how many were read; fails the test if the file is
 // missing.
 size_t picture_bytes(const char *path, unsigned char *bytes, size_t size);
 

@@ -8,7 +8,7 @@
 
 #include "lib/compare.h"
 
-#define RAYS 16 // at most
+#define RAYS 16 // the most that are compared
 // A hit that is off by more than this share of 1 + t is a different hit.
 #define FAR 0.02
 
@@ -99,7 +99,7 @@ static const char *read_march(const char *text, struct march *march)
     return NULL;
 }
 
-// Do both marches end on the surface at the same distance, or neither of them?
+// Do both marches end in the same way and, if they hit the surface, at about the same distance?
 static bool ends_alike(const struct march *a, const struct march *b)
 {
     if (a->at != b->at || strncmp(a->end, b->end, a->at) != 0)
@@ -109,7 +109,7 @@ static bool ends_alike(const struct march *a, const struct march *b)
 
 static const char *refuse(const char *with, const char *why)
 {
-    snprintf(judge.text, sizeof judge.text, "the picture%s%s is right, its rays are not: %s",
+    snprintf(judge.text, sizeof judge.text, "the picture%s%s is right, but its rays are not: %s",
              with[0] != '\0' ? " with " : "", with, why);
     return judge.text;
 }
@@ -128,7 +128,7 @@ const char *judge_rays(const char *with, const char *places, const char *right, 
     while (rays < RAYS && (right = read_march(right, &a)) != NULL) {
         mine = read_march(mine, &b);
         if (mine == NULL || !b.recorded)
-            return refuse(with, "none is recorded: include main.glsl, as the chapter does");
+            return refuse(with, "no ray is recorded: include main.glsl, as the chapter does");
         int length = (int)strcspn(places, " ");
         if (!ends_alike(&b, &a) && count++ == 0)
             snprintf(first, sizeof first,

@@ -8,15 +8,16 @@
 //   width, height of both
 //   right, mine   3 bytes per pixel, row 0 at the top
 //   shown         receives the picture of image_difference_picture, unless it is NULL
-// Returns what is wrong with it and where, or "" if the two pictures are the same.
+// Returns what is wrong with the answer's picture and where, or "" if the two pictures are the
+// same.
 const char *judge_picture(const char *with, int width, int height, const unsigned char *right,
                           const unsigned char *mine, unsigned char *shown);
 
 // The share of pixels that the last judge_picture found to differ by more than 2 of 255, in [0, 1].
 double judge_share(void);
 
-// Where the last judge_picture found the largest difference: "397,87", pixels as --probe counts
-// them.
+// Where the last judge_picture found the largest difference, for example "397,87", in pixels as
+// --probe counts them.
 const char *judge_place(void);
 
 // How far apart the last judge_picture found the two pictures, or that they are the same, in the
@@ -24,7 +25,7 @@ const char *judge_place(void);
 const char *judge_words(void);
 
 // Compare the rays of some pixels.
-//   with         as above
+//   with         as for judge_picture
 //   places       pixels, "X,Y X,Y ..."
 //   right, mine  what --probe prints for these pixels, in the same order
 // Returns what is wrong with the answer's rays, or "" if they end like the solution's. One ray may
@@ -35,8 +36,8 @@ const char *judge_rays(const char *with, const char *places, const char *right, 
 const char *judge_ray(const char *probe);
 
 // The sentence for a right answer.
-//   pictures  the number compared
-//   share     the largest of their judge_share
+//   pictures  the number of pictures compared
+//   share     the largest judge_share of these pictures
 const char *judge_right(int pictures, double share);
 
 #endif

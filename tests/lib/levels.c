@@ -38,13 +38,13 @@ float *levels_read(enum levels_reading reading, double x, double y, double facto
     return gpu_numbers(&inputs);
 }
 
-// The part of a texel between two ends.
+// The length of the part of a texel that is between two ends.
 static double overlap(int texel, double from, double to)
 {
     return fmax(fmin(texel + 1.0, to) - fmax(texel, from), 0.0);
 }
 
-// The mean over a rectangle around (x, y); all in texels.
+// The mean light over a rectangle around (x, y); all lengths are in texels.
 static void mean_over(double x, double y, double width, double height, double mean[3])
 {
     double left = x - 0.5 * width, low = y - 0.5 * height;

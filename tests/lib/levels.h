@@ -19,15 +19,16 @@ bool levels_open(void);
 // The values that the shader reads at 1024 points.
 //   x, y    the two sides of the footprint in texels (for a floor, the ray's width for both), or
 //           the level
-//   factor  by which the footprint is multiplied before it is passed; 0 passes none
+//   factor  by which the footprint is multiplied before it is passed; 0 passes almost none
 //   sine    of the angle between the ray and the floor
-// 4 floats per point, which the caller frees; NULL after reporting the error.
+// Returns 4 floats per point, which the caller frees. Fails the test, or ends the program, if they
+// cannot be drawn.
 float *levels_read(enum levels_reading reading, double x, double y, double factor, double sine);
 
-// The root mean square of the difference from the mean over rectangles of width x height texels at
-// these points, each texel summed in double precision. In linear light; negative if it cannot be
-// drawn.
-//   factor  as above
+// The root mean square difference, in linear light, from the mean over rectangles of width x height
+// texels at these points. The mean is the sum over texels in double precision. Fails the test, or
+// ends the program, if the points cannot be drawn.
+//   factor  as for levels_read
 //   sine    below 1, the shader itself computes the length of the footprint on a floor; 1 passes
 //           the sides
 double levels_error(double width, double height, double factor, double sine);

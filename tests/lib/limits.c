@@ -16,7 +16,7 @@ static double sheet_distance(int sheet, struct d3 p, struct d3 middle)
                            : mirror_box(q, d3((double)0.7f, 0.5, (double)0.6f)));
 }
 
-// Where a ray that begins outside first meets the sheet, or HUGE_VAL.
+// Where a ray that begins outside first meets the sheet; HUGE_VAL if it does not.
 static double first_meeting(int sheet, struct mirror_ray ray, struct d3 middle)
 {
     double t[2];
@@ -27,15 +27,15 @@ static double first_meeting(int sheet, struct mirror_ray ray, struct d3 middle)
     return met ? t[0] : HUGE_VAL;
 }
 
-// Proof 5: how far the distance that is computed at t may be from the distance there.
+// The bound of proof 5: how far the computed distance at t may be from the true one.
 static double error_bound(struct mirror_ray ray, struct d3 middle, double t)
 {
     struct d3 p = mirror_at(ray, t);
     return 1.00001 * unit * (t + d3_length(p) + 6.0 * (d3_length(d3_sub(p, middle)) + SIZE));
 }
 
-// A ray that only grazes the sheet is not counted, because the rounding of its direction decides
-// whether it meets the sheet.
+// Does the ray clearly cross the sheet? A ray that only grazes the sheet is not counted, because
+// the rounding of its direction decides whether it meets the sheet.
 static bool crosses(int sheet, struct mirror_ray ray, struct d3 middle, double t, double threshold)
 {
     if (t == HUGE_VAL)
@@ -75,7 +75,8 @@ struct limits_sums limits_of(int sheet, double away, double threshold)
     return sums;
 }
 
-// The largest threshold, as a power of two of the proved one, at which a ray passes a sheet, or 0.
+// The largest power of two, up to 1, for which a ray passes a sheet if the threshold is the proved
+// one times this power; 0 if there is none.
 static double largest_unsound(double away)
 {
     for (double threshold = 1.0; threshold > 1e-6; threshold *= 0.5)
@@ -87,12 +88,13 @@ static double largest_unsound(double away)
 
 int limits_print(void)
 {
-    printf("# %d rays from 4 units away to a hollow ball and a hollow box, sheets without "
-           "thickness, far from the origin\n",
-           LIMITS_CASES);
-    printf("away,spacing of floats,largest error of a distance,of the bound,proved threshold at t "
-           "= 4,passed with it,"
-           "passed with a 16th,largest threshold that fails\n");
+    printf(
+        "# %d rays from 4 units away to each of two sheets without thickness, a hollow ball and a "
+        "hollow box, far from the origin\n",
+        LIMITS_CASES);
+    printf("away,spacing of floats,largest error of a distance,error over its bound,proved "
+           "threshold at t = 4,rays that pass with it,rays that pass with a 16th of it,largest "
+           "threshold that fails\n");
     for (double away = 1.0; away < 2e5; away *= 10.0) {
         struct limits_sums ball = limits_of(0, away, 1.0), box = limits_of(1, away, 1.0);
         struct limits_sums less = limits_of(0, away, 1.0 / 16.0),

@@ -1,5 +1,5 @@
-// limits.h - a march in 32-bit floats far from the origin, against double precision:
-// docs/16_fewer_steps.md, proof 5.
+// limits.h - a march in 32-bit floats far from the origin, compared with double precision: proof 5
+// of docs/16_fewer_steps.md.
 #ifndef TESTS_LIMITS_H
 #define TESTS_LIMITS_H
 
@@ -10,16 +10,17 @@ enum { LIMITS_CASES = 4096, LIMITS_SHEETS = 2 };
 
 // The results of rays towards a sheet without thickness, a hollow ball or a hollow box.
 struct limits_sums {
-    double error;     // the largest error of a distance, over the bound that is proved
+    double error;     // the largest error of a distance, divided by the proved bound
     double absolute;  // the largest error of a distance, scene units
     double threshold; // the proved threshold at t = 4, scene units
-    int rays;         // that meet the sheet
-    int passed;       // of these, that missed it or ended behind it by more than the proved bound
+    int rays;         // rays that clearly cross the sheet
+    int passed;       // of these, rays that missed it or ended behind it by more than the proved
+                      // threshold
 };
 
 // March LIMITS_CASES rays.
-//   sheet      0 the ball, 1 the box
-//   away       coordinate of its middle, scene units
+//   sheet      0 for the ball, 1 for the box
+//   away       x coordinate of the sheet's middle, scene units
 //   threshold  in multiples of the one that is proved to be sound
 struct limits_sums limits_of(int sheet, double away, double threshold);
 

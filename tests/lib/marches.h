@@ -14,33 +14,34 @@ enum march_kind {
     MARCH_OVERSTEP,
     MARCH_CONE,
     MARCH_COARSE,
-    MARCH_KINDS,               // those that are compared
-    MARCH_TIGHT = MARCH_KINDS, // the plain march with the smallest threshold, which gives the truth
+    MARCH_KINDS,               // the number of marches that are compared
+    MARCH_TIGHT = MARCH_KINDS, // the plain march with the smallest threshold, used as the truth
 };
 
-// The value of MARCH in GLSL, and what a table calls it.
+// The values of MARCH in GLSL, and the names of the marches in a table.
 extern const char *const march_macros[MARCH_KINDS + 1];
 extern const char *const march_names[MARCH_KINDS];
 
 struct march_scene {
     const char *name;
-    const char *stem;   // of the chapter whose camera it has
-    const char *before; // GLSL in front of the marches
-    const char *source; // what is included: a chapter or an experiment
-    const char
-        *after; // GLSL behind it: coarseMargin where the chapter has none; NULL for a complete file
+    const char *stem;   // of the chapter; its camera is used, except in the last four scenes
+    const char *before; // GLSL before the marches
+    const char *source; // the included file: a chapter or an experiment
+    // GLSL after the included file: coarseMargin if the chapter has none; NULL for an experiment.
+    const char *after;
     const char *restore; // GLSL that resets what later rays have changed in the scene
     const char *setting; // NAME=VALUE, or NULL
-    bool knows_fall; // it bounds the slope along a segment, so the segment march differs from the
-                     // plain one
-    bool lipschitz;  // its distance is 1-Lipschitz, so the least number of evaluations is known
+    // True if the scene bounds the slope along a segment, so the segment march differs from the
+    // plain one.
+    bool knows_fall;
+    bool lipschitz; // the distance is 1-Lipschitz, so the least number of evaluations is known
 };
 
 enum { MARCH_SCENES = 11, MARCH_STRESS = 7 }; // the last four are those of 16_stress.frag
 extern const struct march_scene march_scenes[MARCH_SCENES];
 
-// Load a scene with a march into a renderer, and the inputs of its picture. Returns false after
-// reporting the error.
+// Load a scene with a march into a renderer. Returns false after reporting the error. march_inputs
+// returns the inputs of the scene's picture.
 bool march_load(struct renderer *renderer, const struct march_scene *scene, enum march_kind kind);
 struct renderer_inputs march_inputs(const struct march_scene *scene, int width, int height);
 
@@ -61,35 +62,36 @@ void march_free(struct march_picture *picture);
 
 struct march_costs {
     double evaluations; // per pixel, including the coarse pass
-    double lockstep;    // the mean over blocks of 8 x 8 pixels of the largest number, over the mean
-    int false_hits;     // pixels that find something where the truth is nothing
-    int false_misses;   // pixels that find nothing, or only what is more than the threshold behind
-                        // the truth
+    double lockstep;  // the largest number of evaluations in a block of 8 x 8 pixels, averaged over
+                      // the blocks and divided by the mean number of evaluations
+    int false_hits;   // pixels that find a surface although there is none in the truth
+    int false_misses; // pixels that miss a surface of the truth, or find one more than the
+                      // threshold behind it
 };
 
 struct march_costs march_costs_of(const struct march_picture *picture,
                                   const struct march_picture *truth, double threshold);
 
-// Evaluations per ray over the fewest that would be enough for the plain march, over the rays of
-// shaders/cover.glsl.
-//   fewest  from march_fewest: for each pixel the fewest, or -1
+// The evaluations of the rays that shaders/cover.glsl examines, divided by the fewest that would be
+// enough for the plain march.
+//   fewest  from march_fewest
 double march_over_bound(const struct march_picture *picture, const int *fewest);
 
-// For each pixel that shaders/cover.glsl examines, the fewest evaluations for the plain march; -1
-// elsewhere. The caller frees it.
+// The fewest evaluations that would be enough for the plain march, for each pixel that
+// shaders/cover.glsl examines; -1 for the others. The caller frees the result.
 int *march_fewest(struct renderer *renderer, const struct march_scene *scene, int width,
                   int height);
 
-// The march in double precision through scene STRESS of 16_stress.frag, 0 to 3, without coarse
-// pass.
-//   spread  of MARCH_CONE
+// A march in double precision, without a coarse pass, through scene STRESS of 16_stress.frag, 0 to
+// 3.
+//   spread  growth of the threshold along the ray, for MARCH_CONE
 struct mirror_march march_in_double(int stress, enum march_kind kind, struct mirror_ray ray,
                                     double far, double threshold, double spread);
 
-// The distance of that scene.
+// The distance of scene STRESS.
 double march_stress_distance(int stress, struct d3 p);
 
-// Print both tables of docs/benchmark.md. Returns an exit status.
+// Print both tables of docs/benchmark.md that compare the marches. Returns an exit status.
 int marches_print(void);
 
 #endif

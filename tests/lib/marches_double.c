@@ -29,7 +29,7 @@ double march_stress_distance(int stress, struct d3 p)
     return nearest;
 }
 
-// ---- The bounds of the slope: -d'(t) at the start, by differences, for one convex body ----
+// ---- The bounds of the slope: -d'(t) at the start, from differences, for one convex body ----
 
 static double box_fall(struct d3 p, struct d3 v, struct d3 half)
 {
@@ -109,7 +109,7 @@ static struct mirror_march ended(const struct walk *walk, bool found, double t)
                                                          : MIRROR_GAVE_UP};
 }
 
-// The plain march, with a threshold that may grow.
+// The plain march, with a threshold that may grow along the ray.
 static struct mirror_march plain(struct walk *walk, double spread)
 {
     double t = 0.0;
@@ -122,8 +122,9 @@ static struct mirror_march plain(struct walk *walk, double spread)
     return ended(walk, false, t);
 }
 
-// Marches that look ahead from what is covered. With slopes, the factor comes from the last two
-// distances that counted; otherwise it is omega until the first step back.
+// Marches that look ahead of the covered part of the ray. With slopes, the length of a step comes
+// from the last two distances that were used; otherwise, a step is omega times the distance, until
+// the first step back.
 static struct mirror_march ahead(struct walk *walk, bool slopes, double omega)
 {
     double covered = 0.0, t = 0.0, at = 0.0, before = 0.0;

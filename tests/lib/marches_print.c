@@ -1,4 +1,4 @@
-// The tables of docs/benchmark.md that set the marches side by side.
+// The tables of docs/benchmark.md that compare the marches.
 #include "lib/marches.h"
 
 #include <stdio.h>
@@ -9,7 +9,7 @@
 
 enum { WIDTH = 640, HEIGHT = 360, FRAMES = 5 };
 
-// What was measured in one scene.
+// The results for one scene.
 struct row {
     struct march_costs costs[MARCH_KINDS];
     double seconds[MARCH_KINDS]; // the least processor time of a frame

@@ -1,4 +1,4 @@
-// Matrices in double precision.
+// Matrices in double precision: see matrix.h.
 #include <math.h>
 
 #include "lib/matrix.h"
@@ -36,8 +36,9 @@ double m3_determinant(const struct m3 *m)
     return d3_dot(m->column[0], d3_cross(m->column[1], m->column[2]));
 }
 
-// The largest singular value: the largest eigenvalue of S = transpose(m) m, by squaring. S / tr S
-// has trace 1; its square is small where an eigenvalue is not the largest.
+// The largest singular value is the root of the largest eigenvalue of S = transpose(m) m, which is
+// found by repeated squaring. S / tr S has trace 1, and its squares lose all but the largest
+// eigenvalue.
 double m3_largest_stretch(const struct m3 *m)
 {
     double logarithm = 0.0, weight = 1.0;

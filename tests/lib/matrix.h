@@ -8,7 +8,7 @@ struct m3 {
     struct d3 column[3];
 };
 
-// m v, and the transposed matrix times v.
+// m times v, and the transpose of m times v.
 struct d3 m3_apply(const struct m3 *m, struct d3 v);
 struct d3 m3_apply_transposed(const struct m3 *m, struct d3 v);
 
@@ -17,10 +17,10 @@ double m3_determinant(const struct m3 *m);
 // The largest factor by which m stretches a vector: its largest singular value.
 double m3_largest_stretch(const struct m3 *m);
 
-// v turned about an axis of length 1 by an angle in radians, by Rodrigues' formula.
+// v turned about an axis of length 1 by an angle in radians, using Rodrigues' formula.
 struct d3 m3_turned(struct d3 axis, double angle, struct d3 v);
 
-// The rotation about x by a, then about y by b, then about z by c, radians.
+// The rotation about x by a, then about y by b, then about z by c, in radians.
 struct m3 m3_rotation(double a, double b, double c);
 
 #endif

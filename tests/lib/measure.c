@@ -13,7 +13,8 @@ static float ball_at_ten(const float p[3])
     return sqrtf(p[0] * p[0] + p[1] * p[1] + z * z) - 1.0f;
 }
 
-// Compare central and forward differences at one point with the direction from the centre.
+// Compare central and forward differences at one point with the direction from the centre, and keep
+// the largest errors.
 static void compare_differences(const float p[3], float h, struct normal_error *worst)
 {
     float central[3], forward[3];
@@ -42,11 +43,12 @@ struct normal_error measure_normal(double h)
         compare_differences(p, (float)h, &worst);
     }
     // For the distance |p|, the third derivative along an axis is -3 n (1 - n^2) and the second is
-    // 1 - n^2. Only the components of these vectors perpendicular to n count: at worst 0.2805 and
-    // sqrt(2).
+    // 1 - n^2. Only the components of these vectors perpendicular to n count: at worst 3 x 0.2805
+    // and sqrt(2).
     worst.central_truncation = 0.2805 * h * h / 2.0 * degrees;
     worst.forward_truncation = sqrt(2.0) * h / 2.0 * degrees;
-    // z is rounded by up to 2^-21; the length three times by up to 2^-24, for each of two values.
+    // In each of the two values, z is rounded by up to 2^-21, and the length three times by up to
+    // 2^-24.
     worst.rounding = (8.0 + 2.0 * sqrt(3.0)) * MIRROR_FLOAT_ROUNDING / h * degrees;
     return worst;
 }
@@ -103,7 +105,7 @@ double measure_foot(double radius, double threshold)
     const int rays = 20000;
     double worst = 0.0;
     for (int i = 0; i < rays; i++) {
-        // Half of them are close to the silhouette.
+        // Half of the rays are close to the silhouette.
         double inside = i % 2 == 0 ? (i + 0.5) / rays : threshold * (i + 0.5) / rays;
         double aside = radius * (1.0 - inside), x = -5.0, distance;
         while ((distance = hypot(x, aside) - radius) >= threshold)
@@ -140,8 +142,8 @@ double measure_outline_theory(double threshold)
 
 // ---- Acne ----
 
-// Count the lit pixels of the stage whose neighbours are also lit, and those of them that the
-// picture shows with less than 0.7 of their light.
+// Count the lit pixels of the stage whose neighbours are also lit, and the pixels among them that
+// the picture shows with less than 0.7 of their light.
 static void count_acne(const struct camera *camera, const float *values, int *lit, int *dark)
 {
     struct mirror_eye eye = {.camera = *camera};
@@ -171,7 +173,7 @@ double measure_acne(double offset)
     return (double)dark / lit;
 }
 
-// Draw tests/shaders/shadows.frag; the caller frees it.
+// Draw tests/shaders/shadows.frag. The caller frees the numbers.
 static float *shadow_shares(const struct camera *camera, int formula)
 {
     struct renderer_inputs inputs = {.width = 160, .height = 90, .samples = 1, .camera = *camera};
@@ -181,7 +183,8 @@ static float *shadow_shares(const struct camera *camera, int formula)
 
 // Add up the errors over the pixels that do not see all of the sun, which are the same for every
 // formula.
-//   quick, truth  the red channel and the blue channel
+//   quick  a picture whose red channel is the share that one formula gives
+//   truth  a picture whose blue channel is the true share
 static void add_up(const float *quick, const float *truth, struct shadow_error *error)
 {
     int pixels = 0;

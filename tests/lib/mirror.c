@@ -59,7 +59,7 @@ double brute_box(struct d3 p, struct d3 half_size)
 }
 
 // The distance from a point inside the frame, folded into x, y, z >= 0, to the frame's surface.
-//   inner  inner end of the beams: half size - 2 beam
+//   inner  position of the beams' inner faces: half size - 2 beam
 static double frame_depth(struct d3 p, struct d3 half_size, struct d3 inner)
 {
     double x = fmax(p.x - inner.x, 0.0), y = fmax(p.y - inner.y, 0.0), z = fmax(p.z - inner.z, 0.0);
@@ -212,7 +212,8 @@ bool mirror_ball_crossing(struct mirror_ray ray, double radius, double t[2])
     return true;
 }
 
-// Find where a ray crosses the plane of a face of the box. If that point is on the face, widen t.
+// Find where a ray crosses the plane of a face of the box. If that point is on the face, widen the
+// interval t to include it.
 //   ray   origin, then direction
 //   face  0 to 2: at low x, y, z; 3 to 5: at high x, y, z
 static void cross_face(const double ray[6], const double low[3], const double high[3], int face,

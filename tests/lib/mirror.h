@@ -1,5 +1,5 @@
 // mirror.h - the shaders' mathematics in double precision: the truth against which the tests check
-// the GPU, and a brute force that shares no formula with either.
+// the GPU, and brute-force methods that share no formula with the shaders or with this truth.
 #ifndef TESTS_MIRROR_H
 #define TESTS_MIRROR_H
 
@@ -87,13 +87,15 @@ double mirror_plane(struct d3 p, struct d3 normal, double height);
 double mirror_box(struct d3 p, struct d3 half_size);
 double mirror_box_frame(struct d3 p, struct d3 half_size, double beam);
 
-// The same volumes computed differently: distances to the closest point, outside and inside.
+// The distances to the same solids from another method: they are measured to the closest point of
+// the surface, from outside and inside.
 double brute_box(struct d3 p, struct d3 half_size);
-// Outside: the closest point of each of the twelve beams. Inside: the true depth, from the points
-// outside the frame, which are beyond an outer face or inner in at least two coordinates.
+// Outside, the distance to the closest of the twelve beams. Inside, the true depth: the distance to
+// the closest point outside the frame, which is beyond an outer face or has at least two
+// coordinates that are further in than the beams.
 double brute_box_frame(struct d3 p, struct d3 half_size, double beam);
-// The union of two balls of equal radius with centres (-shift, 0, 0) and (shift, 0, 0), shift <
-// radius.
+// The union of two balls of equal radius with centres (-shift, 0, 0) and (shift, 0, 0), where
+// shift < radius.
 double brute_two_balls(struct d3 p, double shift, double radius);
 
 // ---- scenes ----
@@ -113,7 +115,8 @@ struct mirror_part {
 struct mirror_scene {
     const struct mirror_part *part;
     int count;
-    // Instead of the parts: the distance at p; nearest receives a number of the caller's choice.
+    // The distance at p, used instead of the parts unless it is NULL; nearest receives an index
+    // whose meaning the function defines.
     double (*function)(struct d3 p, int *nearest);
 };
 
@@ -123,16 +126,17 @@ struct mirror_ball {
     double radius;    // scene units, > 0
 };
 
-// Whether a ray in this direction meets the ball.
+// True if a ray from the viewpoint in this direction meets the ball.
 //   direction  of length 1
 //   data       a struct mirror_ball
 bool mirror_ball_blocks(struct d3 direction, const void *data);
 
 // The distance to a scene.
-//   nearest  receives the number of the nearest part; may be NULL
+//   nearest  receives the index of the nearest part; may be NULL
 double mirror_distance(const struct mirror_scene *scene, struct d3 p, int *nearest);
 
-// The unit normal: the gradient of mirror_distance by central differences in double.
+// The unit normal: the direction of the gradient of mirror_distance, from central differences in
+// double precision.
 struct d3 mirror_normal(const struct mirror_scene *scene, struct d3 p);
 
 // ---- rays ----
@@ -155,7 +159,7 @@ struct mirror_march {
     enum mirror_end end;
 };
 
-// shaders/march.glsl in double.
+// The march of shaders/march.glsl in double precision.
 struct mirror_march mirror_march(const struct mirror_scene *scene, struct mirror_ray ray,
                                  double t_min, double t_max, double threshold, int max_steps);
 
@@ -164,12 +168,12 @@ struct mirror_march mirror_march(const struct mirror_scene *scene, struct mirror
 struct mirror_march mirror_reach(const struct mirror_scene *scene, struct mirror_ray ray,
                                  double t_min, double t_max);
 
-// The ray through a position on the screen, by the formulas of common/camera.h and
+// The ray through a position on the screen, using the formulas of common/camera.h and
 // shaders/camera.glsl.
 struct mirror_ray mirror_screen_ray(const struct camera *camera, double focal_length, double x,
                                     double y);
 
-// The screen's coordinates of a position in the picture, which is in pixels: y runs from -1 to 1.
+// Convert a position in the picture, in pixels, to the screen's coordinates: y runs from -1 to 1.
 static inline double mirror_screen_x(double x, int width, int height)
 {
     return (2.0 * x - width) / height;
@@ -180,12 +184,12 @@ static inline double mirror_screen_y(double y, int height)
     return (2.0 * y - height) / height;
 }
 
-// Where a ray crosses a ball around the origin: t[0] <= t[1], of either sign. Returns false if it
-// misses the ball.
+// Find where a ray crosses a ball around the origin: t[0] <= t[1], of either sign. Returns false if
+// the ray misses the ball.
 bool mirror_ball_crossing(struct mirror_ray ray, double radius, double t[2]);
 
-// Where a ray enters and leaves a box, from its crossings with the six faces; t[0] is 0 from
-// inside. Returns false if there is no crossing at t >= 0.
+// Find where a ray enters and leaves a box, from its crossings with the six faces; t[0] is 0 if the
+// ray starts inside. Returns false if there is no crossing at t >= 0.
 bool brute_box_interval(struct mirror_ray ray, struct d3 low, struct d3 high, double t[2]);
 
 // ---- shaders/lighting.glsl ----
@@ -193,7 +197,7 @@ bool brute_box_interval(struct mirror_ray ray, struct d3 low, struct d3 high, do
 double mirror_lambert(struct d3 normal, struct d3 to_light);
 double mirror_fall_off(double distance, double reference);
 double mirror_encode(double light); // one channel of encodeSRGB
-double mirror_decode(double v);     // its inverse
+double mirror_decode(double v);     // the inverse of mirror_encode
 double mirror_smoothstep(double low, double high, double x);
 double mirror_clamp(double x);
 
@@ -201,8 +205,8 @@ double mirror_clamp(double x);
 
 enum mirror_vision { VISION_FULL, VISION_PROTAN, VISION_DEUTAN };
 
-// The lightness L of OKLab of a colour as the screen expects it, seen by an eye that lacks the long
-// (protan) or the medium (deutan) cones.
+// The OKLab lightness L of a colour, encoded as the screen expects it, as seen by an eye with all
+// its cones, without the long cones (protan) or without the medium cones (deutan).
 // Sources: B. Ottosson, 'A perceptual color space for image processing' (2020); G. M. Machado, M.
 // M. Oliveira, L. A. F. Fernandes, 'A physiologically-based model for simulation of color vision
 // deficiency', IEEE TVCG 15 (2009), severity 1.
@@ -214,15 +218,15 @@ double mirror_lightness(struct d3 colour, enum mirror_vision vision);
 struct mirror_eye {
     struct camera camera;
     double time; // seconds
-    double x, y; // the screen's position
+    double x, y; // position on the screen
 };
 
-// What one pixel sees, in double.
+// What is seen in one pixel, in double precision.
 struct mirror_sample {
     struct d3 colour; // as the screen expects it, in [0, 1]
-    const char *what; // the part that is visible; "sky"
+    const char *what; // the name of the visible part, or "sky"
     bool faces;       // the surface faces the (warm) light
-    bool shadowed;    // and an object is in between
+    bool shadowed;    // the surface faces the light, but an object is in between
 };
 
 // The colour of a pixel of chapter 03, to the limit of double precision.
@@ -233,8 +237,8 @@ extern const struct mirror_scene mirror_scene_02;
 #define MIRROR_FOCAL_LENGTH 2.0
 #define MIRROR_FAR          40.0
 
-// The starting camera of a chapter, read from chapters/STEM.c below root. Returns false if there is
-// no such file.
+// Read the starting camera of a chapter from chapters/STEM.c below root. Returns false if there is
+// no such file, or no camera in it.
 bool mirror_camera(const char *root, const char *stem, struct camera *camera);
 
 #endif

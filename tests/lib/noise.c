@@ -1,4 +1,4 @@
-// noise.c - shaders/noise.glsl in double precision, from the definitions in its headers.
+// noise.c - shaders/noise.glsl in double precision, written from the definitions in its comments.
 #include "lib/noise.h"
 
 double noise_fade(double x)
@@ -20,7 +20,7 @@ uint32_t noise_bits(int32_t x, int32_t y, int32_t z)
 }
 
 // The shares of the low and the high side along each axis, and their slopes, from which the weights
-// of the eight corners are made.
+// of the eight corners are computed.
 struct sides {
     double share[3][2], slope[3][2];
 };

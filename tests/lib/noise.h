@@ -16,21 +16,22 @@ struct noise {
 double noise_fade(double x);
 double noise_slope(double x);
 
-// The bits of a lattice point.
+// The random bits of a lattice point.
 uint32_t noise_bits(int32_t x, int32_t y, int32_t z);
 
-// Interpolate between eight numbers: corner k is at 1 in x if k & 1, in y if k & 2, in z if k & 4.
-// The sum of weight times number, as the header defines it.
+// Interpolate between eight numbers at the corners of a unit cube: the result is the sum of weight
+// times number. Corner k is at x = 1 if k & 1, at y = 1 if k & 2, and at z = 1 if k & 4.
 struct noise noise_blend(struct d3 x, const double number[8]);
 
-// Interpolate between eight slopes at the corners.
+// Interpolate between eight linear functions, which are 0 at the corners and have these gradients.
 struct noise noise_slopes(struct d3 x, const struct d3 direction[8]);
 
 struct noise noise_value(struct d3 p);
 struct noise noise_gradient(struct d3 p);
 struct noise noise_octaves(struct d3 p, int count, double gain, double lacunarity);
 
-// The sum of ratio^i, count terms; the constant of noise_octaves.
+// The sum of ratio^i over count terms, from i = 0; and the Lipschitz constant of noise_octaves, as
+// octaveStretch of shaders/noise.glsl computes it.
 double noise_sum(double ratio, int count);
 double noise_octave_stretch(int count, double gain, double lacunarity);
 

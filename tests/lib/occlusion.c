@@ -20,7 +20,7 @@ double occlusion_share(occlusion_blocked blocked, const void *data, struct d3 no
     shadow_axes(normal, &right, &up);
     for (int i = 0; i < n * n; i++) {
         double a = (2.0 * (i % n) + 1.0) / n - 1.0, b = (2.0 * (i / n) + 1.0) / n - 1.0;
-        // Turned, so that no edge of a scene is parallel to a row of points.
+        // The points are rotated, so that no edge of a scene is parallel to a row of them.
         double x = a * cos(1.0) - b * sin(1.0), y = a * sin(1.0) + b * cos(1.0);
         double square = 1.0 - x * x - y * y;
         if (square < 0.0)
@@ -52,8 +52,10 @@ double occlusion_distance(const struct occlusion_case *scene, double y)
     return fmin(thing, y);
 }
 
-// Does a ray that starts at this distance from an upright wall, and approaches it at this rate,
-// meet it?
+// Does a ray meet an upright wall whose foot is at the height of the ray's origin?
+//   away  horizontal distance from the ray's origin to the wall
+//   rate  at which the ray approaches the wall
+//   rise  of the ray
 static bool meets_wall(double away, double rate, double rise, double height)
 {
     return rate > 0.0 && away * rise < height * rate;
@@ -70,7 +72,7 @@ static bool thing_blocks(struct d3 w, const void *data)
         return meets_wall(GROOVE + x, -w.x, w.y, size) || meets_wall(GROOVE - x, w.x, w.y, size);
     case OCCLUSION_SHAFT:
         return meets_wall(x, hypot(w.x, w.z), w.y, size);
-    case OCCLUSION_BAR: { // in the plane perpendicular to the bar
+    case OCCLUSION_BAR: { // computed in the plane perpendicular to the bar
         double along = (-x * w.x + size * w.y) / hypot(w.x, w.y);
         return along > 0.0 && x * x + size * size - along * along < BAR * BAR;
     }
@@ -88,7 +90,7 @@ double occlusion_brute(const struct occlusion_case *scene, int n)
     return occlusion_share(thing_blocks, scene, d3(0.0, 1.0, 0.0), n);
 }
 
-// Half of the sky, and the part of the other half that is above the wall.
+// The openness in front of a wall: half of the sky, and the part of the other half above the wall.
 static double before_wall(double away, double height)
 {
     return 0.5 * (1.0 + cos(atan2(height, away)));
@@ -182,7 +184,7 @@ static void print_row(const char *scene, const char *formula, const struct occlu
 
 static void print_case(const char *words, struct occlusion_case scene)
 {
-    printf("# %s: seen %.4f, by counting %.4f; taps", words, occlusion_truth(&scene),
+    printf("# %s: visible %.4f, by counting %.4f; taps", words, occlusion_truth(&scene),
            occlusion_brute(&scene, 2000));
     for (int k = 0; k < TAPS; k++) {
         double height = 1.0 / pow(2.0, TAPS - 1 - k);
@@ -200,7 +202,7 @@ int occlusion_print(void)
     print_case("0.1 from a wall 4 high", (struct occlusion_case){OCCLUSION_WALL, 4.0, 0.1});
     print_case("in a shaft 0.1 wide, 4 deep", (struct occlusion_case){OCCLUSION_SHAFT, 4.0, 0.1});
     printf("# visible share of the sky: formula minus truth\n");
-    printf("scene,formula,mean,mean of its size,worst\n");
+    printf("scene,formula,mean,mean absolute value,worst\n");
     for (int thing = 0; thing <= OCCLUSION_BALL; thing++)
         for (int i = 0; i < 3; i++) {
             struct occlusion_error error = occlusion_error_of((enum occlusion_thing)thing, 0.5 * i);

@@ -8,8 +8,8 @@
 // Is there an object in a direction?
 typedef bool (*occlusion_blocked)(struct d3 direction, const void *data);
 
-// The openness: the share of the points of a disc perpendicular to the normal, n x n in the square
-// around it, above which there is no object.
+// The openness: of those points of an n x n grid that lie in a unit disc perpendicular to the
+// normal, the share above which there is no object.
 //   normal  length 1
 double occlusion_share(occlusion_blocked blocked, const void *data, struct d3 normal, int n);
 
@@ -29,33 +29,37 @@ extern const char *const occlusion_thing_names[OCCLUSION_THINGS];
 
 struct occlusion_case {
     enum occlusion_thing thing;
-    double size; // height of the walls, of the bar's axis; radius of the ball; scene units
-    double x;    // of the floor's point; for the shaft, its radius
+    double size; // height of the walls or of the bar's axis, or radius of the ball, scene units
+    double x;    // coordinate of the floor's point; for the shaft, its radius
 };
 
-// The distance of floor and object from (x, y, 0), or for the shaft from (0, y, 0), exact outside.
+// The distance from (x, y, 0), or for the shaft from (0, y, 0), to the floor and the object; exact
+// outside them.
 double occlusion_distance(const struct occlusion_case *scene, double y);
 
-// The openness of the floor's point, by brute force with n x n points, and in closed form.
+// The openness at the floor's point, by brute force with n x n points, and in closed form.
 double occlusion_brute(const struct occlusion_case *scene, int n);
 double occlusion_truth(const struct occlusion_case *scene);
 
-// The same from five taps.
+// The openness from five taps.
 double occlusion_taps(const struct occlusion_case *scene, double reach, double strength);
 
 // ---- The table of errors ----
 
 struct occlusion_error {
-    double mean, mean_size, worst; // formula minus truth; its absolute value; the largest of these
+    // The mean of formula minus truth, the mean of its absolute value, and the largest absolute
+    // value.
+    double mean, mean_size, worst;
 };
 
 // The error over the fields of the experiment 14_map, with a reach of 1.
-//   strength  at 0 nothing hides the sky
+//   strength  0 means that nothing hides the sky
 struct occlusion_error occlusion_error_of(enum occlusion_thing thing, double strength);
 
 // The error over the pixels of chapter 14's picture that do not show the sky, drawn at 160x90 by
 // tests/shaders/openness.frag.
-//   formula  as there. It needs the context of gpu.h.
+//   formula  as in that shader
+// Needs the context of gpu.h.
 struct occlusion_error occlusion_scene_error(int formula);
 
 // Print the tables that docs/14_occlusion.md quotes. Returns an exit status.

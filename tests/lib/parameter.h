@@ -1,11 +1,11 @@
-// parameter.h - for the tests of annotated uniforms: texts instead of files, and what is reported
-// about them.
+// parameter.h - for the tests of annotated uniforms: reads texts instead of files, and checks what
+// is reported about them.
 #ifndef TESTS_PARAMETER_H
 #define TESTS_PARAMETER_H
 
 #include "shader/parameter.h"
 
-// A text as the file my.frag, at most 64 lines; valid until the next call.
+// A source with this text, of at most 64 lines, as the file my.frag; valid until the next call.
 struct shader_source parameter_source(const char *text, enum shader_dialect dialect);
 
 // The parameters of a text in the course's dialect; fails the test if anything is reported. Free

@@ -119,7 +119,7 @@ double part_tree_distance(const struct part_scene *scene, const double p[3], dou
 
 // ---- The march ----
 
-// How far a ray may advance inside a cell, plus a little.
+// How far a ray may advance before it leaves a cell, plus a little.
 static double exit_of(const struct part_grid *grid, const double p[3], const double direction[3])
 {
     double leave = 1e9;
@@ -146,7 +146,7 @@ static double grid_step(const struct part_scene *scene, const struct part_ray *r
     return fmin(d, leave);
 }
 
-// The interval inside the grid.
+// Find the interval of a ray inside the grid.
 static void clip(const struct part_grid *grid, const struct part_ray *ray, double interval[2])
 {
     interval[0] = 0.0;
@@ -166,7 +166,7 @@ struct part_result part_march(const struct part_scene *scene, enum part_means me
     struct part_result result = {0};
     double interval[2], hint = 1e9;
     clip(&scene->grid, ray, interval);
-    if (ray->direction[1] < 0.0) // the sand
+    if (ray->direction[1] < 0.0) // the ray ends at the sand
         interval[1] = fmin(interval[1], -ray->origin[1] / ray->direction[1]);
     for (result.t = interval[0];
          !result.found && result.t < interval[1] && result.steps < MOST_STEPS; result.steps++) {
@@ -180,7 +180,7 @@ struct part_result part_march(const struct part_scene *scene, enum part_means me
             result.asked += scene->count;
         } else
             d = part_tree_distance(scene, p, means == PARTS_BOUNDED ? hint : 1e9, &result.asked);
-        hint = 2.0 * fmax(d, 0.0); // the distance after a step of d
+        hint = 2.0 * fmax(d, 0.0); // an upper bound on the distance after a step of d
         result.found |= means != PARTS_GRID && d < THRESHOLD;
         result.t += result.found ? 0.0 : d;
     }

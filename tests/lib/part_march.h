@@ -10,9 +10,9 @@ enum { PARTS_WIDE = 24, PARTS_HIGH = 14, PART_RAYS = PARTS_WIDE * PARTS_HIGH };
 // The methods that find the parts that matter.
 enum part_means {
     PARTS_FLAT,    // every part is evaluated
-    PARTS_TREE,    // a tree of boxes; a box is skipped where its parts cannot change the value
-    PARTS_BOUNDED, // the same, and the last step gives an upper bound of the value
-    PARTS_GRID,    // the list of the cell, steps end at its exit
+    PARTS_TREE,    // a tree of boxes; a box is skipped if its parts cannot change the value
+    PARTS_BOUNDED, // like PARTS_TREE, with an upper bound on the value from the last step
+    PARTS_GRID,    // the list of the ray's current cell; a step ends where it leaves the cell
     PARTS_MEANS
 };
 
@@ -39,13 +39,13 @@ double part_heap_blend(int count);
 void part_heap(int count, struct part *part);
 
 // A scene of count parts with its tree and grid, from reef_build or part_heap. Returns NULL if
-// memory is short. Free with part_scene_free.
+// there is not enough memory. Free with part_scene_free.
 struct part_scene *part_scene_build(void (*build)(int count, struct part *part), int count,
                                     double blend);
 void part_scene_free(struct part_scene *scene);
 
 // The distance, found with the tree.
-//   hint   an upper bound of the distance, or 1e9
+//   hint   an upper bound on the distance; 1e9 if none is known
 //   asked  increased by the number of parts that were evaluated
 double part_tree_distance(const struct part_scene *scene, const double p[3], double hint,
                           long *asked);
@@ -63,7 +63,7 @@ struct part_result {
 struct part_result part_march(const struct part_scene *scene, enum part_means means,
                               const struct part_ray *ray);
 
-// A ray of a picture of the heap, from the pixel at x, y in [0, 1].
+// The ray of a picture of the heap through the position x, y, each in [0, 1].
 struct part_ray part_heap_ray(double x, double y);
 
 // The mean number of parts that are evaluated for a ray of that picture, over PART_RAYS rays.

@@ -1,4 +1,4 @@
-// png.h - for tests: PNGs of every kind, in the scratch folder, and their contents.
+// png.h - for tests: writes PNGs of every kind to the scratch folder, and gives their contents.
 #ifndef TESTS_PNG_H
 #define TESTS_PNG_H
 
@@ -8,19 +8,20 @@
 #include <png.h>
 
 struct png_kind {
-    int type, depth; // as libpng has them
+    int type, depth; // as in libpng
     bool interlaced, transparent;
-    double gamma; // that the file declares, or 0
+    double gamma; // the gamma that the file declares; 0 for none
 };
 
 // The number of samples of a pixel.
 int png_channels(int type);
 
-// Write samples, one after the other, row 0 at the top. Returns the path, like scratch_path.
+// Write a PNG of these samples, row 0 at the top. Returns its path, like scratch_path.
 const char *png_file(const char *name, const struct png_kind *kind, int width, int height,
                      const uint16_t *sample);
 
-// Write random RGBA of 8 bits. Returns the path; texel, if not NULL, receives the bytes.
+// Write a PNG of random RGBA with 8 bits per channel. Returns its path; texel receives the bytes,
+// unless it is NULL.
 const char *png_file_random(const char *name, int width, int height, unsigned char *texel);
 
 // The bytes of a pixel with these samples: red, green, blue and alpha, each rounded.

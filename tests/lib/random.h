@@ -4,8 +4,8 @@
 
 #include "lib/mirror.h"
 
-// The value of pixelRandom(dimension) in a pixel of the picture, 0,0 bottom left, for one of its
-// samples.
+// The value of pixelRandom(dimension) for one sample of a pixel of the picture; 0,0 is at the
+// bottom left.
 double random_of(int x, int y, int sample, int dimension);
 
 // Uniformly distributed: a number in a range; a point whose coordinates are all in the range; a

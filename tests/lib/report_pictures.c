@@ -55,11 +55,11 @@ struct renderer_inputs report_inputs(const struct report_scene *scene, int width
         .width = width, .height = height, .camera = scene->camera, .samples = 1};
 }
 
-// One candidate: the unit, or a variant of a scene.
+// A picture to be timed: the unit, or a variant of a scene.
 struct runner {
     struct renderer renderer;
     struct renderer_inputs inputs;
-    double least;       // seconds of process CPU time
+    double least;       // the fastest frame, seconds of process CPU time
     double evaluations; // per pixel, on average
 };
 
@@ -123,9 +123,8 @@ static bool print_scene(const struct report_scene *scene)
 
 int report_print(void)
 {
-    printf("# frame at 640x360 over that of tests/pictures/reference_scene.frag, process CPU time, "
-           "the least "
-           "of %d; the engine's as it was measured once\n",
+    printf("# time of a frame at 640x360 divided by that of tests/pictures/reference_scene.frag: "
+           "process CPU time, the least of %d frames; the engine's time was measured once\n",
            FRAMES);
     printf("picture,means,units,evaluations,engine,times faster\n");
     for (int i = 0; i < REPORT_SCENES; i++)

@@ -1,5 +1,6 @@
 // report_pictures.h - three pictures of the report, redrawn by the experiments 16_report_*.frag:
-// build/tests/measure times them, and test_report checks them against the figures.
+// build/tests/measure times them, and tests/pictures/report_pictures.c checks them against the
+// figures.
 #ifndef TESTS_REPORT_PICTURES_H
 #define TESTS_REPORT_PICTURES_H
 
@@ -17,7 +18,7 @@ struct report_scene {
     const char *name, *shader;
     struct camera camera;
     const char *setting[REPORT_SETTINGS]; // NAME=VALUE or NULL
-    double engine;                        // time of the report's engine for the figure, units
+    double engine;                        // time of the report's engine for the figure, in units
     struct report_variant
         variant[REPORT_VARIANTS]; // the first is the picture itself; the last name is NULL
 };
@@ -31,12 +32,12 @@ extern const struct report_scene report_scenes[REPORT_SCENES];
 bool report_load(struct renderer *renderer, const struct report_scene *scene,
                  const struct report_variant *variant);
 
-// Its picture from the viewpoint of the figure, one sample.
+// The inputs of a scene's picture from the viewpoint of the figure, with one sample per pixel.
 struct renderer_inputs report_inputs(const struct report_scene *scene, int width, int height);
 
-// Print what each costs at 640x360, in units of tests/pictures/reference_scene.frag, next to the
-// engine's cost: process CPU time, the shortest of several frames, with all shaders of a scene and
-// the unit in turn. Returns an exit status.
+// Print the cost of each variant at 640x360, in units of tests/pictures/reference_scene.frag, next
+// to the engine's cost. A cost is the process CPU time of the fastest of several frames, where all
+// variants of a scene and the unit are drawn in turn. Returns an exit status.
 int report_print(void);
 
 #endif

@@ -4,16 +4,16 @@
 
 #include <stddef.h>
 
-// Make the folder; its path is resolved. scratch_remove deletes it with everything in it. Each
-// function here ends the test program if the machine refuses.
+// Make the folder, and return its resolved path. scratch_remove deletes the folder with everything
+// in it. Each function of this header ends the test program if the system reports an error.
 const char *scratch_make(void);
 void scratch_remove(void);
 
-// The same as cmocka's setup and teardown, for a group or a test.
+// scratch_make and scratch_remove as cmocka's setup and teardown, for a group or a test.
 int scratch_setup(void **unused);
 int scratch_teardown(void **unused);
 
-// The path of a name in the folder; valid until the eighth call after it.
+// The path of a name in the folder; valid until the eighth call after this one.
 const char *scratch_path(const char *name);
 
 // Write a file in the folder, and create the folders on its path. Returns its path, like
@@ -26,7 +26,7 @@ const char *scratch_write_bytes(const char *name, const void *bytes, size_t size
 void capture_begin(void);
 const char *capture_end(void);
 
-// The number of lines of a text; a last line without a line end counts.
+// The number of lines of a text; a last line without a line break counts.
 int line_count(const char *text);
 
 #endif

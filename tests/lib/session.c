@@ -13,10 +13,10 @@ enum { ARGUMENTS = 32, KEPT = 4 };
 
 static struct {
     struct chapter chapter;
-    struct run *run; // NULL while none is open
+    struct run *run; // NULL if no program is open
     char line[4096], *argument[ARGUMENTS + 1];
     struct said {
-        FILE *file;   // its output, or its reports; NULL while none is open
+        FILE *file;   // collects the program's output or its reports; NULL if it is not collected
         long fetched; // bytes of the file that session_said has returned
         int stream;   // a copy of the descriptor that the file replaces
     } said[2];
@@ -57,7 +57,7 @@ const char *session_said(int stream)
     return session.text;
 }
 
-// Fail with a message, which must not be captured.
+// Fail the test with a message. Capturing is ended first, so that the message appears.
 static void give_up(const char *format, ...) __attribute__((format(printf, 1, 2)));
 static void give_up(const char *format, ...)
 {
@@ -87,7 +87,7 @@ int session_teardown(void **unused)
         chapter_close(session.run);
     session.run = NULL;
     if (session.said[0].file != NULL) {
-        session_said(2); // of a test that has also failed
+        session_said(2); // the reports of a test that has failed
         hush();
         fputs(session.text, stderr);
     }
@@ -196,7 +196,7 @@ void session_assert_title(const char *text)
 
 // ---- What is shown ----
 
-// Fails the test unless a picture is what a chapter writes; frees it.
+// Fails the test unless a picture is the one that a chapter writes. Frees the picture.
 static void assert_written(const char *stem, const char *options, struct image *image)
 {
     char line[4096], said[4096];
@@ -210,7 +210,8 @@ static void assert_written(const char *stem, const char *options, struct image *
     image_free(&wanted);
     image_free(image);
     if (!compared || difference.f2 > 0.0)
-        give_up("not %s %s: %g of the pixels differ", stem, options, difference.f2);
+        give_up("not the picture of %s %s: a share of %g of the pixels differs", stem, options,
+                difference.f2);
 }
 
 void session_assert_shown(const char *stem, const char *options, ...)

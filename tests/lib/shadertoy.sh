@@ -1,7 +1,7 @@
 # shellcheck shell=bash
-# shadertoy.sh - whether an exported file is right, for suites that source it after tap.sh.
+# shadertoy.sh - checks that an exported file is valid, for suites that source this file after tap.sh.
 
-# The text that Shadertoy puts around a shader, as far as it matters.
+# Print a file with the relevant part of the text that Shadertoy puts around a shader.
 wrap() { # FILE
     cat <<'GLSL'
 #version 300 es
@@ -23,14 +23,14 @@ GLSL
     printf 'void main() { vec4 c = vec4(0.0, 0.0, 0.0, 1.0); mainImage(c, gl_FragCoord.xy); outColor = vec4(c.rgb, 1.0); }\n'
 }
 
-# valid FILE: an exported file passes the validator as Shadertoy's, if there is one.
+# valid FILE: true if the validator accepts an exported file as a shader of Shadertoy, or if there is no validator.
 valid() {
     local status
     wrap "$1" >"${scratch:?}/wrapped.frag"
     command -v glslangValidator >/dev/null || return 0
     glslangValidator -S frag "${scratch:?}/wrapped.frag" >"$scratch/log" && return
     status=$?
-    echo "# the validator ends with $status, for $(wc -c <"$1") bytes"
+    echo "# the validator exits with status $status, for a file of $(wc -c <"$1") bytes"
     grep ERROR "$scratch/log" | sed 's/^/# /'
     return 1
 }

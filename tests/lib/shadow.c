@@ -37,10 +37,10 @@ double shadow_share(shadow_blocked blocked, const void *data, struct d3 to_light
     return (double)seen / (double)all;
 }
 
-// ---- The table of errors: u along the floor, v in the other direction perpendicular to the ray, t
-// along it ----
+// ---- The table of errors ----
 
-// Half the angle of a round object, and the angle of its centre from the ray.
+// Find the radius of a round object, half the angle at which it is seen from the point, and the
+// angle of its centre from the ray.
 static void round_thing(const struct shadow_case *scene, double *radius, double *half,
                         double *angle)
 {
@@ -49,12 +49,13 @@ static void round_thing(const struct shadow_case *scene, double *radius, double 
     *angle = *half + atan(scene->clear * SPREAD);
 }
 
-// The obstacle's distance from a point u = v = 0 of the ray.
+// The obstacle's distance from the point of the ray at t.
 static double obstacle_distance(const struct shadow_case *scene, double t)
 {
     if (scene->obstacle == SHADOW_SHEET) {
-        // The obstacle is everything at the distance or farther on one side of a plane through the
-        // point and the edge. It is a wall and not a sheet, so that it has an inside.
+        // The obstacle is everything that is at least as far away as the distance and on one side
+        // of a plane through the point and the edge. It is a wall and not a sheet, so that it has
+        // an inside.
         double edge = scene->clear * SPREAD * scene->distance;
         double ahead = scene->distance - t;
         double length = sqrt(1.0 + scene->clear * SPREAD * scene->clear * SPREAD);
@@ -81,7 +82,7 @@ double shadow_clearance(const struct shadow_case *scene)
     return scene->clear * SPREAD;
 }
 
-// The share of a disc on one side of a line, from its chords.
+// The share of a disc on one side of a line, summed over chords of the disc.
 static double beside(double clear)
 {
     enum { CHORDS = 500 };
@@ -134,7 +135,7 @@ void shadow_march(const struct shadow_case *scene, double *most, double *least)
     }
 }
 
-// coneReaching of shaders/cone.glsl.
+// coneReaching of shaders/cone.glsl in double precision.
 static double cone_reaching(const struct shadow_case *scene)
 {
     double t = 0.0, smallest = 1.0;
@@ -146,7 +147,7 @@ static double cone_reaching(const struct shadow_case *scene)
     return fmax((smallest - 0.2) / 0.8, 0.0);
 }
 
-// The march that continues inside, with steps of a twentieth of the length.
+// The march that continues inside, with steps of at least 0.01 plus a fiftieth of the length.
 static double on_inside(const struct shadow_case *scene)
 {
     double t = 0.0, smallest = 1.0;

@@ -8,8 +8,8 @@
 // Is there an object in a direction?
 typedef bool (*shadow_blocked)(struct d3 direction, const void *data);
 
-// The visible share of a lamp's disc: of those points of a square grid of n x n that lie on the
-// disc, the share that nothing hides.
+// The visible share of a lamp's disc: of those points of an n x n grid that lie on the disc, the
+// share that nothing hides.
 //   to_light  length 1
 //   spread    radius of the disc, one unit away
 double shadow_share(shadow_blocked blocked, const void *data, struct d3 to_light, double spread,
@@ -20,7 +20,7 @@ void shadow_axes(struct d3 to_light, struct d3 *right, struct d3 *up);
 
 // ---- The table of errors ----
 
-// The object between the point and the lamp, so near to the ray that it matters.
+// The object between the point and the lamp, close enough to the ray to matter.
 enum shadow_obstacle { SHADOW_SHEET, SHADOW_BALL, SHADOW_BAR, SHADOW_OBSTACLES };
 
 // The method that estimates the share from one march.
@@ -29,7 +29,7 @@ enum shadow_formula {
     SHADOW_CONE,   // coneReaching of shaders/cone.glsl, from a footprint of 0.0005
     SHADOW_MOST,   // the smallest distance / t
     SHADOW_LEAST,  // pairs of steps
-    SHADOW_TWICE,  // pairs of steps, twice as hard: full where half the radius is free
+    SHADOW_TWICE,  // pairs of steps, twice as hard: 1 if the edge is half a radius from the centre
     SHADOW_SIGNED, // the smallest distance / t, with a march that continues inside
     SHADOW_FORMULAS
 };
@@ -40,9 +40,9 @@ extern const char *const shadow_formula_names[SHADOW_FORMULAS];
 // One point of a floor, under a sun 29 degrees high, of radius 0.04.
 struct shadow_case {
     enum shadow_obstacle obstacle;
-    double distance; // to it along the ray to the lamp's centre, scene units
+    double distance; // to the obstacle along the ray to the lamp's centre, scene units
     double clear; // distance of that ray from the obstacle's edge, in radii of the lamp; negative
-                  // behind it
+                  // if the obstacle blocks the ray
 };
 
 // The visible share of the lamp: in closed form for the sheet and the bar, by brute force for the
@@ -53,16 +53,18 @@ double shadow_truth(const struct shadow_case *scene);
 // obstacle hides the centre.
 double shadow_clearance(const struct shadow_case *scene);
 
-// The same share from a formula.
+// The visible share from a formula.
 double shadow_quick(const struct shadow_case *scene, enum shadow_formula formula);
 
-// The two clearances that one march finds; both are 0 if it is stopped.
+// Find the two clearances of one march; both are 0 if an object stops the march.
 void shadow_march(const struct shadow_case *scene, double *most, double *least);
 
 // How far a formula is from the truth over a range twice as wide as the penumbra: clear from -2 to
 // 2, distances from 0.5 to 4.
 struct shadow_error {
-    double mean, mean_size, worst; // formula minus truth; its absolute value; the largest of these
+    // The mean of formula minus truth, the mean of its absolute value, and the largest absolute
+    // value.
+    double mean, mean_size, worst;
 };
 
 struct shadow_error shadow_error_of(enum shadow_obstacle obstacle, enum shadow_formula formula);

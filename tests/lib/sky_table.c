@@ -33,7 +33,7 @@ float *sky_table_read(int way, int function, double number, bool encoded)
     return values;
 }
 
-// Like hourStops and skyBrightness of shaders/sky_table.glsl.
+// hourStops of shaders/sky_table.glsl, which uses skyBrightness, in double precision.
 static double stops(double sun)
 {
     double high = fmax(sun, 0.0), deep = fmax(-sun, 0.0);
@@ -57,8 +57,8 @@ static double height_of(int row)
     return s * s;
 }
 
-// The integral at an angle to the sun, kept for the next method of mixing, because it takes most of
-// the time.
+// The integral at an azimuth, given by its cosine. It takes most of the time, so it is kept for the
+// next method.
 static const struct truth *truth_at(double azimuth)
 {
     static struct truth truth = {.azimuth = 2.0};
@@ -155,8 +155,8 @@ static void print_hours(void)
     static const double suns[] = {48.4, 20.0, 5.0,   0.0,   -0.83, -4.0,
                                   -6.0, -8.0, -10.0, -12.0, -15.0, -18.0};
     printf(
-        "# light on level ground, lux: of the sky by one scattering, by more, of the sun, and of "
-        "all with the night's; measured\n");
+        "# light on level ground, lux: of the sky after one scattering, after more, of the sun, of "
+        "all these and the night sky, and as measured\n");
     printf("sun,once,more,sun,all,measured\n");
     for (size_t i = 0; i < sizeof suns / sizeof suns[0]; i++) {
         struct sky_lux lux = sky_lux(suns[i]);
@@ -175,9 +175,9 @@ static void print_hours(void)
         }
         printf("\n");
     }
-    printf("# all the light of a direction divided by that scattered once, at 560 nm, with the sun "
-           "48.4 "
-           "degrees high: the zenith, from random paths, for a ground of albedo 0, 0.15, 0.3\n");
+    printf(
+        "# all the light of the zenith divided by the light scattered once, at 560 nm, from "
+        "random paths, with the sun 48.4 degrees high, for a ground of albedo 0, 0.15 and 0.3\n");
     for (int i = 0; i < 3; i++) {
         struct air_paths paths =
             air_paths(sin(48.4 * MIRROR_PI / 180.0), 1.0, 1.0, 0.15 * i, 8, 50000);
@@ -190,8 +190,9 @@ int sky_table_print(void)
     static const char *const names[] = {"tables", "angle", "dot product", "chapter 09"};
     if (!sky_table_open())
         return 1;
-    printf("# off the integral, steps of 255, exposed and encoded; sun from -8 to 90 degrees, by "
-           "day from 5\n");
+    printf(
+        "# difference from the integral in steps of 255, exposed and encoded; the sun is from -8 "
+        "to 90 degrees high, by day at least 5\n");
     printf("azimuth,way,mean,most,over 1,at sun,at height,most by day\n");
     for (int azimuth = 0; azimuth <= 180; azimuth += 45)
         for (int way = 0; way < 4; way++) {

@@ -33,9 +33,9 @@ static struct d3 patch_at(const struct patch *patch, double u, double v)
     return d3(x * cos(turn), y, x * sin(turn));
 }
 
-// The squared distance from p to a piece: the nearest point of a grid, which has no point
-// on the axis, then steps that are halved again and again, towards any point that is nearer. The
-// remaining error is less than the last step.
+// The squared distance from p to a piece. Start at the nearest point of a grid, which has no point
+// on the axis, and step towards any point that is nearer; the step is halved whenever there is
+// none. The remaining error is less than the last step.
 static double patch_distance(const struct patch *patch, struct d3 p)
 {
     double best = HUGE_VAL, u = 0.0, v = 0.0;
@@ -57,7 +57,8 @@ static double patch_distance(const struct patch *patch, struct d3 p)
             b = patch->turned ? b : mirror_clamp(b);
             struct d3 to = d3_sub(patch_at(patch, a, b), p);
             double square = d3_dot(to, to);
-            if (square < best * (1.0 - 1e-12)) { // on the axis every v is the same, up to rounding
+            if (square <
+                best * (1.0 - 1e-12)) { // on the axis, every v gives the same point, up to rounding
                 best = square;
                 u = a;
                 v = b;

@@ -7,8 +7,8 @@
 
 #include "lib/mirror.h"
 
-// The functions of the shader. It evaluates each at this many points, and at a second point beside
-// each.
+// The functions of the shader. The shader evaluates each function at SOLID_ITEMS points, and at a
+// second point beside each of them.
 enum {
     CYLINDER,
     HEX_PRISM,
@@ -33,7 +33,7 @@ struct patch {
     struct d3 origin, side, other;          // of a parallelogram
     double from[2], to[2];                  // of a segment: its ends
     double centre[2], radius;               // of an arc, from angle from[0] to angle to[0]
-    struct d3 grid[SOLID_GRID][SOLID_GRID]; // points of it
+    struct d3 grid[SOLID_GRID][SOLID_GRID]; // points of the piece
 };
 
 // A solid: its surface, and its interior.
@@ -41,7 +41,7 @@ struct solid {
     const char *name;
     int function;
     float number[4];
-    double thickness; // thickness of a stroke around the surface, which is then a sheet
+    double thickness; // if > 0, the surface is a sheet, thickened by this much on either side
     bool (*inside)(const struct solid *solid, struct d3 p);
     bool exact_outside, exact_inside;
     int count;
@@ -55,8 +55,8 @@ struct tally {
     double steepest; // |f(p) - f(q)| / |p - q|
 };
 
-// Each adds to a surface: a parallelogram; a segment of the half-plane x >= 0, rotated; the part
-// with x >= 0 of a circle around (x, 0), rotated.
+// Each of these adds a piece to a surface: a parallelogram; a segment of the half-plane x >= 0,
+// rotated; the part with x >= 0 of a circle around (x, 0), rotated.
 void solid_add_flat(struct solid *solid, struct d3 origin, struct d3 side, struct d3 other);
 void solid_add_turned(struct solid *solid, double x0, double y0, double x1, double y1);
 void solid_add_turned_circle(struct solid *solid, double x, double radius);
@@ -72,9 +72,9 @@ double solid_slack(struct d3 p);
 // Always false, because a sheet has no inside.
 bool solid_never(const struct solid *solid, struct d3 p);
 
-// Compare the shader with the surface at each point: it must be a lower bound on either side with a
-// slope of at most 1, and exact where the solid says so. Prints the differences; fails the test if
-// this is not so.
+// Compare the shader's distances with the surface. At each point, the value must be a lower bound
+// on either side, with a slope of at most 1, and exact where the solid says so. Prints the
+// differences, and fails the test if a value is wrong.
 struct tally solid_check(struct solid *solid);
 
 #endif

@@ -33,8 +33,8 @@ static bool read_contender(struct contender *contender, const char *argument, in
                   &camera->position[2], &camera->pan, &camera->tilt) == 5;
 }
 
-// CPU time of the process, all its threads together, so that another program on the other core does
-// not count.
+// CPU time of all threads of the process together, so that another program on the machine does not
+// count.
 static double cpu_seconds(void)
 {
     return platform_processor_seconds();
@@ -49,7 +49,7 @@ static double frame_seconds(struct contender *contender, const struct gl *gl)
     return cpu_seconds() - start;
 }
 
-// Compilation and the first frame in a new context.
+// Time compilation and the first frame in a new context.
 static double cold_seconds(struct contender *contender, const char *root)
 {
     struct context context = {0};
@@ -66,7 +66,7 @@ static double cold_seconds(struct contender *contender, const char *root)
     return seconds;
 }
 
-// Frames of the two in turn, so that anything that slows the machine slows both.
+// Time frames of the two shaders in turn, so that anything that slows the machine slows both.
 static bool measure_warm(struct contender pair[2])
 {
     for (int k = 0; k < 2; k++)

@@ -16,8 +16,8 @@ struct star {
 // All stars, sorted by z. Owned by the module.
 const struct star *stars_all(void);
 
-// The light that a pixel of a given width receives from them in a direction: the sum over all
-// stars.
+// The light that a pixel of a given width, in radians, receives from the stars in a direction: the
+// sum over all stars.
 double stars_light(struct d3 direction, double width);
 
 #endif

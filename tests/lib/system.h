@@ -10,29 +10,30 @@
 #include "platform.h"
 
 // Make a folder with an unused name in this machine's folder for temporary files.
-//   path  receives its resolved path
+//   path  receives the resolved path of the folder
 bool system_make_scratch(char path[PLATFORM_PATH]);
 
 bool system_make_folder(const char *path);
 
-// An empty file to write and read, deleted when it is closed; the test ends if none can be made.
+// Open an empty file to write and read, which is deleted when it is closed. The test ends if no
+// such file can be made.
 FILE *system_open_scratch(void);
 
 // Remove a folder with everything in it.
 bool system_remove_folder(const char *path);
 
 // The number of files that this process has open; two calls give the same number unless a file was
-// left open in between. If the system has no /proc/self/fd, it prints so and returns -1.
+// left open in between. If the system has no /proc/self/fd, prints this and returns -1.
 int system_open_files(void);
 
 // Run one of the programs built with the tests, with a line of arguments, and read its output and
 // errors.
-//   text  receives the first size - 1 bytes of it
-// Returns its exit status; the test ends where it cannot be started.
+//   text  receives the first size - 1 bytes of these
+// Returns the exit status of the program; the test ends if the program cannot be started.
 int system_run(const char *program, const char *arguments, char *text, size_t size);
 
 // Make a symbolic link, or a named pipe; the test ends if that fails. Returns false on a system
-// where ordinary users cannot make one: there they cannot be tested.
+// where ordinary users cannot make any, so that they cannot be tested.
 bool system_make_link(const char *to, const char *path);
 bool system_make_pipe(const char *path);
 

@@ -10,7 +10,8 @@ bool system_make_scratch(char path[PLATFORM_PATH])
 {
     static int number;
     const char *parent = getenv("TEMP");
-    // The id of an ended program is used again, and a killed program leaves its folder behind.
+    // The name may be taken: the id of an ended program is used again, and a killed program leaves
+    // its folder behind.
     bool made;
     do {
         snprintf(path, PLATFORM_PATH, "%s/march-test-%d-%d", parent != NULL ? parent : ".",
@@ -24,7 +25,7 @@ bool system_make_scratch(char path[PLATFORM_PATH])
     return resolved != NULL;
 }
 
-// tmpfile would not do: Wine's may give the same file to two programs that run at once.
+// tmpfile cannot be used, because Wine's may give the same file to two programs that run at once.
 FILE *system_open_scratch(void)
 {
     static int number;
@@ -34,7 +35,7 @@ FILE *system_open_scratch(void)
     do {
         snprintf(path, sizeof path, "%s/march-test-%d-%d.tmp", parent != NULL ? parent : ".",
                  _getpid(), number++);
-        file = fopen(path, "w+bxD"); // a new one, deleted when it is closed
+        file = fopen(path, "w+bxD"); // a new file, deleted when it is closed
     } while (file == NULL && errno == EEXIST);
     if (file == NULL) {
         perror(path);

@@ -1,17 +1,17 @@
 # shellcheck shell=bash
-# tap.sh - what the shell suites share. Sourced from the project's root:
+# tap.sh - functions that the shell suites share. It is sourced from the project's root:
 #
 #   . tests/lib/tap.sh
 #   open_scratch
-#   check "name" COMMAND...     one TAP line: ok when the command succeeds
-#   plan                        the last line; fails when a line was 'not ok'
+#   check "name" COMMAND...     one TAP line: ok if the command succeeds
+#   plan                        the last line; fails if a line was 'not ok'
 #
-# Sets BUILD, scratch (a folder that is removed at the end) and what the programs need from the
-# environment: software rendering, readable sanitizers.
+# It sets BUILD, scratch (a folder that is removed at the end) and the environment of the programs:
+# software rendering, and sanitizers with readable reports.
 
 export LC_ALL=C
 BUILD=${BUILD:-build}
-root=$PWD # for the suite that sources this
+root=$PWD # for the suite that sources this file
 export root
 scratch=
 display_server=
@@ -19,7 +19,7 @@ tap_count=0
 tap_failed=0
 
 export LIBGL_ALWAYS_SOFTWARE=1 GALLIUM_DRIVER=llvmpipe
-# Status 99 distinguishes a sanitizer's end from the program's own status 1.
+# Status 99 distinguishes an error that a sanitizer found from the program's own status 1.
 export ASAN_OPTIONS="${ASAN_OPTIONS:-intercept_tls_get_addr=0}:exitcode=99"
 export UBSAN_OPTIONS="${UBSAN_OPTIONS:+$UBSAN_OPTIONS:}exitcode=99:print_stacktrace=1"
 export LSAN_OPTIONS="${LSAN_OPTIONS:-suppressions=$root/tests/lib/lsan.supp:print_suppressions=0}"
@@ -52,7 +52,7 @@ skip() {
     printf 'ok %d - %s # SKIP %s\n' "$tap_count" "$1" "$2"
 }
 
-# check NAME COMMAND...: the command is the test.
+# check NAME COMMAND...: the test passes if the command succeeds.
 check() {
     local name=$1
     shift
@@ -69,8 +69,8 @@ plan() {
     [ "$tap_failed" = 0 ]
 }
 
-# A display for this suite, on a free number. Sets DISPLAY. -noreset: without it, a server that resets between two
-# clients refuses some of them.
+# Start a display for this suite, with a free number, and set DISPLAY. Without -noreset, the server would reset between
+# two clients and refuse some of them.
 open_display() {
     command -v Xvfb >/dev/null || return 1
     mkfifo "$scratch/display" || return 1

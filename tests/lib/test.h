@@ -1,4 +1,4 @@
-// test.h - a program of tests, by cmocka, and what each of them includes:
+// test.h - makes a program of tests that cmocka runs, and includes the headers that all tests need:
 //
 //   TEST(a_ray_has_length_1)
 //   {
@@ -7,8 +7,8 @@
 //
 //   TESTS(gpu_setup, gpu_teardown)
 //
-// The tests run in the order in which they are written. The environment's ONE_TEST, such as
-// a_ray_has_length_1, is the only one that runs; '*' in it matches any characters.
+// The tests run in the order in which they are written. If the environment variable ONE_TEST is
+// set, for example to a_ray_has_length_1, only this test runs; '*' in it matches any characters.
 #ifndef TESTS_TEST_H
 #define TESTS_TEST_H
 
@@ -35,7 +35,7 @@
     }                                                                                              \
     static void name(__attribute__((unused)) void **state)
 
-// The program: all tests of the file. Setup and teardown, which may be NULL, run once for all.
+// The program, which runs all tests of the file. Setup and teardown, which may be NULL, run once.
 #define TESTS(setup, teardown)                                                                     \
     int main(void)                                                                                 \
     {                                                                                              \

@@ -6,16 +6,16 @@
 
 #include "context/context.h"
 
-// GLFW passes more than is needed here. NOLINTBEGIN(misc-unused-parameters)
+// GLFW's functions have more parameters than are needed here. NOLINTBEGIN(misc-unused-parameters)
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #define GL_SCISSOR_BOX 0x0C10
 
 struct user user;
 struct GLFWwindow {
-    struct context context; // not shown by the system
+    struct context context; // without a display
     GLuint framebuffer, texture;
     int width, height;    // of the texture, pixels
-    double drawn, waited; // pixels drawn so far, and those of them that were waited for
+    double drawn, waited; // pixels drawn so far, and how many of these were waited for
 };
 
 struct GLFWmonitor {
@@ -99,8 +99,8 @@ void user_resize(int width, int height)
 
 // ---- What the window shows ----
 
-// The picture of the window, which has no framebuffer of its own, is a texture of the window's
-// size.
+// The window has no default framebuffer. Framebuffer 0 is replaced with one whose texture has the
+// window's size.
 static void bind(GLenum target, GLuint framebuffer)
 {
     const struct gl *gl = &the.context.gl;
@@ -121,7 +121,8 @@ static void bind(GLenum target, GLuint framebuffer)
     gl->FramebufferTexture2D(target, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, the.texture, 0);
 }
 
-// Pictures are drawn in tiles; nothing else is drawn within a scissor box of many pixels.
+// Count the pixels of scissor boxes: pictures are drawn in tiles, and nothing else is drawn within
+// a scissor box of many pixels.
 static void draw(GLenum mode, GLint first, GLsizei count)
 {
     GLboolean (*is_enabled)(GLenum) = (GLboolean(*)(GLenum))the.context.driver->find("glIsEnabled");
@@ -168,7 +169,7 @@ GLFWglproc glfwGetProcAddress(const char *name)
 
 // ---- The window ----
 
-// These have little to do.
+// These functions have little to do.
 // clang-format off
 int glfwInit(void) { return GLFW_TRUE; }
 void glfwTerminate(void) { user.hints = 0; }
@@ -383,7 +384,7 @@ const char *glfwGetClipboardString(GLFWwindow *window)
     return user.clipboard;
 }
 
-// The labels of a French keyboard, by the American ones.
+// The labels of keys on a French keyboard, listed with the American labels.
 const char *glfwGetKeyName(int key, int scancode)
 {
     static const char *const labels[][2] = {{"A", "q"}, {"Q", "a"}, {"W", "z"},

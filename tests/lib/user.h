@@ -1,7 +1,7 @@
-// user.h - GLFW with a test as its user: keys, pointer, sizes and the clock are what the test sets.
+// user.h - GLFW with a test as its user: the test sets keys, pointer, sizes and the clock.
 //
-// It replaces GLFW in a test program that is linked with it. There is one window at a time; its
-// contents are a picture that is drawn without a display by EGL or OSMesa.
+// This module replaces GLFW in a test program that is linked with it. There is one window at a
+// time; its contents are a picture that is drawn without a display by EGL or OSMesa.
 #ifndef TESTS_USER_H
 #define TESTS_USER_H
 
@@ -16,21 +16,21 @@ enum { USER_HINTS = 32 };
 
 // What the test sets, and what the program has set.
 struct user {
-    double now;             // of the clock, seconds; waiting advances it
+    double now;             // time of the clock, seconds; waiting advances it
     double pixel_seconds;   // time to draw one pixel, when the program waits for the drawing
-    double pointer[2];      // its position, in the window's units from its top left
-    int size[2];            // of the window, in its units
+    double pointer[2];      // position of the pointer, in units from the window's top left
+    int size[2];            // of the window, in units
     int density;            // pixels per unit: 1, or 2 as on a Mac's Retina display
     int place[2];           // of the window on its monitor
-    bool unfocused, hidden; // there is no keyboard; the window is iconified
+    bool unfocused, hidden; // the window lacks the keyboard focus; it is iconified
     void (*wait)(void);     // called at each wait for events, if not NULL
-    const char *clipboard;  // its text
-    // What the program asked for:
+    const char *clipboard;  // text of the clipboard
+    // Set by the program:
     bool open, ended, captured, full;
     char title[400];
-    int frames, waits; // shown so far; waited for events so far
-    int links;         // programs linked so far
-    int cursor;        // its shape; 0 for the arrow
+    int frames, waits; // frames shown so far; waits for events so far
+    int links;         // shader programs linked so far
+    int cursor;        // shape of the cursor; 0 for the default
     int hint[USER_HINTS][2], hints;
     struct {
         void *pointer;
@@ -47,10 +47,10 @@ struct user {
 
 extern struct user user;
 
-// Begin with a black window of 320x200 units that nobody has touched.
+// Begin with a window of 320x200 units that has had no input.
 void user_reset(void);
 
-// Press or release a key; press it and release it again.
+// Press a key, release a key, or press a key and release it again.
 //   modifiers  GLFW_MOD_SHIFT or 0
 void user_press(int key, int modifiers);
 void user_release(int key);
@@ -73,7 +73,7 @@ void user_drag(double x, double y, double right, double down);
 // Turn the wheel by notches; away from the user is positive.
 void user_wheel(double notches);
 
-// Give the window a new size: its content is lost, and the program is told at once.
+// Give the window a new size: its contents are lost, and the program is notified at once.
 void user_resize(int width, int height);
 
 // Read what the window shows; the caller frees image.

@@ -1,6 +1,6 @@
 # shellcheck shell=bash disable=SC2034,SC2154
-# window.sh - start a program in a window of a display, press keys, take and compare screenshots. Sourced after
-# tap.sh; sets the display up.
+# window.sh - starts a program in a window, presses keys, and takes and compares screenshots. It is sourced after tap.sh
+# and sets up a display.
 
 chapter=01_normal_colouring
 still='-s 320x200 -c 1.65,1.6,3.4,-26,-23.5'
@@ -9,7 +9,8 @@ program='' window='' manager='' shots=0 picture='' stem=''
 # ---- Tools ----
 
 # eventually COMMAND...: wait until the command succeeds. After a minute it gives up, saves a screenshot next to the
-# suite's output and makes every later wait fail at once; the check that it belongs to, or the next one, ends the suite.
+# suite's output and makes every later wait fail at once; the check that contains the wait, or the next check, ends the
+# suite.
 gave_up=''
 eventually() { [ -z "$gave_up" ] && { within 60 "$@" || give_up "$@"; }; }
 give_up() {
@@ -66,10 +67,11 @@ manage() {
     manager=$!
     eventually [ -e "$scratch/managed" ] || echo '# openbox did not start'
 }
-# Without a window manager, no window is listed, and what a dead one leaves behind ends a program in GLFW 3.3.
+# Restart the window manager if it has died. Without one, no window is listed, and the remains of a dead one make GLFW
+# 3.3 end a program.
 keep_managed() { kill -0 "$manager" 2>/dev/null || { echo '# openbox died' && manage; }; }
 
-# Start STEM OPTION... in a window, with its own folder for what it writes.
+# start STEM OPTION...: starts a program in a window, with a new folder for the files that it writes.
 start() {
     stem=$1 shots=0
     shift
@@ -82,10 +84,11 @@ start() {
     opens
 }
 
-# Move the pointer into the corner of the screen, where no window opens: over a panel it would open a tooltip.
+# Move the pointer into the corner of the screen, where no window opens, because over a panel it would open a tooltip.
 park() { xdotool mousemove 1279 1023; }
 
-# The program's window exists, has the focus and shows something. The window manager may take the focus back once.
+# Wait until the program's window exists, has the focus and shows a picture. The window manager may take the focus back
+# once.
 opens() {
     eventually find_window || {
         echo "# no window of process $program, $(sed -n 's/^State:[[:blank:]]*//p' "/proc/$program/status" 2>&1): $(wmctrl -lp 2>&1 | tr '\n' ' ')"
@@ -97,12 +100,13 @@ focus() { xdotool windowfocus "$window" 2>/dev/null && focused; }
 focused() { [ "$(xdotool getwindowfocus 2>/dev/null)" = $((window)) ]; }
 unfocused() { ! focused; }
 
-# The first frame has been drawn: the pixels in the middle, which are not all sky in any size, no longer have one colour.
+# True if the first frame has been drawn: the pixels in the middle, which are not all sky at any size, no longer all
+# have the same colour.
 drawn() {
     [ "$(import -window "$window" -gravity center -crop 60x60%+0+0 -format %k info: 2>/dev/null)" -gt 1 ] 2>/dev/null
 }
 
-# Press P and wait for the file: $picture.
+# Take a screenshot with P, and wait for its file, $picture.
 shoot() {
     shots=$((shots + 1))
     picture=$scratch/run/$(printf '%s-%04d.png' "$stem" "$shots")
@@ -110,12 +114,12 @@ shoot() {
     eventually says out "$(basename "$picture"): written"
 }
 
-# shoot_as NAME: a screenshot, stored under a name.
+# shoot_as NAME: takes a screenshot and stores it under a name.
 shoot_as() { shoot && cp "$picture" "$scratch/$1.png"; }
 same() { cmp -s "$scratch/$1.png" "$scratch/$2.png"; }
 differ() { ! same "$1" "$2"; }
 
-# Render NAME OPTION...: the picture that the command line makes.
+# render NAME OPTION...: renders a picture with the command line and stores it under a name.
 render() {
     local name=$1
     shift
@@ -127,7 +131,7 @@ matches() { build/tests/compare "$scratch/$1.png" "$scratch/$2.png" >"$scratch/n
     return 1
 }; }
 
-# The program ended by itself with status 0.
+# True if the program ends by itself with status 0.
 ended() { ! alive; }
 ends_well() {
     eventually ended || { kill "$program"; return 1; }
@@ -139,22 +143,23 @@ close_window() {
     wait "$program" 2>/dev/null
 }
 
-# look NAME: what the window shows, stored under a name. Without a window, import would wait for a click.
+# look NAME: stores what the window shows under a name. Without a window, import would wait for a click.
 look() { [ -n "$window" ] && import -window "$window" "$scratch/$1.png"; }
 
-# How many of a million pixels differ by more than a driver's rounding, between two stored pictures or the same part of
-# both, or between what the window shows and a stored picture.
+# Print how many of a million pixels differ by more than a driver's rounding. apart compares two stored pictures, or the
+# same part of both; off compares what the window shows with a stored picture.
 apart() { # A B [WxH+X+Y]
     build/tests/compare ${3:+--part "$3"} "$scratch/$1.png" "$scratch/$2.png" | awk '/^F2/ { printf "%d\n", $2 * 10000 + 0.5 }'
 }
 off() { look screen && apart screen "$@"; }
 shown() { [ "$(off "$1")" = 0 ]; }
-part_shown() { # NAME WxH+X+Y [PIXELS]: the window shows that part of a kept picture, except for that many in a million
+# True if the window shows this part of a stored picture, except for at most this many pixels in a million.
+part_shown() { # NAME WxH+X+Y [PIXELS]
     [ "$(off "$1" "$2")" -le "${3:-0}" ]
 }
 
-# Hold a key until the picture changes. A busy machine may handle press and release at once; then the key is held for
-# longer.
+# Hold a key until the picture changes. A busy machine may handle press and release at once; in that case, the key is
+# held for longer.
 walk() { # KEY
     local hold
     shoot_as here || return
@@ -168,7 +173,7 @@ backspace() { key BackSpace && ends_well; }
 
 # ---- Set-up ----
 
-export LP_NUM_THREADS=2 # so that a heavy picture is heavy on any machine
+export LP_NUM_THREADS=2 # so that a slow picture is slow on any machine
 
 for tool in Xvfb openbox xdotool wmctrl import; do
     if ! command -v $tool >/dev/null; then
@@ -183,8 +188,8 @@ if ! open_display; then
     plan
     exit
 fi
-# Without the window manager's own buttons and keys, because it would hold a press back until it has handled it, and a
-# key that is pressed later would arrive first.
+# The window manager reacts to no buttons and keys. Otherwise, it would hold back a press until it had handled it, and a
+# key pressed later would arrive first.
 echo '<openbox_config xmlns="http://openbox.org/3.4/rc"><keyboard/><mouse/></openbox_config>' >"$scratch/openbox.xml"
 manage
 
@@ -192,6 +197,6 @@ manage
 
 mine=$scratch/mine.frag
 good=$(cat chapters/$chapter.frag)
-save() { # TEXT: as an editor does it, into a new file that is then renamed
+save() { # TEXT: writes the reader's shader as an editor does, to a new file that is then renamed
     printf '%s\n' "$1" >"$mine.new" && mv "$mine.new" "$mine"
 }

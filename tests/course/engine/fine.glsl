@@ -1,4 +1,4 @@
-// The half of x.
+// Half of x.
 float half_of(float x)
 {
     return 0.5 * x;
